@@ -1,0 +1,11 @@
+# Everything comes from Debian 12's packages; nothing is vendored or downloaded.
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(fmt REQUIRED)
+find_package(Qt5 5.15 REQUIRED COMPONENTS Core Network Gui Widgets Svg)
+find_package(CLI11 REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(Qwt REQUIRED)
+find_path(EXPECTED_INCLUDE_DIR tl/expected.hpp REQUIRED)
+add_library(halbench_expected INTERFACE)
+target_include_directories(halbench_expected SYSTEM INTERFACE ${EXPECTED_INCLUDE_DIR})

@@ -1,0 +1,51 @@
+# Warnings are errors in everything we write.
+add_library(halbench_options INTERFACE)
+target_include_directories(halbench_options INTERFACE ${CMAKE_SOURCE_DIR})
+target_compile_options(halbench_options INTERFACE -Wall -Wextra -Wshadow -Wconversion -Werror
+  $<$<COMPILE_LANGUAGE:C>:-Wstrict-prototypes> -fno-fast-math -ffp-contract=off)
+target_compile_definitions(halbench_options INTERFACE HALBENCH_VERSION="${PROJECT_VERSION}"
+  QT_NO_CAST_FROM_ASCII_STRICT QT_NO_KEYWORDS)
+if(HALBENCH_SANITIZE)
+  target_compile_options(halbench_options INTERFACE -fsanitize=${HALBENCH_SANITIZE}
+    -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(halbench_options INTERFACE -fsanitize=${HALBENCH_SANITIZE})
+endif()
+
+# halbench_library(control_lti DEPENDS control_base ...): one static library of all sources in this folder
+# (not its sub-folders). A folder without sources becomes an interface library, so that its dependants link.
+function(halbench_library name)
+  cmake_parse_arguments(ARG "RECURSE" "" "DEPENDS" ${ARGN})
+  if(ARG_RECURSE)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp *.c)
+    list(FILTER sources EXCLUDE REGEX "/(boards|examples)/")
+  else()
+    file(GLOB sources CONFIGURE_DEPENDS *.cpp *.c)
+  endif()
+  if(sources)
+    add_library(${name} STATIC ${sources})
+    target_link_libraries(${name} PUBLIC halbench_options halbench_expected ${ARG_DEPENDS})
+  else()
+    add_library(${name} INTERFACE)
+    target_link_libraries(${name} INTERFACE halbench_options halbench_expected ${ARG_DEPENDS})
+  endif()
+endfunction()
+
+# halbench_test(control_lti): every *_test.cpp of this folder in one program, each case a ctest entry.
+# LABELS night marks a suite that only `./dev test --night` runs.
+function(halbench_test name)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "DEPENDS;LABELS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(test_${name} ${sources})
+  target_link_libraries(test_${name} PRIVATE halbench_options halbench_expected ${ARG_DEPENDS}
+    GTest::gmock GTest::gtest_main)
+  target_compile_definitions(test_${name} PRIVATE HALBENCH_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
+    HALBENCH_PROGRAM="${CMAKE_BINARY_DIR}/halbench")
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 120)
+  endif()
+  gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
+    PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
+endfunction()

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "devices/device.h"
+
+#include <atomic>
+#include <memory>
+#include <optional>
+
+namespace halbench::devices {
+
+/// What a command or window knows when it opens a device.
+struct OpenOptions {
+    std::optional<std::uint64_t> seed; ///< `--seed`: wins over `?seed=`
+    bool isRealtime = false;           ///< `--realtime`: a simulated device is paced by the wall clock
+    const std::atomic<int>* interruptSignal = nullptr; ///< becomes SIGINT or SIGTERM when one arrived
+};
+
+/// Opens any device by its address and reads its catalogue.
+/// Errors: InvalidInput, UnknownName, OutOfRange (address), DeviceLost, Protocol.
+Result<std::unique_ptr<Device>> openDevice(const std::string& uri, const OpenOptions& options);
+
+/// One line of `halbench devices`.
+struct DeviceListing {
+    std::string uri;
+    std::string model;
+    std::string transport;
+    std::string id;
+    bool isSimulated = false;
+    bool isAvailable = false;
+    std::string reason; ///< why it cannot be opened
+    std::string hint;
+};
+
+std::vector<DeviceListing> listDevices();
+
+} // namespace halbench::devices

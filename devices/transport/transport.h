@@ -1,0 +1,41 @@
+#pragma once
+
+#include "control/base/result.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace halbench::devices {
+
+/// What a transport saw on the wire.
+struct TransportStatistics {
+    std::uint64_t packetsReceived = 0;
+    std::uint64_t packetsSent = 0;
+    std::uint64_t packetsLost = 0;    ///< gaps of the message counter
+    std::uint64_t packetsDamaged = 0; ///< bad length, bad checksum
+};
+
+/// Moves whole XCP packets and owns the time they are stamped with: the host's steady clock on hardware, the
+/// simulation's clock on the loopback, where time passes only inside receive().
+/// Thread: one, the connection's.
+class Transport {
+public:
+    virtual ~Transport() = default;
+
+    virtual Result<void> open() = 0;
+    virtual void close() noexcept = 0;
+    virtual Result<void> send(std::span<const std::uint8_t> packet) = 0;
+
+    /// Waits at most `timeout_s` for one packet and puts it into `packet` (whose storage is reused).
+    /// False when nothing came in time. Error: DeviceLost.
+    virtual Result<bool> receive(std::vector<std::uint8_t>& packet, double timeout_s) = 0;
+
+    virtual double now_s() const = 0;
+    virtual TransportStatistics statistics() const = 0;
+    /// "loopback", "tcp:127.0.0.1:5555" ...
+    virtual std::string description() const = 0;
+};
+
+} // namespace halbench::devices
