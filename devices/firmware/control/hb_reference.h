@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef HB_REFERENCE_H
+#define HB_REFERENCE_H
+
+/* Reference generator of the board. r(t) from its start at t = 0, in rad (mode position) or A (modes current,
+ * d-axis):
+ *
+ *   none        0
+ *   step        amplitude
+ *   ramp        rate t, held at |amplitude| when that is not 0
+ *   sine        amplitude sin(2 pi frequency t)
+ *   staircase   amplitude (1 + floor(t/period)), at most `count` steps
+ *   chirp       amplitude sin(2 pi (f0 t + (f1 - f0) t^2/(2 duration)))
+ *   multisine   amplitude sqrt(2/count) sum_k sin(2 pi f_k t + phase_k), f_k evenly from f0 to f1; Schroeder
+ * phases for seed 0, otherwise phases drawn from the seed. Its rms value is `amplitude`. plateaus
+ * current[floor(t/dwell)] (in every mode as a value), `count` of them
+ *
+ * `base` adds constant motion: base t in mode position (rad/s), the constant base in the current modes (A).
+ * The generator ends after `duration` (staircase: count periods; plateaus: count dwells): the position is
+ * then held, a current goes to zero. */
+
+#include "devices/firmware/xcp/hb_config.h"
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum hb_shape {
+    HB_SHAPE_NONE,
+    HB_SHAPE_STEP,
+    HB_SHAPE_RAMP,
+    HB_SHAPE_SINE,
+    HB_SHAPE_STAIRCASE,
+    HB_SHAPE_CHIRP,
+    HB_SHAPE_MULTISINE,
+    HB_SHAPE_PLATEAUS
+};
+
+#if HB_FEATURE_GENERATOR
+enum { HB_PLATEAUS = 32, HB_MULTISINE_LINES = 32 };
+#endif
+
+/* Part of the live parameters; start() copies it, so writes act on the next start only. */
+typedef struct {
+    float amplitude, rate, frequency_Hz, frequency_end_Hz, period_s, duration_s, base;
+    uint32_t seed;
+    uint16_t count;
+    uint8_t shape;
+} hb_reference_config;
+
+#if HB_FEATURE_GENERATOR
+typedef struct {
+    float current_A[HB_PLATEAUS];
+    float dwell_s;
+    uint16_t count;
+} hb_plateau_config;
+#endif
+
+typedef struct {
+    float value, speed, acceleration;
+} hb_reference_point;
+
+typedef struct {
+    hb_reference_config config;
+#if HB_FEATURE_GENERATOR
+    hb_plateau_config plateaus;
+    uint32_t line_phase[HB_MULTISINE_LINES]; /* 2^32 = one turn */
+#endif
+    uint32_t ticks; /* milliseconds since the start */
+    uint32_t duration_ticks;
+    uint32_t phase; /* of sine and chirp, 2^32 = one turn */
+    hb_reference_point held;
+    uint16_t segment; /* 1, 2, ... counts steps, plateaus; grows over starts so that a change marks a new
+                         segment */
+    uint16_t segment_base;
+    uint8_t running, holds_position;
+} hb_reference;
+
+void hb_reference_init(hb_reference* reference);
+/* Starts at the next hb_reference_advance(). */
+#if HB_FEATURE_GENERATOR
+void hb_reference_start(hb_reference* reference, const hb_reference_config* config,
+                        const hb_plateau_config* plateaus, uint8_t is_position);
+#else
+void hb_reference_start(hb_reference* reference, const hb_reference_config* config, uint8_t is_position);
+#endif
+void hb_reference_stop(hb_reference* reference);
+/* The point at the present tick; the held point (or zero) when not running. */
+hb_reference_point hb_reference_evaluate(hb_reference* reference);
+/* One fast tick (1 ms) passes. */
+void hb_reference_advance(hb_reference* reference);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

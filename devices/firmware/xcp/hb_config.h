@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef HB_CONFIG_H
+#define HB_CONFIG_H
+
+/* Sizes and features of one build. A small board defines HB_BOARD_CONFIG (a quoted header name) on the
+ * compiler's command line and overrides any of these there. The values below are the full build. */
+#ifdef HB_BOARD_CONFIG
+#include HB_BOARD_CONFIG
+#endif
+
+#ifndef HB_MAX_CTO
+#define HB_MAX_CTO 255 /* longest command and response, octets (8..255) */
+#endif
+#ifndef HB_MAX_DTO
+#define HB_MAX_DTO 508 /* longest measurement packet: with a 4 octet header a datagram of 512 octets */
+#endif
+#ifndef HB_RING_OCTETS
+#define HB_RING_OCTETS 32768 /* transmit queue; a power of two, at most 32768 */
+#endif
+#ifndef HB_DAQ_LISTS
+#define HB_DAQ_LISTS 8
+#endif
+#ifndef HB_DAQ_ODTS
+#define HB_DAQ_ODTS 64
+#endif
+#ifndef HB_DAQ_ENTRIES
+#define HB_DAQ_ENTRIES 512
+#endif
+#ifndef HB_FEATURE_FULL
+#define HB_FEATURE_FULL 1 /* commands marked F in resources/help/protocol.md 3.5 */
+#endif
+#ifndef HB_FEATURE_CAPTURE
+#define HB_FEATURE_CAPTURE 1
+#endif
+#ifndef HB_FEATURE_ERROR_MAP
+#define HB_FEATURE_ERROR_MAP 1
+#endif
+#ifndef HB_FEATURE_GENERATOR
+#define HB_FEATURE_GENERATOR                                                                                 \
+    1 /* chirp, multisine and plateau list; step, ramp, sine, staircase are always in */
+#endif
+#ifndef HB_SPEED_WINDOW
+#define HB_SPEED_WINDOW 32 /* samples of the speed estimate */
+#endif
+#ifndef HB_A2L_TRANSPORT
+#define HB_A2L_TRANSPORT "/begin XCP_ON_TCP_IP 0x0100 5555 ADDRESS \"127.0.0.1\" /end XCP_ON_TCP_IP\n"
+#endif
+
+/* Constant tables live in flash on machines with separate program memory. */
+#ifdef __AVR__
+#include <avr/pgmspace.h>
+#define HB_ROM PROGMEM
+#define hb_rom_copy(destination, source, octets) memcpy_P((destination), (source), (octets))
+#define hb_rom_octet(address) pgm_read_byte(address)
+#else
+#include <string.h>
+#define HB_ROM
+#define hb_rom_copy(destination, source, octets) memcpy((destination), (source), (octets))
+#define hb_rom_octet(address) (*(const unsigned char*)(address))
+#endif
+
+#endif

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef HB_TABLE_H
+#define HB_TABLE_H
+
+/* What a board's author writes: one table of signals, one of parameters. The library serves the values by
+ * handle address, renders the A2L description and enforces the limits from these tables alone
+ * (resources/help/protocol.md 3.13). */
+
+#include "devices/firmware/xcp/hb_config.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum hb_type { HB_UBYTE, HB_SBYTE, HB_UWORD, HB_SWORD, HB_ULONG, HB_SLONG, HB_FLOAT32, HB_FLOAT64 };
+
+/* One measured variable: physical value = raw * scale. `choices` names the values 0, 1, 2... ("idle|armed"),
+ * or is NULL. `offset` counts from the base pointer of the table, so one table serves many instances. */
+typedef struct {
+    char name[28];
+    char text[60];
+    char unit[12];
+    uint8_t type;
+    uint16_t offset;
+    float scale;
+    float lower, upper; /* physical */
+    const char* choices;
+} hb_signal;
+
+typedef struct {
+    const hb_signal* entries;
+    uint16_t count;
+    const void* base;
+} hb_signal_table;
+
+enum hb_space {
+    HB_PAGED, /* on the two calibration pages, segment 0: changes as a set, in one control cycle */
+    HB_LIVE,  /* plain variable: a write acts at once */
+    HB_BLOCK  /* read-only block of float at address extension 2 */
+};
+
+/* One parameter (`count` > 1: an array, only for HB_BLOCK). A finite value outside the limits is clamped, a
+ * value that is not finite is refused. */
+typedef struct {
+    char name[28];
+    char text[84];
+    char unit[12];
+    uint8_t type;
+    uint8_t space;
+    uint16_t offset;
+    uint16_t columns, rows; /* 1, 1 for a value */
+    float initial;
+    float lower, upper;
+    const char* choices;
+} hb_parameter;
+
+typedef struct {
+    char name[12];
+    uint8_t cycle;     /* in units of `unit`; 0 = sporadic */
+    uint8_t time_unit; /* 6 = 1 ms */
+} hb_event;
+
+#define HB_SIGNAL(name, unit, type, structure, member, scale, lower, upper, choices, text)                   \
+    { name, text, unit, type, (uint16_t)offsetof(structure, member), scale, lower, upper, choices }
+#define HB_PARAM(space, name, unit, type, structure, member, initial, lower, upper, choices, text)           \
+    {                                                                                                        \
+        name, text, unit, type, space, (uint16_t)offsetof(structure, member), 1, 1, initial, lower, upper,   \
+            choices                                                                                          \
+    }
+
+/* Octets of a value of this type. */
+uint8_t hb_type_size(uint8_t type);
+/* The value at `source`, which need not be aligned, as float; HB_FLOAT64 reads as 0. */
+float hb_value_as_float(uint8_t type, const void* source);
+/* Stores a finite float, rounded and saturated for integers, at `destination`. */
+void hb_value_from_float(uint8_t type, void* destination, float value);
+/* True for everything except a NaN or an infinity in HB_FLOAT32 and HB_FLOAT64. */
+uint8_t hb_value_is_finite(uint8_t type, const void* source);
+/* Sets every variable of one space below `base` to its initial value. */
+void hb_parameters_reset(const hb_parameter* table, uint16_t count, uint8_t space, void* base);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
