@@ -1,0 +1,77 @@
+#pragma once
+
+#include "app/procedures/procedure.h"
+#include "control/analysis/margins.h"
+#include "control/design/position_loop.h"
+#include "control/design/robustness.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace halbench::app {
+
+/// An identified motor as tuning and analysis need it: what `halbench.identification/1` holds. Keys are the
+/// symbols J, c, Kf, phi and the ratios c_over_J, Kf_over_J, phi_over_J, c_over_phi, Kf_over_phi (SI); only
+/// what was identified or given is present. The covariance may name any of the keys (or the long names
+/// viscous_damping, coulomb_friction, torque_constant, inertia); what it does not name is taken as exact.
+struct MotorEstimate {
+    std::map<std::string, double> values;
+    std::vector<std::string> covarianceNames;
+    std::vector<std::vector<double>> covariance;
+};
+
+/// What the loop design knows of the sensing: how well the stray field of the coils is compensated.
+struct StrayField {
+    double amplitude_T = 0.157;          ///< field of the rotor at the sensors, B0
+    double coefficient_T_per_A = 0.0;    ///< k_s, identified or from the profile
+    std::optional<double> error_T_per_A; ///< 95 % half-width of k_s; absent = unknown
+    bool isCompensated = true;
+};
+
+/// The surroundings of the loop on one device.
+struct LoopConditions {
+    control::LoopTiming timing;
+    double currentLimit_A = 4.0;
+    std::optional<StrayField> stray;
+};
+
+/// Everything predicted for one motor and one law, always on the sampled loop with the device's delay.
+struct AnalysisResult {
+    bool isStable = false;
+    double poleRadius = 0.0; ///< largest modulus of the closed loop's poles
+    std::optional<double> dominantFrequency_rad_s;
+    std::optional<double> dominantDamping_ratio;
+    control::StabilityMargins margins;
+    std::vector<control::Crossing> crossings;
+    std::optional<control::StepMetrics> step; ///< of the linear loop, unit step; absent when unstable
+    double proportionalLimit_A_per_rad = 0.0;
+    double frictionBand_rad = 0.0;            ///< predicted rest band +-K_f/(phi K_P)
+    double highFrequencyGain_A_per_rad = 0.0; ///< K_P + K_D/T_s
+    struct Bode {                             ///< open loop, phase unwrapped
+        std::vector<double> frequency_Hz;
+        std::vector<double> magnitude_dB;
+        std::vector<double> phase_deg;
+    } bode;
+    struct Step { ///< linear closed loop, reference step of 1 rad
+        std::vector<double> time_s;
+        std::vector<double> response_rad;
+        std::vector<double> current_A;
+    } stepCurve;
+    std::vector<Finding> warnings;
+    DataQuality quality;
+};
+
+/// The three ratios that decide the loop, from absolute values or from ratios alone.
+/// Errors: NotFinite, OutOfRange, Refused when the model lacks phi/J or c/J (a steady-speed sweep without a
+/// given J or phi), naming what would supply it.
+Result<control::PositionPlant> plantFromEstimate(const MotorEstimate& estimate);
+/// The same with its uncertainty. Errors: also InvalidInput for a covariance that does not fit its names.
+Result<control::UncertainPlant> uncertainPlantFromEstimate(const MotorEstimate& estimate);
+
+/// Pure function: no device, no clock. Errors: as above, and of the law's gains.
+Result<AnalysisResult> runAnalysis(const MotorEstimate& estimate, const control::PositionLaw& law,
+                                   const LoopConditions& conditions);
+
+} // namespace halbench::app

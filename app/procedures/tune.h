@@ -1,0 +1,50 @@
+#pragma once
+
+#include "app/procedures/analyse.h"
+#include "control/design/design_methods.h"
+#include "control/design/robustness.h"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace halbench::app {
+
+struct TuneConfig {
+    std::string method = "recommended"; ///< a name of control::designMethods()
+    control::DesignTargets targets;
+    LoopConditions conditions;
+    int draws = 1000;
+    std::uint64_t seed = 1;
+};
+
+/// A proposed set of gains with what it promises.
+struct TuneResult {
+    std::string method;
+    control::DesignTargets targets;
+    LoopConditions conditions;
+    control::PositionPlant plant;
+    control::PositionLaw law; ///< parallel form, A/rad
+    AnalysisResult predicted;
+    control::Robustness robust;
+    std::vector<Finding> warnings; ///< of design, prediction and robustness
+    DataQuality quality;
+};
+
+/// Identified motor in, gains out: a pure function. Errors: of plantFromEstimate and designLaw; NotFinite
+/// when a design produced something that is no number.
+Result<TuneResult> runTune(const MotorEstimate& estimate, const TuneConfig& config);
+
+/// The law as the board's parameters (gain.kp ... stiction.speed), in the order of its table, and back.
+/// `lawFromParameters` takes any map of parameter values; what is missing keeps the default of PositionLaw
+/// except the three gains. Errors: UnknownName (a gain is missing), NotFinite, OutOfRange (negative).
+std::vector<ParameterValue> lawParameters(const control::PositionLaw& law);
+Result<control::PositionLaw> lawFromParameters(const std::map<std::string, double>& values);
+
+/// Checks every value against the device's limits before anything is written. Errors: of checkParameterValue;
+/// UnknownName when the device lacks a parameter that the law needs (one at zero is left out instead).
+Result<std::vector<ParameterValue>> lawForDevice(const control::PositionLaw& law,
+                                                 const devices::Catalogue& catalogue);
+
+} // namespace halbench::app

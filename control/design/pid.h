@@ -1,0 +1,40 @@
+#pragma once
+
+#include "control/base/result.h"
+
+#include <limits>
+#include <optional>
+#include <string_view>
+
+namespace halbench::control {
+
+/// How three numbers make a controller, e = error, s = derivative:
+///   Parallel:  K_P + K_I/s + K_D s          proportional = K_P, integral = K_I, derivative = K_D
+///   Standard:  K (1 + 1/(T_i s) + T_d s)    proportional = K,   integral = T_i, derivative = T_d
+///   Series:    K (1 + 1/(T_i s))(1 + T_d s)  likewise
+enum class PidForm { Parallel, Standard, Series };
+
+/// The angle unit a gain divides by; the published loop most likely mixed the two up
+/// (resources/help/htm-theory.md, 6.7).
+enum class GainUnit { PerRadian, PerDegree };
+
+std::string_view pidFormName(PidForm form);   ///< "parallel", "standard", "series"
+std::string_view gainUnitName(GainUnit unit); ///< "A/rad", "A/deg"
+
+/// Gains with everything needed to read them. In the time forms an infinite T_i means no integral action.
+struct PidGains {
+    PidForm form = PidForm::Parallel;
+    GainUnit unit = GainUnit::PerRadian;
+    double proportional = 0.0;
+    double integral = 0.0;
+    double derivative = 0.0;
+    /// Time constant of the filter on the derivative; absent = backward difference over one sample.
+    std::optional<double> filter_s;
+};
+
+/// The one conversion between forms and units: the same controller in another notation.
+/// Errors: NotFinite; InvalidInput when the target cannot express it (series: T_i < 4 T_d has complex zeros;
+/// time forms: K = 0 with K_I or K_D not zero).
+Result<PidGains> convert(const PidGains& gains, PidForm form, GainUnit unit);
+
+} // namespace halbench::control

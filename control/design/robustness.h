@@ -1,0 +1,34 @@
+#pragma once
+
+#include "control/base/random.h"
+#include "control/base/result.h"
+#include "control/design/position_loop.h"
+
+#include <Eigen/Core>
+#include <functional>
+
+namespace halbench::control {
+
+/// How a design fares over the uncertainty of the identified motor.
+struct Robustness {
+    int draws = 0;
+    double gainMargin_ratio_p5 = 0.0; ///< 5th percentile; infinite when that draw has no phase crossing
+    double phaseMargin_deg_p5 = 0.0;
+    double unstable_fraction = 0.0; ///< draws whose sampled loop is unstable
+};
+
+/// A joint normal uncertainty of some parameters and how they make a plant. A draw that is no motor (gain not
+/// positive) counts as unstable.
+struct UncertainPlant {
+    Eigen::VectorXd mean;
+    Eigen::MatrixXd covariance;
+    std::function<PositionPlant(const Eigen::VectorXd&)> toPlant;
+};
+
+/// Draws `draws` (at least 1000) plants and judges the sampled loop of each. An unstable draw counts with a
+/// gain margin of at most 1 and a phase margin of at most 0. Deterministic for a seed. Errors: InvalidInput
+/// (sizes, covariance not positive semi-definite), NotFinite, OutOfRange (draws).
+Result<Robustness> assessRobustness(const UncertainPlant& plant, const PidGains& gains,
+                                    const LoopTiming& timing, int draws, Random random);
+
+} // namespace halbench::control
