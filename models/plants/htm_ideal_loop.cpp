@@ -1,0 +1,185 @@
+#include "models/plants/htm_ideal_loop.h"
+
+#include "control/base/assert.h"
+#include "control/base/units.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace halbench::models {
+namespace {
+
+double sign(double value) {
+    return value > 0.0 ? 1.0 : (value < 0.0 ? -1.0 : 0.0);
+}
+
+// What the law remembers between its samples.
+class LawState {
+public:
+    explicit LawState(const PositionLaw& law) : m_law(law) {}
+
+    double step(const ReferencePoint& reference, double angle_rad) {
+        const double error_rad = reference.value_rad - angle_rad;
+        const double now_A = m_law.form == PositionLaw::Form::Positional
+                                 ? positional_A(reference, angle_rad, error_rad)
+                                 : literal_A(error_rad);
+        m_previousAngle_rad = angle_rad;
+        m_hasPrevious = true;
+        const double output_A = m_law.delaySamples == 0   ? now_A
+                                : m_law.delaySamples == 1 ? m_delayed_A[0]
+                                                          : m_delayed_A[1];
+        m_delayed_A = {now_A, m_delayed_A[0]};
+        return output_A;
+    }
+
+private:
+    double positional_A(const ReferencePoint& reference, double angle_rad, double error_rad) {
+        const double speed_rad_s = m_hasPrevious ? (angle_rad - m_previousAngle_rad) / m_law.period_s : 0.0;
+        const bool isHeld = std::fabs(reference.speed_rad_s) < m_law.stictionSpeed_rad_s &&
+                            std::fabs(error_rad) > m_law.stictionThreshold_rad;
+        const double u_A =
+            m_law.kp_A_per_rad * error_rad + m_integral_A +
+            m_law.kd_As_per_rad * (reference.speed_rad_s - speed_rad_s) +
+            m_law.inertia_As2_per_rad * reference.acceleration_rad_s2 +
+            m_law.viscous_As_per_rad * reference.speed_rad_s +
+            m_law.coulomb_A * std::clamp(reference.speed_rad_s / m_law.coulombSpeed_rad_s, -1.0, 1.0) +
+            (isHeld ? m_law.stiction_A * sign(error_rad) : 0.0);
+        const double limited_A = std::clamp(u_A, -m_law.limit_A, m_law.limit_A);
+        if (u_A == limited_A || error_rad * u_A < 0.0) {
+            m_integral_A += m_law.period_s * m_law.ki_A_per_rad_s * error_rad;
+        }
+        return limited_A;
+    }
+
+    // i[k] = Kp e[k] - Kp e[k-1] + i[k-1]: no integrator, a constant set by history.
+    double literal_A(double error_rad) {
+        m_memory_A += m_law.kp_A_per_rad * (error_rad - m_previousError_rad);
+        m_previousError_rad = error_rad;
+        const double limited_A = std::clamp(m_memory_A, -m_law.limit_A, m_law.limit_A);
+        if (m_law.form == PositionLaw::Form::LiteralClampedMemory) {
+            m_memory_A = limited_A;
+        }
+        return limited_A;
+    }
+
+    PositionLaw m_law;
+    double m_integral_A = 0.0;
+    double m_previousAngle_rad = 0.0;
+    double m_previousError_rad = 0.0;
+    double m_memory_A = 0.0;
+    std::array<double, 2> m_delayed_A{};
+    bool m_hasPrevious = false;
+};
+
+constexpr double Tick_s = 1e-3;
+
+void appendRow(IdealTrace& trace, long tick, const RotorState& rotor, double initialAngle_rad,
+               double reference_rad, double current_A) {
+    trace.time_s.push_back(static_cast<double>(tick) / 1000.0);
+    trace.angle_rad.push_back(rotor.angle_rad - initialAngle_rad);
+    trace.speed_rad_s.push_back(rotor.speed_rad_s);
+    trace.reference_rad.push_back(reference_rad);
+    trace.current_A.push_back(current_A);
+}
+
+} // namespace
+
+ReferencePoint evaluateReference(const LoopReference& reference, double time_s) {
+    switch (reference.shape) {
+    case LoopReference::Shape::Step:
+        return {reference.amplitude_rad, 0.0, 0.0};
+    case LoopReference::Shape::Ramp: {
+        const double reached_rad = reference.rate_rad_s * time_s;
+        const double end_rad = std::fabs(reference.amplitude_rad);
+        if (end_rad > 0.0 && std::fabs(reached_rad) >= end_rad) {
+            return {std::copysign(end_rad, reference.rate_rad_s), 0.0, 0.0};
+        }
+        return {reached_rad, reference.rate_rad_s, 0.0};
+    }
+    case LoopReference::Shape::Sine: {
+        const double omega_rad_s = 2.0 * Pi * reference.frequency_Hz;
+        const double sine = std::sin(omega_rad_s * time_s);
+        return {reference.amplitude_rad * sine,
+                reference.amplitude_rad * omega_rad_s * std::cos(omega_rad_s * time_s),
+                -reference.amplitude_rad * omega_rad_s * omega_rad_s * sine};
+    }
+    case LoopReference::Shape::Staircase: {
+        const double steps =
+            1.0 + std::floor(time_s / reference.period_s + 1e-9); // exact multiples count as begun
+        return {reference.amplitude_rad * std::min(steps, static_cast<double>(reference.count)), 0.0, 0.0};
+    }
+    }
+    return {};
+}
+
+PositionLaw publishedLaw() {
+    return {};
+}
+
+PositionLaw microStepLaw() {
+    PositionLaw law;
+    law.kp_A_per_rad = 5.0 * 180.0 / Pi;
+    law.ki_A_per_rad_s = 0.05 * 180.0 / Pi;
+    return law;
+}
+
+PositionLaw publishedInDegreesLaw() {
+    PositionLaw law;
+    law.kp_A_per_rad = 10.0 * 180.0 / Pi;
+    law.ki_A_per_rad_s = 0.1 * 180.0 / Pi;
+    return law;
+}
+
+PositionLaw recommendedLaw(const RotorConfig& rotor, double torqueConstant_Nm_per_A) {
+    const double friction_A = 0.9 * rotor.coulombFriction_Nm / torqueConstant_Nm_per_A;
+    PositionLaw law;
+    law.kp_A_per_rad = 40.0;
+    law.ki_A_per_rad_s = 60.0;
+    law.kd_As_per_rad = 1.4;
+    law.inertia_As2_per_rad = rotor.inertia_kg_m2 / torqueConstant_Nm_per_A;
+    law.viscous_As_per_rad = rotor.viscousDamping_Nm_s / torqueConstant_Nm_per_A;
+    law.coulomb_A = friction_A;
+    law.stiction_A = friction_A;
+    law.stictionThreshold_rad = degreesToRadians(0.16);
+    return law;
+}
+
+IdealTrace runIdealLoop(const IdealLoopConfig& config) {
+    HB_ASSERT(config.subStepsPerMillisecond > 0);
+    const long ticks = std::lround(config.duration_s / Tick_s);
+    const long loopTicks = std::lround(config.law.period_s / Tick_s);
+    HB_ASSERT(loopTicks > 0);
+    LawState law(config.law);
+    RotorState rotor;
+    rotor.angle_rad = config.initialAngle_rad;
+    double current_A = 0.0;
+    IdealTrace trace;
+    for (long tick = 0; tick <= ticks; ++tick) {
+        const ReferencePoint reference =
+            evaluateReference(config.reference, static_cast<double>(tick) / 1000.0);
+        if (tick % loopTicks == 0) {
+            current_A = law.step(reference, rotor.angle_rad - config.initialAngle_rad);
+        }
+        appendRow(trace, tick, rotor, config.initialAngle_rad, reference.value_rad, current_A);
+        for (int i = 0; i < config.subStepsPerMillisecond; ++i) {
+            stepRotor(config.rotor, rotor, config.torqueConstant_Nm_per_A * current_A,
+                      Tick_s / config.subStepsPerMillisecond);
+        }
+    }
+    return trace;
+}
+
+IdealTrace runConstantCurrent(const RotorConfig& rotorConfig, double torqueConstant_Nm_per_A,
+                              double current_A, double duration_s) {
+    const long ticks = std::lround(duration_s / Tick_s);
+    RotorState rotor;
+    IdealTrace trace;
+    for (long tick = 0; tick <= ticks; ++tick) {
+        appendRow(trace, tick, rotor, 0.0, 0.0, current_A);
+        stepRotor(rotorConfig, rotor, torqueConstant_Nm_per_A * current_A, Tick_s);
+    }
+    return trace;
+}
+
+} // namespace halbench::models
