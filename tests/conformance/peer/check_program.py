@@ -1,0 +1,190 @@
+"""The product's master against our slaves: foreign boards give right values, hostile ones one clear error.
+
+    python3 check_program.py build/release/halbench [Foreign|Hostile][.case]
+"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+from master import Master
+from target import slave_target
+from variants import FOREIGN, HOSTILE
+
+PROGRAM = ""
+# Recovery is two repeats after time-outs of about a second (protocol 3.6); the rest is a busy machine.
+PATIENCE_S = 9.0
+STREAM_TROUBLE = {"pid_out_of_range", "short_dto", "time_backwards", "time_stands", "hangs_up_in_stream", "no_dto"}
+HARMLESS = {"event_flood"}
+
+
+class Answer:
+    def __init__(self, arguments):
+        began = time.monotonic()
+        done = subprocess.run([PROGRAM] + arguments, capture_output=True, text=True, timeout=30, check=False)
+        self.seconds = time.monotonic() - began
+        self.code, self.out, self.err = done.returncode, done.stdout, done.stderr
+        self.arguments = arguments
+
+    def __str__(self):
+        return f"halbench {' '.join(self.arguments)}: exit {self.code}, {self.seconds:.1f} s\n{self.out}{self.err}"
+
+    def json(self):
+        return json.loads(self.out)
+
+
+class ProgramCase(unittest.TestCase):
+    def serve(self, variant):
+        running = slave_target(variant).start()
+        self.addCleanup(running.stop)
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.running, self.uri = running, f"tcp:127.0.0.1:{running.port}"
+
+    def run_on(self, verb, *arguments):
+        return Answer([verb, self.uri, *arguments, "--json"])
+
+    def accept(self, verb, *arguments):
+        answer = self.run_on(verb, *arguments)
+        self.assertEqual(answer.code, 0, answer)
+        return answer
+
+    def refuse(self, code, verb, *arguments):
+        answer = self.run_on(verb, *arguments)
+        self.assertEqual(answer.code, code, answer)
+        self.assert_one_clear_error(answer)
+        return answer
+
+    def assert_one_clear_error(self, answer):
+        error = answer.json()
+        self.assertEqual(error["schema"], "halbench.error/1", answer)
+        self.assertEqual(error["exit_code"], answer.code, answer)
+        self.assertTrue(error["code"] and error["message"], answer)
+        self.assertEqual(len(answer.err.strip().splitlines()), 1, answer)
+        self.assertLess(answer.seconds, PATIENCE_S, answer)
+
+    def board_value(self, name):
+        """What the board runs with, read by our own master on the page of the control loop."""
+        master = Master(self.running.port)
+        master.connect()
+        master.describe()
+        if master.a2l.segments:
+            master.set_page(2, master.page(1))
+        value = master.read_name(name)
+        master.close()
+        return value
+
+
+class Foreign(ProgramCase):
+    def check_description(self):
+        description = self.accept("describe").json()
+        self.assertEqual(description["schema"], "halbench.description/1")
+        signals = {s["name"]: s for s in description["signals"]}
+        parameters = {p["name"]: p for p in description["parameters"]}
+        self.assertEqual(signals["sine"]["unit"], "A")
+        self.assertEqual((signals["level"]["unit"], signals["level"]["max"]), ("V", 300))
+        self.assertEqual(signals["counter"]["max_rate_hz"], 1000)
+        kp = parameters["gain.kp"]
+        self.assertEqual((kp["value"], kp["min"], kp["max"], kp["unit"]), (10, 0, 1000, "A/rad"))
+        self.assertEqual(parameters["trim"]["value"], -5)
+
+    def values(self, *names):
+        return {v["name"]: v["value"] for v in self.accept("get", *names).json()["values"]}
+
+    def check_values(self):
+        self.assertEqual(self.values("gain.kp", "gain.ki", "trim", "divider"),
+                         {"gain.kp": 10, "gain.ki": 0.5, "trim": -5, "divider": 10})
+        self.accept("set", "gain.kp=12.5", "gain.ki=1.25", "trim=7")
+        self.assertEqual(self.values("gain.ki", "gain.kp", "trim"), {"gain.ki": 1.25, "gain.kp": 12.5, "trim": 7})
+        self.assertEqual(self.board_value("gain.kp"), 12.5)
+        self.assertEqual(self.board_value("hb.arm"), 0)
+
+    def check_refusals(self):
+        for wrong in ("gain.kp=2000", "gain.kp=-1", "gain.kp=nan", "gain.kp=inf", "trim=1.5", "no.such=1", "gain.kp=",
+                      "gain.kp", "counter=3"):
+            self.refuse(2, "set", "gain.ki=3", wrong)
+        self.refuse(2, "get", "no.such")
+        self.assertEqual(self.board_value("gain.kp"), 12.5)
+        self.assertEqual(self.board_value("gain.ki"), 1.25)
+
+    def check_recording(self, rate, seconds=0.8):
+        path = os.path.join(self.folder, f"at{rate}.csv")
+        self.accept("record", "--duration", str(seconds), "--rate", str(rate), "--signals",
+                    "counter,sine,wide,level,counter_again", "--out", path)
+        with open(path, encoding="utf-8") as file:
+            header, *lines = file.read().splitlines()
+        self.assertEqual(header, "time_s,counter,sine_A,wide_rad,level_V,counter_again")
+        rows = [[float(cell) for cell in line.split(",")] for line in lines]
+        self.assertEqual(len(rows), round(rate * seconds))
+        for index, row in enumerate(rows):
+            self.assertAlmostEqual(row[0], index / rate, delta=1e-6)
+            self.assertEqual(row[1], rows[0][1] + index * 1000 // rate, "no sample is lost or doubled")
+            self.assertEqual(row[1], row[5], "one cycle")
+            self.assertAlmostEqual(row[3], row[1] / 3.0, delta=1e-9)
+            self.assertAlmostEqual(row[4], ((row[1] % 20000) - 10000) * 0.01, delta=1e-9)
+
+    def check_all(self, variant):
+        self.serve(variant)
+        self.check_description()
+        self.check_values()
+        self.check_refusals()
+        self.check_recording(100)
+        self.check_recording(500)
+
+
+def foreign_case(variant):
+    return lambda self: self.check_all(variant)
+
+
+for name in FOREIGN:
+    setattr(Foreign, f"test_{name}", foreign_case(name))
+
+
+class Hostile(ProgramCase):
+    def check_all(self, variant):
+        self.serve(variant)
+        codes = {"describe": self.check("describe"), "get": self.check("get", "gain.kp")}
+        if variant in STREAM_TROUBLE | HARMLESS:
+            self.assertEqual(codes, {"describe": 0, "get": 0})
+        elif variant == "wrong_checksum":
+            self.refuse(3, "set", "gain.kp=12", "gain.ki=3")
+            self.assertEqual(self.board_value("gain.kp"), 10, "not switched to a page that may be damaged")
+        else:
+            self.assertEqual(set(codes.values()), {3})
+            self.refuse(3, "set", "gain.kp=12")
+        if variant != "wrong_checksum":
+            self.check_recording(variant)
+
+    def check(self, *arguments):
+        answer = self.run_on(*arguments)
+        self.assertIn(answer.code, (0, 3), answer)
+        if answer.code:
+            self.assert_one_clear_error(answer)
+        return answer.code
+
+    def check_recording(self, variant):
+        path = os.path.join(self.folder, "hostile.csv")
+        answer = self.run_on("record", "--duration", "0.5", "--rate", "1000", "--signals", "counter,sine", "--out", path)
+        if variant in HARMLESS:
+            self.assertEqual(answer.code, 0, answer)
+            return
+        self.assertEqual(answer.code, 3, answer)
+        self.assert_one_clear_error(answer)
+        self.assertFalse(os.path.exists(path), "no partial file under the final name")
+
+
+def hostile_case(variant):
+    return lambda self: self.check_all(variant)
+
+
+for name in HOSTILE:
+    setattr(Hostile, f"test_{name}", hostile_case(name))
+
+
+if __name__ == "__main__":
+    PROGRAM = sys.argv.pop(1)
+    unittest.main(verbosity=2)

@@ -1,0 +1,56 @@
+"""Starts the slave under test: the product's simulated board, or our own slave to test the tests."""
+import os
+import subprocess
+import sys
+from dataclasses import dataclass
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+@dataclass
+class Target:
+    """How to start a slave and what the checks need to know about it beyond its A2L."""
+    command: list
+    moving: str                 # a signal that differs in every control cycle once set_in_motion() was called
+    triggers: tuple = ("hb.arm", "hb.stop", "reference.start", "capture.start")
+    stopped_by_command: int = 2
+    stopped_by_watchdog: int = 3
+
+    def start(self):
+        return Running(self.command)
+
+
+class Running:
+    def __init__(self, command):
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+        line = self.process.stdout.readline()
+        if not line.startswith("listening tcp:127.0.0.1:"):
+            self.stop()
+            raise RuntimeError(f"{command[0]} said {line!r} instead of its port")
+        self.port = int(line.rsplit(":", 1)[1])
+
+    def stop(self):
+        """Ends it and returns its exit code."""
+        self.process.terminate()
+        try:
+            return self.process.wait(timeout=5)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            return self.process.wait()
+        finally:
+            self.process.stdout.close()
+
+
+def slave_target(variant="plain"):
+    return Target([sys.executable, os.path.join(HERE, "slave.py"), variant], moving="counter")
+
+
+def program_target(program):
+    return Target([program, "serve", "sim:htm?seed=1", "--tcp", "127.0.0.1:0"], moving="position")
+
+
+def from_arguments():
+    """`--program PATH` or `--slave VARIANT` in front of unittest's own arguments."""
+    kind, value = sys.argv[1:3]
+    del sys.argv[1:3]
+    return {"--program": program_target, "--slave": slave_target}[kind](value)
