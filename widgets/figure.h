@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace halbench::widgets {
+
+/// Plain values a plot is drawn from; no Qt, so that whoever computes can fill them. All in the units of the
+/// axes.
+
+enum class CurveStyle { Line, DashedLine, DottedLine, Points, HollowPoints };
+
+struct Curve {
+    std::string label; ///< legend text; an empty label keeps the curve out of the legend
+    std::vector<double> x;
+    std::vector<double> y; ///< as long as x; a value that is not finite interrupts the line
+    CurveStyle style = CurveStyle::Line;
+    std::optional<int> colour; ///< curve role 0 ... 7 of the theme; default: by position in the panel
+};
+
+/// A straight reference line across the panel with its text at the edge, e.g. a limit or a crossover.
+struct ReferenceLine {
+    enum class Direction { Horizontal, Vertical };
+    Direction direction = Direction::Horizontal;
+    double at = 0.0;
+    std::string label;
+};
+
+/// Titled `quantity [unit]`; an empty unit leaves the bracket out.
+struct Axis {
+    std::string quantity;
+    std::string unit;
+    bool isLogarithmic = false;
+    std::optional<double> min; ///< given extent; default: from the data, rounded outwards
+    std::optional<double> max;
+};
+
+struct Panel {
+    Axis y;
+    std::vector<Curve> curves;
+    std::vector<ReferenceLine> lines;
+    int height_px = 220;
+};
+
+/// One picture: panels stacked above one shared horizontal axis.
+struct Figure {
+    std::string title; ///< also the accessible name of the picture
+    Axis x;
+    std::vector<Panel> panels;
+};
+
+} // namespace halbench::widgets
