@@ -1,0 +1,50 @@
+#include "app/batch/command_context.h"
+
+#include <csignal>
+
+namespace halbench::app {
+
+Result<std::unique_ptr<devices::Device>> openDeviceFor(const CommandContext& context,
+                                                       const std::string& uri) {
+    devices::OpenOptions options;
+    options.seed = context.global.seed;
+    options.isRealtime = context.global.isRealtime;
+    options.interruptSignal = &context.interruptSignal;
+    return devices::openDevice(uri, options);
+}
+
+Result<void> requireConsent(const CommandContext& context, const devices::Device& device) {
+    if (device.info().isSimulated || context.global.mayArm) {
+        return {};
+    }
+    return failure(ErrorCode::ConsentMissing,
+                   "this would arm and move the device '" + device.info().uri + "', which is not simulated",
+                   "nothing has moved; add --arm when it may move");
+}
+
+Result<void> checkInterrupt(const CommandContext& context) {
+    switch (context.interruptSignal.load()) {
+    case 0:
+        return {};
+    case SIGTERM:
+        return failure(ErrorCode::Terminated, "ended by SIGTERM",
+                       "the actuator is stopped, gains are restored");
+    default:
+        return failure(ErrorCode::Interrupted, "ended by SIGINT",
+                       "the actuator is stopped, gains are restored");
+    }
+}
+
+ProcedureObserver observerFor(CommandContext& context) {
+    ProcedureObserver observer;
+    observer.onState = [&console = context.console](ProcedureState state) {
+        console.log(LogLevel::Debug, procedureStateName(state));
+    };
+    observer.onProgress = [&console = context.console](double fraction, const std::string& text) {
+        console.progress(fraction, text);
+    };
+    observer.checkAbort = [&context] { return checkInterrupt(context); };
+    return observer;
+}
+
+} // namespace halbench::app

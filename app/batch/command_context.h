@@ -1,0 +1,35 @@
+#pragma once
+
+#include "app/batch/command_options.h"
+#include "app/procedures/procedure.h"
+#include "devices/open_device.h"
+
+#include <atomic>
+#include <memory>
+
+namespace halbench::app {
+
+/// What every command gets. Thread: the main one.
+struct CommandContext {
+    GlobalOptions global;
+    Console& console;
+    const std::atomic<int>& interruptSignal;
+};
+
+/// A command ends with an exit code of its own (0 or 1), or with the error that stopped it.
+using CommandResult = Result<ExitCode>;
+
+/// Opens a device with the seed, pace and interrupt flag of the command line.
+Result<std::unique_ptr<devices::Device>> openDeviceFor(const CommandContext& context, const std::string& uri);
+
+/// The user's consent to arm: always given for a simulated device, with --arm for any other.
+/// Error: ConsentMissing.
+Result<void> requireConsent(const CommandContext& context, const devices::Device& device);
+
+/// Refuses with Interrupted or Terminated once a signal arrived.
+Result<void> checkInterrupt(const CommandContext& context);
+
+/// Progress bar, block and abort hooks of a procedure that runs under the command line.
+ProcedureObserver observerFor(CommandContext& context);
+
+} // namespace halbench::app

@@ -1,0 +1,232 @@
+#include "app/batch/command_options.h"
+#include "app/batch/numbers.h"
+
+#include <CLI/CLI.hpp>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+
+namespace halbench::app {
+
+namespace {
+
+/// Texts that CLI11 fills before they are judged.
+struct RawGlobals {
+    std::string seed;
+    std::string level = "info";
+    bool isJson = false;
+    bool isVersion = false;
+    bool isColorless = false;
+    bool isQuiet = false;
+    bool isRealtime = false;
+    bool mayArm = false;
+};
+
+void addGlobalOptions(CLI::App& app, RawGlobals& raw) {
+    app.add_flag("--json", raw.isJson, "One JSON document on stdout, nothing else there");
+    app.add_option("--seed", raw.seed, "Seed of a simulated device; wins over ?seed=, default 1")
+        ->type_name("N");
+    app.add_flag("--realtime", raw.isRealtime, "Pace a simulated device by the wall clock");
+    app.add_flag("--arm", raw.mayArm, "Consent: a device that is not simulated may be armed and move");
+    app.add_flag("--quiet", raw.isQuiet, "Warnings and errors only on stderr");
+    app.add_option("--log-level", raw.level, "error, warning, info or debug")->type_name("LEVEL");
+    app.add_flag("--no-color", raw.isColorless, "No colours on a terminal");
+    app.add_flag("--version", raw.isVersion, "Print the version and exit");
+}
+
+CLI::App* addCommand(CLI::App& app, const char* name, const char* help) {
+    CLI::App* command = app.add_subcommand(name, help);
+    command->fallthrough();
+    return command;
+}
+
+void addDevice(CLI::App* command, CommandOptions& options) {
+    command->add_option("DEVICE", options.device, "sim:htm, tcp:HOST:PORT, replay:FILE ...")->required();
+}
+
+void addLookingCommands(CLI::App& app, CommandOptions& options) {
+    addCommand(app, "devices", "List what can be connected");
+    addDevice(addCommand(app, "describe", "Identity, signals and parameters of a device"), options);
+    CLI::App* get = addCommand(app, "get", "Read signals and parameters");
+    addDevice(get, options);
+    get->add_option("NAME", options.names, "Signal or parameter")->required();
+    CLI::App* set = addCommand(app, "set", "Write parameters in one transaction and read them back");
+    addDevice(set, options);
+    set->add_option("NAME=VALUE", options.names, "What to write")->required();
+    set->add_flag("--save", options.isSaved, "Store in the board's non-volatile memory as well");
+}
+
+void addMovingCommands(CLI::App& app, CommandOptions& options) {
+    CLI::App* record = addCommand(app, "record", "Record signals into a CSV file; never arms");
+    addDevice(record, options);
+    record->add_option("--duration", options.duration, "Seconds")->required()->type_name("S");
+    record->add_option("--signals", options.signals, "Names, separated by commas")->type_name("A,B");
+    record->add_option("--rate", options.rate, "Rows per second, default 100")->type_name("HZ");
+    record->add_option("--out", options.out, "Recording")->required()->type_name("FILE.csv");
+    CLI::App* move = addCommand(app, "move", "Follow a reference and measure how well");
+    addDevice(move, options);
+    move->add_option("--reference", options.reference, "step,amplitude_deg=100 ...")
+        ->required()
+        ->type_name("SHAPE,KEY=VALUE...");
+    move->add_option("--duration", options.duration, "Seconds")->required()->type_name("S");
+    move->add_option("--out", options.out, "Recording")->type_name("FILE.csv");
+}
+
+void addIdentifyingCommands(CLI::App& app, CommandOptions& options) {
+    CLI::App* calibrate = addCommand(app, "calibrate", "Calibrate the sensors");
+    addDevice(calibrate, options);
+    calibrate->add_option("WHAT", options.what, "hall, stray, static-friction or all")->required();
+    calibrate->add_flag("--apply", options.isApplied, "Write the result to the device");
+    calibrate->add_option("--out", options.out, "Result")->type_name("CAL.json");
+    CLI::App* identify =
+        addCommand(app, "identify", "Identify friction, damping, torque constant and inertia");
+    identify->add_option("DEVICE|FILE.csv", options.device, "Device or recording")->required();
+    identify->add_option("--given", options.given, "Known constant: J, c, Kf or phi in SI; repeatable")
+        ->take_all()
+        ->allow_extra_args(false)
+        ->type_name("NAME=VALUE");
+    identify->add_option("--currents", options.currents, "Sweep in ampere, default 1.6:4:0.2")
+        ->type_name("FROM:TO:STEP");
+    identify->add_option("--directions", options.directions, "both, forward or reverse");
+    identify->add_option("--record", options.recordFile, "Recording of the sweep")->type_name("F.csv");
+    identify->add_option("--bare", options.bare, "Result of the same motor without the added inertia")
+        ->type_name("MODEL.json");
+    identify->add_option("--added-inertia", options.addedInertia, "Inertia added since --bare, kg*m^2")
+        ->type_name("KGM2");
+    identify->add_option("--out", options.out, "Result")->type_name("MODEL.json");
+}
+
+void addTuningCommands(CLI::App& app, CommandOptions& options) {
+    CLI::App* tune = addCommand(app, "tune", "Design gains for an identified motor");
+    tune->add_option("MODEL.json|DEVICE", options.device, "Identified model, or a device to identify")
+        ->required();
+    tune->add_option("--method", options.method, "recommended (default), pole-placement, bandwidth ...")
+        ->type_name("M");
+    tune->add_option("--zeta", options.zeta, "Damping ratio")->type_name("RATIO");
+    tune->add_option("--omega-rad-s", options.omega, "Natural frequency")->type_name("RAD_S");
+    tune->add_option("--bandwidth-hz", options.bandwidth, "Bandwidth")->type_name("HZ");
+    tune->add_option("--phase-margin-deg", options.phaseMargin, "Phase margin")->type_name("DEG");
+    tune->add_option("--apply", options.applyDevice, "Write the gains to this device")->type_name("DEVICE");
+    tune->add_option("--given", options.given, "Known constant when DEVICE is identified first")
+        ->take_all()
+        ->allow_extra_args(false)
+        ->type_name("NAME=VALUE");
+    tune->add_option("--out", options.out, "Gains")->type_name("GAINS.json");
+    CLI::App* analyse = addCommand(app, "analyse", "Margins and step response of a model with gains");
+    analyse->add_option("MODEL.json", options.device, "Identified model")->required();
+    analyse->add_option("GAINS.json", options.gainsFile, "Gains")->required();
+    analyse->add_option("--bode", options.bodeFile, "Open loop, frequency response")->type_name("F.csv");
+    analyse->add_option("--step", options.stepFile, "Closed loop, step response")->type_name("F.csv");
+}
+
+void addFileCommands(CLI::App& app, CommandOptions& options) {
+    CLI::App* run = addCommand(app, "run", "Run an experiment file and judge its checks");
+    run->add_option("EXPERIMENT.toml", options.experiment, "Experiment")->required();
+    run->add_option("--device", options.deviceOverride, "Device instead of the file's")->type_name("DEVICE");
+    run->add_option("--set", options.assignments, "Change a value, e.g. step.sweep.given.J=6e-4; repeatable")
+        ->take_all()
+        ->allow_extra_args(false)
+        ->type_name("KEY=VALUE");
+    run->add_flag("--dry-run", options.isDryRun, "Validate and predict, move nothing");
+    run->add_option("--out", options.out, "Folder of the results")->type_name("DIR");
+    CLI::App* serve = addCommand(app, "serve", "Offer a simulated board to other XCP tools");
+    addDevice(serve, options);
+    serve->add_option("--tcp", options.tcp, "Listen there; port 0 picks one")->type_name("HOST:PORT");
+    serve->add_option("--udp", options.udp, "Listen there; port 0 picks one")->type_name("HOST:PORT");
+    serve->add_flag("--pty", options.usesPty, "A pseudo terminal");
+    CLI::App* convert = addCommand(app, "convert", "Convert, cut and thin out recordings");
+    convert->add_option("IN", options.input, "Recording")->required();
+    convert->add_option("OUT", options.out, "New recording")->required();
+    convert->add_option("--signals", options.signals, "Names, separated by commas")->type_name("A,B");
+    convert->add_option("--from", options.from, "First time")->type_name("S");
+    convert->add_option("--to", options.to, "Last time")->type_name("S");
+}
+
+Result<GlobalOptions> globalsFrom(const RawGlobals& raw, ConsoleStyle style) {
+    GlobalOptions global;
+    const std::map<std::string, LogLevel> levels = {{"error", LogLevel::Error},
+                                                    {"warning", LogLevel::Warning},
+                                                    {"info", LogLevel::Info},
+                                                    {"debug", LogLevel::Debug}};
+    const auto level = levels.find(raw.level);
+    if (level == levels.end()) {
+        return failure(ErrorCode::Usage, "--log-level: '" + raw.level + "' is not a level",
+                       "use error, warning, info or debug");
+    }
+    if (!raw.seed.empty()) {
+        const std::optional<std::int64_t> seed = parseInteger(raw.seed);
+        if (!seed || *seed < 0) {
+            return failure(ErrorCode::Usage, "--seed: '" + raw.seed + "' is not a whole number from 0",
+                           "give a number like 7");
+        }
+        global.seed = static_cast<std::uint64_t>(*seed);
+    }
+    style.level = level->second;
+    style.isQuiet = raw.isQuiet;
+    global.style = style;
+    global.isRealtime = raw.isRealtime;
+    global.mayArm = raw.mayArm;
+    return global;
+}
+
+std::string withoutNewlines(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
+}
+
+} // namespace
+
+ConsoleStyle styleFromArguments(const std::vector<std::string>& arguments) {
+    const auto has = [&](const char* flag) {
+        return std::find(arguments.begin(), arguments.end(), flag) != arguments.end();
+    };
+    ConsoleStyle style;
+    style.isJson = has("--json");
+    style.isQuiet = has("--quiet");
+    style.isTerminal = isatty(STDERR_FILENO) != 0;
+    style.useColor = style.isTerminal && !has("--no-color") && std::getenv("NO_COLOR") == nullptr;
+    return style;
+}
+
+Result<CommandLine> parseCommandLine(const std::vector<std::string>& arguments) {
+    CLI::App app("Identify and retune precision Lorentz-force actuators.", "halbench");
+    CommandLine line;
+    RawGlobals raw;
+    addGlobalOptions(app, raw);
+    addLookingCommands(app, line.options);
+    addMovingCommands(app, line.options);
+    addIdentifyingCommands(app, line.options);
+    addTuningCommands(app, line.options);
+    addFileCommands(app, line.options);
+    app.footer("Help: resources/help/command-line.md. The window comes with a later version.");
+    line.helpText = app.help();
+    try {
+        std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+        app.parse(reversed);
+    } catch (const CLI::CallForHelp&) {
+        const std::vector<CLI::App*> commands = app.get_subcommands();
+        line.command = "help";
+        line.helpText = commands.empty() ? line.helpText : commands.front()->help();
+        return line;
+    } catch (const CLI::ParseError& error) {
+        return failure(ErrorCode::Usage, withoutNewlines(error.what()), "see 'halbench --help'");
+    }
+    Result<GlobalOptions> global = globalsFrom(raw, styleFromArguments(arguments));
+    if (!global) {
+        return failure(global.error());
+    }
+    line.global = *global;
+    const std::vector<CLI::App*> commands = app.get_subcommands();
+    if (commands.size() > 1) {
+        return failure(ErrorCode::Usage,
+                       "'" + commands[0]->get_name() + "' and '" + commands[1]->get_name() +
+                           "' are two commands",
+                       "give one");
+    }
+    line.command = raw.isVersion ? "version" : commands.empty() ? "help" : commands.front()->get_name();
+    return line;
+}
+
+} // namespace halbench::app

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "app/batch/console.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace halbench::app {
+
+/// Flags that every command understands, before or after its name.
+struct GlobalOptions {
+    ConsoleStyle style;
+    std::optional<std::uint64_t> seed;
+    bool isRealtime = false;
+    bool mayArm = false;
+};
+
+/// The options of all commands as the user wrote them; numbers stay text until the command judges them, so
+/// that its message can name the option. A command reads the fields it has an option for.
+struct CommandOptions {
+    std::string device;             ///< DEVICE, or MODEL.json / FILE.csv where the command takes those
+    std::vector<std::string> names; ///< NAME... or NAME=VALUE...
+    bool isSaved = false;           ///< --save
+    bool isApplied = false;         ///< calibrate --apply
+    std::string applyDevice;        ///< tune --apply DEVICE
+    std::string out;
+    std::string duration;
+    std::string signals;
+    std::string rate;
+    std::string reference;
+    std::string what; ///< hall, stray, static-friction or all
+    std::vector<std::string> given;
+    std::string currents;
+    std::string directions;
+    std::string recordFile;
+    std::string bare;         ///< --bare MODEL.json
+    std::string addedInertia; ///< --added-inertia KGM2
+    std::string method;
+    std::string zeta, omega, bandwidth, phaseMargin;
+    std::string gainsFile;
+    std::string bodeFile, stepFile;
+    std::string experiment;
+    std::string deviceOverride; ///< run --device
+    std::vector<std::string> assignments;
+    bool isDryRun = false;
+    std::string tcp, udp;
+    bool usesPty = false;
+    std::string input;
+    std::string from, to;
+};
+
+struct CommandLine {
+    GlobalOptions global;
+    std::string command; ///< "get"; "version", "help" for --version and --help or no arguments
+    CommandOptions options;
+    std::string helpText;
+};
+
+/// What is certain before anything else is understood: whether --json was asked for, colours, terminal.
+ConsoleStyle styleFromArguments(const std::vector<std::string>& arguments);
+
+/// Errors: Usage, naming what was not understood.
+Result<CommandLine> parseCommandLine(const std::vector<std::string>& arguments);
+
+} // namespace halbench::app

@@ -1,0 +1,92 @@
+#include "app/batch/result_header.h"
+
+#include "app/batch/numbers.h"
+
+#include <array>
+#include <ctime>
+
+namespace halbench::app {
+
+namespace {
+
+std::string wallTime() {
+    const std::time_t now = std::time(nullptr);
+    std::tm utc = {};
+    gmtime_r(&now, &utc);
+    std::array<char, 32> text{};
+    const std::size_t length = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+    return std::string(text.data(), length);
+}
+
+/// --seed wins over ?seed=; default 1.
+std::uint64_t seedOf(const CommandContext& context, const devices::DeviceInfo& device) {
+    if (context.global.seed) {
+        return *context.global.seed;
+    }
+    for (const auto& [key, value] : device.overrides) {
+        const std::optional<std::int64_t> seed = parseInteger(value);
+        if (key == "seed" && seed) {
+            return static_cast<std::uint64_t>(*seed);
+        }
+    }
+    return 1;
+}
+
+} // namespace
+
+ResultHeader headerFor(const CommandContext& context, const std::string& schema,
+                       const devices::Device& device) {
+    ResultHeader header = headerFor(context, schema);
+    header.device = device.info();
+    header.seed = seedOf(context, device.info());
+    if (!device.info().isSimulated || context.global.isRealtime) {
+        header.started = wallTime();
+    }
+    return header;
+}
+
+ResultHeader headerFor(const CommandContext& context, const std::string& schema) {
+    ResultHeader header;
+    header.schema = schema;
+    header.seed = context.global.seed.value_or(1);
+    return header;
+}
+
+JsonValue toJson(const devices::DeviceInfo& device) {
+    JsonValue overrides = JsonValue::object();
+    for (const auto& [key, value] : device.overrides) {
+        const std::optional<double> number = parseNumber(value);
+        overrides.set(key, number ? JsonValue(*number) : JsonValue(value));
+    }
+    JsonValue result = JsonValue::object();
+    result.set("model", device.model).set("id", device.id).set("firmware", device.firmware);
+    result.set("simulated", device.isSimulated).set("overrides", overrides);
+    return result;
+}
+
+JsonValue toJson(const std::vector<Finding>& findings) {
+    JsonValue list = JsonValue::array();
+    for (const Finding& finding : findings) {
+        JsonValue entry = JsonValue::object();
+        entry.set("code", finding.code).set("message", finding.message).set("hint", finding.hint);
+        list.push(entry);
+    }
+    return list;
+}
+
+JsonValue toJson(const DataQuality& quality) {
+    JsonValue result = JsonValue::object();
+    result.set("verdict", verdictName(quality.verdict)).set("findings", toJson(quality.findings));
+    return result;
+}
+
+JsonValue toJson(const ResultHeader& header) {
+    JsonValue result = JsonValue::object();
+    result.set("schema", header.schema).set("halbench", HALBENCH_VERSION);
+    result.set("device", header.device ? toJson(*header.device) : JsonValue());
+    result.set("started", header.started).set("seed", header.seed);
+    result.set("data_quality", toJson(header.quality));
+    return result;
+}
+
+} // namespace halbench::app

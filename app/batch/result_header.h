@@ -1,0 +1,30 @@
+#pragma once
+
+#include "app/batch/command_context.h"
+#include "app/batch/json_value.h"
+
+namespace halbench::app {
+
+/// What every result begins with: schema, version, device, start, seed and the quality of the data
+/// (resources/help/command-line.md, "Results").
+struct ResultHeader {
+    std::string schema;
+    std::optional<devices::DeviceInfo> device; ///< absent: a result without a device
+    std::string started = "1970-01-01T00:00:00Z";
+    std::uint64_t seed = 1;
+    DataQuality quality;
+};
+
+/// Header of a command that works on a device: virtual time begins at 1970-01-01T00:00:00Z, any other at the
+/// wall clock's now.
+ResultHeader headerFor(const CommandContext& context, const std::string& schema,
+                       const devices::Device& device);
+/// Header of a command that works on files alone.
+ResultHeader headerFor(const CommandContext& context, const std::string& schema);
+
+JsonValue toJson(const ResultHeader& header);
+JsonValue toJson(const devices::DeviceInfo& device);
+JsonValue toJson(const DataQuality& quality);
+JsonValue toJson(const std::vector<Finding>& findings);
+
+} // namespace halbench::app
