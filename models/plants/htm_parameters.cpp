@@ -127,16 +127,15 @@ const std::array Specs = {
 #undef HB_SPECIMEN
 
 Result<void> checkRange(const HtmParameterSpec& spec, double value) {
+    const bool isCount = spec.key == "delay_samples";
+    const std::string hint = fmt::format("Allowed: {} to {}{}{}{}. Known keys: {}.", spec.min, spec.max,
+                                         spec.unit.empty() ? "" : " ", spec.unit,
+                                         isCount ? ", whole numbers" : "", htmParameterKeys());
     if (!std::isfinite(value)) {
-        return failure(ErrorCode::NotFinite, fmt::format("{} is not a finite number", spec.key),
-                       fmt::format("Give {} between {} and {} {}.", spec.key, spec.min, spec.max, spec.unit));
+        return failure(ErrorCode::NotFinite, fmt::format("{} is not a finite number", spec.key), hint);
     }
-    const bool isWhole = spec.key != "delay_samples" || value == std::floor(value);
-    if (value < spec.min || value > spec.max || !isWhole) {
-        return failure(ErrorCode::OutOfRange, fmt::format("{} = {} is out of range", spec.key, value),
-                       fmt::format("Allowed: {} to {}{}{}{}. Known keys: {}.", spec.min, spec.max,
-                                   spec.unit.empty() ? "" : " ", spec.unit,
-                                   spec.key == "delay_samples" ? ", whole numbers" : "", htmParameterKeys()));
+    if (value < spec.min || value > spec.max || (isCount && value != std::floor(value))) {
+        return failure(ErrorCode::OutOfRange, fmt::format("{} = {} is out of range", spec.key, value), hint);
     }
     return {};
 }
@@ -158,7 +157,7 @@ std::string htmParameterKeys() {
     for (const HtmParameterSpec& spec : Specs) {
         keys += (keys.empty() ? "" : ", ") + std::string(spec.key);
     }
-    return keys;
+    return keys + ", seed, imperfections, chain";
 }
 
 Result<void> setHtmParameter(HtmParameters& parameters, std::string_view key, double value) {

@@ -87,7 +87,7 @@ std::span<const HtmParameterSpec> htmParameterSpecs();
 /// nullptr if there is no such key.
 const HtmParameterSpec* findHtmParameter(std::string_view key);
 
-/// "J, c, Kf, ...": for messages.
+/// "J, c, Kf, ... seed, imperfections, chain": every key of an address, for messages.
 std::string htmParameterKeys();
 
 /// Sets one value by its key, given in the key's unit. Errors: UnknownName (the hint lists the known keys),

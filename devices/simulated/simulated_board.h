@@ -1,0 +1,69 @@
+#pragma once
+
+#include "control/base/result.h"
+#include "devices/firmware/htm/hb_htm.h"
+#include "models/plants/htm_plant.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace halbench::devices {
+
+/// The embedded motor: plant model and the controller board's own code on one virtual clock.
+/// Tick k happens at t = k ms: the board samples the sensors, computes and drives; then the plant runs to
+/// (k + 1) ms (resources/help/htm-theory.md section 3.8). The board serves XCP packets between ticks at once.
+/// Two signals more than a real board: truth.position, truth.speed. Thread: any one; nothing is shared
+/// between boards. Neither copied nor moved, because the board's code points into itself.
+class SimulatedBoard {
+public:
+    /// Errors: OutOfRange (parameters that make no amplifier).
+    static Result<std::unique_ptr<SimulatedBoard>> make(const models::HtmParameters& parameters,
+                                                        std::uint64_t seed);
+
+    SimulatedBoard(const SimulatedBoard&) = delete;
+    SimulatedBoard& operator=(const SimulatedBoard&) = delete;
+
+    static constexpr double Tick_s = 1e-3;
+
+    double time_s() const { return static_cast<double>(m_ticks) * 1e-3; }
+    void tick();
+    /// Runs all ticks before `time_s`; does nothing when it is already past it.
+    void advanceTo(double time_s);
+
+    void receive(std::span<const std::uint8_t> packet);
+    /// Octets of the next packet for the master, put into `packet`; 0 if there is none.
+    std::size_t transmit(std::span<std::uint8_t> packet);
+    /// Message counter of the packet transmitted last.
+    std::uint16_t messageCounter() const { return hb_htm_counter(&m_board); }
+
+    const models::HtmPlant& plant() const { return m_plant; }
+    /// What the board holds, for tests.
+    const hb_htm& firmware() const { return m_board; }
+
+private:
+    struct Truth {
+        double position_rad;
+        double speed_rad_s;
+    };
+    static const hb_signal TruthSignals[2];
+    static std::uint8_t store(void* context, const hb_htm_calibration* page);
+
+    SimulatedBoard(models::HtmPlant plant, std::uint64_t seed);
+    hb_htm_calibration initialCalibration();
+    void updateTruth();
+    void redrawFrictionAtNewSegment();
+    models::HtmDrive driveOf(const hb_htm_outputs& outputs) const;
+
+    models::HtmPlant m_plant;
+    hb_htm m_board{};
+    hb_htm_calibration m_stored{};
+    std::string m_identity;
+    Truth m_truth{};
+    double m_turns_rad = 0.0; ///< whole turns between the plant's angle and the board's
+    std::uint64_t m_ticks = 0;
+    std::uint16_t m_segment = 0;
+};
+
+} // namespace halbench::devices

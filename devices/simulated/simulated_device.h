@@ -1,0 +1,39 @@
+#pragma once
+
+#include "devices/device_uri.h"
+#include "devices/open_device.h"
+#include "devices/simulated/simulated_board.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace halbench::devices {
+
+/// What `sim:htm?KEY=VALUE&...` asks for. Keys: those of models/plants/htm_parameters.h and `seed`,
+/// `imperfections` (on, off), `chain` (full, ideal); written values win over the sets, in any order.
+/// Source: resources/help/command-line.md.
+struct SimulatedSetup {
+    models::HtmParameters parameters;
+    std::uint64_t seed = 1;
+    std::vector<std::pair<std::string, std::string>> overrides; ///< as written, sorted by key
+};
+
+/// `seed` (of the command line) wins over the address. Errors: UnknownName (a simulator or key that does not
+/// exist; the hint lists what does), InvalidInput, NotFinite, OutOfRange.
+Result<SimulatedSetup> parseSimulatedAddress(const DeviceUri& uri, std::optional<std::uint64_t> seed);
+
+/// The board alone, for whoever brings a link of its own (`serve`). Errors as above.
+Result<std::unique_ptr<SimulatedBoard>> makeSimulatedBoard(const DeviceUri& uri,
+                                                           std::optional<std::uint64_t> seed);
+
+/// The board behind the loopback as a Device. Errors as above, DeviceLost, Protocol.
+Result<std::unique_ptr<Device>> openSimulatedDevice(const DeviceUri& uri, const OpenOptions& options);
+
+/// `sim:htm`, the simulators that are built.
+std::vector<DeviceListing> listSimulatedDevices();
+
+} // namespace halbench::devices
