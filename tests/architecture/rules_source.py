@@ -1,0 +1,207 @@
+"""Rules about source text. A rule takes {path: text} and yields (path, line, message)."""
+import re
+
+from tree import code_only, comments, function_lengths, includes, is_product, is_source, line_of
+
+EVERY_DEVICE_HEADER = r"devices/[a-z_]+\.h"
+DEVICE_ONLY = ["control/", EVERY_DEVICE_HEADER]
+
+# folder: (project headers it may include, Qt modules it may use); the longest matching folder counts.
+# The same as the table of resources/help/architecture.md, section 1.
+HOUSE = {
+    "control/base": (["control/base/"], []),
+    "control/lti": (["control/base/", "control/lti/"], []),
+    "control/analysis": (["control/base/", "control/lti/", "control/analysis/"], []),
+    "control/design": (["control/(base|lti|analysis|design)/"], []),
+    "control/signals": (["control/base/", "control/signals/"], []),
+    "control/identify": (["control/(base|lti|signals|identify)/"], []),
+    "models/fields": (["control/base/", "models/fields/"], []),
+    "models/plants": (["control/", "models/(plants|fields|sensors|drives|thermal)/"], []),
+    "models/sensors": (["control/base/", "models/sensors/"], []),
+    "models/drives": (["control/base/", "models/drives/"], []),
+    "models/thermal": (["control/base/", "models/thermal/"], []),
+    "models/estimators": (["control/", "models/fields/", "models/estimators/"], []),
+    "devices/firmware": (["devices/firmware/"], []),
+    "devices/transport": (["control/base/", "devices/transport/"], ["QtCore", "QtNetwork"]),
+    "devices/xcp": (["control/base/", "devices/xcp/", "devices/transport/transport.h", EVERY_DEVICE_HEADER], []),
+    "devices/simulated": (["control/", "models/", "devices/"], []),
+    "devices/acquisition": (["control/base/", "devices/acquisition/", EVERY_DEVICE_HEADER], ["QtCore"]),
+    "devices": (["control/base/", "devices/"], ["QtCore"]),
+    "app/procedures": (["control/", "models/", "devices/acquisition/", EVERY_DEVICE_HEADER, "app/procedures/"],
+                       ["QtCore"]),
+    "app/batch": (["control/", "models/", "devices/", "app/procedures/", "app/report/", "app/batch/"], ["QtCore"]),
+    "app/report": (["control/", "models/", EVERY_DEVICE_HEADER, "app/procedures/", "app/report/", "widgets/"],
+                   ["QtCore", "QtGui", "QtSvg", "QtWidgets"]),
+    "widgets": (["control/", "models/", "widgets/"], ["QtCore", "QtGui", "QtSvg", "QtWidgets"]),
+    "app": (["control/", "models/", "devices/", "app/", "widgets/"], ["QtCore", "QtGui", "QtSvg", "QtWidgets"]),
+}
+C_HEADERS = {"stdint.h", "stddef.h", "string.h", "math.h", "stdbool.h", "limits.h", "float.h"}
+
+
+def home(path):
+    folders = [f for f in HOUSE if path.startswith(f + "/")]
+    return max(folders, key=len) if folders else None
+
+
+def allowed_includes(files):
+    for path, text in files.items():
+        folder = home(path)
+        if folder and is_product(path):
+            for line, mark, header in includes(text):
+                if mark == '"' and not any(re.match(p, header) for p in HOUSE[folder][0]):
+                    yield path, line, f"{folder} may not include {header}"
+
+
+def allowed_qt(files):
+    for path, text in files.items():
+        folder = home(path)
+        if not (folder and is_product(path)):
+            continue
+        for line, mark, header in includes(text):
+            module = header.split("/")[0]
+            if mark == "<" and header.startswith("qwt") and folder not in ("widgets", "app/report"):
+                yield path, line, f"{folder} may not use Qwt"
+            if mark != "<" or not re.match(r"Q[A-Z]|Qt[A-Z]", header):
+                continue
+            if "/" not in header:
+                yield path, line, f"write the module: <QtCore/{header}> or another"
+            elif module not in HOUSE[folder][1]:
+                yield path, line, f"{folder} may not use {module}"
+
+
+def firmware_is_plain_c(files):
+    for path, text in files.items():
+        if not path.startswith("devices/firmware/") or not is_source(path):
+            continue
+        if path.endswith(".cpp"):
+            yield path, 1, "the board's code is C"
+        for line, mark, header in includes(text):
+            if mark == "<" and header not in C_HEADERS and not header.startswith(("avr/", "util/")):
+                yield path, line, f"<{header}> is not for a board without an operating system"
+        for match in re.finditer(r"\b(malloc|calloc|realloc|free|s?n?printf|double\s+\w+\s*=\s*malloc)\s*\(",
+                                 code_only(text)):
+            yield path, line_of(text, match.start()), f"{match.group(1)} on the board"
+
+
+def firmware_has_its_licence(files):
+    for path, text in files.items():
+        if path.startswith("devices/firmware/") and is_source(path):
+            if "SPDX-License-Identifier: MIT" not in text.split("\n", 1)[0]:
+                yield path, 1, "the first line names the licence: SPDX-License-Identifier: MIT"
+
+
+def file_sizes(files):
+    for path, text in files.items():
+        if is_source(path) and text.count("\n") > 600:
+            yield path, 600, f"{text.count(chr(10))} lines; a file fails at 600"
+
+
+def function_sizes(files):
+    for path, text in files.items():
+        if is_source(path):
+            for line, length in function_lengths(text):
+                if length > 80:
+                    yield path, line, f"function of {length} lines; fails at 80"
+
+
+# pattern in code (comments and strings do not count), where it is allowed, message
+FORBIDDEN = (
+    (r"\bconnect\s*\([^;]*\b(SIGNAL|SLOT)\s*\(", (), "connect with pointers to members"),
+    (r"\bsetStyleSheet\s*\(", ("widgets/theme",), "setStyleSheet only in the theme"),
+    (r"\bsleep_for\b|\bsleep_until\b|\busleep\s*\(|\bnanosleep\s*\(|\bQThread::m?sleep", ("devices/transport/",
+     "app/batch/serve", "devices/simulated/pace"), "no sleeping: time is the Clock's"),
+    (r"\bDISABLED_\w+|\bGTEST_SKIP\b|\bQSKIP\b", (), "a test is run or removed"),
+    (r"\bstd::(normal|uniform_\w+|exponential)_distribution\b|\bstd::random_device\b|\bstd::mt19937|\bs?rand\s*\(\s*\)",
+     (), "random numbers come from control/base/random.h"),
+    (r"\bsystem_clock\b|\bQDateTime::currentDateTime|\bstd::time\s*\(|\bgettimeofday\b", (),
+     "no wall time in results"),
+    (r"\bstd::(views|ranges::views|format)\b", (), "not in GCC 12 and clang 14 alike"),
+    (r"\busing\s+namespace\s+(?!std::(string_view_)?literals|std::chrono_literals)[\w:]*;.*$", (".cpp", ),
+     "no using namespace in a header"),
+    (r"\bassert\s*\(", ("devices/firmware/",), "HB_ASSERT is always on"),
+    (r"\bsetlocale\s*\([^)]*\"\"|\bstd::locale\s*\(\s*\"\"", (), "numbers are written in the C locale"),
+    (r"\bstatic\s+(?!const|constexpr|inline|_Static|cast)\w[\w:<>]*\s+\w+\s*(=|;)", ("tests/",),
+     "no globals or hidden state"),
+)
+
+
+def forbidden_words(files):
+    for path, text in files.items():
+        if not is_source(path):
+            continue
+        code = code_only(text)
+        for pattern, places, message in FORBIDDEN:
+            if any(path.startswith(p) or path.endswith(p) for p in places):
+                continue
+            for match in re.finditer(pattern, code, re.M):
+                yield path, line_of(code, match.start()), f"{message}: {' '.join(match.group(0).split())[:50]}"
+
+
+UNFINISHED = re.compile(r"\b(TODO|FIXME|XXX|HACK)\b(?!\(\S+\))")
+
+
+def nothing_unfinished(files):
+    for path, text in files.items():
+        if is_source(path):
+            for line, comment in comments(text):
+                if UNFINISHED.search(comment):
+                    yield path, line, "finish it, or name the issue: TODO(issue)"
+
+
+def names_and_guards(files):
+    for path, text in files.items():
+        if not is_source(path):
+            continue
+        name = path.rsplit("/", 1)[1]
+        if not re.fullmatch(r"[a-z][a-z0-9_]*\.(h|cpp|c)", name):
+            yield path, 1, "files are snake_case"
+        if path.endswith(".h") and not re.search(r"^#pragma once$|^#ifndef \w+$", text, re.M):
+            yield path, 1, "a header is guarded"
+
+
+# Pages that are not part of the repository, and places of one machine.
+FOREIGN_PLACES = re.compile(r"(\.\./shared|(?<![\w/])physics/[a-z*]+|\b(design|cli|style|user-wishes|performance|"
+                            r"virtual-hardware|look)\.md|(?<!\w)/work/|/tmp/hb\b)")
+SELF = "tests/architecture/"
+
+
+def cites_only_what_is_here(files):
+    for path, text in files.items():
+        if path.startswith(SELF):
+            continue
+        for number, line in enumerate(text.split("\n"), 1):
+            found = FOREIGN_PLACES.search(line)
+            if found:
+                yield path, number, f"{found.group(0)} is not part of the repository"
+
+
+# source: why no test includes its header
+TESTED_OTHERWISE = {
+    "app/main.cpp": "the program itself; run by the program tests",
+}
+TESTED_BY_THE_PROGRAM = ("app/batch/program", "app/batch/commands", "app/batch/command_", "app/batch/interrupt",
+                         "app/batch/console")
+
+
+def every_source_has_its_test(files):
+    tested = {header for path, text in files.items() if path.startswith("tests/") and is_source(path)
+              for _, _, header in includes(text)}
+    for path, text in files.items():
+        if not is_product(path) or path.endswith(".h") or path in TESTED_OTHERWISE:
+            continue
+        if path.startswith(TESTED_BY_THE_PROGRAM) or "/boards/" in path or "/examples/" in path:
+            continue
+        own = re.sub(r"\.(cpp|c)$", ".h", path)
+        headers = {own} if own in files else same_folder_headers(path, text)
+        if not headers & tested:
+            yield path, 1, f"no test includes {' or '.join(sorted(headers)) or own}"
+
+
+def same_folder_headers(path, text):
+    folder = path.rsplit("/", 1)[0] + "/"
+    return {header for _, mark, header in includes(text) if mark == '"' and header.startswith(folder)}
+
+
+RULES = {rule.__name__: rule for rule in (
+    allowed_includes, allowed_qt, firmware_is_plain_c, firmware_has_its_licence, file_sizes, function_sizes,
+    forbidden_words, nothing_unfinished, names_and_guards, cites_only_what_is_here, every_source_has_its_test)}
