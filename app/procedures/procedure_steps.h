@@ -1,0 +1,46 @@
+#pragma once
+
+#include "app/procedures/procedure.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace halbench::app {
+
+/// Enters a state: tells the observer, then asks it whether to go on. Errors: what checkAbort says.
+Result<void> enterState(const ProcedureObserver& observer, ProcedureState state);
+
+/// Lets device time pass in pieces, asking the observer between them and telling it how far
+/// `from ... to` of the whole is done. Errors: of the clock, of checkAbort.
+Result<void> waitObserved(devices::Device& device, const ProcedureObserver& observer, double duration_s,
+                          double from = 0.0, double to = 1.0, const std::string& text = {});
+
+/// A stream kept in memory for the life of a procedure. Stops the stream on destruction.
+/// Thread: the procedure's.
+class StreamRecorder {
+public:
+    StreamRecorder(devices::Device& device, const ProcedureObserver& observer);
+    ~StreamRecorder();
+    StreamRecorder(const StreamRecorder&) = delete;
+    StreamRecorder& operator=(const StreamRecorder&) = delete;
+
+    /// Signals the device does not have are left out. Errors: of the device.
+    Result<void> start(const std::vector<std::string>& signals, double rate_Hz);
+    /// Errors: NotFinite when a sample was no number, naming the signal and the time.
+    Result<void> check() const;
+    std::size_t rows() const { return m_recording.rows(); }
+    /// Stops the stream and gives what came.
+    Recording finish();
+
+private:
+    void take(const SampleBlockPtr& block);
+
+    devices::Device& m_device;
+    const ProcedureObserver& m_observer;
+    Recording m_recording;
+    std::optional<Error> m_error;
+    bool m_isRunning = false;
+};
+
+} // namespace halbench::app
