@@ -34,7 +34,7 @@ SAMPLES = {
          {"devices/xcp/packets.cpp": "#include <QtCore/QFile>\n"}, {"devices/firmware/a.c": "#include <QtCore/QFile>\n"},
          {"app/procedures/a.cpp": "#include <QtWidgets/QWidget>\n"}, {"app/batch/a.cpp": "#include <QWidget>\n"},
          {"devices/acquisition/a.cpp": "#include <qwt_plot.h>\n"}],
-        [{"widgets/a.h": "#include <QtWidgets/QWidget>\n#include <qwt_plot.h>\n"},
+        [{"widgets/a.h": "#include <QtWidgets/QWidget>\n#include <QColor>\n#include <qwt_plot.h>\n"},
          {"app/procedures/a.cpp": "#include <QtCore/QFile>\n"}]),
     "firmware_is_plain_c": (
         [{"devices/firmware/a.c": "#include <stdio.h>\n"}, {"devices/firmware/a.cpp": ""},
