@@ -1,0 +1,170 @@
+#include "control/analysis/frequency_scan.h"
+
+#include "control/base/assert.h"
+#include "control/base/units.h"
+#include "control/lti/frequency_response.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace halbench::control {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Image in the s plane; absent for a root that is an integrator or a pure delay.
+std::optional<Complex> continuousImage(Complex root, const TimeBase& base) {
+    constexpr double IntegratorDistance = 1e-5; // a double root at 1 is only found to 1e-8
+    if (base.isContinuous()) {
+        return root == 0.0 ? std::nullopt : std::optional(root);
+    }
+    if (std::abs(root - 1.0) < IntegratorDistance || std::abs(root) < IntegratorDistance) {
+        return std::nullopt;
+    }
+    return std::log(root) / base.period_s();
+}
+
+std::vector<Complex> characteristicPoints(const TransferFunction& system) {
+    std::vector<Complex> points;
+    for (const auto& list : {poles(system), zeros(system)}) {
+        for (const Complex& root : list) {
+            if (const auto image = continuousImage(root, system.timeBase())) {
+                points.push_back(*image);
+            }
+        }
+    }
+    return points;
+}
+
+/// Moves an end of the range outward while the magnitude still changes and has not left 1 far behind.
+double extended(const TransferFunction& system, double end_rad_s, double factor) {
+    constexpr int MaxDecades = 12;
+    for (int i = 0; i < MaxDecades; ++i) {
+        const double here = std::abs(system.atFrequency(end_rad_s));
+        const double next = std::abs(system.atFrequency(end_rad_s * factor));
+        const bool headsForOne = (here > 1.0) != (next > here);
+        if (!headsForOne || std::abs(next - here) < 1e-3 * here || !std::isfinite(next)) {
+            break;
+        }
+        end_rad_s *= factor;
+    }
+    return end_rad_s;
+}
+
+void addAround(std::vector<double>& frequencies, Complex point, double from_rad_s, double to_rad_s) {
+    const double natural_rad_s = std::abs(point);
+    const double width = std::max(std::abs(point.real()) / natural_rad_s, 1e-9);
+    for (int i = -20; i <= 20; ++i) {
+        const double frequency = natural_rad_s * (1.0 + 0.25 * i * width);
+        if (width < 0.1 && frequency > from_rad_s && frequency < to_rad_s) {
+            frequencies.push_back(frequency);
+        }
+    }
+}
+
+/// Rounding leaves fewer than four digits of the denominator.
+bool isDrowned(const TransferFunction& system, double frequency_rad_s) {
+    if (system.timeBase().isContinuous()) {
+        return false;
+    }
+    double sum = 0.0;
+    for (const double coefficient : system.denominator()) {
+        sum += std::abs(coefficient);
+    }
+    const Complex z = std::polar(1.0, frequency_rad_s * system.timeBase().period_s());
+    return std::abs(evaluate(system.denominator(), z)) < 1e-12 * sum;
+}
+
+} // namespace
+
+std::vector<double> scanFrequencies(const TransferFunction& system) {
+    const TimeBase& base = system.timeBase();
+    const std::vector<Complex> points = characteristicPoints(system);
+    double slowest_rad_s = base.isSampled() ? 1.0 / base.period_s() : 1.0;
+    double fastest_rad_s = slowest_rad_s;
+    if (!points.empty()) {
+        const auto [low, high] = std::minmax_element(
+            points.begin(), points.end(), [](Complex a, Complex b) { return std::abs(a) < std::abs(b); });
+        slowest_rad_s = std::min(base.isSampled() ? slowest_rad_s : std::abs(*low), std::abs(*low));
+        fastest_rad_s = std::abs(*high);
+    }
+    const double nyquist_rad_s = base.isSampled() ? Pi / base.period_s() : HUGE_VAL;
+    const double from_rad_s = extended(system, std::min(slowest_rad_s, nyquist_rad_s) / 100.0, 0.1);
+    const double to_rad_s = base.isSampled()
+                                ? nyquist_rad_s
+                                : extended(system, std::max(fastest_rad_s, from_rad_s) * 100.0, 10.0);
+
+    constexpr double PointsPerDecade = 200.0;
+    const double decades = std::log10(to_rad_s / from_rad_s);
+    std::vector<double> frequencies =
+        logarithmicFrequencies(from_rad_s, to_rad_s, static_cast<int>(decades * PointsPerDecade) + 2);
+    for (const Complex& point : points) {
+        addAround(frequencies, point, from_rad_s, to_rad_s);
+    }
+    std::sort(frequencies.begin(), frequencies.end());
+    frequencies.erase(std::unique(frequencies.begin(), frequencies.end()), frequencies.end());
+    std::erase_if(frequencies, [&system](double frequency) { return isDrowned(system, frequency); });
+    return frequencies;
+}
+
+double bisect(const std::function<double(double)>& function, double low, double high) {
+    const bool isLowNegative = function(low) < 0.0;
+    for (int i = 0; i < 200; ++i) {
+        const double middle = 0.5 * (low + high);
+        if (middle <= low || middle >= high) {
+            break;
+        }
+        if ((function(middle) < 0.0) == isLowNegative) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return 0.5 * (low + high);
+}
+
+double goldenMinimum(const std::function<double(double)>& function, double low, double high) {
+    const double ratio = 0.5 * (std::sqrt(5.0) - 1.0);
+    double left = high - ratio * (high - low);
+    double right = low + ratio * (high - low);
+    double atLeft = function(left);
+    double atRight = function(right);
+    // 60 rounds shrink by 3e-13; a minimum is only known to the square root of the rounding anyway.
+    for (int i = 0; i < 60; ++i) {
+        if (atLeft < atRight) {
+            high = right;
+            right = left;
+            atRight = atLeft;
+            left = high - ratio * (high - low);
+            atLeft = function(left);
+        } else {
+            low = left;
+            left = right;
+            atLeft = atRight;
+            right = low + ratio * (high - low);
+            atRight = function(right);
+        }
+    }
+    return 0.5 * (low + high);
+}
+
+double scanMinimum(const std::function<double(double)>& function, const std::vector<double>& points) {
+    HB_ASSERT(!points.empty());
+    std::size_t best = 0;
+    double smallest = function(points.front());
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const double value = function(points[i]);
+        if (value < smallest) {
+            smallest = value;
+            best = i;
+        }
+    }
+    const double low = points[best == 0 ? 0 : best - 1];
+    const double high = points[best + 1 == points.size() ? best : best + 1];
+    const double refined = goldenMinimum(function, low, high);
+    return function(refined) < smallest ? refined : points[best];
+}
+
+} // namespace halbench::control
