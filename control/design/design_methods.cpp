@@ -1,0 +1,329 @@
+#include "control/design/design_methods.h"
+
+#include "control/analysis/loop_functions.h"
+#include "control/base/units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace halbench::control {
+
+namespace {
+
+/// The closed loop of the recommended preset on the published motor, s^3 + D s^2 + P s + I, at 100 Hz
+/// (htm-theory.md 8.4: K_P = 40, K_I = 60, K_D = 1.4 with k = 26, a = 2.2364). Keeping this polynomial, with
+/// rates in proportion to the sampling rate, carries the preset over to any motor.
+struct LoopShape {
+    double damping_1_s = 38.6363636363636364; // a + k K_D
+    double stiffness_1_s2 = 1040.0;           // k K_P
+    double integral_1_s3 = 1560.0;            // k K_I
+};
+constexpr double ShapePeriod_s = 0.01;
+
+PidGains shapedGains(const PositionPlant& plant, double speedRatio) {
+    const LoopShape shape;
+    const double k = plant.accelerationGain_rad_s2_A;
+    PidGains gains;
+    gains.proportional = shape.stiffness_1_s2 * speedRatio * speedRatio / k;
+    gains.integral = shape.integral_1_s3 * speedRatio * speedRatio * speedRatio / k;
+    gains.derivative = std::max(0.0, (shape.damping_1_s * speedRatio - plant.dampingRate_1_s) / k);
+    return gains;
+}
+
+/// What a candidate loop is judged by while a method searches.
+struct Quality {
+    bool isStable = false;
+    StabilityMargins margins;
+    double bandwidth_rad_s = 0.0; ///< of T = L/(1+L); 0 when it never falls by 3 dB
+};
+
+Quality judge(const PositionPlant& plant, const PidGains& gains, const LoopTiming& timing) {
+    Quality quality;
+    const auto loop = sampledOpenLoop(plant, gains, timing);
+    if (!loop) {
+        return quality;
+    }
+    quality.isStable = poleRadius(*loop) < 1.0;
+    quality.margins = smallestMargins(*loop);
+    const auto closed = feedback(*loop, TransferFunction::gain(1.0, loop->timeBase()));
+    if (closed) {
+        quality.bandwidth_rad_s = bandwidth_rad_s(*closed).value_or(0.0);
+    }
+    return quality;
+}
+
+/// Largest value in [low, high] for which `isFine` holds, when it holds from `low` up to some limit.
+double largestFine(double low, double high, const std::function<bool(double)>& isFine) {
+    if (isFine(high)) {
+        return high;
+    }
+    for (int i = 0; i < 50; ++i) {
+        const double middle = 0.5 * (low + high);
+        (isFine(middle) ? low : high) = middle;
+    }
+    return low;
+}
+
+PositionLaw withFeedForward(const PidGains& gains, const PositionPlant& plant) {
+    PositionLaw law;
+    law.gains = gains;
+    addFeedForward(law, plant);
+    return law;
+}
+
+Result<PositionLaw> designRecommended(const PositionPlant& plant, const LoopTiming& timing,
+                                      const DesignTargets&) {
+    // Without delay the shape has 37.9 deg; a computing delay is paid with speed, not with margin.
+    constexpr double LeastPhaseMargin_deg = 35.0;
+    const double fullSpeed = ShapePeriod_s / timing.period_s;
+    const double speed = largestFine(0.01 * fullSpeed, fullSpeed, [&](double ratio) {
+        const Quality quality = judge(plant, shapedGains(plant, ratio), timing);
+        return quality.isStable && quality.margins.phaseMargin_deg >= LeastPhaseMargin_deg;
+    });
+    return withFeedForward(shapedGains(plant, speed), plant);
+}
+
+/// alpha = c/J - 2 zeta w, K_P = (w^2 + 2 zeta w alpha)/k, K_I = alpha w^2/k (htm-theory.md 3.6).
+Result<PositionLaw> designPolePlacement(const PositionPlant& plant, const LoopTiming&,
+                                        const DesignTargets& targets) {
+    const double zeta = targets.zeta.value_or(0.06);
+    const double omega_rad_s = targets.omega_rad_s.value_or(15.0);
+    const double alpha_1_s = plant.dampingRate_1_s - 2.0 * zeta * omega_rad_s;
+    if (alpha_1_s < 0.0) {
+        return failure(
+            ErrorCode::OutOfRange,
+            fmt::format("zeta = {:.4g} at {:.4g} rad/s is out of reach of a PI position loop on this motor: "
+                        "zeta <= c/(2 J omega) = {:.4g}",
+                        zeta, omega_rad_s, plant.dampingRate_1_s / (2.0 * omega_rad_s)),
+            "lower zeta or omega, or use method bandwidth or phase-margin, which add derivative action");
+    }
+    const double k = plant.accelerationGain_rad_s2_A;
+    PositionLaw law;
+    law.gains.proportional = (omega_rad_s * omega_rad_s + 2.0 * zeta * omega_rad_s * alpha_1_s) / k;
+    law.gains.integral = alpha_1_s * omega_rad_s * omega_rad_s / k;
+    return law;
+}
+
+Result<PositionLaw> designBandwidth(const PositionPlant& plant, const LoopTiming& timing,
+                                    const DesignTargets& targets) {
+    if (!targets.bandwidth_Hz) {
+        return failure(ErrorCode::Usage, "method bandwidth needs a target bandwidth",
+                       "add --bandwidth-hz HZ");
+    }
+    constexpr double LeastPhaseMargin_deg = 25.0;
+    const double fullSpeed = ShapePeriod_s / timing.period_s;
+    const double slowest = 0.005 * fullSpeed;
+    const double fastest = largestFine(slowest, 2.0 * fullSpeed, [&](double ratio) {
+        const Quality quality = judge(plant, shapedGains(plant, ratio), timing);
+        return quality.isStable && quality.margins.phaseMargin_deg >= LeastPhaseMargin_deg;
+    });
+    const auto bandwidth_Hz = [&](double ratio) {
+        return judge(plant, shapedGains(plant, ratio), timing).bandwidth_rad_s / (2.0 * Pi);
+    };
+    const double least_Hz = bandwidth_Hz(slowest);
+    const double most_Hz = bandwidth_Hz(fastest);
+    if (*targets.bandwidth_Hz < least_Hz || *targets.bandwidth_Hz > most_Hz) {
+        return failure(
+            ErrorCode::OutOfRange,
+            fmt::format("a bandwidth of {:.4g} Hz is not possible with this motor at {:.4g} Hz sampling and "
+                        "{} samples of delay",
+                        *targets.bandwidth_Hz, 1.0 / timing.period_s, timing.delay_samples),
+            fmt::format("choose {:.3g} to {:.3g} Hz", least_Hz, most_Hz));
+    }
+    const double speed = largestFine(
+        slowest, fastest, [&](double ratio) { return bandwidth_Hz(ratio) <= *targets.bandwidth_Hz; });
+    return withFeedForward(shapedGains(plant, speed), plant);
+}
+
+/// Gains that put the loop on the unit circle at `crossover_rad_s` with the asked phase, with K_I/K_P in the
+/// proportion of the recommended shape: two real equations for K_P and K_D.
+PidGains gainsAtCrossover(const PositionPlant& plant, const LoopTiming& timing, double crossover_rad_s,
+                          double phaseMargin_deg) {
+    constexpr double IntegralRate_ratio = 1.5 / 45.7; // K_I/K_P over the crossover of htm-theory.md 8.4
+    using Complex = std::complex<double>;
+    const double T = timing.period_s;
+    const Complex z = std::polar(1.0, crossover_rad_s * T);
+    const Complex withoutController = sampledPlant(plant, T).at(z) * std::pow(z, -timing.delay_samples);
+    const Complex wanted =
+        std::polar(1.0, degreesToRadians(phaseMargin_deg - 180.0)) / withoutController; // C(z) asked for
+    const double integralRate_1_s = IntegralRate_ratio * crossover_rad_s;
+    const Complex perProportional = 1.0 + T * integralRate_1_s / (z - 1.0);
+    const Complex perDerivative = (z - 1.0) / (T * z);
+    const double determinant =
+        perProportional.real() * perDerivative.imag() - perProportional.imag() * perDerivative.real();
+    PidGains gains;
+    gains.proportional =
+        (wanted.real() * perDerivative.imag() - wanted.imag() * perDerivative.real()) / determinant;
+    gains.derivative =
+        (perProportional.real() * wanted.imag() - perProportional.imag() * wanted.real()) / determinant;
+    gains.integral = integralRate_1_s * gains.proportional;
+    return gains;
+}
+
+bool meetsPhaseMargin(const PositionPlant& plant, const LoopTiming& timing, const PidGains& gains,
+                      double phaseMargin_deg) {
+    constexpr double LeastGainMargin_ratio = 2.0;
+    if (gains.proportional <= 0.0 || gains.derivative < 0.0) {
+        return false;
+    }
+    const Quality quality = judge(plant, gains, timing);
+    return quality.isStable && quality.margins.gainMargin_ratio >= LeastGainMargin_ratio &&
+           std::abs(quality.margins.phaseMargin_deg - phaseMargin_deg) < 0.01;
+}
+
+Result<PositionLaw> designPhaseMargin(const PositionPlant& plant, const LoopTiming& timing,
+                                      const DesignTargets& targets) {
+    if (!targets.phaseMargin_deg) {
+        return failure(ErrorCode::Usage, "method phase-margin needs a target margin",
+                       "add --phase-margin-deg DEG");
+    }
+    const double margin_deg = *targets.phaseMargin_deg;
+    // From the recommended crossover downward: the fastest loop that has the margin.
+    const double fastest_rad_s = targets.omega_rad_s.value_or(0.457 / timing.period_s);
+    const double slowest_rad_s = targets.omega_rad_s.value_or(0.005 / timing.period_s);
+    for (double crossover_rad_s = fastest_rad_s; crossover_rad_s >= slowest_rad_s; crossover_rad_s *= 0.98) {
+        const PidGains gains = gainsAtCrossover(plant, timing, crossover_rad_s, margin_deg);
+        if (meetsPhaseMargin(plant, timing, gains, margin_deg)) {
+            return withFeedForward(gains, plant);
+        }
+    }
+    return failure(
+        ErrorCode::OutOfRange,
+        fmt::format("no loop on this motor has a phase margin of {:.4g} deg and a gain margin of 2{}",
+                    margin_deg,
+                    targets.omega_rad_s ? fmt::format(" at {:.4g} rad/s", *targets.omega_rad_s) : ""),
+        "ask for 25 to 65 deg, or leave the crossover to the program");
+}
+
+PositionLaw preset(double proportional, double integral, GainUnit unit) {
+    PidGains gains;
+    gains.unit = unit;
+    gains.proportional = proportional;
+    gains.integral = integral;
+    PositionLaw law;
+    law.gains = *convert(gains, PidForm::Parallel, GainUnit::PerRadian);
+    return law;
+}
+
+Result<PositionLaw> designPreset(std::string_view method, const PositionPlant& plant,
+                                 const LoopTiming& timing) {
+    if (method == "published") {
+        return preset(10.0, 0.1, GainUnit::PerRadian);
+    }
+    if (method == "micro-step") {
+        return preset(5.0, 0.05, GainUnit::PerDegree);
+    }
+    if (method == "published-degrees") {
+        return preset(10.0, 0.1, GainUnit::PerDegree);
+    }
+    return designPolePlacement(plant, timing, {});
+}
+
+Result<void> checkTarget(const std::optional<double>& target, std::string_view name, double max, bool isRead,
+                         std::string_view method) {
+    if (!target) {
+        return {};
+    }
+    if (!std::isfinite(*target)) {
+        return failure(ErrorCode::NotFinite, fmt::format("the target {} is not a finite number", name));
+    }
+    if (!isRead) {
+        return failure(ErrorCode::Usage, fmt::format("method {} does not read the target {}", method, name),
+                       "leave it out, or choose the method that reads it");
+    }
+    if (*target <= 0.0 || *target > max) {
+        return failure(ErrorCode::OutOfRange,
+                       fmt::format("the target {} = {} is not between 0 and {:.6g}", name, *target, max));
+    }
+    return {};
+}
+
+Result<void> checkTargets(const DesignMethod& method, const LoopTiming& timing,
+                          const DesignTargets& targets) {
+    const auto reads = [&method](std::string_view name) {
+        return method.targets.find(name) != std::string_view::npos;
+    };
+    const double nyquist_rad_s = Pi / timing.period_s;
+    for (const auto& valid :
+         {checkTarget(targets.zeta, "zeta", 10.0, reads("zeta"), method.name),
+          checkTarget(targets.omega_rad_s, "omega-rad-s", nyquist_rad_s, reads("omega-rad-s"), method.name),
+          checkTarget(targets.bandwidth_Hz, "bandwidth-hz", nyquist_rad_s / (2.0 * Pi), reads("bandwidth-hz"),
+                      method.name),
+          checkTarget(targets.phaseMargin_deg, "phase-margin-deg", 90.0, reads("phase-margin-deg"),
+                      method.name)}) {
+        if (!valid) {
+            return valid;
+        }
+    }
+    return {};
+}
+
+Result<DesignMethod> findMethod(std::string_view name) {
+    std::string known;
+    for (const DesignMethod& method : designMethods()) {
+        if (method.name == name) {
+            return method;
+        }
+        known += fmt::format("{}{}", known.empty() ? "" : ", ", method.name);
+    }
+    return failure(ErrorCode::UnknownName, fmt::format("there is no design method '{}'", name),
+                   "choose one of: " + known);
+}
+
+} // namespace
+
+const std::vector<DesignMethod>& designMethods() {
+    static const std::vector<DesignMethod> methods = {
+        {"recommended", "", "the product's own loop, scaled to the identified motor"},
+        {"pole-placement", "zeta, omega-rad-s", "PI with the asked dominant pair, as far as the motor damps"},
+        {"bandwidth", "bandwidth-hz", "the recommended shape at the asked closed-loop bandwidth"},
+        {"phase-margin", "phase-margin-deg, omega-rad-s", "the fastest loop with the asked phase margin"},
+        {"published", "", "10 A/rad and 0.1 A/(rad s), as printed"},
+        {"designed", "", "zeta = 0.06 at 15 rad/s, as the source meant it"},
+        {"micro-step", "", "5 A/deg and 0.05 A/(deg s), for steps of a few tenths of a degree"},
+        {"published-degrees", "", "the printed numbers read per degree; large steps end in a limit cycle"}};
+    return methods;
+}
+
+void addFeedForward(PositionLaw& law, const PositionPlant& plant) {
+    // 90 %: over-compensated friction would drive the rotor by itself (htm-theory.md 8.4, sensitivity).
+    constexpr double FrictionShare_ratio = 0.9;
+    law.inertia_A_s2_rad = 1.0 / plant.accelerationGain_rad_s2_A;
+    law.viscous_A_s_rad = plant.dampingRate_1_s / plant.accelerationGain_rad_s2_A;
+    law.coulomb_A = FrictionShare_ratio * plant.breakawayCurrent_A;
+    law.stictionCurrent_A = FrictionShare_ratio * plant.breakawayCurrent_A;
+}
+
+Result<PositionLaw> designLaw(std::string_view method, const PositionPlant& plant, const LoopTiming& timing,
+                              const DesignTargets& targets) {
+    const auto found = findMethod(method);
+    if (!found) {
+        return failure(found.error());
+    }
+    for (const auto& valid : {checkPlant(plant), checkTiming(timing)}) {
+        if (!valid) {
+            return failure(valid.error());
+        }
+    }
+    if (const auto valid = checkTargets(*found, timing, targets); !valid) {
+        return failure(valid.error());
+    }
+    if (method == "recommended") {
+        return designRecommended(plant, timing, targets);
+    }
+    if (method == "pole-placement") {
+        return designPolePlacement(plant, timing, targets);
+    }
+    if (method == "bandwidth") {
+        return designBandwidth(plant, timing, targets);
+    }
+    if (method == "phase-margin") {
+        return designPhaseMargin(plant, timing, targets);
+    }
+    return designPreset(method, plant, timing);
+}
+
+} // namespace halbench::control

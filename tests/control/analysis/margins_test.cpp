@@ -1,0 +1,143 @@
+#include "control/analysis/loop_functions.h"
+#include "control/analysis/margins.h"
+#include "control/base/units.h"
+#include "control/lti/discretize.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace halbench::control {
+namespace {
+
+TransferFunction continuous(Polynomial numerator, Polynomial denominator) {
+    return *TransferFunction::make(std::move(numerator), std::move(denominator), TimeBase::continuous());
+}
+
+// K/(s (s+1)(s+2)): phase -180 deg at sqrt(2), where |L| = K/6.
+TEST(Margins, gainMarginOfAThirdOrderLoopIsSixOverTheGain) {
+    const StabilityMargins margins = smallestMargins(continuous({2.0}, {1.0, 3.0, 2.0, 0.0}));
+    EXPECT_NEAR(margins.gainMargin_ratio, 3.0, 1e-12);
+    ASSERT_TRUE(margins.phaseCrossover_rad_s.has_value());
+    EXPECT_NEAR(*margins.phaseCrossover_rad_s, std::sqrt(2.0), 1e-12);
+}
+
+// w_c of K/(s (s + a)) from w^2 (w^2 + a^2) = K^2, phase margin 90 deg - atan(w_c/a).
+TEST(Margins, phaseAndDelayMarginOfASecondOrderLoopAreTheClosedForms) {
+    const double a = 2.0;
+    const double K = 30.0;
+    const double w = std::sqrt(0.5 * (-a * a + std::sqrt(a * a * a * a + 4.0 * K * K)));
+    const StabilityMargins margins = smallestMargins(continuous({K}, {1.0, a, 0.0}));
+    ASSERT_TRUE(margins.gainCrossover_rad_s.has_value());
+    EXPECT_NEAR(*margins.gainCrossover_rad_s, w, 1e-12 * w);
+    EXPECT_NEAR(margins.phaseMargin_deg, 90.0 - radiansToDegrees(std::atan(w / a)), 1e-10);
+    EXPECT_NEAR(margins.delayMargin_s, (Pi / 2.0 - std::atan(w / a)) / w, 1e-13);
+    EXPECT_TRUE(std::isinf(margins.gainMargin_ratio));
+    EXPECT_FALSE(margins.phaseCrossover_rad_s.has_value());
+}
+
+TEST(Margins, aLoopWithoutCrossingsHasInfiniteMarginsAndNoFrequencies) {
+    const StabilityMargins margins = smallestMargins(continuous({0.5}, {1.0, 1.0}));
+    EXPECT_TRUE(std::isinf(margins.gainMargin_ratio));
+    EXPECT_TRUE(std::isinf(margins.phaseMargin_deg));
+    EXPECT_TRUE(std::isinf(margins.delayMargin_s));
+    EXPECT_FALSE(margins.gainCrossover_rad_s.has_value());
+    EXPECT_NEAR(margins.modulusMargin, 1.0, 1e-3); // far above the pole L vanishes
+}
+
+// Conditionally stable: K (s+1)^2/s^3 crosses -180 deg once, at w = 1, where |L| = 2 K.
+TEST(Margins, aConditionallyStableLoopHasAGainMarginBelowOne) {
+    const double K = 5.0;
+    const auto crossings = allCrossings(continuous({K, 2.0 * K, K}, {1.0, 0.0, 0.0, 0.0}));
+    ASSERT_EQ(crossings.size(), 2u);
+    EXPECT_EQ(crossings[0].kind, Crossing::Kind::Phase);
+    EXPECT_NEAR(crossings[0].frequency_rad_s, 1.0, 1e-12);
+    EXPECT_NEAR(crossings[0].gainMargin_ratio, 1.0 / (2.0 * K), 1e-12);
+    EXPECT_EQ(crossings[1].kind, Crossing::Kind::Gain);
+    EXPECT_GT(crossings[1].phaseMargin_deg, 0.0);
+}
+
+// A resonance of damping 1e-4 lifts the loop above 1 in a band far narrower than any plain grid.
+TEST(Margins, findsBothCrossingsAroundANarrowResonance) {
+    const double w0 = 50.0;
+    const double zeta = 1e-4;
+    const auto loop = continuous({0.01 * w0 * w0}, {1.0, 2.0 * zeta * w0, w0 * w0});
+    const auto crossings = allCrossings(loop);
+    ASSERT_EQ(crossings.size(), 2u);
+    // |1 - x^2| = 0.01 with x = w/w0, damping negligible to second order
+    EXPECT_NEAR(crossings[0].frequency_rad_s, w0 * std::sqrt(0.99), 1e-3);
+    EXPECT_NEAR(crossings[1].frequency_rad_s, w0 * std::sqrt(1.01), 1e-3);
+}
+
+TEST(Margins, findsACrossingFarOutsideTheRangeOfThePoles) {
+    const auto fast = smallestMargins(continuous({1e6}, {1.0, 1.0}));
+    EXPECT_NEAR(fast.gainCrossover_rad_s.value(), std::sqrt(1e12 - 1.0), 1.0);
+    const auto slow = smallestMargins(continuous({1e-5}, {1.0, 1.0, 0.0}));
+    EXPECT_NEAR(slow.gainCrossover_rad_s.value(), 1e-5, 1e-14);
+}
+
+TEST(Margins, theMarginFoundBringsTheLoopToTheLimitOfStability) {
+    const auto plant = continuous({8.0}, {1.0, 6.0, 11.0, 6.0});
+    const auto sampled = *discretize(plant, 0.2, Hold::Zoh{});
+    const double margin = smallestMargins(sampled).gainMargin_ratio;
+    const auto closedWith = [&](double factor) {
+        const auto loop = *series(sampled, TransferFunction::gain(factor, sampled.timeBase()));
+        return isStable(*feedback(loop, TransferFunction::gain(1.0, sampled.timeBase())));
+    };
+    EXPECT_TRUE(closedWith(margin * (1.0 - 1e-9)));
+    EXPECT_FALSE(closedWith(margin * (1.0 + 1e-9)));
+}
+
+// A sampled lag K/(z - 0.5) reaches -1 at Nyquist with |L| = K/1.5.
+TEST(Margins, aSampledLoopMayCrossAtTheNyquistFrequencyItself) {
+    const auto loop = *TransferFunction::make({0.6}, {1.0, -0.5}, TimeBase::sampled(0.1));
+    const StabilityMargins margins = smallestMargins(loop);
+    EXPECT_NEAR(margins.gainMargin_ratio, 2.5, 1e-12);
+    EXPECT_NEAR(margins.phaseCrossover_rad_s.value(), Pi / 0.1, 1e-9);
+}
+
+TEST(Margins, modulusMarginIsTheInverseOfTheSensitivityPeak) {
+    const auto plant = continuous({4.0}, {1.0, 1.0, 0.0});
+    const auto controller = continuous({0.2, 1.0}, {0.01, 1.0});
+    const auto loop = *series(plant, controller);
+    const auto functions = loopFunctions(plant, controller);
+    ASSERT_TRUE(functions.has_value());
+    EXPECT_NEAR(smallestMargins(loop).modulusMargin, 1.0 / peakMagnitude(functions->S).magnitude_ratio, 1e-9);
+}
+
+TEST(LoopFunctions, sensitivityAndItsComplementAddUpToOne) {
+    const auto plant = continuous({4.0}, {1.0, 1.0, 0.0});
+    const auto controller = continuous({0.2, 1.0}, {0.01, 1.0});
+    const auto functions = loopFunctions(plant, controller);
+    ASSERT_TRUE(functions.has_value());
+    for (const double w : {0.1, 1.0, 3.0, 100.0}) {
+        const auto P = plant.atFrequency(w);
+        const auto C = controller.atFrequency(w);
+        EXPECT_LT(std::abs(functions->S.atFrequency(w) + functions->T.atFrequency(w) - 1.0), 1e-13);
+        EXPECT_LT(std::abs(functions->PS.atFrequency(w) - P / (1.0 + P * C)), 1e-13 * (1.0 + std::abs(P)));
+        EXPECT_LT(std::abs(functions->CS.atFrequency(w) - C / (1.0 + P * C)), 1e-12);
+    }
+}
+
+TEST(LoopFunctions, anUnstableCancellationStaysVisible) {
+    const auto functions = loopFunctions(continuous({1.0}, {1.0, -1.0}), continuous({1.0, -1.0}, {1.0, 2.0}));
+    ASSERT_TRUE(functions.has_value());
+    EXPECT_FALSE(isStable(functions->S));
+}
+
+// Second order: peak 1/(2 zeta sqrt(1 - zeta^2)) at w_n sqrt(1 - 2 zeta^2).
+TEST(LoopFunctions, peakOfASecondOrderSystemIsTheClosedForm) {
+    const double zeta = 0.1;
+    const double w = 7.0;
+    const ResponsePeak peak = peakMagnitude(continuous({w * w}, {1.0, 2.0 * zeta * w, w * w}));
+    EXPECT_NEAR(peak.magnitude_ratio, 1.0 / (2.0 * zeta * std::sqrt(1.0 - zeta * zeta)), 1e-9);
+    EXPECT_NEAR(peak.frequency_rad_s, w * std::sqrt(1.0 - 2.0 * zeta * zeta), 1e-5);
+}
+
+TEST(LoopFunctions, bandwidthOfALagIsItsCorner) {
+    EXPECT_NEAR(bandwidth_rad_s(continuous({12.0}, {1.0, 3.0})).value(), 3.0, 1e-9);
+    EXPECT_FALSE(bandwidth_rad_s(continuous({1.0, 4.0}, {1.0, 3.0})).has_value());
+}
+
+} // namespace
+} // namespace halbench::control
