@@ -1,0 +1,112 @@
+#include "app/batch/experiment_keys.h"
+
+#include "app/batch/names.h"
+
+#include <array>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr double Any = std::numeric_limits<double>::max();
+constexpr std::string_view Kinds = "identify|calibrate|tune|apply|move|record|set|wait|analyse";
+constexpr std::string_view Presets = "published|designed|micro-step|published-in-degrees|recommended";
+constexpr std::string_view Methods =
+    "recommended|pole-placement|bandwidth|phase-margin|published|designed|micro-step|published-degrees";
+using enum KeyType;
+
+// clang-format off
+constexpr std::array KnownKeys = {
+    KeySpec{"experiment", "schema", Choice, true, 0, 0, "halbench.experiment/1", "form of this file"},
+    KeySpec{"experiment", "title", Text, false, 0, 0, "", "heading of the report"},
+    KeySpec{"experiment", "description", Text, false, 0, 0, "", "what it shows, for the report"},
+    KeySpec{"experiment", "device", Text, false, 0, 0, "", "address of the device; `--device` overrides it"},
+
+    KeySpec{"check", "quantity", Text, true, 0, 0, "", "STEP.QUANTITY"},
+    KeySpec{"check", "min", Number, false, -Any, Any, "", "smallest value that passes"},
+    KeySpec{"check", "max", Number, false, -Any, Any, "", "largest value that passes"},
+    KeySpec{"check", "reason", Text, false, 0, 0, "", "where the limit comes from, for the report"},
+
+    KeySpec{"step", "kind", Choice, true, 0, 0, Kinds, "what the step does"},
+    KeySpec{"step", "name", Name, true, 0, 0, "", "names its results and files; unique"},
+
+    KeySpec{"identify", "currents_A", Table, false, 0, 0, "", "plateaus of the sweep, ends included"},
+    KeySpec{"identify", "currents_A.from", Number, true, 0, 1000, "", "first current, A"},
+    KeySpec{"identify", "currents_A.to", Number, true, 0, 1000, "", "last current, A"},
+    KeySpec{"identify", "currents_A.step", Number, true, 1e-6, 1000, "", "distance, A"},
+    KeySpec{"identify", "directions", Choice, false, 0, 0, "both|forward|reverse", "directions of the sweep; default both"},
+    KeySpec{"identify", "given", Numbers, false, 0, 0, "", "known constants J, c, Kf, phi in SI, taken as exact"},
+    KeySpec{"identify", "bare", Name, false, 0, 0, "", "identify step of the same motor without the added inertia"},
+    KeySpec{"identify", "added_inertia_kg_m2", Number, false, 1e-12, 1e6, "", "inertia fixed to the rotor since `bare`"},
+    KeySpec{"identify", "speed_limit_rad_s", Number, false, 0.1, 1e4, "", "speed window; default 40"},
+    KeySpec{"identify", "usable_speed_rad_s", Number, false, 0, 1e4, "", "slower plateaus are not fitted; default 3"},
+
+    KeySpec{"calibrate", "what", Choice, true, 0, 0, "hall|stray|static-friction|all", "which calibration"},
+    KeySpec{"calibrate", "apply", Boolean, false, 0, 0, "", "keep the result on the device; default false"},
+
+    KeySpec{"tune", "model", Name, true, 0, 0, "", "identify step whose result is used"},
+    KeySpec{"tune", "method", Choice, false, 0, 0, Methods, "design method; default recommended"},
+    KeySpec{"tune", "zeta", Number, false, 1e-6, 10, "", "target: damping ratio"},
+    KeySpec{"tune", "omega_rad_s", Number, false, 1e-6, 1e6, "", "target: natural frequency, rad/s"},
+    KeySpec{"tune", "bandwidth_hz", Number, false, 1e-6, 1e6, "", "target: bandwidth, Hz"},
+    KeySpec{"tune", "phase_margin_deg", Number, false, 1e-3, 179, "", "target: phase margin, degrees"},
+
+    KeySpec{"analyse", "what", Choice, true, 0, 0, "loop|amplifier", "the sampled position loop, or the current amplifier of a simulated htm"},
+    KeySpec{"analyse", "model", Name, false, 0, 0, "", "loop: identify step whose result is used"},
+    KeySpec{"analyse", "gains", Name, false, 0, 0, "", "loop: tune step whose gains are used"},
+
+    KeySpec{"apply", "gains", Name, false, 0, 0, "", "tune step whose gains are written"},
+    KeySpec{"apply", "preset", Choice, false, 0, 0, Presets, "shipped parameter set that is written; one of gains and preset"},
+
+    KeySpec{"move", "reference", Table, true, 0, 0, "", "what to follow, relative to the position at the start"},
+    KeySpec{"move", "reference.shape", Choice, true, 0, 0, "step|ramp|sine|staircase|chirp|multisine", "shape"},
+    KeySpec{"move", "reference.amplitude_deg", Number, false, -1e6, 1e6, "", "height of a step or stair, amplitude, end of a ramp; degrees"},
+    KeySpec{"move", "reference.amplitude_rad", Number, false, -1e5, 1e5, "", "the same in rad"},
+    KeySpec{"move", "reference.rate_deg_s", Number, false, -1e6, 1e6, "", "ramp: slope, degrees/s"},
+    KeySpec{"move", "reference.rate_rad_s", Number, false, -1e5, 1e5, "", "the same in rad/s"},
+    KeySpec{"move", "reference.frequency_hz", Number, false, 1e-4, 500, "", "sine; first frequency of chirp and multisine, Hz"},
+    KeySpec{"move", "reference.frequency_end_hz", Number, false, 1e-4, 500, "", "last frequency of chirp and multisine, Hz"},
+    KeySpec{"move", "reference.period_s", Number, false, 1e-3, 1e4, "", "sine: period instead of frequency; staircase: time on each stair, s"},
+    KeySpec{"move", "reference.count", Integer, false, 1, 10000, "", "number of stairs or of multisine lines"},
+    KeySpec{"move", "reference.seed", Integer, false, 0, 4294967295.0, "", "phases of a multisine"},
+    KeySpec{"move", "duration_s", Number, true, 0.01, 36000, "", "how long, s"},
+    KeySpec{"move", "evaluate_from_s", Number, false, 0, 36000, "", "errors count from here; default 0"},
+    KeySpec{"move", "evaluate_to_s", Number, false, 0, 36000, "", "errors count up to here; default the end"},
+
+    KeySpec{"record", "duration_s", Number, true, 0.001, 360000, "", "how long, s"},
+    KeySpec{"record", "signals", TextList, false, 0, 0, "", "signals; default those of the profile"},
+    KeySpec{"record", "rate_hz", Number, false, 1e-3, 1e6, "", "rows per second; default 100"},
+
+    KeySpec{"set", "values", Numbers, true, 0, 0, "", "parameters and values, written in one transaction; they stay for the steps that follow"},
+
+    KeySpec{"wait", "duration_s", Number, true, 0.001, 360000, "", "how long, s"},
+};
+// clang-format on
+
+} // namespace
+
+std::span<const KeySpec> experimentKeys() {
+    return KnownKeys;
+}
+
+std::vector<std::string> stepKinds() {
+    return splitList(Kinds, '|');
+}
+
+std::vector<std::string> presetNames() {
+    return splitList(Presets, '|');
+}
+
+std::vector<const KeySpec*> keysOf(std::string_view section, std::string_view table) {
+    std::vector<const KeySpec*> keys;
+    for (const KeySpec& spec : KnownKeys) {
+        const std::size_t dot = spec.key.rfind('.');
+        const std::string_view parent = dot == std::string_view::npos ? "" : spec.key.substr(0, dot);
+        if (spec.section == section && parent == table) {
+            keys.push_back(&spec);
+        }
+    }
+    return keys;
+}
+
+} // namespace halbench::app

@@ -1,0 +1,300 @@
+#include "app/batch/experiment_validation.h"
+
+#include "app/batch/experiment_keys.h"
+#include "app/batch/names.h"
+#include "app/batch/numbers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace halbench::app {
+
+namespace {
+
+tl::unexpected<Error> complaint(const ConfigNode& node, const std::string& what, const std::string& hint) {
+    return failure(ErrorCode::InvalidInput, node.where() + ": " + what, hint);
+}
+
+std::string lastPart(std::string_view key) {
+    return std::string(key.substr(key.rfind('.') + 1));
+}
+
+std::string keyList(const std::vector<const KeySpec*>& keys) {
+    std::vector<std::string> names;
+    for (const KeySpec* spec : keys) {
+        names.push_back(lastPart(spec->key));
+    }
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+Result<void> checkNumber(const KeySpec& spec, const ConfigNode& node) {
+    const bool isNumber = node.kind == ConfigNode::Kind::Number || node.kind == ConfigNode::Kind::Integer;
+    if (!isNumber || (spec.type == KeyType::Integer && node.kind != ConfigNode::Kind::Integer)) {
+        return complaint(node, fmt::format("'{}' is {}", spec.key, kindName(node.kind)),
+                         spec.type == KeyType::Integer ? "give a whole number" : "give a number");
+    }
+    if (!std::isfinite(node.number) || node.number < spec.min || node.number > spec.max) {
+        return complaint(node, fmt::format("'{}' = {} is out of range", spec.key, formatNumber(node.number)),
+                         fmt::format("allowed is {} to {}", formatNumber(spec.min), formatNumber(spec.max)));
+    }
+    return {};
+}
+
+Result<void> checkChoice(const KeySpec& spec, const ConfigNode& node) {
+    const std::vector<std::string> choices = splitList(spec.choices, '|');
+    if (node.kind != ConfigNode::Kind::Text ||
+        std::find(choices.begin(), choices.end(), node.text) == choices.end()) {
+        const std::string got =
+            node.kind == ConfigNode::Kind::Text ? "\"" + node.text + "\"" : std::string(kindName(node.kind));
+        return complaint(node, fmt::format("'{}' is {}", spec.key, got),
+                         fmt::format("allowed: {}", fmt::join(choices, ", ")));
+    }
+    return {};
+}
+
+Result<void> checkNumbers(const KeySpec& spec, const ConfigNode& node) {
+    if (node.kind == ConfigNode::Kind::Table && !node.members.empty()) {
+        for (const ConfigNode::Member& member : node.members) {
+            const KeySpec entry{spec.section, member.first, KeyType::Number};
+            const bool isTable = member.second.kind == ConfigNode::Kind::Table;
+            const Result<void> valid =
+                isTable ? checkNumbers(spec, member.second) : checkNumber(entry, member.second);
+            if (!valid) {
+                return valid;
+            }
+        }
+        return {};
+    }
+    return complaint(node, fmt::format("'{}' needs a table of names and numbers", spec.key),
+                     "write it like { \"gain.kp\" = 10.0 }");
+}
+
+bool isName(const std::string& text) {
+    return !text.empty() && text.size() <= 64 && std::all_of(text.begin(), text.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+               c == '_';
+    });
+}
+
+Result<void> checkText(const KeySpec& spec, const ConfigNode& node) {
+    if (node.kind != ConfigNode::Kind::Text) {
+        return complaint(node, fmt::format("'{}' is {}", spec.key, kindName(node.kind)),
+                         "give a text in quotes");
+    }
+    if (spec.type == KeyType::Name && !isName(node.text)) {
+        return complaint(node, fmt::format("'{}' = \"{}\" is no name", spec.key, node.text),
+                         "use up to 64 letters, digits, '-' and '_'");
+    }
+    return {};
+}
+
+Result<void> checkTextList(const KeySpec& spec, const ConfigNode& node) {
+    bool isList = node.kind == ConfigNode::Kind::List && !node.items.empty();
+    for (const ConfigNode& item : node.items) {
+        isList = isList && item.kind == ConfigNode::Kind::Text;
+    }
+    if (!isList) {
+        return complaint(node, fmt::format("'{}' needs a list of texts", spec.key),
+                         "write it like [\"position\", \"current_command\"]");
+    }
+    return {};
+}
+
+Result<void> checkKeys(const ConfigNode& table, std::string_view section, std::string_view parent);
+
+Result<void> checkValue(const KeySpec& spec, const ConfigNode& node) {
+    switch (spec.type) {
+    case KeyType::Text:
+    case KeyType::Name:
+        return checkText(spec, node);
+    case KeyType::TextList:
+        return checkTextList(spec, node);
+    case KeyType::Number:
+    case KeyType::Integer:
+        return checkNumber(spec, node);
+    case KeyType::Boolean:
+        return node.kind == ConfigNode::Kind::Boolean
+                   ? Result<void>()
+                   : complaint(node, fmt::format("'{}' is {}", spec.key, kindName(node.kind)),
+                               "allowed: true, false");
+    case KeyType::Choice:
+        return checkChoice(spec, node);
+    case KeyType::Numbers:
+        return checkNumbers(spec, node);
+    case KeyType::Table:
+        return node.kind == ConfigNode::Kind::Table
+                   ? checkKeys(node, spec.section, spec.key)
+                   : complaint(node, fmt::format("'{}' is {}", spec.key, kindName(node.kind)),
+                               fmt::format("give a table with {}", keyList(keysOf(spec.section, spec.key))));
+    }
+    return {};
+}
+
+/// Keys of a step are those of its kind and those of every step.
+std::vector<const KeySpec*> knownKeys(std::string_view section, std::string_view parent) {
+    std::vector<const KeySpec*> keys = keysOf(section, parent);
+    const std::vector<std::string> kinds = stepKinds();
+    if (parent.empty() && std::find(kinds.begin(), kinds.end(), section) != kinds.end()) {
+        const std::vector<const KeySpec*> common = keysOf("step", "");
+        keys.insert(keys.begin(), common.begin(), common.end());
+    }
+    return keys;
+}
+
+Result<void> checkKeys(const ConfigNode& table, std::string_view section, std::string_view parent) {
+    const std::vector<const KeySpec*> keys = knownKeys(section, parent);
+    for (const ConfigNode::Member& member : table.members) {
+        const auto spec = std::find_if(keys.begin(), keys.end(), [&](const KeySpec* candidate) {
+            return lastPart(candidate->key) == member.first;
+        });
+        const bool isArrayOfTables =
+            section == "experiment" && (member.first == "step" || member.first == "check");
+        if (spec == keys.end() && !isArrayOfTables) {
+            return complaint(member.second, fmt::format("unknown key '{}'", member.first),
+                             fmt::format("allowed here: {}", keyList(keys)));
+        }
+        if (!isArrayOfTables) {
+            if (const Result<void> valid = checkValue(**spec, member.second); !valid) {
+                return valid;
+            }
+        }
+    }
+    for (const KeySpec* spec : keys) {
+        if (spec->isRequired && table.find(lastPart(spec->key)) == nullptr) {
+            return complaint(table, fmt::format("the key '{}' is missing", spec->key),
+                             std::string(spec->help));
+        }
+    }
+    return {};
+}
+
+/// Rules that no single key can hold.
+Result<void> checkCombination(const ConfigNode& step) {
+    const auto has = [&](const ConfigNode* table, const char* key) {
+        return table != nullptr && table->find(key) != nullptr;
+    };
+    const std::string& kind = step.find("kind")->text;
+    if (kind == "apply" && has(&step, "gains") == has(&step, "preset")) {
+        return complaint(step, "needs one of 'gains' and 'preset'", "name a tune step or a preset");
+    }
+    if (kind == "identify" && has(&step, "bare") != has(&step, "added_inertia_kg_m2")) {
+        return complaint(step, "'bare' and 'added_inertia_kg_m2' belong together", "give both or none");
+    }
+    if (kind == "analyse" && step.find("what")->text == "loop" &&
+        !(has(&step, "model") && has(&step, "gains"))) {
+        return complaint(step, "what = \"loop\" needs 'model' and 'gains'",
+                         "name an identify and a tune step");
+    }
+    const ConfigNode* reference = step.find("reference");
+    for (const auto& [left, right] :
+         {std::pair("amplitude_deg", "amplitude_rad"), std::pair("rate_deg_s", "rate_rad_s")}) {
+        if (has(reference, left) && has(reference, right)) {
+            return complaint(*reference, fmt::format("'{}' and '{}' say the same", left, right), "give one");
+        }
+    }
+    return {};
+}
+
+/// A step may use the results of steps before it only.
+Result<void> checkUses(const ConfigNode& step, const std::vector<const ConfigNode*>& earlier) {
+    constexpr std::array<std::pair<const char*, const char*>, 3> Uses = {
+        std::pair("model", "identify"), std::pair("gains", "tune"), std::pair("bare", "identify")};
+    for (const auto& [key, kind] : Uses) {
+        const ConfigNode* used = step.find(key);
+        const bool isFound =
+            used == nullptr || std::any_of(earlier.begin(), earlier.end(), [&](const auto* other) {
+                return other->find("name")->text == used->text && other->find("kind")->text == kind;
+            });
+        if (!isFound) {
+            return complaint(
+                *used,
+                fmt::format("'{}': no earlier step of kind {} is called \"{}\"", key, kind, used->text),
+                "name a step that stands before this one");
+        }
+    }
+    return {};
+}
+
+Result<void> checkSteps(const ConfigNode& root) {
+    const ConfigNode* steps = root.find("step");
+    if (steps == nullptr || steps->kind != ConfigNode::Kind::List || steps->items.empty()) {
+        return complaint(root, "there is no [[step]]", "add at least one step");
+    }
+    std::vector<const ConfigNode*> earlier;
+    for (const ConfigNode& step : steps->items) {
+        const ConfigNode* kind = step.find("kind");
+        if (step.kind != ConfigNode::Kind::Table || kind == nullptr) {
+            return complaint(step, "a step needs the key 'kind'",
+                             fmt::format("allowed: {}", fmt::join(stepKinds(), ", ")));
+        }
+        Result<void> valid = checkValue(*keysOf("step", "").front(), *kind);
+        valid = valid ? checkKeys(step, kind->text, "") : valid;
+        valid = valid ? checkCombination(step) : valid;
+        valid = valid ? checkUses(step, earlier) : valid;
+        if (!valid) {
+            return valid;
+        }
+        for (const ConfigNode* other : earlier) {
+            if (other->find("name")->text == step.find("name")->text) {
+                return complaint(*step.find("name"),
+                                 "two steps are called \"" + step.find("name")->text + "\"", "rename one");
+            }
+        }
+        earlier.push_back(&step);
+    }
+    return {};
+}
+
+Result<void> checkCheck(const ConfigNode& check, const ConfigNode& steps) {
+    const Result<void> valid = checkKeys(check, "check", "");
+    if (!valid) {
+        return valid;
+    }
+    const ConfigNode* min = check.find("min");
+    const ConfigNode* max = check.find("max");
+    if (min == nullptr && max == nullptr) {
+        return complaint(check, "a check needs 'min', 'max' or both", "give a limit");
+    }
+    if (min != nullptr && max != nullptr && min->number > max->number) {
+        return complaint(check, "'min' is larger than 'max'", "exchange them");
+    }
+    const std::string& quantity = check.find("quantity")->text;
+    const std::string step = quantity.substr(0, quantity.find('.'));
+    const bool isKnown =
+        std::any_of(steps.items.begin(), steps.items.end(),
+                    [&](const ConfigNode& candidate) { return candidate.find("name")->text == step; });
+    if (!isKnown || quantity.size() <= step.size() + 1) {
+        return complaint(*check.find("quantity"), fmt::format("no step is called \"{}\"", step),
+                         "write STEP.QUANTITY with the name of a step");
+    }
+    return {};
+}
+
+} // namespace
+
+Result<void> validateExperiment(const ConfigNode& root) {
+    Result<void> valid = checkKeys(root, "experiment", "");
+    valid = valid ? checkSteps(root) : valid;
+    const ConfigNode* checks = root.find("check");
+    if (!valid || checks == nullptr) {
+        return valid;
+    }
+    if (checks->kind != ConfigNode::Kind::List) {
+        return complaint(*checks, "'check' must be [[check]]", "use double brackets");
+    }
+    for (const ConfigNode& check : checks->items) {
+        if (check.kind != ConfigNode::Kind::Table) {
+            return complaint(check, "a check must be a table", "use [[check]]");
+        }
+        valid = checkCheck(check, *root.find("step"));
+        if (!valid) {
+            return valid;
+        }
+    }
+    return {};
+}
+
+} // namespace halbench::app
