@@ -9,15 +9,15 @@
  *   step        amplitude
  *   ramp        rate t, held at |amplitude| when that is not 0
  *   sine        amplitude sin(2 pi frequency t)
- *   staircase   amplitude (1 + floor(t/period)), at most `count` steps
+ *   staircase   amplitude (1 + floor(t/period)), `count` steps
  *   chirp       amplitude sin(2 pi (f0 t + (f1 - f0) t^2/(2 duration)))
- *   multisine   amplitude sqrt(2/count) sum_k sin(2 pi f_k t + phase_k), f_k evenly from f0 to f1; Schroeder
- * phases for seed 0, otherwise phases drawn from the seed. Its rms value is `amplitude`. plateaus
- * current[floor(t/dwell)] (in every mode as a value), `count` of them
+ *   multisine   amplitude sqrt(1/count) sum_k sin(2 pi f_k t + phase_k), f_k evenly from f0 to f1: the rms
+ * value of a sine of this amplitude. Schroeder phases -pi k (k-1)/count for seed 0, else drawn from the seed
+ *   plateaus    current[floor(t/dwell)], `count` of them
  *
  * `base` adds constant motion: base t in mode position (rad/s), the constant base in the current modes (A).
- * The generator ends after `duration` (staircase: count periods; plateaus: count dwells): the position is
- * then held, a current goes to zero. */
+ * The generator ends after `duration` (staircase: count periods; plateaus: count dwells) or when stopped: a
+ * position is then held, a current goes to zero. */
 
 #include "devices/firmware/xcp/hb_config.h"
 
@@ -33,9 +33,12 @@ enum hb_shape {
     HB_SHAPE_RAMP,
     HB_SHAPE_SINE,
     HB_SHAPE_STAIRCASE,
+#if HB_FEATURE_GENERATOR
     HB_SHAPE_CHIRP,
     HB_SHAPE_MULTISINE,
-    HB_SHAPE_PLATEAUS
+    HB_SHAPE_PLATEAUS,
+#endif
+    HB_SHAPE_COUNT
 };
 
 #if HB_FEATURE_GENERATOR
@@ -78,8 +81,7 @@ typedef struct {
     uint8_t running, holds_position;
 } hb_reference;
 
-void hb_reference_init(hb_reference* reference);
-/* Starts at the next hb_reference_advance(). */
+/* t = 0 is the next hb_reference_evaluate(). */
 #if HB_FEATURE_GENERATOR
 void hb_reference_start(hb_reference* reference, const hb_reference_config* config,
                         const hb_plateau_config* plateaus, uint8_t is_position);
@@ -87,9 +89,11 @@ void hb_reference_start(hb_reference* reference, const hb_reference_config* conf
 void hb_reference_start(hb_reference* reference, const hb_reference_config* config, uint8_t is_position);
 #endif
 void hb_reference_stop(hb_reference* reference);
+/* Forgets the held position. */
+void hb_reference_clear(hb_reference* reference);
 /* The point at the present tick; the held point (or zero) when not running. */
 hb_reference_point hb_reference_evaluate(hb_reference* reference);
-/* One fast tick (1 ms) passes. */
+/* One fast tick (1 ms) passes; ends the generator when its time is over. */
 void hb_reference_advance(hb_reference* reference);
 
 #ifdef __cplusplus

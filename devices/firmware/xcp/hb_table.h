@@ -20,14 +20,14 @@ enum hb_type { HB_UBYTE, HB_SBYTE, HB_UWORD, HB_SWORD, HB_ULONG, HB_SLONG, HB_FL
 /* One measured variable: physical value = raw * scale. `choices` names the values 0, 1, 2... ("idle|armed"),
  * or is NULL. `offset` counts from the base pointer of the table, so one table serves many instances. */
 typedef struct {
-    char name[28];
-    char text[60];
-    char unit[12];
     uint8_t type;
     uint16_t offset;
     float scale;
     float lower, upper; /* physical */
     const char* choices;
+    char name[28];
+    char unit[12];
+    char text[60];
 } hb_signal;
 
 typedef struct {
@@ -42,12 +42,9 @@ enum hb_space {
     HB_BLOCK  /* read-only block of float at address extension 2 */
 };
 
-/* One parameter (`count` > 1: an array, only for HB_BLOCK). A finite value outside the limits is clamped, a
- * value that is not finite is refused. */
+/* One parameter (`columns` * `rows` > 1: an array, only for HB_BLOCK). A finite value outside the limits is
+ * clamped, a value that is not finite is refused. */
 typedef struct {
-    char name[28];
-    char text[84];
-    char unit[12];
     uint8_t type;
     uint8_t space;
     uint16_t offset;
@@ -55,6 +52,9 @@ typedef struct {
     float initial;
     float lower, upper;
     const char* choices;
+    char name[28];
+    char unit[12];
+    char text[92];
 } hb_parameter;
 
 typedef struct {
@@ -64,13 +64,16 @@ typedef struct {
 } hb_event;
 
 #define HB_SIGNAL(name, unit, type, structure, member, scale, lower, upper, choices, text)                   \
-    { name, text, unit, type, (uint16_t)offsetof(structure, member), scale, lower, upper, choices }
+    { type, (uint16_t)offsetof(structure, member), scale, lower, upper, choices, name, unit, text }
 #define HB_PARAM(space, name, unit, type, structure, member, initial, lower, upper, choices, text)           \
     {                                                                                                        \
-        name, text, unit, type, space, (uint16_t)offsetof(structure, member), 1, 1, initial, lower, upper,   \
-            choices                                                                                          \
+        type, space, (uint16_t)offsetof(structure, member), 1, 1, initial, lower, upper, choices, name,      \
+            unit, text                                                                                       \
     }
 
+/* The numbers of one entry, without its strings. */
+void hb_signal_numbers(const hb_signal* entry, hb_signal* numbers);
+void hb_parameter_numbers(const hb_parameter* entry, hb_parameter* numbers);
 /* Octets of a value of this type. */
 uint8_t hb_type_size(uint8_t type);
 /* The value at `source`, which need not be aligned, as float; HB_FLOAT64 reads as 0. */

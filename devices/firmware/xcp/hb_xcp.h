@@ -44,8 +44,8 @@ enum hb_xcp_event_code {
 /* Address map: extension 0, 8*i = signal i; 0x8000 + offset = live parameter; 0x10000 + offset = segment 0
  * through the XCP page; extension 1 = A2L text; 2 = block (capture data); 3 = names, for GET_ID and event
  * names. */
-#define HB_ADDRESS_LIVE 0x8000UL
-#define HB_ADDRESS_SEGMENT 0x10000UL
+#define HB_ADDRESS_LIVE ((uint32_t)0x8000)
+#define HB_ADDRESS_SEGMENT ((uint32_t)0x10000)
 enum hb_xcp_extension { HB_EXT_VALUES = 0, HB_EXT_A2L = 1, HB_EXT_BLOCK = 2, HB_EXT_NAMES = 3 };
 
 /* What the board tells the slave. Every hook may be NULL. `parameter` is the index into the parameter table.

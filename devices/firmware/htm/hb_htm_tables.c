@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: MIT */
+#include "devices/firmware/htm/hb_htm_internal.h"
+
+/* Names, units and limits of the board. A name is what a user sees on the command line; units are those of
+ * the host's table. Defaults are the preset "published" of resources/help/htm-theory.md 8.1 with stray
+ * compensation on. */
+
+#define COUNT_RAD 2.39684498e-5F /* 2 pi/2^18 */
+#define ANGLE_LIMIT 51471.0F     /* 8192 turns */
+#define LARGEST_ULONG 4294967296.0F
+
+static const char StatusChoices[] HB_ROM = "idle|armed|stopped by command|stopped by watchdog|fault";
+static const char FaultChoices[] HB_ROM =
+    "none|coil temperature above its limit|current above its limit|speed above its window|position left its "
+    "window|"
+    "angle jumped (ambiguous decode)|sensor out of range|value not finite";
+static const char OffOn[] HB_ROM = "off|on";
+static const char LawChoices[] HB_ROM = "positional|literal difference equation|literal with clamped memory";
+static const char DecodeChoices[] HB_ROM = "arctangent|linear";
+static const char ArmChoices[] HB_ROM = "disarmed|armed";
+static const char ModeChoices[] HB_ROM = "idle|current|position|d-axis";
+static const char StopChoices[] HB_ROM = "run|stop";
+#if HB_FEATURE_GENERATOR
+static const char ShapeChoices[] HB_ROM = "none|step|ramp|sine|staircase|chirp|multisine|plateaus";
+#else
+static const char ShapeChoices[] HB_ROM = "none|step|ramp|sine|staircase";
+#endif
+#if HB_FEATURE_CAPTURE
+static const char CaptureChoices[] HB_ROM = "idle|filling|waiting|running|full";
+static const char TriggerChoices[] HB_ROM = "immediate|level|reference start";
+static const char SlopeChoices[] HB_ROM = "rising|falling";
+#endif
+
+#define SIGNAL(name, unit, type, member, scale, limit, choices, text)                                        \
+    HB_SIGNAL(name, unit, type, hb_htm_signals, member, scale, -(limit), limit, choices, text)
+#define STATE(name, type, member, highest, choices, text)                                                    \
+    HB_SIGNAL(name, "", type, hb_htm_signals, member, 1.0F, 0.0F, highest, choices, text)
+
+const hb_signal hb_htm_signal_table[] HB_ROM = {
+    SIGNAL("position", "rad", HB_SLONG, position, COUNT_RAD, ANGLE_LIMIT, NULL, "Rotor angle, unwrapped"),
+    SIGNAL("speed", "rad/s", HB_FLOAT32, speed_rad_s, 1.0F, 1000.0F, NULL, "Rotor speed, slope over 32 ms"),
+    SIGNAL("reference", "", HB_FLOAT32, reference, 1.0F, ANGLE_LIMIT, NULL,
+           "Reference: rad in mode position, else A"),
+    SIGNAL("current_command", "A", HB_FLOAT32, current_command_A, 1.0F, 5.0F, NULL,
+           "Current amplitude commanded"),
+    SIGNAL("current.a", "A", HB_FLOAT32, current_A[0], 1.0F, 5.0F, NULL, "Current commanded into phase A"),
+    SIGNAL("current.b", "A", HB_FLOAT32, current_A[1], 1.0F, 5.0F, NULL, "Current commanded into phase B"),
+    SIGNAL("hall.a", "T", HB_FLOAT32, hall_T[0], 1.0F, 0.25F, NULL, "Field at Hall sensor A, not corrected"),
+    SIGNAL("hall.b", "T", HB_FLOAT32, hall_T[1], 1.0F, 0.25F, NULL, "Field at Hall sensor B, not corrected"),
+    SIGNAL("coil_temperature.a", "degC", HB_FLOAT32, temperature_degC[0], 1.0F, 500.0F, NULL, "Coil A"),
+    SIGNAL("coil_temperature.b", "degC", HB_FLOAT32, temperature_degC[1], 1.0F, 500.0F, NULL, "Coil B"),
+    STATE("status", HB_UBYTE, status, 4.0F, StatusChoices, "State of the board"),
+    STATE("fault", HB_UBYTE, fault, 7.0F, FaultChoices, "Latched fault"),
+    STATE("torn_count", HB_ULONG, torn_count, LARGEST_ULONG, NULL,
+          "Control cycles that saw a mixed parameter set"),
+    STATE("reference.segment", HB_UWORD, reference_segment, 65535.0F, NULL,
+          "Step or plateau, 0 = not running"),
+    STATE("reference.running", HB_UBYTE, reference_running, 1.0F, NULL, "1 while the generator runs"),
+#if HB_FEATURE_CAPTURE
+    STATE("capture.state", HB_UBYTE, capture_state, 4.0F, CaptureChoices, "State of the capture"),
+    HB_SIGNAL("capture.time", "s", HB_ULONG, hb_htm_signals, capture_time_us, 1.0e-6F, 0.0F, 4294.97F, NULL,
+              "Device time of the trigger sample"),
+#endif
+};
+const uint16_t hb_htm_signal_count = sizeof hb_htm_signal_table / sizeof hb_htm_signal_table[0];
+
+#define PAGED(name, unit, member, initial, lower, upper, choices, text)                                      \
+    HB_PARAM(HB_PAGED, name, unit, HB_FLOAT32, hb_htm_calibration, member, initial, lower, upper, choices,   \
+             text)
+#define MARK(name, member, text)                                                                             \
+    HB_PARAM(HB_PAGED, name, "", HB_ULONG, hb_htm_calibration, member, 0.0F, 0.0F, LARGEST_ULONG, NULL, text)
+#define LIVE(name, unit, type, member, initial, lower, upper, choices, text)                                 \
+    HB_PARAM(HB_LIVE, name, unit, type, hb_htm_live, member, initial, lower, upper, choices, text)
+#define MAP(order)                                                                                           \
+    PAGED("errormap.cos" #order, "rad", errormap_cosine[order - 1], 0.0F, -0.2F, 0.2F, NULL,                 \
+          "Angle error map, cosine of order " #order),                                                       \
+        PAGED("errormap.sin" #order, "rad", errormap_sine[order - 1], 0.0F, -0.2F, 0.2F, NULL,               \
+              "Angle error map, sine of order " #order)
+#define PLATEAU(n)                                                                                           \
+    LIVE("plateau.current_" #n, "A", HB_FLOAT32, plateaus.current_A[n - 1], 0.0F, -4.0F, 4.0F, NULL,         \
+         "Current of plateau " #n)
+#define CAPTURE_SIGNAL(n)                                                                                    \
+    LIVE("capture.signal_" #n, "", HB_UBYTE, capture.signal[n - 1], 255.0F, 0.0F, 255.0F, NULL,              \
+         "Signal of channel " #n " as handle (address/8), 255 = none")
+
+const hb_parameter hb_htm_parameter_table[] HB_ROM = {
+    MARK("set.first", set_first, "Mark of the transaction, equal to set.last"),
+    PAGED("gain.kp", "A/rad", kp, 10.0F, 0.0F, 2000.0F, NULL, "Proportional gain"),
+    PAGED("gain.ki", "A/(rad*s)", ki, 0.1F, 0.0F, 20000.0F, NULL, "Integral gain"),
+    PAGED("gain.kd", "A*s/rad", kd, 0.0F, 0.0F, 100.0F, NULL, "Derivative gain on the measured angle"),
+    PAGED("feedforward.inertia", "A*s^2/rad", ff_inertia, 0.0F, 0.0F, 10.0F, NULL, "J/phi"),
+    PAGED("feedforward.viscous", "A*s/rad", ff_viscous, 0.0F, 0.0F, 10.0F, NULL, "c/phi"),
+    PAGED("feedforward.coulomb", "A", ff_coulomb, 0.0F, 0.0F, 4.0F, NULL,
+          "0.9 K_f/phi, with the reference speed"),
+    PAGED("feedforward.coulomb_speed", "rad/s", ff_coulomb_speed, 0.02F, 0.001F, 10.0F, NULL,
+          "Reference speed of full Coulomb feed-forward"),
+    PAGED("stiction.current", "A", stiction_current, 0.0F, 0.0F, 4.0F, NULL,
+          "Friction help at rest, 0.9 K_f/phi"),
+    PAGED("stiction.threshold", "rad", stiction_threshold, 2.7925268e-3F, 0.0F, 1.0F, NULL,
+          "Error above which the friction help acts (0.16 degrees)"),
+    PAGED("stiction.speed", "rad/s", stiction_speed, 0.02F, 0.0F, 10.0F, NULL,
+          "Reference speed below which the friction help acts"),
+    PAGED("control.law", "", law, 0.0F, 0.0F, 2.0F, LawChoices, "Form of the control law"),
+    PAGED("limit.current", "A", limit_current, 4.0F, 0.0F, 4.0F, NULL, "Largest current amplitude"),
+    PAGED("limit.temperature", "degC", limit_temperature, 80.0F, -40.0F, 80.0F, NULL,
+          "Coil temperature that trips"),
+    PAGED("window.position", "rad", window_position, 6.2831853F, 0.0F, 10000.0F, NULL,
+          "Largest excursion from the position at arming"),
+    PAGED("window.position_enabled", "", window_position_enabled, 0.0F, 0.0F, 1.0F, OffOn, "Position window"),
+    PAGED("window.speed", "rad/s", window_speed, 40.0F, 0.0F, 1000.0F, NULL, "Largest speed while armed"),
+    PAGED("window.speed_enabled", "", window_speed_enabled, 1.0F, 0.0F, 1.0F, OffOn, "Speed window"),
+    PAGED("stray.enabled", "", stray_enabled, 1.0F, 0.0F, 1.0F, OffOn,
+          "Subtract the field of the phase currents"),
+    PAGED("stray.coefficient", "T/A", stray_coefficient, 2.5e-3F, -0.05F, 0.05F, NULL,
+          "Field of a phase current at its own sensor"),
+    PAGED("decode.method", "", decode_method, 0.0F, 0.0F, 1.0F, DecodeChoices, "Angle from the two fields"),
+    PAGED("delay.samples", "", delay_samples, 0.0F, 0.0F, 2.0F, NULL,
+          "Delay of the position loop in its samples"),
+    PAGED("commutation.divider", "", commutation_divider, 1.0F, 1.0F, 100.0F, NULL,
+          "Commutate every n-th millisecond"),
+    PAGED("commutation.advance", "s", commutation_advance, 0.0F, -0.01F, 0.01F, NULL,
+          "Commutation angle ahead by speed times this"),
+    PAGED("hall.offset_a", "T", hall_offset_a, 0.0F, -0.05F, 0.05F, NULL, "Offset of channel A"),
+    PAGED("hall.offset_b", "T", hall_offset_b, 0.0F, -0.05F, 0.05F, NULL, "Offset of channel B"),
+    PAGED("hall.gain_ratio", "", hall_gain_ratio, 1.0F, 0.5F, 2.0F, NULL,
+          "Amplitude of channel B over channel A"),
+    PAGED("hall.quadrature", "rad", hall_quadrature, 0.0F, -0.5F, 0.5F, NULL,
+          "Channel B sees sin(angle + quadrature)"),
+    PAGED("hall.amplitude", "T", hall_amplitude, 0.157F, 0.01F, 0.2F, NULL, "Field amplitude at the sensors"),
+#if HB_FEATURE_ERROR_MAP
+    PAGED("errormap.enabled", "", errormap_enabled, 0.0F, 0.0F, 1.0F, OffOn, "Angle error map"),
+    MAP(1),
+    MAP(2),
+    MAP(3),
+    MAP(4),
+    MAP(5),
+    MAP(6),
+#endif
+    MARK("set.last", set_last, "Mark of the transaction, equal to set.first"),
+
+    LIVE("hb.arm", "", HB_UBYTE, arm, 0.0F, 0.0F, 1.0F, ArmChoices, "Arm the outputs"),
+    LIVE("hb.mode", "", HB_UBYTE, mode, 0.0F, 0.0F, 3.0F, ModeChoices, "What the set-point means"),
+    LIVE("hb.setpoint", "", HB_FLOAT32, setpoint, 0.0F, -10000.0F, 10000.0F, NULL,
+         "A, or rad from the position at arming"),
+    LIVE("hb.watchdog_ms", "ms", HB_UWORD, watchdog_ms, 0.0F, 0.0F, 60000.0F, NULL,
+         "Silence of the host that stops the board"),
+    LIVE("hb.stop", "", HB_UBYTE, stop, 0.0F, 0.0F, 1.0F, StopChoices, "Write 1 to stop and latch"),
+    LIVE("reference.shape", "", HB_UBYTE, reference.shape, 0.0F, 0.0F, HB_SHAPE_COUNT - 1.0F, ShapeChoices,
+         "Shape of the reference"),
+    LIVE("reference.amplitude", "", HB_FLOAT32, reference.amplitude, 0.0F, -10000.0F, 10000.0F, NULL,
+         "rad or A; height of one step of the staircase, end of the ramp"),
+    LIVE("reference.rate", "", HB_FLOAT32, reference.rate, 0.0F, -1000.0F, 1000.0F, NULL,
+         "Slope of the ramp, rad/s or A/s"),
+    LIVE("reference.frequency", "Hz", HB_FLOAT32, reference.frequency_Hz, 1.0F, 0.0F, 200.0F, NULL,
+         "Frequency of sine; first of chirp and multisine"),
+    LIVE("reference.frequency_end", "Hz", HB_FLOAT32, reference.frequency_end_Hz, 10.0F, 0.0F, 200.0F, NULL,
+         "Last frequency of chirp and multisine"),
+    LIVE("reference.period", "s", HB_FLOAT32, reference.period_s, 1.0F, 0.001F, 3600.0F, NULL,
+         "Time of one step of the staircase"),
+    LIVE("reference.count", "", HB_UWORD, reference.count, 10.0F, 1.0F, 1000.0F, NULL,
+         "Steps of the staircase, lines of the multisine"),
+    LIVE("reference.duration", "s", HB_FLOAT32, reference.duration_s, 10.0F, 0.001F, 100000.0F, NULL,
+         "Time until the generator ends"),
+    LIVE("reference.base", "", HB_FLOAT32, reference.base, 0.0F, -1000.0F, 1000.0F, NULL,
+         "Constant motion added: rad/s in mode position, else A"),
+    LIVE("reference.seed", "", HB_ULONG, reference.seed, 0.0F, 0.0F, LARGEST_ULONG, NULL,
+         "Phases of the multisine; 0 = Schroeder"),
+    LIVE("reference.start", "", HB_UBYTE, reference_start, 0.0F, 0.0F, 1.0F, NULL,
+         "1 starts, 0 stops the generator"),
+#if HB_FEATURE_GENERATOR
+    LIVE("plateau.count", "", HB_UWORD, plateaus.count, 1.0F, 1.0F, 32.0F, NULL, "Number of plateaus"),
+    LIVE("plateau.dwell", "s", HB_FLOAT32, plateaus.dwell_s, 1.0F, 0.001F, 3600.0F, NULL,
+         "Time of one plateau"),
+    PLATEAU(1),
+    PLATEAU(2),
+    PLATEAU(3),
+    PLATEAU(4),
+    PLATEAU(5),
+    PLATEAU(6),
+    PLATEAU(7),
+    PLATEAU(8),
+    PLATEAU(9),
+    PLATEAU(10),
+    PLATEAU(11),
+    PLATEAU(12),
+    PLATEAU(13),
+    PLATEAU(14),
+    PLATEAU(15),
+    PLATEAU(16),
+    PLATEAU(17),
+    PLATEAU(18),
+    PLATEAU(19),
+    PLATEAU(20),
+    PLATEAU(21),
+    PLATEAU(22),
+    PLATEAU(23),
+    PLATEAU(24),
+    PLATEAU(25),
+    PLATEAU(26),
+    PLATEAU(27),
+    PLATEAU(28),
+    PLATEAU(29),
+    PLATEAU(30),
+    PLATEAU(31),
+    PLATEAU(32),
+#endif
+#if HB_FEATURE_CAPTURE
+    CAPTURE_SIGNAL(1),
+    CAPTURE_SIGNAL(2),
+    CAPTURE_SIGNAL(3),
+    CAPTURE_SIGNAL(4),
+    LIVE("capture.trigger", "", HB_UBYTE, capture.trigger, 0.0F, 0.0F, 2.0F, TriggerChoices,
+         "What starts the capture"),
+    LIVE("capture.trigger_signal", "", HB_UBYTE, capture.trigger_signal, 0.0F, 0.0F, 255.0F, NULL,
+         "Handle of the signal compared with the level"),
+    LIVE("capture.level", "", HB_FLOAT32, capture.level, 0.0F, -1.0e6F, 1.0e6F, NULL, "Level of the trigger"),
+    LIVE("capture.slope", "", HB_UBYTE, capture.slope, 0.0F, 0.0F, 1.0F, SlopeChoices,
+         "Direction of the crossing"),
+    LIVE("capture.pretrigger", "", HB_UWORD, capture.pretrigger, 0.0F, 0.0F, 4095.0F, NULL,
+         "Samples before the trigger"),
+    LIVE("capture.prescaler", "", HB_UWORD, capture.prescaler, 1.0F, 1.0F, 1000.0F, NULL,
+         "Milliseconds per sample"),
+    LIVE("capture.start", "", HB_UBYTE, capture_start, 0.0F, 0.0F, 1.0F, NULL,
+         "1 starts, 0 stops the capture"),
+    {HB_FLOAT32, HB_BLOCK, 0, HB_CAPTURE_SAMPLES, HB_CAPTURE_SIGNALS, 0.0F, -1.0e6F, 1.0e6F, NULL,
+     "capture.data", "", "Captured samples, channel after channel, oldest first"},
+#endif
+};
+const uint16_t hb_htm_parameter_count = sizeof hb_htm_parameter_table / sizeof hb_htm_parameter_table[0];
+
+const hb_event hb_htm_event_table[] HB_ROM = {{"fast", 1, 6}, {"position", 10, 6}};
+
+void hb_htm_fault_text(uint8_t fault, char* text, uint8_t capacity) {
+    const char* at = FaultChoices;
+    for (; fault > 0 && hb_rom_octet(at); at++) {
+        fault = (uint8_t)(fault - (hb_rom_octet(at) == '|'));
+    }
+    for (; capacity > 1 && hb_rom_octet(at) && hb_rom_octet(at) != '|'; capacity--) {
+        *text++ = (char)hb_rom_octet(at++);
+    }
+    *text = 0;
+}

@@ -1,0 +1,145 @@
+/* SPDX-License-Identifier: MIT */
+#include "devices/firmware/xcp/hb_table.h"
+
+#include <math.h>
+#include <string.h>
+
+void hb_signal_numbers(const hb_signal* entry, hb_signal* numbers) {
+    hb_rom_copy(numbers, entry, offsetof(hb_signal, name));
+}
+
+void hb_parameter_numbers(const hb_parameter* entry, hb_parameter* numbers) {
+    hb_rom_copy(numbers, entry, offsetof(hb_parameter, name));
+}
+
+uint8_t hb_type_size(uint8_t type) {
+    switch (type) {
+    case HB_UBYTE:
+    case HB_SBYTE:
+        return 1;
+    case HB_UWORD:
+    case HB_SWORD:
+        return 2;
+    case HB_FLOAT64:
+        return 8;
+    default:
+        return 4;
+    }
+}
+
+float hb_value_as_float(uint8_t type, const void* source) {
+    union {
+        uint8_t u8;
+        int8_t s8;
+        uint16_t u16;
+        int16_t s16;
+        uint32_t u32;
+        int32_t s32;
+        float f32;
+    } value;
+    if (type == HB_FLOAT64) {
+        return 0.0F;
+    }
+    memcpy(&value, source, hb_type_size(type));
+    switch (type) {
+    case HB_UBYTE:
+        return (float)value.u8;
+    case HB_SBYTE:
+        return (float)value.s8;
+    case HB_UWORD:
+        return (float)value.u16;
+    case HB_SWORD:
+        return (float)value.s16;
+    case HB_ULONG:
+        return (float)value.u32;
+    case HB_SLONG:
+        return (float)value.s32;
+    default:
+        return value.f32;
+    }
+}
+
+/* Whole number next to `value`, saturated; `lower` and `upper` are exact in float. */
+static int32_t roundedTo(float value, float lower, float upper) {
+    if (value <= lower) {
+        return (int32_t)lower;
+    }
+    if (value >= upper) {
+        return (int32_t)upper;
+    }
+    return (int32_t)floorf(value + 0.5F);
+}
+
+static uint32_t roundedToUlong(float value) {
+    if (value <= 0.0F) {
+        return 0;
+    }
+    return value >= 4294967296.0F ? UINT32_MAX : (uint32_t)(value + 0.5F);
+}
+
+static int32_t roundedToSlong(float value) {
+    if (value >= 2147483648.0F) {
+        return INT32_MAX;
+    }
+    return value <= -2147483648.0F ? INT32_MIN : (int32_t)floorf(value + 0.5F);
+}
+
+void hb_value_from_float(uint8_t type, void* destination, float value) {
+    union {
+        uint8_t u8;
+        int8_t s8;
+        uint16_t u16;
+        int16_t s16;
+        uint32_t u32;
+        int32_t s32;
+        float f32;
+    } result;
+    switch (type) {
+    case HB_UBYTE:
+        result.u8 = (uint8_t)roundedTo(value, 0.0F, 255.0F);
+        break;
+    case HB_SBYTE:
+        result.s8 = (int8_t)roundedTo(value, -128.0F, 127.0F);
+        break;
+    case HB_UWORD:
+        result.u16 = (uint16_t)roundedTo(value, 0.0F, 65535.0F);
+        break;
+    case HB_SWORD:
+        result.s16 = (int16_t)roundedTo(value, -32768.0F, 32767.0F);
+        break;
+    case HB_ULONG:
+        result.u32 = roundedToUlong(value);
+        break;
+    case HB_SLONG:
+        result.s32 = roundedToSlong(value);
+        break;
+    case HB_FLOAT32:
+        result.f32 = value;
+        break;
+    default:
+        return;
+    }
+    memcpy(destination, &result, hb_type_size(type));
+}
+
+uint8_t hb_value_is_finite(uint8_t type, const void* source) {
+    /* All exponent bits set means NaN or infinity; little endian, so they are in the last octets. */
+    const uint8_t* octets = (const uint8_t*)source;
+    if (type == HB_FLOAT32) {
+        return (octets[3] & 0x7F) != 0x7F || (octets[2] & 0x80) == 0;
+    }
+    if (type == HB_FLOAT64) {
+        return (octets[7] & 0x7F) != 0x7F || (octets[6] & 0xF0) != 0xF0;
+    }
+    return 1;
+}
+
+void hb_parameters_reset(const hb_parameter* table, uint16_t count, uint8_t space, void* base) {
+    for (uint16_t i = 0; i < count; i++) {
+        hb_parameter parameter;
+        hb_parameter_numbers(&table[i], &parameter);
+        if (parameter.space == space) {
+            hb_value_from_float(parameter.type, (uint8_t*)base + parameter.offset, parameter.initial);
+        }
+    }
+}

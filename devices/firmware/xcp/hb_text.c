@@ -1,0 +1,164 @@
+/* SPDX-License-Identifier: MIT */
+#include "devices/firmware/xcp/hb_text.h"
+
+#include <string.h>
+
+/* Fixed point with 56 fraction bits: room for the factor 10 of one digit above the value 10. */
+enum { FRACTION_BITS = 56, MAX_DIGITS = 9, FLOAT_MANTISSA_BITS = 23, FLOAT_BIAS = 150 };
+#define ONE ((uint64_t)1 << FRACTION_BITS)
+
+typedef struct {
+    uint64_t scaled;    /* value * 10^-exponent, in [1, 10) */
+    uint64_t tolerance; /* half a unit in the last place of the float, same scale */
+    int8_t exponent;
+} decimal;
+
+/* value = mantissa * 2^power -> scaled decimal. Each step truncates 2^-59 of the value; at most 45 steps. */
+static decimal normalise(uint32_t mantissa, int16_t power) {
+    decimal result = {0, 0, 0};
+    uint64_t wide = mantissa;
+    int16_t binary = power;
+    while (wide < ((uint64_t)1 << 59)) {
+        wide <<= 1;
+        binary--;
+    }
+    /* wide in [2^59, 2^60); the value is wide * 2^binary; wanted: 1 <= value < 10, that is 2^-59 .. 2^-56 */
+    while (binary > -FRACTION_BITS || (binary == -FRACTION_BITS && wide >= 10 * ONE)) {
+        wide /= 10;
+        result.exponent++;
+        while (wide < ((uint64_t)1 << 59)) {
+            wide <<= 1;
+            binary--;
+        }
+    }
+    while (binary < -59) {
+        wide *= 10;
+        result.exponent--;
+        while (wide >= ((uint64_t)1 << 60)) {
+            wide >>= 1;
+            binary++;
+        }
+    }
+    result.scaled = wide >> (-FRACTION_BITS - binary);
+    result.tolerance = result.scaled / (2 * (uint64_t)mantissa);
+    return result;
+}
+
+/* Shortest digits within the tolerance; returns their number. A carry out of the first digit raises the
+ * exponent. */
+static uint8_t generateDigits(decimal* number, char digits[MAX_DIGITS]) {
+    uint64_t rest = number->scaled;
+    uint64_t tolerance = number->tolerance;
+    uint8_t count = 0;
+    for (;;) {
+        digits[count++] = (char)(rest >> FRACTION_BITS);
+        rest &= ONE - 1;
+        if (rest < tolerance) {
+            return count;
+        }
+        if (ONE - rest < tolerance || (count == MAX_DIGITS && rest >= ONE / 2)) {
+            break;
+        }
+        if (count == MAX_DIGITS) {
+            return count;
+        }
+        rest *= 10;
+        tolerance *= 10;
+    }
+    while (count > 0 && ++digits[count - 1] == 10) {
+        count--;
+    }
+    if (count == 0) {
+        digits[0] = 1;
+        number->exponent++;
+        count = 1;
+    }
+    return count;
+}
+
+static char* putExponent(char* text, int8_t exponent) {
+    uint8_t size = (uint8_t)(exponent < 0 ? -exponent : exponent);
+    *text++ = 'e';
+    *text++ = exponent < 0 ? '-' : '+';
+    *text++ = (char)('0' + size / 10);
+    *text++ = (char)('0' + size % 10);
+    return text;
+}
+
+static char* putPlain(char* text, const char* digits, uint8_t count, int8_t exponent) {
+    int8_t place = exponent < 0 ? exponent : 0;
+    for (; place < 0; place++) {
+        *text++ = '0';
+        if (place == exponent) {
+            *text++ = '.';
+        }
+    }
+    for (uint8_t i = 0; i < count || i <= exponent; i++) {
+        if (exponent >= 0 && i == exponent + 1) {
+            *text++ = '.';
+        }
+        *text++ = i < count ? (char)('0' + digits[i]) : '0';
+    }
+    return text;
+}
+
+void hb_format_float(float value, char text[HB_NUMBER_CAPACITY]) {
+    uint32_t bits;
+    uint32_t mantissa;
+    int16_t power;
+    char digits[MAX_DIGITS];
+    decimal number;
+    uint8_t count;
+    memcpy(&bits, &value, sizeof bits);
+    power = (int16_t)((bits >> FLOAT_MANTISSA_BITS) & 0xFF);
+    mantissa = bits & 0x7FFFFFUL;
+    if (power > 0) {
+        mantissa |= 0x800000UL;
+    } else {
+        power = 1;
+    }
+    if (mantissa != 0 && (bits >> 31)) {
+        *text++ = '-';
+    }
+    if (mantissa == 0) {
+        memcpy(text, "0", 2);
+        return;
+    }
+    number = normalise(mantissa, (int16_t)(power - FLOAT_BIAS));
+    count = generateDigits(&number, digits);
+    if (number.exponent >= -4 && number.exponent <= 9) {
+        text = putPlain(text, digits, count, number.exponent);
+    } else {
+        text = putPlain(text, digits, count, 0);
+        text = putExponent(text, number.exponent);
+    }
+    *text = 0;
+}
+
+void hb_format_unsigned(uint32_t value, char text[HB_NUMBER_CAPACITY]) {
+    char reversed[10];
+    uint8_t count = 0;
+    do {
+        reversed[count++] = (char)('0' + value % 10);
+        value /= 10;
+    } while (value > 0);
+    while (count > 0) {
+        *text++ = reversed[--count];
+    }
+    *text = 0;
+}
+
+void hb_format_hex(uint32_t value, uint8_t digits, char text[HB_NUMBER_CAPACITY]) {
+    while (digits < 8 && (value >> (4 * digits)) != 0) {
+        digits++;
+    }
+    *text++ = '0';
+    *text++ = 'x';
+    while (digits > 0) {
+        uint8_t nibble;
+        digits--;
+        nibble = (uint8_t)((value >> (4 * digits)) & 0x0F);
+        *text++ = (char)(nibble < 10 ? '0' + nibble : 'A' + nibble - 10);
+    }
+    *text = 0;
+}

@@ -1,0 +1,269 @@
+/* SPDX-License-Identifier: MIT */
+#include "devices/firmware/xcp/hb_xcp.h"
+
+#include "devices/firmware/xcp/hb_xcp_internal.h"
+
+#include <string.h>
+
+enum { RES = 0xFF, ERR = 0xFE, EV = 0xFD, SERV = 0xFC };
+enum { CMD_CONNECT = 0xFF, CMD_DISCONNECT = 0xFE, CMD_SYNCH = 0xFC, CMD_USER = 0xF1 };
+enum { USER_STOP = 0x45, USER_RESET = 0x52 };
+enum { RESOURCE_CAL_DAQ = 0x05, COMM_BLOCK_AND_INFO = 0xC0, SESSION_DAQ_RUNNING = 0x40 };
+/* Answers and events always find room: samples leave this much of the queue alone. */
+enum { PROTOCOL_VERSION = 1, TRANSPORT_VERSION = 1, MIN_ST_NONE = 0 };
+
+typedef uint8_t (*command_function)(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+
+typedef struct {
+    uint8_t code;
+    uint8_t min_length;
+    command_function run;
+} command;
+
+void hb_xcp_send(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+    if (hb_queue_free(&slave->queue) < length + HB_PACKET_OVERHEAD) {
+        hb_queue_skip(&slave->queue, 1);
+        return;
+    }
+    hb_queue_begin(&slave->queue, length);
+    hb_queue_put(&slave->queue, packet, length);
+}
+
+static void sendError(hb_xcp* slave, uint8_t code) {
+    uint8_t packet[2];
+    packet[0] = ERR;
+    packet[1] = code;
+    hb_xcp_send(slave, packet, 2);
+}
+
+static void startSession(hb_xcp* slave) {
+    hb_daq_clear(slave);
+    hb_queue_clear(&slave->queue);
+    slave->block_left = 0;
+    slave->mta_extension = 0;
+    slave->mta_address = 0;
+    slave->xcp_page = slave->next_page;
+    slave->connected = 1;
+}
+
+static uint8_t connectCommand(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+    (void)length;
+    if (packet[1] != 0) {
+        return HB_ERR_MODE_NOT_VALID;
+    }
+    startSession(slave);
+    slave->response[1] = RESOURCE_CAL_DAQ;
+    slave->response[2] = COMM_BLOCK_AND_INFO;
+    slave->response[3] = HB_MAX_CTO;
+    hb_put16(&slave->response[4], HB_MAX_DTO);
+    slave->response[6] = PROTOCOL_VERSION;
+    slave->response[7] = TRANSPORT_VERSION;
+    slave->response_length = 8;
+    return HB_OK;
+}
+
+static uint8_t disconnectCommand(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+    (void)packet;
+    (void)length;
+    hb_daq_clear(slave);
+    slave->connected = 0;
+    return HB_OK;
+}
+
+static uint8_t getStatus(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+    (void)packet;
+    (void)length;
+    memset(&slave->response[1], 0, 5);
+    slave->response[1] = hb_daq_is_running(slave) ? SESSION_DAQ_RUNNING : 0;
+    slave->response_length = 6;
+    return HB_OK;
+}
+
+static uint8_t synch(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+    (void)packet;
+    (void)length;
+    slave->block_left = 0;
+    return HB_ERR_SYNCH;
+}
+
+static uint8_t getCommModeInfo(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+    (void)packet;
+    (void)length;
+    memset(&slave->response[1], 0, 7);
+    slave->response[5] = MIN_ST_NONE;
+    slave->response[7] = 0x10;
+    slave->response_length = 8;
+    return HB_OK;
+}
+
+/* Stop and reset by command; the decision is the board's and does not depend on the session. */
+static uint8_t userCommand(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+    const hb_xcp_hooks* hooks = &slave->description.hooks;
+    (void)length;
+    if (packet[1] == USER_STOP && hooks->stop) {
+        slave->response[1] = hooks->stop(slave->description.board);
+    } else if (packet[1] == USER_RESET && hooks->reset) {
+        slave->response[1] = hooks->reset(slave->description.board);
+    } else {
+        return HB_ERR_CMD_UNKNOWN;
+    }
+    slave->response_length = 2;
+    return HB_OK;
+}
+
+static const command Commands[] HB_ROM = {
+    {CMD_CONNECT, 2, connectCommand},
+    {CMD_DISCONNECT, 1, disconnectCommand},
+    {0xFD, 1, getStatus},
+    {CMD_SYNCH, 1, synch},
+    {0xFB, 1, getCommModeInfo},
+    {0xFA, 2, hb_cmd_get_id},
+    {0xF6, 8, hb_cmd_set_mta},
+    {0xF5, 2, hb_cmd_upload},
+    {0xF4, 8, hb_cmd_short_upload},
+    {0xF3, 8, hb_cmd_build_checksum},
+    {CMD_USER, 2, userCommand},
+    {0xF0, 2, hb_cmd_download},
+    {0xED, 8, hb_cmd_short_download},
+    {0xEB, 4, hb_cmd_set_cal_page},
+    {0xEA, 3, hb_cmd_get_cal_page},
+    {0xE9, 1, hb_cmd_get_pag_processor_info},
+    {0xE4, 5, hb_cmd_copy_cal_page},
+    {0xE2, 6, hb_cmd_set_daq_ptr},
+    {0xE1, 8, hb_cmd_write_daq},
+    {0xE0, 8, hb_cmd_set_daq_list_mode},
+    {0xDE, 4, hb_cmd_start_stop_daq_list},
+    {0xDD, 2, hb_cmd_start_stop_synch},
+    {0xDC, 1, hb_cmd_get_daq_clock},
+    {0xDA, 1, hb_cmd_get_daq_processor_info},
+    {0xD9, 1, hb_cmd_get_daq_resolution_info},
+    {0xD7, 4, hb_cmd_get_daq_event_info},
+    {0xD6, 1, hb_cmd_free_daq},
+    {0xD5, 4, hb_cmd_alloc_daq},
+    {0xD4, 5, hb_cmd_alloc_odt},
+    {0xD3, 6, hb_cmd_alloc_odt_entry},
+#if HB_FEATURE_FULL
+    {0xF9, 4, hb_cmd_set_request},
+    {0xE8, 5, hb_cmd_get_segment_info},
+    {0xE7, 4, hb_cmd_get_page_info},
+    {0xDF, 4, hb_cmd_get_daq_list_mode},
+    {0xC7, 2, hb_cmd_write_daq_multiple},
+    {0xC0, 2, hb_cmd_get_version},
+#endif
+};
+
+void hb_xcp_init(hb_xcp* slave, const hb_xcp_description* description) {
+    memset(slave, 0, sizeof *slave);
+    slave->description = *description;
+}
+
+static uint8_t execute(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+    for (uint8_t i = 0; i < sizeof Commands / sizeof Commands[0]; i++) {
+        command entry;
+        hb_rom_copy(&entry, &Commands[i], sizeof entry);
+        if (entry.code == packet[0]) {
+            return length < entry.min_length ? (uint8_t)HB_ERR_CMD_SYNTAX : entry.run(slave, packet, length);
+        }
+    }
+    return HB_ERR_CMD_UNKNOWN;
+}
+
+/* Not connected, the slave obeys CONNECT and the stop, and answers only the former. */
+static void receiveUnconnected(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+    if (packet[0] == CMD_USER && length >= 2 && packet[1] == USER_STOP) {
+        slave->response_length = 1;
+        userCommand(slave, packet, length);
+    } else if (packet[0] == CMD_CONNECT && length >= 2 && packet[1] == 0) {
+        slave->silent_ms = 0;
+        slave->response[0] = RES;
+        connectCommand(slave, packet, length);
+        hb_xcp_send(slave, slave->response, slave->response_length);
+    }
+}
+
+void hb_xcp_receive(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+    uint8_t result;
+    if (length == 0 || length > HB_MAX_CTO) {
+        return;
+    }
+    if (!slave->connected) {
+        receiveUnconnected(slave, packet, length);
+        return;
+    }
+    slave->response[0] = RES;
+    slave->response_length = 1;
+    result = execute(slave, packet, length);
+    if (result != HB_ERR_CMD_UNKNOWN && result != HB_ERR_CMD_SYNTAX) {
+        slave->silent_ms = 0;
+    }
+    if (result == HB_OK) {
+        if (slave->response_length > 0) {
+            hb_xcp_send(slave, slave->response, slave->response_length);
+        }
+    } else {
+        sendError(slave, result);
+    }
+    hb_memory_continue_block(slave);
+}
+
+uint16_t hb_xcp_transmit(hb_xcp* slave, uint8_t* packet, uint16_t capacity) {
+    uint16_t length = hb_queue_take(&slave->queue, packet, capacity, &slave->last_counter);
+    hb_memory_continue_block(slave);
+    return length;
+}
+
+uint16_t hb_xcp_counter(const hb_xcp* slave) {
+    return slave->last_counter;
+}
+
+uint8_t hb_xcp_watchdog_expired(hb_xcp* slave, uint16_t limit_ms) {
+    if (limit_ms == 0) {
+        slave->silent_ms = 0;
+        return 0;
+    }
+    if (slave->silent_ms < limit_ms) {
+        slave->silent_ms++;
+    }
+    return slave->silent_ms >= limit_ms;
+}
+
+void hb_xcp_end_session(hb_xcp* slave, uint8_t reason) {
+    uint8_t packet[3];
+    if (slave->connected) {
+        packet[0] = EV;
+        packet[1] = HB_EV_SESSION_TERMINATED;
+        packet[2] = reason;
+        hb_daq_clear(slave);
+        hb_xcp_send(slave, packet, 3);
+        slave->connected = 0;
+        slave->block_left = 0;
+    }
+    slave->silent_ms = 0;
+}
+
+void hb_xcp_report_user_event(hb_xcp* slave, uint8_t code, const char* text) {
+    uint8_t packet[HB_MAX_CTO];
+    uint16_t length = 2;
+    if (!slave->connected) {
+        return;
+    }
+    packet[0] = EV;
+    packet[1] = HB_EV_USER;
+    packet[2] = code;
+    hb_xcp_send(slave, packet, 3);
+    if (!text) {
+        return;
+    }
+    packet[0] = SERV;
+    packet[1] = 1;
+    while (length < HB_MAX_CTO - 1 && *text) {
+        packet[length++] = (uint8_t)*text++;
+    }
+    packet[length++] = 0;
+    hb_xcp_send(slave, packet, length);
+}
+
+const void* hb_xcp_take_page(hb_xcp* slave) {
+    slave->active_page = slave->next_page;
+    return slave->description.pages[slave->active_page];
+}

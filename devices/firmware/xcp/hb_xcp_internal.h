@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef HB_XCP_INTERNAL_H
+#define HB_XCP_INTERNAL_H
+
+/* Shared by the files of the slave; nobody else includes it. Command functions get the whole packet, with the
+ * code in packet[0], have its minimum length checked, fill slave->response from octet 1 and return HB_OK or
+ * an error. */
+
+#include "devices/firmware/xcp/hb_xcp.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+static inline uint16_t hb_get16(const uint8_t* octets) {
+    return (uint16_t)(octets[0] | ((uint16_t)octets[1] << 8));
+}
+
+static inline uint32_t hb_get32(const uint8_t* octets) {
+    return (uint32_t)hb_get16(octets) | ((uint32_t)hb_get16(octets + 2) << 16);
+}
+
+static inline void hb_put16(uint8_t* octets, uint16_t value) {
+    octets[0] = (uint8_t)value;
+    octets[1] = (uint8_t)(value >> 8);
+}
+
+static inline void hb_put32(uint8_t* octets, uint32_t value) {
+    hb_put16(octets, (uint16_t)value);
+    hb_put16(octets + 2, (uint16_t)(value >> 16));
+}
+
+/* Response of `length` octets whose first is the packet identifier. */
+void hb_xcp_send(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+
+/* hb_xcp_memory.c: every access goes through the tables. */
+uint8_t hb_memory_read(hb_xcp* slave, uint8_t extension, uint32_t address, uint8_t* destination,
+                       uint16_t count);
+uint8_t hb_memory_write(hb_xcp* slave, uint8_t extension, uint32_t address, const uint8_t* source,
+                        uint8_t count);
+/* Variable behind the address of one signal; NULL if there is none of at least `size` octets. */
+const uint8_t* hb_memory_signal(const hb_xcp* slave, uint32_t address, uint8_t size);
+/* 1 if every parameter of the page is finite and within its limits. */
+uint8_t hb_memory_page_is_valid(const hb_xcp* slave, uint8_t page);
+uint8_t hb_cmd_set_mta(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_upload(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_short_upload(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_build_checksum(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_download(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_short_download(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+/* Sends what is left of a block-mode UPLOAD, as far as there is room. */
+void hb_memory_continue_block(hb_xcp* slave);
+
+/* hb_xcp_info.c */
+uint8_t hb_cmd_get_id(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+/* Texts at extension 3: GET_ID types at 256 * type, event names at 0x1000 + 16 * event. */
+uint8_t hb_names_octet(hb_xcp* slave, uint32_t address, uint8_t* octet);
+#define HB_EVENT_NAMES ((uint32_t)0x1000)
+/* hb_xcp_pages.c */
+uint8_t hb_cmd_set_cal_page(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_get_cal_page(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_get_pag_processor_info(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_copy_cal_page(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+#if HB_FEATURE_FULL
+uint8_t hb_cmd_get_segment_info(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_get_page_info(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_set_request(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_get_version(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_write_daq_multiple(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_get_daq_list_mode(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+#endif
+
+/* hb_xcp_daq.c (allocation, contents) and hb_xcp_daq_run.c (modes, start, samples) */
+uint8_t hb_cmd_free_daq(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_alloc_daq(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_alloc_odt(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_alloc_odt_entry(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_set_daq_ptr(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_write_daq(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_set_daq_list_mode(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_start_stop_daq_list(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_start_stop_synch(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_get_daq_clock(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_get_daq_processor_info(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_get_daq_resolution_info(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_get_daq_event_info(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+void hb_daq_clear(hb_xcp* slave);
+void hb_daq_stop_all(hb_xcp* slave);
+uint8_t hb_daq_is_running(const hb_xcp* slave);
+
+/* hb_a2l.c, hb_epk.c */
+uint32_t hb_a2l_length(hb_xcp* slave);
+void hb_a2l_read(hb_xcp* slave, uint32_t offset, uint8_t* destination, uint16_t count);
+/* "0.1.0-1A2B3C4D" plus the variant, zero ended. */
+enum { HB_EPK_CAPACITY = 64 };
+void hb_a2l_epk(hb_xcp* slave, char text[HB_EPK_CAPACITY]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,386 @@
+/* SPDX-License-Identifier: MIT */
+#include "devices/firmware/xcp/hb_crc.h"
+#include "devices/firmware/xcp/hb_xcp_internal.h"
+
+#include <string.h>
+
+enum { SIGNAL_STRIDE = 8, VALUE_OCTETS = 8, CHECKSUM_CRC16_CCITT = 8 };
+
+/* The table that holds signal `index`, which becomes the index within that table. */
+static const hb_signal_table* tableOf(const hb_xcp* slave, uint16_t* index) {
+    const hb_signal_table* tables = slave->description.signals;
+    if (*index < tables[0].count) {
+        return &tables[0];
+    }
+    *index = (uint16_t)(*index - tables[0].count);
+    return *index < tables[1].count ? &tables[1] : NULL;
+}
+
+const uint8_t* hb_memory_signal(const hb_xcp* slave, uint32_t address, uint8_t size) {
+    const hb_signal_table* table;
+    hb_signal signal;
+    uint16_t index = (uint16_t)(address / SIGNAL_STRIDE);
+    uint16_t inside = (uint16_t)(address % SIGNAL_STRIDE);
+    if (address >= HB_ADDRESS_LIVE) {
+        return NULL;
+    }
+    table = tableOf(slave, &index);
+    if (!table) {
+        return NULL;
+    }
+    hb_signal_numbers(&table->entries[index], &signal);
+    if (inside + size > hb_type_size(signal.type)) {
+        return NULL;
+    }
+    return (const uint8_t*)table->base + signal.offset + inside;
+}
+
+static uint8_t readSignals(const hb_xcp* slave, uint32_t address, uint8_t* destination, uint16_t count) {
+    for (uint16_t i = 0; i < count; i++) {
+        uint32_t octet_address = address + i;
+        const uint8_t* octet = hb_memory_signal(slave, octet_address, 1);
+        if (octet) {
+            destination[i] = *octet;
+        } else if (hb_memory_signal(slave, octet_address & ~(uint32_t)(SIGNAL_STRIDE - 1), 1)) {
+            destination[i] = 0; /* the gap behind a short value */
+        } else {
+            return HB_ERR_OUT_OF_RANGE;
+        }
+    }
+    return HB_OK;
+}
+
+/* Variables of the live or paged space at an address; NULL if [address, address + count) is not inside. */
+static uint8_t* variablesAt(const hb_xcp* slave, uint32_t address, uint16_t count, uint8_t* space,
+                            uint16_t* offset) {
+    const hb_xcp_description* description = &slave->description;
+    uint32_t base = address >= HB_ADDRESS_SEGMENT ? HB_ADDRESS_SEGMENT : HB_ADDRESS_LIVE;
+    uint32_t octets = address >= HB_ADDRESS_SEGMENT ? description->page_octets : description->live_octets;
+    if (address < base || address - base > octets || octets - (address - base) < count) {
+        return NULL;
+    }
+    *space = base == HB_ADDRESS_SEGMENT ? HB_PAGED : HB_LIVE;
+    *offset = (uint16_t)(address - base);
+    return *space == HB_PAGED ? description->pages[slave->xcp_page] : description->live;
+}
+
+static uint8_t readBlock(hb_xcp* slave, uint32_t address, uint8_t* destination, uint16_t count) {
+    const hb_xcp_description* description = &slave->description;
+    if (!description->hooks.read_block || address > description->block_octets ||
+        description->block_octets - address < count) {
+        return HB_ERR_OUT_OF_RANGE;
+    }
+    description->hooks.read_block(description->board, address, destination, count);
+    return HB_OK;
+}
+
+static uint8_t readText(hb_xcp* slave, uint8_t extension, uint32_t address, uint8_t* destination,
+                        uint16_t count) {
+    if (extension == HB_EXT_A2L) {
+        uint32_t octets = hb_a2l_length(slave);
+        if (address > octets || octets - address < count) {
+            return HB_ERR_OUT_OF_RANGE;
+        }
+        hb_a2l_read(slave, address, destination, count);
+        return HB_OK;
+    }
+    for (uint16_t i = 0; i < count; i++) {
+        if (!hb_names_octet(slave, address + i, &destination[i])) {
+            return HB_ERR_OUT_OF_RANGE;
+        }
+    }
+    return HB_OK;
+}
+
+uint8_t hb_memory_read(hb_xcp* slave, uint8_t extension, uint32_t address, uint8_t* destination,
+                       uint16_t count) {
+    uint8_t space;
+    uint16_t offset;
+    const uint8_t* variables;
+    switch (extension) {
+    case HB_EXT_VALUES:
+        if (address < HB_ADDRESS_LIVE) {
+            return readSignals(slave, address, destination, count);
+        }
+        variables = variablesAt(slave, address, count, &space, &offset);
+        if (!variables) {
+            return HB_ERR_OUT_OF_RANGE;
+        }
+        memcpy(destination, variables + offset, count);
+        return HB_OK;
+    case HB_EXT_BLOCK:
+        return readBlock(slave, address, destination, count);
+    case HB_EXT_A2L:
+    case HB_EXT_NAMES:
+        return readText(slave, extension, address, destination, count);
+    default:
+        return HB_ERR_OUT_OF_RANGE;
+    }
+}
+
+/* One write command: `count` octets at `offset` of one space. */
+typedef struct {
+    uint8_t* variables;
+    const uint8_t* source;
+    uint16_t offset;
+    uint8_t count;
+    uint8_t space;
+    uint8_t acts_now; /* the control loop may read the result before the next command */
+} write_request;
+
+static uint8_t overlaps(const hb_parameter* parameter, const write_request* request) {
+    return parameter->space == request->space && parameter->offset < request->offset + request->count &&
+           request->offset < parameter->offset + hb_type_size(parameter->type);
+}
+
+/* The value as it will be: what is there now with the new octets over it. */
+static void composeValue(const hb_parameter* parameter, const write_request* request, uint8_t* value) {
+    uint8_t size = hb_type_size(parameter->type);
+    memcpy(value, request->variables + parameter->offset, size);
+    for (uint8_t i = 0; i < size; i++) {
+        uint16_t position = (uint16_t)(parameter->offset + i);
+        if (position >= request->offset && position < request->offset + request->count) {
+            value[i] = request->source[position - request->offset];
+        }
+    }
+}
+
+/* 1 if the request ends in the middle of this value. */
+static uint8_t endsInside(const hb_parameter* parameter, const write_request* request) {
+    return request->offset + request->count < parameter->offset + hb_type_size(parameter->type);
+}
+
+static uint8_t isWithinLimits(const hb_parameter* parameter, const uint8_t* value) {
+    float physical = hb_value_as_float(parameter->type, value);
+    return physical >= parameter->lower && physical <= parameter->upper;
+}
+
+static void clampValue(const hb_parameter* parameter, uint8_t* value) {
+    float physical = hb_value_as_float(parameter->type, value);
+    if (physical < parameter->lower) {
+        hb_value_from_float(parameter->type, value, parameter->lower);
+    } else if (physical > parameter->upper) {
+        hb_value_from_float(parameter->type, value, parameter->upper);
+    }
+}
+
+/* Half-written values are tolerated on the idle page only (a tool may cut a page anywhere): the page switch
+ * checks every value again. */
+static uint8_t checkOne(hb_xcp* slave, uint16_t index, const hb_parameter* parameter,
+                        const write_request* request) {
+    const hb_xcp_description* description = &slave->description;
+    uint8_t value[VALUE_OCTETS];
+    composeValue(parameter, request, value);
+    if (endsInside(parameter, request)) {
+        if (request->acts_now &&
+            (!hb_value_is_finite(parameter->type, value) || !isWithinLimits(parameter, value))) {
+            return HB_ERR_OUT_OF_RANGE;
+        }
+        return HB_OK;
+    }
+    if (!hb_value_is_finite(parameter->type, value)) {
+        return HB_ERR_OUT_OF_RANGE;
+    }
+    clampValue(parameter, value);
+    if (!description->hooks.check) {
+        return HB_OK;
+    }
+    return description->hooks.check(description->board, index, hb_value_as_float(parameter->type, value));
+}
+
+static void storeOne(const hb_parameter* parameter, const write_request* request) {
+    uint8_t value[VALUE_OCTETS];
+    composeValue(parameter, request, value);
+    if (!endsInside(parameter, request)) {
+        clampValue(parameter, value);
+    }
+    memcpy(request->variables + parameter->offset, value, hb_type_size(parameter->type));
+}
+
+enum write_step { STEP_CHECK, STEP_STORE, STEP_NOTIFY };
+
+static uint8_t forEachWritten(hb_xcp* slave, const write_request* request, enum write_step step) {
+    const hb_xcp_description* description = &slave->description;
+    for (uint16_t i = 0; i < description->parameter_count; i++) {
+        hb_parameter parameter;
+        uint8_t result = HB_OK;
+        hb_parameter_numbers(&description->parameters[i], &parameter);
+        if (!overlaps(&parameter, request)) {
+            continue;
+        }
+        if (step == STEP_CHECK) {
+            result = checkOne(slave, i, &parameter, request);
+        } else if (step == STEP_STORE) {
+            storeOne(&parameter, request);
+        } else if (description->hooks.written) {
+            description->hooks.written(description->board, i);
+        }
+        if (result != HB_OK) {
+            return result;
+        }
+    }
+    return HB_OK;
+}
+
+uint8_t hb_memory_write(hb_xcp* slave, uint8_t extension, uint32_t address, const uint8_t* source,
+                        uint8_t count) {
+    write_request request;
+    uint8_t result;
+    if (extension != HB_EXT_VALUES) {
+        return HB_ERR_WRITE_PROTECTED;
+    }
+    if (address < HB_ADDRESS_LIVE) {
+        return hb_memory_signal(slave, address, 1) ? HB_ERR_WRITE_PROTECTED : HB_ERR_OUT_OF_RANGE;
+    }
+    request.variables = variablesAt(slave, address, count, &request.space, &request.offset);
+    if (!request.variables) {
+        return HB_ERR_OUT_OF_RANGE;
+    }
+    request.source = source;
+    request.count = count;
+    request.acts_now = request.space == HB_LIVE || slave->xcp_page == slave->active_page ||
+                       slave->xcp_page == slave->next_page;
+    result = forEachWritten(slave, &request, STEP_CHECK);
+    if (result != HB_OK) {
+        return result;
+    }
+    forEachWritten(slave, &request, STEP_STORE);
+    forEachWritten(slave, &request, STEP_NOTIFY);
+    return HB_OK;
+}
+
+uint8_t hb_memory_page_is_valid(const hb_xcp* slave, uint8_t page) {
+    const hb_xcp_description* description = &slave->description;
+    for (uint16_t i = 0; i < description->parameter_count; i++) {
+        hb_parameter parameter;
+        const uint8_t* value;
+        hb_parameter_numbers(&description->parameters[i], &parameter);
+        if (parameter.space != HB_PAGED) {
+            continue;
+        }
+        value = description->pages[page] + parameter.offset;
+        if (!hb_value_is_finite(parameter.type, value) || !isWithinLimits(&parameter, value)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+uint8_t hb_cmd_set_mta(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+    (void)length;
+    slave->mta_extension = packet[3];
+    slave->mta_address = hb_get32(&packet[4]);
+    return HB_OK;
+}
+
+/* One response with the next octets at the MTA. */
+static uint8_t uploadPart(hb_xcp* slave, uint8_t count) {
+    uint8_t result =
+        hb_memory_read(slave, slave->mta_extension, slave->mta_address, &slave->response[1], count);
+    if (result == HB_OK) {
+        slave->mta_address += count;
+        slave->response[0] = 0xFF;
+        slave->response_length = (uint16_t)(count + 1);
+    }
+    return result;
+}
+
+uint8_t hb_cmd_upload(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+    uint8_t part = packet[1] < HB_MAX_CTO - 1 ? packet[1] : HB_MAX_CTO - 1;
+    uint8_t result;
+    (void)length;
+    if (packet[1] == 0) {
+        return HB_ERR_OUT_OF_RANGE;
+    }
+    slave->block_left = 0;
+    result = uploadPart(slave, part);
+    if (result == HB_OK) {
+        slave->block_left = (uint8_t)(packet[1] - part);
+    }
+    return result;
+}
+
+void hb_memory_continue_block(hb_xcp* slave) {
+    while (slave->block_left > 0 && hb_queue_free(&slave->queue) >= HB_MAX_CTO + HB_PACKET_OVERHEAD) {
+        uint8_t part = slave->block_left < HB_MAX_CTO - 1 ? slave->block_left : HB_MAX_CTO - 1;
+        if (uploadPart(slave, part) != HB_OK) {
+            uint8_t error[2];
+            error[0] = 0xFE;
+            error[1] = HB_ERR_OUT_OF_RANGE;
+            slave->block_left = 0;
+            hb_xcp_send(slave, error, 2);
+            return;
+        }
+        slave->block_left = (uint8_t)(slave->block_left - part);
+        hb_xcp_send(slave, slave->response, slave->response_length);
+    }
+}
+
+uint8_t hb_cmd_short_upload(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+    uint8_t result;
+    (void)length;
+    if (packet[1] == 0 || packet[1] > HB_MAX_CTO - 1) {
+        return HB_ERR_OUT_OF_RANGE;
+    }
+    slave->mta_extension = packet[3];
+    slave->mta_address = hb_get32(&packet[4]);
+    result = uploadPart(slave, packet[1]);
+    return result;
+}
+
+uint8_t hb_cmd_build_checksum(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+    uint32_t left = hb_get32(&packet[4]);
+    uint16_t crc = HB_CRC_START;
+    (void)length;
+    if (left == 0 || left > 0x10000UL) {
+        return HB_ERR_OUT_OF_RANGE;
+    }
+    while (left > 0) {
+        uint8_t octets[16];
+        uint8_t part = left < sizeof octets ? (uint8_t)left : (uint8_t)sizeof octets;
+        uint8_t result = hb_memory_read(slave, slave->mta_extension, slave->mta_address, octets, part);
+        if (result != HB_OK) {
+            return result;
+        }
+        crc = hb_crc16(crc, octets, part);
+        slave->mta_address += part;
+        left -= part;
+    }
+    memset(&slave->response[1], 0, 7);
+    slave->response[1] = CHECKSUM_CRC16_CCITT;
+    hb_put16(&slave->response[4], crc);
+    slave->response_length = 8;
+    return HB_OK;
+}
+
+uint8_t hb_cmd_download(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+    uint8_t result;
+    if (packet[1] == 0 || packet[1] > HB_MAX_CTO - 2) {
+        return HB_ERR_OUT_OF_RANGE;
+    }
+    if (length < packet[1] + 2U) {
+        return HB_ERR_CMD_SYNTAX;
+    }
+    result = hb_memory_write(slave, slave->mta_extension, slave->mta_address, &packet[2], packet[1]);
+    if (result == HB_OK) {
+        slave->mta_address += packet[1];
+    }
+    return result;
+}
+
+uint8_t hb_cmd_short_download(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+    uint8_t result;
+    if (packet[1] == 0 || packet[1] > HB_MAX_CTO - 8) {
+        return HB_ERR_OUT_OF_RANGE;
+    }
+    if (length < packet[1] + 8U) {
+        return HB_ERR_CMD_SYNTAX;
+    }
+    slave->mta_extension = packet[3];
+    slave->mta_address = hb_get32(&packet[4]);
+    result = hb_memory_write(slave, slave->mta_extension, slave->mta_address, &packet[8], packet[1]);
+    if (result == HB_OK) {
+        slave->mta_address += packet[1];
+    }
+    return result;
+}
