@@ -1,0 +1,265 @@
+#include "devices/xcp/xcp_link.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace halbench::devices::xcp {
+
+namespace {
+
+constexpr double DefaultTimeout_s = 0.5;
+/// A command with all its repetitions is given up after this time: nobody waits longer than 2 s for a dead
+/// board.
+constexpr double MaxSilence_s = 1.8;
+constexpr int MaxRepeats = 2;
+constexpr int MaxWaits = 50;
+constexpr double BusyWait_s = 0.02;
+constexpr std::size_t RoundTripsKept = 1024;
+constexpr const char* CableHint = "check cable, power and address, then connect again";
+
+Trouble trouble(TroubleCause cause, ErrorCode code, std::string message, std::string hint = CableHint) {
+    return {cause, 0, {code, std::move(message), std::move(hint)}};
+}
+
+} // namespace
+
+XcpLink::XcpLink(std::unique_ptr<Transport> transport)
+    : m_transport(std::move(transport)), m_timeout_s(DefaultTimeout_s) {}
+
+Reply<bool> XcpLink::receive(double timeout_s) {
+    if (m_lost) {
+        return tl::unexpected(Trouble{TroubleCause::Lost, 0, *m_lost});
+    }
+    const Result<bool> received = m_transport->receive(m_packet, std::max(timeout_s, 0.0));
+    if (!received) {
+        markLost(received.error());
+        return tl::unexpected(Trouble{TroubleCause::Lost, 0, *m_lost});
+    }
+    return *received;
+}
+
+Reply<Packet> XcpLink::exchange(const Packet& command, double timeout_s) {
+    // Answers that nobody waits for any more must not be taken for the next command's.
+    for (;;) {
+        const Reply<bool> received = receive(0.0);
+        if (!received) {
+            return tl::unexpected(received.error());
+        }
+        if (!*received) {
+            break;
+        }
+        dispatch();
+    }
+    const double start_s = m_transport->now_s();
+    if (const Result<void> sent = sendNow(command); !sent) {
+        return tl::unexpected(Trouble{TroubleCause::Lost, 0, sent.error()});
+    }
+    Reply<Packet> reply = awaitAnswer(command[0], start_s + (timeout_s > 0.0 ? timeout_s : m_timeout_s));
+    if (reply) {
+        noteRoundTrip(m_transport->now_s() - start_s);
+    }
+    return reply;
+}
+
+Reply<Packet> XcpLink::nextResponse(std::uint8_t command) {
+    return awaitAnswer(command, m_transport->now_s() + m_timeout_s);
+}
+
+Reply<Packet> XcpLink::awaitAnswer(std::uint8_t command, double deadline_s) {
+    const double start_s = m_transport->now_s();
+    m_isPending = false;
+    for (;;) {
+        const double now_s = m_transport->now_s();
+        if (now_s >= deadline_s) {
+            return tl::unexpected(trouble(
+                TroubleCause::Timeout, ErrorCode::DeviceLost,
+                fmt::format("{} does not answer {}", m_transport->description(), commandName(command))));
+        }
+        const Reply<bool> received = receive(deadline_s - now_s);
+        if (!received) {
+            return tl::unexpected(received.error());
+        }
+        if (!*received) {
+            continue;
+        }
+        const PacketKind kind = kindOf(m_packet);
+        if (kind == PacketKind::Response) {
+            return m_packet;
+        }
+        if (kind == PacketKind::Error) {
+            const std::uint8_t code = m_packet.size() > 1 ? m_packet[1] : 0x31;
+            Trouble refused =
+                trouble(TroubleCause::Slave, ErrorCode::DeviceRefused,
+                        fmt::format("the board refused {}: {}", commandName(command), slaveErrorText(code)),
+                        "check the value and the board's state");
+            refused.slaveError = code;
+            return tl::unexpected(std::move(refused));
+        }
+        dispatch();
+        if (m_isPending) {
+            m_isPending = false;
+            deadline_s = std::min(m_transport->now_s() + m_timeout_s, start_s + MaxSilence_s);
+        }
+    }
+}
+
+void XcpLink::dispatch() {
+    switch (kindOf(m_packet)) {
+    case PacketKind::Data:
+        if (m_handlers.onData) {
+            m_handlers.onData(m_packet);
+        }
+        break;
+    case PacketKind::Event:
+        handleEvent();
+        break;
+    case PacketKind::Service:
+        if (m_handlers.onText && m_packet.size() > 2 && m_packet[1] == 0x01) {
+            const auto end = std::find(m_packet.begin() + 2, m_packet.end(), std::uint8_t{0});
+            m_handlers.onText(std::string(m_packet.begin() + 2, end));
+        }
+        break;
+    case PacketKind::Response:
+    case PacketKind::Error:
+    case PacketKind::Empty:
+        ++m_stray;
+        break;
+    }
+}
+
+void XcpLink::handleEvent() {
+    if (m_packet.size() < 2) {
+        return;
+    }
+    const std::uint8_t code = m_packet[1];
+    if (code == static_cast<std::uint8_t>(Event::CommandPending)) {
+        m_isPending = true;
+    }
+    if (m_handlers.onEvent) {
+        m_handlers.onEvent(code, m_packet);
+    }
+    if (code == static_cast<std::uint8_t>(Event::SessionTerminated)) {
+        markLost({ErrorCode::DeviceLost,
+                  fmt::format("{} ended the session (its watchdog ran out or another program connected)",
+                              m_transport->description()),
+                  "make sure that no other program uses the board, then connect again"});
+    }
+}
+
+Result<bool> XcpLink::pumpOnce(double timeout_s) {
+    const Reply<bool> received = receive(timeout_s);
+    if (!received) {
+        return failure(received.error().error);
+    }
+    if (*received) {
+        dispatch();
+    }
+    return *received;
+}
+
+Result<void> XcpLink::pumpUntil(double time_s) {
+    while (m_transport->now_s() < time_s) {
+        if (const Result<bool> pumped = pumpOnce(time_s - m_transport->now_s()); !pumped) {
+            return failure(pumped.error());
+        }
+    }
+    return {};
+}
+
+Result<void> XcpLink::sendNow(const Packet& command) {
+    if (m_lost) {
+        return failure(*m_lost);
+    }
+    Result<void> sent = m_transport->send(command);
+    if (!sent) {
+        markLost(sent.error());
+    }
+    return sent;
+}
+
+Result<void> XcpLink::synchronise() {
+    const Packet command = CommandEncoder().plain(Command::Synch);
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        if (const Result<void> sent = sendNow(command); !sent) {
+            return sent;
+        }
+        const double deadline_s = m_transport->now_s() + m_timeout_s;
+        while (m_transport->now_s() < deadline_s) {
+            const Reply<bool> received = receive(deadline_s - m_transport->now_s());
+            if (!received) {
+                return failure(received.error().error);
+            }
+            if (!*received) {
+                continue;
+            }
+            const bool isSynchronised =
+                kindOf(m_packet) == PacketKind::Error && m_packet.size() > 1 && m_packet[1] == 0x00;
+            if (isSynchronised) {
+                return {};
+            }
+            dispatch();
+        }
+    }
+    markLost({ErrorCode::DeviceLost, fmt::format("{} does not answer any more", m_transport->description()),
+              CableHint});
+    return failure(*m_lost);
+}
+
+std::optional<Error> XcpLink::afterTrouble(const Trouble& trouble, int& repeats, int& waits, double start_s) {
+    const double elapsed_s = m_transport->now_s() - start_s;
+    if (trouble.cause == TroubleCause::Lost) {
+        return trouble.error;
+    }
+    if (trouble.cause == TroubleCause::Slave) {
+        const auto code = static_cast<SlaveError>(trouble.slaveError);
+        const bool isBusy = code == SlaveError::Busy || code == SlaveError::ProgrammingActive ||
+                            code == SlaveError::ResourceBusy;
+        if (isBusy && waits < MaxWaits && elapsed_s < MaxSilence_s) {
+            ++waits;
+            const Result<void> waited = pumpUntil(m_transport->now_s() + BusyWait_s);
+            return waited ? std::nullopt : std::optional<Error>(waited.error());
+        }
+        // Out of order after a repetition, or an answer to an older SYNCH: once more from the start.
+        const bool isOutOfStep = code == SlaveError::Sequence || code == SlaveError::Synch;
+        if (!isOutOfStep || repeats > 0) {
+            return trouble.error;
+        }
+    }
+    if (repeats >= MaxRepeats || elapsed_s >= MaxSilence_s) {
+        if (trouble.cause == TroubleCause::Timeout) {
+            markLost(trouble.error);
+        }
+        return trouble.error;
+    }
+    ++repeats;
+    ++m_repeated;
+    const Result<void> synchronised = synchronise();
+    return synchronised ? std::nullopt : std::optional<Error>(synchronised.error());
+}
+
+void XcpLink::markLost(Error error) {
+    if (!m_lost) {
+        m_lost = std::move(error);
+    }
+}
+
+void XcpLink::noteRoundTrip(double duration_s) {
+    m_worstRoundTrip_s = std::max(m_worstRoundTrip_s, duration_s);
+    m_roundTrips_s.push_back(duration_s);
+    if (m_roundTrips_s.size() > RoundTripsKept) {
+        m_roundTrips_s.pop_front();
+    }
+}
+
+double XcpLink::roundTripMedian_s() const {
+    if (m_roundTrips_s.empty()) {
+        return 0.0;
+    }
+    std::vector<double> sorted(m_roundTrips_s.begin(), m_roundTrips_s.end());
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    return *middle;
+}
+
+} // namespace halbench::devices::xcp

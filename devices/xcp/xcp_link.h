@@ -1,0 +1,121 @@
+#pragma once
+
+#include "control/base/result.h"
+#include "devices/transport/transport.h"
+#include "devices/xcp/packets.h"
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace halbench::devices::xcp {
+
+/// Why one try of a command gave no answer that can be used.
+enum class TroubleCause {
+    Timeout,   ///< nothing came; SYNCH and repeat
+    BadAnswer, ///< an answer that does not fit the command; SYNCH and repeat
+    Slave,     ///< the board answered with an error code
+    Lost       ///< the link is gone; nothing helps
+};
+
+struct Trouble {
+    TroubleCause cause = TroubleCause::Lost;
+    std::uint8_t slaveError = 0;
+    Error error;
+};
+
+template <typename T = void>
+using Reply = tl::expected<T, Trouble>;
+
+/// Receivers of what the board sends by itself; each may be empty. They must not use the link.
+struct LinkHandlers {
+    std::function<void(Octets)> onData;
+    std::function<void(std::uint8_t code, Octets packet)> onEvent;
+    std::function<void(const std::string&)> onText;
+};
+
+/// One command at a time over one transport, with time-out, SYNCH and repetition (3.6); takes in samples,
+/// events and texts whenever they arrive. Thread: the connection's.
+class XcpLink {
+public:
+    explicit XcpLink(std::unique_ptr<Transport> transport);
+
+    Transport& transport() { return *m_transport; }
+    const Transport& transport() const { return *m_transport; }
+    void setHandlers(LinkHandlers handlers) { m_handlers = std::move(handlers); }
+    void setAnswerTimeout(double timeout_s) { m_timeout_s = timeout_s; }
+
+    /// One try: sends, waits, gives the whole RES packet. `timeout_s` 0 = the usual one.
+    Reply<Packet> exchange(const Packet& command, double timeout_s = 0.0);
+    /// The next RES of a block answer, without sending.
+    Reply<Packet> nextResponse(std::uint8_t command);
+
+    /// Runs a step of one or more commands until it succeeds: repeats it from its start after SYNCH when an
+    /// answer is missing or makes no sense, waits when the board is busy. The step must be repeatable as a
+    /// whole (3.6).
+    template <typename Step>
+    auto recover(Step step) -> Result<typename decltype(step())::value_type>;
+
+    /// Takes in whatever arrives until the time is reached.
+    Result<void> pumpUntil(double time_s);
+    /// Takes in at most one packet within the time; false when none came.
+    Result<bool> pumpOnce(double timeout_s);
+
+    /// Sends a command without waiting and whatever is outstanding (the stop path, 3.11).
+    Result<void> sendNow(const Packet& command);
+    /// Clears the board's command queue and everything that was on its way. Errors: DeviceLost.
+    Result<void> synchronise();
+
+    /// From now on every call fails with this error. The first one stays.
+    void markLost(Error error);
+    const std::optional<Error>& lost() const { return m_lost; }
+
+    std::uint64_t repeatedCommands() const { return m_repeated; }
+    std::uint64_t strayAnswers() const { return m_stray; }
+    double roundTripMedian_s() const;
+    double roundTripWorst_s() const { return m_worstRoundTrip_s; }
+
+private:
+    Reply<Packet> awaitAnswer(std::uint8_t command, double deadline_s);
+    Reply<bool> receive(double timeout_s);
+    void dispatch();
+    void handleEvent();
+    void noteRoundTrip(double duration_s);
+    /// Decides what follows a failed try: nothing = repeat.
+    std::optional<Error> afterTrouble(const Trouble& trouble, int& repeats, int& waits, double start_s);
+
+    std::unique_ptr<Transport> m_transport;
+    LinkHandlers m_handlers;
+    double m_timeout_s;
+    Packet m_packet; ///< storage reused by every receive
+    std::optional<Error> m_lost;
+    bool m_isPending = false; ///< the board asked for more time
+    std::uint64_t m_repeated = 0;
+    std::uint64_t m_stray = 0;
+    std::deque<double> m_roundTrips_s;
+    double m_worstRoundTrip_s = 0.0;
+};
+
+template <typename Step>
+auto XcpLink::recover(Step step) -> Result<typename decltype(step())::value_type> {
+    int repeats = 0;
+    int waits = 0;
+    const double start_s = m_transport->now_s();
+    for (;;) {
+        auto reply = step();
+        if (reply) {
+            if constexpr (std::is_void_v<typename decltype(step())::value_type>) {
+                return {};
+            } else {
+                return *std::move(reply);
+            }
+        }
+        if (const std::optional<Error> error = afterTrouble(reply.error(), repeats, waits, start_s)) {
+            return failure(*error);
+        }
+    }
+}
+
+} // namespace halbench::devices::xcp
