@@ -1,0 +1,383 @@
+#include "devices/xcp/xcp_master.h"
+
+#include "control/base/assert.h"
+#include "devices/xcp/a2l.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace halbench::devices::xcp {
+
+namespace {
+
+constexpr double ConnectPeriod_s = 0.3;
+constexpr double MaxDescriptionTime_s = 60.0;
+constexpr double MaxStoreTime_s = 5.0;
+constexpr double StorePoll_s = 0.02;
+constexpr std::uint32_t MaxIdentity = 1024;
+constexpr std::uint8_t StopSubCommand = 0x45; // "E"
+
+tl::unexpected<Trouble> badAnswer(Error error) {
+    return tl::unexpected(Trouble{TroubleCause::BadAnswer, 0, std::move(error)});
+}
+
+Error sizeError(const Packet& command, const Packet& answer, std::size_t size) {
+    return {ErrorCode::Protocol,
+            fmt::format("the answer to {} has {} octets ({}), {} are needed", commandName(command[0]),
+                        answer.size(), hexText(answer), size),
+            "update the board's firmware or check the line"};
+}
+
+bool isUnknownCommand(const Reply<Packet>& reply) {
+    return !reply && reply.error().cause == TroubleCause::Slave &&
+           reply.error().slaveError == static_cast<std::uint8_t>(SlaveError::CommandUnknown);
+}
+
+} // namespace
+
+/// Sends a command whose answer `decode` understands, with recovery.
+template <typename Decoder>
+auto XcpMaster::query(const Packet& command, Decoder decode) {
+    using Value = typename decltype(decode(Octets{}))::value_type;
+    return m_link->recover([&]() -> Reply<Value> {
+        const Reply<Packet> answer = m_link->exchange(command);
+        if (!answer) {
+            return tl::unexpected(answer.error());
+        }
+        auto decoded = decode(Octets(*answer));
+        if (!decoded) {
+            return badAnswer(decoded.error());
+        }
+        return *std::move(decoded);
+    });
+}
+
+Result<void> XcpMaster::order(const Packet& command) {
+    const auto done = query(command, [](Octets) -> Result<bool> { return true; });
+    if (!done) {
+        return failure(done.error());
+    }
+    return {};
+}
+
+Reply<Packet> XcpMaster::exchangeSized(const Packet& command, std::size_t size) {
+    Reply<Packet> answer = m_link->exchange(command);
+    if (answer && answer->size() < size) {
+        return badAnswer(sizeError(command, *answer, size));
+    }
+    return answer;
+}
+
+Result<void> XcpMaster::connect(double patience_s) {
+    const double end_s = m_link->transport().now_s() + patience_s;
+    m_mta.reset();
+    for (;;) {
+        const Reply<Packet> answer = m_link->exchange(CommandEncoder().connect(), ConnectPeriod_s);
+        if (answer) {
+            const Result<ConnectResponse> session = decodeConnect(*answer);
+            if (!session) {
+                return failure(session.error());
+            }
+            m_session = *session;
+            m_encoder = CommandEncoder(session->order);
+            return {};
+        }
+        const bool isHopeless =
+            answer.error().cause == TroubleCause::Lost || answer.error().cause == TroubleCause::Slave;
+        if (isHopeless || m_link->transport().now_s() >= end_s) {
+            return failure(answer.error().error);
+        }
+    }
+}
+
+void XcpMaster::disconnect() noexcept {
+    if (!m_link->lost()) {
+        (void)m_link->exchange(m_encoder.plain(Command::Disconnect));
+    }
+}
+
+Result<StatusResponse> XcpMaster::status() {
+    return query(m_encoder.plain(Command::GetStatus), decodeStatus);
+}
+
+Result<std::string> XcpMaster::identity(IdType type) {
+    return m_link->recover([&] { return identityOnce(type); });
+}
+
+Reply<std::string> XcpMaster::identityOnce(IdType type) {
+    m_mta.reset();
+    const Reply<Packet> answer = m_link->exchange(m_encoder.getId(type));
+    if (!answer) {
+        if (answer.error().cause == TroubleCause::Slave) {
+            return std::string();
+        }
+        return tl::unexpected(answer.error());
+    }
+    const Result<IdResponse> id = decodeId(*answer, m_session.order);
+    if (!id) {
+        return badAnswer(id.error());
+    }
+    if (id->isInline) {
+        return id->text;
+    }
+    std::string text;
+    while (text.size() < std::min(id->length, MaxIdentity)) {
+        const std::size_t chunk =
+            std::min<std::size_t>(id->length - text.size(), m_session.maxCto - std::size_t{1});
+        const Reply<Packet> octets = uploadHere(chunk);
+        if (!octets) {
+            return tl::unexpected(octets.error());
+        }
+        text.append(octets->begin(), octets->end());
+    }
+    return text;
+}
+
+Result<std::string> XcpMaster::description() {
+    Result<std::string> text = m_link->recover([&] { return describeOnce(); });
+    if (text && text->empty()) {
+        return failure(ErrorCode::Protocol, "the board holds no description of itself",
+                       "only boards that deliver their description (GET_ID 4) can be used");
+    }
+    return text;
+}
+
+Reply<std::string> XcpMaster::describeOnce() {
+    const double start_s = m_link->transport().now_s();
+    m_mta.reset();
+    const Reply<Packet> answer = m_link->exchange(m_encoder.getId(IdType::Upload));
+    if (!answer) {
+        return tl::unexpected(answer.error());
+    }
+    const Result<IdResponse> id = decodeId(*answer, m_session.order);
+    if (!id) {
+        return badAnswer(id.error());
+    }
+    if (id->isInline) {
+        return id->text;
+    }
+    if (id->length > MaxA2lSize) {
+        return tl::unexpected(
+            Trouble{TroubleCause::Slave,
+                    static_cast<std::uint8_t>(SlaveError::Generic),
+                    {ErrorCode::Protocol, fmt::format("the board's description has {} octets", id->length),
+                     fmt::format("at most {} are read", MaxA2lSize)}});
+    }
+    std::string text;
+    while (text.size() < id->length) {
+        const Reply<Packet> octets =
+            uploadHere(std::min<std::size_t>(id->length - text.size(), m_session.maxCto - std::size_t{1}));
+        if (!octets) {
+            return tl::unexpected(octets.error());
+        }
+        text.append(octets->begin(), octets->end());
+        if (m_link->transport().now_s() - start_s > MaxDescriptionTime_s) {
+            return tl::unexpected(Trouble{
+                TroubleCause::Slave,
+                static_cast<std::uint8_t>(SlaveError::Generic),
+                {ErrorCode::DeviceLost,
+                 fmt::format("the board needed more than {} s for its description", MaxDescriptionTime_s),
+                 "use a faster connection"}});
+        }
+    }
+    return text;
+}
+
+Reply<void> XcpMaster::moveTo(Address address) {
+    if (m_mta == address) {
+        return {};
+    }
+    m_mta.reset();
+    const Reply<Packet> moved = m_link->exchange(m_encoder.setMta(address));
+    if (!moved) {
+        return tl::unexpected(moved.error());
+    }
+    m_mta = address;
+    return {};
+}
+
+/// UPLOAD from where the transfer pointer stands. After any trouble its place is unknown.
+Reply<Packet> XcpMaster::uploadHere(std::size_t size) {
+    const std::optional<Address> start = m_mta;
+    m_mta.reset();
+    const Packet command = m_encoder.upload(static_cast<std::uint8_t>(size));
+    Reply<Packet> answer = m_link->exchange(command);
+    Packet octets;
+    while (answer && octets.size() < size) {
+        const std::size_t expected = std::min<std::size_t>(size - octets.size(), m_session.maxCto - 1U);
+        if (answer->size() < expected + 1) {
+            return badAnswer(sizeError(command, *answer, expected + 1));
+        }
+        octets.insert(octets.end(), answer->begin() + 1,
+                      answer->begin() + 1 + static_cast<std::ptrdiff_t>(expected));
+        if (octets.size() < size) {
+            answer = m_link->nextResponse(command[0]);
+        }
+    }
+    if (!answer) {
+        return tl::unexpected(answer.error());
+    }
+    if (start) {
+        m_mta = Address{start->offset + static_cast<std::uint32_t>(size), start->extension};
+    }
+    return octets;
+}
+
+Result<Packet> XcpMaster::shortUpload(Address address, std::size_t size) {
+    const Packet command = m_encoder.shortUpload(address, static_cast<std::uint8_t>(size));
+    m_mta.reset();
+    return m_link->recover([&]() -> Reply<Packet> {
+        Reply<Packet> answer = exchangeSized(command, size + 1);
+        if (answer) {
+            return Packet(answer->begin() + 1, answer->begin() + 1 + static_cast<std::ptrdiff_t>(size));
+        }
+        return answer;
+    });
+}
+
+Result<Packet> XcpMaster::read(Address address, std::size_t size) {
+    // One answer carries MAX_CTO - 1 octets; in block mode the board sends several in a row (3.5).
+    const std::size_t single = m_session.maxCto - std::size_t{1};
+    if (size <= single) {
+        return shortUpload(address, size);
+    }
+    const std::size_t chunk = m_session.hasBlockMode() ? 255 : single;
+    Packet octets;
+    while (octets.size() < size) {
+        const Address here{address.offset + static_cast<std::uint32_t>(octets.size()), address.extension};
+        const Result<Packet> part = m_link->recover([&]() -> Reply<Packet> {
+            if (const Reply<void> moved = moveTo(here); !moved) {
+                return tl::unexpected(moved.error());
+            }
+            return uploadHere(std::min(size - octets.size(), chunk));
+        });
+        if (!part) {
+            return part;
+        }
+        octets.insert(octets.end(), part->begin(), part->end());
+    }
+    return octets;
+}
+
+bool XcpMaster::fitsOneDownload(std::size_t size) const {
+    return size + 2 <= m_session.maxCto;
+}
+
+Reply<void> XcpMaster::downloadAt(Address address, Octets data) {
+    if (const Reply<void> moved = moveTo(address); !moved) {
+        return moved;
+    }
+    m_mta.reset();
+    const Reply<Packet> done = m_link->exchange(m_encoder.download(data));
+    if (!done) {
+        return tl::unexpected(done.error());
+    }
+    m_mta = Address{address.offset + static_cast<std::uint32_t>(data.size()), address.extension};
+    return {};
+}
+
+Result<void> XcpMaster::writeInOneDownload(Address address, Octets data) {
+    HB_ASSERT(fitsOneDownload(data.size()));
+    return m_link->recover([&] { return downloadAt(address, data); });
+}
+
+Result<void> XcpMaster::write(Address address, Octets data) {
+    if (m_hasShortDownload && data.size() + 8 <= m_session.maxCto) {
+        m_mta.reset();
+        const Packet command = m_encoder.shortDownload(address, data);
+        const Result<bool> isDone = m_link->recover([&]() -> Reply<bool> {
+            const Reply<Packet> answer = m_link->exchange(command);
+            if (isUnknownCommand(answer)) {
+                return false; // some boards lack SHORT_DOWNLOAD (3.6)
+            }
+            if (!answer) {
+                return tl::unexpected(answer.error());
+            }
+            return true;
+        });
+        if (!isDone) {
+            return failure(isDone.error());
+        }
+        if (*isDone) {
+            return {};
+        }
+        m_hasShortDownload = false;
+    }
+    const std::size_t chunk = m_session.maxCto - std::size_t{2};
+    for (std::size_t done = 0; done < data.size(); done += chunk) {
+        const Address here{address.offset + static_cast<std::uint32_t>(done), address.extension};
+        const Octets part = data.subspan(done, std::min(chunk, data.size() - done));
+        if (const Result<void> written = writeInOneDownload(here, part); !written) {
+            return written;
+        }
+    }
+    return {};
+}
+
+Result<std::uint8_t> XcpMaster::page(PageAccess access, std::uint8_t segment) {
+    return query(m_encoder.getCalPage(access, segment), decodeCalPage);
+}
+
+Result<void> XcpMaster::setPage(PageAccess access, std::uint8_t segment, std::uint8_t page) {
+    return order(m_encoder.setCalPage(static_cast<std::uint8_t>(access), segment, page));
+}
+
+Result<void> XcpMaster::copyPage(std::uint8_t segment, std::uint8_t from, std::uint8_t to) {
+    return order(m_encoder.copyCalPage(segment, from, to));
+}
+
+Result<std::optional<ChecksumResponse>> XcpMaster::checksum(Address address, std::uint32_t size) {
+    using Answer = std::optional<ChecksumResponse>;
+    return m_link->recover([&]() -> Reply<Answer> {
+        if (const Reply<void> moved = moveTo(address); !moved) {
+            return tl::unexpected(moved.error());
+        }
+        m_mta.reset();
+        const Reply<Packet> answer = m_link->exchange(m_encoder.buildChecksum(size));
+        if (isUnknownCommand(answer)) {
+            return Answer{};
+        }
+        if (!answer) {
+            return tl::unexpected(answer.error());
+        }
+        const Result<ChecksumResponse> checksum = decodeChecksum(*answer, m_session.order);
+        if (!checksum) {
+            return badAnswer(checksum.error());
+        }
+        return Answer(*checksum);
+    });
+}
+
+Result<void> XcpMaster::storeCalibration() {
+    if (const Result<void> requested = order(m_encoder.setRequest(0x01)); !requested) {
+        return requested;
+    }
+    const double end_s = m_link->transport().now_s() + MaxStoreTime_s;
+    while (m_link->transport().now_s() < end_s) {
+        const Result<StatusResponse> now = status();
+        if (!now) {
+            return failure(now.error());
+        }
+        if (!now->isStoring()) {
+            return {};
+        }
+        const double next_s = m_link->transport().now_s() + StorePoll_s;
+        if (const Result<void> pumped = m_link->pumpUntil(next_s); !pumped) {
+            return pumped;
+        }
+    }
+    return failure(ErrorCode::DeviceRefused,
+                   fmt::format("the board did not store its parameters within {} s", MaxStoreTime_s),
+                   "try again, then read the values back");
+}
+
+Result<void> XcpMaster::userCommand(std::uint8_t sub) {
+    return order(m_encoder.userCommand(sub));
+}
+
+Result<void> XcpMaster::sendStop() {
+    return m_link->sendNow(m_encoder.userCommand(StopSubCommand));
+}
+
+} // namespace halbench::devices::xcp
