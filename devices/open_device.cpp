@@ -1,15 +1,19 @@
 #include "devices/open_device.h"
 
 #include "devices/device_uri.h"
+#include "devices/simulated/simulated_device.h"
 
 #include <fmt/format.h>
 
 namespace halbench::devices {
 
-Result<std::unique_ptr<Device>> openDevice(const std::string& text, const OpenOptions&) {
+Result<std::unique_ptr<Device>> openDevice(const std::string& text, const OpenOptions& options) {
     const Result<DeviceUri> uri = parseDeviceUri(text);
     if (!uri) {
         return failure(uri.error());
+    }
+    if (uri->scheme == "sim") {
+        return openSimulatedDevice(*uri, options);
     }
     return failure(ErrorCode::UnknownName,
                    fmt::format("device '{}': '{}:' is not built in this version", text, uri->scheme),
@@ -17,7 +21,7 @@ Result<std::unique_ptr<Device>> openDevice(const std::string& text, const OpenOp
 }
 
 std::vector<DeviceListing> listDevices() {
-    return {};
+    return listSimulatedDevices();
 }
 
 } // namespace halbench::devices

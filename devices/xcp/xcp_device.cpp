@@ -1,0 +1,205 @@
+#include "devices/xcp/xcp_device.h"
+
+#include "devices/xcp/board_capture.h"
+#include "devices/xcp/xcp_device_impl.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace halbench::devices {
+
+Result<std::unique_ptr<Device>> openXcpDevice(std::unique_ptr<Transport> transport,
+                                              XcpDeviceOptions options) {
+    auto device = std::make_unique<xcp::XcpDevice>(std::move(transport), std::move(options));
+    if (const Result<void> opened = device->open(); !opened) {
+        return failure(opened.error());
+    }
+    return std::unique_ptr<Device>(std::move(device));
+}
+
+} // namespace halbench::devices
+
+namespace halbench::devices::xcp {
+
+namespace {
+
+constexpr double ConnectPatience_s = 1.8;
+constexpr double MinTimeout_s = 0.1;
+constexpr double MaxTimeout_s = 0.5;
+constexpr std::size_t MaxModelName = 32;
+
+/// A board's name is also a file name of a profile: only plain words are looked up.
+bool isModelName(const std::string& name) {
+    return !name.empty() && name.size() <= MaxModelName && std::all_of(name.begin(), name.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+    });
+}
+
+} // namespace
+
+XcpDevice::XcpDevice(std::unique_ptr<Transport> transport, XcpDeviceOptions options)
+    : m_options(std::move(options)), m_link(std::move(transport)), m_master(m_link), m_clock(*this) {
+    installHandlers();
+}
+
+XcpDevice::~XcpDevice() {
+    // A board left armed by a program that ends is stopped; whatever else was changed is the caller's to
+    // restore.
+    if (m_expectsArmed && !m_link.lost()) {
+        (void)disarm();
+    }
+    stopStream();
+    m_master.disconnect();
+    m_link.transport().close();
+}
+
+void XcpDevice::installHandlers() {
+    LinkHandlers handlers;
+    handlers.onData = [this](Octets packet) {
+        if (m_stream) {
+            m_stream->feed(packet, now_s());
+        }
+    };
+    handlers.onEvent = [this](std::uint8_t code, Octets) { onEvent(code); };
+    handlers.onText = [this](const std::string& text) { message(text); };
+    m_link.setHandlers(std::move(handlers));
+}
+
+void XcpDevice::message(const std::string& text) const {
+    if (m_options.onMessage) {
+        m_options.onMessage(text);
+    }
+}
+
+Result<void> XcpDevice::open() {
+    if (Result<void> opened = m_link.transport().open(); !opened) {
+        return opened;
+    }
+    m_opened_s = now_s();
+    if (Result<void> connected = m_master.connect(ConnectPatience_s); !connected) {
+        return connected;
+    }
+    using Step = Result<void> (XcpDevice::*)();
+    for (const Step step : {&XcpDevice::readIdentity, &XcpDevice::readDescription, &XcpDevice::readDefaults,
+                            &XcpDevice::refreshState}) {
+        if (Result<void> done = (this->*step)(); !done) {
+            return done;
+        }
+    }
+    m_state.isConnected = true;
+    return {};
+}
+
+Result<void> XcpDevice::readIdentity() {
+    const Result<StatusResponse> status = m_master.status();
+    if (!status) {
+        return failure(status.error());
+    }
+    if ((status->protection & 0x01) != 0) {
+        message("the board's parameters are locked");
+    }
+    DeviceInfo& identity = m_options.identity;
+    struct Field {
+        IdType type;
+        std::string* text;
+    };
+    identity.firmware.clear();
+    for (const Field field : {Field{IdType::Name, &identity.model}, Field{IdType::Text, &identity.id},
+                              Field{IdType::Epk, &identity.firmware}}) {
+        if (!field.text->empty()) {
+            continue;
+        }
+        Result<std::string> text = m_master.identity(field.type);
+        if (!text) {
+            return failure(text.error());
+        }
+        *field.text = *std::move(text);
+    }
+    if (identity.transport.empty()) {
+        identity.transport = m_link.transport().description();
+    }
+    return {};
+}
+
+Result<void> XcpDevice::readDescription() {
+    const Result<std::string> text = m_master.description();
+    if (!text) {
+        return failure(text.error());
+    }
+    Result<A2lDescription> description = parseA2l(*text);
+    if (!description) {
+        return failure(description.error());
+    }
+    for (const std::string& warning : description->warnings) {
+        message(warning);
+    }
+    if (description->answerTimeout_s) {
+        m_link.setAnswerTimeout(std::clamp(*description->answerTimeout_s, MinTimeout_s, MaxTimeout_s));
+    }
+    DeviceInfo& identity = m_options.identity;
+    if (identity.firmware.empty()) {
+        identity.firmware = description->epk;
+    }
+    Result<std::optional<DaqAbility>> ability = m_master.daqAbility();
+    if (!ability) {
+        return failure(ability.error());
+    }
+    m_ability = *std::move(ability);
+    m_board = BoardDescription(*std::move(description), m_ability);
+    if (!m_options.profile && isModelName(identity.model)) {
+        Result<std::optional<Profile>> profile = findProfile(identity.model);
+        if (!profile) {
+            return failure(profile.error());
+        }
+        m_options.profile = *std::move(profile);
+    }
+    return {};
+}
+
+/// Without a profile a parameter's default is the value the board had when it was opened.
+Result<void> XcpDevice::readDefaults() {
+    for (const A2lSegment& segment : m_board.a2l().segments) {
+        if (!segment.hasTwoWritablePages()) {
+            continue;
+        }
+        if (Result<void> done = readRunningPage(m_master, segment); !done) {
+            return done;
+        }
+    }
+    std::vector<std::string> names;
+    for (const ParameterSpec& spec : m_board.catalogue().parameters) {
+        names.push_back(spec.name);
+    }
+    const Result<std::vector<double>> values = readParameters(names);
+    if (!values) {
+        return failure(values.error());
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        m_board.catalogue().parameters[i].defaultValue = (*values)[i];
+    }
+    if (m_options.profile) {
+        applyProfile(*m_options.profile, m_board.catalogue());
+    }
+    return {};
+}
+
+LinkStatistics XcpDevice::statistics() const {
+    const TransportStatistics wire = m_link.transport().statistics();
+    LinkStatistics statistics;
+    statistics.packetsReceived = wire.packetsReceived;
+    statistics.packetsSent = wire.packetsSent;
+    statistics.packetsLost = wire.packetsLost;
+    statistics.packetsDamaged = wire.packetsDamaged + m_droppedSamples +
+                                (m_stream ? m_stream->incompleteSamples() + m_stream->misplacedSamples() : 0);
+    statistics.commandsRepeated = m_link.repeatedCommands();
+    statistics.roundTripMedian_s = m_link.roundTripMedian_s();
+    statistics.roundTripWorst_s = m_link.roundTripWorst_s();
+    return statistics;
+}
+
+Result<Recording> XcpDevice::readCapture() {
+    return readBoardCapture(*this, m_board, m_master);
+}
+
+} // namespace halbench::devices::xcp

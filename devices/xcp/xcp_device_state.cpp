@@ -1,0 +1,186 @@
+#include "devices/xcp/xcp_device_impl.h"
+
+#include <fmt/format.h>
+
+namespace halbench::devices::xcp {
+
+namespace {
+
+// Names every board of ours has (3.11, 3.15).
+constexpr const char* StatusName = "status";
+constexpr const char* FaultName = "fault";
+constexpr const char* ArmName = "hb.arm";
+constexpr const char* SetpointName = "hb.setpoint";
+constexpr const char* WatchdogName = "hb.watchdog_ms";
+
+constexpr std::uint8_t ReleaseSubCommand = 0x52; // "R"
+constexpr int StopTries = 3;
+constexpr double StopPeriod_s = 0.010;
+constexpr double StatePatience_s = 0.5;
+constexpr double StatePoll_s = 0.002;
+
+std::string wordOf(const A2lMeasurement& signal, double value) {
+    const auto found = signal.conversion.words.find(static_cast<std::int64_t>(value));
+    return found == signal.conversion.words.end() ? std::string() : found->second;
+}
+
+bool startsWith(const std::string& text, std::string_view beginning) {
+    return text.compare(0, beginning.size(), beginning) == 0;
+}
+
+} // namespace
+
+DeviceState XcpDevice::state() const {
+    DeviceState state = m_state;
+    state.isConnected = state.isConnected && !m_link.lost();
+    return state;
+}
+
+void XcpDevice::onEvent(std::uint8_t code) {
+    const auto event = static_cast<Event>(code);
+    m_isStateStale = m_isStateStale || event == Event::User;
+    if (event == Event::DaqOverload) {
+        message("the board could not send all samples in time");
+    }
+}
+
+Result<void> XcpDevice::refreshState() {
+    m_isStateStale = false;
+    std::vector<const A2lObject*> objects;
+    const A2lMeasurement* status = m_board.measurement(StatusName);
+    const A2lMeasurement* fault = m_board.measurement(FaultName);
+    if (status == nullptr) {
+        return {}; // a foreign board: nothing is known of its state
+    }
+    objects.push_back(status);
+    if (fault != nullptr) {
+        objects.push_back(fault);
+    }
+    const Result<std::vector<double>> values = readObjects(objects);
+    if (!values) {
+        return failure(values.error());
+    }
+    const std::string word = wordOf(*status, (*values)[0]);
+    m_state.isArmed = word == "armed";
+    m_state.isStopLatched = startsWith(word, "stopped");
+    m_state.fault = 0;
+    m_state.faultText.clear();
+    if (fault != nullptr && (*values)[1] > 0.0) {
+        m_state.fault = static_cast<std::uint32_t>((*values)[1]);
+        m_state.faultText = wordOf(*fault, (*values)[1]);
+    } else if (m_state.isStopLatched) {
+        m_state.faultText = word;
+    }
+    return {};
+}
+
+Error XcpDevice::safetyError() const {
+    const std::string cause = m_state.faultText.empty() ? "the board stopped" : m_state.faultText;
+    return {ErrorCode::SafetyStop, fmt::format("the board stopped the actuator: {}", cause),
+            "find the cause, then clear the stop before arming again"};
+}
+
+Result<void> XcpDevice::writeLive(const std::string& name, double value) {
+    if (m_board.catalogue().findParameter(name) == nullptr) {
+        return failure(ErrorCode::DeviceRefused,
+                       fmt::format("this board has no '{}' and cannot be armed from here", name),
+                       "use the maker's own program to arm it");
+    }
+    const ParameterValue change{name, value};
+    return writeParameters({&change, 1});
+}
+
+Result<void> XcpDevice::arm() {
+    if (Result<void> known = refreshState(); !known) {
+        return known;
+    }
+    if (m_state.isStopLatched || m_state.fault != 0) {
+        return failure(ErrorCode::DeviceRefused,
+                       fmt::format("the board cannot be armed: {}", m_state.faultText),
+                       "find the cause, then clear the stop");
+    }
+    if (Result<void> set = writeLive(WatchdogName, m_options.watchdog_s * 1000.0); !set) {
+        return set;
+    }
+    if (Result<void> zero = writeLive(SetpointName, 0.0); !zero) {
+        return zero;
+    }
+    m_nextStatus_s = now_s() + m_options.watchdog_s / 4.0;
+    if (Result<void> armed = writeLive(ArmName, 1.0); !armed) {
+        return armed;
+    }
+    m_expectsArmed = true;
+    return awaitArmed(true);
+}
+
+Result<void> XcpDevice::disarm() {
+    m_expectsArmed = false;
+    if (Result<void> written = writeLive(ArmName, 0.0); !written) {
+        return written;
+    }
+    return awaitArmed(false);
+}
+
+/// The board takes an order at its next cycle.
+Result<void> XcpDevice::awaitArmed(bool isArmed) {
+    const double end_s = now_s() + StatePatience_s;
+    for (;;) {
+        if (Result<void> known = refreshState(); !known) {
+            return known;
+        }
+        if (m_state.isArmed == isArmed) {
+            return {};
+        }
+        if (isArmed && (m_state.isStopLatched || m_state.fault != 0)) {
+            m_expectsArmed = false;
+            return failure(safetyError());
+        }
+        if (now_s() >= end_s) {
+            m_expectsArmed = false;
+            return failure(ErrorCode::DeviceRefused,
+                           fmt::format("the board does not {}", isArmed ? "arm" : "disarm"),
+                           "use the stop at the actuator and check the board");
+        }
+        if (Result<void> pumped = m_link.pumpUntil(now_s() + StatePoll_s); !pumped) {
+            return pumped;
+        }
+    }
+}
+
+void XcpDevice::stop() noexcept {
+    for (int attempt = 0; attempt < StopTries && !m_link.lost(); ++attempt) {
+        if (!m_master.sendStop() || !m_link.pumpUntil(now_s() + StopPeriod_s)) {
+            break;
+        }
+        if (refreshState() && m_state.isStopLatched) {
+            break;
+        }
+    }
+    m_state.isConnected = m_state.isConnected && !m_link.lost();
+}
+
+Result<void> XcpDevice::clearStop() {
+    m_expectsArmed = false;
+    if (Result<void> released = m_master.userCommand(ReleaseSubCommand); !released) {
+        return released;
+    }
+    const double end_s = now_s() + StatePatience_s;
+    for (;;) {
+        if (Result<void> known = refreshState(); !known) {
+            return known;
+        }
+        if (!m_state.isStopLatched && m_state.fault == 0) {
+            return {};
+        }
+        if (now_s() >= end_s) {
+            return failure(ErrorCode::DeviceRefused,
+                           fmt::format("the board keeps its stop: {}", m_state.faultText),
+                           "remove the cause first");
+        }
+        if (Result<void> pumped = m_link.pumpUntil(now_s() + StatePoll_s); !pumped) {
+            return pumped;
+        }
+    }
+}
+
+} // namespace halbench::devices::xcp
