@@ -11,6 +11,13 @@ def tunable(master, target):
     return [p for p in master.a2l.parameters.values() if not p.is_read_only and p.name not in target.triggers]
 
 
+def stored(item, limit):
+    """A limit as the board may keep it: 0.05 is 0.0500000007 as FLOAT32, 4294967295 is 4294967296."""
+    raw = item.raw(limit)
+    is_float = item.type == "FLOAT32_IEEE" or item.type[1:] == "LONG"
+    return struct.unpack("<f", struct.pack("<f", raw))[0] if is_float else raw
+
+
 class Parameters(SlaveCase):
     def first_element(self, master, item):
         value = master.read(item)
@@ -41,7 +48,8 @@ class Parameters(SlaveCase):
                                 tail=octets)
         value = item.physical(self.first_element(master, item))
         self.assertTrue(math.isfinite(value), f"{item.name} = {value}")
-        self.assertTrue(item.lower <= value <= item.upper, f"{item.name} = {value}, error {error}")
+        lower, upper = (item.physical(stored(item, limit)) for limit in (item.lower, item.upper))
+        self.assertTrue(lower <= value <= upper, f"{item.name} = {value}, error {error}")
 
     def test_values_outside_the_limits_are_refused(self):
         master = self.master()

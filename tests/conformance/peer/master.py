@@ -237,15 +237,30 @@ class Master:
     def copy_page(self, source, destination, segment=0):
         self.command(wire.COPY_CAL_PAGE, "BBBB", segment, source, segment, destination)
 
+    def copy_to_idle_page(self, source, destination):
+        """Right after a switch the page may still be the loop's; a board that protects it refuses until then."""
+        end = time.monotonic() + self.timeout_s
+        while True:
+            try:
+                return self.copy_page(source, destination)
+            except XcpError as error:
+                if error.code not in (wire.ERR_WRITE_PROTECTED, wire.ERR_BUSY) or time.monotonic() > end:
+                    raise
+
     def transaction(self, writes):
         """Writes (item, raw) pairs to the other page and switches the control loop to it (protocol 3.10)."""
         active = self.page(1)
         other = 1 - active
         self.set_page(2, other)
-        self.copy_page(active, other)
+        self.copy_to_idle_page(active, other)
         for item, raw in writes:
             self.write(item, raw)
         self.set_page(1, other)
+        # The loop takes the page at the start of its next cycle; until then the old page is still in use.
+        end = time.monotonic() + self.timeout_s
+        while self.page(1) != other:
+            if time.monotonic() > end:
+                raise NoAnswer("the control loop did not take the page")
 
     # ---- measurement -------------------------------------------------------------------------------------
 

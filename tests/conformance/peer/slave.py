@@ -195,7 +195,7 @@ class Slave:
             raise Refused(wire.ERR_SEGMENT)
         if p[0] not in (1, 2):
             raise Refused(wire.ERR_MODE)
-        return bytes([0, 0, self.board.next_page if p[0] == 1 else self.board.host_page])
+        return bytes([0, 0, self.board.active_page if p[0] == 1 else self.board.host_page])
 
     def copy_page(self, p):
         source, destination = p[1], p[3]

@@ -1,5 +1,6 @@
 """Starts the slave under test: the product's simulated board, or our own slave to test the tests."""
 import os
+import shlex
 import subprocess
 import sys
 from dataclasses import dataclass
@@ -49,8 +50,13 @@ def program_target(program):
     return Target([program, "serve", "sim:htm?seed=1", "--tcp", "127.0.0.1:0"], moving="position")
 
 
+def command_target(command):
+    """Any other board with our signals whose first line says `listening tcp:127.0.0.1:PORT`."""
+    return Target(shlex.split(command), moving="position")
+
+
 def from_arguments():
-    """`--program PATH` or `--slave VARIANT` in front of unittest's own arguments."""
+    """`--program PATH`, `--slave VARIANT` or `--command "COMMAND"` in front of unittest's own arguments."""
     kind, value = sys.argv[1:3]
     del sys.argv[1:3]
-    return {"--program": program_target, "--slave": slave_target}[kind](value)
+    return {"--program": program_target, "--slave": slave_target, "--command": command_target}[kind](value)
