@@ -83,6 +83,13 @@ static void parameterWritten(void* context, uint16_t parameter) {
     } else if (offset == offsetof(hb_htm_live, reference_start)) {
         startOrStopReference(board);
     }
+#if HB_FEATURE_TRIAL
+    else if (offset == offsetof(hb_htm_live, trial)) {
+        if (board->live.trial) {
+            hb_htm_begin_trial(board);
+        }
+    }
+#endif
 #if HB_FEATURE_CAPTURE
     else if (offset == offsetof(hb_htm_live, capture_start)) {
         startOrStopCapture(board);
@@ -195,6 +202,9 @@ static void watch(hb_htm* board) {
     uint8_t somebody_counts_on_us = board->safety.armed || board->xcp.connected;
     if (hb_xcp_watchdog_expired(&board->xcp, somebody_counts_on_us ? board->live.watchdog_ms : 0)) {
         hb_htm_stop(board, HB_LATCH_WATCHDOG);
+#if HB_FEATURE_TRIAL
+        hb_htm_abandon_trial(board);
+#endif
         hb_xcp_end_session(&board->xcp, HB_LATCH_WATCHDOG);
     }
 }
@@ -292,6 +302,12 @@ void hb_htm_fast_tick(hb_htm* board, const hb_htm_inputs* inputs, hb_htm_outputs
 }
 
 void hb_htm_receive(hb_htm* board, const uint8_t* packet, uint16_t length) {
+#if HB_FEATURE_TRIAL
+    enum { CONNECT = 0xFF, DISCONNECT = 0xFE };
+    if (length > 0 && (packet[0] == CONNECT || packet[0] == DISCONNECT)) {
+        hb_htm_abandon_trial(board); /* whoever tried is gone */
+    }
+#endif
     hb_xcp_receive(&board->xcp, packet, length);
 }
 

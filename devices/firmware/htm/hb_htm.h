@@ -61,6 +61,9 @@ typedef struct {
     float setpoint; /* A, or rad relative to the position at arming */
     uint16_t watchdog_ms;
     uint8_t arm, mode, stop;
+#if HB_FEATURE_TRIAL
+    uint8_t trial;
+#endif
     uint8_t reference_start;
     hb_reference_config reference;
 #if HB_FEATURE_GENERATOR
@@ -103,6 +106,9 @@ typedef struct {
 typedef struct hb_htm {
     hb_xcp xcp;
     hb_htm_calibration pages[2];
+#if HB_FEATURE_TRIAL
+    hb_htm_calibration trial_page; /* what ran when the trial began */
+#endif
     hb_htm_live live;
     hb_htm_signals signals;
     hb_sensing sensing;

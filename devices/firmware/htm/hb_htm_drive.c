@@ -56,3 +56,23 @@ uint8_t hb_htm_stop(hb_htm* board, uint8_t latch) {
     board->live.stop = board->safety.stop == HB_LATCH_COMMAND;
     return code;
 }
+
+#if HB_FEATURE_TRIAL
+
+void hb_htm_begin_trial(hb_htm* board) {
+    board->trial_page = board->pages[board->xcp.next_page];
+}
+
+void hb_htm_abandon_trial(hb_htm* board) {
+    /* The page the loop does not use in this cycle is free, also while a switch to it is ordered. */
+    uint8_t idle = 1U - board->xcp.active_page;
+    if (!board->live.trial) {
+        return;
+    }
+    board->live.trial = 0;
+    board->pages[idle] = board->trial_page;
+    board->xcp.next_page = idle;
+    board->xcp.xcp_page = idle;
+}
+
+#endif

@@ -26,6 +26,12 @@ void hb_htm_arm(hb_htm* board);
 void hb_htm_release(hb_htm* board);
 void hb_htm_raise_fault(hb_htm* board, uint8_t fault);
 uint8_t hb_htm_stop(hb_htm* board, uint8_t latch);
+#if HB_FEATURE_TRIAL
+/* hb.trial = 1 keeps a copy of the calibration. When the master is lost before it wrote 0 again (watchdog,
+ * disconnect, a new connection) the copy runs again, so that nobody finds half-tried gains. */
+void hb_htm_begin_trial(hb_htm* board);
+void hb_htm_abandon_trial(hb_htm* board);
+#endif
 
 /* hb_htm_loop.c: one tick from the sampled angle to the phase currents. */
 void hb_htm_sense(hb_htm* board, const hb_htm_calibration* page, const hb_htm_inputs* inputs);

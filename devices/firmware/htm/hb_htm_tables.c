@@ -145,6 +145,10 @@ const hb_parameter hb_htm_parameter_table[] HB_ROM = {
     LIVE("hb.watchdog_ms", "ms", HB_UWORD, watchdog_ms, 0.0F, 0.0F, 60000.0F, NULL,
          "Silence of the host that stops the board"),
     LIVE("hb.stop", "", HB_UBYTE, stop, 0.0F, 0.0F, 1.0F, StopChoices, "Write 1 to stop and latch"),
+#if HB_FEATURE_TRIAL
+    LIVE("hb.trial", "", HB_UBYTE, trial, 0.0F, 0.0F, 1.0F, OffOn,
+         "A lost master brings this calibration back"),
+#endif
     LIVE("reference.shape", "", HB_UBYTE, reference.shape, 0.0F, 0.0F, HB_SHAPE_COUNT - 1.0F, ShapeChoices,
          "Shape of the reference"),
     LIVE("reference.amplitude", "", HB_FLOAT32, reference.amplitude, 0.0F, -10000.0F, 10000.0F, NULL,

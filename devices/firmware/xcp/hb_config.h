@@ -39,6 +39,9 @@
 #define HB_FEATURE_GENERATOR                                                                                 \
     1 /* chirp, multisine and plateau list; step, ramp, sine, staircase are always in */
 #endif
+#ifndef HB_FEATURE_TRIAL
+#define HB_FEATURE_TRIAL HB_FEATURE_FULL /* a third copy of the calibration that a lost master brings back */
+#endif
 #ifndef HB_SPEED_WINDOW
 #define HB_SPEED_WINDOW 32 /* samples of the speed estimate */
 #endif

@@ -1,0 +1,97 @@
+#include "tests/devices/firmware/board_fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+
+// hb.trial: resources/help/protocol.md 3.15.
+
+namespace halbench::devices::firmware {
+namespace {
+
+constexpr float OldGain = 10.0F; // preset "published"
+constexpr float NewGain = 40.0F;
+
+class Trial : public ::testing::Test {
+protected:
+    void openTrial() {
+        fixture.connect();
+        fixture.tick();
+        fixture.writeLive(offsetof(hb_htm_live, trial), {1});
+    }
+
+    /// The master's transaction: copy to the idle page, write there, switch.
+    void writeNewGain() {
+        const std::uint8_t running = fixture.board().xcp.next_page;
+        const auto idle = static_cast<std::uint8_t>(1 - running);
+        fixture.command({0xEB, 0x02, 0, idle});
+        fixture.command({0xE4, 0, running, 0, idle});
+        fixture.writePaged(offsetof(hb_htm_calibration, kp), NewGain);
+        fixture.command({0xEB, 0x01, 0, idle});
+    }
+
+    float runningGain() {
+        fixture.tick(2);
+        return fixture.board().pages[fixture.board().xcp.active_page].kp;
+    }
+
+    float gainOnTheWire() {
+        const Octets answer = fixture.read(0x10000U + offsetof(hb_htm_calibration, kp), 4);
+        float value = 0.0F;
+        std::memcpy(&value, answer.data() + 1, sizeof value);
+        return value;
+    }
+
+    BoardFixture fixture;
+};
+
+TEST_F(Trial, silenceOfTheMasterBringsTheOldCalibrationBack) {
+    openTrial();
+    writeNewGain();
+    EXPECT_EQ(runningGain(), NewGain);
+    fixture.writeLive(offsetof(hb_htm_live, watchdog_ms), {200, 0});
+    fixture.tick(250);
+    EXPECT_EQ(runningGain(), OldGain);
+    EXPECT_EQ(fixture.board().live.trial, 0);
+    EXPECT_EQ(fixture.board().signals.torn_count, 0U);
+}
+
+TEST_F(Trial, survivesFurtherTransactions) {
+    openTrial();
+    writeNewGain();
+    fixture.tick(2);
+    writeNewGain(); // now no page holds the old gain
+    fixture.tick(2);
+    fixture.command({0xFE}); // DISCONNECT
+    EXPECT_EQ(runningGain(), OldGain);
+}
+
+TEST_F(Trial, newConnectionFindsTheOldCalibrationEvenBeforeTheNextCycle) {
+    openTrial();
+    writeNewGain(); // ordered, not yet running
+    fixture.connect();
+    EXPECT_EQ(gainOnTheWire(), OldGain);
+    EXPECT_EQ(runningGain(), OldGain);
+}
+
+TEST_F(Trial, closedTrialKeepsTheNewCalibration) {
+    openTrial();
+    writeNewGain();
+    fixture.tick(2);
+    fixture.writeLive(offsetof(hb_htm_live, trial), {0});
+    fixture.connect();
+    EXPECT_EQ(gainOnTheWire(), NewGain);
+    EXPECT_EQ(runningGain(), NewGain);
+}
+
+TEST_F(Trial, withoutOneADisconnectChangesNothing) {
+    fixture.connect();
+    fixture.tick();
+    writeNewGain();
+    fixture.tick(2);
+    fixture.command({0xFE});
+    EXPECT_EQ(runningGain(), NewGain);
+}
+
+} // namespace
+} // namespace halbench::devices::firmware
