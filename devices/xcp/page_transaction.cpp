@@ -67,7 +67,7 @@ public:
         if (Result<void> done = m_master->setPage(PageAccess::Master, m_segment->number, m_idle); !done) {
             return done;
         }
-        if (Result<void> done = m_master->copyPage(m_segment->number, *running, m_idle); !done) {
+        if (Result<void> done = copyRunning(*running); !done) {
             return done;
         }
         Result<Packet> image = m_master->read(m_segment->address, m_segment->size);
@@ -76,6 +76,28 @@ public:
         }
         m_image = *std::move(image);
         return {};
+    }
+
+    /// Right after a switch the control loop may still be in the page it is about to leave.
+    Result<void> copyRunning(std::uint8_t running) {
+        const double end_s = m_link->transport().now_s() + SwitchPatience_s;
+        for (;;) {
+            const Result<bool> copied = m_master->copyPage(m_segment->number, running, m_idle);
+            if (!copied) {
+                return failure(copied.error());
+            }
+            if (*copied) {
+                return {};
+            }
+            if (m_link->transport().now_s() >= end_s) {
+                return failure(ErrorCode::DeviceRefused, "the board does not free its idle parameter page",
+                               "check that the board's control loop runs; the old values stay");
+            }
+            if (Result<void> pumped = m_link->pumpUntil(m_link->transport().now_s() + SwitchPoll_s);
+                !pumped) {
+                return pumped;
+            }
+        }
     }
 
     void apply(std::vector<SegmentChange> changes, const std::optional<TransactionMarks>& marks) {

@@ -29,9 +29,9 @@ Error sizeError(const Packet& command, const Packet& answer, std::size_t size) {
             "update the board's firmware or check the line"};
 }
 
-bool isUnknownCommand(const Reply<Packet>& reply) {
+bool isRefusedWith(const Reply<Packet>& reply, SlaveError error) {
     return !reply && reply.error().cause == TroubleCause::Slave &&
-           reply.error().slaveError == static_cast<std::uint8_t>(SlaveError::CommandUnknown);
+           reply.error().slaveError == static_cast<std::uint8_t>(error);
 }
 
 } // namespace
@@ -288,7 +288,7 @@ Result<void> XcpMaster::write(Address address, Octets data) {
         const Packet command = m_encoder.shortDownload(address, data);
         const Result<bool> isDone = m_link->recover([&]() -> Reply<bool> {
             const Reply<Packet> answer = m_link->exchange(command);
-            if (isUnknownCommand(answer)) {
+            if (isRefusedWith(answer, SlaveError::CommandUnknown)) {
                 return false; // some boards lack SHORT_DOWNLOAD (3.6)
             }
             if (!answer) {
@@ -323,8 +323,17 @@ Result<void> XcpMaster::setPage(PageAccess access, std::uint8_t segment, std::ui
     return order(m_encoder.setCalPage(static_cast<std::uint8_t>(access), segment, page));
 }
 
-Result<void> XcpMaster::copyPage(std::uint8_t segment, std::uint8_t from, std::uint8_t to) {
-    return order(m_encoder.copyCalPage(segment, from, to));
+Result<bool> XcpMaster::copyPage(std::uint8_t segment, std::uint8_t from, std::uint8_t to) {
+    return m_link->recover([&]() -> Reply<bool> {
+        const Reply<Packet> answer = m_link->exchange(m_encoder.copyCalPage(segment, from, to));
+        if (isRefusedWith(answer, SlaveError::WriteProtected)) {
+            return false;
+        }
+        if (!answer) {
+            return tl::unexpected(answer.error());
+        }
+        return true;
+    });
 }
 
 Result<std::optional<ChecksumResponse>> XcpMaster::checksum(Address address, std::uint32_t size) {
@@ -335,7 +344,7 @@ Result<std::optional<ChecksumResponse>> XcpMaster::checksum(Address address, std
         }
         m_mta.reset();
         const Reply<Packet> answer = m_link->exchange(m_encoder.buildChecksum(size));
-        if (isUnknownCommand(answer)) {
+        if (isRefusedWith(answer, SlaveError::CommandUnknown)) {
             return Answer{};
         }
         if (!answer) {

@@ -46,7 +46,8 @@ public:
 
     Result<std::uint8_t> page(PageAccess access, std::uint8_t segment);
     Result<void> setPage(PageAccess access, std::uint8_t segment, std::uint8_t page);
-    Result<void> copyPage(std::uint8_t segment, std::uint8_t from, std::uint8_t to);
+    /// False while the control loop has not yet left the target page: the board protects it until then.
+    Result<bool> copyPage(std::uint8_t segment, std::uint8_t from, std::uint8_t to);
     /// Nothing when the board cannot build checksums.
     Result<std::optional<ChecksumResponse>> checksum(Address address, std::uint32_t size);
 
