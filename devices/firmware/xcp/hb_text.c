@@ -41,6 +41,10 @@ static decimal normalise(uint32_t mantissa, int16_t power) {
     }
     result.scaled = wide >> (-FRACTION_BITS - binary);
     result.tolerance = result.scaled / (2 * (uint64_t)mantissa);
+    if (mantissa == 0x800000UL) {
+        result.tolerance /= 2; /* below a power of two the floats lie twice as close */
+    }
+    result.tolerance -= result.tolerance / 64; /* keeps clear of ties and of the truncation above */
     return result;
 }
 
@@ -53,17 +57,14 @@ static uint8_t generateDigits(decimal* number, char digits[MAX_DIGITS]) {
     for (;;) {
         digits[count++] = (char)(rest >> FRACTION_BITS);
         rest &= ONE - 1;
-        if (rest < tolerance) {
-            return count;
-        }
-        if (ONE - rest < tolerance || (count == MAX_DIGITS && rest >= ONE / 2)) {
-            break;
-        }
-        if (count == MAX_DIGITS) {
-            return count;
+        if (rest < tolerance || ONE - rest < tolerance || count == MAX_DIGITS) {
+            break; /* close enough from below or above: the nearer of the two */
         }
         rest *= 10;
         tolerance *= 10;
+    }
+    if (rest < ONE / 2) {
+        return count;
     }
     while (count > 0 && ++digits[count - 1] == 10) {
         count--;
