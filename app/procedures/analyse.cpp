@@ -1,0 +1,253 @@
+#include "app/procedures/analyse.h"
+
+#include "control/base/units.h"
+#include "control/lti/frequency_response.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::app {
+
+namespace {
+
+using control::PidGains;
+using control::TransferFunction;
+
+Result<PidGains> checkedGains(const control::PositionLaw& law) {
+    const auto gains = control::convert(law.gains, control::PidForm::Parallel, control::GainUnit::PerRadian);
+    if (!gains) {
+        return gains;
+    }
+    if (gains->proportional <= 0.0 || gains->integral < 0.0 || gains->derivative < 0.0) {
+        return failure(ErrorCode::OutOfRange,
+                       fmt::format("K_P = {:.4g}, K_I = {:.4g}, K_D = {:.4g} is no position loop",
+                                   gains->proportional, gains->integral, gains->derivative),
+                       "K_P must be positive, K_I and K_D not negative");
+    }
+    return gains;
+}
+
+Result<void> checkConditions(const LoopConditions& conditions) {
+    if (!std::isfinite(conditions.currentLimit_A) || conditions.currentLimit_A <= 0.0) {
+        return failure(ErrorCode::OutOfRange,
+                       fmt::format("a current limit of {} A is not possible", conditions.currentLimit_A));
+    }
+    const auto& stray = conditions.stray;
+    if (stray && (!std::isfinite(stray->amplitude_T) || !std::isfinite(stray->coefficient_T_per_A) ||
+                  stray->amplitude_T <= 0.0 || !std::isfinite(stray->error_T_per_A.value_or(0.0)))) {
+        return failure(ErrorCode::OutOfRange,
+                       "the stray field of the coils is not described by finite numbers");
+    }
+    return control::checkTiming(conditions.timing);
+}
+
+/// The least damped oscillation of the closed loop below the Nyquist frequency.
+void takeDominantPair(AnalysisResult& result, const TransferFunction& closedLoop) {
+    for (const control::Damping& mode : control::damping(closedLoop)) {
+        const bool isPair = mode.pole.imag() > 0.0;
+        if (isPair && (!result.dominantDamping_ratio || mode.damping_ratio < *result.dominantDamping_ratio)) {
+            result.dominantDamping_ratio = mode.damping_ratio;
+            result.dominantFrequency_rad_s = mode.naturalFrequency_rad_s;
+        }
+    }
+}
+
+Result<AnalysisResult::Bode> bodeOf(const TransferFunction& openLoop) {
+    constexpr int Points = 400;
+    constexpr double Decades_ratio = 5000.0; // 0.01 Hz for a loop of 100 Hz
+    const double nyquist_rad_s = Pi / openLoop.timeBase().period_s();
+    const auto response = control::frequencyResponse(
+        openLoop, control::logarithmicFrequencies(nyquist_rad_s / Decades_ratio, nyquist_rad_s, Points));
+    if (!response) {
+        return failure(response.error());
+    }
+    AnalysisResult::Bode bode;
+    for (const double frequency_rad_s : response->frequency_rad_s) {
+        bode.frequency_Hz.push_back(frequency_rad_s / (2.0 * Pi));
+    }
+    bode.magnitude_dB = control::magnitude_dB(*response);
+    bode.phase_deg = control::phase_deg(*response);
+    return bode;
+}
+
+/// Long enough for the oscillation to fall below 0.3 %; a slow real pole beside it is not waited for.
+double stepDuration_s(const AnalysisResult& result, double period_s) {
+    constexpr double TimeConstants = 6.0;
+    double rate_1_s = -std::log(std::min(result.poleRadius, 1.0 - 1e-9)) / period_s;
+    if (result.dominantDamping_ratio) {
+        rate_1_s = *result.dominantDamping_ratio * *result.dominantFrequency_rad_s;
+    }
+    return std::clamp(TimeConstants / std::max(rate_1_s, 1e-6), 100.0 * period_s, 2000.0 * period_s);
+}
+
+Result<void> takeStep(AnalysisResult& result, const control::PositionPlant& plant, const PidGains& gains,
+                      const control::LoopTiming& timing) {
+    auto step = control::linearStep(plant, gains, timing, 1.0, stepDuration_s(result, timing.period_s));
+    if (!step) {
+        return failure(step.error());
+    }
+    result.step = step->metrics;
+    result.stepCurve = {std::move(step->time_s), std::move(step->response_rad), std::move(step->current_A)};
+    return {};
+}
+
+void addStabilityWarnings(AnalysisResult& result, const PidGains& gains) {
+    if (!result.isStable) {
+        result.warnings.push_back(
+            {"unstable", fmt::format("the sampled loop is unstable: pole radius {:.4f}", result.poleRadius),
+             "only friction and the current limit bound it; lower K_P or use method recommended"});
+    }
+    if (gains.proportional > result.proportionalLimit_A_per_rad) {
+        result.warnings.push_back(
+            {"above_sampled_limit",
+             fmt::format(
+                 "K_P = {:.4g} A/rad is {:.3g} times the limit of {:.4g} A/rad at this sampling and delay",
+                 gains.proportional, gains.proportional / result.proportionalLimit_A_per_rad,
+                 result.proportionalLimit_A_per_rad),
+             "the rotor rests and makes small steps at best; large steps end in a limit cycle"});
+    }
+    constexpr double LittleDamping_ratio = 0.15;
+    if (result.isStable && result.dominantDamping_ratio.value_or(1.0) < LittleDamping_ratio) {
+        result.warnings.push_back(
+            {"little_damping",
+             fmt::format(
+                 "the loop is nearly undamped (zeta = {:.3g} at {:.4g} rad/s): only friction damps it",
+                 *result.dominantDamping_ratio, *result.dominantFrequency_rad_s),
+             "a PI loop cannot do better on this motor; derivative action can: method recommended"});
+    }
+    constexpr double LeastPhaseMargin_deg = 20.0;
+    constexpr double LeastGainMargin_ratio = 1.5;
+    if (result.isStable &&
+        (result.margins.phaseMargin_deg < LeastPhaseMargin_deg ||
+         std::abs(std::log(result.margins.gainMargin_ratio)) < std::log(LeastGainMargin_ratio))) {
+        result.warnings.push_back(
+            {"small_margin",
+             fmt::format("small margins: {:.3g} deg of phase, a factor {:.3g} of gain",
+                         result.margins.phaseMargin_deg, result.margins.gainMargin_ratio),
+             "the usual least are 30 deg and a factor 2"});
+    }
+}
+
+void addFrictionWarning(AnalysisResult& result, const control::PositionPlant& plant, const PidGains& gains,
+                        const control::PositionLaw& law) {
+    const double unaided_A = std::max(0.0, plant.breakawayCurrent_A - law.stictionCurrent_A);
+    const double band_deg = radiansToDegrees(unaided_A / gains.proportional);
+    constexpr double NotableBand_deg =
+        0.64; // the accuracy that the published loop claims (htm-theory.md 6.7)
+    if (band_deg > NotableBand_deg) {
+        result.warnings.push_back(
+            {"friction_band",
+             fmt::format("friction holds the rotor within +-{:.3g} deg of the reference", band_deg),
+             gains.integral > 0.0
+                 ? "only the integral removes the rest, slowly; the micro-step assist or a larger K_P "
+                   "narrows the band"
+                 : "the micro-step assist or a larger K_P narrows the band"});
+    }
+}
+
+/// (K_P + K_D/T_s) |error of k_s| / B_0 < 1 (help: htm-theory.md 8.4); the warning begins where the
+/// recommended preset's does, at 20 % of its 35 %.
+void addStrayWarning(AnalysisResult& result, const std::optional<StrayField>& stray) {
+    if (!stray || stray->coefficient_T_per_A == 0.0) {
+        return;
+    }
+    constexpr double WarnFrom_ratio = 0.20 / 0.35;
+    const double perTesla = result.highFrequencyGain_A_per_rad / stray->amplitude_T;
+    const double coefficient_T_per_A = std::abs(stray->coefficient_T_per_A);
+    const double allowed_percent = 100.0 / (perTesla * coefficient_T_per_A);
+    if (!stray->isCompensated) {
+        if (perTesla * coefficient_T_per_A >= WarnFrom_ratio) {
+            result.warnings.push_back(
+                {"stray_field_not_compensated",
+                 "the stray field of the coils is not compensated and feeds the current back "
+                 "into the angle: this gain can make it alternate every sample",
+                 "switch the compensation on (stray.enabled)"});
+        }
+        return;
+    }
+    if (!stray->error_T_per_A) {
+        if (allowed_percent < 100.0) {
+            result.warnings.push_back({"stray_field_not_calibrated",
+                                       fmt::format("this gain needs the stray coefficient to better than "
+                                                   "{:.0f} %, and its error is not known",
+                                                   allowed_percent),
+                                       "calibrate the stray field first"});
+        }
+        return;
+    }
+    if (perTesla * std::abs(*stray->error_T_per_A) >= WarnFrom_ratio) {
+        result.warnings.push_back(
+            {"stray_field_error",
+             fmt::format("the stray coefficient is known to {:.0f} %, this gain needs better than {:.0f} %",
+                         100.0 * std::abs(*stray->error_T_per_A) / coefficient_T_per_A, allowed_percent),
+             "calibrate the stray field again, or lower the gains"});
+    }
+}
+
+void addSaturationNote(AnalysisResult& result, const PidGains& gains, double currentLimit_A) {
+    const double largest_deg = radiansToDegrees(currentLimit_A / gains.proportional);
+    constexpr double OrdinaryStep_deg = 100.0;
+    if (largest_deg < OrdinaryStep_deg) {
+        result.warnings.push_back(
+            {"step_saturates",
+             fmt::format("steps above {:.3g} deg reach the current limit of {:.3g} A; the "
+                         "predicted step is that of the loop without limit",
+                         largest_deg, currentLimit_A),
+             "the verification move is compared with a prediction that has the limit"});
+    }
+}
+
+} // namespace
+
+Result<AnalysisResult> runAnalysis(const MotorEstimate& estimate, const control::PositionLaw& law,
+                                   const LoopConditions& conditions) {
+    const auto plant = plantFromEstimate(estimate);
+    if (!plant) {
+        return failure(plant.error());
+    }
+    const auto gains = checkedGains(law);
+    if (!gains) {
+        return failure(gains.error());
+    }
+    if (const auto valid = checkConditions(conditions); !valid) {
+        return failure(valid.error());
+    }
+    const control::LoopTiming& timing = conditions.timing;
+    const auto openLoop = control::sampledOpenLoop(*plant, *gains, timing);
+    if (!openLoop) {
+        return failure(openLoop.error());
+    }
+    AnalysisResult result;
+    result.poleRadius = control::poleRadius(*openLoop);
+    result.isStable = result.poleRadius < 1.0;
+    result.margins = control::smallestMargins(*openLoop);
+    result.crossings = control::allCrossings(*openLoop);
+    result.proportionalLimit_A_per_rad =
+        control::proportionalLimit_A_per_rad(*plant, timing, gains->derivative);
+    result.frictionBand_rad = control::frictionBand_rad(*plant, *gains);
+    result.highFrequencyGain_A_per_rad = gains->proportional + gains->derivative / timing.period_s;
+    const auto closedLoop = control::feedback(*openLoop, TransferFunction::gain(1.0, openLoop->timeBase()));
+    if (closedLoop) {
+        takeDominantPair(result, *closedLoop);
+    }
+    auto bode = bodeOf(*openLoop);
+    if (!bode) {
+        return failure(bode.error());
+    }
+    result.bode = std::move(*bode);
+    if (result.isStable) {
+        if (const auto taken = takeStep(result, *plant, *gains, timing); !taken) {
+            return failure(taken.error());
+        }
+    }
+    addStabilityWarnings(result, *gains);
+    addFrictionWarning(result, *plant, *gains, law);
+    addStrayWarning(result, conditions.stray);
+    addSaturationNote(result, *gains, conditions.currentLimit_A);
+    result.quality.verdict = result.isStable ? Verdict::Good : Verdict::Doubtful;
+    return result;
+}
+
+} // namespace halbench::app

@@ -1,0 +1,224 @@
+#include "app/procedures/tune.h"
+
+#include "control/base/random.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace halbench::app {
+
+namespace {
+
+using control::PositionLaw;
+
+/// One number of the law, its name on the board, and the number without which it has no effect.
+struct LawField {
+    const char* name;
+    double& (*in)(PositionLaw&);
+    const char* carrier;
+
+    double of(PositionLaw law) const { return in(law); }
+};
+
+const std::array LawFields = {
+    LawField{"gain.kp", [](PositionLaw& law) -> double& { return law.gains.proportional; }, "gain.kp"},
+    LawField{"gain.ki", [](PositionLaw& law) -> double& { return law.gains.integral; }, "gain.ki"},
+    LawField{"gain.kd", [](PositionLaw& law) -> double& { return law.gains.derivative; }, "gain.kd"},
+    LawField{"feedforward.inertia", [](PositionLaw& law) -> double& { return law.inertia_A_s2_rad; },
+             "feedforward.inertia"},
+    LawField{"feedforward.viscous", [](PositionLaw& law) -> double& { return law.viscous_A_s_rad; },
+             "feedforward.viscous"},
+    LawField{"feedforward.coulomb", [](PositionLaw& law) -> double& { return law.coulomb_A; },
+             "feedforward.coulomb"},
+    LawField{"feedforward.coulomb_speed", [](PositionLaw& law) -> double& { return law.coulombSpeed_rad_s; },
+             "feedforward.coulomb"},
+    LawField{"stiction.current", [](PositionLaw& law) -> double& { return law.stictionCurrent_A; },
+             "stiction.current"},
+    LawField{"stiction.threshold", [](PositionLaw& law) -> double& { return law.stictionThreshold_rad; },
+             "stiction.current"},
+    LawField{"stiction.speed", [](PositionLaw& law) -> double& { return law.stictionSpeed_rad_s; },
+             "stiction.current"}};
+
+const LawField& field(std::string_view name) {
+    return *std::find_if(LawFields.begin(), LawFields.end(),
+                         [name](const LawField& f) { return f.name == name; });
+}
+
+/// The law in the board's notation.
+Result<PositionLaw> onBoard(PositionLaw law) {
+    const auto gains = control::convert(law.gains, control::PidForm::Parallel, control::GainUnit::PerRadian);
+    if (!gains) {
+        return failure(gains.error());
+    }
+    law.gains = *gains;
+    for (const LawField& number : LawFields) {
+        if (!std::isfinite(number.of(law))) {
+            return failure(ErrorCode::NotFinite, fmt::format("{} is not a finite number", number.name),
+                           "nothing was written");
+        }
+    }
+    return law;
+}
+
+bool isPreset(const std::string& method) {
+    return method == "published" || method == "designed" || method == "micro-step" ||
+           method == "published-degrees";
+}
+
+void addDesignWarnings(TuneResult& result) {
+    if (result.method == "published") {
+        // help: htm-theory.md 6.4, 6.5
+        const auto designed = control::designLaw("designed", result.plant, result.conditions.timing, {});
+        if (designed) {
+            result.warnings.push_back({"published_gains_contradict",
+                                       fmt::format("the source's own targets (zeta 0.06 at 15 rad/s) give "
+                                                   "{:.4g} A/rad and {:.4g} A/(rad s) "
+                                                   "on this motor, not the printed 10 and 0.1",
+                                                   designed->gains.proportional, designed->gains.integral),
+                                       "method designed has those gains"});
+        }
+    }
+    const bool wantsDerivative = result.method == "recommended" || result.method == "bandwidth";
+    if (wantsDerivative && result.law.gains.derivative == 0.0) {
+        result.warnings.push_back({"no_derivative",
+                                   "the motor damps more than the loop asks for: K_D is zero",
+                                   "a faster loop may be possible: method bandwidth or phase-margin"});
+    }
+}
+
+void addRobustnessWarnings(TuneResult& result, const MotorEstimate& estimate) {
+    if (estimate.covarianceNames.empty()) {
+        result.warnings.push_back(
+            {"model_without_covariance",
+             "the model has no covariance: robustness is that of an exactly known motor",
+             "identify the motor to get its uncertainty"});
+    }
+    constexpr double NotableFraction = 0.01;
+    if (result.predicted.isStable && result.robust.unstable_fraction >= NotableFraction) {
+        result.warnings.push_back(
+            {"not_robust",
+             fmt::format("{:.1f} % of the motors that the data allow make this loop unstable",
+                         100.0 * result.robust.unstable_fraction),
+             "identify more precisely, or choose a slower loop"});
+    }
+}
+
+void judge(TuneResult& result) {
+    const auto has = [&result](std::string_view code) {
+        return std::any_of(result.warnings.begin(), result.warnings.end(),
+                           [code](const Finding& finding) { return finding.code == code; });
+    };
+    if (!result.predicted.isStable) {
+        // A preset was asked for by name and shows what the theory says of it; a design must be stable.
+        result.quality.verdict = isPreset(result.method) ? Verdict::Doubtful : Verdict::Refused;
+    } else if (has("not_robust") || has("small_margin") || has("stray_field_error") ||
+               has("stray_field_not_compensated")) {
+        result.quality.verdict = Verdict::Doubtful;
+    }
+    for (const Finding& finding : result.warnings) {
+        if (result.quality.verdict != Verdict::Good) {
+            result.quality.findings.push_back(finding);
+        }
+    }
+}
+
+} // namespace
+
+Result<TuneResult> runTune(const MotorEstimate& estimate, const TuneConfig& config) {
+    const auto uncertain = uncertainPlantFromEstimate(estimate);
+    if (!uncertain) {
+        return failure(uncertain.error());
+    }
+    TuneResult result;
+    result.method = config.method;
+    result.targets = config.targets;
+    result.conditions = config.conditions;
+    result.plant = *plantFromEstimate(estimate);
+    const control::LoopTiming& timing = config.conditions.timing;
+    auto law = control::designLaw(config.method, result.plant, timing, config.targets);
+    law = law ? onBoard(*law) : law;
+    if (!law) {
+        return failure(law.error());
+    }
+    result.law = *law;
+    auto predicted = runAnalysis(estimate, result.law, config.conditions);
+    if (!predicted) {
+        return failure(predicted.error());
+    }
+    result.predicted = std::move(*predicted);
+    const auto robust =
+        control::assessRobustness(*uncertain, result.law.gains, timing, config.draws, Random(config.seed));
+    if (!robust) {
+        return failure(robust.error());
+    }
+    result.robust = *robust;
+    result.warnings = result.predicted.warnings;
+    addDesignWarnings(result);
+    addRobustnessWarnings(result, estimate);
+    judge(result);
+    return result;
+}
+
+std::vector<ParameterValue> lawParameters(const control::PositionLaw& law) {
+    const auto board = onBoard(law);
+    std::vector<ParameterValue> result;
+    for (const LawField& number : LawFields) {
+        result.push_back({number.name, number.of(board ? *board : law)});
+    }
+    return result;
+}
+
+Result<control::PositionLaw> lawFromParameters(const std::map<std::string, double>& values) {
+    PositionLaw law;
+    for (const LawField& number : LawFields) {
+        const auto found = values.find(number.name);
+        const std::string_view name = number.name;
+        if (found == values.end()) {
+            if (name.starts_with("gain.")) {
+                return failure(ErrorCode::UnknownName, fmt::format("the set of gains lacks {}", name));
+            }
+            continue;
+        }
+        if (!std::isfinite(found->second)) {
+            return failure(ErrorCode::NotFinite, fmt::format("{} is not a finite number", name));
+        }
+        if (found->second < 0.0) {
+            return failure(ErrorCode::OutOfRange, fmt::format("{} = {} is negative", name, found->second));
+        }
+        number.in(law) = found->second;
+    }
+    return law;
+}
+
+Result<std::vector<ParameterValue>> lawForDevice(const control::PositionLaw& law,
+                                                 const devices::Catalogue& catalogue) {
+    const auto board = onBoard(law);
+    if (!board) {
+        return failure(board.error());
+    }
+    std::vector<ParameterValue> result;
+    for (const LawField& number : LawFields) {
+        const std::string byRole = catalogue.parameterForRole(number.name);
+        const ParameterSpec* spec = catalogue.findParameter(byRole.empty() ? number.name : byRole);
+        if (spec == nullptr) {
+            if (field(number.carrier).of(*board) == 0.0) {
+                continue;
+            }
+            return failure(
+                ErrorCode::UnknownName,
+                fmt::format("the device has no parameter {}, which this set of gains needs", number.name),
+                "choose a method without it: pole-placement or a preset");
+        }
+        const double value = number.of(*board);
+        if (const auto valid = checkParameterValue(*spec, value); !valid) {
+            return failure(valid.error());
+        }
+        result.push_back({spec->name, value});
+    }
+    return result;
+}
+
+} // namespace halbench::app
