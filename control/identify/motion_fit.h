@@ -1,0 +1,72 @@
+#pragma once
+
+#include "control/identify/motion_segments.h"
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace halbench::control {
+
+struct MotionFitConfig {
+    int angleOrders = 6;    ///< orders per turn of the sensors' angle error that are fitted along
+    bool fitsRipple = true; ///< torque and friction ripple once and twice per turn
+};
+
+/// What one segment says about the balance of torques, all over J:
+///   s (omega' + a omega) = (phi/J) s I - K_f,s/J,     s = direction.
+struct SegmentBalance {
+    double current_A = 0.0; ///< s I: positive drives, negative brakes
+    int direction = 1;
+    double balance_rad_s2 = 0.0;
+    double error_rad_s2 = 0.0;    ///< 1 sigma of the angle noise alone, damping known
+    double slope_rad_s = 0.0;     ///< change of the balance with the damping a
+    double meanSpeed_rad_s = 0.0; ///< signed
+    double residualRms_rad = 0.0;
+};
+
+/// Damping over inertia from the shape of all segments, balance of torques from each.
+struct MotionFit {
+    double damping_per_s = 0.0;      ///< a = c/J
+    double dampingError_per_s = 0.0; ///< 1 sigma, segments as independent clusters
+    int dampingFreedom = 0;
+    std::vector<SegmentBalance> balances; ///< in the order of the segments
+    int angleOrders = 0;                  ///< orders that the data could carry
+    double residualRms_rad = 0.0;
+};
+
+/// Fits the measured angle, not a differentiated speed, of all segments at once:
+///
+///   theta(t) = psi0 + omega0 t + alpha0 (e^{-a t} - 1 + a t)/a^2 + h(theta) + r(t),
+///
+/// with psi0, omega0, alpha0 free in each segment (so that friction may differ from run to run without
+/// biasing a), a common damping a, the sensors' angle error h as a Fourier series, and the response r of the
+/// rotor to torque and friction ripple. Variable projection: the linear unknowns are eliminated exactly, a
+/// is found by Gauss-Newton. Covariance of a by the sandwich over segments. Cost: samples times unknowns^2.
+/// Errors: Refused (no segment; the segments do not bend, so that a is undecided), NotFinite.
+/// Source: resources/help/identification.md section 3.
+Result<MotionFit> fitMotion(std::span<const MotionSegment> segments, const MotionFitConfig& config = {});
+
+/// Straight line through the balances: phi/J, K_f/J of both directions and their joint covariance with a.
+struct BalanceFit {
+    std::optional<double> torque_rad_s2_A; ///< k = phi/J; absent without two different currents
+    std::optional<double> friction_rad_s2; ///< f = K_f/J, mean of the directions seen
+    std::optional<double> frictionForward_rad_s2;
+    std::optional<double> frictionReverse_rad_s2;
+    std::optional<double> asymmetry; ///< (K_f+ - K_f-)/(K_f+ + K_f-)
+    double asymmetryError = 0.0;
+    Eigen::Matrix3d scatterCovariance = Eigen::Matrix3d::Zero(); ///< of (a, f, k) from run-to-run friction
+    Eigen::Matrix3d dampingCovariance = Eigen::Matrix3d::Zero(); ///< of (a, f, k) from the error of a
+    int freedom = 0;
+    double scatter_rad_s2 = 0.0; ///< run-to-run friction over J, 1 sigma
+    Eigen::MatrixXd design;      ///< columns s I (when k is decided), -1 per direction
+    Eigen::VectorXd observed;
+    Eigen::VectorXd weights;
+    Eigen::VectorXd residuals;
+};
+
+/// Errors: Refused when the balances decide neither friction nor torque constant (run-ups at one current).
+Result<BalanceFit> fitBalance(const MotionFit& motion);
+
+} // namespace halbench::control
