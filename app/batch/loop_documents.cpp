@@ -1,0 +1,97 @@
+#include "app/batch/result_documents.h"
+
+namespace halbench::app {
+
+namespace {
+
+JsonValue marginsOf(const control::StabilityMargins& margins) {
+    JsonValue body = JsonValue::object();
+    body.set("gain_margin_ratio", finiteOrNull(margins.gainMargin_ratio));
+    body.set("phase_margin_deg", finiteOrNull(margins.phaseMargin_deg));
+    body.set("gain_crossover_rad_s", finiteOrNull(margins.gainCrossover_rad_s));
+    body.set("phase_crossover_rad_s", finiteOrNull(margins.phaseCrossover_rad_s));
+    body.set("delay_margin_s", finiteOrNull(margins.delayMargin_s));
+    return body.set("modulus_margin", finiteOrNull(margins.modulusMargin));
+}
+
+JsonValue crossingsOf(const std::vector<control::Crossing>& crossings) {
+    JsonValue list = JsonValue::array();
+    for (const control::Crossing& crossing : crossings) {
+        const bool isGain = crossing.kind == control::Crossing::Kind::Gain;
+        JsonValue entry = JsonValue::object();
+        entry.set("kind", isGain ? "gain" : "phase").set("frequency_rad_s", crossing.frequency_rad_s);
+        entry.set("phase_margin_deg", isGain ? finiteOrNull(crossing.phaseMargin_deg) : JsonValue());
+        entry.set("delay_margin_s", isGain ? finiteOrNull(crossing.delayMargin_s) : JsonValue());
+        entry.set("gain_margin_ratio", isGain ? JsonValue() : finiteOrNull(crossing.gainMargin_ratio));
+        list.push(entry);
+    }
+    return list;
+}
+
+JsonValue stepOf(const std::optional<control::StepMetrics>& step) {
+    if (!step) {
+        return {};
+    }
+    JsonValue body = JsonValue::object();
+    body.set("rise_time_s", finiteOrNull(step->riseTime_s));
+    body.set("overshoot_percent", finiteOrNull(step->overshoot_percent));
+    body.set("peak_time_s", finiteOrNull(step->peakTime_s));
+    body.set("settling_time_s", finiteOrNull(step->settlingTime_s));
+    return body.set("final_error_rad", finiteOrNull(step->finalError_rad));
+}
+
+JsonValue valueWithUnit(double value, const char* unit) {
+    JsonValue entry = JsonValue::object();
+    return entry.set("value", value).set("unit", unit);
+}
+
+JsonValue gainsOf(const control::PositionLaw& law) {
+    JsonValue gains = JsonValue::object();
+    gains.set("kp", valueWithUnit(law.gains.proportional, "A/rad"));
+    gains.set("ki", valueWithUnit(law.gains.integral, "A/(rad*s)"));
+    gains.set("kd", valueWithUnit(law.gains.derivative, "A*s/rad"));
+    gains.set("filter_s", law.gains.filter_s ? valueWithUnit(*law.gains.filter_s, "s") : JsonValue());
+    gains.set("feedforward_inertia", valueWithUnit(law.inertia_A_s2_rad, "A*s^2/rad"));
+    gains.set("feedforward_viscous", valueWithUnit(law.viscous_A_s_rad, "A*s/rad"));
+    gains.set("feedforward_coulomb", valueWithUnit(law.coulomb_A, "A"));
+    gains.set("feedforward_coulomb_speed", valueWithUnit(law.coulombSpeed_rad_s, "rad/s"));
+    gains.set("stiction_current", valueWithUnit(law.stictionCurrent_A, "A"));
+    gains.set("stiction_threshold", valueWithUnit(law.stictionThreshold_rad, "rad"));
+    return gains.set("stiction_speed", valueWithUnit(law.stictionSpeed_rad_s, "rad/s"));
+}
+
+} // namespace
+
+JsonValue analysisBody(const AnalysisResult& result) {
+    JsonValue body = JsonValue::object();
+    body.set("stable", result.isStable).set("pole_radius", finiteOrNull(result.poleRadius));
+    body.set("dominant_frequency_rad_s", finiteOrNull(result.dominantFrequency_rad_s));
+    body.set("dominant_damping_ratio", finiteOrNull(result.dominantDamping_ratio));
+    body.set("margins", marginsOf(result.margins)).set("crossings", crossingsOf(result.crossings));
+    body.set("step", stepOf(result.step));
+    body.set("proportional_limit_A_per_rad", finiteOrNull(result.proportionalLimit_A_per_rad));
+    body.set("friction_band_rad", finiteOrNull(result.frictionBand_rad));
+    body.set("high_frequency_gain_A_per_rad", finiteOrNull(result.highFrequencyGain_A_per_rad));
+    return body.set("warnings", toJson(result.warnings));
+}
+
+JsonValue gainsBody(const TuneResult& result) {
+    JsonValue targets = JsonValue::object();
+    targets.set("zeta", result.targets.zeta).set("omega_rad_s", result.targets.omega_rad_s);
+    targets.set("bandwidth_hz", result.targets.bandwidth_Hz);
+    targets.set("phase_margin_deg", result.targets.phaseMargin_deg);
+    JsonValue robust = JsonValue::object();
+    robust.set("draws", result.robust.draws);
+    robust.set("gain_margin_ratio_p5", finiteOrNull(result.robust.gainMargin_ratio_p5));
+    robust.set("phase_margin_deg_p5", finiteOrNull(result.robust.phaseMargin_deg_p5));
+    robust.set("unstable_fraction", finiteOrNull(result.robust.unstable_fraction));
+    JsonValue body = JsonValue::object();
+    body.set("method", result.method).set("targets", targets);
+    body.set("form", control::pidFormName(result.law.gains.form));
+    body.set("sample_period_s", result.conditions.timing.period_s);
+    body.set("delay_samples", result.conditions.timing.delay_samples);
+    body.set("gains", gainsOf(result.law)).set("predicted", analysisBody(result.predicted));
+    return body.set("robust", robust).set("warnings", toJson(result.warnings));
+}
+
+} // namespace halbench::app

@@ -1,0 +1,238 @@
+#include "app/batch/model_file.h"
+
+#include "app/batch/output_file.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace halbench::app {
+
+namespace {
+
+/// Walks a document and keeps the first complaint, so that reading stays one statement a value.
+class DocumentReader {
+public:
+    DocumentReader(const JsonValue& root, std::string origin, std::string command)
+        : m_root(root), m_origin(std::move(origin)), m_command(std::move(command)) {}
+
+    void requireSchema(const std::string& family, int version) {
+        const JsonValue* schema = m_root.find("schema");
+        const std::string text = schema != nullptr && schema->isText() ? schema->text() : "";
+        const std::string expected = fmt::format("{}/{}", family, version);
+        if (text == expected) {
+            return;
+        }
+        if (text.rfind(family + "/", 0) == 0) {
+            fail("schema", fmt::format("is \"{}\", this version reads \"{}\"", text, expected));
+        } else {
+            fail("schema",
+                 text.empty() ? "is missing" : fmt::format("is \"{}\", not \"{}\"", text, expected));
+        }
+    }
+
+    /// The value under a dotted path; nullptr after a complaint when it must be there.
+    const JsonValue* find(const std::string& path, bool isRequired) {
+        const JsonValue* value = &m_root;
+        for (std::size_t begin = 0; value != nullptr && begin <= path.size();) {
+            const std::size_t end = std::min(path.find('.', begin), path.size());
+            value = value->find(path.substr(begin, end - begin));
+            begin = end + 1;
+        }
+        if (value == nullptr && isRequired) {
+            fail(path, "is missing");
+        }
+        return value;
+    }
+
+    double number(const std::string& path) {
+        const JsonValue* value = find(path, true);
+        if (value != nullptr && !value->isNumber()) {
+            fail(path, "must be a finite number");
+            return 0.0;
+        }
+        return value == nullptr ? 0.0 : value->number();
+    }
+
+    /// Absent and null mean the same.
+    std::optional<double> optionalNumber(const std::string& path) {
+        const JsonValue* value = find(path, false);
+        if (value == nullptr || value->isNull()) {
+            return std::nullopt;
+        }
+        return number(path);
+    }
+
+    std::string text(const std::string& path) {
+        const JsonValue* value = find(path, true);
+        if (value != nullptr && !value->isText()) {
+            fail(path, "must be a text");
+            return {};
+        }
+        return value == nullptr ? std::string() : value->text();
+    }
+
+    void fail(const std::string& key, const std::string& what) {
+        if (!m_error) {
+            m_error = Error{ErrorCode::InvalidInput, fmt::format("{}: \"{}\" {}", m_origin, key, what),
+                            fmt::format("write the file again with 'halbench {} --out'", m_command)};
+        }
+    }
+
+    const std::optional<Error>& error() const { return m_error; }
+
+private:
+    const JsonValue& m_root;
+    std::string m_origin;
+    std::string m_command;
+    std::optional<Error> m_error;
+};
+
+struct ModelQuantity {
+    const char* path;
+    const char* symbol;
+};
+
+constexpr std::array ModelQuantities = {
+    ModelQuantity{"parameters.viscous_damping", "c"},   ModelQuantity{"parameters.coulomb_friction", "Kf"},
+    ModelQuantity{"parameters.torque_constant", "phi"}, ModelQuantity{"parameters.inertia", "J"},
+    ModelQuantity{"ratios.c_over_J", "c_over_J"},       ModelQuantity{"ratios.Kf_over_J", "Kf_over_J"},
+    ModelQuantity{"ratios.phi_over_J", "phi_over_J"},   ModelQuantity{"ratios.c_over_phi", "c_over_phi"},
+    ModelQuantity{"ratios.Kf_over_phi", "Kf_over_phi"},
+};
+
+std::vector<double> readRow(DocumentReader& reader, const JsonValue& row) {
+    std::vector<double> numbers;
+    if (!row.isArray()) {
+        reader.fail("covariance.matrix", "must be a list of lists of numbers");
+        return numbers;
+    }
+    for (const JsonValue& item : row.items()) {
+        if (!item.isNumber()) {
+            reader.fail("covariance.matrix", "must hold finite numbers");
+            return numbers;
+        }
+        numbers.push_back(item.number());
+    }
+    return numbers;
+}
+
+void readCovariance(DocumentReader& reader, MotorEstimate& estimate) {
+    const JsonValue* names = reader.find("covariance.names", true);
+    const JsonValue* matrix = reader.find("covariance.matrix", true);
+    if (names == nullptr || matrix == nullptr || !names->isArray() || !matrix->isArray() ||
+        names->items().size() != matrix->items().size()) {
+        reader.fail("covariance", "needs as many rows as names");
+        return;
+    }
+    for (const JsonValue& name : names->items()) {
+        estimate.covarianceNames.push_back(name.isText() ? name.text() : std::string());
+    }
+    for (const JsonValue& row : matrix->items()) {
+        estimate.covariance.push_back(readRow(reader, row));
+        if (estimate.covariance.back().size() != names->items().size()) {
+            reader.fail("covariance.matrix", "must be square");
+        }
+    }
+}
+
+std::optional<devices::DeviceInfo> readDevice(DocumentReader& reader) {
+    const JsonValue* device = reader.find("device", true);
+    if (device == nullptr || !device->isObject()) {
+        return std::nullopt;
+    }
+    devices::DeviceInfo info;
+    info.model = reader.text("device.model");
+    info.id = reader.text("device.id");
+    info.firmware = reader.text("device.firmware");
+    const JsonValue* simulated = reader.find("device.simulated", true);
+    info.isSimulated = simulated != nullptr && simulated->isBoolean() && simulated->boolean();
+    return info;
+}
+
+} // namespace
+
+Result<ModelFile> parseModel(const std::string& text, const std::string& origin) {
+    const Result<JsonValue> root = parseJson(text, origin);
+    if (!root) {
+        return failure(root.error());
+    }
+    DocumentReader reader(*root, origin, "identify");
+    reader.requireSchema("halbench.identification", 1);
+    ModelFile file;
+    for (const ModelQuantity& quantity : ModelQuantities) {
+        reader.find(quantity.path, true);
+        const std::optional<double> value = reader.optionalNumber(std::string(quantity.path) + ".value");
+        if (value) {
+            file.estimate.values[quantity.symbol] = *value;
+        }
+    }
+    readCovariance(reader, file.estimate);
+    file.device = readDevice(reader);
+    file.seed = static_cast<std::uint64_t>(std::max(0.0, reader.number("seed")));
+    const std::string verdict = reader.text("data_quality.verdict");
+    if (reader.error()) {
+        return failure(*reader.error());
+    }
+    if (verdict == "refused") {
+        return failure(ErrorCode::Refused, origin + ": this estimate was refused",
+                       "see its findings, then identify again");
+    }
+    return file;
+}
+
+Result<GainsFile> parseGains(const std::string& text, const std::string& origin) {
+    const Result<JsonValue> root = parseJson(text, origin);
+    if (!root) {
+        return failure(root.error());
+    }
+    DocumentReader reader(*root, origin, "tune");
+    reader.requireSchema("halbench.gains", 1);
+    if (reader.text("form") != "parallel") {
+        reader.fail("form", "must be \"parallel\"");
+    }
+    GainsFile file;
+    control::PositionLaw& law = file.law;
+    law.gains.proportional = reader.number("gains.kp.value");
+    law.gains.integral = reader.number("gains.ki.value");
+    law.gains.derivative = reader.number("gains.kd.value");
+    law.gains.filter_s = reader.optionalNumber("gains.filter_s.value");
+    const control::PositionLaw none;
+    const auto optional = [&](const char* key, double otherwise) {
+        return reader.optionalNumber(fmt::format("gains.{}.value", key)).value_or(otherwise);
+    };
+    law.inertia_A_s2_rad = optional("feedforward_inertia", 0.0);
+    law.viscous_A_s_rad = optional("feedforward_viscous", 0.0);
+    law.coulomb_A = optional("feedforward_coulomb", 0.0);
+    law.coulombSpeed_rad_s = optional("feedforward_coulomb_speed", none.coulombSpeed_rad_s);
+    law.stictionCurrent_A = optional("stiction_current", 0.0);
+    law.stictionThreshold_rad = optional("stiction_threshold", none.stictionThreshold_rad);
+    law.stictionSpeed_rad_s = optional("stiction_speed", none.stictionSpeed_rad_s);
+    file.timing.period_s = reader.number("sample_period_s");
+    file.timing.delay_samples = static_cast<int>(reader.optionalNumber("delay_samples").value_or(0.0));
+    if (reader.error()) {
+        return failure(*reader.error());
+    }
+    if (const Result<void> valid = control::checkTiming(file.timing); !valid) {
+        return failure(ErrorCode::InvalidInput, origin + ": " + valid.error().message, valid.error().hint);
+    }
+    return file;
+}
+
+Result<ModelFile> readModelFile(const std::string& path) {
+    const Result<std::string> text = readFile(path);
+    if (!text) {
+        return failure(text.error());
+    }
+    return parseModel(*text, path);
+}
+
+Result<GainsFile> readGainsFile(const std::string& path) {
+    const Result<std::string> text = readFile(path);
+    if (!text) {
+        return failure(text.error());
+    }
+    return parseGains(*text, path);
+}
+
+} // namespace halbench::app

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "app/batch/json_value.h"
+#include "app/procedures/analyse.h"
+#include "control/design/position_loop.h"
+#include "devices/device.h"
+
+#include <string>
+
+namespace halbench::app {
+
+/// MODEL.json as `identify --out` wrote it.
+struct ModelFile {
+    MotorEstimate estimate;
+    std::optional<devices::DeviceInfo> device; ///< of which it was identified
+    std::uint64_t seed = 1;
+};
+
+/// GAINS.json as `tune --out` wrote it.
+struct GainsFile {
+    control::PositionLaw law;
+    control::LoopTiming timing;
+};
+
+/// Errors: FileSystem; InvalidInput naming file and key (no JSON, wrong schema, newer version, missing key,
+/// wrong type, a number that is not finite); Refused when the file holds a refused estimate.
+Result<ModelFile> readModelFile(const std::string& path);
+Result<GainsFile> readGainsFile(const std::string& path);
+
+/// The same from text; `origin` names it in messages.
+Result<ModelFile> parseModel(const std::string& text, const std::string& origin);
+Result<GainsFile> parseGains(const std::string& text, const std::string& origin);
+
+} // namespace halbench::app

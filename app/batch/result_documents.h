@@ -1,0 +1,38 @@
+#pragma once
+
+#include "app/batch/result_header.h"
+#include "app/procedures/apply_procedure.h"
+#include "app/procedures/calibrate_procedure.h"
+#include "app/procedures/identify_procedure.h"
+#include "app/procedures/move_procedure.h"
+#include "app/procedures/tune.h"
+
+namespace halbench::app {
+
+// The forms of resources/help/command-line.md, "Results": one function a result. The header's quality is
+// replaced by the result's. The published schemas are resources/schemas/*.schema.json.
+
+/// halbench.identification/1
+JsonValue identificationDocument(ResultHeader header, const IdentifyResult& result);
+/// halbench.calibration/1
+JsonValue calibrationDocument(ResultHeader header, const CalibrateResult& result);
+/// halbench.gains/1
+JsonValue gainsDocument(ResultHeader header, const TuneResult& result);
+/// halbench.analysis/1
+JsonValue analysisDocument(ResultHeader header, const AnalysisResult& result);
+
+/// The same without the header, for the steps of a run and for parts of other results.
+JsonValue identificationBody(const IdentifyResult& result);
+JsonValue calibrationBody(const CalibrateResult& result);
+JsonValue gainsBody(const TuneResult& result);
+JsonValue analysisBody(const AnalysisResult& result);
+JsonValue moveBody(const MoveResult& result);
+JsonValue moveFigures(const MoveFigures& figures);
+JsonValue applyBody(const ApplyResult& result);
+
+/// {value, unit, ci95, source}; value and ci95 are null when it is not identifiable.
+JsonValue toJson(const control::Estimate& estimate);
+/// [{name, value}]
+JsonValue toJson(const std::vector<ParameterValue>& values);
+
+} // namespace halbench::app
