@@ -1,0 +1,37 @@
+#pragma once
+
+#include "app/batch/commands.h"
+#include "app/procedures/calibrate_procedure.h"
+#include "app/procedures/identify_procedure.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace halbench::app {
+
+/// Writes a result where the user wants it: into `out` when it is not empty, else `text` or (under --json)
+/// the document on stdout; under --json the document is on stdout in both cases.
+Result<void> deliver(CommandContext& context, const JsonValue& document, const std::string& text,
+                     const std::string& out);
+
+/// Exit code of an estimate: 1 when it was refused.
+ExitCode exitCodeFor(const DataQuality& quality);
+
+/// Findings as lines for people.
+std::string findingLines(const DataQuality& quality);
+
+/// "c = 0.00123 N*m*s/rad  [0.0012, 0.00126]  identified"
+std::string estimateLine(std::string_view name, const control::Estimate& estimate);
+
+/// The sweep, directions and given constants of `identify` as written on the command line.
+/// Errors: Usage, UnknownName, NotFinite, OutOfRange, naming the option; FileSystem, InvalidInput of --bare.
+Result<IdentifyConfig> identifyConfigFrom(const CommandOptions& options);
+/// "both", "forward", "reverse". Error: Usage.
+Result<SweepDirections> sweepDirections(const std::string& name);
+/// "hall", "stray", "static-friction", "all". Error: Usage.
+Result<std::vector<Calibration>> calibrationsFrom(const std::string& name);
+
+std::string identificationText(const IdentifyResult& result);
+
+} // namespace halbench::app

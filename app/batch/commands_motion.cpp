@@ -1,0 +1,155 @@
+#include "app/batch/command_support.h"
+#include "app/batch/names.h"
+#include "app/batch/numbers.h"
+#include "app/batch/recording_file.h"
+#include "app/batch/result_documents.h"
+#include "app/procedures/record_procedure.h"
+
+#include <fmt/format.h>
+
+namespace halbench::app {
+
+namespace {
+
+Result<RecordConfig> recordConfigFrom(const CommandOptions& options) {
+    RecordConfig config;
+    config.signals = splitList(options.signals);
+    const Result<double> duration = numberOption("--duration", options.duration);
+    if (!duration) {
+        return failure(duration.error());
+    }
+    config.duration_s = *duration;
+    if (!options.rate.empty()) {
+        const Result<double> rate = numberOption("--rate", options.rate);
+        if (!rate) {
+            return failure(rate.error());
+        }
+        config.rate_Hz = *rate;
+    }
+    return config;
+}
+
+std::string moveText(const MoveResult& result) {
+    std::string text;
+    const JsonValue body = moveBody(result);
+    for (const JsonMember& figure : body.members()) {
+        text += fmt::format("{:<34} {}\n", figure.key,
+                            figure.value.isNumber() ? formatNumber(figure.value.number()) : "none");
+    }
+    return text + findingLines(result.quality);
+}
+
+std::string calibrationText(const CalibrateResult& result) {
+    std::string text;
+    for (const CalibrationFigure& figure : result.figures) {
+        text += estimateLine(figure.name, figure.estimate);
+    }
+    text += result.isApplied ? "applied and read back:\n" : "proposed (not applied, see --apply):\n";
+    for (const ParameterValue& value : result.proposed) {
+        text += fmt::format("  {} = {}\n", value.name, formatNumber(value.value));
+    }
+    return text + findingLines(result.quality);
+}
+
+} // namespace
+
+CommandResult runRecordCommand(CommandContext& context, const CommandOptions& options) {
+    const Result<RecordConfig> config = recordConfigFrom(options);
+    if (!config) {
+        return failure(config.error());
+    }
+    const Result<std::unique_ptr<devices::Device>> device = openDeviceFor(context, options.device);
+    if (!device) {
+        return failure(device.error());
+    }
+    const Result<RecordResult> result = runRecord(**device, *config, observerFor(context));
+    if (!result) {
+        return failure(result.error());
+    }
+    ResultHeader header = headerFor(context, "halbench.recording/1", **device);
+    header.quality = result->quality;
+    if (const Result<void> written = writeRecording(options.out, result->recording, **device, header.started);
+        !written) {
+        return failure(written.error());
+    }
+    JsonValue document = toJson(header);
+    document.set("rows", static_cast<std::uint64_t>(result->recording.rows()));
+    document.set("lost_rows", result->recording.lostRows);
+    context.console.log(LogLevel::Info,
+                        fmt::format("wrote {} ({} rows)", options.out, result->recording.rows()));
+    if (const Result<void> printed = context.console.printDocument(document); !printed) {
+        return failure(printed.error());
+    }
+    return ExitCode::Done;
+}
+
+CommandResult runMoveCommand(CommandContext& context, const CommandOptions& options) {
+    const Result<MoveReference> reference = parseMoveReference(options.reference);
+    if (!reference) {
+        return failure(reference.error());
+    }
+    const Result<double> duration = numberOption("--duration", options.duration);
+    if (!duration) {
+        return failure(duration.error());
+    }
+    const Result<std::unique_ptr<devices::Device>> device = openDeviceFor(context, options.device);
+    if (!device) {
+        return failure(device.error());
+    }
+    if (const Result<void> consent = requireConsent(context, **device); !consent) {
+        return failure(consent.error());
+    }
+    MoveConfig config;
+    config.reference = *reference;
+    config.duration_s = *duration;
+    const Result<MoveResult> result = runMove(**device, config, observerFor(context));
+    if (!result) {
+        return failure(result.error());
+    }
+    ResultHeader header = headerFor(context, "halbench.move/1", **device);
+    header.quality = result->quality;
+    if (!options.out.empty()) {
+        const Result<void> written = writeRecording(options.out, result->recording, **device, header.started);
+        if (!written) {
+            return failure(written.error());
+        }
+    }
+    context.console.print(moveText(*result));
+    JsonValue document = toJson(header);
+    if (const Result<void> printed =
+            context.console.printDocument(document.set("figures", moveBody(*result)));
+        !printed) {
+        return failure(printed.error());
+    }
+    return exitCodeFor(result->quality);
+}
+
+CommandResult runCalibrateCommand(CommandContext& context, const CommandOptions& options) {
+    const Result<std::vector<Calibration>> which = calibrationsFrom(options.what);
+    if (!which) {
+        return failure(which.error());
+    }
+    const Result<std::unique_ptr<devices::Device>> device = openDeviceFor(context, options.device);
+    if (!device) {
+        return failure(device.error());
+    }
+    if (const Result<void> consent = requireConsent(context, **device); !consent) {
+        return failure(consent.error());
+    }
+    const ResultHeader header = headerFor(context, "halbench.calibration/1", **device);
+    CalibrateConfig config;
+    config.which = *which;
+    config.apply = options.isApplied;
+    config.seed = header.seed;
+    const Result<CalibrateResult> result = runCalibrate(**device, config, observerFor(context));
+    if (!result) {
+        return failure(result.error());
+    }
+    const JsonValue document = calibrationDocument(header, *result);
+    if (const Result<void> done = deliver(context, document, calibrationText(*result), options.out); !done) {
+        return failure(done.error());
+    }
+    return exitCodeFor(result->quality);
+}
+
+} // namespace halbench::app

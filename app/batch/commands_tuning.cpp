@@ -1,0 +1,253 @@
+#include "app/batch/command_support.h"
+#include "app/batch/loop_conditions.h"
+#include "app/batch/model_file.h"
+#include "app/batch/numbers.h"
+#include "app/batch/output_file.h"
+#include "app/batch/result_documents.h"
+#include "devices/device_uri.h"
+
+#include <fmt/format.h>
+
+namespace halbench::app {
+
+namespace {
+
+/// What `tune` starts from: a model file, or a device that it identifies first and keeps open.
+struct TuningSource {
+    MotorEstimate estimate;
+    ResultHeader header;
+    LoopConditions conditions;
+    std::unique_ptr<devices::Device> device;
+};
+
+Result<TuningSource> sourceFromFile(const CommandContext& context, const std::string& path) {
+    Result<ModelFile> model = readModelFile(path);
+    if (!model) {
+        return failure(model.error());
+    }
+    TuningSource source;
+    source.estimate = std::move(model->estimate);
+    source.header = headerFor(context, "halbench.gains/1");
+    source.header.device = model->device;
+    source.header.seed = context.global.seed.value_or(model->seed);
+    const Result<LoopConditions> conditions = loopConditionsOf(model->device ? model->device->model : "");
+    if (!conditions) {
+        return failure(conditions.error());
+    }
+    source.conditions = *conditions;
+    return source;
+}
+
+Result<TuningSource> sourceFromDevice(CommandContext& context, const CommandOptions& options) {
+    Result<IdentifyConfig> config = identifyConfigFrom(options);
+    if (!config) {
+        return failure(config.error());
+    }
+    Result<std::unique_ptr<devices::Device>> device = openDeviceFor(context, options.device);
+    if (!device) {
+        return failure(device.error());
+    }
+    if (const Result<void> consent = requireConsent(context, **device); !consent) {
+        return failure(consent.error());
+    }
+    TuningSource source;
+    source.header = headerFor(context, "halbench.gains/1", **device);
+    config->seed = source.header.seed;
+    const Result<IdentifyResult> identified = runIdentify(**device, *config, observerFor(context));
+    if (!identified) {
+        return failure(identified.error());
+    }
+    source.estimate = motorEstimate(*identified);
+    const Result<LoopConditions> conditions = loopConditionsOf(**device);
+    if (!conditions) {
+        return failure(conditions.error());
+    }
+    source.conditions = *conditions;
+    source.device = *std::move(device);
+    return source;
+}
+
+Result<std::optional<double>> target(const std::string& option, const std::string& text) {
+    if (text.empty()) {
+        return std::optional<double>{};
+    }
+    const Result<double> value = numberOption(option, text);
+    return value ? Result<std::optional<double>>(*value) : failure(value.error());
+}
+
+Result<control::DesignTargets> targetsFrom(const CommandOptions& options) {
+    const Result<std::optional<double>> zeta = target("--zeta", options.zeta);
+    const Result<std::optional<double>> omega = target("--omega-rad-s", options.omega);
+    const Result<std::optional<double>> bandwidth = target("--bandwidth-hz", options.bandwidth);
+    const Result<std::optional<double>> margin = target("--phase-margin-deg", options.phaseMargin);
+    for (const auto* value : {&zeta, &omega, &bandwidth, &margin}) {
+        if (!*value) {
+            return failure(value->error());
+        }
+    }
+    return control::DesignTargets{*zeta, *omega, *bandwidth, *margin};
+}
+
+std::string gainsText(const TuneResult& result) {
+    std::string text = fmt::format("method {}\n", result.method);
+    const JsonValue body = gainsBody(result);
+    for (const JsonMember& gain : body.find("gains")->members()) {
+        if (gain.value.isObject()) {
+            text += fmt::format("{:<26} {:.6g} {}\n", gain.key, gain.value.find("value")->number(),
+                                gain.value.find("unit")->text());
+        }
+    }
+    const AnalysisResult& predicted = result.predicted;
+    text += fmt::format("{}, gain margin {:.3g}, phase margin {:.4g} deg\n",
+                        predicted.isStable ? "stable" : "UNSTABLE", predicted.margins.gainMargin_ratio,
+                        predicted.margins.phaseMargin_deg);
+    for (const Finding& warning : result.warnings) {
+        text += fmt::format("warning: {}; {}\n", warning.message, warning.hint);
+    }
+    return text + findingLines(result.quality);
+}
+
+/// A step of 30 degrees that the new gains must answer as predicted before they stay.
+std::optional<ApplyVerification> verificationFor(const MotorEstimate& motor) {
+    ApplyVerification verification;
+    verification.motor = motor;
+    verification.reference.shape = MoveReference::Shape::Step;
+    verification.reference.amplitude_rad = 0.5;
+    return verification;
+}
+
+Result<ApplyResult> applyGains(CommandContext& context, const CommandOptions& options, TuningSource& source,
+                               const TuneResult& result) {
+    if (!source.device || options.applyDevice != options.device) {
+        Result<std::unique_ptr<devices::Device>> device = openDeviceFor(context, options.applyDevice);
+        if (!device) {
+            return failure(device.error());
+        }
+        source.device = *std::move(device);
+    }
+    if (const Result<void> consent = requireConsent(context, *source.device); !consent) {
+        return failure(consent.error());
+    }
+    Result<std::vector<ParameterValue>> values = lawForDevice(result.law, source.device->catalogue());
+    if (!values) {
+        return failure(values.error());
+    }
+    ApplyConfig config;
+    config.values = *std::move(values);
+    config.verification = verificationFor(source.estimate);
+    return runApply(*source.device, config, observerFor(context));
+}
+
+Result<TuneResult> tuneFrom(const CommandOptions& options, const TuningSource& source) {
+    const Result<control::DesignTargets> targets = targetsFrom(options);
+    if (!targets) {
+        return failure(targets.error());
+    }
+    TuneConfig config;
+    config.method = options.method.empty() ? config.method : options.method;
+    config.targets = *targets;
+    config.conditions = source.conditions;
+    config.seed = source.header.seed;
+    return runTune(source.estimate, config);
+}
+
+Result<void> writeColumns(const std::string& path, const std::string& header,
+                          const std::vector<const std::vector<double>*>& columns) {
+    if (path.empty()) {
+        return {};
+    }
+    std::string text = header + "\n";
+    for (std::size_t row = 0; row < columns.front()->size(); ++row) {
+        for (std::size_t column = 0; column < columns.size(); ++column) {
+            text += (column == 0 ? "" : ",") + formatNumber((*columns[column])[row]);
+        }
+        text += '\n';
+    }
+    return writeFile(path, text);
+}
+
+std::string analysisText(const AnalysisResult& result) {
+    std::string text = fmt::format("{}\n", result.isStable ? "stable" : "UNSTABLE");
+    const JsonValue body = analysisBody(result);
+    for (const char* part : {"margins", "step"}) {
+        if (const JsonValue* figures = body.find(part); figures->isObject()) {
+            for (const JsonMember& figure : figures->members()) {
+                text += fmt::format("{:<26} {}\n", figure.key,
+                                    figure.value.isNumber() ? formatNumber(figure.value.number()) : "none");
+            }
+        }
+    }
+    for (const Finding& warning : result.warnings) {
+        text += fmt::format("warning: {}; {}\n", warning.message, warning.hint);
+    }
+    return text + findingLines(result.quality);
+}
+
+} // namespace
+
+CommandResult runTuneCommand(CommandContext& context, const CommandOptions& options) {
+    const bool isDevice = devices::parseDeviceUri(options.device).has_value();
+    Result<TuningSource> source =
+        isDevice ? sourceFromDevice(context, options) : sourceFromFile(context, options.device);
+    if (!source) {
+        return failure(source.error());
+    }
+    const Result<TuneResult> result = tuneFrom(options, *source);
+    if (!result) {
+        return failure(result.error());
+    }
+    JsonValue document = gainsDocument(source->header, *result);
+    std::string text = gainsText(*result);
+    bool isKept = true;
+    if (!options.applyDevice.empty()) {
+        const Result<ApplyResult> applied = applyGains(context, options, *source, *result);
+        if (!applied) {
+            return failure(applied.error());
+        }
+        isKept = applied->isKept;
+        document.set("applied", applyBody(*applied));
+        text += fmt::format("{}\n{}", isKept ? "applied and verified" : "not kept, the old gains run again",
+                            findingLines(applied->quality));
+    }
+    if (const Result<void> done = deliver(context, document, text, options.out); !done) {
+        return failure(done.error());
+    }
+    return isKept ? exitCodeFor(result->quality) : ExitCode::CheckFailed;
+}
+
+CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& options) {
+    const Result<ModelFile> model = readModelFile(options.device);
+    if (!model) {
+        return failure(model.error());
+    }
+    const Result<GainsFile> gains = readGainsFile(options.gainsFile);
+    if (!gains) {
+        return failure(gains.error());
+    }
+    Result<LoopConditions> conditions = loopConditionsOf(model->device ? model->device->model : "");
+    if (!conditions) {
+        return failure(conditions.error());
+    }
+    conditions->timing = gains->timing;
+    const Result<AnalysisResult> result = runAnalysis(model->estimate, gains->law, *conditions);
+    if (!result) {
+        return failure(result.error());
+    }
+    Result<void> done =
+        writeColumns(options.bodeFile, "frequency_hz,magnitude_db,phase_deg",
+                     {&result->bode.frequency_Hz, &result->bode.magnitude_dB, &result->bode.phase_deg});
+    done = done ? writeColumns(options.stepFile, "time_s,response_rad,current_A",
+                               {&result->stepCurve.time_s, &result->stepCurve.response_rad,
+                                &result->stepCurve.current_A})
+                : done;
+    ResultHeader header = headerFor(context, "halbench.analysis/1");
+    header.device = model->device;
+    header.seed = context.global.seed.value_or(model->seed);
+    done = done ? deliver(context, analysisDocument(header, *result), analysisText(*result), "") : done;
+    if (!done) {
+        return failure(done.error());
+    }
+    return exitCodeFor(result->quality);
+}
+
+} // namespace halbench::app

@@ -1,0 +1,65 @@
+#include "app/batch/loop_conditions.h"
+
+#include "devices/profile.h"
+
+namespace halbench::app {
+
+namespace {
+
+LoopConditions fromConstants(const std::map<std::string, double>& constants) {
+    const auto constant = [&](const char* name) -> std::optional<double> {
+        const auto found = constants.find(name);
+        return found == constants.end() ? std::nullopt : std::optional<double>(found->second);
+    };
+    LoopConditions conditions;
+    conditions.timing.period_s = constant("T_s").value_or(conditions.timing.period_s);
+    conditions.currentLimit_A = constant("I_max").value_or(conditions.currentLimit_A);
+    if (const std::optional<double> field = constant("B_0")) {
+        StrayField stray;
+        stray.amplitude_T = *field;
+        stray.coefficient_T_per_A = constant("k_s").value_or(0.0);
+        conditions.stray = stray;
+    }
+    return conditions;
+}
+
+} // namespace
+
+Result<LoopConditions> loopConditionsOf(const std::string& model) {
+    const Result<std::optional<devices::Profile>> profile = devices::findProfile(model);
+    if (!profile) {
+        return failure(profile.error());
+    }
+    return fromConstants(*profile ? (*profile)->constants : std::map<std::string, double>{});
+}
+
+Result<LoopConditions> loopConditionsOf(devices::Device& device) {
+    LoopConditions conditions = fromConstants(device.catalogue().knownConstants);
+    const auto read = [&](const char* role) -> Result<std::optional<double>> {
+        const std::string name = device.catalogue().parameterForRole(role);
+        if (name.empty()) {
+            return std::optional<double>{};
+        }
+        const std::vector<std::string> names{name};
+        const Result<std::vector<double>> values = device.readParameters(names);
+        return values ? Result<std::optional<double>>(values->front()) : failure(values.error());
+    };
+    const Result<std::optional<double>> delay = read("delay.samples");
+    const Result<std::optional<double>> limit = read("limit.current");
+    const Result<std::optional<double>> isCompensated = read("stray.enabled");
+    const Result<std::optional<double>> coefficient = read("stray.coefficient");
+    for (const auto* value : {&delay, &limit, &isCompensated, &coefficient}) {
+        if (!*value) {
+            return failure(value->error());
+        }
+    }
+    conditions.timing.delay_samples = static_cast<int>(delay->value_or(0.0));
+    conditions.currentLimit_A = limit->value_or(conditions.currentLimit_A);
+    if (conditions.stray) {
+        conditions.stray->isCompensated = isCompensated->value_or(1.0) != 0.0;
+        conditions.stray->coefficient_T_per_A = coefficient->value_or(conditions.stray->coefficient_T_per_A);
+    }
+    return conditions;
+}
+
+} // namespace halbench::app
