@@ -1,0 +1,58 @@
+#include "devices/transport/message_stream.h"
+
+#include "control/base/assert.h"
+
+#include <fmt/format.h>
+
+namespace halbench::devices {
+
+namespace {
+
+constexpr std::size_t HeaderOctets = 4;
+
+std::uint16_t word(const std::uint8_t* octets) {
+    return static_cast<std::uint16_t>(octets[0] | (octets[1] << 8));
+}
+
+void appendWord(std::vector<std::uint8_t>& stream, std::size_t value) {
+    stream.push_back(static_cast<std::uint8_t>(value));
+    stream.push_back(static_cast<std::uint8_t>(value >> 8));
+}
+
+} // namespace
+
+void MessageParser::feed(std::span<const std::uint8_t> octets) {
+    m_octets.erase(m_octets.begin(), m_octets.begin() + static_cast<std::ptrdiff_t>(m_begin));
+    m_begin = 0;
+    m_octets.insert(m_octets.end(), octets.begin(), octets.end());
+}
+
+Result<std::optional<StreamMessage>> MessageParser::next() {
+    const std::size_t available = m_octets.size() - m_begin;
+    if (available < HeaderOctets) {
+        return std::optional<StreamMessage>{};
+    }
+    const std::uint8_t* header = m_octets.data() + m_begin;
+    const std::size_t length = word(header);
+    if (length == 0 || length > m_maxPacket) {
+        return failure(
+            ErrorCode::Protocol,
+            fmt::format("a message of {} octets was announced, 1 to {} are possible", length, m_maxPacket),
+            "the other side does not speak this protocol");
+    }
+    if (available < HeaderOctets + length) {
+        return std::optional<StreamMessage>{};
+    }
+    m_begin += HeaderOctets + length;
+    return std::optional<StreamMessage>(StreamMessage{word(header + 2), {header + HeaderOctets, length}});
+}
+
+void appendMessage(std::vector<std::uint8_t>& stream, std::uint16_t counter,
+                   std::span<const std::uint8_t> packet) {
+    HB_ASSERT(!packet.empty() && packet.size() <= 0xFFFF);
+    appendWord(stream, packet.size());
+    appendWord(stream, counter);
+    stream.insert(stream.end(), packet.begin(), packet.end());
+}
+
+} // namespace halbench::devices

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "control/base/result.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace halbench::devices {
+
+/// One message of the stream: LEN u16 | CTR u16 | PACKET[LEN], always little endian
+/// (resources/help/protocol.md 3.2).
+struct StreamMessage {
+    std::uint16_t counter = 0;
+    std::span<const std::uint8_t> packet; ///< valid until the next call of the parser
+};
+
+/// Cuts a byte stream into messages, whatever its split. Pure; no socket.
+class MessageParser {
+public:
+    /// A longer LEN, or 0, is nonsense: the connection has to be closed.
+    explicit MessageParser(std::size_t maxPacket) : m_maxPacket(maxPacket) {}
+
+    void feed(std::span<const std::uint8_t> octets);
+    /// The next whole message; nothing when more octets are needed. Error: Protocol, from then on.
+    Result<std::optional<StreamMessage>> next();
+
+private:
+    std::size_t m_maxPacket;
+    std::vector<std::uint8_t> m_octets;
+    std::size_t m_begin = 0;
+};
+
+/// Appends one message.
+void appendMessage(std::vector<std::uint8_t>& stream, std::uint16_t counter,
+                   std::span<const std::uint8_t> packet);
+
+} // namespace halbench::devices

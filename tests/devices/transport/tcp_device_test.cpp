@@ -1,0 +1,118 @@
+#include "devices/open_device.h"
+#include "devices/transport/tcp_transport.h"
+#include "tests/devices/transport/served_board.h"
+
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+
+namespace halbench::devices {
+namespace {
+
+std::unique_ptr<Device> open(const BoardServer& server) {
+    Result<std::unique_ptr<Device>> device = openDevice(server.uri(), {});
+    if (!device) {
+        ADD_FAILURE() << device.error().message;
+        return nullptr;
+    }
+    return *std::move(device);
+}
+
+TEST(TcpDevice, worksLikeTheEmbeddedBoard) {
+    const BoardServer server;
+    const auto device = open(server);
+    ASSERT_TRUE(device);
+    EXPECT_EQ(device->info().model, "htm");
+    EXPECT_FALSE(device->info().isSimulated) << "what is behind a line may move: it needs consent";
+    const ParameterValue gain{"gain.kp", 12.5};
+    ASSERT_TRUE(device->writeParameters({&gain, 1}));
+    EXPECT_DOUBLE_EQ((*device->readParameters({&gain.name, 1}))[0], 12.5);
+    Recording recording;
+    ASSERT_TRUE(device->startStream({{"position", "speed"}, 500.0},
+                                    [&](const SampleBlockPtr& block) { recording.append(*block); }));
+    ASSERT_TRUE(device->clock().waitFor(0.3));
+    device->stopStream();
+    EXPECT_EQ(recording.lostRows, 0U);
+    EXPECT_EQ(device->statistics().packetsLost, 0U);
+    ASSERT_GT(recording.rows(), 50U);
+    for (std::size_t row = 0; row < recording.rows(); ++row) {
+        EXPECT_DOUBLE_EQ(recording.time_s[row], static_cast<double>(row) / 500.0);
+    }
+}
+
+TEST(TcpDevice, secondMasterTakesTheSession) {
+    const BoardServer server;
+    const auto first = open(server);
+    ASSERT_TRUE(first);
+    const auto second = open(server);
+    ASSERT_TRUE(second);
+    const auto waited = first->clock().waitFor(0.2);
+    ASSERT_FALSE(waited);
+    EXPECT_EQ(waited.error().code, ErrorCode::DeviceLost);
+    EXPECT_FALSE(first->state().isConnected);
+    EXPECT_TRUE(second->clock().waitFor(0.05));
+}
+
+TEST(TcpDevice, serverThatDiesIsADeviceLost) {
+    BoardServer server;
+    const auto device = open(server);
+    ASSERT_TRUE(device);
+    ASSERT_TRUE(device->startStream({{"position"}, 100.0}, [](const SampleBlockPtr&) {}));
+    server.end();
+    const auto waited = device->clock().waitFor(5.0);
+    ASSERT_FALSE(waited);
+    EXPECT_EQ(waited.error().code, ErrorCode::DeviceLost);
+    EXPECT_LT(device->clock().now_s(), 2.5) << "nobody waits longer than 2 s for a dead board";
+    device->stop();
+    device->stopStream();
+}
+
+TEST(TcpDevice, nothingListeningIsADeviceLostWithTheAddress) {
+    TcpAddress address{"127.0.0.1", 0};
+    { // a port that was free a moment ago
+        const auto listener = listenTcp(address);
+        ASSERT_TRUE(listener);
+    }
+    const auto device = openDevice("tcp:" + address.text(), {});
+    ASSERT_FALSE(device);
+    EXPECT_EQ(device.error().code, ErrorCode::DeviceLost);
+    EXPECT_NE(device.error().message.find(address.text()), std::string::npos);
+}
+
+TEST(TcpDevice, serverDisconnectsAMasterThatSendsNonsenseAndServesTheNext) {
+    const BoardServer server;
+    const auto address = parseTcpAddress(server.uri().substr(4));
+    ASSERT_TRUE(address);
+    TcpTransport nonsense(*address);
+    ASSERT_TRUE(nonsense.open());
+    const std::vector<std::uint8_t> tooLong(1000, 0xFF);
+    ASSERT_TRUE(nonsense.send(tooLong));
+    std::vector<std::uint8_t> packet;
+    const auto received = nonsense.receive(packet, 2.0);
+    ASSERT_FALSE(received);
+    EXPECT_EQ(received.error().code, ErrorCode::DeviceLost);
+    EXPECT_TRUE(open(server));
+}
+
+TEST(TcpDevice, sendsAStopWhileStreamingAndSeesTheLatch) {
+    const BoardServer server;
+    const auto device = open(server);
+    ASSERT_TRUE(device);
+    ASSERT_TRUE(device->startStream({{"position"}, 1000.0}, [](const SampleBlockPtr&) {}));
+    ASSERT_TRUE(device->arm());
+    ASSERT_TRUE(device->clock().waitFor(0.05));
+    device->stop();
+    EXPECT_TRUE(device->state().isStopLatched);
+}
+
+TEST(TcpAddress, takesHostAndPortAndRefusesTheRest) {
+    EXPECT_EQ(parseTcpAddress("127.0.0.1:5555")->port, 5555);
+    EXPECT_EQ(parseTcpAddress("[::1]:5555")->host, "::1");
+    EXPECT_EQ(parseTcpAddress("[::1]:5555")->text(), "[::1]:5555");
+    for (const char* wrong : {"", "localhost", ":5555", "localhost:", "localhost:65536", "localhost:-1",
+                              "localhost:5x", "::1:5555"}) {
+        EXPECT_FALSE(parseTcpAddress(wrong)) << wrong;
+    }
+}
+
+} // namespace
+} // namespace halbench::devices
