@@ -34,6 +34,8 @@ struct Axis {
     bool isLogarithmic = false;
     std::optional<double> min; ///< given extent; default: from the data, rounded outwards
     std::optional<double> max;
+    std::optional<double>
+        tickStep; ///< distance of labelled ticks, e.g. 45 for degrees; default: 1, 2 or 5 x 10^n
 };
 
 struct Panel {

@@ -45,7 +45,7 @@ struct ReportQuantity {
 };
 ReportTable quantityTable(const std::string& caption, const std::vector<ReportQuantity>& quantities);
 
-/// Parameters that a step changed: before and after, differing rows first told apart by tone.
+/// Parameters before and after a step, and whether they differ.
 struct ReportChange {
     std::string name;
     std::string unit;

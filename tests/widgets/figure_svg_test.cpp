@@ -1,0 +1,130 @@
+#include "widgets/figure_svg.h"
+#include "widgets/figures.h"
+#include "widgets/offscreen_application.h"
+
+#include <QCoreApplication>
+#include <QXmlStreamReader>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+#include <sstream>
+#include <vector>
+
+namespace halbench::widgets {
+namespace {
+
+Figure stepFigure(int samples) {
+    Curve measured{"measured <true>", {}, {}, CurveStyle::Line, {}};
+    Curve points{"points", {0.5}, {50.0}, CurveStyle::HollowPoints, {}};
+    for (int i = 0; i < samples; ++i) {
+        measured.x.push_back(3.0 * i / samples);
+        measured.y.push_back(100.0 * (1.0 - std::exp(-9.0 * measured.x.back())) + std::sin(1e3 * i));
+    }
+    Panel panel;
+    panel.y = {"position", "deg", false, {}, {}, {}};
+    panel.curves = {measured, points};
+    panel.lines = {{ReferenceLine::Direction::Horizontal, 100.0, "reference"}};
+    return {"Step of 100° & more", {"time", "s", false, {}, {}, {}}, {panel, panel}};
+}
+
+Result<std::string> draw(const Figure& figure) {
+    const auto application = OffscreenApplication::ensure();
+    return figureSvg(figure, loadTheme("light").value());
+}
+
+TEST(FigureSvg, isOneWellFormedElementWithTitlesAndLabels) {
+    const auto svg = draw(stepFigure(200));
+    ASSERT_TRUE(svg.has_value());
+    QXmlStreamReader reader(QByteArray::fromStdString(*svg));
+    QStringList texts;
+    while (!reader.atEnd()) {
+        if (reader.readNext() == QXmlStreamReader::StartElement &&
+            (reader.name() == QLatin1String("text") || reader.name() == QLatin1String("title"))) {
+            texts << reader.readElementText();
+        }
+    }
+    EXPECT_FALSE(reader.hasError()) << reader.errorString().toStdString();
+    for (const char* text :
+         {"Step of 100° & more", "position [°]", "time [s]", "measured <true>", "reference", "100"}) {
+        EXPECT_TRUE(texts.contains(QString::fromUtf8(text))) << text;
+    }
+    EXPECT_EQ(texts.count(QStringLiteral("measured <true>")),
+              1); // the second panel's equal curve is not named again
+}
+
+TEST(FigureSvg, givesEqualBytesForEqualFigures) {
+    EXPECT_EQ(draw(stepFigure(5000)).value(), draw(stepFigure(5000)).value());
+}
+
+TEST(FigureSvg, carriesNoDateIdOrForeignReference) {
+    const std::string svg = draw(stepFigure(50)).value();
+    EXPECT_EQ(svg.find("id=\""), std::string::npos);
+    EXPECT_EQ(svg.find("href"), std::string::npos);
+    EXPECT_EQ(svg.find("Qt"), std::string::npos);
+    EXPECT_EQ(svg.rfind("<svg ", 0), 0U);
+}
+
+TEST(FigureSvg, drawsColumnsNotSamples) {
+    const std::size_t small = draw(stepFigure(4000)).value().size();
+    const std::size_t large = draw(stepFigure(400000)).value().size();
+    // 1600 columns of two points: about as much for a hundred times the samples.
+    EXPECT_LT(large, 2 * small);
+}
+
+TEST(FigureSvg, keepsCurvesInsideThePanelWhenTheExtentIsGiven) {
+    Figure figure = stepFigure(200);
+    figure.panels.resize(1);
+    figure.panels[0].y.min = 40.0;
+    figure.panels[0].y.max = 60.0;
+    const std::string svg = draw(figure).value();
+    const std::regex lines("<polyline[^>]*points=\"([^\"]*)\"");
+    int checked = 0;
+    for (std::sregex_iterator it(svg.begin(), svg.end(), lines); it != std::sregex_iterator(); ++it) {
+        std::istringstream numbers((*it)[1].str());
+        std::vector<double> heights_px;
+        double x = 0.0;
+        double y = 0.0;
+        char comma = 0;
+        while (numbers >> x >> comma >> y) {
+            heights_px.push_back(y);
+        }
+        if (heights_px.size() <= 2) {
+            continue; // a tick or a legend's sample
+        }
+        // The panel starts below title and legend and is 220 px high; the pen may reach over by its width.
+        EXPECT_GT(*std::min_element(heights_px.begin(), heights_px.end()), 24.0 + 18.0 - 3.0);
+        EXPECT_LT(*std::max_element(heights_px.begin(), heights_px.end()), 24.0 + 18.0 + 220.0 + 3.0);
+        ++checked;
+    }
+    EXPECT_GE(checked, 1);
+}
+
+TEST(FigureSvg, survivesAnEmptyAndANotFiniteCurve) {
+    Figure figure = stepFigure(0);
+    EXPECT_TRUE(draw(figure).has_value());
+    figure.panels[0].curves[0] = {
+        "gaps", {0.0, 1.0, 2.0}, {std::nan(""), INFINITY, std::nan("")}, CurveStyle::Line, {}};
+    EXPECT_EQ(draw(figure).value().find("nan"), std::string::npos);
+}
+
+TEST(FigureSvg, refusesCurvesThatDoNotFit) {
+    Figure figure = stepFigure(10);
+    figure.panels[0].curves[0].y.pop_back();
+    EXPECT_EQ(draw(figure).error().code, ErrorCode::InvalidInput);
+    figure.panels.clear();
+    EXPECT_EQ(draw(figure).error().code, ErrorCode::InvalidInput);
+}
+
+TEST(OffscreenApplication, refusesToDrawBesideAnApplicationWithoutGraphics) {
+    int count = 1;
+    char name[] = "test";
+    char* arguments[] = {name, nullptr};
+    const QCoreApplication plain(count, arguments);
+    EXPECT_EQ(OffscreenApplication::ensure().error().code, ErrorCode::Internal);
+}
+
+} // namespace
+} // namespace halbench::widgets

@@ -1,0 +1,54 @@
+#include "widgets/figure_axis.h"
+
+#include <QLocale>
+#include <qwt_text.h>
+#include <qwt_transform.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::widgets {
+namespace {
+
+int decimalsFor(const FigureScale& scale) {
+    const QList<double> ticks = scale.division.ticks(QwtScaleDiv::MajorTick);
+    if (scale.isLogarithmic || ticks.size() < 2) {
+        return -1;
+    }
+    const double step = std::abs(ticks[1] - ticks[0]);
+    const double largest = std::max(std::abs(ticks.first()), std::abs(ticks.last()));
+    if (step < 1e-6 || largest >= 1e7) {
+        return -1;
+    }
+    // Steps are 1, 2 or 5 times a power of ten, or whole numbers such as 45.
+    return std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+}
+
+} // namespace
+
+FigureAxis::FigureAxis(const FigureScale& scale, Alignment alignment, const QRectF& canvas)
+    : m_decimals(decimalsFor(scale)) {
+    const bool isLeft = alignment == LeftScale;
+    setAlignment(alignment);
+    if (scale.isLogarithmic) {
+        setTransformation(new QwtLogTransform); // owned by the scale
+    }
+    setScaleDiv(scale.division);
+    enableComponent(Backbone, false);
+    setTickLength(QwtScaleDiv::MinorTick, 2.0);
+    setTickLength(QwtScaleDiv::MediumTick, 2.0);
+    setTickLength(QwtScaleDiv::MajorTick, 5.0);
+    move(isLeft ? canvas.topLeft() : canvas.bottomLeft());
+    setLength(isLeft ? canvas.height() : canvas.width());
+}
+
+QwtText FigureAxis::label(double value) const {
+    if (m_decimals < 0) {
+        return QLocale::c().toString(value, 'g', 6);
+    }
+    const double unit = std::pow(10.0, -m_decimals);
+    const double shown = std::abs(value) < 0.5 * unit ? 0.0 : value; // never "-0.0"
+    return QLocale::c().toString(shown, 'f', m_decimals);
+}
+
+} // namespace halbench::widgets

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "widgets/figure_scales.h"
+
+#include <qwt_scale_draw.h>
+
+namespace halbench::widgets {
+
+/// Ticks and labels of one side of a panel. All labels of an axis have the same number of decimals, as many
+/// as the distance of the ticks needs.
+class FigureAxis : public QwtScaleDraw {
+public:
+    FigureAxis(const FigureScale& scale, Alignment alignment, const QRectF& canvas);
+
+    QwtText label(double value) const override;
+
+private:
+    int m_decimals = -1; ///< negative: shortest notation, for logarithmic, very small and very large scales
+};
+
+} // namespace halbench::widgets

@@ -1,0 +1,280 @@
+#include "widgets/figure_painter.h"
+
+#include "widgets/decimation.h"
+#include "widgets/figure_axis.h"
+#include "widgets/figure_scales.h"
+#include "widgets/unit_text.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <QPalette>
+#include <QVector>
+#include <qwt_painter.h>
+#include <qwt_plot_curve.h>
+#include <qwt_plot_grid.h>
+#include <qwt_symbol.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace halbench::widgets {
+namespace {
+
+constexpr double CurveWidth_px = 1.5;
+constexpr double SymbolSize_px = 6.0;
+constexpr std::size_t ColumnsPerPixel = 2;
+
+bool isMarkers(CurveStyle style) {
+    return style == CurveStyle::Points || style == CurveStyle::HollowPoints;
+}
+
+QPen curvePen(CurveStyle style, const QColor& colour) {
+    QPen pen(colour, isMarkers(style) ? 1.2 : CurveWidth_px);
+    pen.setStyle(style == CurveStyle::DashedLine   ? Qt::DashLine
+                 : style == CurveStyle::DottedLine ? Qt::DotLine
+                                                   : Qt::SolidLine);
+    pen.setJoinStyle(Qt::RoundJoin);
+    return pen;
+}
+
+void drawMarker(QPainter& painter, CurveStyle style, const QColor& colour, const QPointF& centre) {
+    const QwtSymbol symbol(QwtSymbol::Ellipse,
+                           style == CurveStyle::Points ? QBrush(colour) : QBrush(Qt::NoBrush),
+                           curvePen(style, colour), QSize(int(SymbolSize_px), int(SymbolSize_px)));
+    symbol.drawSymbol(&painter, centre);
+}
+
+QString titleOf(const Axis& axis) {
+    const QString quantity = QString::fromStdString(axis.quantity);
+    return axis.unit.empty()
+               ? quantity
+               : QStringLiteral("%1 [%2]").arg(quantity, QString::fromStdString(unitText(axis.unit)));
+}
+
+/// Everything that belongs to one panel.
+class PanelPainter {
+public:
+    PanelPainter(QPainter& painter, const Theme& theme, const QRectF& canvas, const FigureScale& x,
+                 const FigureScale& y)
+        : m_painter(painter), m_theme(theme), m_canvas(canvas), m_x(x), m_y(y),
+          m_xMap(x.map(canvas.left(), canvas.right())), m_yMap(y.map(canvas.bottom(), canvas.top())) {}
+
+    void drawBackground() {
+        m_painter.fillRect(m_canvas, m_theme.plotBackground);
+        QwtPlotGrid grid;
+        grid.setPen(m_theme.plotGrid, 1.0);
+        grid.setXDiv(m_x.division);
+        grid.setYDiv(m_y.division);
+        grid.draw(&m_painter, m_xMap, m_yMap, m_canvas);
+        m_painter.setPen(QPen(m_theme.line, 1.0));
+        m_painter.setBrush(Qt::NoBrush);
+        m_painter.drawRect(m_canvas);
+    }
+
+    void drawReferenceLine(const ReferenceLine& line) {
+        const std::optional<double> at_px = placeOf(line);
+        if (at_px) {
+            m_painter.setPen(QPen(m_theme.muted, 1.0, Qt::DashLine));
+            m_painter.drawLine(isHorizontal(line)
+                                   ? QLineF(m_canvas.left(), *at_px, m_canvas.right(), *at_px)
+                                   : QLineF(*at_px, m_canvas.top(), *at_px, m_canvas.bottom()));
+        }
+    }
+
+    /// Drawn after the curves, where none of them runs; else on a patch of background that keeps it readable.
+    void drawReferenceLabel(const ReferenceLine& line, const std::vector<Curve>& curves) {
+        const std::optional<double> at_px = placeOf(line);
+        if (!at_px || line.label.empty()) {
+            return;
+        }
+        const QString label = QString::fromStdString(line.label);
+        const QSizeF size(QFontMetricsF(figureFont()).horizontalAdvance(label) + 4.0, 14.0);
+        const std::vector<QRectF> places = labelPlaces(line, *at_px, size);
+        const auto isFree = [&](const QRectF& place) {
+            return m_canvas.contains(place) && !isCrossed(place, curves);
+        };
+        const auto found = std::find_if(places.begin(), places.end(), isFree);
+        const QRectF place = found != places.end() ? *found : places.front();
+        if (found == places.end()) {
+            m_painter.fillRect(place, m_theme.plotBackground);
+        }
+        m_painter.setFont(figureFont());
+        m_painter.setPen(m_theme.muted);
+        m_painter.drawText(QPointF(place.left() + 2.0, place.bottom() - 3.0), label);
+    }
+
+    void drawCurve(const Curve& curve, const QColor& colour) {
+        const auto columns = static_cast<std::size_t>(m_canvas.width()) * ColumnsPerPixel;
+        const auto stretches =
+            decimated(curve.x, curve.y, m_x.division.lowerBound(), m_x.division.upperBound(), columns);
+        for (const Polyline& stretch : stretches) {
+            if (isMarkers(curve.style)) {
+                drawMarkers(stretch, curve.style, colour);
+            } else {
+                drawLine(stretch, curvePen(curve.style, colour));
+            }
+        }
+    }
+
+    void drawScale(QwtScaleDraw::Alignment alignment, bool hasLabels) {
+        const bool isLeft = alignment == QwtScaleDraw::LeftScale;
+        FigureAxis scale(isLeft ? m_y : m_x, alignment, m_canvas);
+        scale.enableComponent(QwtAbstractScaleDraw::Labels, hasLabels);
+        QPalette palette;
+        palette.setColor(QPalette::WindowText, m_theme.plotAxis);
+        palette.setColor(QPalette::Text, m_theme.muted);
+        m_painter.setFont(figureFont());
+        scale.draw(&m_painter, palette);
+    }
+
+private:
+    static bool isHorizontal(const ReferenceLine& line) {
+        return line.direction == ReferenceLine::Direction::Horizontal;
+    }
+
+    /// Both sides of the line, at its far end first.
+    std::vector<QRectF> labelPlaces(const ReferenceLine& line, double at_px, const QSizeF& size) const {
+        std::vector<QRectF> places;
+        if (isHorizontal(line)) {
+            for (const double x_px : {m_canvas.right() - size.width() - 3.0, m_canvas.left() + 3.0}) {
+                places.emplace_back(QPointF(x_px, at_px - size.height() - 1.0), size);
+                places.emplace_back(QPointF(x_px, at_px + 1.0), size);
+            }
+        } else {
+            for (const double y_px : {m_canvas.top() + 2.0, m_canvas.bottom() - size.height() - 2.0}) {
+                places.emplace_back(QPointF(at_px + 2.0, y_px), size);
+                places.emplace_back(QPointF(at_px - size.width() - 2.0, y_px), size);
+            }
+        }
+        return places;
+    }
+
+    /// Whether a curve's segment comes into the rectangle; judged by the box around each segment.
+    bool isCrossed(const QRectF& place, const std::vector<Curve>& curves) const {
+        for (const Curve& curve : curves) {
+            for (std::size_t i = 0; i + 1 < curve.x.size(); ++i) {
+                const QPointF from(m_xMap.transform(curve.x[i]), m_yMap.transform(curve.y[i]));
+                const QPointF to(m_xMap.transform(curve.x[i + 1]), m_yMap.transform(curve.y[i + 1]));
+                if (QRectF(from, to).normalized().adjusted(-1.0, -1.0, 1.0, 1.0).intersects(place)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /// Pixel row or column of the line; nothing when it lies outside the panel.
+    std::optional<double> placeOf(const ReferenceLine& line) const {
+        const double at_px = std::round((isHorizontal(line) ? m_yMap : m_xMap).transform(line.at));
+        const bool isInside = isHorizontal(line) ? at_px >= m_canvas.top() && at_px <= m_canvas.bottom()
+                                                 : at_px >= m_canvas.left() && at_px <= m_canvas.right();
+        return isInside ? std::optional<double>(at_px) : std::nullopt;
+    }
+
+    void drawMarkers(const Polyline& points, CurveStyle style, const QColor& colour) {
+        for (const auto& [x, y] : points) {
+            const QPointF centre(m_xMap.transform(x), m_yMap.transform(y));
+            if (m_canvas.contains(centre)) {
+                drawMarker(m_painter, style, colour, centre);
+            }
+        }
+    }
+
+    void drawLine(const Polyline& points, const QPen& pen) {
+        QVector<double> x;
+        QVector<double> y;
+        for (const auto& point : points) {
+            x.push_back(point.first);
+            y.push_back(point.second);
+        }
+        QwtPlotCurve curve;
+        curve.setPen(pen);
+        curve.setSamples(x, y);
+        QwtPainter::setRoundingAlignment(false); // else points snap to whole pixels and the line wobbles
+        curve.draw(&m_painter, m_xMap, m_yMap, m_canvas);
+        QwtPainter::setRoundingAlignment(true);
+    }
+
+    QPainter& m_painter;
+    const Theme& m_theme;
+    QRectF m_canvas;
+    const FigureScale& m_x;
+    const FigureScale& m_y;
+    QwtScaleMap m_xMap;
+    QwtScaleMap m_yMap;
+};
+
+void drawLegend(QPainter& painter, const FigureLayout::PanelPlace& place, const Theme& theme) {
+    painter.setFont(figureFont());
+    for (const FigureLayout::LegendEntry& entry : place.legend) {
+        const QColor colour = theme.curves[static_cast<std::size_t>(entry.colour)];
+        const QPointF middle(entry.left + 9.0, entry.baseline - 4.0);
+        if (isMarkers(entry.curve->style)) {
+            drawMarker(painter, entry.curve->style, colour, middle);
+        } else {
+            painter.setPen(curvePen(entry.curve->style, colour));
+            painter.drawLine(middle - QPointF(9.0, 0.0), middle + QPointF(9.0, 0.0));
+        }
+        painter.setPen(theme.text);
+        painter.drawText(QPointF(entry.left + 24.0, entry.baseline),
+                         QString::fromStdString(entry.curve->label));
+    }
+}
+
+void drawVerticalTitle(QPainter& painter, const QString& title, const QRectF& canvas, const Theme& theme) {
+    painter.save();
+    painter.setFont(figureFont());
+    painter.setPen(theme.text);
+    painter.translate(18.0, canvas.center().y());
+    painter.rotate(-90.0);
+    painter.drawText(QPointF(-0.5 * QFontMetricsF(figureFont()).horizontalAdvance(title), 0.0), title);
+    painter.restore();
+}
+
+void drawHorizontalTitle(QPainter& painter, const QString& title, const QRectF& canvas, const Theme& theme) {
+    painter.setFont(figureFont());
+    painter.setPen(theme.text);
+    const double width_px = QFontMetricsF(figureFont()).horizontalAdvance(title);
+    painter.drawText(QPointF(canvas.center().x() - 0.5 * width_px, canvas.bottom() + 36.0), title);
+}
+
+} // namespace
+
+void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& layout, const Theme& theme) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.translate(0.5, 0.5); // one-pixel lines fill whole pixels
+    painter.setFont(figureFont(true));
+    painter.setPen(theme.text);
+    painter.drawText(QPointF(layout.panels.front().canvas.left(), layout.titleBaseline),
+                     QString::fromStdString(figure.title));
+    for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+        const Panel& panel = figure.panels[i];
+        const FigureLayout::PanelPlace& place = layout.panels[i];
+        const bool isLast = i + 1 == figure.panels.size();
+        const FigureScale x = horizontalScale(figure, place.canvas.width());
+        const FigureScale y = verticalScale(panel, place.canvas.height());
+        PanelPainter panelPainter(painter, theme, place.canvas, x, y);
+        panelPainter.drawBackground();
+        for (const ReferenceLine& line : panel.lines) {
+            panelPainter.drawReferenceLine(line);
+        }
+        for (std::size_t k = 0; k < panel.curves.size(); ++k) {
+            const int colour = panel.curves[k].colour.value_or(static_cast<int>(k)) % 8;
+            panelPainter.drawCurve(panel.curves[k], theme.curves[static_cast<std::size_t>(colour)]);
+        }
+        for (const ReferenceLine& line : panel.lines) {
+            panelPainter.drawReferenceLabel(line, panel.curves);
+        }
+        panelPainter.drawScale(QwtScaleDraw::LeftScale, true);
+        panelPainter.drawScale(QwtScaleDraw::BottomScale, isLast);
+        drawLegend(painter, place, theme);
+        drawVerticalTitle(painter, titleOf(panel.y), place.canvas, theme);
+        if (isLast) {
+            drawHorizontalTitle(painter, titleOf(figure.x), place.canvas, theme);
+        }
+    }
+}
+
+} // namespace halbench::widgets
