@@ -110,6 +110,13 @@ Result<std::vector<ParameterValue>> parseAssignments(const devices::Catalogue& c
             !checked) {
             return failure(checked.error());
         }
+        const bool isRepeated = std::any_of(values.begin(), values.end(), [&](const ParameterValue& earlier) {
+            return earlier.name == value->name;
+        });
+        if (isRepeated) {
+            return failure(ErrorCode::Usage, fmt::format("parameter '{}' is given twice", value->name),
+                           "name it once");
+        }
         values.push_back(*std::move(value));
     }
     return values;

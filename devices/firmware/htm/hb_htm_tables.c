@@ -17,6 +17,7 @@ static const char FaultChoices[] HB_ROM =
 static const char OffOn[] HB_ROM = "off|on";
 static const char LawChoices[] HB_ROM = "positional|literal difference equation|literal with clamped memory";
 static const char DecodeChoices[] HB_ROM = "arctangent|linear";
+static const char DelayChoices[] HB_ROM = "none|one sample|two samples";
 static const char ArmChoices[] HB_ROM = "disarmed|armed";
 static const char ModeChoices[] HB_ROM = "idle|current|position|d-axis";
 static const char StopChoices[] HB_ROM = "run|stop";
@@ -114,7 +115,7 @@ const hb_parameter hb_htm_parameter_table[] HB_ROM = {
     PAGED("stray.coefficient", "T/A", stray_coefficient, 2.5e-3F, -0.05F, 0.05F, NULL,
           "Field of a phase current at its own sensor"),
     PAGED("decode.method", "", decode_method, 0.0F, 0.0F, 1.0F, DecodeChoices, "Angle from the two fields"),
-    PAGED("delay.samples", "", delay_samples, 0.0F, 0.0F, 2.0F, NULL,
+    PAGED("delay.samples", "", delay_samples, 0.0F, 0.0F, 2.0F, DelayChoices,
           "Delay of the position loop in its samples"),
     PAGED("commutation.divider", "", commutation_divider, 1.0F, 1.0F, 100.0F, NULL,
           "Commutate every n-th millisecond"),

@@ -181,9 +181,12 @@ static void receiveUnconnected(hb_xcp* slave, const uint8_t* packet, uint16_t le
     }
 }
 
+/* Lower first octets are stimulation data, which are never answered. */
+enum { FIRST_COMMAND = 0xC0 };
+
 void hb_xcp_receive(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
     uint8_t result;
-    if (length == 0 || length > HB_MAX_CTO) {
+    if (length == 0 || length > HB_MAX_CTO || packet[0] < FIRST_COMMAND) {
         return;
     }
     if (!slave->connected) {
