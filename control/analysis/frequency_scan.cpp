@@ -64,17 +64,19 @@ void addAround(std::vector<double>& frequencies, Complex point, double from_rad_
     }
 }
 
-/// Rounding leaves fewer than four digits of the denominator.
-bool isDrowned(const TransferFunction& system, double frequency_rad_s) {
-    if (system.timeBase().isContinuous()) {
-        return false;
-    }
+/// Lowest frequency at which rounding leaves four digits of the denominator of a sampled system.
+double clearFrom_rad_s(const TransferFunction& system, const std::vector<double>& frequencies) {
     double sum = 0.0;
     for (const double coefficient : system.denominator()) {
         sum += std::abs(coefficient);
     }
-    const Complex z = std::polar(1.0, frequency_rad_s * system.timeBase().period_s());
-    return std::abs(evaluate(system.denominator(), z)) < 1e-12 * sum;
+    const auto isDrowned = [&](double frequency_rad_s) {
+        const Complex z = std::polar(1.0, frequency_rad_s * system.timeBase().period_s());
+        return std::abs(evaluate(system.denominator(), z)) < 1e-12 * sum;
+    };
+    // Only a cluster of poles at z = 1 does this, and it clears with distance.
+    const auto clear = std::partition_point(frequencies.begin(), frequencies.end(), isDrowned);
+    return clear == frequencies.end() ? frequencies.back() : *clear;
 }
 
 } // namespace
@@ -105,7 +107,10 @@ std::vector<double> scanFrequencies(const TransferFunction& system) {
     }
     std::sort(frequencies.begin(), frequencies.end());
     frequencies.erase(std::unique(frequencies.begin(), frequencies.end()), frequencies.end());
-    std::erase_if(frequencies, [&system](double frequency) { return isDrowned(system, frequency); });
+    if (base.isSampled()) {
+        const double least_rad_s = clearFrom_rad_s(system, frequencies);
+        std::erase_if(frequencies, [least_rad_s](double frequency) { return frequency < least_rad_s; });
+    }
     return frequencies;
 }
 

@@ -39,16 +39,32 @@ bool isOnNegativeAxis(Complex value) {
     return value.real() < 0.0 && std::abs(value.imag()) < 1e-3 * std::abs(value);
 }
 
-std::vector<Crossing> crossingsOn(const TransferFunction& openLoop, const std::vector<double>& frequencies) {
+/// The loop over its scan, looked at once.
+struct Scan {
+    std::vector<double> frequency_rad_s;
+    std::vector<Complex> value;
+};
+
+Scan scan(const TransferFunction& openLoop) {
+    Scan result{scanFrequencies(openLoop), {}};
+    result.value.reserve(result.frequency_rad_s.size());
+    for (const double frequency : result.frequency_rad_s) {
+        result.value.push_back(openLoop.atFrequency(frequency));
+    }
+    return result;
+}
+
+std::vector<Crossing> crossingsOn(const TransferFunction& openLoop, const Scan& scanned) {
+    const std::vector<double>& frequencies = scanned.frequency_rad_s;
     const auto level = [&openLoop](double w) { return std::log(std::abs(openLoop.atFrequency(w))); };
     const auto height = [&openLoop](double w) { return openLoop.atFrequency(w).imag(); };
     const bool isSampled = openLoop.timeBase().isSampled();
     std::vector<Crossing> crossings;
-    Complex before;
     for (std::size_t i = 0; i < frequencies.size(); ++i) {
-        const Complex here = openLoop.atFrequency(frequencies[i]);
+        const Complex here = scanned.value[i];
+        const Complex before = scanned.value[i == 0 ? 0 : i - 1];
         const bool isNyquist = isSampled && i + 1 == frequencies.size();
-        if (i > 0 && changesSign(std::log(std::abs(before)), std::log(std::abs(here)))) {
+        if (i > 0 && changesSign(std::norm(before) - 1.0, std::norm(here) - 1.0)) {
             crossings.push_back(gainCrossing(openLoop, bisect(level, frequencies[i - 1], frequencies[i])));
         }
         if (i > 0 && !isNyquist && changesSign(before.imag(), here.imag())) {
@@ -60,7 +76,6 @@ std::vector<Crossing> crossingsOn(const TransferFunction& openLoop, const std::v
         if (isNyquist && here.real() < 0.0) {
             crossings.push_back(phaseCrossing(openLoop, frequencies[i]));
         }
-        before = here;
     }
     std::sort(crossings.begin(), crossings.end(),
               [](const Crossing& a, const Crossing& b) { return a.frequency_rad_s < b.frequency_rad_s; });
@@ -85,17 +100,24 @@ void takeIfSmaller(StabilityMargins& margins, const Crossing& crossing) {
 } // namespace
 
 std::vector<Crossing> allCrossings(const TransferFunction& openLoop) {
-    return crossingsOn(openLoop, scanFrequencies(openLoop));
+    return crossingsOn(openLoop, scan(openLoop));
 }
 
 StabilityMargins smallestMargins(const TransferFunction& openLoop) {
-    const std::vector<double> frequencies = scanFrequencies(openLoop);
+    const Scan scanned = scan(openLoop);
     StabilityMargins margins;
-    for (const Crossing& crossing : crossingsOn(openLoop, frequencies)) {
+    for (const Crossing& crossing : crossingsOn(openLoop, scanned)) {
         takeIfSmaller(margins, crossing);
     }
     const auto distance = [&openLoop](double w) { return std::abs(1.0 + openLoop.atFrequency(w)); };
-    margins.modulusMargin = distance(scanMinimum(distance, frequencies));
+    const auto nearest =
+        std::min_element(scanned.value.begin(), scanned.value.end(),
+                         [](Complex a, Complex b) { return std::norm(1.0 + a) < std::norm(1.0 + b); });
+    const auto at = static_cast<std::size_t>(nearest - scanned.value.begin());
+    const std::size_t last = scanned.value.size() - 1;
+    const double refined_rad_s = goldenMinimum(distance, scanned.frequency_rad_s[at == 0 ? 0 : at - 1],
+                                               scanned.frequency_rad_s[std::min(at + 1, last)]);
+    margins.modulusMargin = std::min(distance(refined_rad_s), std::abs(1.0 + *nearest));
     return margins;
 }
 

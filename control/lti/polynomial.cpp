@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace halbench::control {
 
@@ -34,6 +35,20 @@ Complex newtonStep(const Polynomial& p, Complex x) {
     return x / (static_cast<double>(n) - y * slope / value);
 }
 
+/// The value at x is nothing but rounding: x is a root as far as the coefficients tell.
+bool isRootToRounding(const Polynomial& p, Complex x) {
+    double bound = 0.0;
+    const bool isOutside = std::abs(x) > 1.0;
+    const Complex y = isOutside ? 1.0 / x : x;
+    Complex value = 0.0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const double coefficient = isOutside ? p[p.size() - 1 - i] : p[i];
+        value = value * y + coefficient;
+        bound = bound * std::abs(y) + std::abs(coefficient);
+    }
+    return std::abs(value) <= 2.0 * std::numeric_limits<double>::epsilon() * bound;
+}
+
 /// Points on a circle, turned so that none is real and no two are conjugate.
 std::vector<Complex> startingPoints(std::size_t count) {
     std::vector<Complex> points(count);
@@ -49,6 +64,9 @@ std::vector<Complex> startingPoints(std::size_t count) {
 double improve(const Polynomial& p, std::vector<Complex>& points) {
     double largest = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i) {
+        if (isRootToRounding(p, points[i])) {
+            continue;
+        }
         Complex repulsion = 0.0;
         for (std::size_t j = 0; j < points.size(); ++j) {
             if (j != i && points[i] != points[j]) {
@@ -139,11 +157,17 @@ int degree(const Polynomial& polynomial) {
 }
 
 std::complex<double> evaluate(const Polynomial& polynomial, std::complex<double> x) {
-    Complex value = 0.0;
+    // Written out: the compiler's complex product checks every factor for infinities, five times the work.
+    const double xr = x.real();
+    const double xi = x.imag();
+    double re = 0.0;
+    double im = 0.0;
     for (const double coefficient : polynomial) {
-        value = value * x + coefficient;
+        const double next = re * xr - im * xi + coefficient;
+        im = re * xi + im * xr;
+        re = next;
     }
-    return value;
+    return {re, im};
 }
 
 Polynomial fromRoots(const std::vector<std::complex<double>>& roots) {

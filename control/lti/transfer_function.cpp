@@ -66,7 +66,14 @@ TransferFunction TransferFunction::padeDelay(double delay_s, int order) {
 }
 
 std::complex<double> TransferFunction::at(std::complex<double> point) const {
-    return evaluate(m_numerator, point) / evaluate(m_denominator, point);
+    const std::complex<double> numerator = evaluate(m_numerator, point);
+    const std::complex<double> denominator = evaluate(m_denominator, point);
+    const double square = std::norm(denominator);
+    if (!std::isnormal(square)) {
+        return numerator / denominator; // at a pole, or beyond the range of a plain quotient
+    }
+    return {(numerator.real() * denominator.real() + numerator.imag() * denominator.imag()) / square,
+            (numerator.imag() * denominator.real() - numerator.real() * denominator.imag()) / square};
 }
 
 std::complex<double> TransferFunction::atFrequency(double frequency_rad_s) const {
