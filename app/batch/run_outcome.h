@@ -1,0 +1,71 @@
+#pragma once
+
+#include "app/batch/experiment.h"
+#include "app/batch/json_value.h"
+#include "app/procedures/apply_procedure.h"
+#include "app/procedures/calibrate_procedure.h"
+#include "app/procedures/identify_procedure.h"
+#include "app/procedures/move_procedure.h"
+#include "app/procedures/record_procedure.h"
+#include "app/procedures/tune.h"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace halbench::app {
+
+/// A move with what ran it: the law on the board, for the report's ideal loop.
+struct MoveOutcome {
+    MoveConfig config;
+    control::PositionLaw law;
+    MoveResult result;
+};
+
+/// The procedure's own result, for later steps and the report.
+using StepDetail = std::variant<std::monostate, IdentifyResult, CalibrateResult, TuneResult, AnalysisResult,
+                                ApplyResult, MoveOutcome, RecordResult>;
+
+struct StepOutcome {
+    std::string kind;
+    std::string name;
+    DataQuality quality;
+    JsonValue body = JsonValue::object(); ///< as in result.json; checks look their quantities up here
+    StepDetail detail;
+
+    /// What is written as NAME.csv; nullptr when the step recorded nothing.
+    const Recording* recording() const;
+};
+
+struct CheckOutcome {
+    std::string quantity; ///< STEP.QUANTITY
+    std::optional<double> value;
+    std::string unit;
+    std::optional<double> min;
+    std::optional<double> max;
+    std::string reason;
+    bool passed = false;
+};
+
+/// What a whole run gave. `stoppedBy` holds the error of a step that ended it early.
+struct RunOutcome {
+    std::vector<StepOutcome> steps;
+    std::vector<CheckOutcome> checks;
+    std::optional<Error> stoppedBy;
+    bool passed = false;
+};
+
+/// A number in a step's body by its path: members by name (a name may hold dots), items by index. `.ci95_lo`
+/// and `.ci95_hi` mean the ends of the interval beside `.value`; J, c, Kf and phi stand for the long names of
+/// parameters. Nothing when it is missing or not a number.
+std::optional<double> findQuantity(const JsonValue& body, const std::string& path);
+
+/// Unit of a quantity: the member "unit" beside it, else what its name ends with.
+std::string quantityUnit(const JsonValue& body, const std::string& path);
+
+/// Judges every check; a missing step, missing quantity or non-finite value fails.
+std::vector<CheckOutcome> judgeChecks(const std::vector<ExperimentCheck>& checks,
+                                      const std::vector<StepOutcome>& steps);
+
+} // namespace halbench::app

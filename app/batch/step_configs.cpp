@@ -1,0 +1,167 @@
+#include "app/batch/step_configs.h"
+
+#include "app/batch/command_support.h"
+#include "app/batch/names.h"
+#include "app/batch/presets.h"
+
+#include <algorithm>
+
+namespace halbench::app {
+
+namespace {
+
+tl::unexpected<Error> at(const ConfigNode& node, Error error) {
+    error.message = node.where() + ": " + error.message;
+    return failure(std::move(error));
+}
+
+Result<void> checkValues(const ConfigNode& place, const std::vector<ParameterValue>& values,
+                         const devices::Catalogue& catalogue) {
+    for (const ParameterValue& value : values) {
+        const ParameterSpec* spec = catalogue.findParameter(value.name);
+        if (spec == nullptr) {
+            return at(place, unknownName(catalogue, value.name));
+        }
+        if (const Result<void> valid = checkParameterValue(*spec, value.value); !valid) {
+            return at(place, valid.error());
+        }
+    }
+    return {};
+}
+
+Result<void> checkSweep(const ExperimentStep& step, const devices::Catalogue& catalogue) {
+    const Result<IdentifyConfig> config = identifyConfigOf(step);
+    if (!config) {
+        return failure(config.error());
+    }
+    const ParameterSpec* limit = catalogue.findParameter(catalogue.parameterForRole("limit.current"));
+    const Result<std::vector<double>> currents =
+        sweepCurrents_A(config->sweep, limit == nullptr ? 1e9 : limit->max);
+    const ConfigNode* sweep = step.find("currents_A");
+    return currents ? Result<void>() : at(sweep != nullptr ? *sweep : step.keys, currents.error());
+}
+
+Result<void> checkSignals(const ExperimentStep& step, const devices::Catalogue& catalogue) {
+    for (const std::string& name : step.texts("signals")) {
+        if (catalogue.findSignal(name) == nullptr) {
+            return at(*step.find("signals"), unknownName(catalogue, name));
+        }
+    }
+    return {};
+}
+
+Result<void> checkPreset(const ExperimentStep& step, const devices::Catalogue& catalogue,
+                         const std::string& model) {
+    const std::optional<std::string> name = step.text("preset");
+    if (!name) {
+        return {};
+    }
+    const Result<Preset> preset = findPreset(model, *name);
+    return preset ? checkValues(*step.find("preset"), preset->values, catalogue)
+                  : at(*step.find("preset"), preset.error());
+}
+
+Result<void> checkStep(const ExperimentStep& step, const devices::Catalogue& catalogue,
+                       const std::string& model) {
+    if (step.kind == "identify") {
+        return checkSweep(step, catalogue);
+    }
+    if (step.kind == "move") {
+        const Result<MoveConfig> config = moveConfigOf(step);
+        return config ? Result<void>() : failure(config.error());
+    }
+    if (step.kind == "record") {
+        return checkSignals(step, catalogue);
+    }
+    if (step.kind == "set") {
+        return checkValues(*step.find("values"), valuesOf(step), catalogue);
+    }
+    return checkPreset(step, catalogue, model);
+}
+
+} // namespace
+
+Result<IdentifyConfig> identifyConfigOf(const ExperimentStep& step) {
+    IdentifyConfig config;
+    config.sweep.from_A = step.number("currents_A.from").value_or(config.sweep.from_A);
+    config.sweep.to_A = step.number("currents_A.to").value_or(config.sweep.to_A);
+    config.sweep.step_A = step.number("currents_A.step").value_or(config.sweep.step_A);
+    config.speedLimit_rad_s = step.number("speed_limit_rad_s").value_or(config.speedLimit_rad_s);
+    config.usableSpeed_rad_s = step.number("usable_speed_rad_s").value_or(config.usableSpeed_rad_s);
+    config.directions = *sweepDirections(step.text("directions").value_or("both"));
+    for (const auto& [symbol, value] : step.numbers("given")) {
+        if (const Result<void> set = setGivenConstant(config.given, symbol, value); !set) {
+            return at(*step.find("given"), set.error());
+        }
+    }
+    return config;
+}
+
+Result<CalibrateConfig> calibrateConfigOf(const ExperimentStep& step) {
+    CalibrateConfig config;
+    Result<std::vector<Calibration>> which = calibrationsFrom(step.text("what").value_or("all"));
+    if (!which) {
+        return at(step.keys, which.error());
+    }
+    config.which = *std::move(which);
+    config.apply = step.isTrue("apply");
+    return config;
+}
+
+Result<MoveConfig> moveConfigOf(const ExperimentStep& step) {
+    MoveConfig config;
+    const ConfigNode& reference = *step.find("reference");
+    const Result<MoveReference::Shape> shape = moveShape(*step.text("reference.shape"));
+    if (!shape) {
+        return at(reference, shape.error());
+    }
+    config.reference.shape = *shape;
+    for (const ConfigNode::Member& member : reference.members) {
+        const Result<void> set = member.first == "shape"
+                                     ? Result<void>()
+                                     : setMoveReference(config.reference, member.first, member.second.number);
+        if (!set) {
+            return at(member.second, set.error());
+        }
+    }
+    if (const Result<void> valid = checkMoveReference(config.reference); !valid) {
+        return at(reference, valid.error());
+    }
+    config.duration_s = *step.number("duration_s");
+    config.evaluateFrom_s = step.number("evaluate_from_s");
+    config.evaluateTo_s = step.number("evaluate_to_s");
+    return config;
+}
+
+RecordConfig recordConfigOf(const ExperimentStep& step) {
+    RecordConfig config;
+    config.signals = step.texts("signals");
+    config.rate_Hz = step.number("rate_hz").value_or(config.rate_Hz);
+    config.duration_s = *step.number("duration_s");
+    return config;
+}
+
+control::DesignTargets designTargetsOf(const ExperimentStep& step) {
+    return {step.number("zeta"), step.number("omega_rad_s"), step.number("bandwidth_hz"),
+            step.number("phase_margin_deg")};
+}
+
+std::vector<ParameterValue> valuesOf(const ExperimentStep& step) {
+    std::vector<ParameterValue> values;
+    for (const auto& [name, value] : step.numbers("values")) {
+        values.push_back({name, value});
+    }
+    return values;
+}
+
+Result<void> checkAgainstDevice(const Experiment& experiment, const devices::Device& device) {
+    for (const ExperimentStep& step : experiment.steps) {
+        const Result<void> valid = checkStep(step, device.catalogue(), device.info().model);
+        if (!valid) {
+            return valid;
+        }
+    }
+    return {};
+}
+
+} // namespace halbench::app
