@@ -9,5 +9,12 @@ CommandResult runDevicesCommand(CommandContext& context, const CommandOptions& o
 CommandResult runDescribeCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runGetCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runSetCommand(CommandContext& context, const CommandOptions& options);
+CommandResult runRecordCommand(CommandContext& context, const CommandOptions& options);
+CommandResult runMoveCommand(CommandContext& context, const CommandOptions& options);
+CommandResult runCalibrateCommand(CommandContext& context, const CommandOptions& options);
+CommandResult runIdentifyCommand(CommandContext& context, const CommandOptions& options);
+CommandResult runTuneCommand(CommandContext& context, const CommandOptions& options);
+CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& options);
+CommandResult runServeCommand(CommandContext& context, const CommandOptions& options);
 
 } // namespace halbench::app

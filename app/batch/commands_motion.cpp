@@ -1,33 +1,13 @@
 #include "app/batch/command_support.h"
-#include "app/batch/names.h"
 #include "app/batch/numbers.h"
 #include "app/batch/recording_file.h"
 #include "app/batch/result_documents.h"
-#include "app/procedures/record_procedure.h"
 
 #include <fmt/format.h>
 
 namespace halbench::app {
 
 namespace {
-
-Result<RecordConfig> recordConfigFrom(const CommandOptions& options) {
-    RecordConfig config;
-    config.signals = splitList(options.signals);
-    const Result<double> duration = numberOption("--duration", options.duration);
-    if (!duration) {
-        return failure(duration.error());
-    }
-    config.duration_s = *duration;
-    if (!options.rate.empty()) {
-        const Result<double> rate = numberOption("--rate", options.rate);
-        if (!rate) {
-            return failure(rate.error());
-        }
-        config.rate_Hz = *rate;
-    }
-    return config;
-}
 
 std::string moveText(const MoveResult& result) {
     std::string text;
@@ -52,36 +32,6 @@ std::string calibrationText(const CalibrateResult& result) {
 }
 
 } // namespace
-
-CommandResult runRecordCommand(CommandContext& context, const CommandOptions& options) {
-    const Result<RecordConfig> config = recordConfigFrom(options);
-    if (!config) {
-        return failure(config.error());
-    }
-    const Result<std::unique_ptr<devices::Device>> device = openDeviceFor(context, options.device);
-    if (!device) {
-        return failure(device.error());
-    }
-    const Result<RecordResult> result = runRecord(**device, *config, observerFor(context));
-    if (!result) {
-        return failure(result.error());
-    }
-    ResultHeader header = headerFor(context, "halbench.recording/1", **device);
-    header.quality = result->quality;
-    if (const Result<void> written = writeRecording(options.out, result->recording, **device, header.started);
-        !written) {
-        return failure(written.error());
-    }
-    JsonValue document = toJson(header);
-    document.set("rows", static_cast<std::uint64_t>(result->recording.rows()));
-    document.set("lost_rows", result->recording.lostRows);
-    context.console.log(LogLevel::Info,
-                        fmt::format("wrote {} ({} rows)", options.out, result->recording.rows()));
-    if (const Result<void> printed = context.console.printDocument(document); !printed) {
-        return failure(printed.error());
-    }
-    return ExitCode::Done;
-}
 
 CommandResult runMoveCommand(CommandContext& context, const CommandOptions& options) {
     const Result<MoveReference> reference = parseMoveReference(options.reference);

@@ -2,7 +2,6 @@
 #include "app/batch/loop_conditions.h"
 #include "app/batch/model_file.h"
 #include "app/batch/numbers.h"
-#include "app/batch/output_file.h"
 #include "app/batch/result_documents.h"
 #include "devices/device_uri.h"
 
@@ -151,38 +150,6 @@ Result<TuneResult> tuneFrom(const CommandOptions& options, const TuningSource& s
     return runTune(source.estimate, config);
 }
 
-Result<void> writeColumns(const std::string& path, const std::string& header,
-                          const std::vector<const std::vector<double>*>& columns) {
-    if (path.empty()) {
-        return {};
-    }
-    std::string text = header + "\n";
-    for (std::size_t row = 0; row < columns.front()->size(); ++row) {
-        for (std::size_t column = 0; column < columns.size(); ++column) {
-            text += (column == 0 ? "" : ",") + formatNumber((*columns[column])[row]);
-        }
-        text += '\n';
-    }
-    return writeFile(path, text);
-}
-
-std::string analysisText(const AnalysisResult& result) {
-    std::string text = fmt::format("{}\n", result.isStable ? "stable" : "UNSTABLE");
-    const JsonValue body = analysisBody(result);
-    for (const char* part : {"margins", "step"}) {
-        if (const JsonValue* figures = body.find(part); figures->isObject()) {
-            for (const JsonMember& figure : figures->members()) {
-                text += fmt::format("{:<26} {}\n", figure.key,
-                                    figure.value.isNumber() ? formatNumber(figure.value.number()) : "none");
-            }
-        }
-    }
-    for (const Finding& warning : result.warnings) {
-        text += fmt::format("warning: {}; {}\n", warning.message, warning.hint);
-    }
-    return text + findingLines(result.quality);
-}
-
 } // namespace
 
 CommandResult runTuneCommand(CommandContext& context, const CommandOptions& options) {
@@ -213,41 +180,6 @@ CommandResult runTuneCommand(CommandContext& context, const CommandOptions& opti
         return failure(done.error());
     }
     return isKept ? exitCodeFor(result->quality) : ExitCode::CheckFailed;
-}
-
-CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& options) {
-    const Result<ModelFile> model = readModelFile(options.device);
-    if (!model) {
-        return failure(model.error());
-    }
-    const Result<GainsFile> gains = readGainsFile(options.gainsFile);
-    if (!gains) {
-        return failure(gains.error());
-    }
-    Result<LoopConditions> conditions = loopConditionsOf(model->device ? model->device->model : "");
-    if (!conditions) {
-        return failure(conditions.error());
-    }
-    conditions->timing = gains->timing;
-    const Result<AnalysisResult> result = runAnalysis(model->estimate, gains->law, *conditions);
-    if (!result) {
-        return failure(result.error());
-    }
-    Result<void> done =
-        writeColumns(options.bodeFile, "frequency_hz,magnitude_db,phase_deg",
-                     {&result->bode.frequency_Hz, &result->bode.magnitude_dB, &result->bode.phase_deg});
-    done = done ? writeColumns(options.stepFile, "time_s,response_rad,current_A",
-                               {&result->stepCurve.time_s, &result->stepCurve.response_rad,
-                                &result->stepCurve.current_A})
-                : done;
-    ResultHeader header = headerFor(context, "halbench.analysis/1");
-    header.device = model->device;
-    header.seed = context.global.seed.value_or(model->seed);
-    done = done ? deliver(context, analysisDocument(header, *result), analysisText(*result), "") : done;
-    if (!done) {
-        return failure(done.error());
-    }
-    return exitCodeFor(result->quality);
 }
 
 } // namespace halbench::app

@@ -43,6 +43,11 @@ Result<void> Console::printDocument(const JsonValue& document) {
     return {};
 }
 
+void Console::announce(const std::string& line) {
+    write(line + "\n");
+    std::fflush(stdout);
+}
+
 void Console::log(LogLevel level, std::string_view text) {
     const bool isHidden = m_style.isQuiet && level > LogLevel::Warning;
     if (isHidden || level > m_style.level) {

@@ -31,6 +31,8 @@ public:
     void print(std::string_view text);
     /// The one JSON document of a result; nothing without --json.
     Result<void> printDocument(const JsonValue& document);
+    /// A line on stdout that somebody waits for, flushed at once, also under --json.
+    void announce(const std::string& line);
     void log(LogLevel level, std::string_view text);
     /// A bar of 30 signs with a text behind it; a finished one is wiped away.
     void progress(double fraction, std::string_view text);

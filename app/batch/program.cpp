@@ -28,7 +28,8 @@ struct CommandEntry {
 constexpr std::array Commands = {
     CommandEntry{"version", printVersion},        CommandEntry{"devices", runDevicesCommand},
     CommandEntry{"describe", runDescribeCommand}, CommandEntry{"get", runGetCommand},
-    CommandEntry{"set", runSetCommand},
+    CommandEntry{"set", runSetCommand},           CommandEntry{"serve", runServeCommand},
+    CommandEntry{"record", runRecordCommand},
 };
 
 CommandResult dispatch(CommandContext& context, const CommandLine& line) {
