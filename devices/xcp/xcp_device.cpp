@@ -128,8 +128,8 @@ Result<void> XcpDevice::readDescription() {
         return failure(text.error());
     }
     Result<A2lDescription> description = parseA2l(*text);
-    if (!description) {
-        return failure(description.error());
+    if (!description) { // the board's mistake, not the user's
+        return failure(ErrorCode::Protocol, description.error().message, description.error().hint);
     }
     for (const std::string& warning : description->warnings) {
         message(warning);
