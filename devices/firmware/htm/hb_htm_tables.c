@@ -40,7 +40,7 @@ static const char SlopeChoices[] HB_ROM = "rising|falling";
 const hb_signal hb_htm_signal_table[] HB_ROM = {
     SIGNAL("position", "rad", HB_SLONG, position, COUNT_RAD, ANGLE_LIMIT, NULL, "Rotor angle, unwrapped"),
     SIGNAL("speed", "rad/s", HB_FLOAT32, speed_rad_s, 1.0F, 1000.0F, NULL, "Rotor speed, slope over 32 ms"),
-    SIGNAL("reference", "", HB_FLOAT32, reference, 1.0F, ANGLE_LIMIT, NULL,
+    SIGNAL("reference", "rad", HB_FLOAT32, reference, 1.0F, ANGLE_LIMIT, NULL,
            "Reference: rad in mode position, else A"),
     SIGNAL("current_command", "A", HB_FLOAT32, current_command_A, 1.0F, 5.0F, NULL,
            "Current amplitude commanded"),
