@@ -1,0 +1,77 @@
+// The numeric core against the plainest code that gives the same numbers.
+#include "control/base/random.h"
+#include "control/design/design_methods.h"
+#include "control/design/robustness.h"
+#include "control/lti/frequency_response.h"
+#include "tests/bench/goal.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+namespace halbench::bench {
+namespace {
+
+using control::LoopTiming;
+using control::PositionPlant;
+using control::TransferFunction;
+
+const PositionPlant Motor{1.23e-3 / 5.5e-4, 1.43e-2 / 5.5e-4, 2.05e-2 / 1.43e-2};
+
+/// Horner's rule as the textbook has it, with the library's complex numbers.
+std::complex<double> plainHorner(const std::vector<double>& polynomial, std::complex<double> x) {
+    std::complex<double> value = 0.0;
+    for (const double coefficient : polynomial) {
+        value = value * x + coefficient;
+    }
+    return value;
+}
+
+void benchFrequencyResponse(Goals& goals) {
+    const LoopTiming timing{0.01, 1};
+    const auto law = control::designLaw("recommended", Motor, timing, {});
+    const TransferFunction loop = *control::sampledOpenLoop(Motor, law->gains, timing);
+    const auto frequencies = control::logarithmicFrequencies(0.01, 314.0, 20000);
+    const double ours_s = processorTime_s(
+        [&] { benchmark::DoNotOptimize(control::frequencyResponse(loop, frequencies)->value.data()); }, 15);
+    const double plain_s = processorTime_s(
+        [&] {
+            std::vector<std::complex<double>> values;
+            for (const double frequency : frequencies) {
+                const auto z = std::exp(std::complex<double>(0.0, frequency * 0.01));
+                values.push_back(plainHorner(loop.numerator(), z) / plainHorner(loop.denominator(), z));
+            }
+            benchmark::DoNotOptimize(values.data());
+        },
+        15);
+    goals.atLeast("frequency response of a sampled loop against plain complex Horner", plain_s / ours_s, 1.0,
+                  "x");
+}
+
+void benchRobustness(Goals& goals) {
+    control::UncertainPlant uncertain;
+    uncertain.mean =
+        Eigen::Vector3d(Motor.dampingRate_1_s, Motor.accelerationGain_rad_s2_A, Motor.breakawayCurrent_A);
+    uncertain.covariance = (0.02 * uncertain.mean).cwiseAbs2().asDiagonal();
+    uncertain.toPlant = [](const Eigen::VectorXd& p) { return PositionPlant{p(0), p(1), p(2)}; };
+    const LoopTiming timing{0.01, 0};
+    const auto law = control::designLaw("recommended", Motor, timing, {});
+    const double robust_s = processorTime_s(
+        [&] {
+            benchmark::DoNotOptimize(
+                control::assessRobustness(uncertain, law->gains, timing, 1000, Random(1))->unstable_fraction);
+        },
+        3);
+    // A slider in the window has to answer while it is being dragged.
+    goals.below("robustness over 1000 drawn motors", robust_s, 0.25, "s");
+}
+
+} // namespace
+} // namespace halbench::bench
+
+int main() {
+    halbench::bench::Goals goals;
+    halbench::bench::benchFrequencyResponse(goals);
+    halbench::bench::benchRobustness(goals);
+    return goals.exitCode();
+}
