@@ -3,9 +3,6 @@
 
 #include <string.h>
 
-/* Restart the origin long before the relative counts could overflow 32 bits. */
-#define LARGEST_RELATIVE (1L << 28)
-
 void hb_speed_init(hb_speed* speed) {
     memset(speed, 0, sizeof *speed);
 }
@@ -23,7 +20,7 @@ static void moveOrigin(hb_speed* speed, int32_t position_counts) {
         uint8_t index = (uint8_t)((speed->next + HB_SPEED_WINDOW - 1U - age) % HB_SPEED_WINDOW);
         speed->position[index] -= shift;
         speed->sum += speed->position[index];
-        speed->weighted_sum += (int64_t)age * speed->position[index];
+        speed->weighted_sum += (hb_speed_sum)age * speed->position[index];
     }
 }
 
@@ -37,14 +34,14 @@ float hb_speed_update(hb_speed* speed, int32_t position_counts) {
         speed->origin = position_counts;
     }
     relative = wrappingDifference(position_counts, speed->origin);
-    if (relative > LARGEST_RELATIVE || relative < -LARGEST_RELATIVE) {
+    if (relative > HB_SPEED_LARGEST || relative < -HB_SPEED_LARGEST) {
         moveOrigin(speed, position_counts);
         relative = 0;
     }
     speed->weighted_sum += speed->sum;
     if (speed->filled == HB_SPEED_WINDOW) {
         int32_t oldest = speed->position[speed->next];
-        speed->weighted_sum -= (int64_t)HB_SPEED_WINDOW * oldest;
+        speed->weighted_sum -= (hb_speed_sum)HB_SPEED_WINDOW * oldest;
         speed->sum -= oldest;
     } else {
         speed->filled++;

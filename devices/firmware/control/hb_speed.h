@@ -14,10 +14,18 @@
 extern "C" {
 #endif
 
+#if HB_SPEED_WINDOW <= 16
+typedef int32_t hb_speed_sum;
+#define HB_SPEED_LARGEST (1L << 18)
+#else
+typedef int64_t hb_speed_sum;
+#define HB_SPEED_LARGEST (1L << 28)
+#endif
+
 typedef struct {
     int32_t position[HB_SPEED_WINDOW]; /* counts relative to `origin` */
     int32_t origin;
-    int64_t sum, weighted_sum; /* sum of y, sum of age * y */
+    hb_speed_sum sum, weighted_sum; /* sum of y, sum of age * y */
     uint8_t next, filled;
 } hb_speed;
 

@@ -40,13 +40,39 @@
     1 /* chirp, multisine and plateau list; step, ramp, sine, staircase are always in */
 #endif
 #ifndef HB_FEATURE_TRIAL
-#define HB_FEATURE_TRIAL HB_FEATURE_FULL /* a third copy of the calibration that a lost master brings back */
+#define HB_FEATURE_TRIAL                                                                                     \
+    HB_FEATURE_FULL /* a third copy of the calibration that a lost master brings back                        \
+                     */
+#endif
+#ifndef HB_FEATURE_TEXTS
+#define HB_FEATURE_TEXTS 1 /* descriptions of signals and parameters; names and units are always in */
+#endif
+#ifndef HB_NUMBER_DIGITS
+#define HB_NUMBER_DIGITS 9 /* digits of a number in the A2L; 6 needs no 64 bit arithmetic */
 #endif
 #ifndef HB_SPEED_WINDOW
 #define HB_SPEED_WINDOW 32 /* samples of the speed estimate */
 #endif
 #ifndef HB_A2L_TRANSPORT
 #define HB_A2L_TRANSPORT "/begin XCP_ON_TCP_IP 0x0100 5555 ADDRESS \"127.0.0.1\" /end XCP_ON_TCP_IP\n"
+#endif
+
+#if HB_FEATURE_TEXTS
+#define HB_TEXT(text) text
+enum {
+    HB_NAME_CAPACITY = 28,
+    HB_UNIT_CAPACITY = 12,
+    HB_SIGNAL_TEXT_CAPACITY = 60,
+    HB_PARAMETER_TEXT_CAPACITY = 92
+};
+#else
+#define HB_TEXT(text) ""
+enum {
+    HB_NAME_CAPACITY = 26,
+    HB_UNIT_CAPACITY = 10,
+    HB_SIGNAL_TEXT_CAPACITY = 1,
+    HB_PARAMETER_TEXT_CAPACITY = 1
+};
 #endif
 
 /* Constant tables live in flash on machines with separate program memory. */

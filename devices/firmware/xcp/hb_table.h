@@ -25,9 +25,9 @@ typedef struct {
     float scale;
     float lower, upper; /* physical */
     const char* choices;
-    char name[28];
-    char unit[12];
-    char text[60];
+    char name[HB_NAME_CAPACITY];
+    char unit[HB_UNIT_CAPACITY];
+    char text[HB_SIGNAL_TEXT_CAPACITY];
 } hb_signal;
 
 typedef struct {
@@ -52,9 +52,9 @@ typedef struct {
     float initial;
     float lower, upper;
     const char* choices;
-    char name[28];
-    char unit[12];
-    char text[92];
+    char name[HB_NAME_CAPACITY];
+    char unit[HB_UNIT_CAPACITY];
+    char text[HB_PARAMETER_TEXT_CAPACITY];
 } hb_parameter;
 
 typedef struct {
@@ -64,11 +64,11 @@ typedef struct {
 } hb_event;
 
 #define HB_SIGNAL(name, unit, type, structure, member, scale, lower, upper, choices, text)                   \
-    { type, (uint16_t)offsetof(structure, member), scale, lower, upper, choices, name, unit, text }
+    { type, (uint16_t)offsetof(structure, member), scale, lower, upper, choices, name, unit, HB_TEXT(text) }
 #define HB_PARAM(space, name, unit, type, structure, member, initial, lower, upper, choices, text)           \
     {                                                                                                        \
         type, space, (uint16_t)offsetof(structure, member), 1, 1, initial, lower, upper, choices, name,      \
-            unit, text                                                                                       \
+            unit, HB_TEXT(text)                                                                              \
     }
 
 /* The numbers of one entry, without its strings. */

@@ -3,61 +3,82 @@
 
 #include <string.h>
 
-/* Fixed point with 56 fraction bits: room for the factor 10 of one digit above the value 10. */
-enum { FRACTION_BITS = 56, MAX_DIGITS = 9, FLOAT_MANTISSA_BITS = 23, FLOAT_BIAS = 150 };
-#define ONE ((uint64_t)1 << FRACTION_BITS)
+/* Fixed point with four bits above the fraction: room for the factor 10 of one digit. The small form has 32
+ * bits, which give six sure digits; the full one finds the shortest text that reads back as the same float.
+ */
+#if HB_NUMBER_DIGITS > 6
+typedef uint64_t wide_number;
+enum { FRACTION_BITS = 56 };
+#else
+typedef uint32_t wide_number;
+enum { FRACTION_BITS = 28 };
+#endif
+enum { FLOAT_MANTISSA_BITS = 23, FLOAT_BIAS = 150 };
+#define ONE ((wide_number)1 << FRACTION_BITS)
+#define HIGHEST_BIT ((wide_number)1 << (FRACTION_BITS + 3))
 
 typedef struct {
-    uint64_t scaled;    /* value * 10^-exponent, in [1, 10) */
-    uint64_t tolerance; /* half a unit in the last place of the float, same scale */
+    wide_number scaled;    /* value * 10^-exponent, in [1, 10) */
+    wide_number tolerance; /* half a unit in the last place of the float, same scale */
     int8_t exponent;
 } decimal;
 
-/* value = mantissa * 2^power -> scaled decimal. Each step truncates 2^-59 of the value; at most 45 steps. */
+/* Distance at which a decimal still stands for the value. */
+static wide_number toleranceOf(wide_number scaled, uint32_t mantissa) {
+#if HB_NUMBER_DIGITS > 6
+    wide_number tolerance = scaled / (2 * (wide_number)mantissa);
+    if (mantissa == 0x800000UL) {
+        tolerance /= 2; /* below a power of two the floats lie twice as close */
+    }
+    return tolerance - tolerance / 64; /* keeps clear of ties and of the truncation above */
+#else
+    (void)mantissa;
+    return scaled >> 21;
+#endif
+}
+
+/* value = mantissa * 2^power -> scaled decimal. Each step truncates one unit of 2^-(FRACTION_BITS + 3); at
+ * most 45. */
 static decimal normalise(uint32_t mantissa, int16_t power) {
     decimal result = {0, 0, 0};
-    uint64_t wide = mantissa;
+    wide_number wide = mantissa;
     int16_t binary = power;
-    while (wide < ((uint64_t)1 << 59)) {
+    while (wide < HIGHEST_BIT) {
         wide <<= 1;
         binary--;
     }
-    /* wide in [2^59, 2^60); the value is wide * 2^binary; wanted: 1 <= value < 10, that is 2^-59 .. 2^-56 */
     while (binary > -FRACTION_BITS || (binary == -FRACTION_BITS && wide >= 10 * ONE)) {
         wide /= 10;
         result.exponent++;
-        while (wide < ((uint64_t)1 << 59)) {
+        while (wide < HIGHEST_BIT) {
             wide <<= 1;
             binary--;
         }
     }
-    while (binary < -59) {
-        wide *= 10;
+    while (binary < -FRACTION_BITS - 3) {
+        wide = (wide >> 4) * 10; /* 1/16 of the value times 10 */
+        binary = (int16_t)(binary + 4);
         result.exponent--;
-        while (wide >= ((uint64_t)1 << 60)) {
-            wide >>= 1;
-            binary++;
+        while (wide < HIGHEST_BIT) {
+            wide <<= 1;
+            binary--;
         }
     }
     result.scaled = wide >> (-FRACTION_BITS - binary);
-    result.tolerance = result.scaled / (2 * (uint64_t)mantissa);
-    if (mantissa == 0x800000UL) {
-        result.tolerance /= 2; /* below a power of two the floats lie twice as close */
-    }
-    result.tolerance -= result.tolerance / 64; /* keeps clear of ties and of the truncation above */
+    result.tolerance = toleranceOf(result.scaled, mantissa);
     return result;
 }
 
 /* Shortest digits within the tolerance; returns their number. A carry out of the first digit raises the
  * exponent. */
-static uint8_t generateDigits(decimal* number, char digits[MAX_DIGITS]) {
-    uint64_t rest = number->scaled;
-    uint64_t tolerance = number->tolerance;
+static uint8_t generateDigits(decimal* number, char digits[HB_NUMBER_DIGITS]) {
+    wide_number rest = number->scaled;
+    wide_number tolerance = number->tolerance;
     uint8_t count = 0;
     for (;;) {
         digits[count++] = (char)(rest >> FRACTION_BITS);
         rest &= ONE - 1;
-        if (rest < tolerance || ONE - rest < tolerance || count == MAX_DIGITS) {
+        if (rest < tolerance || ONE - rest < tolerance || count == HB_NUMBER_DIGITS) {
             break; /* close enough from below or above: the nearer of the two */
         }
         rest *= 10;
@@ -107,7 +128,7 @@ void hb_format_float(float value, char text[HB_NUMBER_CAPACITY]) {
     uint32_t bits;
     uint32_t mantissa;
     int16_t power;
-    char digits[MAX_DIGITS];
+    char digits[HB_NUMBER_DIGITS];
     decimal number;
     uint8_t count;
     memcpy(&bits, &value, sizeof bits);

@@ -4,6 +4,8 @@
 
 /* Numbers as text without printf: the same characters on every machine. Integer arithmetic only. */
 
+#include "devices/firmware/xcp/hb_config.h"
+
 #include <stdint.h>
 
 #ifdef __cplusplus
@@ -12,7 +14,8 @@ extern "C" {
 
 enum { HB_NUMBER_CAPACITY = 20 };
 
-/* Shortest decimal that reads back as the same float; "0", "-1.5", "2.3968449e-05". Finite values only. */
+/* Shortest decimal that reads back as the same float (with HB_NUMBER_DIGITS 6: within 5e-7); "0", "-1.5",
+ * "2.3968449e-05". Finite values only. */
 void hb_format_float(float value, char text[HB_NUMBER_CAPACITY]);
 void hb_format_unsigned(uint32_t value, char text[HB_NUMBER_CAPACITY]);
 /* "0x" and at least `digits` digits. */
