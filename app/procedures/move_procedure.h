@@ -15,6 +15,7 @@ struct MoveConfig {
     /// each step instead.
     std::optional<double> evaluateFrom_s;
     std::optional<double> evaluateTo_s;
+    double rate_Hz = 1000.0; ///< overshoot needs fine samples
     double speedLimit_rad_s = 40.0;
     double pauseTemperature_degC = 65.0;
     double refuseTemperature_degC = 70.0;
@@ -50,24 +51,37 @@ struct MoveResult {
     const MoveFigures& figures() const { return truth ? *truth : measured; }
 };
 
-/// What a move does to the coils, before anything is armed (also for `run --dry-run`): the position loop may
-/// hold the full current in one phase for the whole time only if the prediction of the ideal loop says so.
+/// What a move does to the coils, before anything is armed (also for `run --dry-run`).
 struct MovePrediction {
     double duration_s = 0.0;
     double peakCurrent_A = 0.0;
-    double highestTemperature_degC = 0.0;
+    double meanSquare_A2 = 0.0; ///< of the amplitude, with a margin; all of it may flow in one phase
 };
+
+/// The ideal loop of a motor under this law, where the reference has an ideal form; else the current limit
+/// for the whole time. `motor` need not be known exactly: a quarter is added to the current.
+MovePrediction predictMove(const MoveConfig& config, const models::PositionLaw& law,
+                           const models::RotorConfig& motor, double torqueConstant_Nm_per_A);
 
 /// Arms in mode position, lets the board follow the reference, disarms, measures. Works inside the excursion,
 /// speed and temperature windows of the board; parameters are restored on every way out. Walks Prepare,
-/// Excite, Record, Judge, Done. Errors: of the configuration, of the device, SafetyStop (a limit of the
-/// board), Refused (too hot to start), of the abort.
+/// Excite, Record, Judge, Done or Restored. Errors: of the configuration, of the device, SafetyStop (a limit
+/// of the board), Refused (too hot to start), of the abort.
 Result<MoveResult> runMove(devices::Device& device, const MoveConfig& config,
                            const ProcedureObserver& observer);
 
-/// Figures of a recording with columns reference, position and perhaps truth.position; a pure function.
-/// Errors: InvalidInput (columns missing, too short).
-Result<MoveFigures> measureMove(const Recording& recording, const std::string& positionColumn,
-                                const MoveConfig& config);
+/// Reference and response of a run, both counted from where the rotor was when it began; 1 ms apart.
+struct MoveResponse {
+    std::vector<double> time_s;
+    std::vector<double> reference_rad;
+    std::vector<double> position_rad;
+    /// The board evaluates its reference once in this many rows and holds it in between; errors and the
+    /// sine's response count on those rows only, or a ramp would seem to be missed by a whole period's
+    /// travel.
+    std::size_t rowsPerReference = 10;
+};
+
+/// Errors: InvalidInput (lengths, too short), NotFinite.
+Result<MoveFigures> measureMove(const MoveResponse& response, const MoveConfig& config);
 
 } // namespace halbench::app
