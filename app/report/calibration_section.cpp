@@ -1,0 +1,86 @@
+#include "app/report/report_blocks.h"
+#include "app/report/step_sections.h"
+#include "control/base/units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace halbench::app {
+namespace {
+
+ReportTable figureTable(const std::vector<CalibrationFigure>& figures) {
+    std::vector<ReportEstimate> rows;
+    for (const CalibrationFigure& figure : figures) {
+        const control::Estimate& estimate = figure.estimate;
+        ReportEstimate row{figure.name, figure.unit, estimate.value,
+                           {},          {},          control::estimateSourceName(estimate.source)};
+        if (estimate.interval95) {
+            row.ci95Low = estimate.interval95->first;
+            row.ci95High = estimate.interval95->second;
+        }
+        rows.push_back(std::move(row));
+    }
+    return estimateTable("Found", rows);
+}
+
+ReportTable proposalTable(const CalibrateResult& result) {
+    std::vector<ReportChange> changes;
+    for (const ParameterValue& proposed : result.proposed) {
+        const auto before =
+            std::find_if(result.before.begin(), result.before.end(),
+                         [&](const ParameterValue& value) { return value.name == proposed.name; });
+        const auto figure =
+            std::find_if(result.figures.begin(), result.figures.end(),
+                         [&](const CalibrationFigure& found) { return found.name == proposed.name; });
+        changes.push_back({proposed.name, figure != result.figures.end() ? figure->unit : std::string(),
+                           before != result.before.end() ? before->value : 0.0, proposed.value});
+    }
+    return changeTable(result.isApplied ? "Applied to the board" : "Proposed, not applied", changes);
+}
+
+ReportPlot staticFrictionPlot(const std::vector<StaticFrictionPoint>& points) {
+    widgets::Panel panel;
+    panel.y = {"current at the first motion", "A", false, {}, {}, {}};
+    widgets::Curve forward{"forward", {}, {}, widgets::CurveStyle::Points, 0};
+    widgets::Curve reverse{"reverse, sign removed", {}, {}, widgets::CurveStyle::HollowPoints, 1};
+    for (const StaticFrictionPoint& point : points) {
+        widgets::Curve& curve = point.current_A < 0.0 ? reverse : forward;
+        curve.x.push_back(radiansToDegrees(point.angle_rad));
+        curve.y.push_back(std::abs(point.current_A));
+    }
+    for (widgets::Curve* curve : {&forward, &reverse}) {
+        if (!curve->x.empty()) {
+            panel.curves.push_back(std::move(*curve));
+        }
+    }
+    return {{"Static friction over the angle", {"angle", "deg", false, {}, {}, {}}, {std::move(panel)}}, {}};
+}
+
+} // namespace
+
+ReportSection calibrationSection(const std::string& heading, const CalibrateResult& result) {
+    ReportSection section{heading, {}};
+    section.blocks.push_back(ReportQuality{result.quality});
+    if (!result.figures.empty()) {
+        section.blocks.push_back(figureTable(result.figures));
+    }
+    if (!result.proposed.empty()) {
+        section.blocks.push_back(proposalTable(result));
+    }
+    if (result.residualBefore_rad > 0.0) {
+        section.blocks.push_back(
+            ReportFacts{{{"angle error before",
+                          fmt::format("{:.3f}\u00b0 rms", radiansToDegrees(result.residualBefore_rad))},
+                         {"angle error after",
+                          fmt::format("{:.3f}\u00b0 rms", radiansToDegrees(result.residualAfter_rad))}}});
+    }
+    if (!result.staticFriction.empty()) {
+        section.blocks.push_back(staticFrictionPlot(result.staticFriction));
+    }
+    return section;
+}
+
+} // namespace halbench::app

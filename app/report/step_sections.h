@@ -1,0 +1,41 @@
+#pragma once
+
+#include "app/procedures/apply_procedure.h"
+#include "app/procedures/calibrate_procedure.h"
+#include "app/procedures/identify_procedure.h"
+#include "app/procedures/tune.h"
+#include "app/report/report.h"
+#include "models/plants/htm_ideal_loop.h"
+
+#include <optional>
+#include <string>
+
+namespace halbench::app {
+
+/// What a report says about the result of each kind of step: verdict and findings, figures in words, tables,
+/// plots. Angles are shown in degrees, everything else in SI.
+
+/// Parameters and ratios with intervals and provenance, regression with residuals, joint confidence region,
+/// the excitation as recorded.
+ReportSection identificationSection(const std::string& heading, const IdentifyResult& result);
+
+/// What was found and is proposed or applied, and the static friction over the angle.
+ReportSection calibrationSection(const std::string& heading, const CalibrateResult& result);
+
+/// Gains, margins with their robust bounds, open loop and predicted step; `present` is the loop of the gains
+/// that ran before, drawn beside it.
+ReportSection tuningSection(const std::string& heading, const TuneResult& result,
+                            const std::optional<AnalysisResult>& present = std::nullopt);
+
+/// Position over reference and prediction, error, current and the response's figures.
+ReportSection moveSection(const std::string& heading, const MoveResult& result,
+                          const std::optional<models::IdealTrace>& predicted = std::nullopt);
+
+/// Parameters before and after, whether they stayed, and the verifying move.
+ReportSection applySection(const std::string& heading, const ApplyResult& result);
+
+/// What the published sources of a device say that cannot be true together, and what the program does about
+/// it; nothing for a device without such sources. Source: resources/help/htm-theory.md section 6.
+std::optional<ReportSection> contradictionsSection(const std::string& deviceModel);
+
+} // namespace halbench::app

@@ -1,0 +1,162 @@
+#include "app/report/report_blocks.h"
+#include "app/report/step_sections.h"
+#include "control/base/units.h"
+#include "widgets/figures.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+namespace halbench::app {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> LawUnits = {{
+    {"gain.kp", "A/rad"},
+    {"gain.ki", "A/(rad*s)"},
+    {"gain.kd", "A*s/rad"},
+    {"feedforward.inertia", "A*s^2/rad"},
+    {"feedforward.viscous", "A*s/rad"},
+    {"feedforward.coulomb", "A"},
+    {"feedforward.coulomb_speed", "rad/s"},
+    {"stiction.current", "A"},
+    {"stiction.threshold", "rad"},
+    {"stiction.speed", "rad/s"},
+}};
+
+std::string unitOf(const std::string& name) {
+    for (const auto& [known, unit] : LawUnits) {
+        if (known == name) {
+            return std::string(unit);
+        }
+    }
+    return {};
+}
+
+ReportTable gainTable(const control::PositionLaw& law) {
+    std::vector<ReportQuantity> gains;
+    for (const ParameterValue& value : lawParameters(law)) {
+        gains.push_back({value.name, value.value, unitOf(value.name)});
+    }
+    return quantityTable("Gains (parallel form)", gains);
+}
+
+std::string withUnit(double value, std::string_view unit) {
+    return std::isfinite(value) ? fmt::format("{}{}", reportNumber(std::round(value * 1e4) / 1e4), unit)
+                                : "infinite";
+}
+
+std::string frequencyWords(const std::optional<double>& frequency_rad_s) {
+    return frequency_rad_s
+               ? fmt::format("{:.2f} rad/s ({:.2f} Hz)", *frequency_rad_s, *frequency_rad_s / (2.0 * Pi))
+               : "none";
+}
+
+/// Two columns: now, and when given before.
+ReportTable marginTable(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present) {
+    ReportTable table;
+    table.caption = "Margins of the sampled loop with the device's delay";
+    table.columns = {{"quantity"}, {"proposed", true}};
+    if (present) {
+        table.columns.push_back({"before", true});
+    }
+    const auto row = [&](const std::string& name, const auto& words) {
+        std::vector<ReportTable::Cell> cells = {{name}, words(predicted)};
+        if (present) {
+            cells.push_back(words(*present));
+        }
+        table.rows.push_back(std::move(cells));
+    };
+    using Cell = ReportTable::Cell;
+    row("closed loop", [](const AnalysisResult& loop) {
+        return loop.isStable ? Cell{"stable", ReportTone::Good} : Cell{"unstable", ReportTone::Bad};
+    });
+    row("gain margin",
+        [](const AnalysisResult& loop) { return Cell{withUnit(loop.margins.gainMargin_ratio, " \u00d7")}; });
+    row("phase margin",
+        [](const AnalysisResult& loop) { return Cell{withUnit(loop.margins.phaseMargin_deg, "\u00b0")}; });
+    row("delay margin",
+        [](const AnalysisResult& loop) { return Cell{withUnit(1e3 * loop.margins.delayMargin_s, " ms")}; });
+    row("modulus margin",
+        [](const AnalysisResult& loop) { return Cell{withUnit(loop.margins.modulusMargin, "")}; });
+    row("gain crossover",
+        [](const AnalysisResult& loop) { return Cell{frequencyWords(loop.margins.gainCrossover_rad_s)}; });
+    row("phase crossover",
+        [](const AnalysisResult& loop) { return Cell{frequencyWords(loop.margins.phaseCrossover_rad_s)}; });
+    row("largest K_P for stability", [](const AnalysisResult& loop) {
+        return Cell{withUnit(loop.proportionalLimit_A_per_rad, " A/rad")};
+    });
+    row("friction band at rest", [](const AnalysisResult& loop) {
+        return Cell{"\u00b1" + withUnit(radiansToDegrees(loop.frictionBand_rad), "\u00b0")};
+    });
+    return table;
+}
+
+ReportFacts robustFacts(const control::Robustness& robust) {
+    return {{{"plants drawn from the estimate", fmt::format("{}", robust.draws)},
+             {"gain margin, 5th percentile", withUnit(robust.gainMargin_ratio_p5, " \u00d7")},
+             {"phase margin, 5th percentile", withUnit(robust.phaseMargin_deg_p5, "\u00b0")},
+             {"unstable draws", fmt::format("{:.1f} %", 100.0 * robust.unstable_fraction),
+              robust.unstable_fraction > 0.0 ? ReportTone::Bad : ReportTone::Plain}}};
+}
+
+ReportPlot bodePlot(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present) {
+    using widgets::CurveStyle;
+    using Direction = widgets::ReferenceLine::Direction;
+    widgets::BodeContent content;
+    content.title = "Open loop";
+    content.responses.push_back({"proposed", predicted.bode.frequency_Hz, predicted.bode.magnitude_dB,
+                                 predicted.bode.phase_deg, CurveStyle::Line});
+    if (present) {
+        content.responses.push_back({"before", present->bode.frequency_Hz, present->bode.magnitude_dB,
+                                     present->bode.phase_deg, CurveStyle::DashedLine});
+    }
+    content.magnitudeLines = {{Direction::Horizontal, 0.0, "0 dB"}};
+    content.phaseLines = {{Direction::Horizontal, -180.0, "\u2212180\u00b0"}};
+    if (predicted.margins.gainCrossover_rad_s) {
+        const double crossover_Hz = *predicted.margins.gainCrossover_rad_s / (2.0 * Pi);
+        content.magnitudeLines.push_back({Direction::Vertical, crossover_Hz, "crossover"});
+        content.phaseLines.push_back({Direction::Vertical, crossover_Hz, {}});
+    }
+    return {widgets::bodeFigure(content), {}};
+}
+
+void appendPredictedStep(ReportSection& section, const AnalysisResult& predicted) {
+    if (predicted.stepCurve.time_s.empty()) {
+        return;
+    }
+    widgets::Panel response;
+    response.y = {"response", "rad", false, {}, {}, {}};
+    response.curves = {
+        {{}, predicted.stepCurve.time_s, predicted.stepCurve.response_rad, widgets::CurveStyle::Line, 0}};
+    response.lines = {{widgets::ReferenceLine::Direction::Horizontal, 1.0, "reference"}};
+    widgets::Panel current;
+    current.y = {"current", "A", false, {}, {}, {}};
+    current.height_px = 120;
+    current.curves = {
+        {{}, predicted.stepCurve.time_s, predicted.stepCurve.current_A, widgets::CurveStyle::Line, 1}};
+    section.blocks.push_back(
+        ReportPlot{{"Predicted step of 1 rad, linear loop",
+                    {"time", "s", false, {}, {}, {}},
+                    {std::move(response), std::move(current)}},
+                   "Without friction and current limit: a measured step differs where these act."});
+}
+
+} // namespace
+
+ReportSection tuningSection(const std::string& heading, const TuneResult& result,
+                            const std::optional<AnalysisResult>& present) {
+    ReportSection section{heading, {}};
+    section.blocks.push_back(ReportParagraph{"Method: " + result.method + "."});
+    section.blocks.push_back(ReportQuality{result.quality});
+    section.blocks.push_back(gainTable(result.law));
+    section.blocks.push_back(marginTable(result.predicted, present));
+    section.blocks.push_back(robustFacts(result.robust));
+    section.blocks.push_back(bodePlot(result.predicted, present));
+    appendPredictedStep(section, result.predicted);
+    return section;
+}
+
+} // namespace halbench::app
