@@ -1,5 +1,6 @@
 #include "devices/open_device.h"
 
+#include "devices/acquisition/replay_device.h"
 #include "devices/device_uri.h"
 #include "devices/simulated/simulated_device.h"
 #include "devices/transport/tcp_transport.h"
@@ -40,6 +41,9 @@ Result<std::unique_ptr<Device>> openDevice(const std::string& text, const OpenOp
     }
     if (uri->scheme == "tcp") {
         return openTcpDevice(*uri, options);
+    }
+    if (uri->scheme == "replay") {
+        return openReplayDevice(uri->text, uri->address);
     }
     return failure(ErrorCode::UnknownName,
                    fmt::format("device '{}': '{}:' is not built in this version", text, uri->scheme),

@@ -1,0 +1,128 @@
+#include "devices/acquisition/convert_recording.h"
+
+#include "devices/acquisition/recording_csv.h"
+#include "devices/acquisition/recording_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace halbench::devices {
+
+namespace {
+
+bool endsWith(const std::string& text, std::string_view ending) {
+    return text.size() > ending.size() &&
+           text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+Result<void> checkFormat(const std::string& path) {
+    if (!endsWith(path, ".csv")) {
+        return failure(ErrorCode::Usage, fmt::format("'{}' is of no format known here", path),
+                       "this version reads and writes .csv");
+    }
+    return {};
+}
+
+Result<std::vector<std::size_t>> columnsOf(const StreamLayout& layout,
+                                           const std::vector<std::string>& signals) {
+    std::vector<std::size_t> columns;
+    if (signals.empty()) {
+        for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+            columns.push_back(i);
+        }
+        return columns;
+    }
+    for (const std::string& signal : signals) {
+        const auto found = std::find_if(
+            layout.columns.begin(), layout.columns.end(), [&](const StreamLayout::Column& column) {
+                return column.name == signal || csvColumnName(column.name, column.unit) == signal;
+            });
+        if (found == layout.columns.end()) {
+            std::vector<std::string> known;
+            for (const StreamLayout::Column& column : layout.columns) {
+                known.push_back(column.name);
+            }
+            return failure(ErrorCode::UnknownName, fmt::format("the recording has no signal '{}'", signal),
+                           fmt::format("it has {}", fmt::join(known, ", ")));
+        }
+        columns.push_back(static_cast<std::size_t>(found - layout.columns.begin()));
+    }
+    return columns;
+}
+
+} // namespace
+
+Result<Recording> selectPart(const Recording& recording, const std::vector<std::string>& signals,
+                             std::optional<double> from_s, std::optional<double> to_s) {
+    const double begin_s = from_s.value_or(-std::numeric_limits<double>::infinity());
+    const double end_s = to_s.value_or(std::numeric_limits<double>::infinity());
+    if (std::isnan(begin_s) || std::isnan(end_s)) {
+        return failure(ErrorCode::NotFinite, "the interval needs numbers", "give seconds, e.g. --from 1.5");
+    }
+    const Result<std::vector<std::size_t>> columns = columnsOf(*recording.layout, signals);
+    if (!columns) {
+        return failure(columns.error());
+    }
+    StreamLayout layout;
+    layout.period_s = recording.layout->period_s;
+    for (const std::size_t column : *columns) {
+        layout.columns.push_back(recording.layout->columns[column]);
+    }
+    Recording part;
+    const std::size_t width = recording.layout->columns.size();
+    for (std::size_t row = 0; row < recording.rows(); ++row) {
+        if (recording.time_s[row] < begin_s || recording.time_s[row] >= end_s) {
+            continue;
+        }
+        part.time_s.push_back(recording.time_s[row]);
+        for (const std::size_t column : *columns) {
+            part.values.push_back(recording.values[row * width + column]);
+        }
+    }
+    if (part.time_s.empty()) {
+        return failure(ErrorCode::OutOfRange, "the recording has no rows in this interval",
+                       recording.time_s.empty()
+                           ? std::string("it has no rows at all")
+                           : fmt::format("it reaches from {} s to {} s", recording.time_s.front(),
+                                         recording.time_s.back()));
+    }
+    part.layout = std::make_shared<const StreamLayout>(std::move(layout));
+    return part;
+}
+
+Result<std::size_t> convertRecording(const ConvertRequest& request) {
+    for (const std::string& path : {request.input, request.output}) {
+        if (const Result<void> format = checkFormat(path); !format) {
+            return failure(format.error());
+        }
+    }
+    Result<RecordedFile> file = readRecordingFile(request.input);
+    if (!file) {
+        return failure(file.error());
+    }
+    const Result<Recording> part = selectPart(file->recording, request.signals, request.from_s, request.to_s);
+    if (!part) {
+        return failure(part.error());
+    }
+    RecordingMeta meta = std::move(file->meta);
+    meta.gaps.clear();
+    std::vector<RecordingMeta::SignalNote> notes;
+    for (const StreamLayout::Column& column : part->layout->columns) {
+        const std::string header = csvColumnName(column.name, column.unit);
+        const auto known = std::find_if(meta.signals.begin(), meta.signals.end(),
+                                        [&](const auto& note) { return note.name == column.name; });
+        notes.push_back(known != meta.signals.end()
+                            ? *known
+                            : RecordingMeta::SignalNote{column.name, header, column.unit, {}});
+    }
+    meta.signals = std::move(notes);
+    if (const Result<void> written = writeRecordingFile(request.output, *part, std::move(meta)); !written) {
+        return failure(written.error());
+    }
+    return part->rows();
+}
+
+} // namespace halbench::devices

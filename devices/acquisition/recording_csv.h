@@ -1,0 +1,34 @@
+#pragma once
+
+#include "control/base/result.h"
+#include "control/base/sample_block.h"
+
+#include <string>
+#include <string_view>
+
+namespace halbench::devices {
+
+// Recordings as text: resources/help/command-line.md, "Recording (CSV)". Pure functions of text; the locale
+// plays no part.
+
+/// Column of a signal: '.' becomes '_', then '_' and the unit's suffix: "hall.a", "T" -> "hall_a_T".
+std::string csvColumnName(const std::string& signal, const std::string& unit);
+
+/// "time_s,position_rad,...\n"
+std::string csvHeader(const StreamLayout& layout);
+
+/// Appends the rows of a block. Numbers are the shortest that read back to the same value; a value that is
+/// exactly a 4-octet float (what boards send) in the precision of that type. A value that is no number is an
+/// empty field.
+void appendCsvRows(std::string& text, const SampleBlock& block);
+
+/// Shortest decimal of one value, as in the rows above.
+void appendCsvNumber(std::string& text, double value);
+
+/// Reads such a text. Columns become signals named by the column without its unit suffix; an empty field,
+/// "nan" and "inf" read as NaN. Rows missing in the time axis are counted as lost. Errors: InvalidInput with
+/// line and column of `origin` (no time_s column, wrong number of fields, text where a number is due, time
+/// that does not increase, a file larger than 256 MB).
+Result<Recording> parseRecordingCsv(std::string_view text, const std::string& origin);
+
+} // namespace halbench::devices

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "devices/device.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace halbench::devices {
+
+/// What a recording's sidecar NAME.meta.json (of NAME.csv) says of the data beside it.
+struct RecordingMeta {
+    struct SignalNote {
+        std::string name;   ///< "hall.a"
+        std::string column; ///< "hall_a_T"
+        std::string unit;
+        std::string role;
+    };
+    struct ParameterNote {
+        std::string name;
+        double value = 0.0;
+        std::string unit;
+    };
+    struct ParameterChange {
+        double time_s = 0.0;
+        std::string name;
+        double value = 0.0;
+    };
+    struct Marker {
+        double time_s = 0.0;
+        std::string text;
+    };
+    struct Gap {
+        double time_s = 0.0; ///< first row after the gap
+        std::uint64_t lostRows = 0;
+    };
+
+    DeviceInfo device;
+    std::string started; ///< ISO 8601, UTC; virtual time begins at 1970-01-01T00:00:00Z
+    std::string software;
+    std::vector<SignalNote> signals;
+    std::vector<ParameterNote> parameters; ///< at the start
+    std::vector<ParameterChange> changes;
+    std::vector<Marker> markers;
+    std::vector<Gap> gaps;
+    std::uint64_t rows = 0;
+    double period_s = 0.0;
+    std::string sha256; ///< of the CSV file
+};
+
+/// Device, signals of the layout and the parameters as they are now. Errors: those of reading.
+Result<RecordingMeta> describeRecording(Device& device, const StreamLayout& layout,
+                                        const std::string& started);
+
+/// JSON text with sorted keys, so that equal recordings give equal bytes; schema "halbench.recording/1".
+std::string toMetaJson(const RecordingMeta& meta);
+/// Errors: InvalidInput with the place.
+Result<RecordingMeta> parseMetaJson(const std::string& text, const std::string& origin);
+
+/// "dir/run.csv" -> "dir/run.meta.json"
+std::string metaPathOf(const std::string& csvPath);
+
+} // namespace halbench::devices
