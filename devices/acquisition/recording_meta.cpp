@@ -14,7 +14,7 @@ namespace halbench::devices {
 
 namespace {
 
-constexpr const char* Schema = "halbench.recording/1";
+constexpr const char* Schema = "halbench.recording-meta/1";
 
 QString textOf(const std::string& text) {
     return QString::fromStdString(text);
@@ -84,12 +84,11 @@ auto listOf(const QJsonObject& object, const char* key, Make make) {
 
 } // namespace
 
-Result<RecordingMeta> describeRecording(Device& device, const StreamLayout& layout,
-                                        const std::string& started) {
+RecordingMeta describeRecording(Device& device, const StreamLayout& layout, const std::string& started) {
     RecordingMeta meta;
     meta.device = device.info();
     meta.started = started;
-    meta.software = std::string("halbench ") + HALBENCH_VERSION;
+    meta.software = HALBENCH_VERSION;
     meta.period_s = layout.period_s;
     for (const StreamLayout::Column& column : layout.columns) {
         const SignalSpec* spec = device.catalogue().findSignal(column.name);
@@ -101,10 +100,7 @@ Result<RecordingMeta> describeRecording(Device& device, const StreamLayout& layo
         names.push_back(spec.name);
     }
     const Result<std::vector<double>> values = device.readParameters(names);
-    if (!values) {
-        return failure(values.error());
-    }
-    for (std::size_t i = 0; i < names.size(); ++i) {
+    for (std::size_t i = 0; values && i < names.size(); ++i) {
         meta.parameters.push_back({names[i], (*values)[i], device.catalogue().parameters[i].unit});
     }
     return meta;

@@ -48,11 +48,11 @@ struct RecordingMeta {
     std::string sha256; ///< of the CSV file
 };
 
-/// Device, signals of the layout and the parameters as they are now. Errors: those of reading.
-Result<RecordingMeta> describeRecording(Device& device, const StreamLayout& layout,
-                                        const std::string& started);
+/// Device, signals of the layout and the parameters as they are now; without parameters when the device is
+/// lost.
+RecordingMeta describeRecording(Device& device, const StreamLayout& layout, const std::string& started);
 
-/// JSON text with sorted keys, so that equal recordings give equal bytes; schema "halbench.recording/1".
+/// JSON text with sorted keys, so that equal recordings give equal bytes; schema "halbench.recording-meta/1".
 std::string toMetaJson(const RecordingMeta& meta);
 /// Errors: InvalidInput with the place.
 Result<RecordingMeta> parseMetaJson(const std::string& text, const std::string& origin);
