@@ -1,5 +1,6 @@
 #include "app/procedures/analyse.h"
 
+#include "app/procedures/large_step.h"
 #include "control/base/units.h"
 #include "control/lti/frequency_response.h"
 
@@ -11,6 +12,8 @@
 namespace halbench::app {
 
 namespace {
+
+constexpr double LargeStep_deg = 100.0;
 
 using control::PidGains;
 using control::TransferFunction;
@@ -188,15 +191,43 @@ void addStrayWarning(AnalysisResult& result, const std::optional<StrayField>& st
 
 void addSaturationNote(AnalysisResult& result, const PidGains& gains, double currentLimit_A) {
     const double largest_deg = radiansToDegrees(currentLimit_A / gains.proportional);
-    constexpr double OrdinaryStep_deg = 100.0;
-    if (largest_deg < OrdinaryStep_deg) {
+    constexpr double NotableOvershoot_percent = 15.0;
+    if (result.isStable && result.largeStep->overshoot_percent > NotableOvershoot_percent &&
+        largest_deg < LargeStep_deg) {
         result.warnings.push_back(
-            {"step_saturates",
-             fmt::format("steps above {:.3g} deg reach the current limit of {:.3g} A; the "
-                         "predicted step is that of the loop without limit",
-                         largest_deg, currentLimit_A),
-             "the verification move is compared with a prediction that has the limit"});
+            {"large_steps_overshoot",
+             fmt::format("steps above {:.3g} deg reach the current limit of {:.3g} A; with it and with "
+                         "friction a step "
+                         "of {:.0f} deg overshoots by {:.3g} %",
+                         largest_deg, currentLimit_A, LargeStep_deg, result.largeStep->overshoot_percent),
+             "lead large moves along a ramp, or choose a slower loop"});
     }
+}
+
+/// Everything that the open loop tells.
+Result<AnalysisResult> predictLoop(const control::PositionPlant& plant, const PidGains& gains,
+                                   const control::LoopTiming& timing) {
+    const auto openLoop = control::sampledOpenLoop(plant, gains, timing);
+    if (!openLoop) {
+        return failure(openLoop.error());
+    }
+    AnalysisResult result;
+    result.poleRadius = control::poleRadius(*openLoop);
+    result.isStable = result.poleRadius < 1.0;
+    result.margins = control::smallestMargins(*openLoop);
+    result.crossings = control::allCrossings(*openLoop);
+    result.proportionalLimit_A_per_rad =
+        control::proportionalLimit_A_per_rad(plant, timing, gains.derivative);
+    result.frictionBand_rad = control::frictionBand_rad(plant, gains);
+    result.highFrequencyGain_A_per_rad = gains.proportional + gains.derivative / timing.period_s;
+    const auto closedLoop = control::feedback(*openLoop, TransferFunction::gain(1.0, openLoop->timeBase()));
+    auto bode = bodeOf(*openLoop);
+    if (!closedLoop || !bode) {
+        return failure(closedLoop ? bode.error() : closedLoop.error());
+    }
+    takeDominantPair(result, *closedLoop);
+    result.bode = std::move(*bode);
+    return result;
 }
 
 } // namespace
@@ -214,39 +245,22 @@ Result<AnalysisResult> runAnalysis(const MotorEstimate& estimate, const control:
     if (const auto valid = checkConditions(conditions); !valid) {
         return failure(valid.error());
     }
-    const control::LoopTiming& timing = conditions.timing;
-    const auto openLoop = control::sampledOpenLoop(*plant, *gains, timing);
-    if (!openLoop) {
-        return failure(openLoop.error());
+    auto result = predictLoop(*plant, *gains, conditions.timing);
+    if (!result) {
+        return result;
     }
-    AnalysisResult result;
-    result.poleRadius = control::poleRadius(*openLoop);
-    result.isStable = result.poleRadius < 1.0;
-    result.margins = control::smallestMargins(*openLoop);
-    result.crossings = control::allCrossings(*openLoop);
-    result.proportionalLimit_A_per_rad =
-        control::proportionalLimit_A_per_rad(*plant, timing, gains->derivative);
-    result.frictionBand_rad = control::frictionBand_rad(*plant, *gains);
-    result.highFrequencyGain_A_per_rad = gains->proportional + gains->derivative / timing.period_s;
-    const auto closedLoop = control::feedback(*openLoop, TransferFunction::gain(1.0, openLoop->timeBase()));
-    if (closedLoop) {
-        takeDominantPair(result, *closedLoop);
+    const auto stepped =
+        result->isStable ? takeStep(*result, *plant, *gains, conditions.timing) : Result<void>{};
+    const auto largeStep = predictLargeStep(*plant, law, conditions, degreesToRadians(LargeStep_deg));
+    if (!stepped || !largeStep) {
+        return failure(stepped ? largeStep.error() : stepped.error());
     }
-    auto bode = bodeOf(*openLoop);
-    if (!bode) {
-        return failure(bode.error());
-    }
-    result.bode = std::move(*bode);
-    if (result.isStable) {
-        if (const auto taken = takeStep(result, *plant, *gains, timing); !taken) {
-            return failure(taken.error());
-        }
-    }
-    addStabilityWarnings(result, *gains);
-    addFrictionWarning(result, *plant, *gains, law);
-    addStrayWarning(result, conditions.stray);
-    addSaturationNote(result, *gains, conditions.currentLimit_A);
-    result.quality.verdict = result.isStable ? Verdict::Good : Verdict::Doubtful;
+    result->largeStep = largeStep->metrics;
+    addStabilityWarnings(*result, *gains);
+    addFrictionWarning(*result, *plant, *gains, law);
+    addStrayWarning(*result, conditions.stray);
+    addSaturationNote(*result, *gains, conditions.currentLimit_A);
+    result->quality.verdict = result->isStable ? Verdict::Good : Verdict::Doubtful;
     return result;
 }
 

@@ -46,6 +46,8 @@ struct AnalysisResult {
     control::StabilityMargins margins;
     std::vector<control::Crossing> crossings;
     std::optional<control::StepMetrics> step; ///< of the linear loop, unit step; absent when unstable
+    /// A step of 100 degrees of the event-exact motor with friction and current limit, over 5 s.
+    std::optional<control::StepMetrics> largeStep;
     double proportionalLimit_A_per_rad = 0.0;
     double frictionBand_rad = 0.0;            ///< predicted rest band +-K_f/(phi K_P)
     double highFrequencyGain_A_per_rad = 0.0; ///< K_P + K_D/T_s
