@@ -1,0 +1,115 @@
+#include "widgets/figure_axis.h"
+#include "widgets/figure_painter.h"
+#include "widgets/offscreen_application.h"
+
+#include <QImage>
+#include <QPainter>
+#include <qwt_text.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::widgets {
+namespace {
+
+Figure twoPanels() {
+    Panel panel;
+    panel.y = {"value", "A", false, {}, {}, {}};
+    panel.curves = {{"one", {0.0, 1.0}, {0.0, 1.0}, CurveStyle::Line, 0},
+                    {"two", {0.5}, {0.5}, CurveStyle::Points, 1}};
+    Panel wide = panel;
+    wide.curves[0].y = {0.0, 123456.0};
+    return {"Title", {"time", "s", false, {}, {}, {}}, {panel, wide}};
+}
+
+int pixelsOf(const QImage& image, const QRectF& area, const QColor& colour) {
+    int count = 0;
+    for (int y = static_cast<int>(area.top()); y < area.bottom(); ++y) {
+        for (int x = static_cast<int>(area.left()); x < area.right(); ++x) {
+            const QColor pixel = image.pixelColor(x, y);
+            const bool isClose = std::abs(pixel.red() - colour.red()) +
+                                     std::abs(pixel.green() - colour.green()) +
+                                     std::abs(pixel.blue() - colour.blue()) <
+                                 60;
+            count += isClose ? 1 : 0;
+        }
+    }
+    return count;
+}
+
+QStringList labelsOf(const FigureScale& scale) {
+    const FigureAxis axis(scale, QwtScaleDraw::LeftScale, QRectF(0, 0, 1, 200));
+    QStringList labels;
+    for (const double tick : scale.division.ticks(QwtScaleDiv::MajorTick)) {
+        labels << axis.label(tick).text();
+    }
+    return labels;
+}
+
+TEST(FigureLayout, alignsPanelsAndKeepsThemApart) {
+    const auto application = OffscreenApplication::ensure();
+    const Figure figure = twoPanels();
+    const FigureLayout layout = layOut(figure, 600);
+    ASSERT_EQ(layout.panels.size(), 2U);
+    EXPECT_EQ(layout.panels[0].canvas.left(), layout.panels[1].canvas.left());
+    EXPECT_EQ(layout.panels[0].canvas.right(), layout.panels[1].canvas.right());
+    EXPECT_GT(layout.panels[1].canvas.top(), layout.panels[0].canvas.bottom());
+    EXPECT_GT(layout.size.height(), layout.panels[1].canvas.bottom() + 36.0); // tick labels and title below
+    EXPECT_LT(layout.panels[1].canvas.right(), 600.0);
+    EXPECT_EQ(layout.panels[0].legend.size(), 2U);
+    EXPECT_TRUE(layout.panels[1].legend.empty()); // the same curves are not named twice
+}
+
+TEST(FigureLayout, wrapsALegendThatIsTooLong) {
+    const auto application = OffscreenApplication::ensure();
+    Figure figure = twoPanels();
+    figure.panels.resize(1);
+    figure.panels[0].curves[0].label = std::string(60, 'w');
+    figure.panels[0].curves[1].label = std::string(60, 'm');
+    const FigureLayout layout = layOut(figure, 600);
+    EXPECT_GT(layout.panels[0].legend[1].baseline, layout.panels[0].legend[0].baseline);
+    EXPECT_GT(layout.panels[0].canvas.top(), layout.panels[0].legend[1].baseline);
+}
+
+TEST(FigurePainter, drawsEveryCurveInItsColourInsideItsPanel) {
+    const auto application = OffscreenApplication::ensure();
+    const Theme theme = loadTheme("dark").value();
+    const Figure figure = twoPanels();
+    const FigureLayout layout = layOut(figure, 600);
+    QImage image(layout.size, QImage::Format_RGB32);
+    image.fill(theme.panel);
+    QPainter painter(&image);
+    paintFigure(painter, figure, layout, theme);
+    painter.end();
+    for (const FigureLayout::PanelPlace& place : layout.panels) {
+        EXPECT_GT(pixelsOf(image, place.canvas, theme.curves[0]), 100); // a line across the panel
+        EXPECT_GT(pixelsOf(image, place.canvas, theme.curves[1]), 10);  // one marker
+        EXPECT_EQ(pixelsOf(image, place.canvas, theme.curves[2]), 0);
+    }
+}
+
+TEST(FigureAxis, labelsOfOneAxisHaveTheSameDecimals) {
+    const auto application = OffscreenApplication::ensure();
+    Panel panel;
+    panel.curves = {{{}, {0.0, 1.0}, {0.0195, 0.0215}, CurveStyle::Line, {}}};
+    for (const QString& label : labelsOf(verticalScale(panel, 200.0))) {
+        EXPECT_EQ(label.section(QLatin1Char('.'), 1).size(), 4) << label.toStdString();
+    }
+}
+
+TEST(FigureAxis, neverShowsANegativeZeroAndKeepsExtremesShort) {
+    const auto application = OffscreenApplication::ensure();
+    Panel panel;
+    panel.curves = {{{}, {0.0, 1.0}, {-0.41, 0.42}, CurveStyle::Line, {}}};
+    EXPECT_FALSE(labelsOf(verticalScale(panel, 120.0)).contains(QStringLiteral("-0.0")));
+    EXPECT_TRUE(labelsOf(verticalScale(panel, 120.0)).contains(QStringLiteral("0.0")));
+    panel.curves[0].y = {0.0, 3e-9};
+    for (const QString& label : labelsOf(verticalScale(panel, 120.0))) {
+        EXPECT_LE(label.size(), 7) << label.toStdString();
+    }
+}
+
+} // namespace
+} // namespace halbench::widgets
