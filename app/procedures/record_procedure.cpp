@@ -26,11 +26,32 @@ Result<void> checkRecord(const devices::Catalogue& catalogue, const RecordConfig
     return {};
 }
 
-void trimRows(Recording& recording, std::size_t rows) {
-    if (recording.rows() > rows) {
-        recording.time_s.resize(rows);
-        recording.values.resize(rows * recording.layout->columns.size());
+// Rows up to the duration; when some were lost, those waited for too long lie behind it.
+void trimRows(Recording& recording, double duration_s, double period_s) {
+    if (recording.rows() == 0) { // nothing came, not even a layout
+        return;
     }
+    const double end_s = duration_s - 0.5 * period_s;
+    while (!recording.time_s.empty() && recording.time_s.back() > end_s) {
+        recording.time_s.pop_back();
+    }
+    recording.values.resize(recording.rows() * recording.layout->columns.size());
+}
+
+// A gap is shown; a stream that is mostly gap is no recording.
+Result<DataQuality> judgeRows(std::size_t found, std::size_t expected) {
+    DataQuality quality;
+    if (2 * found < expected) {
+        return failure(ErrorCode::DeviceLost, fmt::format("only {} of {} samples arrived", found, expected),
+                       "check the link; record fewer signals or at a lower rate");
+    }
+    if (found < expected) {
+        quality.verdict = Verdict::Doubtful;
+        quality.findings.push_back({"rows_lost",
+                                    fmt::format("{} of {} rows are missing", expected - found, expected),
+                                    "Record fewer signals or at a lower rate."});
+    }
+    return quality;
 }
 
 // Waits for the rows, with some patience for those on their way.
@@ -77,15 +98,12 @@ Result<RecordResult> runRecord(devices::Device& device, const RecordConfig& conf
     }
     RecordResult result;
     result.recording = recorder.finish();
-    trimRows(result.recording, rows);
-    if (result.recording.lostRows > 0 || result.recording.rows() < rows) {
-        result.quality.verdict = Verdict::Doubtful;
-        result.quality.findings.push_back(
-            {"rows_lost",
-             fmt::format("{} of {} rows are missing",
-                         rows - result.recording.rows() + result.recording.lostRows, rows),
-             "Record fewer signals or at a lower rate."});
+    trimRows(result.recording, config.duration_s, 1.0 / config.rate_Hz);
+    auto quality = judgeRows(result.recording.rows(), rows);
+    if (!quality) {
+        return failure(quality.error());
     }
+    result.quality = *std::move(quality);
     if (auto entered = enterState(observer, ProcedureState::Done); !entered) {
         return failure(entered.error());
     }

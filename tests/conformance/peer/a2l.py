@@ -86,6 +86,15 @@ class Item:
     events: list = field(default_factory=list)
     is_read_only: bool = False
 
+    def __post_init__(self):
+        """A limit above its type is clamped to the type (protocol 3.13): floats print 4294967295 as ...300."""
+        if not self.type.startswith("FLOAT"):
+            bits = 8 * type_size(self.type)
+            is_signed = self.type[0] == "S" or self.type == "A_INT64"
+            lowest, highest = (-(1 << bits - 1), (1 << bits - 1) - 1) if is_signed else (0, (1 << bits) - 1)
+            ends = sorted((self.physical(lowest), self.physical(highest)))
+            self.lower, self.upper = max(self.lower, ends[0]), min(self.upper, ends[1])
+
     @property
     def size(self):
         return type_size(self.type) * self.count
