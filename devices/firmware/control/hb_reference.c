@@ -7,18 +7,23 @@
 #include <string.h>
 
 #define TICK_S 0.001F
-#define TURN 4294967296.0F /* phase units of one turn */
+/* Phases count in units of 2^-32/1000 turn, so that a frequency in Hz moves a whole number of them each
+ * millisecond: a sine of hours does not drift against its frequency. */
+#define PHASE_PER_HZ 4294967296.0F
+#define PHASE_TURN ((uint64_t)1000 << 32)
 
 static uint32_t ticksOf(float seconds) {
     return (uint32_t)(seconds * 1000.0F + 0.5F);
 }
 
-static uint32_t phasePerTick(float frequency_Hz) {
-    return (uint32_t)(frequency_Hz * TICK_S * TURN);
+static uint64_t advanced(uint64_t phase, float frequency_Hz) {
+    phase += (uint64_t)(frequency_Hz * PHASE_PER_HZ);
+    return phase >= PHASE_TURN ? phase - PHASE_TURN : phase;
 }
 
-static float radiansOf(uint32_t phase) {
-    return (float)(int32_t)phase * (HB_TWO_PI / TURN);
+static float radiansOf(uint64_t phase) {
+    int64_t centred = (int64_t)phase - (phase > PHASE_TURN / 2 ? (int64_t)PHASE_TURN : 0);
+    return (float)centred * (HB_TWO_PI / (1000.0F * PHASE_PER_HZ));
 }
 
 static uint32_t durationTicks(const hb_reference* reference) {
@@ -61,11 +66,10 @@ static void startMultisine(hb_reference* reference) {
     uint16_t lines = lineCount(&reference->config);
     uint32_t state = reference->config.seed;
     for (uint16_t line = 0; line < lines; line++) {
-        uint32_t half_turns = ((uint32_t)line * (line + 1U)) % (2U * lines);
+        uint32_t half_turns = (2U * lines - ((uint32_t)line * (line + 1U)) % (2U * lines)) % (2U * lines);
         state = xorshift(state);
-        reference->line_phase[line] = reference->config.seed
-                                          ? state
-                                          : 0U - (uint32_t)((float)half_turns / (2.0F * (float)lines) * TURN);
+        reference->line_phase[line] =
+            reference->config.seed ? (uint64_t)state * 1000U : PHASE_TURN / (2U * lines) * half_turns;
     }
 }
 
@@ -240,15 +244,15 @@ void hb_reference_stop(hb_reference* reference) {
 static void advancePhases(hb_reference* reference) {
     const hb_reference_config* config = &reference->config;
     if (config->shape == HB_SHAPE_SINE) {
-        reference->phase += phasePerTick(config->frequency_Hz);
+        reference->phase = advanced(reference->phase, config->frequency_Hz);
     }
 #if HB_FEATURE_GENERATOR
     if (config->shape == HB_SHAPE_CHIRP) {
-        reference->phase +=
-            phasePerTick(chirpFrequency(reference, ((float)reference->ticks + 0.5F) * TICK_S));
+        float middle_s = ((float)reference->ticks + 0.5F) * TICK_S;
+        reference->phase = advanced(reference->phase, chirpFrequency(reference, middle_s));
     } else if (config->shape == HB_SHAPE_MULTISINE) {
         for (uint16_t line = 0; line < lineCount(config); line++) {
-            reference->line_phase[line] += phasePerTick(lineFrequency(config, line));
+            reference->line_phase[line] = advanced(reference->line_phase[line], lineFrequency(config, line));
         }
     }
 #endif

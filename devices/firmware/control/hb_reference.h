@@ -69,11 +69,11 @@ typedef struct {
     hb_reference_config config;
 #if HB_FEATURE_GENERATOR
     hb_plateau_config plateaus;
-    uint32_t line_phase[HB_MULTISINE_LINES]; /* 2^32 = one turn */
+    uint64_t line_phase[HB_MULTISINE_LINES]; /* as `phase` */
 #endif
     uint32_t ticks; /* milliseconds since the start */
     uint32_t duration_ticks;
-    uint32_t phase; /* of sine and chirp, 2^32 = one turn */
+    uint64_t phase; /* of sine and chirp; 1000 * 2^32 = one turn */
     hb_reference_point held;
     uint16_t segment; /* 1, 2, ... counts steps, plateaus; grows over starts so that a change marks a new
                          segment */

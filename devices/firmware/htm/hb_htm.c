@@ -237,10 +237,6 @@ static void publish(hb_htm* board) {
     signals->fault = board->safety.fault;
     signals->reference_segment = board->reference.segment;
     signals->reference_running = board->reference.running;
-#if HB_FEATURE_CAPTURE
-    signals->capture_state = board->capture.state;
-    signals->capture_time_us = board->capture.trigger_time_us;
-#endif
 }
 
 #if HB_FEATURE_CAPTURE
@@ -275,6 +271,12 @@ static void capture(hb_htm* board) {
     }
 }
 
+/* After the tick's sample, so that a full capture shows at once. */
+static void publishCapture(hb_htm* board) {
+    board->signals.capture_state = board->capture.state;
+    board->signals.capture_time_us = board->capture.trigger_time_us;
+}
+
 #endif
 
 void hb_htm_fast_tick(hb_htm* board, const hb_htm_inputs* inputs, hb_htm_outputs* outputs) {
@@ -290,6 +292,7 @@ void hb_htm_fast_tick(hb_htm* board, const hb_htm_inputs* inputs, hb_htm_outputs
     publish(board);
 #if HB_FEATURE_CAPTURE
     capture(board);
+    publishCapture(board);
 #endif
     hb_xcp_event(&board->xcp, HB_HTM_EVENT_FAST);
     if (board->loop_phase == 0) {
