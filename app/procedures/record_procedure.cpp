@@ -9,6 +9,8 @@
 namespace halbench::app {
 namespace {
 
+constexpr double MaxRows = 2e7; // held in memory until written: some gigabytes
+
 Result<void> checkRecord(const devices::Catalogue& catalogue, const RecordConfig& config) {
     if (!std::isfinite(config.duration_s) || config.duration_s <= 0.0) {
         return failure(ErrorCode::OutOfRange, "the duration must be more than zero seconds",
@@ -16,6 +18,12 @@ Result<void> checkRecord(const devices::Catalogue& catalogue, const RecordConfig
     }
     if (!std::isfinite(config.rate_Hz) || config.rate_Hz <= 0.0) {
         return failure(ErrorCode::OutOfRange, "the rate must be more than zero", "Give e.g. --rate 100.");
+    }
+    if (config.duration_s * config.rate_Hz > MaxRows) {
+        return failure(ErrorCode::OutOfRange,
+                       fmt::format("a duration of {} s at {} Hz is more than {} rows", config.duration_s,
+                                   config.rate_Hz, MaxRows),
+                       "Record in pieces or at a lower rate.");
     }
     for (const std::string& name : config.signals) {
         if (catalogue.findSignal(name) == nullptr) {
