@@ -24,7 +24,7 @@ namespace {
 
 constexpr double CurveWidth_px = 1.5;
 constexpr double SymbolSize_px = 6.0;
-constexpr std::size_t ColumnsPerPixel = 2;
+constexpr std::size_t ColumnsPerPixel = 1;
 
 bool isMarkers(CurveStyle style) {
     return style == CurveStyle::Points || style == CurveStyle::HollowPoints;

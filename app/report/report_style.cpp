@@ -34,7 +34,7 @@ nav a{color:var(--accent);text-decoration:none;margin-right:20px;white-space:now
 nav a:hover,nav a:focus{text-decoration:underline}
 dl{display:grid;grid-template-columns:repeat(auto-fill,minmax(380px,1fr));gap:0 24px;margin:8px 0}
 dl div{display:flex;border-bottom:1px solid var(--line);padding:3px 0}
-dt{flex:0 0 190px;color:var(--muted)}
+dt{flex:0 0 216px;color:var(--muted)}
 dd{flex:1;min-width:0;margin:0;overflow-wrap:anywhere;font-variant-numeric:tabular-nums}
 .table{overflow-x:auto;margin:12px 0}
 table{border-collapse:collapse;min-width:50%;font-variant-numeric:tabular-nums}

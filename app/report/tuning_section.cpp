@@ -44,8 +44,7 @@ ReportTable gainTable(const control::PositionLaw& law) {
 }
 
 std::string withUnit(double value, std::string_view unit) {
-    return std::isfinite(value) ? fmt::format("{}{}", reportNumber(std::round(value * 1e4) / 1e4), unit)
-                                : "infinite";
+    return std::isfinite(value) ? fmt::format("{:.4g}{}", value, unit) : "infinite";
 }
 
 std::string frequencyWords(const std::optional<double>& frequency_rad_s) {

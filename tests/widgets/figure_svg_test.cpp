@@ -70,7 +70,7 @@ TEST(FigureSvg, carriesNoDateIdOrForeignReference) {
 TEST(FigureSvg, drawsColumnsNotSamples) {
     const std::size_t small = draw(stepFigure(4000)).value().size();
     const std::size_t large = draw(stepFigure(400000)).value().size();
-    // 1600 columns of two points: about as much for a hundred times the samples.
+    // one column of two points a pixel: about as much for a hundred times the samples.
     EXPECT_LT(large, 2 * small);
 }
 
