@@ -226,10 +226,15 @@ static void putConversionName(writer* out, const char* name, uint8_t has_convers
     putChar(out, ' ');
 }
 
-static void putLimits(writer* out, float lower, float upper) {
+/* The largest ULONG is not a float: its neighbour would lie above the type. */
+static void putLimits(writer* out, uint8_t type, float lower, float upper) {
     putFloat(out, lower);
     putChar(out, ' ');
-    putFloat(out, upper);
+    if (type == HB_ULONG && upper >= 4294967296.0F) {
+        putRom(out, TEXT("4294967295"));
+    } else {
+        putFloat(out, upper);
+    }
     putChar(out, '\n');
 }
 
@@ -254,7 +259,7 @@ static void putSignal(writer* out, const hb_xcp* slave, const hb_signal* entry, 
     putChar(out, ' ');
     putConversionName(out, signal.name, has_conversion);
     putRom(out, TEXT("0 0 "));
-    putLimits(out, signal.lower, signal.upper);
+    putLimits(out, signal.type, signal.lower, signal.upper);
     putRom(out, TEXT("ECU_ADDRESS "));
     putHex(out, 8U * (uint32_t)handle);
     putChar(out, '\n');
@@ -292,7 +297,7 @@ static void putParameter(writer* out, const hb_parameter* entry) {
     putTypeName(out, parameter.type);
     putRom(out, TEXT(" 0 "));
     putConversionName(out, parameter.name, has_conversion);
-    putLimits(out, parameter.lower, parameter.upper);
+    putLimits(out, parameter.type, parameter.lower, parameter.upper);
     putUnit(out, parameter.unit);
     if (parameter.space == HB_BLOCK) {
         putRom(out, TEXT("ECU_ADDRESS_EXTENSION 2\nREAD_ONLY\nMATRIX_DIM "));
