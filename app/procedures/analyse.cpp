@@ -75,14 +75,12 @@ Result<AnalysisResult::Bode> bodeOf(const TransferFunction& openLoop) {
     return bode;
 }
 
-/// Long enough for the oscillation to fall below 0.3 %; a slow real pole beside it is not waited for.
+/// Six time constants of the slowest pole, between 100 and 2000 samples: a pole slower still is one that the
+/// integral of a friction-free loop hardly excites.
 double stepDuration_s(const AnalysisResult& result, double period_s) {
     constexpr double TimeConstants = 6.0;
-    double rate_1_s = -std::log(std::min(result.poleRadius, 1.0 - 1e-9)) / period_s;
-    if (result.dominantDamping_ratio) {
-        rate_1_s = *result.dominantDamping_ratio * *result.dominantFrequency_rad_s;
-    }
-    return std::clamp(TimeConstants / std::max(rate_1_s, 1e-6), 100.0 * period_s, 2000.0 * period_s);
+    const double samples = -TimeConstants / std::log(std::min(result.poleRadius, 1.0 - 1e-9));
+    return std::clamp(samples, 100.0, 2000.0) * period_s;
 }
 
 Result<void> takeStep(AnalysisResult& result, const control::PositionPlant& plant, const PidGains& gains,

@@ -174,6 +174,27 @@ bool meetsPhaseMargin(const PositionPlant& plant, const LoopTiming& timing, cons
            std::abs(quality.margins.phaseMargin_deg - phaseMargin_deg) < 0.01;
 }
 
+/// Of the crossovers up to the recommended one, the loop with the asked margin that is stiffest: the largest
+/// K_P leaves the narrowest friction band. A margin bought with derivative action alone, K_P k well below the
+/// square of the crossover, makes a damper and not a position loop, and does not count.
+std::optional<PidGains> stiffestWithMargin(const PositionPlant& plant, const LoopTiming& timing,
+                                           double slowest_rad_s, double fastest_rad_s,
+                                           double phaseMargin_deg) {
+    constexpr double LeastStiffness_ratio = 0.1; // 0.5 in the recommended loop
+    std::optional<PidGains> best;
+    for (double crossover_rad_s = fastest_rad_s; crossover_rad_s >= slowest_rad_s; crossover_rad_s *= 0.98) {
+        const PidGains gains = gainsAtCrossover(plant, timing, crossover_rad_s, phaseMargin_deg);
+        const double stiffness_ratio =
+            gains.proportional * plant.accelerationGain_rad_s2_A / (crossover_rad_s * crossover_rad_s);
+        const bool isStiffer = !best || gains.proportional > best->proportional;
+        if (isStiffer && stiffness_ratio >= LeastStiffness_ratio &&
+            meetsPhaseMargin(plant, timing, gains, phaseMargin_deg)) {
+            best = gains;
+        }
+    }
+    return best;
+}
+
 Result<PositionLaw> designPhaseMargin(const PositionPlant& plant, const LoopTiming& timing,
                                       const DesignTargets& targets) {
     if (!targets.phaseMargin_deg) {
@@ -181,21 +202,19 @@ Result<PositionLaw> designPhaseMargin(const PositionPlant& plant, const LoopTimi
                        "add --phase-margin-deg DEG");
     }
     const double margin_deg = *targets.phaseMargin_deg;
-    // From the recommended crossover downward: the fastest loop that has the margin.
     const double fastest_rad_s = targets.omega_rad_s.value_or(0.457 / timing.period_s);
     const double slowest_rad_s = targets.omega_rad_s.value_or(0.005 / timing.period_s);
-    for (double crossover_rad_s = fastest_rad_s; crossover_rad_s >= slowest_rad_s; crossover_rad_s *= 0.98) {
-        const PidGains gains = gainsAtCrossover(plant, timing, crossover_rad_s, margin_deg);
-        if (meetsPhaseMargin(plant, timing, gains, margin_deg)) {
-            return withFeedForward(gains, plant);
-        }
+    const auto gains = stiffestWithMargin(plant, timing, slowest_rad_s, fastest_rad_s, margin_deg);
+    if (!gains) {
+        return failure(
+            ErrorCode::OutOfRange,
+            fmt::format("no position loop on this motor has a phase margin of {:.4g} deg and a gain margin "
+                        "of 2{}",
+                        margin_deg,
+                        targets.omega_rad_s ? fmt::format(" at {:.4g} rad/s", *targets.omega_rad_s) : ""),
+            "ask for 30 to 60 deg, or leave the crossover to the program");
     }
-    return failure(
-        ErrorCode::OutOfRange,
-        fmt::format("no loop on this motor has a phase margin of {:.4g} deg and a gain margin of 2{}",
-                    margin_deg,
-                    targets.omega_rad_s ? fmt::format(" at {:.4g} rad/s", *targets.omega_rad_s) : ""),
-        "ask for 25 to 65 deg, or leave the crossover to the program");
+    return withFeedForward(*gains, plant);
 }
 
 PositionLaw preset(double proportional, double integral, GainUnit unit) {
@@ -280,7 +299,7 @@ const std::vector<DesignMethod>& designMethods() {
         {"recommended", "", "the product's own loop, scaled to the identified motor"},
         {"pole-placement", "zeta, omega-rad-s", "PI with the asked dominant pair, as far as the motor damps"},
         {"bandwidth", "bandwidth-hz", "the recommended shape at the asked closed-loop bandwidth"},
-        {"phase-margin", "phase-margin-deg, omega-rad-s", "the fastest loop with the asked phase margin"},
+        {"phase-margin", "phase-margin-deg, omega-rad-s", "the stiffest loop with the asked phase margin"},
         {"published", "", "10 A/rad and 0.1 A/(rad s), as printed"},
         {"designed", "", "zeta = 0.06 at 15 rad/s, as the source meant it"},
         {"micro-step", "", "5 A/deg and 0.05 A/(deg s), for steps of a few tenths of a degree"},

@@ -96,19 +96,6 @@ TEST(RecommendedGains, warnOfLargeStepsWhereTheMotorBrakesPoorly) {
     }
 }
 
-// help: htm-theory.md 8.1, preset "published" with friction
-TEST(LargeStepPrediction, ofThePublishedGainsIsTheTableOfTheTheory) {
-    TuneConfig config;
-    config.method = "published";
-    const auto tuned = runTune(estimateOf(Motors[0]), config);
-    ASSERT_TRUE(tuned.has_value());
-    const control::StepMetrics& step = *tuned->predicted.largeStep;
-    EXPECT_NEAR(step.riseTime_s.value(), 0.162, 0.002);
-    EXPECT_NEAR(step.overshoot_percent, 33.3, 0.3);
-    EXPECT_NEAR(step.peakTime_s.value(), 0.342, 0.002);
-    EXPECT_NEAR(radiansToDegrees(step.finalError_rad), 4.59, 0.25);
-}
-
 TEST(RecommendedGains, followASineAndARampOnEveryMotor) {
     for (const Motor& motor : Motors) {
         models::IdealLoopConfig config = idealLoop(motor, recommended(motor));

@@ -71,26 +71,6 @@ TEST(Tune, absoluteValuesAndTheirRatiosGiveTheSameGains) {
     EXPECT_NEAR(ratios->law.coulomb_A, absolute->law.coulomb_A, 1e-5);
 }
 
-TEST(Tune, refusesSteadySpeedsAloneAndSaysWhatWouldHelp) {
-    MotorEstimate estimate;
-    estimate.values = {{"c_over_phi", 0.086}, {"Kf_over_phi", 1.43}};
-    const auto result = runTune(estimate, method("recommended"));
-    ASSERT_FALSE(result.has_value());
-    EXPECT_EQ(result.error().code, ErrorCode::Refused);
-    EXPECT_NE(result.error().message.find("phi/J"), std::string::npos);
-    EXPECT_NE(result.error().hint.find("--given J"), std::string::npos);
-}
-
-TEST(Tune, completesSteadySpeedsByOneRatioOfATransient) {
-    MotorEstimate estimate;
-    estimate.values = {{"c_over_phi", 1.23e-3 / 1.43e-2},
-                       {"Kf_over_phi", 2.05e-2 / 1.43e-2},
-                       {"c_over_J", 1.23e-3 / 5.5e-4}};
-    const auto plant = plantFromEstimate(estimate);
-    ASSERT_TRUE(plant.has_value());
-    EXPECT_NEAR(plant->accelerationGain_rad_s2_A, 26.0, 1e-9);
-}
-
 TEST(Tune, robustnessSeesTheUncertaintyOfTheParametersEvenWhenTheirRatiosAreListedToo) {
     MotorEstimate estimate = published();
     const auto plain = runTune(estimate, method("published"));
@@ -254,44 +234,6 @@ TEST(Law, isCheckedAgainstTheLimitsOfTheDevice) {
     EXPECT_EQ(lawForDevice(law, smallBoard(5.0)).error().code, ErrorCode::OutOfRange);
     const auto recommended = runTune(published(), method("recommended"))->law;
     EXPECT_EQ(lawForDevice(recommended, smallBoard(100.0)).error().code, ErrorCode::UnknownName);
-}
-
-TEST(Analysis, curvesCoverTheLoopUpToNyquistAndTheStepInMilliseconds) {
-    const auto law = runTune(published(), method("recommended"))->law;
-    const auto result = runAnalysis(published(), law, {});
-    ASSERT_TRUE(result.has_value());
-    EXPECT_NEAR(result->bode.frequency_Hz.back(), 50.0, 1e-9);
-    EXPECT_EQ(result->bode.phase_deg.size(), result->bode.frequency_Hz.size());
-    for (std::size_t i = 1; i < result->bode.phase_deg.size(); ++i) {
-        EXPECT_LT(std::abs(result->bode.phase_deg[i] - result->bode.phase_deg[i - 1]), 90.0);
-    }
-    ASSERT_GT(result->stepCurve.time_s.size(), 2u);
-    EXPECT_NEAR(result->stepCurve.time_s[1], 1e-3, 1e-12);
-    EXPECT_NEAR(result->stepCurve.current_A.front(), 40.0, 1e-6);
-    EXPECT_NEAR(result->stepCurve.response_rad.back(), 1.0, 0.02);
-}
-
-// Second route for the step: the loop's own crossover and margin give overshoot and rise within a few percent
-// of any well damped loop; here only that the figures belong to the curve.
-TEST(Analysis, stepFiguresBelongToTheCurve) {
-    const auto law = runTune(published(), method("recommended"))->law;
-    const auto result = runAnalysis(published(), law, {});
-    const auto& y = result->stepCurve.response_rad;
-    const auto peak = std::max_element(y.begin(), y.end());
-    EXPECT_NEAR(result->step->overshoot_percent, 100.0 * (*peak - 1.0), 1e-9);
-    EXPECT_NEAR(result->step->peakTime_s.value(),
-                result->stepCurve.time_s[static_cast<std::size_t>(peak - y.begin())], 1e-12);
-}
-
-TEST(Analysis, refusesALawThatIsNoPositionLoop) {
-    control::PositionLaw law;
-    EXPECT_EQ(runAnalysis(published(), law, {}).error().code, ErrorCode::OutOfRange);
-    law.gains.proportional = Nan;
-    EXPECT_EQ(runAnalysis(published(), law, {}).error().code, ErrorCode::NotFinite);
-    law.gains.proportional = 10.0;
-    LoopConditions conditions;
-    conditions.currentLimit_A = 0.0;
-    EXPECT_EQ(runAnalysis(published(), law, conditions).error().code, ErrorCode::OutOfRange);
 }
 
 } // namespace

@@ -195,6 +195,27 @@ TEST(Design, phaseMarginIsMetByTheSampledLoopWithItsDelay) {
     }
 }
 
+// A margin bought with derivative action alone would leave a friction band of hundreds of degrees.
+TEST(Design, phaseMarginIsNotBoughtWithStiffness) {
+    for (const int delay : {0, 1, 2}) {
+        const LoopTiming timing{0.01, delay};
+        const auto law = designLaw("phase-margin", published(), timing, phaseMargin(60.0));
+        ASSERT_TRUE(law.has_value());
+        const double crossover = marginsOf(published(), *law, timing).gainCrossover_rad_s.value();
+        EXPECT_GT(law->gains.proportional * 26.0, 0.1 * crossover * crossover);
+    }
+}
+
+TEST(Design, aGivenCrossoverIsKeptOrRefused) {
+    DesignTargets targets = phaseMargin(45.0);
+    targets.omega_rad_s = 30.0;
+    const auto law = designLaw("phase-margin", published(), NoDelay, targets);
+    ASSERT_TRUE(law.has_value());
+    EXPECT_NEAR(marginsOf(published(), *law, NoDelay).gainCrossover_rad_s.value(), 30.0, 1e-6);
+    targets.omega_rad_s = 200.0;
+    EXPECT_EQ(designLaw("phase-margin", published(), NoDelay, targets).error().code, ErrorCode::OutOfRange);
+}
+
 TEST(Design, presetsAreTheNumbersOfTheTheory) {
     const auto published_ = designLaw("published", published(), NoDelay, {});
     EXPECT_EQ(published_->gains.proportional, 10.0);

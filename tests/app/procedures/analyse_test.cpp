@@ -1,0 +1,132 @@
+#include "app/procedures/analyse.h"
+#include "app/procedures/large_step.h"
+#include "control/base/units.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace halbench::app {
+namespace {
+
+constexpr double Nan = std::numeric_limits<double>::quiet_NaN();
+
+MotorEstimate published() {
+    MotorEstimate estimate;
+    estimate.values = {{"J", 5.5e-4}, {"c", 1.23e-3}, {"Kf", 2.05e-2}, {"phi", 1.43e-2}};
+    return estimate;
+}
+
+control::PositionLaw recommended() {
+    control::PositionLaw law;
+    law.gains.proportional = 40.0;
+    law.gains.integral = 60.0;
+    law.gains.derivative = 1.4;
+    return law;
+}
+
+TEST(MotorEstimate, refusesSteadySpeedsAloneAndSaysWhatWouldHelp) {
+    MotorEstimate estimate;
+    estimate.values = {{"c_over_phi", 0.086}, {"Kf_over_phi", 1.43}};
+    const auto result = plantFromEstimate(estimate);
+    ASSERT_FALSE(result.has_value());
+    EXPECT_EQ(result.error().code, ErrorCode::Refused);
+    EXPECT_NE(result.error().message.find("phi/J"), std::string::npos);
+    EXPECT_NE(result.error().hint.find("--given J"), std::string::npos);
+}
+
+TEST(MotorEstimate, completesSteadySpeedsByOneRatioOfATransient) {
+    MotorEstimate estimate;
+    estimate.values = {{"c_over_phi", 1.23e-3 / 1.43e-2},
+                       {"Kf_over_phi", 2.05e-2 / 1.43e-2},
+                       {"c_over_J", 1.23e-3 / 5.5e-4}};
+    const auto plant = plantFromEstimate(estimate);
+    ASSERT_TRUE(plant.has_value());
+    EXPECT_NEAR(plant->accelerationGain_rad_s2_A, 26.0, 1e-9);
+}
+
+TEST(Analysis, curvesCoverTheLoopUpToNyquistAndTheStepInMilliseconds) {
+    const auto result = runAnalysis(published(), recommended(), {});
+    ASSERT_TRUE(result.has_value());
+    EXPECT_NEAR(result->bode.frequency_Hz.back(), 50.0, 1e-9);
+    EXPECT_EQ(result->bode.phase_deg.size(), result->bode.frequency_Hz.size());
+    for (std::size_t i = 1; i < result->bode.phase_deg.size(); ++i) {
+        EXPECT_LT(std::abs(result->bode.phase_deg[i] - result->bode.phase_deg[i - 1]), 90.0);
+    }
+    ASSERT_GT(result->stepCurve.time_s.size(), 2u);
+    EXPECT_NEAR(result->stepCurve.time_s[1], 1e-3, 1e-12);
+    EXPECT_NEAR(result->stepCurve.current_A.front(), 40.0, 1e-6);
+    EXPECT_NEAR(result->stepCurve.response_rad.back(), 1.0, 0.02);
+}
+
+TEST(Analysis, stepFiguresBelongToTheCurve) {
+    const auto result = runAnalysis(published(), recommended(), {});
+    const auto& y = result->stepCurve.response_rad;
+    const auto peak = std::max_element(y.begin(), y.end());
+    EXPECT_NEAR(result->step->overshoot_percent, 100.0 * (*peak - 1.0), 1e-9);
+    EXPECT_NEAR(result->step->peakTime_s.value(),
+                result->stepCurve.time_s[static_cast<std::size_t>(peak - y.begin())], 1e-12);
+}
+
+TEST(Analysis, refusesALawThatIsNoPositionLoop) {
+    control::PositionLaw law;
+    EXPECT_EQ(runAnalysis(published(), law, {}).error().code, ErrorCode::OutOfRange);
+    law.gains.proportional = Nan;
+    EXPECT_EQ(runAnalysis(published(), law, {}).error().code, ErrorCode::NotFinite);
+    law.gains.proportional = 10.0;
+    LoopConditions conditions;
+    conditions.currentLimit_A = 0.0;
+    EXPECT_EQ(runAnalysis(published(), law, conditions).error().code, ErrorCode::OutOfRange);
+}
+
+// K_f/phi over K_P, and 573 A/rad is K_P = 10 A/deg (help: htm-theory.md 6.7, 6.8)
+TEST(Analysis, takesGainsInAnyUnit) {
+    control::PositionLaw law;
+    law.gains.unit = control::GainUnit::PerDegree;
+    law.gains.proportional = 10.0;
+    const auto result = runAnalysis(published(), law, {});
+    ASSERT_TRUE(result.has_value());
+    EXPECT_NEAR(result->highFrequencyGain_A_per_rad, 572.958, 0.5e-3);
+    EXPECT_NEAR(result->frictionBand_rad, 1.43357 / 572.958, 1e-7);
+    EXPECT_FALSE(result->isStable);
+}
+
+TEST(Analysis, seesTheDelayOfTheDevice) {
+    LoopConditions conditions;
+    conditions.timing.delay_samples = 1;
+    const auto delayed = runAnalysis(published(), recommended(), conditions);
+    const auto prompt = runAnalysis(published(), recommended(), {});
+    // One sample at the crossover: 45.7 rad/s 0.01 s = 26.2 deg
+    EXPECT_NEAR(prompt->margins.phaseMargin_deg - delayed->margins.phaseMargin_deg, 26.2, 0.1);
+    EXPECT_LT(delayed->proportionalLimit_A_per_rad, prompt->proportionalLimit_A_per_rad);
+}
+
+// help: htm-theory.md 8.1
+TEST(LargeStep, isTheIdealLoopOfTheTheory) {
+    const control::PositionPlant plant = *plantFromEstimate(published());
+    control::PositionLaw law;
+    law.gains.proportional = 10.0;
+    law.gains.integral = 0.1;
+    const struct {
+        double step_deg;
+        double rise_s;
+        double overshoot_percent;
+        double peak_s;
+        double final_deg;
+    } table[] = {{100.0, 0.162, 33.3, 0.342, 4.59},
+                 {180.0, 0.226, 27.9, 0.455, -2.09},
+                 {300.0, 0.305, 22.9, 0.590, -7.08}};
+    for (const auto& row : table) {
+        const auto step = predictLargeStep(plant, law, {}, degreesToRadians(row.step_deg));
+        ASSERT_TRUE(step.has_value());
+        EXPECT_NEAR(step->metrics.riseTime_s.value(), row.rise_s, 0.002);
+        EXPECT_NEAR(step->metrics.overshoot_percent, row.overshoot_percent, 0.3);
+        EXPECT_NEAR(step->metrics.peakTime_s.value(), row.peak_s, 0.002);
+        EXPECT_NEAR(radiansToDegrees(step->metrics.finalError_rad), row.final_deg, 0.25);
+    }
+}
+
+} // namespace
+} // namespace halbench::app
