@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace halbench::app {
@@ -29,6 +30,10 @@ Result<void> checkRecord(const devices::Catalogue& catalogue, const RecordConfig
         if (catalogue.findSignal(name) == nullptr) {
             return failure(ErrorCode::UnknownName, fmt::format("the device has no signal '{}'", name),
                            "`halbench describe` lists the signals.");
+        }
+        if (std::count(config.signals.begin(), config.signals.end(), name) > 1) {
+            return failure(ErrorCode::Usage, fmt::format("the signal '{}' is named twice", name),
+                           "Name every signal once.");
         }
     }
     return {};
