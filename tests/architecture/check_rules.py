@@ -75,9 +75,13 @@ SAMPLES = {
     "every_source_has_its_test": (
         [{"control/base/a.cpp": "", "control/base/a.h": ""}, {"control/base/b.cpp": ""},
          {"control/base/a.cpp": "", "control/base/a.h": "", "tests/t.md": '#include "control/base/a.h"'},
-         TEST_OF | {"control/base/b.cpp": "", "control/base/b.h": "", "control/base/a.h": ""}],
+         TEST_OF | {"control/base/b.cpp": "", "control/base/b.h": "", "control/base/a.h": ""},
+         {"tests/x/a_test.cpp": '#include "control/lti/a.h"\n', "control/lti/a.h": '#include "control/base/b.h"\n',
+          "control/base/b.h": "", "control/base/b.cpp": ""}],
         [TEST_OF | {"control/base/a.cpp": "", "control/base/a.h": ""},
-         TEST_OF | {"control/base/a_part.cpp": '#include "control/base/a.h"\n', "control/base/a.h": ""}]),
+         TEST_OF | {"control/base/a_part.cpp": '#include "control/base/a.h"\n', "control/base/a.h": ""},
+         TEST_OF | {"control/base/a.h": "", "control/base/a.cpp": '#include "control/base/part.h"\n',
+                    "control/base/part.h": "", "control/base/part.cpp": ""}]),
     "data_parses": (
         [{"resources/a.json": "{"}, {"resources/a.json": '{"a": NaN}'}, {"resources/a.json": '{"a": 1, "a": 2}'},
          {"resources/a.toml": "a = "}, {"resources/a.toml": "a = 1\na = 2"}],

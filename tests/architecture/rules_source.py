@@ -178,31 +178,42 @@ def cites_only_what_is_here(files):
                 yield path, number, f"{found.group(0)} is not part of the repository"
 
 
-# source: why no test includes its header
-TESTED_OTHERWISE = {
-    "app/main.cpp": "the program itself; run by the program tests",
-}
-TESTED_BY_THE_PROGRAM = ("app/batch/program", "app/batch/commands", "app/batch/command_", "app/batch/interrupt",
-                         "app/batch/console")
+# Run as a whole by the program tests, not linked into a unit test.
+TESTED_BY_THE_PROGRAM = ("app/batch/program", "app/batch/command", "app/batch/interrupt", "app/batch/console",
+                         "app/main.cpp")
 
 
 def every_source_has_its_test(files):
-    tested = {header for path, text in files.items() if path.startswith("tests/") and is_source(path)
-              for _, _, header in includes(text)}
+    """A test includes its header, or that of the unit of the same folder which it is a part of."""
+    tested = tested_headers(files)
     for path, text in files.items():
-        if not is_product(path) or path.endswith(".h") or path in TESTED_OTHERWISE:
-            continue
-        if path.startswith(TESTED_BY_THE_PROGRAM) or "/boards/" in path or "/examples/" in path:
+        if not is_product(path) or path.endswith(".h") or "/boards/" in path or path.startswith(TESTED_BY_THE_PROGRAM):
             continue
         own = re.sub(r"\.(cpp|c)$", ".h", path)
-        headers = {own} if own in files else same_folder_headers(path, text)
+        headers = {own} if own in files else own_includes(files, path)
         if not headers & tested:
-            yield path, 1, f"no test includes {' or '.join(sorted(headers)) or own}"
+            yield path, 1, f"no test includes {' or '.join(sorted(headers)) or own}, nor the unit it is a part of"
 
 
-def same_folder_headers(path, text):
-    folder = path.rsplit("/", 1)[0] + "/"
-    return {header for _, mark, header in includes(text) if mark == '"' and header.startswith(folder)}
+def tested_headers(files):
+    """Headers that tests include, and the parts these and their sources are made of."""
+    waiting = [header for path, text in files.items() if path.startswith("tests/") and is_source(path)
+               for _, _, header in includes(text)]
+    tested = set()
+    while waiting:
+        header = waiting.pop()
+        if header not in tested and header in files:
+            tested.add(header)
+            for part in (header, header[:-2] + ".cpp", header[:-2] + ".c"):
+                waiting += own_includes(files, part)
+    return tested
+
+
+def own_includes(files, path):
+    """What a file includes from its own part of the house."""
+    folder = home(path)
+    return {header for _, mark, header in includes(files.get(path, ""))
+            if mark == '"' and folder and header.startswith(folder + "/")}
 
 
 RULES = {rule.__name__: rule for rule in (
