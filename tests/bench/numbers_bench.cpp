@@ -44,7 +44,8 @@ void benchFrequencyResponse(Goals& goals) {
             benchmark::DoNotOptimize(values.data());
         },
         15);
-    goals.atLeast("frequency response of a sampled loop against plain complex Horner", plain_s / ours_s, 1.0,
+    // Both wait for the sine and cosine; what we add (checks, a safe quotient) must stay small.
+    goals.atLeast("frequency response of a sampled loop against plain complex Horner", plain_s / ours_s, 0.8,
                   "x");
 }
 
