@@ -36,7 +36,7 @@ double excursionWindow_rad(const devices::Catalogue& catalogue, const MoveConfig
     return std::min(2.0 * asked_rad + Pi / 2.0, largest_rad);
 }
 
-Result<void> setWindows(devices::Device& device, const MoveConfig& config) {
+Result<void> setWindows(devices::Device& device, const MoveConfig& config, const ProcedureObserver&) {
     const ParameterValue windows[] = {{"window.position", excursionWindow_rad(device.catalogue(), config)},
                                       {"window.position_enabled", 1.0},
                                       {"window.speed", config.speedLimit_rad_s},
@@ -44,7 +44,7 @@ Result<void> setWindows(devices::Device& device, const MoveConfig& config) {
     return device.writeParameters(windows);
 }
 
-Result<void> setGenerator(devices::Device& device, const MoveConfig& config) {
+Result<void> setGenerator(devices::Device& device, const MoveConfig& config, const ProcedureObserver&) {
     std::vector<ParameterValue> values = generatorParameters(config.reference, config.duration_s);
     values.push_back({"hb.mode", static_cast<double>(devices::BoardMode::Position)});
     return device.writeParameters(values);
@@ -252,42 +252,15 @@ Result<MoveResult> runGuarded(devices::Device& device, const MoveConfig& config,
     if (auto entered = enterState(observer, ProcedureState::Prepare); !entered) {
         return failure(entered.error());
     }
-    if (auto checked = checkMove(config); !checked) {
-        return failure(checked.error());
-    }
-    if (auto prepared = prepare(device, config, observer); !prepared) {
-        return failure(prepared.error());
-    }
     auto guard = RestoreGuard::take(device);
     if (!guard) {
         return failure(guard.error());
     }
-    for (auto* set : {&setWindows, &setGenerator}) {
-        if (auto done = (*set)(device, config); !done) {
-            return failure(done.error());
-        }
-    }
-    if (auto entered = enterState(observer, ProcedureState::Excite); !entered) {
-        return failure(entered.error());
-    }
-    StreamRecorder recorder(device, observer);
-    if (auto started = recorder.start(recordedSignals(), config.rate_Hz); !started) {
-        return failure(started.error());
-    }
-    if (auto followed = follow(device, config, observer); !followed) {
-        return failure(followed.error());
-    }
-    if (auto finite = recorder.check(); !finite) {
-        return failure(finite.error());
-    }
-    Recording recording = recorder.finish();
-    if (auto restored = guard->restore(); !restored) {
+    Result<MoveResult> result = performMove(device, config, observer);
+    if (auto restored = guard->restore(); result && !restored) {
         return failure(restored.error());
     }
-    if (auto entered = enterState(observer, ProcedureState::Judge); !entered) {
-        return failure(entered.error());
-    }
-    return judge(std::move(recording), config, loopPeriod_s(device.catalogue()));
+    return result;
 }
 
 } // namespace
@@ -314,6 +287,36 @@ MovePrediction predictMove(const MoveConfig& config, const models::PositionLaw& 
     }
     const double withMargin = std::min(square * Margin_ratio * Margin_ratio, limit_A * limit_A);
     return {config.duration_s, largest(trace.current_A, true), withMargin};
+}
+
+Result<MoveResult> performMove(devices::Device& device, const MoveConfig& config,
+                               const ProcedureObserver& observer) {
+    if (auto checked = checkMove(config); !checked) {
+        return failure(checked.error());
+    }
+    for (auto* step : {&prepare, &setWindows, &setGenerator}) {
+        if (auto done = (*step)(device, config, observer); !done) {
+            return failure(done.error());
+        }
+    }
+    if (auto entered = enterState(observer, ProcedureState::Excite); !entered) {
+        return failure(entered.error());
+    }
+    StreamRecorder recorder(device, observer);
+    if (auto started = recorder.start(recordedSignals(), config.rate_Hz); !started) {
+        return failure(started.error());
+    }
+    if (auto followed = follow(device, config, observer); !followed) {
+        return failure(followed.error());
+    }
+    if (auto finite = recorder.check(); !finite) {
+        return failure(finite.error());
+    }
+    Recording recording = recorder.finish();
+    if (auto entered = enterState(observer, ProcedureState::Judge); !entered) {
+        return failure(entered.error());
+    }
+    return judge(std::move(recording), config, loopPeriod_s(device.catalogue()));
 }
 
 Result<MoveResult> runMove(devices::Device& device, const MoveConfig& config,

@@ -70,6 +70,12 @@ MovePrediction predictMove(const MoveConfig& config, const models::PositionLaw& 
 Result<MoveResult> runMove(devices::Device& device, const MoveConfig& config,
                            const ProcedureObserver& observer);
 
+/// The part of it that moves and judges, for a procedure that holds a RestoreGuard of its own: sets the
+/// windows and the generator, arms, follows, disarms. What it set stays for the guard to undo. Tells the
+/// observer Excite, Record, Judge. Errors: as runMove().
+Result<MoveResult> performMove(devices::Device& device, const MoveConfig& config,
+                               const ProcedureObserver& observer);
+
 /// Reference and response of a run, both counted from where the rotor was when it began; 1 ms apart.
 struct MoveResponse {
     std::vector<double> time_s;

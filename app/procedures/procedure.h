@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,7 +54,8 @@ struct ProcedureObserver {
 /// Thread: the procedure's. The destructor never throws; a lost device is left to the board's watchdog.
 class RestoreGuard {
 public:
-    static Result<RestoreGuard> take(devices::Device& device);
+    /// `others`: parameters to restore that are not transactional on this device (a board without pages).
+    static Result<RestoreGuard> take(devices::Device& device, std::span<const std::string> others = {});
     RestoreGuard(RestoreGuard&& other) noexcept;
     RestoreGuard& operator=(RestoreGuard&&) = delete;
     RestoreGuard(const RestoreGuard&) = delete;

@@ -43,8 +43,13 @@ RestoreGuard::RestoreGuard(RestoreGuard&& other) noexcept
     : m_device(std::exchange(other.m_device, nullptr)), m_snapshot(std::move(other.m_snapshot)),
       m_isKept(other.m_isKept) {}
 
-Result<RestoreGuard> RestoreGuard::take(devices::Device& device) {
-    const std::vector<std::string> names = restorableNames(device.catalogue());
+Result<RestoreGuard> RestoreGuard::take(devices::Device& device, std::span<const std::string> others) {
+    std::vector<std::string> names = restorableNames(device.catalogue());
+    for (const std::string& name : others) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) {
+            names.push_back(name);
+        }
+    }
     const Result<std::vector<double>> values = device.readParameters(names);
     if (!values) {
         return failure(values.error());

@@ -21,6 +21,10 @@ Result<void> LoopbackTransport::open() {
         std::chrono::steady_clock::now() - std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                                                std::chrono::duration<double>(m_now_s));
     m_isOpen = true;
+    std::vector<std::uint8_t> meantForAnother;
+    while (takePacket(meantForAnother)) {
+    }
+    m_statistics = {};
     return {};
 }
 

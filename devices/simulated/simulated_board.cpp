@@ -82,7 +82,8 @@ models::HtmDrive SimulatedBoard::driveOf(const hb_htm_outputs& outputs) const {
 
 void SimulatedBoard::tick() {
     updateTruth();
-    const models::HtmReadings readings = m_plant.read();
+    models::HtmReadings readings = m_plant.read();
+    readings.hallCode[0] = m_brokenHallCode.value_or(readings.hallCode[0]);
     hb_htm_inputs inputs{};
     for (std::size_t i = 0; i < 2; ++i) {
         inputs.hall_code[i] = static_cast<float>(readings.hallCode[i]);

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -38,6 +39,9 @@ public:
     /// Message counter of the packet transmitted last.
     std::uint16_t messageCounter() const { return hb_htm_counter(&m_board); }
 
+    /// From now on Hall sensor a reads this code whatever the field is: a broken sensor, for tests.
+    void breakHallSensor(double code) { m_brokenHallCode = code; }
+
     const models::HtmPlant& plant() const { return m_plant; }
     /// What the board holds, for tests.
     const hb_htm& firmware() const { return m_board; }
@@ -64,6 +68,7 @@ private:
     double m_turns_rad = 0.0; ///< whole turns between the plant's angle and the board's
     std::uint64_t m_ticks = 0;
     std::uint16_t m_segment = 0;
+    std::optional<double> m_brokenHallCode;
 };
 
 } // namespace halbench::devices

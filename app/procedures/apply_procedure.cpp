@@ -1,0 +1,245 @@
+#include "app/procedures/apply_procedure.h"
+
+#include "app/procedures/position_law_parameters.h"
+#include "app/procedures/procedure_steps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace halbench::app {
+namespace {
+
+Result<void> checkValues(const devices::Catalogue& catalogue, const std::vector<ParameterValue>& values) {
+    for (const ParameterValue& value : values) {
+        const ParameterSpec* spec = catalogue.findParameter(value.name);
+        if (spec == nullptr) {
+            return failure(ErrorCode::UnknownName,
+                           fmt::format("the device has no parameter '{}'", value.name),
+                           "`halbench describe` lists the parameters.");
+        }
+        if (auto checked = checkParameterValue(*spec, value.value); !checked) {
+            return checked;
+        }
+    }
+    return {};
+}
+
+std::vector<std::string> namesOf(const std::vector<ParameterValue>& values) {
+    std::vector<std::string> names;
+    for (const ParameterValue& value : values) {
+        names.push_back(value.name);
+    }
+    return names;
+}
+
+Result<std::vector<ParameterValue>> readBack(devices::Device& device,
+                                             const std::vector<ParameterValue>& values) {
+    const std::vector<std::string> names = namesOf(values);
+    const auto read = device.readParameters(names);
+    if (!read) {
+        return failure(read.error());
+    }
+    std::vector<ParameterValue> result;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        result.push_back({names[i], (*read)[i]});
+    }
+    return result;
+}
+
+// The device keeps single precision: half a unit of its last place is 6e-8 of the value.
+Result<void> compare(const std::vector<ParameterValue>& asked, const std::vector<ParameterValue>& found) {
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        if (!(std::fabs(asked[i].value - found[i].value) <= 1e-6 * std::fabs(asked[i].value) + 1e-12)) {
+            return failure(
+                ErrorCode::DeviceRefused,
+                fmt::format("{} reads {} after writing {}", asked[i].name, found[i].value, asked[i].value),
+                "The old values run again; check the device's limits.");
+        }
+    }
+    return {};
+}
+
+MoveConfig moveOf(const ApplyVerification& verification) {
+    MoveConfig config;
+    config.reference = verification.reference;
+    config.duration_s = verification.duration_s;
+    return config;
+}
+
+Result<MoveFigures> predict(const ApplyVerification& verification, const control::PositionPlant& plant,
+                            const models::PositionLaw& law) {
+    const auto reference = idealReference(verification.reference);
+    if (!reference) {
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("a {} has no prediction to verify against",
+                                   moveShapeName(verification.reference.shape)),
+                       "Verify with a step, ramp, sine or staircase.");
+    }
+    models::IdealLoopConfig loop;
+    loop.rotor.inertia_kg_m2 = 1.0; // the motion depends on the ratios to J only
+    loop.rotor.viscousDamping_Nm_s = plant.dampingRate_1_s;
+    loop.rotor.coulombFriction_Nm = plant.breakawayCurrent_A * plant.accelerationGain_rad_s2_A;
+    loop.torqueConstant_Nm_per_A = plant.accelerationGain_rad_s2_A;
+    loop.law = law;
+    loop.reference = *reference;
+    loop.duration_s = verification.duration_s;
+    const models::IdealTrace trace = models::runIdealLoop(loop);
+    return measureMove({trace.time_s, trace.reference_rad, trace.angle_rad}, moveOf(verification));
+}
+
+// Where friction holds the rotor against the gains depends on how it got there: no prediction can say it.
+double frictionBand_rad(const control::PositionPlant& plant, const models::PositionLaw& law) {
+    constexpr double StaticFriction_ratio = 1.15; // resources/help/htm-theory.md section 9
+    const double left_A = std::max(0.0, StaticFriction_ratio * plant.breakawayCurrent_A - law.stiction_A);
+    return law.kp_A_per_rad > 0.0 ? left_A / law.kp_A_per_rad : 0.0;
+}
+
+void judge(const ApplyVerification& verification, double band_rad, ApplyResult& result) {
+    const MoveFigures& predicted = *result.predicted;
+    const MoveFigures& measured = result.verification->measured;
+    const auto expect = [&](const char* what, double seen, double allowed, const char* unit) {
+        if (!(seen <= allowed)) {
+            result.quality.verdict = Verdict::Refused;
+            result.quality.findings.push_back(
+                {"verification_failed",
+                 fmt::format("{} was {:.3g} {}, the prediction allows {:.3g} {}", what, seen, unit, allowed,
+                             unit),
+                 "The old values run again. Identify the motor anew, or choose calmer gains."});
+        }
+    };
+    if (predicted.overshoot_percent && measured.overshoot_percent) {
+        expect("overshoot", *measured.overshoot_percent,
+               *predicted.overshoot_percent + verification.overshootTolerance_percent, "%");
+        expect("final error", std::fabs(measured.finalError_rad),
+               std::max(std::fabs(predicted.finalError_rad), band_rad) + verification.errorTolerance_rad,
+               "rad");
+    } else {
+        constexpr double Margin_ratio = 1.5; // friction scatter is the largest part of a tracking error
+        expect("rms error", measured.rmsError_rad,
+               Margin_ratio * std::max(predicted.rmsError_rad, band_rad) + verification.errorTolerance_rad,
+               "rad");
+    }
+}
+
+Result<void> verify(devices::Device& device, const ApplyVerification& verification,
+                    const ProcedureObserver& observer, ApplyResult& result) {
+    if (auto entered = enterState(observer, ProcedureState::Verify); !entered) {
+        return entered;
+    }
+    const auto plant = plantFromEstimate(verification.motor);
+    if (!plant) {
+        return failure(plant.error());
+    }
+    const auto law = readPositionLaw(device);
+    if (!law) {
+        return failure(law.error());
+    }
+    const auto predicted = predict(verification, *plant, *law);
+    if (!predicted) {
+        return failure(predicted.error());
+    }
+    ProcedureObserver quiet = observer;
+    quiet.onState = nullptr; // all of the move is one state here
+    const auto seen = performMove(device, moveOf(verification), quiet);
+    if (!seen) {
+        return failure(seen.error());
+    }
+    result.predicted = *predicted;
+    result.verification = *seen;
+    judge(verification, frictionBand_rad(*plant, *law), result);
+    return {};
+}
+
+// The verification's windows go, the new values stay.
+Result<void> keepValues(devices::Device& device, const RestoreGuard& guard, const ApplyConfig& config) {
+    std::vector<ParameterValue> others;
+    for (const ParameterValue& old : guard.snapshot()) {
+        const bool isNew = std::any_of(config.values.begin(), config.values.end(),
+                                       [&](const ParameterValue& value) { return value.name == old.name; });
+        if (!isNew) {
+            others.push_back(old);
+        }
+    }
+    return device.writeParameters(others);
+}
+
+Result<ApplyResult> runInside(devices::Device& device, const ApplyConfig& config, RestoreGuard& guard,
+                              const ProcedureObserver& observer) {
+    ApplyResult result;
+    const auto before = readBack(device, config.values);
+    if (!before) {
+        return failure(before.error());
+    }
+    result.before = *before;
+    if (auto entered = enterState(observer, ProcedureState::Apply); !entered) {
+        return failure(entered.error());
+    }
+    if (auto written = device.writeParameters(config.values); !written) {
+        return failure(written.error());
+    }
+    const auto after = readBack(device, config.values);
+    if (!after) {
+        return failure(after.error());
+    }
+    result.after = *after;
+    if (auto same = compare(config.values, result.after); !same) {
+        return failure(same.error());
+    }
+    if (config.verification) {
+        if (auto verified = verify(device, *config.verification, observer, result); !verified) {
+            return failure(verified.error());
+        }
+    }
+    if (auto goOn = observer.checkAbort ? observer.checkAbort() : Result<void>(); !goOn) {
+        return failure(goOn.error());
+    }
+    result.isKept = result.quality.verdict != Verdict::Refused;
+    if (result.isKept) {
+        if (auto kept = keepValues(device, guard, config); !kept) {
+            return failure(kept.error());
+        }
+        guard.keep();
+    }
+    return result;
+}
+
+Result<ApplyResult> runGuarded(devices::Device& device, const ApplyConfig& config,
+                               const ProcedureObserver& observer) {
+    if (auto entered = enterState(observer, ProcedureState::Prepare); !entered) {
+        return failure(entered.error());
+    }
+    if (auto checked = checkValues(device.catalogue(), config.values); !checked) {
+        return failure(checked.error());
+    }
+    auto guard = RestoreGuard::take(device, namesOf(config.values));
+    if (!guard) {
+        return failure(guard.error());
+    }
+    if (auto entered = enterState(observer, ProcedureState::Propose); !entered) {
+        return failure(entered.error());
+    }
+    auto result = runInside(device, config, *guard, observer);
+    if (!result) {
+        return result;
+    }
+    if (auto restored = guard->restore(); !restored) {
+        return failure(restored.error());
+    }
+    return result;
+}
+
+} // namespace
+
+Result<ApplyResult> runApply(devices::Device& device, const ApplyConfig& config,
+                             const ProcedureObserver& observer) {
+    const auto result = runGuarded(device, config, observer);
+    const bool isKept = result && result->isKept;
+    // The change is complete: an abort that comes now finds it done or undone, never half.
+    (void)enterState(observer, isKept ? ProcedureState::Done : ProcedureState::Restored);
+    return result;
+}
+
+} // namespace halbench::app

@@ -1,0 +1,139 @@
+#include "app/procedures/apply_procedure.h"
+#include "tests/app/procedures/simulated_motor.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace halbench::app {
+namespace {
+
+MotorEstimate motor(double inertia_kg_m2 = 5.5e-4) {
+    MotorEstimate estimate;
+    estimate.values = {{"J", inertia_kg_m2}, {"c", 1.23e-3}, {"Kf", 2.05e-2}, {"phi", 1.43e-2}};
+    return estimate;
+}
+
+ApplyConfig recommendedWith(devices::Device& device, const MotorEstimate& estimate) {
+    ApplyConfig config;
+    config.values =
+        positionLawValues(device.catalogue(), models::recommendedLaw(models::RotorConfig{}, 1.43e-2));
+    config.verification.emplace();
+    config.verification->reference.amplitude_rad = degreesToRadians(100);
+    config.verification->motor = estimate;
+    return config;
+}
+
+TEST(Apply, keepsGainsThatMoveAsPredicted) {
+    for (const char* query : {"imperfections=off", "seed=1", "seed=2", "seed=3"}) {
+        const auto device = openMotor(query);
+        const auto result = runApply(*device, recommendedWith(*device, motor()), {});
+        ASSERT_TRUE(result) << result.error().message;
+        EXPECT_TRUE(result->isKept) << query;
+        ASSERT_TRUE(result->predicted);
+        EXPECT_NEAR(result->predicted->overshoot_percent.value_or(0), 7.5, 1.0); // section 8.4
+        EXPECT_FLOAT_EQ(static_cast<float>(parameter(*device, "gain.kp")), 40.0F);
+        EXPECT_EQ(parameter(*device, "window.position_enabled"), 0.0);
+        EXPECT_FALSE(device->state().isArmed);
+    }
+}
+
+TEST(Apply, restoresTheOldGainsWhenTheMotorMovesUnlikeThePrediction) {
+    // The estimate says less than a quarter of the true inertia: the real step overshoots far more than predicted.
+    const auto device = openMotor("imperfections=off&J=2.5e-3");
+    const auto result = runApply(*device, recommendedWith(*device, motor()), {});
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_FALSE(result->isKept);
+    EXPECT_EQ(result->quality.verdict, Verdict::Refused);
+    ASSERT_FALSE(result->quality.findings.empty());
+    EXPECT_EQ(result->quality.findings[0].code, "verification_failed");
+    EXPECT_EQ(parameter(*device, "gain.kp"), 10.0);
+    EXPECT_EQ(parameter(*device, "gain.kd"), 0.0);
+}
+
+TEST(Apply, restoresTheOldGainsWhenTheNewOnesAreUnstable) {
+    const auto device = openMotor("imperfections=off&Kf=0&delay_samples=2");
+    ApplyConfig config = recommendedWith(*device, motor());
+    config.values = {{"gain.kp", 100.0}};
+    const auto result = runApply(*device, config, {});
+    EXPECT_FALSE(result && result->isKept);
+    EXPECT_EQ(parameter(*device, "gain.kp"), 10.0);
+    EXPECT_FALSE(device->state().isArmed);
+}
+
+TEST(Apply, withoutVerificationWritesAndReadsBack) {
+    const auto device = openMotor("");
+    ApplyConfig config;
+    config.values = {{"gain.kp", 8.684}, {"gain.ki", 3.776}};
+    const auto result = runApply(*device, config, {});
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_TRUE(result->isKept);
+    EXPECT_EQ(result->before[0].value, 10.0);
+    EXPECT_NEAR(result->after[0].value, 8.684, 1e-6); // single precision
+    EXPECT_NEAR(parameter(*device, "gain.ki"), 3.776, 1e-6);
+}
+
+TEST(Apply, refusesBadValuesBeforeTheFirstOneIsWritten) {
+    const auto device = openMotor("");
+    const std::pair<ParameterValue, ErrorCode> cases[] = {
+        {{"gain.ki", std::numeric_limits<double>::quiet_NaN()}, ErrorCode::NotFinite},
+        {{"gain.ki", -1.0}, ErrorCode::OutOfRange},
+        {{"limit.current", 5.0}, ErrorCode::OutOfRange},
+        {{"gain.kx", 1.0}, ErrorCode::UnknownName}};
+    for (const auto& [bad, code] : cases) {
+        ApplyConfig config;
+        config.values = {{"gain.kp", 20.0}, bad};
+        const auto result = runApply(*device, config, {});
+        ASSERT_FALSE(result) << bad.name;
+        EXPECT_EQ(result.error().code, code);
+        EXPECT_EQ(parameter(*device, "gain.kp"), 10.0);
+    }
+}
+
+TEST(Apply, abortRestoresTheOldGains) {
+    const auto device = openMotor("");
+    bool isVerifying = false;
+    ProcedureObserver observer;
+    observer.onState = [&](ProcedureState state) {
+        isVerifying = isVerifying || state == ProcedureState::Verify;
+    };
+    observer.checkAbort = [&]() -> Result<void> {
+        return isVerifying ? Result<void>(failure(ErrorCode::Interrupted, "aborted")) : Result<void>();
+    };
+    const auto result = runApply(*device, recommendedWith(*device, motor()), observer);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::Interrupted);
+    EXPECT_EQ(parameter(*device, "gain.kp"), 10.0);
+    EXPECT_FALSE(device->state().isArmed);
+}
+
+TEST(RestoreGuard, putsEveryTransactionalParameterBack) {
+    const auto device = openMotor("");
+    {
+        const auto guard = RestoreGuard::take(*device);
+        ASSERT_TRUE(guard);
+        EXPECT_GT(guard->snapshot().size(), 30U);
+        setParameter(*device, "gain.kp", 33.0);
+        setParameter(*device, "window.speed", 5.0);
+    }
+    EXPECT_EQ(parameter(*device, "gain.kp"), 10.0);
+    EXPECT_EQ(parameter(*device, "window.speed"), 40.0);
+}
+
+TEST(RestoreGuard, keepsWhatIsToBeKeptButDisarms) {
+    const auto device = openMotor("");
+    {
+        auto guard = RestoreGuard::take(*device);
+        ASSERT_TRUE(guard);
+        setParameter(*device, "gain.kp", 33.0);
+        setParameter(*device, "hb.mode", 2.0);
+        ASSERT_TRUE(device->arm());
+        guard->keep();
+    }
+    EXPECT_EQ(parameter(*device, "gain.kp"), 33.0);
+    EXPECT_FALSE(device->state().isArmed);
+}
+
+} // namespace
+} // namespace halbench::app

@@ -1,0 +1,61 @@
+#include "tests/app/procedures/procedure_cases.h"
+
+#include "app/procedures/apply_procedure.h"
+#include "app/procedures/move_procedure.h"
+#include "app/procedures/record_procedure.h"
+
+namespace halbench::app {
+namespace {
+
+using State = ProcedureState;
+
+template <typename T>
+Result<void> withoutValue(const Result<T>& result) {
+    return result ? Result<void>() : Result<void>(failure(result.error()));
+}
+
+MotorEstimate publishedMotor() {
+    MotorEstimate motor;
+    motor.values = {{"J", 5.5e-4}, {"c", 1.23e-3}, {"Kf", 2.05e-2}, {"phi", 1.43e-2}};
+    return motor;
+}
+
+Result<void> record(devices::Device& device, const ProcedureObserver& observer) {
+    RecordConfig config;
+    config.duration_s = 0.5;
+    return withoutValue(runRecord(device, config, observer));
+}
+
+Result<void> moveOneStep(devices::Device& device, const ProcedureObserver& observer) {
+    MoveConfig config;
+    config.reference.amplitude_rad = 1.7;
+    config.duration_s = 1.0;
+    return withoutValue(runMove(device, config, observer));
+}
+
+constexpr double NewGain_A_per_rad = 12.0;
+
+Result<void> applyVerified(devices::Device& device, const ProcedureObserver& observer) {
+    ApplyConfig config;
+    config.values = {{"gain.kp", NewGain_A_per_rad}, {"gain.kd", 0.2}};
+    config.verification.emplace();
+    config.verification->reference.amplitude_rad = 1.7;
+    config.verification->duration_s = 1.5;
+    config.verification->motor = publishedMotor();
+    return withoutValue(runApply(device, config, observer));
+}
+
+} // namespace
+
+std::vector<ProcedureCase> procedureCases() {
+    return {
+        {"record", {State::Prepare, State::Record, State::Done}, record, {}, true},
+        {"move", {State::Prepare, State::Excite, State::Record, State::Judge, State::Done}, moveOneStep, {}},
+        {"apply",
+         {State::Prepare, State::Propose, State::Apply, State::Verify, State::Done},
+         applyVerified,
+         NewGain_A_per_rad},
+    };
+}
+
+} // namespace halbench::app

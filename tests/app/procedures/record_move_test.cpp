@@ -1,0 +1,193 @@
+#include "app/procedures/coil_forecast.h"
+#include "app/procedures/record_procedure.h"
+#include "tests/app/procedures/simulated_motor.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace halbench::app {
+namespace {
+
+TEST(Record, givesRowsFromZeroUpToTheDuration) {
+    const auto device = openMotor("");
+    RecordConfig config;
+    config.duration_s = 1.0;
+    const auto result = runRecord(*device, config, {});
+    ASSERT_TRUE(result) << result.error().message;
+    ASSERT_EQ(result->recording.rows(), 100U);
+    EXPECT_EQ(result->recording.time_s.front(), 0.0);
+    EXPECT_NEAR(result->recording.time_s.back(), 0.99, 1e-9);
+    EXPECT_EQ(result->quality.verdict, Verdict::Good);
+    EXPECT_FALSE(device->state().isArmed);
+    EXPECT_EQ(result->recording.layout->columns.size(), device->catalogue().defaultSignals.size());
+}
+
+TEST(Record, refusesWhatTheDeviceCannotDo) {
+    const auto device = openMotor("");
+    RecordConfig config;
+    config.signals = {"position", "posture"};
+    EXPECT_EQ(runRecord(*device, config, {}).error().code, ErrorCode::UnknownName);
+    config.signals = {"position"};
+    for (const double bad : {0.0, -1.0, std::nan("")}) {
+        config.duration_s = bad;
+        EXPECT_EQ(runRecord(*device, config, {}).error().code, ErrorCode::OutOfRange);
+    }
+    config.duration_s = 1.0;
+    config.rate_Hz = 300.0; // does not divide 1000
+    const auto refused = runRecord(*device, config, {});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::OutOfRange);
+}
+
+TEST(MoveReference, readsTheCommandLinesForm) {
+    const auto sine = parseMoveReference("sine,amplitude_deg=360,period_s=5");
+    ASSERT_TRUE(sine);
+    EXPECT_EQ(sine->shape, MoveReference::Shape::Sine);
+    EXPECT_NEAR(sine->amplitude_rad, 2.0 * Pi, 1e-12);
+    EXPECT_NEAR(sine->frequency_Hz, 0.2, 1e-12);
+    const auto stairs = parseMoveReference("staircase,amplitude_deg=0.32,period_s=1,count=10");
+    ASSERT_TRUE(stairs);
+    EXPECT_EQ(stairs->count, 10);
+    EXPECT_EQ(stairs->period_s, 1.0);
+}
+
+TEST(MoveReference, refusesWhatIsNoReference) {
+    const std::pair<const char*, ErrorCode> cases[] = {
+        {"", ErrorCode::UnknownName},
+        {"jump,amplitude_deg=1", ErrorCode::UnknownName},
+        {"step", ErrorCode::InvalidInput},
+        {"step,amplitude_deg", ErrorCode::InvalidInput},
+        {"step,amplitude_deg=", ErrorCode::InvalidInput},
+        {"step,amplitude_deg=1,5", ErrorCode::InvalidInput},
+        {"step,amplitude=1", ErrorCode::UnknownName},
+        {"step,amplitude_deg=nan", ErrorCode::NotFinite},
+        {"step,amplitude_deg=1e9", ErrorCode::OutOfRange},
+        {"sine,amplitude_deg=10", ErrorCode::InvalidInput},
+        {"staircase,amplitude_deg=1,count=1.5", ErrorCode::OutOfRange},
+        {"chirp,amplitude_deg=10,frequency_hz=1", ErrorCode::InvalidInput},
+        {"ramp,amplitude_deg=10", ErrorCode::InvalidInput}};
+    for (const auto& [text, code] : cases) {
+        const auto refused = parseMoveReference(text);
+        ASSERT_FALSE(refused) << text;
+        EXPECT_EQ(refused.error().code, code) << text;
+    }
+}
+
+TEST(MoveReference, asksForAsMuchRoomAsItNeeds) {
+    EXPECT_NEAR(referenceExcursion_rad(*parseMoveReference("ramp,rate_rad_s=2"), 3.0), 6.0, 1e-12);
+    EXPECT_NEAR(referenceExcursion_rad(*parseMoveReference("ramp,rate_rad_s=2,amplitude_rad=1"), 3.0), 1.0,
+                1e-12);
+    EXPECT_NEAR(referenceExcursion_rad(*parseMoveReference("staircase,amplitude_rad=0.5,count=4"), 9.0), 2.0,
+                1e-12);
+    EXPECT_NEAR(referenceExcursion_rad(*parseMoveReference("step,amplitude_rad=-3,base_rad_s=1"), 2.0), 5.0,
+                1e-12);
+}
+
+MoveResponse delayedSine(double gain, double delay_rad) {
+    MoveResponse response;
+    response.rowsPerReference = 1;
+    for (int i = 0; i <= 10000; ++i) {
+        const double phase_rad = 2.0 * Pi * 0.5 * i * 1e-3;
+        response.time_s.push_back(i * 1e-3);
+        response.reference_rad.push_back(std::sin(phase_rad));
+        response.position_rad.push_back(gain * std::sin(phase_rad - delay_rad));
+    }
+    return response;
+}
+
+TEST(MoveFigures, findGainAndPhaseOfASine) {
+    MoveConfig config;
+    config.reference.shape = MoveReference::Shape::Sine;
+    config.reference.amplitude_rad = 1.0;
+    config.reference.frequency_Hz = 0.5;
+    config.duration_s = 10.0;
+    const auto figures = measureMove(delayedSine(1.2, 0.3), config);
+    ASSERT_TRUE(figures);
+    EXPECT_NEAR(figures->gain_ratio.value_or(0), 1.2, 1e-9);
+    EXPECT_NEAR(figures->phase_deg.value_or(0), -radiansToDegrees(0.3), 1e-6);
+    // |1 - 1.2 e^(-0.3 i)| is the amplitude of the error, its rms is that over sqrt 2
+    const double amplitude = std::hypot(1.0 - 1.2 * std::cos(0.3), 1.2 * std::sin(0.3));
+    EXPECT_NEAR(figures->maxError_rad, amplitude, 1e-5);
+    EXPECT_NEAR(figures->rmsError_rad, amplitude / std::sqrt(2.0), 1e-4); // both ends of the part count
+}
+
+TEST(MoveFigures, countOnlyTheSettledPartOfAStaircase) {
+    MoveConfig config;
+    config.reference.shape = MoveReference::Shape::Staircase;
+    config.reference.amplitude_rad = 1.0;
+    config.reference.count = 2;
+    config.duration_s = 2.0;
+    MoveResponse response;
+    response.rowsPerReference = 1;
+    for (int i = 0; i < 2000; ++i) {
+        const double late = i % 1000 < 500 ? 0.5 : 0.01; // large while it moves
+        response.time_s.push_back(i * 1e-3);
+        response.reference_rad.push_back(i < 1000 ? 1.0 : 2.0);
+        response.position_rad.push_back(response.reference_rad.back() - late);
+    }
+    const auto figures = measureMove(response, config);
+    ASSERT_TRUE(figures);
+    EXPECT_NEAR(figures->maxError_rad, 0.01, 1e-12);
+    EXPECT_NEAR(figures->peakError_rad, 0.5, 1e-12);
+}
+
+TEST(MoveFigures, refuseAResponseThatIsNotOne) {
+    EXPECT_EQ(measureMove({{0.0}, {0.0}, {0.0}}, {}).error().code, ErrorCode::InvalidInput);
+    EXPECT_EQ(measureMove({{0.0, 0.1}, {0.0}, {0.0, 0.0}}, {}).error().code, ErrorCode::InvalidInput);
+    EXPECT_EQ(measureMove({{0.0, 0.1}, {0.0, 0.0}, {0.0, std::nan("")}}, {}).error().code,
+              ErrorCode::NotFinite);
+}
+
+TEST(Move, endsWithASafetyStopWhenTheSpeedWindowIsLeft) {
+    const auto device = openMotor("imperfections=off");
+    MoveConfig config = move("step,amplitude_deg=300", 3);
+    config.speedLimit_rad_s = 5.0;
+    const auto result = runMove(*device, config, {});
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::SafetyStop);
+    EXPECT_FALSE(device->state().isArmed);
+    EXPECT_EQ(parameter(*device, "window.speed"), 40.0);
+}
+
+TEST(Move, waitsForTheRotorToRestBeforeItStarts) {
+    const auto device = openMotor(FullChain);
+    moved(*device, move("ramp,rate_deg_s=500", 2)); // leaves it coasting
+    const MoveResult result = moved(*device, move("step,amplitude_deg=100", 3));
+    EXPECT_NEAR(result.truth->overshoot_percent.value_or(0), 33.3, 0.5);
+}
+
+TEST(Move, sameSeedGivesTheSameBits) {
+    const auto run = [](const char* query) {
+        return moved(*openMotor(query), move("step,amplitude_deg=100", 2));
+    };
+    EXPECT_EQ(run("seed=4").recording.values, run("seed=4").recording.values);
+    EXPECT_NE(run("seed=4").recording.values, run("seed=5").recording.values);
+}
+
+TEST(CoilForecast, agreesWithTheDerivedTimes) {
+    // Section 9: 4 A held in one phase reaches 80 degC in 71 s; 2 A rotating (2 A^2 mean) 60.1 degC after 600
+    // s.
+    const models::CoilHeatingConfig model;
+    const CoilTemperatures cold;
+    EXPECT_NEAR(forecastCoil_degC(model, cold, 16.0, 71.0), 80.0, 0.5);
+    EXPECT_NEAR(forecastCoil_degC(model, cold, 2.0, 600.0), 60.1, 0.1);
+}
+
+TEST(CoilForecast, neverForecastsCoolingBelowThePresent) {
+    const CoilTemperatures warm{60.0, 50.0};
+    EXPECT_EQ(forecastCoil_degC(models::CoilHeatingConfig{}, warm, 0.0, 100.0), 60.0);
+}
+
+TEST(CoilForecast, refusesAMoveThatWouldOverheatBeforeItIsArmed) {
+    const auto device = openMotor("imperfections=off");
+    MoveConfig config =
+        move("chirp,amplitude_deg=50,frequency_hz=0.1,frequency_end_hz=5", 120); // no ideal form
+    const auto refused = runMove(*device, config, {});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::Refused);
+    EXPECT_EQ(device->clock().now_s(), 0.0);
+}
+
+} // namespace
+} // namespace halbench::app
