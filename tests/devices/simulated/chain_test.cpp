@@ -1,0 +1,167 @@
+#include "control/base/units.h"
+#include "devices/simulated/simulated_device.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+// Plant, firmware and link together; figures of resources/help/htm-theory.md.
+
+namespace halbench::devices {
+namespace {
+
+class Motor {
+public:
+    explicit Motor(const std::string& query) {
+        auto opened = openSimulatedDevice(*parseDeviceUri("sim:htm?" + query), {});
+        EXPECT_TRUE(opened) << opened.error().message;
+        m_device = std::move(*opened);
+    }
+
+    void set(const std::string& name, double value) {
+        const ParameterValue change[] = {{name, value}};
+        const auto written = m_device->writeParameters(change);
+        EXPECT_TRUE(written) << written.error().message;
+    }
+
+    void arm(BoardMode mode) {
+        set("hb.mode", static_cast<double>(mode));
+        const auto armed = m_device->arm();
+        EXPECT_TRUE(armed) << armed.error().message;
+    }
+
+    void wait(double duration_s) {
+        const auto waited = m_device->clock().waitFor(duration_s);
+        EXPECT_TRUE(waited) << waited.error().message;
+    }
+
+    double signal(const std::string& name) {
+        const std::string names[] = {name};
+        return m_device->readSignals(names)->front();
+    }
+
+    /// Mean over `duration_s` of a signal sampled at 1 kHz.
+    double mean(const std::string& name, double duration_s) {
+        double sum = 0.0;
+        std::size_t rows = 0;
+        EXPECT_TRUE(m_device->startStream({{name}, 1000.0}, [&](SampleBlockPtr block) {
+            for (std::size_t row = 0; row < block->rows(); ++row) {
+                sum += block->value(row, 0);
+                ++rows;
+            }
+        }));
+        wait(duration_s);
+        m_device->stopStream();
+        EXPECT_GT(rows, 0U);
+        return sum / static_cast<double>(rows);
+    }
+
+    Device& device() { return *m_device; }
+
+private:
+    std::unique_ptr<Device> m_device;
+};
+
+TEST(Chain, steadySpeedsAreThoseOfTheForceBalance) {
+    // Ideal chain: (phi I - K_f)/c to the board's single precision of the current (1e-7 relative).
+    Motor motor("chain=ideal");
+    motor.arm(BoardMode::Current);
+    for (const double current_A : {2.0, 3.0, -3.0, 4.0}) {
+        motor.set("hb.setpoint", current_A);
+        motor.wait(15.0);
+        const double expected = (1.43e-2 * std::fabs(current_A) - 2.05e-2) / 1.23e-3;
+        EXPECT_NEAR(motor.signal("truth.speed"), std::copysign(expected, current_A), 1e-6 * expected);
+    }
+}
+
+TEST(Chain, commutationAtTheFastLoopCostsAlmostNothing) {
+    // Section 3.8: 284.8 r/min at 4 A with 1 kHz, 278.2 with 100 Hz commutation (figure 10: 284.93).
+    Motor fast("imperfections=off");
+    fast.arm(BoardMode::Current);
+    fast.set("hb.setpoint", 4.0);
+    fast.wait(5.0);
+    EXPECT_NEAR(radPerSecondToRpm(fast.mean("truth.speed", 2.0)), 284.8, 0.1);
+    Motor slow("imperfections=off");
+    slow.set("commutation.divider", 10.0);
+    slow.arm(BoardMode::Current);
+    slow.set("hb.setpoint", 4.0);
+    slow.wait(5.0);
+    EXPECT_NEAR(radPerSecondToRpm(slow.mean("truth.speed", 2.0)), 278.2, 0.3);
+}
+
+TEST(Chain, strayFieldAdvancesTheAngleAsDerived) {
+    // Property 7 of section 10: atan(k_s I/B0) = 3.64 deg at 4 A of torque current, 0 of d-axis current; to
+    // the quantisation's 0.1 deg.
+    Motor motor("imperfections=off&stray_mT_per_A=2.5&Kf=1&psi0=0.7"); // friction holds the rotor
+    motor.set("stray.enabled", 0.0);
+    motor.arm(BoardMode::Current);
+    motor.set("hb.setpoint", 1.0);
+    motor.wait(0.5);
+    EXPECT_NEAR(radiansToDegrees(motor.mean("position", 0.2) - 0.7), 0.91, 0.15);
+    motor.set("hb.setpoint", 0.0);
+    ASSERT_TRUE(motor.device().disarm());
+    motor.arm(BoardMode::DAxis);
+    motor.set("hb.setpoint", 4.0);
+    motor.wait(0.5);
+    EXPECT_NEAR(radiansToDegrees(motor.mean("position", 0.2) - 0.7), 0.0, 0.1);
+    EXPECT_EQ(motor.signal("truth.position"), 0.7);
+}
+
+TEST(Chain, compensationRemovesTheStrayField) {
+    Motor motor("imperfections=off&stray_mT_per_A=2.5&Kf=1&psi0=0.7");
+    motor.arm(BoardMode::Current);
+    motor.set("hb.setpoint", 4.0);
+    motor.wait(0.5);
+    EXPECT_NEAR(radiansToDegrees(motor.mean("position", 0.2) - 0.7), 0.0, 0.1);
+}
+
+TEST(Chain, positionFollowsTruthOverManyTurnsFromAnyStart) {
+    for (const char* start : {"0", "3.14159265", "-3.14159265", "10", "-25"}) {
+        Motor motor(std::string("imperfections=off&psi0=") + start);
+        motor.arm(BoardMode::Current);
+        motor.set("hb.setpoint", 3.5);
+        motor.wait(10.0);
+        motor.set("hb.setpoint", 0.0);
+        motor.wait(2.0);
+        EXPECT_GT(motor.signal("truth.position"), 100.0);
+        EXPECT_NEAR(motor.signal("position"), motor.signal("truth.position"), degreesToRadians(0.2)) << start;
+    }
+}
+
+TEST(Chain, restIsBitIdenticalWhileHoldingBelowBreakaway) {
+    Motor motor("psi0=0.4");
+    motor.arm(BoardMode::Current);
+    motor.set("hb.setpoint", 1.2);
+    const double before_rad = motor.signal("truth.position");
+    motor.wait(5.0);
+    EXPECT_EQ(motor.signal("truth.position"), before_rad);
+    EXPECT_EQ(motor.signal("truth.speed"), 0.0);
+}
+
+TEST(Chain, coilTripsAtItsLimit) {
+    Motor motor("imperfections=off&thermal_acceleration=10&Kf=1"); // held: 80 degC after 71 s, here 7.1 s
+    motor.arm(BoardMode::Current);
+    motor.set("hb.setpoint", 4.0);
+    const auto stopped = motor.device().clock().waitFor(20.0);
+    ASSERT_FALSE(stopped);
+    EXPECT_EQ(stopped.error().code, ErrorCode::SafetyStop);
+    EXPECT_NEAR(motor.device().clock().now_s(), 7.1, 0.4); // status is asked for every 0.25 s
+    EXPECT_EQ(motor.device().state().fault, 1U);
+    EXPECT_EQ(motor.signal("current.b"), 0.0);
+}
+
+TEST(Chain, setsOfGainsNeverMix) {
+    Motor motor("seed=1");
+    motor.arm(BoardMode::Position);
+    for (int i = 0; i < 1000; ++i) {
+        const double gain = i % 2 == 0 ? 8.0 : 10.0;
+        const ParameterValue set[] = {
+            {"gain.kp", gain}, {"gain.ki", gain / 100.0}, {"feedforward.viscous", gain / 200.0}};
+        ASSERT_TRUE(motor.device().writeParameters(set));
+        motor.wait(0.001 * (i % 4));
+    }
+    EXPECT_EQ(motor.signal("torn_count"), 0.0);
+}
+
+} // namespace
+} // namespace halbench::devices
