@@ -1,0 +1,306 @@
+"""Everything a user can get wrong: one clear line with place and remedy, the right exit code, no file left.
+
+    python3 check_bad_input.py build/release/halbench [Class[.case]]
+"""
+import socket
+import sys
+import unittest
+
+import halbench
+from halbench import ProgramCase
+
+GOOD_EXPERIMENT = '''schema = "halbench.experiment/1"
+title = "A step"
+device = "sim:htm?seed=1"
+
+[[step]]
+kind = "move"
+name = "step100"
+reference = { shape = "step", amplitude_deg = 100 }
+duration_s = 1.0
+
+[[check]]
+quantity = "step100.overshoot_percent"
+max = 90
+'''
+
+
+class Usage(ProgramCase):
+    def test_what_does_not_exist_is_refused(self):
+        for arguments in (["nonsense"], ["describe"], ["describe", "sim:htm", "--nonsense"], ["get", "sim:htm"],
+                          ["describe", "sim:htm", "surplus"], ["record", "sim:htm"],
+                          ["move", "sim:htm", "--duration", "1"], ["serve", "sim:htm"],
+                          ["calibrate", "sim:htm", "everything"], ["--seed", "x", "describe", "sim:htm"],
+                          ["--seed", "-1", "describe", "sim:htm"], ["--seed", "1e3", "describe", "sim:htm"],
+                          ["identify", "sim:htm", "--directions", "sideways"], ["run"],
+                          ["tune", "sim:htm", "--method", "magic"], ["--log-level", "loud", "describe", "sim:htm"]):
+            with self.subTest(arguments=arguments):
+                self.refuse(2, r"\w", *arguments)
+        self.assert_nothing_left()
+
+    def test_help_of_every_command_is_printed(self):
+        for command in ("devices", "describe", "get", "set", "record", "move", "calibrate", "identify", "tune",
+                        "analyse", "run", "serve", "convert"):
+            with self.subTest(command=command):
+                answer = self.accept(command, "--help")
+                self.assertIn(command, answer.out)
+                self.assertEqual(answer.err, "")
+
+    def test_version_is_told_quickly(self):
+        self.assertRegex(self.accept("--version").out, r"^halbench \d+\.\d+\.\d+\n$")
+        self.assertIn("halbench", self.accept("--version", "--json").json())
+
+
+class Addresses(ProgramCase):
+    def refuse_device(self, uri, pattern=r"\w", codes=(2,)):
+        with self.subTest(uri=uri):
+            answer = self.run_program("describe", uri)
+            self.assertIn(answer.code, codes, answer)
+            self.refuse(answer.code, pattern, "describe", uri)
+
+    def test_malformed_addresses_are_refused(self):
+        for uri in ("", ":", "sim", "sim:", "htm", "sim:htm?", "sim:htm?J", "sim:htm?=1", "sim:htm?J=", "sim:htm?J=1&",
+                    "sim:htm?J=1&J=2", "sim:htm??J=1", "foo:bar", "sim:nothing", "sim:planar", "sim:spherical",
+                    "sim:htm ", "SIM:htm?x\ny", "tcp:", "tcp:localhost", "tcp:127.0.0.1:", "tcp:127.0.0.1:0x10",
+                    "tcp:127.0.0.1:99999", "tcp:127.0.0.1:-1", "replay:", "replay:/no/such/file.csv",
+                    "tcp:127.0.0.1:5555?J=1"):
+            self.refuse_device(uri)
+
+    def test_unknown_overrides_list_the_known(self):
+        self.refuse_device("sim:htm?inertia=1", r"(?s)\bKs_over_Kf\b")
+
+    def test_overrides_out_of_range_are_refused(self):
+        for override in ("J=0", "J=-1", "J=nan", "J=inf", "J=1e999", "J=abc", "J=5,5e-4", "J=0x10", "c=-1e-3", "Kf=-1",
+                         "phi=0", "Imax=-4", "R_a=0", "delay_samples=3", "delay_samples=0.5", "delay_samples=-1",
+                         "imperfections=maybe", "chain=real", "seed=-1", "seed=abc", "seed=1.5", "ambient_C=1000",
+                         "friction_scatter=-1", "Ks_over_Kf=-1"):
+            self.refuse_device(f"sim:htm?{override}", override.split("=")[0])
+
+    def test_frictionless_motors_are_legal(self):
+        self.accept("describe", "sim:htm?Kf=0&c=0")
+
+    def test_nobody_listening_is_a_device_failure(self):
+        with socket.create_server(("127.0.0.1", 0)) as free:
+            port = free.getsockname()[1]
+        self.refuse(3, str(port), "describe", f"tcp:127.0.0.1:{port}")
+
+
+class Values(ProgramCase):
+    def test_names_and_values_are_judged_before_anything_is_sent(self):
+        for assignment, word in (("gain.kp", "gain.kp"), ("gain.kp=", "gain.kp"), ("=3", r"\w"), ("gain.kq=3", "gain.kq"),
+                                 ("gain.kp=nan", "gain.kp"), ("gain.kp=inf", "gain.kp"), ("gain.kp=-1", "gain.kp"),
+                                 ("gain.kp=1e30", "gain.kp"), ("gain.kp=ten", "gain.kp"), ("gain.kp=1,5", "gain.kp"),
+                                 ("limit.current=5", "limit.current"), ("limit.temperature=200", "limit.temperature"),
+                                 ("delay.samples=0.5", "delay.samples"), ("delay.samples=7", "delay.samples"),
+                                 ("position=1", "position"), ("gain.kp=1=2", "gain.kp")):
+            with self.subTest(assignment=assignment):
+                self.refuse(2, word, "set", "sim:htm", "gain.ki=1", assignment)
+        self.refuse(2, "gain.kp", "set", "sim:htm", "gain.kp=1", "gain.kp=2")
+        self.refuse(2, "gain.kq", "get", "sim:htm", "gain.kp", "gain.kq")
+
+    def test_saving_on_a_simulated_device_points_to_serve(self):
+        self.refuse(2, "serve", "set", "sim:htm", "gain.kp=12", "--save")
+
+    def test_range_and_name_are_told(self):
+        self.refuse(2, r"(?=.*limit\.current)(?=.*5)(?=.*4)", "set", "sim:htm", "limit.current=5")
+
+    def test_one_refused_value_leaves_all_as_they_were(self):
+        _, uri = self.serve()
+        self.refuse(2, "gain.ki", "set", uri, "gain.kp=12", "gain.ki=-1")
+        answer = self.accept("get", uri, "gain.kp", "--json")
+        self.assertEqual(answer.json()["values"][0]["value"], 10)
+
+
+class Files(ProgramCase):
+    def record(self, *more):
+        return ["record", "sim:htm", "--duration", "0.1", *more]
+
+    def test_durations_and_rates_are_judged(self):
+        for option in (["--duration", "0"], ["--duration", "-1"], ["--duration", "nan"], ["--duration", "inf"],
+                       ["--duration", "1s"], ["--duration", "1e12"]):
+            with self.subTest(option=option):
+                self.refuse(2, "duration", "record", "sim:htm", *option, "--out", "f.csv")
+        for rate in ("0", "-100", "nan", "fast", "1e9", "2000"):
+            with self.subTest(rate=rate):
+                self.refuse(2, "rate", *self.record("--rate", rate, "--out", "f.csv"))
+        self.refuse(2, r"(?=.*333 Hz)(?=.*250)(?=.*333\.33)", *self.record("--rate", "333", "--out", "f.csv"))
+        self.refuse(2, "no.such", *self.record("--signals", "position,no.such", "--out", "f.csv"))
+        for signals in ("position,position", "position,", ","):
+            self.refuse(2, r"\w", *self.record("--signals", signals, "--out", "f.csv"))
+        self.assert_nothing_left()
+
+    def test_places_that_cannot_be_written_are_refused(self):
+        self.write("file", "x")
+        for out in ("file/f.csv", "/proc/none/f.csv", ".", "/", "/dev/null/f.csv"):
+            with self.subTest(out=out):
+                self.refuse(2, r"\w", *self.record("--out", out))
+        self.assert_nothing_left("file")
+
+    def test_folders_are_created(self):
+        self.accept(*self.record("--out", "a/b/f.csv"))
+        self.assert_nothing_left("a/b/f.csv", "a/b/f.meta.json")
+
+    def test_full_disk_leaves_no_partial_file(self):
+        answer = self.run_program("record", "sim:htm", "--duration", "10", "--rate", "1000", "--out", "f.csv",
+                                  preexec_fn=halbench.limit_file_size(100_000))
+        self.assertEqual(answer.code, 2, answer)
+        self.assertEqual(len(answer.err.strip().split("\n")), 1, answer)
+        self.assert_nothing_left()
+
+    def test_old_file_survives_a_failed_recording(self):
+        self.write("f.csv", "old\n")
+        self.run_program("record", "sim:htm", "--duration", "10", "--rate", "1000", "--out", "f.csv",
+                         preexec_fn=halbench.limit_file_size(100_000))
+        with open(self.path("f.csv"), encoding="utf-8") as file:
+            self.assertEqual(file.read(), "old\n")
+        self.assert_nothing_left("f.csv")
+
+    def test_recordings_with_nonsense_are_refused_with_their_place(self):
+        head = "time_s,position_rad,current_command_A\n"
+        rows = "".join(f"{i / 100},{i},2\n" for i in range(50))
+        for name, text in (("empty.csv", ""), ("head.csv", head), ("binary.csv", "\0\1\2" * 500),
+                           ("columns.csv", "time_s,speed_rad_s\n0,1\n0.01,2\n"), ("ragged.csv", head + rows + "1,2\n"),
+                           ("words.csv", head + rows + "one,2,3\n"), ("nan.csv", head + rows + "0.5,nan,2\n"),
+                           ("backwards.csv", head + rows + "0.1,1,2\n"), ("twice.csv", "time_s,time_s\n0,0\n"),
+                           ("slow.csv", head + "".join(f"{i},{i},2\n" for i in range(50)))):
+            self.write(name, text)
+            with self.subTest(name=name):
+                answer = self.run_program("identify", name)
+                self.assertIn(answer.code, (1, 2), answer)
+                if answer.code == 2:
+                    self.refuse(2, name, "identify", name)
+        self.refuse(2, "none.csv", "identify", "none.csv")
+
+
+class Models(ProgramCase):
+    def test_constants_and_currents_are_judged(self):
+        for given in ("J", "J=", "J=0", "J=-1", "J=nan", "J=x", "q=1", "=1"):
+            with self.subTest(given=given):
+                self.refuse(2, r"\w", "identify", "sim:htm", "--given", given)
+        self.refuse(2, "J", "identify", "sim:htm", "--given", "J=1e-4", "--given", "J=2e-4")
+        for currents in ("", "1:2", "4:1.6:0.2", "1.6:4:0", "1.6:4:-0.2", "1.6:5:0.2", "a:b:c", "nan:4:1", "1:4:1e-9",
+                         "0:4:1:2"):
+            with self.subTest(currents=currents):
+                self.refuse(2, r"\w", "identify", "sim:htm", "--currents", currents)
+
+    def test_models_and_gains_that_are_none_are_refused(self):
+        texts = {"empty.json": "", "garbage.json": "{", "array.json": "[]", "other.json": '{"schema": "other/1"}',
+                 "bare.json": '{"schema": "halbench.identification/1"}', "nan.json": '{"schema": NaN}',
+                 "deep.json": "[" * 100000,
+                 "later.json": '{"schema": "halbench.identification/99"}'}
+        for name, text in texts.items():
+            self.write(name, text)
+            with self.subTest(name=name):
+                self.refuse(2, name, "tune", name)
+                self.refuse(2, name, "analyse", name, name)
+        self.refuse(2, "none.json", "tune", "none.json")
+
+    def test_targets_are_judged(self):
+        for option in (["--zeta", "-1"], ["--zeta", "nan"], ["--omega-rad-s", "0"], ["--bandwidth-hz", "-3"],
+                       ["--phase-margin-deg", "200"], ["--bandwidth-hz", "many"]):
+            with self.subTest(option=option):
+                self.refuse(2, r"\w", "tune", "sim:htm", *option)
+
+    def test_references_are_judged(self):
+        for reference in ("", "triangle", "step", "step,amplitude_deg", "step,amplitude_deg=", "step,amplitude_deg=nan",
+                          "step,amplitude_deg=x", "step,amplitude=100,amplitude_deg=100", "step,colour=3",
+                          "sine,amplitude_deg=45", "sine,amplitude_deg=45,frequency_hz=-1", "step,amplitude_deg=1e12",
+                          "step,amplitude_deg=1,amplitude_deg=2"):
+            with self.subTest(reference=reference):
+                self.refuse(2, r"\w", "move", "sim:htm", "--reference", reference, "--duration", "1")
+
+
+class Experiments(ProgramCase):
+    def refuse_experiment(self, text, pattern, *more):
+        self.write("e.toml", text)
+        self.refuse(2, pattern, "run", "e.toml", "--out", "out", *more)
+        self.assert_nothing_left("e.toml")
+
+    def test_mistakes_are_told_with_line_and_column(self):
+        wrong = (("kind = \"move\"", "kind = \"dance\"", 6, "calibrate"), ("shape = \"step\"", "shape = \"circle\"", 8, "sine"),
+                 ("duration_s = 1.0", "duration_s = \"long\"", 9, "duration_s"),
+                 ("duration_s = 1.0", "duration_s = -1", 9, "duration_s"), ("duration_s = 1.0", "duration_s = nan", 9, "duration_s"),
+                 ("duration_s = 1.0", "duration_ms = 1000", 9, "duration_s"),
+                 ("amplitude_deg = 100", "amplitude_mm = 100", 8, "amplitude_deg"),
+                 ("max = 90", "maximum = 90", 13, "max"), ("step100.overshoot_percent", "step99.overshoot_percent", 12, "step99"),
+                 ("/1\"", "/9\"", 1, "halbench.experiment/1"), ("[[step]]", "[[stage]]", 5, "step"),
+                 ("name = \"step100\"", "name = 100", 7, "name"), ("title = ", "title ", 2, r"\w"))
+        for old, new, line, word in wrong:
+            with self.subTest(new=new):
+                self.assertIn(old, GOOD_EXPERIMENT)
+                self.refuse_experiment(GOOD_EXPERIMENT.replace(old, new), rf"(?=.*e\.toml:{line}:\d+)(?=.*{word})")
+
+    def test_names_are_given_once(self):
+        step = GOOD_EXPERIMENT[GOOD_EXPERIMENT.index("[[step]]"):GOOD_EXPERIMENT.index("[[check]]")]
+        self.refuse_experiment(GOOD_EXPERIMENT + step, "step100")
+
+    def test_files_that_are_none_are_refused(self):
+        for text in ("", "\0\1\2", "[" * 5000, "schema = 3"):
+            self.refuse_experiment(text, r"e\.toml")
+        self.refuse(2, "none.toml", "run", "none.toml", "--out", "out")
+        self.refuse(2, r"\w", "run", ".", "--out", "out")
+
+    def test_settings_from_the_command_line_are_judged(self):
+        for setting in ("step", "step.step100.duration_s", "step.step99.duration_s=1", "step.step100.speed=1",
+                        "step.step100.duration_s=x", "step.step100.duration_s=-1", "=1", "step.step100.duration_s="):
+            with self.subTest(setting=setting):
+                self.refuse_experiment(GOOD_EXPERIMENT, r"\w", "--set", setting)
+        self.refuse_experiment(GOOD_EXPERIMENT, "bar", "--device", "foo:bar")
+
+    def test_dry_run_moves_nothing_and_writes_nothing(self):
+        self.write("e.toml", GOOD_EXPERIMENT)
+        self.accept("run", "e.toml", "--dry-run", "--out", "out")
+        self.assert_nothing_left("e.toml")
+
+    def test_missed_check_exits_1_and_keeps_the_results(self):
+        self.write("e.toml", GOOD_EXPERIMENT.replace("max = 90", "max = 1"))
+        answer = self.run_program("run", "e.toml", "--out", "out")
+        self.assertEqual(answer.code, 1, answer)
+        with open(self.path("out/junit.xml"), encoding="utf-8") as file:
+            self.assertIn("<failure", file.read())
+
+    def test_folder_that_cannot_be_made_is_refused(self):
+        self.write("e.toml", GOOD_EXPERIMENT)
+        self.write("file", "x")
+        for out in ("file", "file/out", "/proc/none/out"):
+            with self.subTest(out=out):
+                self.refuse(2, r"\w", "run", "e.toml", "--out", out)
+        self.assert_nothing_left("e.toml", "file")
+
+
+class Consent(ProgramCase):
+    def test_real_devices_are_not_armed_without_consent(self):
+        """A served board is not `sim:` any more: for the program it is hardware."""
+        _, uri = self.serve()
+        for arguments in (["move", uri, "--reference", "step,amplitude_deg=10", "--duration", "1"], ["identify", uri],
+                          ["calibrate", uri, "stray"]):
+            with self.subTest(arguments=arguments):
+                self.refuse(2, "--arm", *arguments)
+        values = self.accept("get", uri, "hb.arm", "status", "--json").json()["values"]
+        self.assertEqual([v["value"] for v in values], [0, 0])
+
+    def test_recording_does_not_arm(self):
+        _, uri = self.serve()
+        self.accept("record", uri, "--duration", "0.3", "--out", "f.csv")
+        self.assertEqual(self.accept("get", uri, "hb.arm", "--json").json()["values"][0]["value"], 0)
+
+
+class Serving(ProgramCase):
+    def test_places_that_cannot_be_listened_at_are_refused(self):
+        for place in ("", "127.0.0.1", "127.0.0.1:x", "127.0.0.1:70000"):
+            with self.subTest(place=place):
+                self.refuse(2, r"\w", "serve", "sim:htm", "--tcp", place)
+        self.refuse(3, "no.such.host.invalid", "serve", "sim:htm", "--tcp", "no.such.host.invalid:1")
+        self.refuse(2, "serial", "serve", "serial:/dev/ttyS0", "--tcp", "127.0.0.1:0")
+
+    def test_occupied_port_is_told(self):
+        with socket.create_server(("127.0.0.1", 0)) as taken:
+            port = taken.getsockname()[1]
+            answer = self.run_program("serve", "sim:htm", "--tcp", f"127.0.0.1:{port}", timeout=10)
+            self.assertIn(answer.code, (2, 3), answer)
+            self.assertIn(str(port), answer.err)
+
+
+if __name__ == "__main__":
+    halbench.set_program(sys.argv.pop(1))
+    unittest.main(verbosity=2)
