@@ -8,6 +8,9 @@ namespace halbench::devices::xcp {
 namespace {
 
 constexpr double BlockDuration_s = 0.010;
+// No sample is from the future: a board's clock does not run further ahead of the host's than this.
+constexpr double MaxClockRatio = 1.05;
+constexpr double MaxClockLead_s = 1.0;
 constexpr double MaxSteps = 1e15; // a gap beyond this is a broken clock; keeps the count a whole number
 
 } // namespace
@@ -37,7 +40,9 @@ void StreamAssembler::feed(Octets packet, double arrival_s) {
 
 void StreamAssembler::addRow(double time_s, double arrival_s) {
     const bool isFirst = m_nextIndex == 0;
-    if (!isFirst && time_s <= m_lastTime_s) {
+    m_firstArrival_s = isFirst ? arrival_s : m_firstArrival_s;
+    const double latest_s = MaxClockRatio * (arrival_s - m_firstArrival_s) + MaxClockLead_s;
+    if (!isFirst && (time_s <= m_lastTime_s || time_s > latest_s)) {
         ++m_misplaced;
         return;
     }

@@ -10,7 +10,7 @@
 namespace halbench::devices::xcp {
 
 /// Makes SampleBlocks of the packets of one stream: time axis from the device's clock alone (3.9), lost rows
-/// counted from the gaps in it, rows out of order dropped.
+/// counted from the gaps in it, rows whose time steps back or far ahead dropped.
 class StreamAssembler {
 public:
     StreamAssembler(SamplingPlan plan, const DaqAbility& ability, DtoDecoder decoder);
@@ -37,6 +37,7 @@ private:
     std::optional<TickUnwrapper> m_unwrapper;
     double m_rowsPerBlock;
     std::int64_t m_nextIndex = 0; ///< board samples since the first
+    double m_firstArrival_s = 0.0;
     double m_lastArrival_s = 0.0;
     double m_lastTime_s = 0.0;
     std::uint64_t m_lostBefore = 0;

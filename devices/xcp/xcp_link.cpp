@@ -24,6 +24,12 @@ Trouble trouble(TroubleCause cause, ErrorCode code, std::string message, std::st
 
 } // namespace
 
+bool isBusy(std::uint8_t slaveError) {
+    const auto code = static_cast<SlaveError>(slaveError);
+    return code == SlaveError::Busy || code == SlaveError::ProgrammingActive ||
+           code == SlaveError::ResourceBusy;
+}
+
 XcpLink::XcpLink(std::unique_ptr<Transport> transport)
     : m_transport(std::move(transport)), m_timeout_s(DefaultTimeout_s) {}
 
@@ -213,9 +219,7 @@ std::optional<Error> XcpLink::afterTrouble(const Trouble& trouble, int& repeats,
     }
     if (trouble.cause == TroubleCause::Slave) {
         const auto code = static_cast<SlaveError>(trouble.slaveError);
-        const bool isBusy = code == SlaveError::Busy || code == SlaveError::ProgrammingActive ||
-                            code == SlaveError::ResourceBusy;
-        if (isBusy && waits < MaxWaits && elapsed_s < MaxSilence_s) {
+        if (isBusy(trouble.slaveError) && waits < MaxWaits && elapsed_s < MaxSilence_s) {
             ++waits;
             const Result<void> waited = pumpUntil(m_transport->now_s() + BusyWait_s);
             return waited ? std::nullopt : std::optional<Error>(waited.error());

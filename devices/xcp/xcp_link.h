@@ -29,6 +29,16 @@ struct Trouble {
 template <typename T = void>
 using Reply = tl::expected<T, Trouble>;
 
+inline tl::unexpected<Trouble> badAnswer(Error error) {
+    return tl::unexpected(Trouble{TroubleCause::BadAnswer, 0, std::move(error)});
+}
+/// The board asks to be asked again later.
+bool isBusy(std::uint8_t slaveError);
+/// The board has answered, and the answer is no.
+inline bool isRefused(const Trouble& trouble) {
+    return trouble.cause == TroubleCause::Slave && !isBusy(trouble.slaveError);
+}
+
 /// Receivers of what the board sends by itself; each may be empty. They must not use the link.
 struct LinkHandlers {
     std::function<void(Octets)> onData;

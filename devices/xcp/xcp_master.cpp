@@ -12,15 +12,10 @@ namespace halbench::devices::xcp {
 namespace {
 
 constexpr double ConnectPeriod_s = 0.3;
-constexpr double MaxDescriptionTime_s = 60.0;
+constexpr double ConnectPause_s = 0.02;
 constexpr double MaxStoreTime_s = 5.0;
 constexpr double StorePoll_s = 0.02;
-constexpr std::uint32_t MaxIdentity = 1024;
 constexpr std::uint8_t StopSubCommand = 0x45; // "E"
-
-tl::unexpected<Trouble> badAnswer(Error error) {
-    return tl::unexpected(Trouble{TroubleCause::BadAnswer, 0, std::move(error)});
-}
 
 Error sizeError(const Packet& command, const Packet& answer, std::size_t size) {
     return {ErrorCode::Protocol,
@@ -73,22 +68,35 @@ Result<void> XcpMaster::connect(double patience_s) {
     const double end_s = m_link->transport().now_s() + patience_s;
     m_mta.reset();
     for (;;) {
-        const Reply<Packet> answer = m_link->exchange(CommandEncoder().connect(), ConnectPeriod_s);
-        if (answer) {
-            const Result<ConnectResponse> session = decodeConnect(*answer);
-            if (!session) {
-                return failure(session.error());
-            }
+        const Reply<ConnectResponse> session = connectOnce();
+        if (session) {
             m_session = *session;
             m_encoder = CommandEncoder(session->order);
             return {};
         }
-        const bool isHopeless =
-            answer.error().cause == TroubleCause::Lost || answer.error().cause == TroubleCause::Slave;
-        if (isHopeless || m_link->transport().now_s() >= end_s) {
-            return failure(answer.error().error);
+        const Trouble& trouble = session.error();
+        const bool isHopeless = trouble.cause == TroubleCause::Lost ||
+                                (trouble.cause == TroubleCause::Slave && !isBusy(trouble.slaveError));
+        const double next_s = m_link->transport().now_s() + ConnectPause_s;
+        if (isHopeless || next_s >= end_s) {
+            return failure(trouble.error);
+        }
+        if (Result<void> waited = m_link->pumpUntil(next_s); !waited) {
+            return waited;
         }
     }
+}
+
+Reply<ConnectResponse> XcpMaster::connectOnce() {
+    const Reply<Packet> answer = m_link->exchange(CommandEncoder().connect(), ConnectPeriod_s);
+    if (!answer) {
+        return tl::unexpected(answer.error());
+    }
+    const Result<ConnectResponse> session = decodeConnect(*answer);
+    if (!session) {
+        return badAnswer(session.error());
+    }
+    return *session;
 }
 
 void XcpMaster::disconnect() noexcept {
@@ -99,89 +107,6 @@ void XcpMaster::disconnect() noexcept {
 
 Result<StatusResponse> XcpMaster::status() {
     return query(m_encoder.plain(Command::GetStatus), decodeStatus);
-}
-
-Result<std::string> XcpMaster::identity(IdType type) {
-    return m_link->recover([&] { return identityOnce(type); });
-}
-
-Reply<std::string> XcpMaster::identityOnce(IdType type) {
-    m_mta.reset();
-    const Reply<Packet> answer = m_link->exchange(m_encoder.getId(type));
-    if (!answer) {
-        if (answer.error().cause == TroubleCause::Slave) {
-            return std::string();
-        }
-        return tl::unexpected(answer.error());
-    }
-    const Result<IdResponse> id = decodeId(*answer, m_session.order);
-    if (!id) {
-        return badAnswer(id.error());
-    }
-    if (id->isInline) {
-        return id->text;
-    }
-    std::string text;
-    while (text.size() < std::min(id->length, MaxIdentity)) {
-        const std::size_t chunk =
-            std::min<std::size_t>(id->length - text.size(), m_session.maxCto - std::size_t{1});
-        const Reply<Packet> octets = uploadHere(chunk);
-        if (!octets) {
-            return tl::unexpected(octets.error());
-        }
-        text.append(octets->begin(), octets->end());
-    }
-    return text;
-}
-
-Result<std::string> XcpMaster::description() {
-    Result<std::string> text = m_link->recover([&] { return describeOnce(); });
-    if (text && text->empty()) {
-        return failure(ErrorCode::Protocol, "the board holds no description of itself",
-                       "only boards that deliver their description (GET_ID 4) can be used");
-    }
-    return text;
-}
-
-Reply<std::string> XcpMaster::describeOnce() {
-    const double start_s = m_link->transport().now_s();
-    m_mta.reset();
-    const Reply<Packet> answer = m_link->exchange(m_encoder.getId(IdType::Upload));
-    if (!answer) {
-        return tl::unexpected(answer.error());
-    }
-    const Result<IdResponse> id = decodeId(*answer, m_session.order);
-    if (!id) {
-        return badAnswer(id.error());
-    }
-    if (id->isInline) {
-        return id->text;
-    }
-    if (id->length > MaxA2lSize) {
-        return tl::unexpected(
-            Trouble{TroubleCause::Slave,
-                    static_cast<std::uint8_t>(SlaveError::Generic),
-                    {ErrorCode::Protocol, fmt::format("the board's description has {} octets", id->length),
-                     fmt::format("at most {} are read", MaxA2lSize)}});
-    }
-    std::string text;
-    while (text.size() < id->length) {
-        const Reply<Packet> octets =
-            uploadHere(std::min<std::size_t>(id->length - text.size(), m_session.maxCto - std::size_t{1}));
-        if (!octets) {
-            return tl::unexpected(octets.error());
-        }
-        text.append(octets->begin(), octets->end());
-        if (m_link->transport().now_s() - start_s > MaxDescriptionTime_s) {
-            return tl::unexpected(Trouble{
-                TroubleCause::Slave,
-                static_cast<std::uint8_t>(SlaveError::Generic),
-                {ErrorCode::DeviceLost,
-                 fmt::format("the board needed more than {} s for its description", MaxDescriptionTime_s),
-                 "use a faster connection"}});
-        }
-    }
-    return text;
 }
 
 Reply<void> XcpMaster::moveTo(Address address) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace halbench::devices::xcp {
@@ -74,22 +75,25 @@ public:
 private:
     template <typename Decoder>
     auto query(const Packet& command, Decoder decode);
+    Reply<ConnectResponse> connectOnce();
     Result<void> order(const Packet& command);
     Reply<Packet> exchangeSized(const Packet& command, std::size_t size);
     Reply<void> moveTo(Address address);
     Reply<Packet> uploadHere(std::size_t size);
     Result<Packet> shortUpload(Address address, std::size_t size);
-    Reply<std::string> describeOnce();
+    Result<std::string> uploadDescription(std::size_t length);
+    Result<bool> deliversAt(const std::string& text);
     Reply<std::string> identityOnce(IdType type);
     Reply<void> downloadAt(Address address, Octets data);
     Reply<void> allocateList(const DaqPlan& plan);
-    Reply<void> writeOdt(const ListRequest& request, std::size_t odt);
+    Reply<void> writeEntry(const DaqEntry& entry, std::uint8_t odt, std::uint8_t place);
     Result<void> readEventCycles(std::uint16_t count, DaqAbility& ability);
 
     XcpLink* m_link;
     CommandEncoder m_encoder;
     ConnectResponse m_session;
     std::optional<Address> m_mta; ///< where the board's transfer pointer stands, when known
+    std::optional<std::pair<std::uint8_t, std::uint8_t>> m_daqPtr; ///< ODT and entry, likewise
     bool m_hasShortDownload = true;
 };
 

@@ -20,14 +20,14 @@ template <typename Value, typename Decoder>
 Reply<std::optional<Value>> optionalAnswer(XcpLink& link, const Packet& command, Decoder decode) {
     const Reply<Packet> answer = link.exchange(command);
     if (!answer) {
-        if (answer.error().cause == TroubleCause::Slave) {
+        if (isRefused(answer.error())) {
             return std::optional<Value>{};
         }
         return tl::unexpected(answer.error());
     }
     const Result<Value> decoded = decode(*answer);
     if (!decoded) {
-        return tl::unexpected(Trouble{TroubleCause::BadAnswer, 0, decoded.error()});
+        return badAnswer(decoded.error());
     }
     return std::optional<Value>(*decoded);
 }
@@ -107,7 +107,7 @@ Reply<void> XcpMaster::allocateList(const DaqPlan& plan) {
     }
     for (std::size_t i = 0; i < commands.size(); ++i) {
         const Reply<Packet> done = m_link->exchange(commands[i]);
-        const bool isRefusedStop = i == 0 && !done && done.error().cause == TroubleCause::Slave;
+        const bool isRefusedStop = i == 0 && !done && isRefused(done.error());
         if (!done && !isRefusedStop) { // a board without lists may refuse to stop them
             return tl::unexpected(done.error());
         }
@@ -115,17 +115,21 @@ Reply<void> XcpMaster::allocateList(const DaqPlan& plan) {
     return {};
 }
 
-Reply<void> XcpMaster::writeOdt(const ListRequest& request, std::size_t odt) {
-    std::vector<Packet> commands = {m_encoder.setDaqPtr(List, static_cast<std::uint8_t>(odt), 0)};
-    for (const std::size_t index : (*request.plan)[odt]) {
-        const DaqEntry& entry = (*request.entries)[index];
-        commands.push_back(m_encoder.writeDaq(entry.address, static_cast<std::uint8_t>(sizeOf(entry.type))));
-    }
-    for (const Packet& command : commands) {
-        if (const Reply<Packet> done = m_link->exchange(command); !done) {
-            return tl::unexpected(done.error());
+/// The pointer moves with every entry; after a trouble its place is unknown and is set again (3.6).
+Reply<void> XcpMaster::writeEntry(const DaqEntry& entry, std::uint8_t odt, std::uint8_t place) {
+    const std::pair<std::uint8_t, std::uint8_t> here{odt, place};
+    if (m_daqPtr != here) {
+        m_daqPtr.reset();
+        if (const Reply<Packet> moved = m_link->exchange(m_encoder.setDaqPtr(List, odt, place)); !moved) {
+            return tl::unexpected(moved.error());
         }
     }
+    m_daqPtr.reset();
+    const auto size = static_cast<std::uint8_t>(sizeOf(entry.type));
+    if (const Reply<Packet> done = m_link->exchange(m_encoder.writeDaq(entry.address, size)); !done) {
+        return tl::unexpected(done.error());
+    }
+    m_daqPtr = {odt, static_cast<std::uint8_t>(place + 1)};
     return {};
 }
 
@@ -133,9 +137,17 @@ Result<std::uint8_t> XcpMaster::configureList(const ListRequest& request) {
     if (const Result<void> done = m_link->recover([&] { return allocateList(*request.plan); }); !done) {
         return failure(done.error());
     }
+    m_daqPtr.reset();
     for (std::size_t odt = 0; odt < request.plan->size(); ++odt) {
-        if (const Result<void> done = m_link->recover([&] { return writeOdt(request, odt); }); !done) {
-            return failure(done.error());
+        const std::vector<std::size_t>& entries = (*request.plan)[odt];
+        for (std::size_t place = 0; place < entries.size(); ++place) {
+            const Result<void> done = m_link->recover([&] {
+                return writeEntry((*request.entries)[entries[place]], static_cast<std::uint8_t>(odt),
+                                  static_cast<std::uint8_t>(place));
+            });
+            if (!done) {
+                return failure(done.error());
+            }
         }
     }
     const std::uint8_t mode = request.hasTimestamp ? TimestampMode : 0;
@@ -145,11 +157,11 @@ Result<std::uint8_t> XcpMaster::configureList(const ListRequest& request) {
         return failure(done.error());
     }
     return m_link->recover([&]() -> Reply<std::uint8_t> {
-        const Reply<Packet> answer = m_link->exchange(m_encoder.startStopDaqList(Select, List));
+        const Reply<Packet> answer = exchangeSized(m_encoder.startStopDaqList(Select, List), 2);
         if (!answer) {
             return tl::unexpected(answer.error());
         }
-        return answer->size() > 1 ? (*answer)[1] : std::uint8_t{0};
+        return (*answer)[1];
     });
 }
 
