@@ -58,6 +58,9 @@ constexpr std::array KnownKeys = {
     KeySpec{"apply", "gains", Name, false, 0, 0, "", "tune step whose gains are written"},
     KeySpec{"apply", "preset", Choice, false, 0, 0, Presets, "shipped parameter set that is written; one of gains and preset"},
 
+    KeySpec{"apply", "verify_step_deg", Number, false, -3600, 3600, "", "step that the new values must answer as predicted, or the old ones run again"},
+    KeySpec{"apply", "model", Name, false, 0, 0, "", "identify step that the prediction is made from; default that of the gains"},
+
     KeySpec{"move", "reference", Table, true, 0, 0, "", "what to follow, relative to the position at the start"},
     KeySpec{"move", "reference.shape", Choice, true, 0, 0, "step|ramp|sine|staircase|chirp|multisine", "shape"},
     KeySpec{"move", "reference.amplitude_deg", Number, false, -1e6, 1e6, "", "height of a step or stair, amplitude, end of a ramp; degrees"},
@@ -68,9 +71,11 @@ constexpr std::array KnownKeys = {
     KeySpec{"move", "reference.frequency_end_hz", Number, false, 1e-4, 500, "", "last frequency of chirp and multisine, Hz"},
     KeySpec{"move", "reference.period_s", Number, false, 1e-3, 1e4, "", "sine: period instead of frequency; staircase: time on each stair, s"},
     KeySpec{"move", "reference.count", Integer, false, 1, 10000, "", "number of stairs or of multisine lines"},
+    KeySpec{"move", "reference.base_deg_s", Number, false, -1e5, 1e5, "", "constant motion added, degrees/s"},
+    KeySpec{"move", "reference.base_rad_s", Number, false, -1e4, 1e4, "", "the same in rad/s"},
     KeySpec{"move", "reference.seed", Integer, false, 0, 4294967295.0, "", "phases of a multisine"},
     KeySpec{"move", "duration_s", Number, true, 0.01, 36000, "", "how long, s"},
-    KeySpec{"move", "evaluate_from_s", Number, false, 0, 36000, "", "errors count from here; default 0"},
+    KeySpec{"move", "evaluate_from_s", Number, false, 0, 36000, "", "errors count from here; default half of the duration"},
     KeySpec{"move", "evaluate_to_s", Number, false, 0, 36000, "", "errors count up to here; default the end"},
 
     KeySpec{"record", "duration_s", Number, true, 0.001, 360000, "", "how long, s"},

@@ -180,6 +180,9 @@ Result<void> checkCombination(const ConfigNode& step) {
     if (kind == "apply" && has(&step, "gains") == has(&step, "preset")) {
         return complaint(step, "needs one of 'gains' and 'preset'", "name a tune step or a preset");
     }
+    if (kind == "apply" && has(&step, "verify_step_deg") && !has(&step, "gains") && !has(&step, "model")) {
+        return complaint(step, "'verify_step_deg' needs a 'model' beside a preset", "name an identify step");
+    }
     if (kind == "identify" && has(&step, "bare") != has(&step, "added_inertia_kg_m2")) {
         return complaint(step, "'bare' and 'added_inertia_kg_m2' belong together", "give both or none");
     }
@@ -190,7 +193,8 @@ Result<void> checkCombination(const ConfigNode& step) {
     }
     const ConfigNode* reference = step.find("reference");
     for (const auto& [left, right] :
-         {std::pair("amplitude_deg", "amplitude_rad"), std::pair("rate_deg_s", "rate_rad_s")}) {
+         {std::pair("amplitude_deg", "amplitude_rad"), std::pair("rate_deg_s", "rate_rad_s"),
+          std::pair("base_deg_s", "base_rad_s")}) {
         if (has(reference, left) && has(reference, right)) {
             return complaint(*reference, fmt::format("'{}' and '{}' say the same", left, right), "give one");
         }

@@ -75,6 +75,14 @@ JsonValue analysisBody(const AnalysisResult& result) {
     return body.set("warnings", toJson(result.warnings));
 }
 
+JsonValue amplifierBody(const AmplifierAnalysis& result) {
+    JsonValue body = JsonValue::object();
+    body.set("gain_A_per_V", result.gain_A_per_V).set("lag_at_10hz_deg", result.lagAt10Hz_deg);
+    body.set("cutoff_hz", finiteOrNull(result.cutoff_Hz));
+    body.set("magnitude_at_1khz_db", result.magnitudeAt1kHz_dB);
+    return body.set("phase_at_1khz_deg", result.phaseAt1kHz_deg);
+}
+
 JsonValue gainsBody(const TuneResult& result) {
     JsonValue targets = JsonValue::object();
     targets.set("zeta", result.targets.zeta).set("omega_rad_s", result.targets.omega_rad_s);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/batch/result_header.h"
+#include "app/procedures/amplifier_analysis.h"
 #include "app/procedures/apply_procedure.h"
 #include "app/procedures/calibrate_procedure.h"
 #include "app/procedures/identify_procedure.h"
@@ -28,6 +29,7 @@ JsonValue gainsBody(const TuneResult& result);
 JsonValue analysisBody(const AnalysisResult& result);
 JsonValue moveBody(const MoveResult& result);
 JsonValue moveFigures(const MoveFigures& figures);
+JsonValue amplifierBody(const AmplifierAnalysis& result);
 JsonValue applyBody(const ApplyResult& result);
 
 /// {value, unit, ci95, source}; value and ci95 are null when it is not identifiable.

@@ -2,6 +2,7 @@
 
 #include "app/batch/experiment.h"
 #include "app/batch/json_value.h"
+#include "app/procedures/amplifier_analysis.h"
 #include "app/procedures/apply_procedure.h"
 #include "app/procedures/calibrate_procedure.h"
 #include "app/procedures/identify_procedure.h"
@@ -19,13 +20,19 @@ namespace halbench::app {
 /// A move with what ran it: the law on the board, for the report's ideal loop.
 struct MoveOutcome {
     MoveConfig config;
-    control::PositionLaw law;
+    models::PositionLaw law;
     MoveResult result;
 };
 
+/// Gains with the motor they were designed for.
+struct TuneOutcome {
+    MotorEstimate motor;
+    TuneResult result;
+};
+
 /// The procedure's own result, for later steps and the report.
-using StepDetail = std::variant<std::monostate, IdentifyResult, CalibrateResult, TuneResult, AnalysisResult,
-                                ApplyResult, MoveOutcome, RecordResult>;
+using StepDetail = std::variant<std::monostate, IdentifyResult, CalibrateResult, TuneOutcome, AnalysisResult,
+                                AmplifierAnalysis, ApplyResult, MoveOutcome, RecordResult>;
 
 struct StepOutcome {
     std::string kind;

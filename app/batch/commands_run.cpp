@@ -1,0 +1,118 @@
+#include "app/batch/command_support.h"
+#include "app/batch/experiment_runner.h"
+#include "app/batch/output_file.h"
+#include "app/batch/run_files.h"
+#include "app/batch/run_plan.h"
+#include "app/batch/step_configs.h"
+
+#include <filesystem>
+
+namespace halbench::app {
+
+namespace {
+
+Result<Experiment> readExperiment(const CommandOptions& options) {
+    const Result<std::string> text = readFile(options.experiment);
+    if (!text) {
+        return failure(text.error());
+    }
+    const std::string origin = std::filesystem::path(options.experiment).filename().string();
+    Result<Experiment> experiment = parseExperiment(*text, origin, options.assignments);
+    if (experiment && !options.deviceOverride.empty()) {
+        experiment->device = options.deviceOverride;
+    }
+    if (experiment && experiment->device.empty()) {
+        return failure(ErrorCode::InvalidInput, origin + ": names no device",
+                       "add device = \"sim:htm\" or give --device");
+    }
+    return experiment;
+}
+
+bool needsConsent(const Experiment& experiment) {
+    for (const ExperimentStep& step : experiment.steps) {
+        if (step.kind == "identify" || step.kind == "calibrate" || step.kind == "move" ||
+            step.kind == "apply") {
+            return true;
+        }
+    }
+    return false;
+}
+
+CommandResult showPlan(CommandContext& context, const Experiment& experiment, devices::Device& device) {
+    const Result<RunPlan> plan = planRun(experiment, device);
+    if (!plan) {
+        return failure(plan.error());
+    }
+    context.console.print(planText(*plan));
+    const Result<void> printed =
+        context.console.printDocument(planDocument(headerFor(context, "halbench.plan/1", device), *plan));
+    if (!printed) {
+        return failure(printed.error());
+    }
+    return ExitCode::Done;
+}
+
+/// A run that a device or a limit ended is still told in files; one that the user or a bad input ended is
+/// not.
+bool isTold(const std::optional<Error>& error) {
+    if (!error) {
+        return true;
+    }
+    const ExitCode code = exitCodeFor(error->code);
+    return code == ExitCode::CheckFailed || code == ExitCode::DeviceFailed || code == ExitCode::SafetyStop;
+}
+
+CommandResult runAll(CommandContext& context, const CommandOptions& options, const Experiment& experiment,
+                     devices::Device& device) {
+    const ResultHeader opened = headerFor(context, "halbench.run/1", device);
+    const RunOutcome outcome = runExperiment(context, device, experiment, opened.seed);
+    if (!isTold(outcome.stoppedBy)) {
+        return failure(*outcome.stoppedBy);
+    }
+    ResultHeader header = opened;
+    header.quality = runQuality(outcome);
+    if (const Result<void> written = writeRunFiles(options.out, header, experiment, outcome, device);
+        !written) {
+        return failure(written.error());
+    }
+    if (outcome.stoppedBy && exitCodeFor(outcome.stoppedBy->code) != ExitCode::CheckFailed) {
+        return failure(*outcome.stoppedBy);
+    }
+    if (outcome.stoppedBy) {
+        context.console.log(LogLevel::Error, errorLine(*outcome.stoppedBy));
+    }
+    context.console.print(runText(outcome));
+    if (const Result<void> printed = context.console.printDocument(runDocument(header, experiment, outcome));
+        !printed) {
+        return failure(printed.error());
+    }
+    return outcome.passed ? ExitCode::Done : ExitCode::CheckFailed;
+}
+
+} // namespace
+
+CommandResult runRunCommand(CommandContext& context, const CommandOptions& options) {
+    const Result<Experiment> experiment = readExperiment(options);
+    if (!experiment) {
+        return failure(experiment.error());
+    }
+    if (!options.isDryRun && options.out.empty()) {
+        return failure(ErrorCode::Usage, "--out is required", "name the folder that the results go into");
+    }
+    const Result<std::unique_ptr<devices::Device>> device = openDeviceFor(context, experiment->device);
+    if (!device) {
+        return failure(device.error());
+    }
+    Result<void> ready = checkAgainstDevice(*experiment, **device);
+    if (ready && options.isDryRun) {
+        return showPlan(context, *experiment, **device);
+    }
+    ready = ready && needsConsent(*experiment) ? requireConsent(context, **device) : ready;
+    ready = ready ? createFolder(options.out) : ready;
+    if (!ready) {
+        return failure(ready.error());
+    }
+    return runAll(context, options, *experiment, **device);
+}
+
+} // namespace halbench::app

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "app/batch/command_context.h"
+#include "app/batch/run_outcome.h"
+
+namespace halbench::app {
+
+/// Runs the steps of an experiment one after the other on one device and judges its checks. What `apply`,
+/// `calibrate` and `set` changed stays for the steps that follow and after a run that reached its end; a run
+/// that a step's error ended puts back what was there before it and leaves the actuator disarmed.
+/// Never fails itself: the error of a step is in the outcome.
+RunOutcome runExperiment(CommandContext& context, devices::Device& device, const Experiment& experiment,
+                         std::uint64_t seed);
+
+} // namespace halbench::app

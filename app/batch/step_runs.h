@@ -1,0 +1,38 @@
+#pragma once
+
+#include "app/batch/command_context.h"
+#include "app/batch/run_outcome.h"
+
+namespace halbench::app {
+
+/// What every step of a run gets: the device and what the steps before it gave.
+struct StepRun {
+    CommandContext& context;
+    devices::Device& device;
+    std::uint64_t seed;
+    const std::vector<StepOutcome>& earlier;
+
+    /// The detail of an earlier step of this type, nullptr without one.
+    template <typename Detail>
+    const Detail* find(const std::string& name) const {
+        for (const StepOutcome& step : earlier) {
+            if (step.name == name) {
+                return std::get_if<Detail>(&step.detail);
+            }
+        }
+        return nullptr;
+    }
+};
+
+// One function a kind. Name and kind of the outcome are set by the caller. Errors: of the procedure.
+Result<StepOutcome> runIdentifyStep(StepRun& run, const ExperimentStep& step);
+Result<StepOutcome> runCalibrateStep(StepRun& run, const ExperimentStep& step);
+Result<StepOutcome> runTuneStep(StepRun& run, const ExperimentStep& step);
+Result<StepOutcome> runAnalyseStep(StepRun& run, const ExperimentStep& step);
+Result<StepOutcome> runApplyStep(StepRun& run, const ExperimentStep& step);
+Result<StepOutcome> runMoveStep(StepRun& run, const ExperimentStep& step);
+Result<StepOutcome> runRecordStep(StepRun& run, const ExperimentStep& step);
+Result<StepOutcome> runSetStep(StepRun& run, const ExperimentStep& step);
+Result<StepOutcome> runWaitStep(StepRun& run, const ExperimentStep& step);
+
+} // namespace halbench::app

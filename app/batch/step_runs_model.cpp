@@ -1,0 +1,217 @@
+#include "app/batch/loop_conditions.h"
+#include "app/batch/presets.h"
+#include "app/batch/result_documents.h"
+#include "app/batch/step_configs.h"
+#include "app/batch/step_runs.h"
+#include "control/base/units.h"
+#include "devices/device_uri.h"
+#include "devices/simulated/simulated_device.h"
+
+namespace halbench::app {
+
+namespace {
+
+/// Half width of the stray-field coefficient's interval, from the last calibration that found it.
+std::optional<double> strayError_T_per_A(const std::vector<StepOutcome>& steps) {
+    std::optional<double> halfWidth;
+    for (const StepOutcome& step : steps) {
+        const CalibrateResult* calibration = std::get_if<CalibrateResult>(&step.detail);
+        if (calibration == nullptr || !calibration->isApplied) {
+            continue;
+        }
+        for (const CalibrationFigure& figure : calibration->figures) {
+            if (figure.name == "stray.coefficient" && figure.estimate.interval95) {
+                halfWidth = 0.5 * (figure.estimate.interval95->second - figure.estimate.interval95->first);
+            }
+        }
+    }
+    return halfWidth;
+}
+
+Result<LoopConditions> conditionsOf(StepRun& run) {
+    Result<LoopConditions> conditions = loopConditionsOf(run.device);
+    if (conditions && conditions->stray) {
+        conditions->stray->error_T_per_A = strayError_T_per_A(run.earlier);
+    }
+    return conditions;
+}
+
+Result<StepOutcome> amplifierOutcome(const devices::Device& device) {
+    const Result<devices::DeviceUri> uri = devices::parseDeviceUri(device.info().uri);
+    if (!uri) {
+        return failure(uri.error());
+    }
+    const Result<devices::SimulatedSetup> setup = devices::parseSimulatedAddress(*uri, std::nullopt);
+    if (!setup) {
+        return failure(ErrorCode::Usage, "the amplifier's parts are known of a simulated motor only",
+                       "use --device sim:htm");
+    }
+    Result<AmplifierAnalysis> result = analyseAmplifier(setup->parameters.amplifier);
+    if (!result) {
+        return failure(result.error());
+    }
+    StepOutcome outcome;
+    outcome.body = amplifierBody(*result);
+    outcome.detail = *std::move(result);
+    return outcome;
+}
+
+Error missingResult(const std::string& name) {
+    return {ErrorCode::Refused, "step \"" + name + "\" gave no result to work with", "see its findings"};
+}
+
+/// What `apply` writes, and the motor that its prediction is made from.
+struct Proposal {
+    std::vector<ParameterValue> values;
+    std::optional<MotorEstimate> motor;
+};
+
+Result<Proposal> proposalOf(StepRun& run, const ExperimentStep& step) {
+    Proposal proposal;
+    if (const std::optional<std::string> name = step.text("gains")) {
+        const TuneOutcome* tuned = run.find<TuneOutcome>(*name);
+        if (tuned == nullptr) {
+            return failure(missingResult(*name));
+        }
+        Result<std::vector<ParameterValue>> values = lawForDevice(tuned->result.law, run.device.catalogue());
+        if (!values) {
+            return failure(values.error());
+        }
+        proposal = {*std::move(values), tuned->motor};
+    } else {
+        Result<Preset> preset = findPreset(run.device.info().model, *step.text("preset"));
+        if (!preset) {
+            return failure(preset.error());
+        }
+        proposal.values = std::move(preset->values);
+    }
+    if (const std::optional<std::string> name = step.text("model")) {
+        const IdentifyResult* model = run.find<IdentifyResult>(*name);
+        if (model == nullptr) {
+            return failure(missingResult(*name));
+        }
+        proposal.motor = motorEstimate(*model);
+    }
+    return proposal;
+}
+
+} // namespace
+
+Result<StepOutcome> runIdentifyStep(StepRun& run, const ExperimentStep& step) {
+    Result<IdentifyConfig> config = identifyConfigOf(step);
+    if (!config) {
+        return failure(config.error());
+    }
+    config->seed = run.seed;
+    if (const std::optional<std::string> bare = step.text("bare")) {
+        const IdentifyResult* first = run.find<IdentifyResult>(*bare);
+        if (first == nullptr) {
+            return failure(missingResult(*bare));
+        }
+        config->added = AddedInertia{motorEstimate(*first), *step.number("added_inertia_kg_m2")};
+    }
+    Result<IdentifyResult> result = runIdentify(run.device, *config, observerFor(run.context));
+    if (!result) {
+        return failure(result.error());
+    }
+    StepOutcome outcome;
+    outcome.quality = result->quality;
+    outcome.body = identificationBody(*result);
+    outcome.detail = *std::move(result);
+    return outcome;
+}
+
+Result<StepOutcome> runCalibrateStep(StepRun& run, const ExperimentStep& step) {
+    Result<CalibrateConfig> config = calibrateConfigOf(step);
+    if (!config) {
+        return failure(config.error());
+    }
+    config->seed = run.seed;
+    Result<CalibrateResult> result = runCalibrate(run.device, *config, observerFor(run.context));
+    if (!result) {
+        return failure(result.error());
+    }
+    StepOutcome outcome;
+    outcome.quality = result->quality;
+    outcome.body = calibrationBody(*result);
+    outcome.detail = *std::move(result);
+    return outcome;
+}
+
+Result<StepOutcome> runTuneStep(StepRun& run, const ExperimentStep& step) {
+    const IdentifyResult* model = run.find<IdentifyResult>(*step.text("model"));
+    if (model == nullptr) {
+        return failure(missingResult(*step.text("model")));
+    }
+    const Result<LoopConditions> conditions = conditionsOf(run);
+    if (!conditions) {
+        return failure(conditions.error());
+    }
+    TuneConfig config;
+    config.method = step.text("method").value_or(config.method);
+    config.targets = designTargetsOf(step);
+    config.conditions = *conditions;
+    config.seed = run.seed;
+    const MotorEstimate motor = motorEstimate(*model);
+    Result<TuneResult> result = runTune(motor, config);
+    if (!result) {
+        return failure(result.error());
+    }
+    StepOutcome outcome;
+    outcome.quality = result->quality;
+    outcome.body = gainsBody(*result);
+    outcome.detail = TuneOutcome{motor, *std::move(result)};
+    return outcome;
+}
+
+Result<StepOutcome> runAnalyseStep(StepRun& run, const ExperimentStep& step) {
+    if (*step.text("what") == "amplifier") {
+        return amplifierOutcome(run.device);
+    }
+    const IdentifyResult* model = run.find<IdentifyResult>(*step.text("model"));
+    const TuneOutcome* tuned = run.find<TuneOutcome>(*step.text("gains"));
+    if (model == nullptr || tuned == nullptr) {
+        return failure(missingResult(model == nullptr ? *step.text("model") : *step.text("gains")));
+    }
+    const Result<LoopConditions> conditions = conditionsOf(run);
+    if (!conditions) {
+        return failure(conditions.error());
+    }
+    Result<AnalysisResult> result = runAnalysis(motorEstimate(*model), tuned->result.law, *conditions);
+    if (!result) {
+        return failure(result.error());
+    }
+    StepOutcome outcome;
+    outcome.quality = result->quality;
+    outcome.body = analysisBody(*result);
+    outcome.detail = *std::move(result);
+    return outcome;
+}
+
+Result<StepOutcome> runApplyStep(StepRun& run, const ExperimentStep& step) {
+    Result<Proposal> proposal = proposalOf(run, step);
+    if (!proposal) {
+        return failure(proposal.error());
+    }
+    ApplyConfig config;
+    config.values = proposal->values;
+    if (const std::optional<double> height_deg = step.number("verify_step_deg")) {
+        ApplyVerification verification;
+        verification.reference.shape = MoveReference::Shape::Step;
+        verification.reference.amplitude_rad = degreesToRadians(*height_deg);
+        verification.motor = proposal->motor.value_or(MotorEstimate{});
+        config.verification = verification;
+    }
+    Result<ApplyResult> result = runApply(run.device, config, observerFor(run.context));
+    if (!result) {
+        return failure(result.error());
+    }
+    StepOutcome outcome;
+    outcome.quality = result->quality;
+    outcome.quality.verdict = result->isKept ? outcome.quality.verdict : Verdict::Refused;
+    outcome.body = applyBody(*result);
+    outcome.detail = *std::move(result);
+    return outcome;
+}
+
+} // namespace halbench::app

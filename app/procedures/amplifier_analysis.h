@@ -1,0 +1,26 @@
+#pragma once
+
+#include "models/drives/amplifier.h"
+
+#include <optional>
+#include <vector>
+
+namespace halbench::app {
+
+/// What figure 7 of the motor's publication shows: how the current follows the voltage from 1 Hz to 100 kHz
+/// (resources/help/htm-theory.md 3.2 and section 5).
+struct AmplifierAnalysis {
+    double gain_A_per_V = 0.0;       ///< at 0 Hz
+    double lagAt10Hz_deg = 0.0;      ///< positive: the current is behind
+    std::optional<double> cutoff_Hz; ///< last frequency from which the gain stays 3 dB below the static one
+    double magnitudeAt1kHz_dB = 0.0; ///< of A/V
+    double phaseAt1kHz_deg = 0.0;
+    std::vector<double> frequency_Hz; ///< 50 points a decade
+    std::vector<double> magnitude_dB; ///< of A/V
+    std::vector<double> phase_deg;    ///< unwrapped
+};
+
+/// Pure function. Errors: OutOfRange (parts that are not positive).
+Result<AmplifierAnalysis> analyseAmplifier(const models::AmplifierParts& parts);
+
+} // namespace halbench::app
