@@ -1,0 +1,171 @@
+#include "app/batch/run_report.h"
+
+#include "app/batch/known_motor.h"
+#include "app/batch/numbers.h"
+#include "app/report/report_blocks.h"
+#include "app/report/step_sections.h"
+
+#include <fmt/format.h>
+
+namespace halbench::app {
+
+namespace {
+
+/// The ideal loop of the same law under the same reference, where both have an ideal form.
+std::optional<models::IdealTrace> idealTrace(const MoveOutcome& move,
+                                             const std::optional<KnownMotor>& motor) {
+    const std::optional<models::LoopReference> reference = idealReference(move.config.reference);
+    if (!reference || !motor) {
+        return std::nullopt;
+    }
+    models::IdealLoopConfig config;
+    config.rotor = motor->rotor;
+    config.torqueConstant_Nm_per_A = motor->torqueConstant_Nm_per_A;
+    config.law = move.law;
+    config.reference = *reference;
+    config.duration_s = move.config.duration_s;
+    return models::runIdealLoop(config);
+}
+
+ReportSection amplifierSection(const std::string& heading, const AmplifierAnalysis& result) {
+    widgets::Figure figure;
+    figure.title = "Current amplifier: current over voltage";
+    figure.x = {"frequency", "Hz", true, {}, {}, {}};
+    widgets::Panel magnitude;
+    magnitude.y = {"magnitude of A/V", "dB", false, {}, {}, {}};
+    magnitude.curves.push_back({"", result.frequency_Hz, result.magnitude_dB, widgets::CurveStyle::Line, {}});
+    widgets::Panel phase;
+    phase.y = {"phase", "deg", false, {}, {}, {}};
+    phase.curves.push_back({"", result.frequency_Hz, result.phase_deg, widgets::CurveStyle::Line, {}});
+    for (widgets::Panel* panel : {&magnitude, &phase}) {
+        panel->lines.push_back({widgets::ReferenceLine::Direction::Vertical, 10.0, "10 Hz"});
+        if (result.cutoff_Hz) {
+            panel->lines.push_back({widgets::ReferenceLine::Direction::Vertical, *result.cutoff_Hz, "-3 dB"});
+        }
+    }
+    figure.panels = {magnitude, phase};
+    ReportSection section{heading, {}};
+    section.blocks.push_back(quantityTable("Amplifier", {{"gain", result.gain_A_per_V, "A/V"},
+                                                         {"lag at 10 Hz", result.lagAt10Hz_deg, "deg"},
+                                                         {"-3 dB frequency", result.cutoff_Hz, "Hz"},
+                                                         {"phase at 1 kHz", result.phaseAt1kHz_deg, "deg"}}));
+    section.blocks.push_back(ReportPlot{figure, "Computed from the parts of the amplifier."});
+    return section;
+}
+
+ReportSection analysisSection(const std::string& heading, const AnalysisResult& result) {
+    ReportSection section{heading, {}};
+    section.blocks.push_back(ReportQuality{result.quality});
+    section.blocks.push_back(
+        quantityTable(result.isStable ? "Sampled loop: stable" : "Sampled loop: UNSTABLE",
+                      {{"gain margin", result.margins.gainMargin_ratio, ""},
+                       {"phase margin", result.margins.phaseMargin_deg, "deg"},
+                       {"gain crossover", result.margins.gainCrossover_rad_s, "rad/s"},
+                       {"largest stable proportional gain", result.proportionalLimit_A_per_rad, "A/rad"},
+                       {"friction band", result.frictionBand_rad, "rad"}}));
+    return section;
+}
+
+ReportSection recordSection(const std::string& heading, const RecordResult& result) {
+    ReportSection section{heading, {}};
+    section.blocks.push_back(ReportQuality{result.quality});
+    section.blocks.push_back(
+        ReportFacts{{{"rows", std::to_string(result.recording.rows()), ReportTone::Plain},
+                     {"lost rows", std::to_string(result.recording.lostRows),
+                      result.recording.lostRows > 0 ? ReportTone::Warn : ReportTone::Plain}}});
+    return section;
+}
+
+ReportSection plainSection(const StepOutcome& step, const std::string& heading) {
+    ReportFacts facts;
+    if (const JsonValue* values = step.body.find("values")) {
+        for (const JsonValue& value : values->items()) {
+            facts.facts.push_back(
+                {value.find("name")->text(), formatNumber(value.find("value")->number()), ReportTone::Plain});
+        }
+    }
+    if (const JsonValue* duration = step.body.find("duration_s")) {
+        facts.facts.push_back({"duration", formatNumber(duration->number()) + " s", ReportTone::Plain});
+    }
+    return {heading, {facts}};
+}
+
+ReportSection sectionOf(const StepOutcome& step, const std::optional<KnownMotor>& motor) {
+    const std::string heading = fmt::format("{}: {}", step.kind, step.name);
+    struct Visitor {
+        const StepOutcome& step;
+        const std::string& heading;
+        const std::optional<KnownMotor>& motor;
+        ReportSection operator()(std::monostate) const { return plainSection(step, heading); }
+        ReportSection operator()(const IdentifyResult& result) const {
+            return identificationSection(heading, result);
+        }
+        ReportSection operator()(const CalibrateResult& result) const {
+            return calibrationSection(heading, result);
+        }
+        ReportSection operator()(const TuneOutcome& tuned) const {
+            return tuningSection(heading, tuned.result);
+        }
+        ReportSection operator()(const AnalysisResult& result) const {
+            return analysisSection(heading, result);
+        }
+        ReportSection operator()(const AmplifierAnalysis& result) const {
+            return amplifierSection(heading, result);
+        }
+        ReportSection operator()(const ApplyResult& result) const { return applySection(heading, result); }
+        ReportSection operator()(const MoveOutcome& move) const {
+            return moveSection(heading, move.result, idealTrace(move, motor));
+        }
+        ReportSection operator()(const RecordResult& result) const { return recordSection(heading, result); }
+    };
+    return std::visit(Visitor{step, heading, motor}, step.detail);
+}
+
+ReportSection checksSection(const RunOutcome& outcome) {
+    std::vector<ReportCheck> rows;
+    ReportSection section{"Checks", {}};
+    for (const CheckOutcome& check : outcome.checks) {
+        rows.push_back({check.quantity, check.unit, check.value, check.min, check.max, check.passed});
+    }
+    section.blocks.push_back(checkTable(rows));
+    for (const CheckOutcome& check : outcome.checks) {
+        if (!check.reason.empty()) {
+            section.blocks.push_back(
+                ReportParagraph{check.quantity + ": " + check.reason, ReportTone::Muted});
+        }
+    }
+    return section;
+}
+
+} // namespace
+
+Result<std::string> renderRunReport(const ResultHeader& header, const Experiment& experiment,
+                                    const RunOutcome& outcome, const devices::Device& device) {
+    const devices::DeviceInfo& info = device.info();
+    const std::optional<KnownMotor> motor = knownMotor(info);
+    ReportContent content;
+    content.title = experiment.title.empty() ? "Halbench run" : experiment.title;
+    content.summary = experiment.description;
+    content.device =
+        fmt::format("{} {}, firmware {}, seed {}", info.model, info.id, info.firmware, header.seed);
+    content.started = header.started;
+    content.isSimulated = info.isSimulated;
+    content.passed =
+        outcome.checks.empty() && outcome.passed ? std::nullopt : std::optional<bool>(outcome.passed);
+    if (outcome.stoppedBy) {
+        content.sections.push_back(
+            {"Ended early", {ReportParagraph{errorLine(*outcome.stoppedBy), ReportTone::Bad}}});
+    }
+    if (!outcome.checks.empty()) {
+        content.sections.push_back(checksSection(outcome));
+    }
+    for (const StepOutcome& step : outcome.steps) {
+        content.sections.push_back(sectionOf(step, motor));
+    }
+    if (std::optional<ReportSection> contradictions = contradictionsSection(info.model)) {
+        content.sections.push_back(*std::move(contradictions));
+    }
+    return renderReport(content);
+}
+
+} // namespace halbench::app
