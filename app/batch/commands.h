@@ -15,6 +15,8 @@ CommandResult runCalibrateCommand(CommandContext& context, const CommandOptions&
 CommandResult runIdentifyCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runTuneCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& options);
+CommandResult runRunCommand(CommandContext& context, const CommandOptions& options);
+CommandResult runConvertCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runServeCommand(CommandContext& context, const CommandOptions& options);
 
 } // namespace halbench::app

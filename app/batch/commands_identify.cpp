@@ -1,7 +1,10 @@
 #include "app/batch/command_support.h"
 #include "app/batch/recording_file.h"
 #include "app/batch/result_documents.h"
+#include "devices/acquisition/recording_file.h"
 #include "devices/device_uri.h"
+
+#include <filesystem>
 
 namespace halbench::app {
 
@@ -41,12 +44,48 @@ CommandResult identifyDevice(CommandContext& context, const CommandOptions& opti
     return finish(context, options, header, *result);
 }
 
+/// The device that the sidecar names; a recording without one has none.
+CommandResult identifyFile(CommandContext& context, const CommandOptions& options, const std::string& path,
+                           IdentifyConfig config) {
+    const Result<devices::RecordedFile> file = devices::readRecordingFile(path);
+    if (!file) {
+        return failure(file.error());
+    }
+    for (const std::string& warning : file->warnings) {
+        context.console.log(LogLevel::Warning, warning);
+    }
+    ResultHeader header = headerFor(context, "halbench.identification/1");
+    if (file->hasMeta) {
+        header.device = file->meta.device;
+        header.started = file->meta.started;
+    }
+    config.seed = header.seed;
+    const Result<IdentifyResult> result = identifyRecording(file->recording, config);
+    if (!result) {
+        return failure(result.error());
+    }
+    return finish(context, options, header, *result);
+}
+
+/// FILE.csv or replay:FILE; nothing for a device.
+std::optional<std::string> recordingPath(const std::string& text) {
+    const Result<devices::DeviceUri> uri = devices::parseDeviceUri(text);
+    if (!uri) {
+        return std::filesystem::path(text).extension() == ".csv" ? std::optional<std::string>(text)
+                                                                 : std::nullopt;
+    }
+    return uri->scheme == "replay" ? std::optional<std::string>(uri->address) : std::nullopt;
+}
+
 } // namespace
 
 CommandResult runIdentifyCommand(CommandContext& context, const CommandOptions& options) {
     Result<IdentifyConfig> config = identifyConfigFrom(options);
     if (!config) {
         return failure(config.error());
+    }
+    if (const std::optional<std::string> path = recordingPath(options.device)) {
+        return identifyFile(context, options, *path, *std::move(config));
     }
     return identifyDevice(context, options, *std::move(config));
 }

@@ -29,7 +29,7 @@ constexpr std::array Commands = {
     CommandEntry{"version", printVersion},        CommandEntry{"devices", runDevicesCommand},
     CommandEntry{"describe", runDescribeCommand}, CommandEntry{"get", runGetCommand},
     CommandEntry{"set", runSetCommand},           CommandEntry{"serve", runServeCommand},
-    CommandEntry{"record", runRecordCommand},
+    CommandEntry{"record", runRecordCommand},     CommandEntry{"convert", runConvertCommand},
 };
 
 CommandResult dispatch(CommandContext& context, const CommandLine& line) {
