@@ -135,6 +135,13 @@ TEST(DegreePreset, largeStepsEndInALimitCycle) {
     EXPECT_LT(peakToPeak_deg, 4.0);
 }
 
+TEST(DegreePreset, microStepsSettleFromAStartThatDoesNotFallIntoTheCycle) {
+    // Section 8.3: within about 0.13 deg; which starting angles settle is chance, this one does.
+    const auto device = openMotor(FullChain + "&psi0=-3.1");
+    setLaw(*device, models::publishedInDegreesLaw());
+    EXPECT_LE(max_deg(moved(*device, move("staircase,amplitude_deg=0.32,period_s=1,count=10", 10))), 0.28);
+}
+
 class RecommendedPreset : public ::testing::TestWithParam<double> {
 protected:
     void SetUp() override {

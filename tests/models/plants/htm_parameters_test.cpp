@@ -1,8 +1,11 @@
 #include "models/plants/htm_parameters.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <set>
 
@@ -95,6 +98,17 @@ TEST(HtmParameters, refusesWhatIsOutOfRangeOrNotFinite) {
     EXPECT_EQ(setHtmParameter(p, "delay_samples", 0.5).error().code, ErrorCode::OutOfRange);
     EXPECT_TRUE(setHtmParameter(p, "Kf", 0.0));
     EXPECT_TRUE(setHtmParameter(p, "c", 0.0));
+}
+
+TEST(HtmParameters, everyKeyAndItsDefaultStandInTheHelp) {
+    std::ifstream file(HALBENCH_SOURCE_DIR "/resources/help/command-line.md");
+    const std::string page((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    for (const HtmParameterSpec& spec : htmParameterSpecs()) {
+        const auto value = htmParameter(HtmParameters{}, spec.key);
+        const std::string row =
+            fmt::format("| `{}` | {} |", spec.key, value ? fmt::format("{:g}", *value) : "drawn");
+        EXPECT_NE(page.find(row), std::string::npos) << row;
+    }
 }
 
 TEST(HtmParameters, withoutImperfectionsNothingIsDrawn) {
