@@ -7,24 +7,40 @@
 #include <string.h>
 
 #define TICK_S 0.001F
-/* Phases count in units of 2^-32/1000 turn, so that a frequency in Hz moves a whole number of them each
- * millisecond: a sine of hours does not drift against its frequency. */
-#define PHASE_PER_HZ 4294967296.0F
-#define PHASE_TURN ((uint64_t)1000 << 32)
 
 static uint32_t ticksOf(float seconds) {
     return (uint32_t)(seconds * 1000.0F + 0.5F);
 }
 
-static uint64_t advanced(uint64_t phase, float frequency_Hz) {
+#if HB_FEATURE_GENERATOR
+
+/* Phases count in units of 2^-32/1000 turn, so that a frequency in Hz moves a whole number of them each
+ * millisecond: a sine of hours does not drift against its frequency. */
+#define PHASE_PER_HZ 4294967296.0F
+#define PHASE_TURN ((uint64_t)1000 << 32)
+
+static hb_phase advanced(hb_phase phase, float frequency_Hz) {
     phase += (uint64_t)(frequency_Hz * PHASE_PER_HZ);
     return phase >= PHASE_TURN ? phase - PHASE_TURN : phase;
 }
 
-static float radiansOf(uint64_t phase) {
+static float radiansOf(hb_phase phase) {
     int64_t centred = (int64_t)phase - (phase > PHASE_TURN / 2 ? (int64_t)PHASE_TURN : 0);
     return (float)centred * (HB_TWO_PI / (1000.0F * PHASE_PER_HZ));
 }
+
+#else
+
+/* Units of 2^-32 turn without 64 bit arithmetic: a sine of 1 Hz drifts by 1e-7 of its phase. */
+static hb_phase advanced(hb_phase phase, float frequency_Hz) {
+    return phase + (uint32_t)(frequency_Hz * 4294967.296F + 0.5F);
+}
+
+static float radiansOf(hb_phase phase) {
+    return (float)(int32_t)phase * (HB_TWO_PI / 4294967296.0F);
+}
+
+#endif
 
 static uint32_t durationTicks(const hb_reference* reference) {
     const hb_reference_config* config = &reference->config;

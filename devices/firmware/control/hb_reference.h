@@ -61,6 +61,12 @@ typedef struct {
 } hb_plateau_config;
 #endif
 
+#if HB_FEATURE_GENERATOR
+typedef uint64_t hb_phase;
+#else
+typedef uint32_t hb_phase;
+#endif
+
 typedef struct {
     float value, speed, acceleration;
 } hb_reference_point;
@@ -69,11 +75,11 @@ typedef struct {
     hb_reference_config config;
 #if HB_FEATURE_GENERATOR
     hb_plateau_config plateaus;
-    uint64_t line_phase[HB_MULTISINE_LINES]; /* as `phase` */
+    hb_phase line_phase[HB_MULTISINE_LINES]; /* as `phase` */
 #endif
     uint32_t ticks; /* milliseconds since the start */
     uint32_t duration_ticks;
-    uint64_t phase; /* of sine and chirp; 1000 * 2^32 = one turn */
+    hb_phase phase; /* of sine and chirp */
     hb_reference_point held;
     uint16_t segment; /* 1, 2, ... counts steps, plateaus; grows over starts so that a change marks a new
                          segment */
