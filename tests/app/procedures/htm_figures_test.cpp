@@ -124,6 +124,14 @@ TEST(MicroStepPreset, followsSmallStepsAndComesToRest) {
     }
 }
 
+TEST(MicroStepPreset, failsWithoutStrayCompensation) {
+    // Section 6.10: 286 A/rad is far above B0/k_s = 62.8 A/rad.
+    const auto device = openMotor(FullChain);
+    setLaw(*device, models::microStepLaw());
+    setParameter(*device, "stray.enabled", 0.0);
+    EXPECT_GT(max_deg(moved(*device, move("staircase,amplitude_deg=0.32,period_s=1,count=10", 10))), 0.36);
+}
+
 TEST(DegreePreset, largeStepsEndInALimitCycle) {
     const auto device = openMotor(FullChain);
     setLaw(*device, models::publishedInDegreesLaw());
@@ -188,6 +196,14 @@ TEST(RecommendedSensitivity, trueFrictionTenPercentOff) {
     const auto less = openMotor(FullChain + "&Kf=0.01845");
     setLaw(*less, recommended());
     EXPECT_NEAR(max_deg(moved(*less, move("sine,amplitude_deg=360,period_s=5", 10))), 0.15, 0.08);
+}
+
+TEST(RecommendedSensitivity, staticFrictionFifteenPercentAboveKinetic) {
+    const auto device = openMotor(FullChain + "&Ks_over_Kf=1.15");
+    setLaw(*device, recommended());
+    EXPECT_NEAR(max_deg(moved(*device, move("sine,amplitude_deg=360,period_s=5", 10))), 0.48, 0.1);
+    EXPECT_LT(std::fabs(final_deg(moved(*device, move("step,amplitude_deg=100", 3)))), 0.32);
+    EXPECT_LT(max_deg(moved(*device, move("staircase,amplitude_deg=0.32,period_s=1,count=10", 10))), 0.25);
 }
 
 TEST(RecommendedSensitivity, linearDecodeCostsDegrees) {

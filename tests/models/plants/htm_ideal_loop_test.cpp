@@ -225,6 +225,43 @@ TEST(HtmIdealLoop, publishedOneHertzResponse) {
     EXPECT_NEAR(radiansToDegrees(std::arg(smooth)), -3.4, 0.3);
 }
 
+// The last time at which the error was above the threshold.
+double lockTime_s(const IdealTrace& trace, double threshold_deg) {
+    double last_s = 0.0;
+    for (std::size_t i = 0; i < trace.time_s.size(); ++i) {
+        if (std::fabs(trace.reference_rad[i] - trace.angle_rad[i]) > degreesToRadians(threshold_deg)) {
+            last_s = trace.time_s[i];
+        }
+    }
+    return last_s;
+}
+
+TEST(HtmIdealLoop, lockTimesDependOnTheirThreshold) {
+    // Section 6.15, printed to 0.01 s (0.1 s the last one).
+    EXPECT_NEAR(lockTime_s(runIdealLoop(loop(sine(360, 0.2), 10.0)), 20.0), 0.72, 0.01);
+    EXPECT_NEAR(lockTime_s(runIdealLoop(loop(sine(500, 0.2), 10.0)), 25.0), 0.86, 0.01);
+    EXPECT_NEAR(lockTime_s(runIdealLoop(loop(sine(360, 0.2), 10.0, false)), 15.0), 1.91, 0.02);
+    EXPECT_NEAR(lockTime_s(runIdealLoop(loop(sine(500, 0.2), 10.0, false)), 12.0), 2.8, 0.1);
+}
+
+TEST(HtmIdealLoop, oneHertzResponseDependsOnItsAmplitude) {
+    // Section 6.16: friction dominates at 10 deg; the loop saturates at 90 deg and takes a second branch.
+    const auto small = response(runIdealLoop(loop(sine(10, 1.0), 20.0)), 1.0, 10, 20);
+    EXPECT_NEAR(std::abs(small), 0.85, 0.01);
+    EXPECT_NEAR(radiansToDegrees(std::arg(small)), -66, 1.0);
+    const auto large = response(runIdealLoop(loop(sine(90, 1.0), 20.0)), 1.0, 10, 20);
+    EXPECT_NEAR(std::abs(large), 1.5, 0.1); // printed to one digit
+    EXPECT_NEAR(radiansToDegrees(std::arg(large)), -80, 5.0);
+}
+
+TEST(HtmIdealLoop, highGainsChatterOnTheRampAndTheSine) {
+    // Section 6.8: by +-25 to 33 deg at 10 A/deg.
+    IdealLoopConfig config = loop(ramp(500), 6.0);
+    config.law = publishedInDegreesLaw();
+    EXPECT_GT(errorPeak_deg(runIdealLoop(config), 3, 6), 15.0); // statistically comparable only
+    EXPECT_LT(errorPeak_deg(runIdealLoop(config), 3, 6), 45.0);
+}
+
 TEST(HtmIdealLoop, literalDifferenceEquationWithClampedMemoryStopsFarShort) {
     // Section 6.6: 28.1 deg of 100 instead of 95.4.
     IdealLoopConfig config = loop(step(100), 6.0);
