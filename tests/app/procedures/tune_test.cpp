@@ -1,5 +1,6 @@
 #include "app/procedures/tune.h"
 #include "control/base/units.h"
+#include "devices/open_device.h"
 
 #include <gtest/gtest.h>
 
@@ -234,6 +235,37 @@ TEST(Law, isCheckedAgainstTheLimitsOfTheDevice) {
     EXPECT_EQ(lawForDevice(law, smallBoard(5.0)).error().code, ErrorCode::OutOfRange);
     const auto recommended = runTune(published(), method("recommended"))->law;
     EXPECT_EQ(lawForDevice(recommended, smallBoard(100.0)).error().code, ErrorCode::UnknownName);
+}
+
+TEST(Law, ofEveryMethodIsTakenByTheSimulatedBoardAndReadBack) {
+    auto device = devices::openDevice("sim:htm", {});
+    ASSERT_TRUE(device.has_value()) << device.error().message;
+    for (const control::DesignMethod& design : control::designMethods()) {
+        TuneConfig config = method(std::string(design.name));
+        if (design.name == "bandwidth") {
+            config.targets.bandwidth_Hz = 6.0;
+        }
+        if (design.name == "phase-margin") {
+            config.targets.phaseMargin_deg = 45.0;
+        }
+        const auto result = runTune(published(), config);
+        ASSERT_TRUE(result.has_value()) << design.name;
+        const auto values = lawForDevice(result->law, (*device)->catalogue());
+        ASSERT_TRUE(values.has_value()) << design.name << ": " << values.error().message;
+        EXPECT_EQ(values->size(), 10u);
+        ASSERT_TRUE((*device)->writeParameters(*values).has_value()) << design.name;
+        std::vector<std::string> names;
+        for (const ParameterValue& value : *values) {
+            names.push_back(value.name);
+        }
+        const auto read = (*device)->readParameters(names);
+        ASSERT_TRUE(read.has_value());
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            // The board keeps single precision.
+            EXPECT_NEAR((*read)[i], (*values)[i].value, 1e-6 * (1.0 + std::abs((*values)[i].value)))
+                << names[i];
+        }
+    }
 }
 
 } // namespace
