@@ -44,7 +44,7 @@ CommandResult runRecordCommand(CommandContext& context, const CommandOptions& op
     if (!result) {
         return failure(result.error());
     }
-    ResultHeader header = headerFor(context, "halbench.recording/1", **device);
+    ResultHeader header = headerFor(context, "halbench.recorded/1", **device);
     header.quality = result->quality;
     if (const Result<void> written = writeRecording(options.out, result->recording, **device, header.started);
         !written) {
