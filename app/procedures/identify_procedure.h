@@ -34,10 +34,13 @@ struct IdentifyConfig {
     SweepDirections directions = SweepDirections::Both;
     control::GivenConstants given;
     std::optional<AddedInertia> added;
-    std::uint64_t seed = 1;            ///< order of the plateaus and bootstrap
-    double speedLimit_rad_s = 40.0;    ///< the board's speed window while this procedure runs
-    double usableSpeed_rad_s = 3.0;    ///< plateaus slower than this are shown, not fitted
-    int coastDownsPerDirection = 8;    ///< run-up and coast-down pairs besides the sweep
+    std::uint64_t seed = 1;         ///< order of the plateaus and bootstrap
+    double speedLimit_rad_s = 40.0; ///< the board's speed window while this procedure runs
+    double usableSpeed_rad_s = 3.0; ///< plateaus slower than this are shown, not fitted
+    int coastDownsPerDirection = 8; ///< run-up and coast-down pairs besides the sweep
+    /// Delay of the phase currents behind the angle that is not compensated, for recordings from elsewhere:
+    /// half a tick of 1 ms and 0.3 ms of the amplifier. runIdentify() compensates it on the board.
+    double commutationLag_s = 0.8e-3;
     double pauseTemperature_degC = 65; ///< waits above it
     double refuseTemperature_degC = 70;
 };
@@ -74,7 +77,7 @@ struct IdentifyResult {
     std::vector<std::string> covarianceNames; ///< parameters with a value and an error, else ratios
     std::vector<std::vector<double>> covariance;
     DataQuality quality;
-    double duration_s = 0.0;             ///< device time that the excitation took
+    double duration_s = 0.0; ///< device time that the excitation took
     double highestTemperature_degC = 0.0;
     Recording recording;                 ///< all of the excitation at 100 Hz; empty for a file
     std::map<std::string, double> notes; ///< further diagnostics, e.g. "friction_scatter_ratio"

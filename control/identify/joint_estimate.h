@@ -1,8 +1,12 @@
 #pragma once
 
 #include "control/base/result.h"
+#include "control/identify/friction_sweep.h"
+#include "control/identify/motion_fit.h"
 
+#include <Eigen/Core>
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -34,5 +38,64 @@ struct Estimate {
     EstimateSource source = EstimateSource::NotIdentifiable;
     std::string unit;
 };
+
+/// The four constants of the motor, in the order of every table here.
+enum class MotorConstant { Inertia, Damping, Friction, Torque };
+inline constexpr int MotorConstants = 4;
+
+/// A quotient of two constants that the data decided.
+struct MotorRatio {
+    MotorConstant numerator;
+    MotorConstant denominator;
+    double value = 0.0;
+};
+
+/// One cause of error: covariance of all ratios, and how well it is known itself (infinite: from a data
+/// sheet, not from this data).
+struct ErrorPart {
+    Eigen::MatrixXd covariance;
+    double freedom = 0.0;
+};
+
+/// What the data alone say.
+struct MotorRatios {
+    std::vector<MotorRatio> ratios;
+    std::vector<ErrorPart> errors;
+};
+
+/// c/J always, K_f/J and phi/J when the balances decide them. `torque_ratio`: relative 1 sigma of the current
+/// that really flows and of the magnets' strength, which no speed or angle can show.
+MotorRatios motorRatios(const MotionFit& motion, const std::optional<BalanceFit>& balance,
+                        double torque_ratio);
+/// c/phi and K_f/phi of a steady sweep without transients.
+MotorRatios motorRatios(const FrictionSweep& sweep, double torque_ratio);
+
+/// Do several given constants contradict the data?
+struct Consistency {
+    double probability = 1.0; ///< of a larger disagreement if all given constants were right
+    int freedom = 0;
+};
+
+struct JointEstimate {
+    std::array<Estimate, MotorConstants> constants;
+    std::map<std::string, Estimate> ratios; ///< c_over_J, Kf_over_J, phi_over_J, c_over_phi, Kf_over_phi
+    std::vector<std::string> covarianceNames;
+    Eigen::MatrixXd covariance;
+    std::optional<Consistency> consistency; ///< when more was given than is needed
+};
+
+/// Absolute values from ratios and given constants by generalised least squares on N - r D = 0. A constant
+/// comes out only when a chain of measured ratios ties it to a given one (resources/help/htm-theory.md
+/// section 7.1); the intervals combine the causes of error with Welch and Satterthwaite's degrees of freedom.
+/// An inertia or torque constant known worse than 30 % counts as not identifiable.
+JointEstimate resolveConstants(const MotorRatios& data, const GivenConstants& given);
+
+/// Short and long names and units by constant: "J", "inertia", "kg*m^2".
+struct MotorConstantName {
+    const char* symbol;
+    const char* name;
+    const char* unit;
+};
+const MotorConstantName& motorConstantName(MotorConstant constant);
 
 } // namespace halbench::control

@@ -253,13 +253,12 @@ Result<void> checkSegments(std::span<const MotionSegment> segments) {
 
 } // namespace
 
-Result<MotionFit> fitMotion(std::span<const MotionSegment> segments, const MotionFitConfig& config) {
-    if (const auto checked = checkSegments(segments); !checked) {
-        return failure(checked.error());
-    }
-    const Columns columns = affordableColumns(segments, config);
+namespace {
+
+Result<MotionFit> fitOnce(std::span<const MotionSegment> segments, double start_per_s,
+                          const Columns& columns) {
     MotionFit fit;
-    fit.damping_per_s = iterateDamping(segments, startDamping(segments), columns);
+    fit.damping_per_s = iterateDamping(segments, start_per_s, columns);
     if (!std::isfinite(fit.damping_per_s)) {
         return failure(ErrorCode::Refused, "the damping of the motion cannot be decided",
                        "record run-ups and coast-downs over a wider range of speed");
@@ -273,10 +272,65 @@ Result<MotionFit> fitMotion(std::span<const MotionSegment> segments, const Motio
                        "record run-ups and coast-downs, not only steady motion");
     }
     fit.angleOrders = columns.orders;
+    fit.angleError_rad.assign(solution.global.data(), solution.global.data() + 2 * columns.orders);
     fit.residualRms_rad = std::sqrt(solution.squares / (rows - unknowns));
     dampingSpread(fit, solution, column, segments, unknowns);
     addBalances(fit, segments, columns, solution);
     return fit;
+}
+
+// How well the loss of torque at speed is known, 1 sigma.
+constexpr double LossError_ratio = 0.2;
+
+// The segments as they would be without the loss of torque at speed, to first order of the loss.
+std::vector<MotionSegment> withoutTorqueLoss(std::span<const MotionSegment> segments, const MotionFit& fit,
+                                             const Columns& columns, double loss_s2) {
+    const auto balance = fitBalance(fit);
+    const double torque = balance ? balance->torque_rad_s2_A.value_or(0.0) : 0.0;
+    const Solution solution = solve(segments, fit.damping_per_s, columns);
+    std::vector<MotionSegment> corrected(segments.begin(), segments.end());
+    for (std::size_t i = 0; i < corrected.size(); ++i) {
+        const Eigen::VectorXd response =
+            lossShape(segments[i], fit.damping_per_s, solution.local[i](1), solution.local[i](2));
+        for (std::size_t row = 0; row < corrected[i].angle_rad.size(); ++row) {
+            corrected[i].angle_rad[row] +=
+                loss_s2 * torque * segments[i].current_A * response(static_cast<Eigen::Index>(row));
+        }
+    }
+    return corrected;
+}
+
+} // namespace
+
+Result<MotionFit> fitMotion(std::span<const MotionSegment> segments, const MotionFitConfig& config) {
+    if (const auto checked = checkSegments(segments); !checked) {
+        return failure(checked.error());
+    }
+    const Columns columns = affordableColumns(segments, config);
+    auto fit = fitOnce(segments, startDamping(segments), columns);
+    if (!fit || config.torqueLoss_s2 == 0.0) {
+        return fit;
+    }
+    const auto corrected = withoutTorqueLoss(segments, *fit, columns, config.torqueLoss_s2);
+    auto final = fitOnce(corrected, fit->damping_per_s, columns);
+    if (final) {
+        const double shift = final->damping_per_s - fit->damping_per_s;
+        final->dampingError_per_s = std::hypot(final->dampingError_per_s, LossError_ratio * shift);
+    }
+    return final;
+}
+
+std::vector<double> correctedAngle_rad(const MotionFit& fit, std::span<const double> angle_rad) {
+    std::vector<double> corrected(angle_rad.begin(), angle_rad.end());
+    for (double& angle : corrected) {
+        const double measured = angle;
+        for (int order = 1; order <= fit.angleOrders; ++order) {
+            const auto place = static_cast<std::size_t>(2 * (order - 1));
+            angle -= fit.angleError_rad[place] * std::cos(order * measured) +
+                     fit.angleError_rad[place + 1] * std::sin(order * measured);
+        }
+    }
+    return corrected;
 }
 
 } // namespace halbench::control

@@ -12,6 +12,9 @@ namespace halbench::control {
 struct MotionFitConfig {
     int angleOrders = 6;    ///< orders per turn of the sensors' angle error that are fitted along
     bool fitsRipple = true; ///< torque and friction ripple once and twice per turn
+    /// Torque of a current falls as 1 - this omega^2: hold between two commutations, roll-off and lag of the
+    /// amplifier (resources/help/identification.md section 4).
+    double torqueLoss_s2 = 0.0;
 };
 
 /// What one segment says about the balance of torques, all over J:
@@ -33,6 +36,7 @@ struct MotionFit {
     int dampingFreedom = 0;
     std::vector<SegmentBalance> balances; ///< in the order of the segments
     int angleOrders = 0;                  ///< orders that the data could carry
+    std::vector<double> angleError_rad;   ///< of cos theta, sin theta, cos 2 theta, ... of the measured angle
     double residualRms_rad = 0.0;
 };
 
@@ -47,6 +51,9 @@ struct MotionFit {
 /// Errors: Refused (no segment; the segments do not bend, so that a is undecided), NotFinite.
 /// Source: resources/help/identification.md section 3.
 Result<MotionFit> fitMotion(std::span<const MotionSegment> segments, const MotionFitConfig& config = {});
+
+/// The measured angle without the sensors' error that the fit found.
+std::vector<double> correctedAngle_rad(const MotionFit& fit, std::span<const double> angle_rad);
 
 /// Straight line through the balances: phi/J, K_f/J of both directions and their joint covariance with a.
 struct BalanceFit {

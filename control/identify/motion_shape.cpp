@@ -111,4 +111,25 @@ Eigen::MatrixXd rippleShape(const MotionSegment& segment, double damping_per_s) 
     return shape;
 }
 
+Eigen::VectorXd lossShape(const MotionSegment& segment, double damping_per_s, double speed_rad_s,
+                          double acceleration_rad_s2) {
+    const auto square = [&](double t) {
+        const double x = damping_per_s * t;
+        const double lag = std::fabs(x) < 1e-9 ? t : -std::expm1(-x) / damping_per_s;
+        const double speed = speed_rad_s + acceleration_rad_s2 * lag;
+        return speed * speed;
+    };
+    Eigen::VectorXd shape = Eigen::VectorXd::Zero(rowsOf(segment));
+    double speed = 0.0;
+    for (Eigen::Index i = 1; i < shape.size(); ++i) {
+        const double step = since(segment, i) - since(segment, i - 1);
+        const double decay = std::exp(-damping_per_s * step);
+        const double next =
+            decay * speed + 0.5 * step * (decay * square(since(segment, i - 1)) + square(since(segment, i)));
+        shape(i) = shape(i - 1) + 0.5 * step * (speed + next);
+        speed = next;
+    }
+    return shape;
+}
+
 } // namespace halbench::control

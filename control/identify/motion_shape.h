@@ -22,4 +22,8 @@ Eigen::MatrixXd angleErrorShape(const MotionSegment& segment, int orders);
 /// from rest; the free start of the segment takes up the homogeneous part.
 Eigen::MatrixXd rippleShape(const MotionSegment& segment, double damping_per_s);
 
+/// Response of delta'' + a delta' to omega(t)^2 of a segment that starts with this speed and acceleration.
+Eigen::VectorXd lossShape(const MotionSegment& segment, double damping_per_s, double speed_rad_s,
+                          double acceleration_rad_s2);
+
 } // namespace halbench::control

@@ -23,6 +23,18 @@ std::size_t firstAtOrAfter(std::span<const double> time_s, double instant_s) {
                                     time_s.begin());
 }
 
+// The window lengthened to whole turns at the speed of the last window, when the record is long enough: both
+// windows then hold the same ripple.
+double wholeTurns_s(std::span<const double> time_s, std::span<const double> angle_rad, double window_s) {
+    const std::size_t begin = firstAtOrAfter(time_s, time_s.back() - window_s);
+    const double turns = std::fabs(angle_rad.back() - angle_rad[begin]) / (2.0 * Pi);
+    if (!(turns > 0.0)) {
+        return window_s;
+    }
+    const double longer_s = window_s * std::ceil(turns) / turns;
+    return 2.0 * longer_s <= time_s.back() - time_s.front() ? longer_s : window_s;
+}
+
 } // namespace
 
 Result<PlateauSpeed> fitPlateauSpeed(std::span<const double> time_s, std::span<const double> angle_rad) {
@@ -84,15 +96,17 @@ Result<PlateauSpeed> fitRippledSpeed(std::span<const double> time_s, std::span<c
 Result<Steadiness> testSteadiness(std::span<const double> time_s, std::span<const double> angle_rad,
                                   const SteadinessConfig& config) {
     HB_ASSERT(time_s.size() == angle_rad.size() && config.window_s > 0.0);
-    if (time_s.size() < 6 || time_s.back() - time_s.front() < 2.0 * config.window_s - 0.05) {
+    constexpr std::size_t FewestSamples = 6;
+    if (time_s.size() < FewestSamples || time_s.back() - time_s.front() < 2.0 * config.window_s - 0.05) {
         return failure(ErrorCode::Refused, "a plateau is shorter than two windows of the steadiness test",
                        "dwell longer");
     }
-    const std::size_t second = firstAtOrAfter(time_s, time_s.back() - config.window_s);
-    const std::size_t first = firstAtOrAfter(time_s, time_s.back() - 2.0 * config.window_s);
+    const double window_s = wholeTurns_s(time_s, angle_rad, config.window_s);
+    const std::size_t second = firstAtOrAfter(time_s, time_s.back() - window_s);
+    const std::size_t first = firstAtOrAfter(time_s, time_s.back() - 2.0 * window_s);
     const auto earlier =
-        fitRippledSpeed(time_s.subspan(first, second - first), angle_rad.subspan(first, second - first));
-    const auto later = fitRippledSpeed(time_s.subspan(second), angle_rad.subspan(second));
+        fitPlateauSpeed(time_s.subspan(first, second - first), angle_rad.subspan(first, second - first));
+    const auto later = fitPlateauSpeed(time_s.subspan(second), angle_rad.subspan(second));
     if (!earlier || !later) {
         return failure(earlier ? later.error() : earlier.error());
     }

@@ -33,9 +33,9 @@ struct Steadiness {
     double sigma_rad_s = 0.0; ///< of the difference
 };
 
-/// Ripple once and twice per turn is fitted along. The larger of the two conditions decides, so that a
-/// perfect record is not failed for its lack of noise. Errors: Refused when the record is shorter than two
-/// windows.
+/// The windows are lengthened to whole turns, so that they hold the same ripple, when the record allows. The
+/// larger of the two conditions decides, so that a perfect record is not failed for its lack of noise.
+/// Errors: Refused when the record is shorter than two windows.
 Result<Steadiness> testSteadiness(std::span<const double> time_s, std::span<const double> angle_rad,
                                   const SteadinessConfig& config);
 

@@ -1,0 +1,207 @@
+#include "app/procedures/identify_estimate.h"
+
+#include "control/identify/plateau.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace halbench::app {
+namespace {
+
+// What is left of the torque at speed omega is 1 - omega^2 times: T^2/24 of the hold between commutations
+// every T = 1 ms, plus (2 zeta tau)^2/2 - tau^2 of the amplifier's 1 + 3.0e-4 s + 1.52e-8 s^2
+// (resources/help/htm-theory.md sections 3.2 and 3.8).
+constexpr double HoldLoss_s2 = 1e-6 / 24.0 + 0.5 * 3.0e-4 * 3.0e-4 - 1.52e-8;
+
+struct Columns {
+    std::vector<double> angle_rad;
+    std::vector<double> current_A;
+    std::vector<double> marker;
+};
+
+std::vector<double> firstColumn(const Recording& recording, std::initializer_list<const char*> names) {
+    for (const char* name : names) {
+        std::vector<double> values = recording.column(name);
+        if (!values.empty()) {
+            return values;
+        }
+    }
+    return {};
+}
+
+Result<Columns> takeColumns(const Recording& recording) {
+    constexpr std::size_t FewestRows = 50;
+    if (recording.rows() < FewestRows) {
+        return failure(ErrorCode::InvalidInput, "the recording holds hardly any rows",
+                       "record at least some seconds of motion");
+    }
+    Columns columns;
+    columns.angle_rad = firstColumn(recording, {"position", "position_rad"});
+    columns.current_A = firstColumn(recording, {"current_command", "current_command_A"});
+    columns.marker = firstColumn(recording, {"reference.segment", "reference_segment"});
+    if (columns.angle_rad.empty() || columns.current_A.empty()) {
+        return failure(ErrorCode::InvalidInput, "the recording lacks position or current_command",
+                       "it needs the columns time_s, position_rad and current_command_A");
+    }
+    const double span_s = recording.time_s.back() - recording.time_s.front();
+    const double rate_Hz = static_cast<double>(recording.rows() - 1) / span_s;
+    constexpr double LowestRate_Hz = 99.0; // 100 Hz with a lost row here and there
+    if (!(rate_Hz >= LowestRate_Hz)) {
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("the recording has {:.3g} rows a second, less than 100", rate_Hz),
+                       "record at 100 Hz or more");
+    }
+    return columns;
+}
+
+void takeTemperatures(const Recording& recording, IdentifyFits& fits) {
+    bool isFirst = true;
+    for (const char* name : {"coil_temperature.a", "coil_temperature.b"}) {
+        const std::vector<double> values = recording.column(name);
+        if (values.empty()) {
+            continue;
+        }
+        const double start = values.front();
+        fits.startTemperature_degC = isFirst ? start : std::min(fits.startTemperature_degC, start);
+        const double highest = *std::max_element(values.begin(), values.end());
+        fits.highestTemperature_degC = isFirst ? highest : std::max(fits.highestTemperature_degC, highest);
+        isFirst = false;
+    }
+}
+
+// Mean speed of the last two seconds, steady or not.
+std::optional<SweepPoint> measurePlateau(std::span<const double> time_s, std::span<const double> angle_rad,
+                                         double current_A, const IdentifyConfig& config, IdentifyFits& fits,
+                                         double& error_rad_s) {
+    constexpr double Window_s = 2.0;
+    if (current_A == 0.0 || time_s.back() - time_s.front() < Window_s + 0.02) {
+        return std::nullopt;
+    }
+    const double begin_s = time_s.back() - Window_s - 1e-6;
+    const auto begin =
+        static_cast<std::size_t>(std::lower_bound(time_s.begin(), time_s.end(), begin_s) - time_s.begin());
+    const auto speed = control::fitRippledSpeed(time_s.subspan(begin), angle_rad.subspan(begin));
+    const auto steadiness = control::testSteadiness(time_s, angle_rad, {});
+    if (!speed || !steadiness) {
+        return std::nullopt;
+    }
+    SweepPoint point;
+    point.current_A = current_A;
+    point.speed_rad_s = speed->speed_rad_s;
+    error_rad_s = speed->speedError_rad_s;
+    if (point.speed_rad_s * std::copysign(1.0, current_A) < 0.1 * config.usableSpeed_rad_s) {
+        point.note = "the rotor stopped";
+        ++fits.stoppedPlateaus;
+    } else if (std::fabs(point.speed_rad_s) < config.usableSpeed_rad_s) {
+        point.note = fmt::format("slower than {} rad/s", config.usableSpeed_rad_s);
+    } else if (!steadiness->isSteady) {
+        point.note = "not steady at its end";
+        ++fits.unsteadyPlateaus;
+    } else {
+        point.isUsed = true;
+    }
+    return point;
+}
+
+void fitSteadySweep(const Recording& recording, const Columns& columns,
+                    const std::vector<control::CurrentPlateau>& plateaus, const IdentifyConfig& config,
+                    IdentifyFits& fits) {
+    std::vector<control::SteadyPoint> steady;
+    for (const control::CurrentPlateau& plateau : plateaus) {
+        const std::size_t count = plateau.end - plateau.begin;
+        double error_rad_s = 0.0;
+        const auto point = measurePlateau(std::span(recording.time_s).subspan(plateau.begin, count),
+                                          std::span(columns.angle_rad).subspan(plateau.begin, count),
+                                          plateau.current_A, config, fits, error_rad_s);
+        if (!point) {
+            continue;
+        }
+        fits.points.push_back(*point);
+        if (point->isUsed) {
+            steady.push_back({point->current_A, point->speed_rad_s, error_rad_s});
+        }
+    }
+    auto sweep = control::fitFrictionSweep(steady, config.seed);
+    if (!sweep) {
+        fits.sweepProblem = sweep.error().message;
+        return;
+    }
+    std::size_t row = 0;
+    for (SweepPoint& point : fits.points) {
+        if (point.isUsed) {
+            point.weight = sweep->robustWeights[row++];
+        }
+    }
+    fits.sweep = std::move(*sweep);
+}
+
+void fitTransients(const Recording& recording, const Columns& columns,
+                   const std::vector<control::CurrentPlateau>& plateaus, const IdentifyConfig& config,
+                   const control::SegmentConfig& segmentConfig, IdentifyFits& fits) {
+    const auto segments = control::findMotion(recording.time_s, columns.angle_rad, plateaus, segmentConfig);
+    control::MotionFitConfig motionConfig;
+    motionConfig.torqueLoss_s2 = HoldLoss_s2 + 0.5 * config.commutationLag_s * config.commutationLag_s;
+    auto motion = control::fitMotion(segments, motionConfig);
+    if (!motion) {
+        fits.motionProblem = motion.error().message;
+        return;
+    }
+    constexpr double WorstDampingError = 0.25;
+    if (!(motion->dampingError_per_s < WorstDampingError * std::fabs(motion->damping_per_s) + 0.02)) {
+        fits.motionProblem = "the motion does not bend enough to show c/J";
+        return;
+    }
+    fits.motion = std::move(*motion);
+    auto balance = control::fitBalance(*fits.motion);
+    if (!balance) {
+        fits.balanceProblem = balance.error().message;
+        return;
+    }
+    fits.balance = std::move(*balance);
+}
+
+} // namespace
+
+Result<IdentifyFits> fitRecording(const Recording& recording, const IdentifyConfig& config) {
+    auto columns = takeColumns(recording);
+    if (!columns) {
+        return failure(columns.error());
+    }
+    control::SegmentConfig segmentConfig;
+    segmentConfig.slowest_rad_s = config.usableSpeed_rad_s;
+    const auto plateaus =
+        control::findPlateaus(recording.time_s, columns->current_A, columns->marker, segmentConfig);
+    if (!plateaus) {
+        return failure(plateaus.error());
+    }
+    for (const double angle : columns->angle_rad) {
+        if (!std::isfinite(angle)) {
+            return failure(ErrorCode::NotFinite, "an angle of the recording is not a number",
+                           "cut the damaged rows out");
+        }
+    }
+    IdentifyFits fits;
+    fits.lostRows = recording.lostRows;
+    takeTemperatures(recording, fits);
+    fitTransients(recording, *columns, *plateaus, config, segmentConfig, fits);
+    if (fits.motion) {
+        columns->angle_rad = control::correctedAngle_rad(*fits.motion, columns->angle_rad);
+    }
+    fitSteadySweep(recording, *columns, *plateaus, config, fits);
+    return fits;
+}
+
+Result<IdentifyResult> identifyRecording(const Recording& recording, const IdentifyConfig& config) {
+    const auto fits = fitRecording(recording, config);
+    if (!fits) {
+        return failure(fits.error());
+    }
+    IdentifyResult result = judgeFits(*fits, config);
+    result.duration_s = recording.time_s.back() - recording.time_s.front();
+    return result;
+}
+
+} // namespace halbench::app

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "app/procedures/identify_procedure.h"
+#include "app/procedures/spin_drive.h"
+
+#include <vector>
+
+namespace halbench::app {
+
+/// The motor as a first short run shows it, good to some per cent: decides dwell and currents.
+struct PilotEstimate {
+    double damping_per_s = 0.0;   ///< c/J
+    double friction_rad_s2 = 0.0; ///< K_f/J
+    double torque_rad_s2_A = 0.0; ///< phi/J
+
+    /// Steady speed at this current; infinite without damping.
+    double steadySpeed_rad_s(double current_A) const;
+};
+
+/// The published motor, for predictions before anything has moved.
+PilotEstimate nominalMotor();
+
+/// The runs after the pilot: in each direction a sweep (highest current first, then all in random order, the
+/// first repeated at the end, then a coast-down) and a series of run-ups and coast-downs. Dwell 9 J/c plus
+/// the two windows of the steadiness test. Currents that would come near the speed limit are left out;
+/// without damping only run-ups and coast-downs remain.
+std::vector<PlateauRun> planRuns(const IdentifyConfig& config, const std::vector<double>& currents_A,
+                                 const PilotEstimate& pilot);
+
+/// Currents of the sweep whose steady speed the speed limit admits.
+std::vector<double> admissibleCurrents_A(const IdentifyConfig& config, const std::vector<double>& currents_A,
+                                         const PilotEstimate& pilot);
+
+} // namespace halbench::app
