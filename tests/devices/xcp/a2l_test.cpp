@@ -176,7 +176,7 @@ TEST(A2l, halfAMillionBlocksAreReadInLinearTime) {
     // Half a million unknown blocks fill the 8 MiB; the time-out of the test is the check.
     std::string many;
     for (int i = 0; i < 500000; ++i) {
-        many += "/begin X/end X ";
+        many += "/begin X /end X ";
     }
     EXPECT_TRUE(parsed(many).measurements.empty());
     std::string signals;
