@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdio>
 
 namespace halbench::app {
@@ -20,7 +21,12 @@ void writeErr(std::string_view text) {
 } // namespace
 
 void Console::write(std::string_view text) {
-    m_hasFailed = m_hasFailed || std::fwrite(text.data(), 1, text.size(), stdout) != text.size();
+    noteFailure(std::fwrite(text.data(), 1, text.size(), stdout) == text.size());
+}
+
+// A reader that has seen enough (`| head`) is no failure.
+void Console::noteFailure(bool isWritten) {
+    m_hasFailed = m_hasFailed || (!isWritten && errno != EPIPE);
 }
 
 void Console::print(std::string_view text) {
@@ -93,7 +99,7 @@ void Console::error(const Error& error) {
 
 Result<void> Console::finish() {
     wipeProgress();
-    m_hasFailed = std::fflush(stdout) != 0 || m_hasFailed;
+    noteFailure(std::fflush(stdout) == 0);
     if (m_hasFailed) {
         return failure(ErrorCode::FileSystem, "stdout cannot be written completely",
                        "free space on the disk or read the pipe to its end");

@@ -43,6 +43,7 @@ public:
 
 private:
     void write(std::string_view text);
+    void noteFailure(bool isWritten);
     void wipeProgress();
 
     ConsoleStyle m_style;

@@ -31,7 +31,8 @@ QString pathOf(const std::string& path) {
 tl::unexpected<Error> fileError(const std::string& path, const std::string& doing, const QFile& file) {
     return failure(ErrorCode::FileSystem,
                    fmt::format("cannot {} '{}': {}", doing, path, file.errorString().toStdString()),
-                   "check that the folder can be written and the disk has room");
+                   doing == "read" ? "check the path"
+                                   : "check that the folder can be written and the disk has room");
 }
 
 std::string partialOf(const std::string& path) {
