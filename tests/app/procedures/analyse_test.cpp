@@ -37,6 +37,16 @@ TEST(MotorEstimate, refusesSteadySpeedsAloneAndSaysWhatWouldHelp) {
     EXPECT_NE(result.error().hint.find("--given J"), std::string::npos);
 }
 
+TEST(MotorEstimate, completesTheDampingFromTheSlopeOfTheSweep) {
+    MotorEstimate estimate;
+    estimate.values = {
+        {"c_over_phi", 1.23e-3 / 1.43e-2}, {"phi_over_J", 1.43e-2 / 5.5e-4}, {"Kf_over_J", 2.05e-2 / 5.5e-4}};
+    const auto plant = plantFromEstimate(estimate);
+    ASSERT_TRUE(plant.has_value());
+    EXPECT_NEAR(plant->dampingRate_1_s, 1.23e-3 / 5.5e-4, 1e-12);
+    EXPECT_NEAR(plant->breakawayCurrent_A, 2.05e-2 / 1.43e-2, 1e-12);
+}
+
 TEST(MotorEstimate, completesSteadySpeedsByOneRatioOfATransient) {
     MotorEstimate estimate;
     estimate.values = {{"c_over_phi", 1.23e-3 / 1.43e-2},
@@ -101,6 +111,20 @@ TEST(Analysis, seesTheDelayOfTheDevice) {
     // One sample at the crossover: 45.7 rad/s 0.01 s = 26.2 deg
     EXPECT_NEAR(prompt->margins.phaseMargin_deg - delayed->margins.phaseMargin_deg, 26.2, 0.1);
     EXPECT_LT(delayed->proportionalLimit_A_per_rad, prompt->proportionalLimit_A_per_rad);
+}
+
+// With much derivative action the gain margin is the short one: 26.8 deg, but a factor 1.46.
+TEST(Analysis, warnsOfASmallGainMarginBesideAFairPhaseMargin) {
+    control::PositionLaw law;
+    law.gains.proportional = 5.0;
+    law.gains.derivative = 2.152;
+    LoopConditions conditions;
+    conditions.timing.delay_samples = 1;
+    const auto result = runAnalysis(published(), law, conditions);
+    ASSERT_TRUE(result.has_value());
+    ASSERT_GT(result->margins.phaseMargin_deg, 20.0);
+    EXPECT_TRUE(std::any_of(result->warnings.begin(), result->warnings.end(),
+                            [](const Finding& finding) { return finding.code == "small_margin"; }));
 }
 
 // help: htm-theory.md 8.1

@@ -36,6 +36,17 @@ TEST(Margins, phaseAndDelayMarginOfASecondOrderLoopAreTheClosedForms) {
     EXPECT_FALSE(margins.phaseCrossover_rad_s.has_value());
 }
 
+// Beyond the limit the phase margin is negative, and only a further turn of delay brings the loop back onto
+// -1.
+TEST(Margins, delayMarginOfAnUnstableLoopIsTheWayRound) {
+    const StabilityMargins margins = smallestMargins(continuous({20.0}, {1.0, 3.0, 2.0, 0.0}));
+    ASSERT_LT(margins.phaseMargin_deg, 0.0);
+    EXPECT_LT(margins.gainMargin_ratio, 1.0);
+    EXPECT_NEAR(margins.delayMargin_s,
+                degreesToRadians(360.0 + margins.phaseMargin_deg) / margins.gainCrossover_rad_s.value(),
+                1e-12);
+}
+
 TEST(Margins, aLoopWithoutCrossingsHasInfiniteMarginsAndNoFrequencies) {
     const StabilityMargins margins = smallestMargins(continuous({0.5}, {1.0, 1.0}));
     EXPECT_TRUE(std::isinf(margins.gainMargin_ratio));

@@ -40,6 +40,20 @@ TEST(StepMetrics, ofASecondOrderSystemAreTheClosedForms) {
     EXPECT_NEAR(metrics->finalError_rad, 0.0, 1e-4);
 }
 
+// Second route: the last sample outside the band. This response enters it for good from above.
+TEST(StepMetrics, settlingCountsFromTheLastTimeOutsideTheBandOnEitherSide) {
+    const auto curve =
+        sampled(6.0, 1e-3, [](double t) { return 1.0 + 8.0 * (t - 0.5) * std::exp(-2.0 * t); });
+    double last_s = 0.0;
+    for (std::size_t i = 0; i < curve.time_s.size(); ++i) {
+        last_s = std::abs(curve.value[i] - 1.0) > 0.02 ? curve.time_s[i] : last_s;
+    }
+    ASSERT_GT(curve.value[static_cast<std::size_t>(last_s * 1000.0)], 1.0);
+    const auto metrics = measureStep(curve.time_s, curve.value, 0.0, 1.0);
+    ASSERT_TRUE(metrics.has_value());
+    EXPECT_NEAR(metrics->settlingTime_s.value(), last_s + 0.5e-3, 0.5e-3 + 1e-9);
+}
+
 TEST(StepMetrics, ofALagAreTheLogarithms) {
     const auto curve = sampled(10.0, 1e-3, [](double t) { return 1.0 - std::exp(-t); });
     const auto metrics = measureStep(curve.time_s, curve.value, 0.0, 1.0);

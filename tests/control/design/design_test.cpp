@@ -174,6 +174,15 @@ TEST(Design, bandwidthIsMetByTheSampledLoop) {
     }
 }
 
+// 25 deg are left where the method stops (help: tuning.md), at 22.4 Hz on the published motor.
+TEST(Design, bandwidthEndsWhereThePhaseMarginDoes) {
+    const auto last = designLaw("bandwidth", published(), NoDelay, bandwidth(22.0));
+    ASSERT_TRUE(last.has_value());
+    EXPECT_NEAR(marginsOf(published(), *last, NoDelay).phaseMargin_deg, 25.0, 1.0);
+    EXPECT_EQ(designLaw("bandwidth", published(), NoDelay, bandwidth(23.0)).error().code,
+              ErrorCode::OutOfRange);
+}
+
 TEST(Design, bandwidthBeyondReachIsRefusedWithWhatIsPossible) {
     const auto refused = designLaw("bandwidth", published(), NoDelay, bandwidth(45.0));
     ASSERT_FALSE(refused.has_value());
@@ -282,6 +291,20 @@ TEST(Robustness, isTheSameForTheSameSeedAndTightForAMotorKnownExactly) {
     const auto exact = assessRobustness(uncertain(0.0), proportional(10.0), NoDelay, 1000, Random(5));
     EXPECT_EQ(exact->unstable_fraction, 0.0);
     EXPECT_NEAR(exact->gainMargin_ratio_p5, proportionalLimit_A_per_rad(published(), NoDelay) / 10.0, 1e-6);
+}
+
+// Far beyond its limit a loop may cross with margins that look fine; an unstable draw must not count with
+// them.
+TEST(Robustness, anUnstableDrawHasNoMargin) {
+    const LoopTiming timing{0.01, 2};
+    PidGains gains = proportional(5.0);
+    gains.derivative = 10.0;
+    ASSERT_GT(smallestMargins(*sampledOpenLoop(published(), gains, timing)).phaseMargin_deg, 90.0);
+    const auto robust = assessRobustness(uncertain(0.01), gains, timing, 1000, Random(1));
+    ASSERT_TRUE(robust.has_value());
+    EXPECT_EQ(robust->unstable_fraction, 1.0);
+    EXPECT_LE(robust->phaseMargin_deg_p5, 0.0);
+    EXPECT_LE(robust->gainMargin_ratio_p5, 1.0);
 }
 
 TEST(Robustness, refusesWhatIsNoCovariance) {

@@ -127,6 +127,17 @@ TEST(FrequencyResponse, unwrapsThePhaseOfALoopWithDelay) {
     EXPECT_NEAR(magnitude_dB(*response).back(), 20.0 * std::log10(T / 2.0), 1e-9);
 }
 
+// 1/(s^2 (s + 1)) starts just below -180 deg and ends at -270 deg; its argument starts above +90.
+TEST(FrequencyResponse, phaseOfALoopWithTwoIntegratorsStartsBelowMinusOneEighty) {
+    const auto loop = make({1.0}, {1.0, 1.0, 0.0, 0.0});
+    const auto response = frequencyResponse(loop, logarithmicFrequencies(0.01, 100.0, 50));
+    ASSERT_TRUE(response.has_value());
+    const auto phase = phase_deg(*response);
+    for (std::size_t i = 0; i < phase.size(); ++i) {
+        EXPECT_NEAR(phase[i], -180.0 - radiansToDegrees(std::atan(response->frequency_rad_s[i])), 1e-9);
+    }
+}
+
 TEST(FrequencyResponse, refusesFrequenciesBeyondNyquist) {
     const auto system = make({1.0}, {1.0, -0.5}, TimeBase::sampled(0.01));
     EXPECT_EQ(frequencyResponse(system, {400.0}).error().code, ErrorCode::OutOfRange);
