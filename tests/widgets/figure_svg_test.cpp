@@ -3,13 +3,13 @@
 #include "widgets/offscreen_application.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <QXmlStreamReader>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <regex>
 #include <sstream>
 #include <vector>
 
@@ -80,10 +80,11 @@ TEST(FigureSvg, keepsCurvesInsideThePanelWhenTheExtentIsGiven) {
     figure.panels[0].y.min = 40.0;
     figure.panels[0].y.max = 60.0;
     const std::string svg = draw(figure).value();
-    const std::regex lines("<polyline[^>]*points=\"([^\"]*)\"");
+    const QRegularExpression lines(QStringLiteral("<polyline[^>]*points=\"([^\"]*)\""));
     int checked = 0;
-    for (std::sregex_iterator it(svg.begin(), svg.end(), lines); it != std::sregex_iterator(); ++it) {
-        std::istringstream numbers((*it)[1].str());
+    QRegularExpressionMatchIterator matches = lines.globalMatch(QString::fromStdString(svg));
+    while (matches.hasNext()) {
+        std::istringstream numbers(matches.next().captured(1).toStdString());
         std::vector<double> heights_px;
         double x = 0.0;
         double y = 0.0;

@@ -1,9 +1,9 @@
 #include "app/report/report_style.h"
 #include "widgets/theme.h"
 
-#include <gtest/gtest.h>
+#include <QRegularExpression>
 
-#include <regex>
+#include <gtest/gtest.h>
 
 namespace halbench::app {
 namespace {
@@ -14,7 +14,8 @@ TEST(ReportStyle, takesEveryColourFromTheTheme) {
     EXPECT_NE(style.find("--bad:" + theme.bad.name().toStdString() + ";"), std::string::npos);
     // Behind the line that defines the roles no rule names a colour of its own.
     const std::string rules = style.substr(style.find('\n'));
-    EXPECT_FALSE(std::regex_search(rules, std::regex("#[0-9a-fA-F]{3,8}|rgb\\(")));
+    const QRegularExpression colour(QStringLiteral("#[0-9a-fA-F]{3,8}|rgb\\("));
+    EXPECT_FALSE(colour.match(QString::fromStdString(rules)).hasMatch());
 }
 
 } // namespace
