@@ -62,7 +62,7 @@ CommandResult identifyFile(CommandContext& context, const CommandOptions& option
     config.seed = header.seed;
     const Result<IdentifyResult> result = identifyRecording(file->recording, config);
     if (!result) {
-        return failure(result.error());
+        return failure(result.error().code, path + ": " + result.error().message, result.error().hint);
     }
     return finish(context, options, header, *result);
 }

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace halbench::app {
 
 namespace {
@@ -71,6 +73,10 @@ Result<std::optional<double>> target(const std::string& option, const std::strin
         return std::optional<double>{};
     }
     const Result<double> value = numberOption(option, text);
+    if (value && *value <= 0.0) {
+        return failure(ErrorCode::OutOfRange, fmt::format("{}: {} is not positive", option, text),
+                       "give a positive number");
+    }
     return value ? Result<std::optional<double>>(*value) : failure(value.error());
 }
 
@@ -137,7 +143,8 @@ Result<ApplyResult> applyGains(CommandContext& context, const CommandOptions& op
     return runApply(*source.device, config, observerFor(context));
 }
 
-Result<TuneResult> tuneFrom(const CommandOptions& options, const TuningSource& source) {
+/// Method and targets, judged before anything moves.
+Result<TuneConfig> tuneConfigFrom(const CommandOptions& options) {
     const Result<control::DesignTargets> targets = targetsFrom(options);
     if (!targets) {
         return failure(targets.error());
@@ -145,21 +152,34 @@ Result<TuneResult> tuneFrom(const CommandOptions& options, const TuningSource& s
     TuneConfig config;
     config.method = options.method.empty() ? config.method : options.method;
     config.targets = *targets;
-    config.conditions = source.conditions;
-    config.seed = source.header.seed;
-    return runTune(source.estimate, config);
+    std::vector<std::string> known;
+    for (const control::DesignMethod& method : control::designMethods()) {
+        known.emplace_back(method.name);
+    }
+    if (std::find(known.begin(), known.end(), config.method) == known.end()) {
+        return failure(ErrorCode::UnknownName,
+                       fmt::format("--method: '{}' is no design method", config.method),
+                       fmt::format("use {}", fmt::join(known, ", ")));
+    }
+    return config;
 }
 
 } // namespace
 
 CommandResult runTuneCommand(CommandContext& context, const CommandOptions& options) {
+    Result<TuneConfig> config = tuneConfigFrom(options);
+    if (!config) {
+        return failure(config.error());
+    }
     const bool isDevice = devices::parseDeviceUri(options.device).has_value();
     Result<TuningSource> source =
         isDevice ? sourceFromDevice(context, options) : sourceFromFile(context, options.device);
     if (!source) {
         return failure(source.error());
     }
-    const Result<TuneResult> result = tuneFrom(options, *source);
+    config->conditions = source->conditions;
+    config->seed = source->header.seed;
+    const Result<TuneResult> result = runTune(source->estimate, *config);
     if (!result) {
         return failure(result.error());
     }

@@ -154,7 +154,8 @@ Result<void> checkKeys(const ConfigNode& table, std::string_view section, std::s
             section == "experiment" && (member.first == "step" || member.first == "check");
         if (spec == keys.end() && !isArrayOfTables) {
             return complaint(member.second, fmt::format("unknown key '{}'", member.first),
-                             fmt::format("allowed here: {}", keyList(keys)));
+                             fmt::format("allowed here: {}{}", keyList(keys),
+                                         section == "experiment" ? ", [[step]], [[check]]" : ""));
         }
         if (!isArrayOfTables) {
             if (const Result<void> valid = checkValue(**spec, member.second); !valid) {
