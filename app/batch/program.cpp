@@ -26,10 +26,20 @@ struct CommandEntry {
 };
 
 constexpr std::array Commands = {
-    CommandEntry{"version", printVersion},        CommandEntry{"devices", runDevicesCommand},
-    CommandEntry{"describe", runDescribeCommand}, CommandEntry{"get", runGetCommand},
-    CommandEntry{"set", runSetCommand},           CommandEntry{"serve", runServeCommand},
-    CommandEntry{"record", runRecordCommand},     CommandEntry{"convert", runConvertCommand},
+    CommandEntry{"version", printVersion},
+    CommandEntry{"devices", runDevicesCommand},
+    CommandEntry{"run", runRunCommand},
+    CommandEntry{"identify", runIdentifyCommand},
+    CommandEntry{"calibrate", runCalibrateCommand},
+    CommandEntry{"tune", runTuneCommand},
+    CommandEntry{"analyse", runAnalyseCommand},
+    CommandEntry{"move", runMoveCommand},
+    CommandEntry{"describe", runDescribeCommand},
+    CommandEntry{"get", runGetCommand},
+    CommandEntry{"set", runSetCommand},
+    CommandEntry{"serve", runServeCommand},
+    CommandEntry{"record", runRecordCommand},
+    CommandEntry{"convert", runConvertCommand},
 };
 
 CommandResult dispatch(CommandContext& context, const CommandLine& line) {
