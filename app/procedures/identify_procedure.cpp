@@ -192,6 +192,7 @@ Result<IdentifyResult> runIdentify(devices::Device& device, const IdentifyConfig
     auto result = excite(device, config, observer, *currents_A);
     auto restored = guard->restore();
     if (!result) {
+        (void)enterState(observer, ProcedureState::Restored);
         return failure(result.error());
     }
     if (!restored) {

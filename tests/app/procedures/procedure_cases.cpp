@@ -1,6 +1,7 @@
 #include "tests/app/procedures/procedure_cases.h"
 
 #include "app/procedures/apply_procedure.h"
+#include "app/procedures/identify_procedure.h"
 #include "app/procedures/move_procedure.h"
 #include "app/procedures/record_procedure.h"
 
@@ -45,6 +46,14 @@ Result<void> applyVerified(devices::Device& device, const ProcedureObserver& obs
     return withoutValue(runApply(device, config, observer));
 }
 
+Result<void> identifyShortly(devices::Device& device, const ProcedureObserver& observer) {
+    IdentifyConfig config;
+    config.sweep = {2.0, 4.0, 0.5};
+    config.directions = SweepDirections::Forward;
+    config.coastDownsPerDirection = 1;
+    return withoutValue(runIdentify(device, config, observer));
+}
+
 } // namespace
 
 std::vector<ProcedureCase> procedureCases() {
@@ -55,6 +64,10 @@ std::vector<ProcedureCase> procedureCases() {
          {State::Prepare, State::Propose, State::Apply, State::Verify, State::Done},
          applyVerified,
          NewGain_A_per_rad},
+        {"identify",
+         {State::Prepare, State::Excite, State::Record, State::Fit, State::Judge, State::Done},
+         identifyShortly,
+         {}},
     };
 }
 
