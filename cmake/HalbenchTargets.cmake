@@ -5,6 +5,9 @@ target_compile_options(halbench_options INTERFACE -Wall -Wextra -Wshadow -Wconve
   $<$<COMPILE_LANGUAGE:C>:-Wstrict-prototypes> -fno-fast-math -ffp-contract=off)
 target_compile_definitions(halbench_options INTERFACE HALBENCH_VERSION="${PROJECT_VERSION}"
   QT_NO_CAST_FROM_ASCII_STRICT QT_NO_KEYWORDS)
+if(HALBENCH_BUILD_FUZZERS) # coverage of the libraries guides the fuzzer
+  target_compile_options(halbench_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 if(HALBENCH_SANITIZE)
   target_compile_options(halbench_options INTERFACE -fsanitize=${HALBENCH_SANITIZE}
     -fno-omit-frame-pointer -fno-sanitize-recover=all)
