@@ -60,6 +60,7 @@ RunOutcome runExperiment(CommandContext& context, devices::Device& device, const
         outcome.stoppedBy = guard.error();
         return outcome;
     }
+    outcome.parametersAtStart = guard->snapshot();
     StepRun run{context, device, seed, outcome.steps};
     for (const ExperimentStep& step : experiment.steps) {
         context.console.log(LogLevel::Info, fmt::format("{} \"{}\"", step.kind, step.name));

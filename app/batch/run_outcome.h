@@ -59,6 +59,7 @@ struct CheckOutcome {
 struct RunOutcome {
     std::vector<StepOutcome> steps;
     std::vector<CheckOutcome> checks;
+    std::vector<ParameterValue> parametersAtStart; ///< on the board, before the first step
     std::optional<Error> stoppedBy;
     bool passed = false;
 };

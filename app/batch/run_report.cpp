@@ -53,19 +53,6 @@ ReportSection amplifierSection(const std::string& heading, const AmplifierAnalys
     return section;
 }
 
-ReportSection analysisSection(const std::string& heading, const AnalysisResult& result) {
-    ReportSection section{heading, {}};
-    section.blocks.push_back(ReportQuality{result.quality});
-    section.blocks.push_back(
-        quantityTable(result.isStable ? "Sampled loop: stable" : "Sampled loop: UNSTABLE",
-                      {{"gain margin", result.margins.gainMargin_ratio, ""},
-                       {"phase margin", result.margins.phaseMargin_deg, "deg"},
-                       {"gain crossover", result.margins.gainCrossover_rad_s, "rad/s"},
-                       {"largest stable proportional gain", result.proportionalLimit_A_per_rad, "A/rad"},
-                       {"friction band", result.frictionBand_rad, "rad"}}));
-    return section;
-}
-
 ReportSection recordSection(const std::string& heading, const RecordResult& result) {
     ReportSection section{heading, {}};
     section.blocks.push_back(ReportQuality{result.quality});
@@ -137,6 +124,33 @@ ReportSection checksSection(const RunOutcome& outcome) {
     return section;
 }
 
+std::string overridesText(const devices::DeviceInfo& info) {
+    std::string text;
+    for (const auto& [key, value] : info.overrides) {
+        text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", key, value);
+    }
+    return text.empty() ? "none" : text;
+}
+
+ReportSection deviceSection(const ResultHeader& header, const RunOutcome& outcome,
+                            const devices::Device& device) {
+    const devices::DeviceInfo& info = device.info();
+    ReportSection section{"Device", {}};
+    section.blocks.push_back(ReportFacts{{{"model", info.model},
+                                          {"identity", info.id},
+                                          {"firmware", info.firmware},
+                                          {"overrides", overridesText(info)},
+                                          {"seed", std::to_string(header.seed)},
+                                          {"transport", info.transport}}});
+    std::vector<ReportQuantity> parameters;
+    for (const ParameterValue& value : outcome.parametersAtStart) {
+        const ParameterSpec* spec = device.catalogue().findParameter(value.name);
+        parameters.push_back({value.name, value.value, spec == nullptr ? std::string() : spec->unit});
+    }
+    section.blocks.push_back(quantityTable("Parameters at start", parameters));
+    return section;
+}
+
 } // namespace
 
 Result<std::string> renderRunReport(const ResultHeader& header, const Experiment& experiment,
@@ -165,6 +179,7 @@ Result<std::string> renderRunReport(const ResultHeader& header, const Experiment
     if (std::optional<ReportSection> contradictions = contradictionsSection(info.model)) {
         content.sections.push_back(*std::move(contradictions));
     }
+    content.sections.push_back(deviceSection(header, outcome, device));
     return renderReport(content);
 }
 

@@ -27,6 +27,9 @@ ReportSection calibrationSection(const std::string& heading, const CalibrateResu
 ReportSection tuningSection(const std::string& heading, const TuneResult& result,
                             const std::optional<AnalysisResult>& present = std::nullopt);
 
+/// Margins, open loop and predicted step of one loop.
+ReportSection analysisSection(const std::string& heading, const AnalysisResult& result);
+
 /// Position over reference and prediction, error, current and the response's figures.
 ReportSection moveSection(const std::string& heading, const MoveResult& result,
                           const std::optional<models::IdealTrace>& predicted = std::nullopt);

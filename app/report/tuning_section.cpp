@@ -57,7 +57,7 @@ std::string frequencyWords(const std::optional<double>& frequency_rad_s) {
 ReportTable marginTable(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present) {
     ReportTable table;
     table.caption = "Margins of the sampled loop with the device's delay";
-    table.columns = {{"quantity"}, {"proposed", true}};
+    table.columns = {{"quantity"}, {present ? "proposed" : "value", true}};
     if (present) {
         table.columns.push_back({"before", true});
     }
@@ -106,8 +106,8 @@ ReportPlot bodePlot(const AnalysisResult& predicted, const std::optional<Analysi
     using Direction = widgets::ReferenceLine::Direction;
     widgets::BodeContent content;
     content.title = "Open loop";
-    content.responses.push_back({"proposed", predicted.bode.frequency_Hz, predicted.bode.magnitude_dB,
-                                 predicted.bode.phase_deg, CurveStyle::Line});
+    content.responses.push_back({present ? "proposed" : "", predicted.bode.frequency_Hz,
+                                 predicted.bode.magnitude_dB, predicted.bode.phase_deg, CurveStyle::Line});
     if (present) {
         content.responses.push_back({"before", present->bode.frequency_Hz, present->bode.magnitude_dB,
                                      present->bode.phase_deg, CurveStyle::DashedLine});
@@ -144,6 +144,15 @@ void appendPredictedStep(ReportSection& section, const AnalysisResult& predicted
 }
 
 } // namespace
+
+ReportSection analysisSection(const std::string& heading, const AnalysisResult& result) {
+    ReportSection section{heading, {}};
+    section.blocks.push_back(ReportQuality{result.quality});
+    section.blocks.push_back(marginTable(result, std::nullopt));
+    section.blocks.push_back(bodePlot(result, std::nullopt));
+    appendPredictedStep(section, result);
+    return section;
+}
 
 ReportSection tuningSection(const std::string& heading, const TuneResult& result,
                             const std::optional<AnalysisResult>& present) {
