@@ -171,6 +171,19 @@ Result<GlobalOptions> globalsFrom(const RawGlobals& raw, ConsoleStyle style) {
     return global;
 }
 
+/// An option that was given must say something: an empty text never means "as if it were not there".
+Result<void> refuseEmptyValues(const CLI::App& app) {
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& value : option->results()) {
+            if (value.empty()) {
+                return failure(ErrorCode::Usage, option->get_name() + " is given without a value",
+                               "give a value or leave it out");
+            }
+        }
+    }
+    return {};
+}
+
 std::string withoutNewlines(std::string text) {
     std::replace(text.begin(), text.end(), '\n', ' ');
     return text;
@@ -224,6 +237,14 @@ Result<CommandLine> parseCommandLine(const std::vector<std::string>& arguments) 
                        "'" + commands[0]->get_name() + "' and '" + commands[1]->get_name() +
                            "' are two commands",
                        "give one");
+    }
+    for (const CLI::App* given :
+         {static_cast<const CLI::App*>(&app),
+          commands.empty() ? nullptr : static_cast<const CLI::App*>(commands.front())}) {
+        if (const Result<void> valid = given == nullptr ? Result<void>() : refuseEmptyValues(*given);
+            !valid) {
+            return failure(valid.error());
+        }
     }
     line.command = raw.isVersion ? "version" : commands.empty() ? "help" : commands.front()->get_name();
     return line;

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace halbench::app {
 
 std::string estimateLine(std::string_view name, const control::Estimate& estimate) {
@@ -89,16 +91,22 @@ Result<CurrentSweep> sweepFrom(const std::string& text) {
 
 Result<control::GivenConstants> givenFrom(const std::vector<std::string>& texts) {
     control::GivenConstants given;
+    std::vector<std::string> seen;
     for (const std::string& text : texts) {
         const std::size_t equals = text.find('=');
         if (equals == std::string::npos) {
             return failure(ErrorCode::Usage, "--given: '" + text + "' is not NAME=VALUE", "write J=5.5e-4");
         }
+        const std::string symbol = text.substr(0, equals);
+        if (std::find(seen.begin(), seen.end(), symbol) != seen.end()) {
+            return failure(ErrorCode::Usage, "--given: '" + symbol + "' is given twice", "give it once");
+        }
+        seen.push_back(symbol);
         const Result<double> value = numberOption("--given " + text, text.substr(equals + 1));
         if (!value) {
             return failure(value.error());
         }
-        if (const Result<void> set = setGivenConstant(given, text.substr(0, equals), *value); !set) {
+        if (const Result<void> set = setGivenConstant(given, symbol, *value); !set) {
             return failure(set.error());
         }
     }

@@ -186,9 +186,17 @@ Result<MoveReference> parseMoveReference(const std::string& text) {
     MoveReference reference;
     reference.shape = *shape;
     std::string_view rest = std::string_view(text).substr(std::min(firstComma + 1, text.size()));
+    std::vector<std::string_view> seen;
     while (!rest.empty()) {
         const std::size_t comma = std::min(rest.find(','), rest.size());
-        if (auto applied = applyPair(reference, rest.substr(0, comma)); !applied) {
+        const std::string_view pair = rest.substr(0, comma);
+        const std::string_view key = pair.substr(0, pair.find('='));
+        if (std::find(seen.begin(), seen.end(), key) != seen.end()) {
+            return failure(ErrorCode::InvalidInput, fmt::format("reference: '{}' is given twice", key),
+                           "give every key once");
+        }
+        seen.push_back(key);
+        if (auto applied = applyPair(reference, pair); !applied) {
             return failure(applied.error());
         }
         rest.remove_prefix(std::min(comma + 1, rest.size()));

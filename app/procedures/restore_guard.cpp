@@ -11,8 +11,14 @@ bool isTransactionMark(const std::string& name) {
     return name == "set.first" || name == "set.last";
 }
 
+// Not on the pages, but a board that idled before shall idle again.
+constexpr const char* ModeName = "hb.mode";
+
 std::vector<std::string> restorableNames(const devices::Catalogue& catalogue) {
     std::vector<std::string> names;
+    if (catalogue.findParameter(ModeName) != nullptr) {
+        names.push_back(ModeName);
+    }
     for (const ParameterSpec& spec : catalogue.parameters) {
         if (spec.isTransactional && spec.access == ParameterAccess::ReadWrite &&
             !isTransactionMark(spec.name)) {
