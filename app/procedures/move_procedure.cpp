@@ -212,7 +212,7 @@ Result<MoveResult> judge(Recording recording, const MoveConfig& config, double p
 // A motor that is still coasting from its last move would give the reference a moving origin. One that does
 // not stop (no friction) is taken as it is; the figures then speak for themselves.
 Result<void> awaitRest(devices::Device& device, const ProcedureObserver& observer) {
-    constexpr double Still_rad_s = 0.05; // the speed estimate's own noise is below this
+    constexpr double Still_rad_s = 0.15; // one count that flickers looks like 0.11 rad/s
     constexpr double Patience_s = 10.0;
     constexpr double Piece_s = 0.1;
     const std::string names[] = {"speed"};
