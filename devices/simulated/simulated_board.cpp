@@ -36,7 +36,10 @@ SimulatedBoard::SimulatedBoard(models::HtmPlant plant, std::uint64_t seed)
     config.store_context = this;
     config.stored = &m_stored;
     hb_htm_init(&m_board, &config);
-    m_turns_rad = 2.0 * Pi * std::round(m_plant.truth().rotor.angle_rad / (2.0 * Pi));
+    sampleAndDrive();
+    // The board starts counting turns within half a turn of its first reading; truth counts the same ones.
+    const double board_rad = m_board.signals.position * (2.0 * Pi / HB_HTM_COUNTS_PER_TURN);
+    m_turns_rad = 2.0 * Pi * std::round((m_truth.position_rad - board_rad) / (2.0 * Pi));
     updateTruth();
 }
 
@@ -80,7 +83,7 @@ models::HtmDrive SimulatedBoard::driveOf(const hb_htm_outputs& outputs) const {
     return drive;
 }
 
-void SimulatedBoard::tick() {
+void SimulatedBoard::sampleAndDrive() {
     updateTruth();
     models::HtmReadings readings = m_plant.read();
     readings.hallCode[0] = m_brokenHallCode.value_or(readings.hallCode[0]);
@@ -91,18 +94,15 @@ void SimulatedBoard::tick() {
     }
     hb_htm_outputs outputs{};
     hb_htm_fast_tick(&m_board, &inputs, &outputs);
-    if (m_ticks == 0) {
-        // The board starts counting turns within half a turn of its first reading; truth counts the same
-        // ones.
-        const double board_rad = m_board.signals.position * (2.0 * Pi / HB_HTM_COUNTS_PER_TURN);
-        m_turns_rad += 2.0 * Pi * std::round((m_truth.position_rad - board_rad) / (2.0 * Pi));
-        updateTruth();
-    }
     redrawFrictionAtNewSegment();
     m_plant.drive(driveOf(outputs));
+}
+
+void SimulatedBoard::tick() {
     constexpr int SubSteps = 4;
     m_plant.advance(SubSteps);
     ++m_ticks;
+    sampleAndDrive();
 }
 
 void SimulatedBoard::advanceTo(double time_s) {

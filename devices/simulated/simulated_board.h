@@ -14,7 +14,8 @@ namespace halbench::devices {
 
 /// The embedded motor: plant model and the controller board's own code on one virtual clock.
 /// Tick k happens at t = k ms: the board samples the sensors, computes and drives; then the plant runs to
-/// (k + 1) ms (resources/help/htm-theory.md section 3.8). The board serves XCP packets between ticks at once.
+/// (k + 1) ms (resources/help/htm-theory.md section 3.8). Tick 0 happens at power-on, inside make(), so that
+/// every signal is valid from the start. The board serves XCP packets between ticks at once.
 /// Two signals more than a real board: truth.position, truth.speed. Thread: any one; nothing is shared
 /// between boards. Neither copied nor moved, because the board's code points into itself.
 class SimulatedBoard {
@@ -28,9 +29,11 @@ public:
 
     static constexpr double Tick_s = 1e-3;
 
-    double time_s() const { return static_cast<double>(m_ticks) * 1e-3; }
+    /// Time of the tick done last.
+    double time_s() const { return static_cast<double>(m_ticks) * Tick_s; }
+    /// Lets a millisecond pass, then does the tick at its end.
     void tick();
-    /// Runs all ticks before `time_s`; does nothing when it is already past it.
+    /// Runs all ticks up to `time_s`; does nothing when it is already past it.
     void advanceTo(double time_s);
 
     void receive(std::span<const std::uint8_t> packet);
@@ -56,6 +59,7 @@ private:
 
     SimulatedBoard(models::HtmPlant plant, std::uint64_t seed);
     hb_htm_calibration initialCalibration();
+    void sampleAndDrive();
     void updateTruth();
     void redrawFrictionAtNewSegment();
     models::HtmDrive driveOf(const hb_htm_outputs& outputs) const;
@@ -65,8 +69,8 @@ private:
     hb_htm_calibration m_stored{};
     std::string m_identity;
     Truth m_truth{};
-    double m_turns_rad = 0.0; ///< whole turns between the plant's angle and the board's
-    std::uint64_t m_ticks = 0;
+    double m_turns_rad = 0.0;  ///< whole turns between the plant's angle and the board's
+    std::uint64_t m_ticks = 0; ///< after the one at power-on
     std::uint16_t m_segment = 0;
     std::optional<double> m_brokenHallCode;
 };

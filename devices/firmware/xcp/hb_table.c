@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "devices/firmware/xcp/hb_table.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -36,10 +37,15 @@ float hb_value_as_float(uint8_t type, const void* source) {
         uint32_t u32;
         int32_t s32;
         float f32;
+#if DBL_MANT_DIG == 53
+        double f64;
+#endif
     } value;
+#if DBL_MANT_DIG != 53
     if (type == HB_FLOAT64) {
         return 0.0F;
     }
+#endif
     memcpy(&value, source, hb_type_size(type));
     switch (type) {
     case HB_UBYTE:
@@ -54,6 +60,10 @@ float hb_value_as_float(uint8_t type, const void* source) {
         return (float)value.u32;
     case HB_SLONG:
         return (float)value.s32;
+#if DBL_MANT_DIG == 53
+    case HB_FLOAT64:
+        return (float)value.f64;
+#endif
     default:
         return value.f32;
     }

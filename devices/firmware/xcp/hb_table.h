@@ -76,7 +76,8 @@ void hb_signal_numbers(const hb_signal* entry, hb_signal* numbers);
 void hb_parameter_numbers(const hb_parameter* entry, hb_parameter* numbers);
 /* Octets of a value of this type. */
 uint8_t hb_type_size(uint8_t type);
-/* The value at `source`, which need not be aligned, as float; HB_FLOAT64 reads as 0. */
+/* The value at `source`, which need not be aligned, as float. HB_FLOAT64 reads as 0 on a processor whose
+ * double has less than 8 octets. */
 float hb_value_as_float(uint8_t type, const void* source);
 /* Stores a finite float, rounded and saturated for integers, at `destination`. */
 void hb_value_from_float(uint8_t type, void* destination, float value);

@@ -123,6 +123,27 @@ TEST(Capture, spacesItsSamplesByThePrescaler) {
     EXPECT_NEAR(spacing, 3.0, 5e-5);
 }
 
+TEST(Capture, recordsTheCallersOwnSignals) {
+    double truth = -2.5;
+    hb_signal signal{};
+    signal.type = HB_FLOAT64;
+    signal.scale = 1.0F;
+    std::strcpy(signal.name, "truth.position");
+    hb_htm_config config{};
+    config.extra = {&signal, 1, &truth};
+    BoardFixture f(&config);
+    f.driveIn(HB_MODE_CURRENT);
+    const auto handle = static_cast<std::uint8_t>(f.board().xcp.description.signals[0].count);
+    f.writeLive(offsetof(hb_htm_live, capture.signal), {handle, 255, 255, 255});
+    start(f);
+    f.tick(10);
+    truth = 1.0 / 3.0;
+    f.tick(HB_CAPTURE_SAMPLES - 10);
+    ASSERT_EQ(f.board().signals.capture_state, HB_CAPTURE_FULL);
+    EXPECT_EQ(sampleOverTheWire(f, 0, 9), -2.5F);
+    EXPECT_EQ(sampleOverTheWire(f, 0, 10), 1.0F / 3.0F); // the nearest float
+}
+
 TEST(Capture, runsOncePerStartAndCanBeStopped) {
     BoardFixture f;
     f.driveIn(HB_MODE_CURRENT);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 
 namespace halbench::devices {
 namespace {
@@ -158,6 +159,20 @@ TEST(SimulatedDevice, opensWithTruthAndTellsWhoItIs) {
     EXPECT_EQ(info.overrides.size(), 2U);
     EXPECT_NE((*device)->catalogue().findSignal("truth.position"), nullptr);
     EXPECT_NE((*device)->catalogue().findSignal("truth.speed"), nullptr);
+}
+
+TEST(SimulatedDevice, hasSampledItsSensorsBeforeAnybodyAsks) {
+    const auto device = openSimulatedDevice(*parseDeviceUri("sim:htm?imperfections=off&psi0=0.5"), {});
+    ASSERT_TRUE(device) << device.error().message;
+    EXPECT_EQ((*device)->clock().now_s(), 0.0);
+    const std::string names[] = {"hall.a", "hall.b", "position", "coil_temperature.a", "truth.position"};
+    const std::vector<double> values = *(*device)->readSignals(names);
+    constexpr double Step_T = 0.39e-3; // of the converter; half of it is the largest rounding
+    EXPECT_NEAR(values[0], 0.157 * std::cos(0.5), 0.51 * Step_T);
+    EXPECT_NEAR(values[1], 0.157 * std::sin(0.5), 0.51 * Step_T);
+    EXPECT_NEAR(values[2], 0.5, Step_T / 0.157);
+    EXPECT_NEAR(values[3], 25.0, 0.25); // half a count of 0.488 degC
+    EXPECT_EQ(values[4], 0.5);
 }
 
 TEST(SimulatedDevice, startsWithWhatItsBoardWasBuiltFor) {
