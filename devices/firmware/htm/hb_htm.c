@@ -304,13 +304,26 @@ void hb_htm_fast_tick(hb_htm* board, const hb_htm_inputs* inputs, hb_htm_outputs
     board->tick++;
 }
 
-void hb_htm_receive(hb_htm* board, const uint8_t* packet, uint16_t length) {
-#if HB_FEATURE_TRIAL
+/* Somebody else takes over: never armed after that. A master that leaves an armed board leaves it to the
+ * watchdog, but what it was trying ends at once. */
+static void endOfMaster(hb_htm* board, const uint8_t* packet, uint16_t length) {
     enum { CONNECT = 0xFF, DISCONNECT = 0xFE };
-    if (length > 0 && (packet[0] == CONNECT || packet[0] == DISCONNECT)) {
-        hb_htm_abandon_trial(board); /* whoever tried is gone */
+    uint8_t takes_over = length > 1 && packet[0] == CONNECT && packet[1] == 0;
+    uint8_t leaves = length > 0 && packet[0] == DISCONNECT && board->xcp.connected;
+    if (takes_over && board->safety.armed) {
+        hb_htm_release(board);
     }
+#if HB_FEATURE_TRIAL
+    if (takes_over || leaves) {
+        hb_htm_abandon_trial(board);
+    }
+#else
+    (void)leaves;
 #endif
+}
+
+void hb_htm_receive(hb_htm* board, const uint8_t* packet, uint16_t length) {
+    endOfMaster(board, packet, length);
     hb_xcp_receive(&board->xcp, packet, length);
 }
 

@@ -93,5 +93,30 @@ TEST_F(Trial, withoutOneADisconnectChangesNothing) {
     EXPECT_EQ(runningGain(), NewGain);
 }
 
+TEST_F(Trial, newMasterFindsTheBoardDisarmed) {
+    fixture.connect();
+    fixture.tick();
+    fixture.writeLive(offsetof(hb_htm_live, mode), {HB_MODE_CURRENT});
+    fixture.writeLive(offsetof(hb_htm_live, arm), {1});
+    fixture.writeLive(offsetof(hb_htm_live, setpoint), BoardFixture::octetsOf(2.0F));
+    fixture.tick();
+    ASSERT_EQ(fixture.outputs.output_enabled, 1);
+    fixture.connect();
+    fixture.tick();
+    EXPECT_EQ(fixture.outputs.output_enabled, 0);
+    EXPECT_EQ(fixture.outputs.dac_code[0], 2048);
+    EXPECT_EQ(fixture.board().live.arm, 0);
+}
+
+TEST_F(Trial, damagedConnectDisarmsNobody) {
+    fixture.connect();
+    fixture.tick();
+    fixture.writeLive(offsetof(hb_htm_live, mode), {HB_MODE_CURRENT});
+    fixture.writeLive(offsetof(hb_htm_live, arm), {1});
+    fixture.command({0xFF, 0x77});
+    fixture.tick();
+    EXPECT_EQ(fixture.board().live.arm, 1);
+}
+
 } // namespace
 } // namespace halbench::devices::firmware
