@@ -19,11 +19,11 @@ std::string_view calibrationName(Calibration calibration);
 
 struct CalibrateConfig {
     std::vector<Calibration> which{Calibration::Hall, Calibration::Stray, Calibration::StaticFriction};
-    bool apply = false;              ///< write what is proposed, verify, keep
-    double spinCurrent_A = 2.2;      ///< slow constant speed for the sensor ellipse
-    double strayCurrent_A = 4.0;     ///< largest d-axis current
-    double frictionCurrent_A = 3.0;  ///< end of the static-friction ramp
-    int frictionStarts = 6;          ///< angles at which the rotor is broken loose, each direction
+    bool apply = false;             ///< write what is proposed, verify, keep
+    double spinCurrent_A = 2.2;     ///< slow constant speed for the sensor ellipse
+    double strayCurrent_A = 4.0;    ///< largest d-axis current
+    double frictionCurrent_A = 3.0; ///< end of the static-friction ramp
+    int frictionStarts = 6;         ///< angles at which the rotor is broken loose, each direction
     double speedLimit_rad_s = 40.0;
     std::uint64_t seed = 1;
 };

@@ -1,0 +1,149 @@
+#include "app/procedures/calibrate_runs.h"
+#include "app/procedures/spin_drive.h"
+#include "control/base/units.h"
+#include "control/identify/distributions.h"
+#include "control/identify/ellipse_fit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::app {
+namespace {
+
+struct HallReadings {
+    std::vector<double> a_T;
+    std::vector<double> b_T;
+};
+
+// Rows in motion, without the field of the phase currents.
+HallReadings movingReadings(const Recording& recording, double stray_T_per_A) {
+    constexpr double Slowest_rad_s = 2.0;
+    const std::vector<double> speed = recording.column("speed");
+    const std::vector<double> hallA = recording.column("hall.a");
+    const std::vector<double> hallB = recording.column("hall.b");
+    const std::vector<double> currentA = recording.column("current.a");
+    const std::vector<double> currentB = recording.column("current.b");
+    HallReadings readings;
+    if (speed.empty() || hallA.empty() || hallB.empty() || currentA.empty() || currentB.empty()) {
+        return readings;
+    }
+    for (std::size_t i = 0; i < recording.rows(); ++i) {
+        if (std::fabs(speed[i]) > Slowest_rad_s) {
+            readings.a_T.push_back(hallA[i] - stray_T_per_A * currentA[i]);
+            readings.b_T.push_back(hallB[i] - stray_T_per_A * currentB[i]);
+        }
+    }
+    return readings;
+}
+
+void addFigure(CalibrateResult& result, const char* name, const char* unit, double value, double error,
+               int parts) {
+    const double half = control::studentQuantile(0.975, std::max(parts - 1, 1)) * error;
+    result.figures.push_back({name, unit,
+                              control::Estimate{value, std::pair(value - half, value + half),
+                                                control::EstimateSource::Identified, unit}});
+}
+
+Result<control::HallEllipse> presentCalibration(devices::Device& device) {
+    const std::string names[] = {"hall.offset_a", "hall.offset_b", "hall.gain_ratio", "hall.quadrature",
+                                 "hall.amplitude"};
+    const auto values = device.readParameters(names);
+    if (!values) {
+        return failure(values.error());
+    }
+    return control::HallEllipse{(*values)[0], (*values)[1], (*values)[2], (*values)[3], (*values)[4]};
+}
+
+// What the ellipse leaves: harmonics of sensors and magnets. More than this spoils the decoding.
+constexpr double WorstResidual_ratio = 0.02;
+
+void judgeEllipse(CalibrateResult& result, const control::HallEllipseFit& fit) {
+    if (fit.residual_ratio > WorstResidual_ratio) {
+        result.quality.verdict = std::max(result.quality.verdict, Verdict::Doubtful);
+        result.quality.findings.push_back(
+            {"hall_not_an_ellipse",
+             fmt::format("the readings lie {:.1f} % of the amplitude away from their ellipse",
+                         100.0 * fit.residual_ratio),
+             "look for saturated sensors or a loose magnet"});
+    }
+}
+
+} // namespace
+
+Result<double> proposedOrPresent(devices::Device& device, const CalibrateResult& result,
+                                 const std::string& name) {
+    for (const ParameterValue& value : result.proposed) {
+        if (value.name == name) {
+            return value.value;
+        }
+    }
+    const std::string names[] = {name};
+    const auto values = device.readParameters(names);
+    if (!values) {
+        return failure(values.error());
+    }
+    return values->front();
+}
+
+Result<void> calibrateHall(devices::Device& device, const CalibrateConfig& config,
+                           const ProcedureObserver& observer, CalibrateResult& result) {
+    const auto stray = proposedOrPresent(device, result, "stray.coefficient");
+    const auto before = presentCalibration(device);
+    if (!stray || !before) {
+        return failure(stray ? before.error() : stray.error());
+    }
+    SpeedWatch watch("speed");
+    ProcedureObserver listening = observer;
+    listening.onBlock = [&](const SampleBlockPtr& block) {
+        watch.take(*block);
+        if (observer.onBlock) {
+            observer.onBlock(block);
+        }
+    };
+    StreamRecorder recorder(device, listening);
+    if (auto started =
+            recorder.start({"position", "speed", "hall.a", "hall.b", "current.a", "current.b"}, 100.0);
+        !started) {
+        return started;
+    }
+    for (const double sign : {1.0, -1.0}) {
+        PlateauRun run;
+        run.currents_A = {sign * config.spinCurrent_A, sign * config.spinCurrent_A, 0.0};
+        run.dwell_s = 4.0;
+        run.mayReach_rad_s = 0.9 * config.speedLimit_rad_s;
+        run.text = "spins slowly for the Hall sensors";
+        if (auto done = runPlateaus(device, listening, run, {}, watch); !done) {
+            return done;
+        }
+    }
+    if (auto checked = recorder.check(); !checked) {
+        return checked;
+    }
+    const HallReadings readings = movingReadings(recorder.finish(), *stray);
+    const auto fit = control::fitHallEllipse(readings.a_T, readings.b_T);
+    if (!fit) {
+        result.quality.verdict = std::max(result.quality.verdict, Verdict::Refused);
+        result.quality.findings.push_back(
+            {"hall_not_calibrated", fit.error().message, "use a spin current above the breakaway current"});
+        return {};
+    }
+    const control::HallEllipse& e = fit->ellipse;
+    addFigure(result, "hall.offset_a", "T", e.offsetA_T, fit->error.offsetA_T, fit->parts);
+    addFigure(result, "hall.offset_b", "T", e.offsetB_T, fit->error.offsetB_T, fit->parts);
+    addFigure(result, "hall.gain_ratio", "", e.gain_ratio, fit->error.gain_ratio, fit->parts);
+    addFigure(result, "hall.quadrature", "rad", e.quadrature_rad, fit->error.quadrature_rad, fit->parts);
+    addFigure(result, "hall.amplitude", "T", e.amplitude_T, fit->error.amplitude_T, fit->parts);
+    for (const CalibrationFigure& figure : result.figures) {
+        if (figure.name.starts_with("hall.")) {
+            result.proposed.push_back({figure.name, *figure.estimate.value});
+        }
+    }
+    result.residualBefore_rad = control::hallAngleError_rad(*before, e);
+    result.residualAfter_rad = fit->residual_ratio;
+    judgeEllipse(result, *fit);
+    return {};
+}
+
+} // namespace halbench::app

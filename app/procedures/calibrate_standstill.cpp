@@ -1,0 +1,264 @@
+#include "app/procedures/calibrate_runs.h"
+#include "app/procedures/coil_forecast.h"
+#include "control/identify/calibration_fits.h"
+#include "control/identify/distributions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace halbench::app {
+namespace {
+
+constexpr double ShapeStep = 1.0;
+constexpr double ShapeRamp = 2.0;
+constexpr double ShapePlateaus = 7.0;
+constexpr double Pause_degC = 60.0;
+constexpr double Refuse_degC = 70.0;
+
+Result<void> drive(devices::Device& device, const ProcedureObserver& observer,
+                   std::vector<ParameterValue> values, devices::BoardMode mode, double duration_s,
+                   const char* text) {
+    if (auto armed = device.arm(); !armed) {
+        return armed;
+    }
+    values.insert(values.begin(), {{"reference.start", 0.0},
+                                   {"hb.setpoint", 0.0},
+                                   {"hb.mode", static_cast<double>(mode)},
+                                   {"reference.base", 0.0}});
+    values.push_back({"reference.start", 1.0});
+    if (auto started = device.writeParameters(values); !started) {
+        return started;
+    }
+    return waitObserved(device, observer, duration_s, 0.0, 1.0, text);
+}
+
+// A short push, so that the next measurement stands at another angle.
+Result<void> nudge(devices::Device& device, const ProcedureObserver& observer, double current_A) {
+    constexpr double Push_s = 0.15;
+    constexpr double Rest_s = 0.8;
+    if (auto driven = drive(device, observer,
+                            {{"reference.shape", ShapeStep},
+                             {"reference.amplitude", current_A},
+                             {"reference.duration", Push_s}},
+                            devices::BoardMode::Current, Push_s + Rest_s, "turns to another angle");
+        !driven) {
+        return driven;
+    }
+    return device.disarm();
+}
+
+// Levels 0, +1/8, -1/8, ... +1, -1 of the largest current, then zero.
+std::vector<ParameterValue> dAxisLevels(double largest_A, double dwell_s) {
+    std::vector<double> levels{0.0};
+    for (int i = 1; i <= 8; ++i) {
+        levels.push_back(largest_A * i / 8.0);
+        levels.push_back(-largest_A * i / 8.0);
+    }
+    std::vector<ParameterValue> values{{"reference.shape", ShapePlateaus},
+                                       {"plateau.dwell", dwell_s},
+                                       {"plateau.count", static_cast<double>(levels.size())}};
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        values.push_back({fmt::format("plateau.current_{}", i + 1), levels[i]});
+    }
+    return values;
+}
+
+control::StrayRecord strayRecord(const Recording& recording, std::size_t firstRow) {
+    const auto from = [&](const char* name) {
+        std::vector<double> column = recording.column(name);
+        column.erase(column.begin(),
+                     column.begin() + static_cast<std::ptrdiff_t>(std::min(firstRow, column.size())));
+        return column;
+    };
+    control::StrayRecord all{from("hall.a"), from("hall.b"), from("current.a"), from("current.b")};
+    // A row directly after a change of current may hold the old field or the old current: left out.
+    control::StrayRecord settled;
+    for (std::size_t i = 1; i + 1 < all.hallA_T.size(); ++i) {
+        const auto same = [i](const std::vector<double>& current) {
+            constexpr double SameCurrent_A = 5e-3;
+            return std::fabs(current[i] - current[i - 1]) < SameCurrent_A &&
+                   std::fabs(current[i] - current[i + 1]) < SameCurrent_A;
+        };
+        if (same(all.currentA_A) && same(all.currentB_A)) {
+            settled.hallA_T.push_back(all.hallA_T[i]);
+            settled.hallB_T.push_back(all.hallB_T[i]);
+            settled.currentA_A.push_back(all.currentA_A[i]);
+            settled.currentB_A.push_back(all.currentB_A[i]);
+        }
+    }
+    return settled;
+}
+
+void refuse(CalibrateResult& result, const char* code, const Error& error) {
+    result.quality.verdict = std::max(result.quality.verdict, Verdict::Refused);
+    result.quality.findings.push_back({code, error.message, error.hint});
+}
+
+Result<Recording> recordAt(devices::Device& device, const ProcedureObserver& observer,
+                           const std::vector<ParameterValue>& values, devices::BoardMode mode,
+                           double duration_s, const char* text) {
+    StreamRecorder recorder(device, observer);
+    if (auto started = recorder.start(
+            {"position", "current_command", "hall.a", "hall.b", "current.a", "current.b"}, 100.0);
+        !started) {
+        return failure(started.error());
+    }
+    if (auto driven = drive(device, observer, values, mode, duration_s, text); !driven) {
+        return failure(driven.error());
+    }
+    if (auto disarmed = device.disarm(); !disarmed) {
+        return failure(disarmed.error());
+    }
+    if (auto checked = recorder.check(); !checked) {
+        return failure(checked.error());
+    }
+    return recorder.finish();
+}
+
+// One ramp; ends as soon as the rotor is surely off.
+Result<Recording> rampOnce(devices::Device& device, const ProcedureObserver& observer, double end_A) {
+    constexpr double Rate_A_s = 0.6;
+    double first_rad = 0.0;
+    double travel_rad = 0.0;
+    bool hasFirst = false;
+    ProcedureObserver listening = observer;
+    listening.onBlock = [&](const SampleBlockPtr& block) {
+        const int column = block->layout->indexOf("position");
+        for (std::size_t row = 0; column >= 0 && row < block->rows(); ++row) {
+            const double angle = block->value(row, static_cast<std::size_t>(column));
+            first_rad = hasFirst ? first_rad : angle;
+            hasFirst = true;
+            travel_rad = std::max(travel_rad, std::fabs(angle - first_rad));
+        }
+        if (observer.onBlock) {
+            observer.onBlock(block);
+        }
+    };
+    StreamRecorder recorder(device, listening);
+    if (auto started = recorder.start({"position", "current_command"}, 100.0); !started) {
+        return failure(started.error());
+    }
+    const double duration_s = std::fabs(end_A) / Rate_A_s;
+    if (auto driven = drive(device, listening,
+                            {{"reference.shape", ShapeRamp},
+                             {"reference.amplitude", end_A},
+                             {"reference.rate", std::copysign(Rate_A_s, end_A)},
+                             {"reference.duration", duration_s}},
+                            devices::BoardMode::Current, 0.1, "ramps the current from rest");
+        !driven) {
+        return failure(driven.error());
+    }
+    constexpr double SurelyOff_rad = 0.8;
+    for (double passed_s = 0.1; passed_s < duration_s && travel_rad < SurelyOff_rad; passed_s += 0.05) {
+        if (auto waited = waitObserved(device, listening, 0.05, 0.0, 1.0, "ramps the current from rest");
+            !waited) {
+            return failure(waited.error());
+        }
+    }
+    if (auto disarmed = device.disarm(); !disarmed) {
+        return failure(disarmed.error());
+    }
+    if (auto checked = recorder.check(); !checked) {
+        return failure(checked.error());
+    }
+    Recording recording = recorder.finish();
+    constexpr double Rest_s = 0.6; // coasts out
+    if (auto waited = waitObserved(device, observer, Rest_s); !waited) {
+        return failure(waited.error());
+    }
+    return recording;
+}
+
+void addStaticFriction(CalibrateResult& result) {
+    const auto count = static_cast<double>(result.staticFriction.size());
+    double mean = 0.0;
+    double squares = 0.0;
+    for (const StaticFrictionPoint& point : result.staticFriction) {
+        mean += std::fabs(point.current_A) / count;
+    }
+    for (const StaticFrictionPoint& point : result.staticFriction) {
+        squares += (std::fabs(point.current_A) - mean) * (std::fabs(point.current_A) - mean);
+    }
+    const double half =
+        control::studentQuantile(0.975, count - 1.0) * std::sqrt(squares / (count - 1.0) / count);
+    result.figures.push_back({"static_friction.current", "A",
+                              control::Estimate{mean, std::pair(mean - half, mean + half),
+                                                control::EstimateSource::Identified, "A"}});
+}
+
+} // namespace
+
+Result<void> calibrateStray(devices::Device& device, const CalibrateConfig& config,
+                            const ProcedureObserver& observer, CalibrateResult& result) {
+    constexpr double Dwell_s = 0.12;
+    constexpr int Angles = 3;
+    constexpr double Duration_s = 17 * Dwell_s + 0.05;
+    // One phase may carry all of it: mean square of the levels is 0.36 of the largest.
+    const double meanSquare_A2 = 0.36 * config.strayCurrent_A * config.strayCurrent_A;
+    if (auto admitted =
+            admitHeat(device, observer, meanSquare_A2, Angles * Duration_s, Pause_degC, Refuse_degC);
+        !admitted) {
+        return failure(admitted.error());
+    }
+    std::vector<control::StrayRecord> records;
+    for (int i = 0; i < Angles; ++i) {
+        auto recording = recordAt(device, observer, dAxisLevels(config.strayCurrent_A, Dwell_s),
+                                  devices::BoardMode::DAxis, Duration_s, "d-axis current at rest");
+        if (!recording) {
+            return failure(recording.error());
+        }
+        records.push_back(strayRecord(*recording, 0));
+        if (auto moved = nudge(device, observer, config.frictionCurrent_A); !moved) {
+            return moved;
+        }
+    }
+    const auto fit = control::fitStray(records);
+    if (!fit) {
+        refuse(result, "stray_not_calibrated", fit.error());
+        return {};
+    }
+    const double half = control::studentQuantile(0.975, fit->freedom) * fit->error_T_per_A;
+    const double value = fit->coefficient_T_per_A;
+    result.figures.push_back({"stray.coefficient", "T/A",
+                              control::Estimate{value, std::pair(value - half, value + half),
+                                                control::EstimateSource::Identified, "T/A"}});
+    result.proposed.push_back({"stray.coefficient", value});
+    return {};
+}
+
+Result<void> calibrateStaticFriction(devices::Device& device, const CalibrateConfig& config,
+                                     const ProcedureObserver& observer, CalibrateResult& result) {
+    const double meanSquare_A2 = config.frictionCurrent_A * config.frictionCurrent_A / 3.0;
+    if (auto admitted =
+            admitHeat(device, observer, meanSquare_A2, 10.0 * config.frictionStarts, Pause_degC, Refuse_degC);
+        !admitted) {
+        return failure(admitted.error());
+    }
+    for (int i = 0; i < 2 * config.frictionStarts; ++i) {
+        const double sign = i % 2 == 0 ? 1.0 : -1.0;
+        const auto recording = rampOnce(device, observer, sign * config.frictionCurrent_A);
+        if (!recording) {
+            return failure(recording.error());
+        }
+        const std::vector<double> angle = recording->column("position");
+        const auto start =
+            control::findBreakaway(recording->time_s, angle, recording->column("current_command"));
+        if (start) {
+            result.staticFriction.push_back({angle.front(), start->current_A});
+        }
+    }
+    constexpr std::size_t FewestStarts = 3;
+    if (result.staticFriction.size() < FewestStarts) {
+        refuse(result, "static_friction_not_found",
+               Error{ErrorCode::Refused, "the rotor broke loose in too few of the ramps",
+                     "ramp to a higher current"});
+        return {};
+    }
+    addStaticFriction(result);
+    return {};
+}
+
+} // namespace halbench::app

@@ -1,0 +1,229 @@
+#include "app/procedures/identify_procedure.h"
+#include "devices/open_device.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::app {
+namespace {
+
+std::unique_ptr<devices::Device> open(const std::string& uri) {
+    auto device = devices::openDevice(uri, {});
+    EXPECT_TRUE(device) << (device ? "" : device.error().message);
+    return device ? std::move(*device) : nullptr;
+}
+
+IdentifyConfig withInertia(double inertia_kg_m2) {
+    IdentifyConfig config;
+    config.given.inertia_kg_m2 = inertia_kg_m2;
+    return config;
+}
+
+bool hasFinding(const IdentifyResult& result, const std::string& code) {
+    return std::any_of(result.quality.findings.begin(), result.quality.findings.end(),
+                       [&code](const Finding& finding) { return finding.code == code; });
+}
+
+bool covers(const control::Estimate& estimate, double truth) {
+    return estimate.interval95 && estimate.interval95->first <= truth && truth <= estimate.interval95->second;
+}
+
+struct Truth {
+    const char* uri;
+    double damping, friction, torque;
+};
+
+TEST(Identify, comesBackWithinThreeInAThousandWithoutImperfections) {
+    for (const Truth& truth :
+         {Truth{"sim:htm?imperfections=off", 1.23e-3, 2.05e-2, 1.43e-2},
+          Truth{"sim:htm?imperfections=off&c=2.2e-3&Kf=0.014&phi=0.021", 2.2e-3, 0.014, 0.021}}) {
+        const auto device = open(truth.uri);
+        const auto result = runIdentify(*device, withInertia(5.5e-4), {});
+        ASSERT_TRUE(result) << result.error().message;
+        // acceptance of resources/help/htm-theory.md section 7.2
+        EXPECT_NEAR(*result->viscousDamping.value / truth.damping, 1.0, 3e-3);
+        EXPECT_NEAR(*result->coulombFriction.value / truth.friction, 1.0, 3e-3);
+        EXPECT_NEAR(*result->torqueConstant.value / truth.torque, 1.0, 3e-3);
+        EXPECT_EQ(result->inertia.source, control::EstimateSource::Given);
+        EXPECT_GT(*result->rSquared, 0.9999);
+    }
+}
+
+TEST(Identify, leavesTheBoardAsItWasAndDisarmed) {
+    const auto device = open("sim:htm?seed=2");
+    std::vector<std::string> names;
+    for (const ParameterSpec& spec : device->catalogue().parameters) {
+        if (spec.isTransactional && !spec.name.starts_with("set.")) {
+            names.push_back(spec.name);
+        }
+    }
+    const auto before = device->readParameters(names);
+    ASSERT_TRUE(runIdentify(*device, withInertia(5.5e-4), {}));
+    const auto after = device->readParameters(names);
+    ASSERT_TRUE(before && after);
+    EXPECT_EQ(*before, *after);
+    EXPECT_FALSE(device->state().isArmed);
+}
+
+TEST(Identify, withoutGivenConstantsGivesRatiosAndSaysWhatIsMissing) {
+    const auto device = open("sim:htm?seed=3");
+    const auto result = runIdentify(*device, {}, {});
+    ASSERT_TRUE(result);
+    EXPECT_FALSE(result->viscousDamping.value);
+    EXPECT_FALSE(result->torqueConstant.value);
+    EXPECT_EQ(result->inertia.source, control::EstimateSource::NotIdentifiable);
+    EXPECT_TRUE(hasFinding(*result, "scale_not_given"));
+    // within five standard errors of a few tenths of a per cent
+    EXPECT_NEAR(*result->ratios.at("c_over_J").value, 1.23e-3 / 5.5e-4, 5e-3);
+    EXPECT_NEAR(*result->ratios.at("phi_over_J").value / 26.0, 1.0, 0.02);
+}
+
+TEST(Identify, aGivenTorqueConstantMakesTheInertiaKnown) {
+    const auto device = open("sim:htm?seed=4");
+    IdentifyConfig config;
+    config.given.torqueConstant_Nm_per_A = 1.43e-2;
+    const auto result = runIdentify(*device, config, {});
+    ASSERT_TRUE(result && result->inertia.value);
+    EXPECT_NEAR(*result->inertia.value / 5.5e-4, 1.0, 0.02);
+}
+
+TEST(Identify, saysWhenGivenConstantsContradictTheMotor) {
+    const auto device = open("sim:htm?seed=5");
+    IdentifyConfig config = withInertia(5.5e-4);
+    config.given.torqueConstant_Nm_per_A = 1.6e-2;
+    const auto result = runIdentify(*device, config, {});
+    ASSERT_TRUE(result);
+    EXPECT_TRUE(hasFinding(*result, "given_constants_disagree"));
+    EXPECT_EQ(result->quality.verdict, Verdict::Doubtful);
+}
+
+TEST(Identify, aKnownAddedInertiaGivesAllFourConstants) {
+    const auto bare = open("sim:htm?seed=6");
+    const auto first = runIdentify(*bare, {}, {});
+    ASSERT_TRUE(first);
+    const auto loaded = open("sim:htm?seed=6&J=9.5e-4");
+    IdentifyConfig config;
+    config.added = AddedInertia{motorEstimate(*first), 4e-4};
+    const auto result = runIdentify(*loaded, config, {});
+    ASSERT_TRUE(result);
+    ASSERT_TRUE(result->inertia.value && result->torqueConstant.value);
+    EXPECT_NEAR(*result->inertia.value / 5.5e-4, 1.0, 0.02);
+    EXPECT_NEAR(*result->viscousDamping.value / 1.23e-3, 1.0, 0.02);
+    EXPECT_NEAR(*result->torqueConstant.value / 1.43e-2, 1.0, 0.03);
+}
+
+TEST(Identify, findsThePlateausOfARecordingItself) {
+    const auto device = open("sim:htm?seed=7");
+    const auto live = runIdentify(*device, withInertia(5.5e-4), {});
+    ASSERT_TRUE(live);
+    IdentifyConfig config = withInertia(5.5e-4);
+    config.commutationLag_s = 0.0; // the board commutated ahead
+    const auto again = identifyRecording(live->recording, config);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(*again->viscousDamping.value, *live->viscousDamping.value);
+    // without the board's marks the currents alone cut the record
+    Recording plain = live->recording;
+    auto layout = std::make_shared<StreamLayout>(*plain.layout);
+    for (auto& column : layout->columns) {
+        column.name = column.name == "reference.segment" ? "unused" : column.name;
+    }
+    plain.layout = layout;
+    const auto unmarked = identifyRecording(plain, config);
+    ASSERT_TRUE(unmarked);
+    EXPECT_NEAR(*unmarked->viscousDamping.value / *live->viscousDamping.value, 1.0, 1e-3);
+    EXPECT_NEAR(*unmarked->torqueConstant.value / *live->torqueConstant.value, 1.0, 5e-3);
+}
+
+TEST(Identify, refusesRecordingsThatHoldNoMotion) {
+    auto layout = std::make_shared<StreamLayout>();
+    layout->columns = {{"position", "rad"}, {"current_command", "A"}};
+    Recording still;
+    still.layout = layout;
+    for (int i = 0; i < 500; ++i) {
+        still.time_s.push_back(0.01 * i);
+        still.values.insert(still.values.end(), {1.0, 0.5});
+    }
+    const auto result = identifyRecording(still, withInertia(5.5e-4));
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->quality.verdict, Verdict::Refused);
+    EXPECT_FALSE(result->viscousDamping.value);
+    Recording slow = still;
+    for (double& time : slow.time_s) {
+        time *= 10.0;
+    }
+    EXPECT_FALSE(identifyRecording(slow, {}));
+    Recording nameless = still;
+    auto other = std::make_shared<StreamLayout>(*layout);
+    other->columns[1].name = "voltage";
+    nameless.layout = other;
+    EXPECT_FALSE(identifyRecording(nameless, {}));
+}
+
+TEST(Identify, keepsToItsLimitsOnAMotorWithoutDamping) {
+    for (const char* uri : {"sim:htm?imperfections=off&c=0", "sim:htm?imperfections=off&Kf=0",
+                            "sim:htm?imperfections=off&c=6e-4"}) {
+        const auto device = open(uri);
+        const auto result = runIdentify(*device, withInertia(5.5e-4), {});
+        ASSERT_TRUE(result) << uri << ": " << result.error().message;
+        ASSERT_TRUE(result->torqueConstant.value) << uri;
+        EXPECT_NEAR(*result->torqueConstant.value / 1.43e-2, 1.0, 0.01) << uri;
+        EXPECT_TRUE(covers(result->torqueConstant, 1.43e-2)) << uri;
+    }
+}
+
+TEST(Identify, refusesWhenTheRotorNeverTurns) {
+    const auto device = open("sim:htm?Kf=0.2");
+    const auto result = runIdentify(*device, withInertia(5.5e-4), {});
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->quality.verdict, Verdict::Refused);
+    EXPECT_TRUE(hasFinding(*result, "nothing_identified"));
+}
+
+TEST(Identify, anAbortRestoresTheBoard) {
+    const auto device = open("sim:htm");
+    ProcedureObserver observer;
+    int asked = 0;
+    observer.checkAbort = [&asked]() -> Result<void> {
+        return ++asked > 60 ? Result<void>(failure(ErrorCode::Interrupted, "stopped", {})) : Result<void>();
+    };
+    const auto result = runIdentify(*device, withInertia(5.5e-4), observer);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::Interrupted);
+    EXPECT_FALSE(device->state().isArmed);
+    const std::string names[] = {"commutation.advance"};
+    EXPECT_EQ(device->readParameters(names)->front(), 0.0);
+}
+
+TEST(IdentifyConfig, refusesImpossibleValuesBeforeAnythingMoves) {
+    control::GivenConstants given;
+    EXPECT_EQ(setGivenConstant(given, "L", 1.0).error().code, ErrorCode::UnknownName);
+    EXPECT_EQ(setGivenConstant(given, "J", 0.0).error().code, ErrorCode::OutOfRange);
+    EXPECT_EQ(setGivenConstant(given, "J", NAN).error().code, ErrorCode::NotFinite);
+    EXPECT_TRUE(setGivenConstant(given, "Kf", 0.0));
+    EXPECT_FALSE(sweepCurrents_A({2.0, 1.0, 0.2}, 4.0));
+    EXPECT_FALSE(sweepCurrents_A({1.0, 5.0, 0.2}, 4.0));
+    EXPECT_FALSE(sweepCurrents_A({1.0, 4.0, 0.01}, 4.0));
+    EXPECT_FALSE(sweepCurrents_A({1.0, 4.0, 0.0}, 4.0));
+    const auto currents = sweepCurrents_A({}, 4.0);
+    ASSERT_TRUE(currents);
+    EXPECT_EQ(currents->size(), 13u);
+    EXPECT_EQ(currents->at(7), 3.0);
+    EXPECT_EQ(currents->back(), 4.0);
+}
+
+TEST(IdentifyPrediction, foreseesHeatAndDuration) {
+    const auto device = open("sim:htm?seed=8");
+    const auto result = runIdentify(*device, withInertia(5.5e-4), {});
+    ASSERT_TRUE(result);
+    const IdentifyPrediction prediction = predictIdentify({}, 25.0);
+    EXPECT_EQ(prediction.peakCurrent_A, 4.0);
+    // the pilot and the board's error of a kelvin come on top
+    EXPECT_NEAR(prediction.highestTemperature_degC, result->highestTemperature_degC, 6.0);
+    EXPECT_NEAR(prediction.duration_s, result->duration_s, 0.15 * result->duration_s);
+    EXPECT_LT(result->highestTemperature_degC, 70.0);
+}
+
+} // namespace
+} // namespace halbench::app
