@@ -17,11 +17,9 @@ int decimalsFor(const FigureScale& scale) {
     }
     const double step = std::abs(ticks[1] - ticks[0]);
     const double largest = std::max(std::abs(ticks.first()), std::abs(ticks.last()));
-    if (step < 1e-6 || largest >= 1e7) {
-        return -1;
-    }
     // Steps are 1, 2 or 5 times a power of ten, or whole numbers such as 45.
-    return std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+    return decimals > 9 || largest < 1e-4 || largest >= 1e7 ? -1 : decimals;
 }
 
 } // namespace

@@ -73,6 +73,13 @@ bool endsWith(const std::string& text, const std::string& end) {
     return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
+std::string lowerCase(std::string text) {
+    for (char& letter : text) {
+        letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+    }
+    return text;
+}
+
 } // namespace
 
 const Recording* StepOutcome::recording() const {
@@ -112,8 +119,11 @@ std::string quantityUnit(const JsonValue& body, const std::string& path) {
     std::string best;
     std::string symbol;
     for (const Unit& unit : units()) {
+        // Keys in results are lower case (cutoff_hz); a single letter would match too much that way.
         const std::string suffix(unit.suffix);
-        if (suffix.size() > best.size() && endsWith(full, "_" + suffix)) {
+        const bool isEnd =
+            endsWith(full, "_" + suffix) || (suffix.size() > 1 && endsWith(full, "_" + lowerCase(suffix)));
+        if (suffix.size() > best.size() && isEnd) {
             best = suffix;
             symbol = unit.symbol;
         }

@@ -4,8 +4,11 @@
 #include "app/batch/numbers.h"
 #include "app/report/report_blocks.h"
 #include "app/report/step_sections.h"
+#include "widgets/unit_text.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace halbench::app {
 
@@ -45,18 +48,19 @@ ReportSection amplifierSection(const std::string& heading, const AmplifierAnalys
     }
     figure.panels = {magnitude, phase};
     ReportSection section{heading, {}};
-    section.blocks.push_back(quantityTable("Amplifier", {{"gain", result.gain_A_per_V, "A/V"},
-                                                         {"lag at 10 Hz", result.lagAt10Hz_deg, "deg"},
-                                                         {"-3 dB frequency", result.cutoff_Hz, "Hz"},
-                                                         {"phase at 1 kHz", result.phaseAt1kHz_deg, "deg"}}));
-    section.blocks.push_back(ReportPlot{figure, "Computed from the parts of the amplifier."});
+    section.blocks.emplace_back(
+        quantityTable("Amplifier", {{"gain", result.gain_A_per_V, "A/V"},
+                                    {"lag at 10 Hz", result.lagAt10Hz_deg, "deg"},
+                                    {"-3 dB frequency", result.cutoff_Hz, "Hz"},
+                                    {"phase at 1 kHz", result.phaseAt1kHz_deg, "deg"}}));
+    section.blocks.emplace_back(ReportPlot{figure, "Computed from the parts of the amplifier."});
     return section;
 }
 
 ReportSection recordSection(const std::string& heading, const RecordResult& result) {
     ReportSection section{heading, {}};
-    section.blocks.push_back(ReportQuality{result.quality});
-    section.blocks.push_back(
+    section.blocks.emplace_back(ReportQuality{result.quality});
+    section.blocks.emplace_back(
         ReportFacts{{{"rows", std::to_string(result.recording.rows()), ReportTone::Plain},
                      {"lost rows", std::to_string(result.recording.lostRows),
                       result.recording.lostRows > 0 ? ReportTone::Warn : ReportTone::Plain}}});
@@ -114,10 +118,10 @@ ReportSection checksSection(const RunOutcome& outcome) {
     for (const CheckOutcome& check : outcome.checks) {
         rows.push_back({check.quantity, check.unit, check.value, check.min, check.max, check.passed});
     }
-    section.blocks.push_back(checkTable(rows));
+    section.blocks.emplace_back(checkTable(rows));
     for (const CheckOutcome& check : outcome.checks) {
         if (!check.reason.empty()) {
-            section.blocks.push_back(
+            section.blocks.emplace_back(
                 ReportParagraph{check.quantity + ": " + check.reason, ReportTone::Muted});
         }
     }
@@ -132,22 +136,35 @@ std::string overridesText(const devices::DeviceInfo& info) {
     return text.empty() ? "none" : text;
 }
 
+/// The number with its unit, or the word it stands for.
+std::string parameterText(const ParameterValue& value, const devices::Catalogue& catalogue) {
+    const ParameterSpec* spec = catalogue.findParameter(value.name);
+    if (spec == nullptr) {
+        return reportNumber(value.value);
+    }
+    const auto choice = static_cast<std::size_t>(std::max(value.value, 0.0));
+    if (choice < spec->choices.size()) {
+        return spec->choices[choice];
+    }
+    return fmt::format("{} {}", reportNumber(value.value), widgets::unitText(spec->unit));
+}
+
 ReportSection deviceSection(const ResultHeader& header, const RunOutcome& outcome,
                             const devices::Device& device) {
     const devices::DeviceInfo& info = device.info();
     ReportSection section{"Device", {}};
-    section.blocks.push_back(ReportFacts{{{"model", info.model},
-                                          {"identity", info.id},
-                                          {"firmware", info.firmware},
-                                          {"overrides", overridesText(info)},
-                                          {"seed", std::to_string(header.seed)},
-                                          {"transport", info.transport}}});
-    std::vector<ReportQuantity> parameters;
+    section.blocks.emplace_back(ReportFacts{{{"model", info.model},
+                                             {"identity", info.id},
+                                             {"firmware", info.firmware},
+                                             {"overrides", overridesText(info)},
+                                             {"seed", std::to_string(header.seed)},
+                                             {"transport", info.transport}}});
+    section.blocks.emplace_back(ReportParagraph{"Parameters at start:", ReportTone::Plain});
+    ReportFacts parameters;
     for (const ParameterValue& value : outcome.parametersAtStart) {
-        const ParameterSpec* spec = device.catalogue().findParameter(value.name);
-        parameters.push_back({value.name, value.value, spec == nullptr ? std::string() : spec->unit});
+        parameters.facts.push_back({value.name, parameterText(value, device.catalogue()), ReportTone::Plain});
     }
-    section.blocks.push_back(quantityTable("Parameters at start", parameters));
+    section.blocks.emplace_back(std::move(parameters));
     return section;
 }
 

@@ -1,3 +1,4 @@
+#include "app/report/parameter_units.h"
 #include "app/report/report_blocks.h"
 #include "app/report/step_sections.h"
 #include "control/base/units.h"
@@ -32,10 +33,7 @@ ReportTable proposalTable(const CalibrateResult& result) {
         const auto before =
             std::find_if(result.before.begin(), result.before.end(),
                          [&](const ParameterValue& value) { return value.name == proposed.name; });
-        const auto figure =
-            std::find_if(result.figures.begin(), result.figures.end(),
-                         [&](const CalibrationFigure& found) { return found.name == proposed.name; });
-        changes.push_back({proposed.name, figure != result.figures.end() ? figure->unit : std::string(),
+        changes.push_back({proposed.name, parameterUnit(proposed.name),
                            before != result.before.end() ? before->value : 0.0, proposed.value});
     }
     return changeTable(result.isApplied ? "Applied to the board" : "Proposed, not applied", changes);
@@ -63,22 +61,22 @@ ReportPlot staticFrictionPlot(const std::vector<StaticFrictionPoint>& points) {
 
 ReportSection calibrationSection(const std::string& heading, const CalibrateResult& result) {
     ReportSection section{heading, {}};
-    section.blocks.push_back(ReportQuality{result.quality});
+    section.blocks.emplace_back(ReportQuality{result.quality});
     if (!result.figures.empty()) {
-        section.blocks.push_back(figureTable(result.figures));
+        section.blocks.emplace_back(figureTable(result.figures));
     }
     if (!result.proposed.empty()) {
-        section.blocks.push_back(proposalTable(result));
+        section.blocks.emplace_back(proposalTable(result));
     }
     if (result.residualBefore_rad > 0.0) {
-        section.blocks.push_back(
+        section.blocks.emplace_back(
             ReportFacts{{{"angle error before",
                           fmt::format("{:.3f}\u00b0 rms", radiansToDegrees(result.residualBefore_rad))},
                          {"angle error after",
                           fmt::format("{:.3f}\u00b0 rms", radiansToDegrees(result.residualAfter_rad))}}});
     }
     if (!result.staticFriction.empty()) {
-        section.blocks.push_back(staticFrictionPlot(result.staticFriction));
+        section.blocks.emplace_back(staticFrictionPlot(result.staticFriction));
     }
     return section;
 }

@@ -18,7 +18,7 @@ using control::Estimate;
 ReportEstimate row(const std::string& name, const Estimate& estimate) {
     ReportEstimate result{
         name, estimate.unit, estimate.value, {}, {}, control::estimateSourceName(estimate.source)};
-    if (estimate.interval95) {
+    if (estimate.interval95 && estimate.source == control::EstimateSource::Identified) {
         result.ci95Low = estimate.interval95->first;
         result.ci95High = estimate.interval95->second;
     }
@@ -108,7 +108,7 @@ void appendRegression(ReportSection& section, const IdentifyResult& result) {
         caption = fmt::format("R\u00b2 = {:.4f}; residuals {:.3g} rad/s rms.", *result.rSquared,
                               *result.residualRms_rad_s);
     }
-    section.blocks.push_back(
+    section.blocks.emplace_back(
         ReportPlot{widgets::regressionFigure(content), caption + left + (left.empty() ? "" : ".")});
 }
 
@@ -138,6 +138,13 @@ std::optional<std::size_t> positionOf(const IdentifyResult& result, const std::s
                : std::optional<std::size_t>(static_cast<std::size_t>(found - result.covarianceNames.begin()));
 }
 
+std::string correlationWords(double correlation) {
+    const double shown = std::abs(correlation) < 0.005 ? 0.0 : correlation;
+    return fmt::format("Correlation {:.2f}: {}", shown,
+                       std::abs(correlation) < 0.5 ? "the two are known nearly independently of each other."
+                                                   : "the two must be changed together to stay plausible.");
+}
+
 bool appendEllipse(ReportSection& section, const IdentifyResult& result, const EllipseAxis& x,
                    const EllipseAxis& y) {
     const auto i = positionOf(result, x.name);
@@ -161,9 +168,7 @@ bool appendEllipse(ReportSection& section, const IdentifyResult& result, const E
     content.covariance = {{{c[*i][*i], c[*i][*k]}, {c[*i][*k], c[*k][*k]}}};
     content.levels = {{"95 % joint region", quantile}};
     const double correlation = c[*i][*k] / std::sqrt(c[*i][*i] * c[*k][*k]);
-    section.blocks.push_back(ReportPlot{
-        widgets::ellipseFigure(content),
-        fmt::format("Correlation {:.2f}: the two must be changed together to stay plausible.", correlation)});
+    section.blocks.emplace_back(ReportPlot{widgets::ellipseFigure(content), correlationWords(correlation)});
     return true;
 }
 
@@ -197,7 +202,7 @@ void appendExcitation(ReportSection& section, const Recording& recording) {
         }
     }
     if (!figure.panels.empty()) {
-        section.blocks.push_back(ReportPlot{std::move(figure), {}});
+        section.blocks.emplace_back(ReportPlot{std::move(figure), {}});
     }
 }
 
@@ -205,8 +210,8 @@ void appendExcitation(ReportSection& section, const Recording& recording) {
 
 ReportSection identificationSection(const std::string& heading, const IdentifyResult& result) {
     ReportSection section{heading, {}};
-    section.blocks.push_back(ReportQuality{result.quality});
-    section.blocks.push_back(estimateTable(
+    section.blocks.emplace_back(ReportQuality{result.quality});
+    section.blocks.emplace_back(estimateTable(
         "Parameters",
         {row("viscous damping c", result.viscousDamping), row("Coulomb friction K_f", result.coulombFriction),
          row("torque constant \u03c6", result.torqueConstant), row("inertia J", result.inertia)}));
@@ -217,11 +222,11 @@ ReportSection identificationSection(const std::string& heading, const IdentifyRe
     if (result.asymmetry) {
         ratios.push_back(row("asymmetry of the friction", *result.asymmetry));
     }
-    section.blocks.push_back(estimateTable("Ratios that need no given constant", ratios));
+    section.blocks.emplace_back(estimateTable("Ratios that need no given constant", ratios));
     appendRegression(section, result);
     appendJointRegion(section, result);
     appendExcitation(section, result.recording);
-    section.blocks.push_back(ReportFacts{
+    section.blocks.emplace_back(ReportFacts{
         {{"duration of the excitation", fmt::format("{:.1f} s", result.duration_s)},
          {"highest coil temperature", fmt::format("{:.1f} \u00b0C", result.highestTemperature_degC)}}});
     return section;

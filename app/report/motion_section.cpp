@@ -1,3 +1,4 @@
+#include "app/report/parameter_units.h"
 #include "app/report/report_blocks.h"
 #include "app/report/step_sections.h"
 #include "control/base/units.h"
@@ -131,14 +132,37 @@ void appendMove(ReportSection& section, const MoveResult& result,
     if (predictedFigures) {
         responses.emplace_back("predicted", &*predictedFigures);
     }
-    section.blocks.push_back(figuresTable(responses));
+    section.blocks.emplace_back(figuresTable(responses));
     widgets::Figure figure = motionFigure(result.recording, predicted);
     if (!figure.panels.empty()) {
-        section.blocks.push_back(ReportPlot{std::move(figure), {}});
+        section.blocks.emplace_back(ReportPlot{std::move(figure), {}});
     }
-    section.blocks.push_back(ReportFacts{
+    section.blocks.emplace_back(ReportFacts{
         {{"peak current", fmt::format("{:.3f} A", result.peakCurrent_A)},
          {"highest coil temperature", fmt::format("{:.1f} \u00b0C", result.highestTemperature_degC)}}});
+}
+
+/// Only what differs is worth a row.
+void appendChanges(ReportSection& section, const ApplyResult& result) {
+    std::vector<ReportChange> changes;
+    for (const ParameterValue& after : result.after) {
+        const auto before =
+            std::find_if(result.before.begin(), result.before.end(),
+                         [&](const ParameterValue& value) { return value.name == after.name; });
+        const double old = before != result.before.end() ? before->value : after.value;
+        changes.push_back({after.name, parameterUnit(after.name), old, after.value});
+    }
+    const std::size_t asked = changes.size();
+    std::erase_if(changes, [](const ReportChange& change) { return !differs(change); });
+    if (changes.empty()) {
+        section.blocks.emplace_back(
+            ReportParagraph{fmt::format("All {} values were on the board already.", asked)});
+        return;
+    }
+    section.blocks.emplace_back(
+        changeTable(fmt::format("Changed parameters ({} of {} given; the others were on the board already)",
+                                changes.size(), asked),
+                    changes));
 }
 
 } // namespace
@@ -146,26 +170,18 @@ void appendMove(ReportSection& section, const MoveResult& result,
 ReportSection moveSection(const std::string& heading, const MoveResult& result,
                           const std::optional<models::IdealTrace>& predicted) {
     ReportSection section{heading, {}};
-    section.blocks.push_back(ReportQuality{result.quality});
+    section.blocks.emplace_back(ReportQuality{result.quality});
     appendMove(section, result, predicted, std::nullopt);
     return section;
 }
 
 ReportSection applySection(const std::string& heading, const ApplyResult& result) {
     ReportSection section{heading, {}};
-    section.blocks.push_back(result.isKept
-                                 ? ReportParagraph{"The new values run on the board.", ReportTone::Good}
-                                 : ReportParagraph{"The old values were restored.", ReportTone::Warn});
-    section.blocks.push_back(ReportQuality{result.quality});
-    std::vector<ReportChange> changes;
-    for (const ParameterValue& after : result.after) {
-        const auto before =
-            std::find_if(result.before.begin(), result.before.end(),
-                         [&](const ParameterValue& value) { return value.name == after.name; });
-        const double old = before != result.before.end() ? before->value : after.value;
-        changes.push_back({after.name, {}, old, after.value});
-    }
-    section.blocks.push_back(changeTable("Parameters, SI", changes));
+    section.blocks.emplace_back(result.isKept
+                                    ? ReportParagraph{"The new values run on the board.", ReportTone::Good}
+                                    : ReportParagraph{"The old values were restored.", ReportTone::Warn});
+    section.blocks.emplace_back(ReportQuality{result.quality});
+    appendChanges(section, result);
     if (result.verification) {
         appendMove(section, *result.verification, std::nullopt, result.predicted);
     }

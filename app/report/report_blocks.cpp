@@ -26,33 +26,6 @@ Cell sourceCell(const std::string& source) {
     return {source, source == "not identifiable" ? ReportTone::Warn : ReportTone::Plain};
 }
 
-std::vector<Cell> estimateRow(const ReportEstimate& estimate) {
-    Cell value = numberCell(estimate.value);
-    Cell interval = missingCell();
-    Cell relative = missingCell();
-    if (estimate.value && estimate.ci95Low && estimate.ci95High) {
-        const double half = 0.5 * (*estimate.ci95High - *estimate.ci95Low);
-        value.text = reportNumber(*estimate.value, half);
-        interval = {fmt::format("{} \u2026 {}", reportNumber(*estimate.ci95Low, half),
-                                reportNumber(*estimate.ci95High, half))};
-        if (*estimate.value != 0.0) {
-            relative = {fmt::format("\u00b1{:.2g} %", 100.0 * std::abs(half / *estimate.value))};
-        }
-    }
-    return {{estimate.name},     std::move(value),    {widgets::unitText(estimate.unit)},
-            std::move(interval), std::move(relative), sourceCell(estimate.source)};
-}
-
-std::string limitText(const ReportCheck& check) {
-    if (check.min && check.max) {
-        return fmt::format("{} \u2026 {}", reportNumber(check.min), reportNumber(check.max));
-    }
-    if (check.min) {
-        return "at least " + reportNumber(check.min);
-    }
-    return check.max ? "at most " + reportNumber(check.max) : std::string(Missing);
-}
-
 /// "1.2e-05" -> "1.2e-5": the exponent's padding is noise.
 std::string tidyExponent(std::string text) {
     const std::size_t mark = text.find('e');
@@ -68,6 +41,34 @@ std::string tidyExponent(std::string text) {
         }
     }
     return text;
+}
+
+std::vector<Cell> estimateRow(const ReportEstimate& estimate) {
+    Cell value = numberCell(estimate.value);
+    Cell interval = missingCell();
+    Cell relative = missingCell();
+    if (estimate.value && estimate.ci95Low && estimate.ci95High) {
+        const double half = 0.5 * (*estimate.ci95High - *estimate.ci95Low);
+        value.text = reportNumber(*estimate.value, half);
+        interval = {fmt::format("{} \u2026 {}", reportNumber(*estimate.ci95Low, half),
+                                reportNumber(*estimate.ci95High, half))};
+        // Beside a value near zero only the absolute half-width means something.
+        const double share = half / std::abs(*estimate.value);
+        relative = {share <= 1.0 ? fmt::format("\u00b1{:.2g} %", 100.0 * share)
+                                 : fmt::format("\u00b1{}", tidyExponent(fmt::format("{:.2g}", half)))};
+    }
+    return {{estimate.name},     std::move(value),    {widgets::unitText(estimate.unit)},
+            std::move(interval), std::move(relative), sourceCell(estimate.source)};
+}
+
+std::string limitText(const ReportCheck& check) {
+    if (check.min && check.max) {
+        return fmt::format("{} \u2026 {}", reportNumber(check.min), reportNumber(check.max));
+    }
+    if (check.min) {
+        return "at least " + reportNumber(check.min);
+    }
+    return check.max ? "at most " + reportNumber(check.max) : std::string(Missing);
 }
 
 } // namespace
@@ -129,12 +130,18 @@ ReportTable quantityTable(const std::string& caption, const std::vector<ReportQu
     return table;
 }
 
+bool differs(const ReportChange& change) {
+    constexpr double Rounding = 1e-6; // boards keep single precision
+    return std::abs(change.after - change.before) >
+           Rounding * std::max(std::abs(change.before), std::abs(change.after));
+}
+
 ReportTable changeTable(const std::string& caption, const std::vector<ReportChange>& changes) {
     ReportTable table;
     table.caption = caption;
     table.columns = {{"name"}, {"before", true}, {"after", true}, {"unit"}, {"change"}};
     for (const ReportChange& change : changes) {
-        const bool isChanged = change.before != change.after;
+        const bool isChanged = differs(change);
         table.rows.push_back(
             {{change.name},
              numberCell(change.before),

@@ -45,13 +45,15 @@ struct ReportQuantity {
 };
 ReportTable quantityTable(const std::string& caption, const std::vector<ReportQuantity>& quantities);
 
-/// Parameters before and after a step, and whether they differ.
+/// A parameter before and after a step.
 struct ReportChange {
     std::string name;
     std::string unit;
     double before = 0.0;
     double after = 0.0;
 };
+/// More than the rounding of a board's single-precision number.
+bool differs(const ReportChange& change);
 ReportTable changeTable(const std::string& caption, const std::vector<ReportChange>& changes);
 
 } // namespace halbench::app

@@ -1,3 +1,4 @@
+#include "app/report/parameter_units.h"
 #include "app/report/report_blocks.h"
 #include "app/report/step_sections.h"
 #include "control/base/units.h"
@@ -5,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -13,32 +13,10 @@
 namespace halbench::app {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 10> LawUnits = {{
-    {"gain.kp", "A/rad"},
-    {"gain.ki", "A/(rad*s)"},
-    {"gain.kd", "A*s/rad"},
-    {"feedforward.inertia", "A*s^2/rad"},
-    {"feedforward.viscous", "A*s/rad"},
-    {"feedforward.coulomb", "A"},
-    {"feedforward.coulomb_speed", "rad/s"},
-    {"stiction.current", "A"},
-    {"stiction.threshold", "rad"},
-    {"stiction.speed", "rad/s"},
-}};
-
-std::string unitOf(const std::string& name) {
-    for (const auto& [known, unit] : LawUnits) {
-        if (known == name) {
-            return std::string(unit);
-        }
-    }
-    return {};
-}
-
 ReportTable gainTable(const control::PositionLaw& law) {
     std::vector<ReportQuantity> gains;
     for (const ParameterValue& value : lawParameters(law)) {
-        gains.push_back({value.name, value.value, unitOf(value.name)});
+        gains.push_back({value.name, value.value, parameterUnit(value.name)});
     }
     return quantityTable("Gains (parallel form)", gains);
 }
@@ -136,7 +114,7 @@ void appendPredictedStep(ReportSection& section, const AnalysisResult& predicted
     current.height_px = 120;
     current.curves = {
         {{}, predicted.stepCurve.time_s, predicted.stepCurve.current_A, widgets::CurveStyle::Line, 1}};
-    section.blocks.push_back(
+    section.blocks.emplace_back(
         ReportPlot{{"Predicted step of 1 rad, linear loop",
                     {"time", "s", false, {}, {}, {}},
                     {std::move(response), std::move(current)}},
@@ -147,9 +125,9 @@ void appendPredictedStep(ReportSection& section, const AnalysisResult& predicted
 
 ReportSection analysisSection(const std::string& heading, const AnalysisResult& result) {
     ReportSection section{heading, {}};
-    section.blocks.push_back(ReportQuality{result.quality});
-    section.blocks.push_back(marginTable(result, std::nullopt));
-    section.blocks.push_back(bodePlot(result, std::nullopt));
+    section.blocks.emplace_back(ReportQuality{result.quality});
+    section.blocks.emplace_back(marginTable(result, std::nullopt));
+    section.blocks.emplace_back(bodePlot(result, std::nullopt));
     appendPredictedStep(section, result);
     return section;
 }
@@ -157,12 +135,12 @@ ReportSection analysisSection(const std::string& heading, const AnalysisResult& 
 ReportSection tuningSection(const std::string& heading, const TuneResult& result,
                             const std::optional<AnalysisResult>& present) {
     ReportSection section{heading, {}};
-    section.blocks.push_back(ReportParagraph{"Method: " + result.method + "."});
-    section.blocks.push_back(ReportQuality{result.quality});
-    section.blocks.push_back(gainTable(result.law));
-    section.blocks.push_back(marginTable(result.predicted, present));
-    section.blocks.push_back(robustFacts(result.robust));
-    section.blocks.push_back(bodePlot(result.predicted, present));
+    section.blocks.emplace_back(ReportParagraph{"Method: " + result.method + "."});
+    section.blocks.emplace_back(ReportQuality{result.quality});
+    section.blocks.emplace_back(gainTable(result.law));
+    section.blocks.emplace_back(marginTable(result.predicted, present));
+    section.blocks.emplace_back(robustFacts(result.robust));
+    section.blocks.emplace_back(bodePlot(result.predicted, present));
     appendPredictedStep(section, result.predicted);
     return section;
 }

@@ -17,6 +17,7 @@ constexpr std::array Table = {
     Unit{"Hz", "Hz", "frequency"},
     Unit{"A", "A", "current"},
     Unit{"V", "V", "voltage"},
+    Unit{"A/V", "A_per_V", "transconductance"},
     Unit{"T", "T", "flux density"},
     Unit{"T/A", "T_per_A", "stray field per current"},
     Unit{"degC", "degC", "temperature"},

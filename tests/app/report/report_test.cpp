@@ -128,6 +128,17 @@ TEST(ReportBlocks, missingValuesAreDashesAndFailTheirCheck) {
     EXPECT_EQ(checks.rows[0][4].tone, ReportTone::Bad);
 }
 
+TEST(ReportBlocks, halfWidthBesideZeroIsAbsolute) {
+    const ReportTable table = estimateTable("", {{"asymmetry", "1", -6e-4, -9.6e-3, 8.4e-3, "identified"}});
+    EXPECT_EQ(table.rows[0][4].text, "±0.009");
+    EXPECT_EQ(table.rows[0][2].text, "");
+}
+
+TEST(ReportBlocks, roundingOfTheBoardIsNoChange) {
+    EXPECT_FALSE(differs({"stiction.threshold", "rad", 0.0027925268, static_cast<double>(0.0027925268F)}));
+    EXPECT_TRUE(differs({"gain.ki", "", 0.0, 1e-9}));
+}
+
 TEST(ReportBlocks, changesAreSaidInWords) {
     const ReportTable table =
         changeTable("", {{"gain.kp", "A/rad", 10.0, 40.0}, {"limit.current", "A", 4.0, 4.0}});

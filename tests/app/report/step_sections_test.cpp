@@ -170,6 +170,20 @@ TEST(MoveSection, survivesAnEmptyRecording) {
     EXPECT_TRUE(blocks<ReportPlot>(moveSection("Step", MoveResult{})).empty());
 }
 
+TEST(ApplySection, listsOnlyWhatChanged) {
+    ApplyResult result;
+    result.before = {{"gain.kp", 10.0}, {"gain.ki", 0.1}};
+    result.after = {{"gain.kp", 40.0}, {"gain.ki", 0.1}};
+    const ReportSection section = applySection("Apply", result);
+    const ReportTable& table = *blocks<ReportTable>(section).at(0);
+    ASSERT_EQ(table.rows.size(), 1U);
+    EXPECT_EQ(table.rows[0][0].text, "gain.kp");
+    EXPECT_EQ(table.rows[0][3].text, "A/rad");
+    result.after = result.before;
+    EXPECT_NE(textOf(applySection("Apply", result)).find("All 2 values were on the board already."),
+              std::string::npos);
+}
+
 TEST(ApplySection, saysWhetherTheValuesStayed) {
     ApplyResult result;
     result.before = {{"gain.kp", 10.0}};
