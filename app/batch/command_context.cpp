@@ -13,13 +13,23 @@ Result<std::unique_ptr<devices::Device>> openDeviceFor(const CommandContext& con
     return devices::openDevice(uri, options);
 }
 
-Result<void> requireConsent(const CommandContext& context, const devices::Device& device) {
-    if (device.info().isSimulated || context.global.mayArm) {
+Result<void> requireConsent(const CommandContext& context, devices::Device& device) {
+    if (device.info().isSimulated) {
         return {};
     }
-    return failure(ErrorCode::ConsentMissing,
-                   "this would arm and move the device '" + device.info().uri + "', which is not simulated",
-                   "nothing has moved; add --arm when it may move");
+    if (!context.global.mayArm) {
+        return failure(ErrorCode::ConsentMissing,
+                       "this would arm and move the device '" + device.info().uri +
+                           "', which is not simulated",
+                       "nothing has moved; add --arm when it may move");
+    }
+    const devices::DeviceState state = device.state();
+    if (!state.isStopLatched && state.fault == 0) {
+        return {};
+    }
+    context.console.log(LogLevel::Warning,
+                        "--arm releases what an earlier run left latched: " + state.faultText);
+    return device.clearStop();
 }
 
 Result<void> checkInterrupt(const CommandContext& context) {

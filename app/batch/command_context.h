@@ -22,9 +22,10 @@ using CommandResult = Result<ExitCode>;
 /// Opens a device with the seed, pace and interrupt flag of the command line.
 Result<std::unique_ptr<devices::Device>> openDeviceFor(const CommandContext& context, const std::string& uri);
 
-/// The user's consent to arm: always given for a simulated device, with --arm for any other.
-/// Error: ConsentMissing.
-Result<void> requireConsent(const CommandContext& context, const devices::Device& device);
+/// The user's consent to arm: always given for a simulated device, with --arm for any other. --arm is also
+/// the purposeful act that releases a latched stop or fault of a run before; what is released is said.
+/// Errors: ConsentMissing, DeviceRefused (the cause is still there), of the device.
+Result<void> requireConsent(const CommandContext& context, devices::Device& device);
 
 /// Refuses with Interrupted or Terminated once a signal arrived.
 Result<void> checkInterrupt(const CommandContext& context);
