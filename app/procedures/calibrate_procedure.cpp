@@ -76,10 +76,15 @@ Result<void> readBefore(devices::Device& device, CalibrateResult& result) {
     return {};
 }
 
-// One transaction, read back by the device layer; nothing is written when a figure was refused.
+// One transaction, read back by the device layer; nothing is written when a figure was refused. The guard
+// takes the values back when the procedure or its program ends before they are complete.
 Result<void> apply(devices::Device& device, const ProcedureObserver& observer, CalibrateResult& result) {
     if (result.proposed.empty() || result.quality.verdict == Verdict::Refused) {
         return {};
+    }
+    auto guard = RestoreGuard::take(device);
+    if (!guard) {
+        return failure(guard.error());
     }
     if (auto entered = enterState(observer, ProcedureState::Apply); !entered) {
         return entered;
@@ -87,8 +92,12 @@ Result<void> apply(devices::Device& device, const ProcedureObserver& observer, C
     if (auto written = device.writeParameters(result.proposed); !written) {
         return written;
     }
+    if (auto entered = enterState(observer, ProcedureState::Verify); !entered) {
+        return entered;
+    }
+    guard->keep();
     result.isApplied = true;
-    return enterState(observer, ProcedureState::Verify);
+    return guard->restore();
 }
 
 } // namespace
@@ -121,6 +130,7 @@ Result<CalibrateResult> runCalibrate(devices::Device& device, const CalibrateCon
     const auto measured = measure(device, config, observer, result);
     const auto restored = guard->restore();
     if (!measured) {
+        (void)enterState(observer, ProcedureState::Restored);
         return failure(measured.error());
     }
     if (!restored) {
@@ -134,14 +144,12 @@ Result<CalibrateResult> runCalibrate(devices::Device& device, const CalibrateCon
     }
     if (config.apply) {
         if (auto applied = apply(device, observer, result); !applied) {
-            if (result.isApplied) {
-                (void)device.writeParameters(result.before); // the abort came after the write
-            }
+            (void)enterState(observer, ProcedureState::Restored);
             return failure(applied.error());
         }
     }
-    if (auto entered = enterState(observer, ProcedureState::Done); !entered) {
-        return failure(entered.error());
+    if (auto entered = enterState(observer, ProcedureState::Done); !entered && !result.isApplied) {
+        return failure(entered.error()); // an abort after the values were applied comes too late to undo them
     }
     return result;
 }

@@ -1,6 +1,7 @@
 #include "tests/app/procedures/procedure_cases.h"
 
 #include "app/procedures/apply_procedure.h"
+#include "app/procedures/calibrate_procedure.h"
 #include "app/procedures/identify_procedure.h"
 #include "app/procedures/move_procedure.h"
 #include "app/procedures/record_procedure.h"
@@ -54,6 +55,13 @@ Result<void> identifyShortly(devices::Device& device, const ProcedureObserver& o
     return withoutValue(runIdentify(device, config, observer));
 }
 
+Result<void> calibrateAndApply(devices::Device& device, const ProcedureObserver& observer) {
+    CalibrateConfig config;
+    config.apply = true;
+    config.frictionStarts = 2;
+    return withoutValue(runCalibrate(device, config, observer));
+}
+
 } // namespace
 
 std::vector<ProcedureCase> procedureCases() {
@@ -67,6 +75,10 @@ std::vector<ProcedureCase> procedureCases() {
         {"identify",
          {State::Prepare, State::Excite, State::Record, State::Fit, State::Judge, State::Done},
          identifyShortly,
+         {}},
+        {"calibrate",
+         {State::Prepare, State::Excite, State::Propose, State::Apply, State::Verify, State::Done},
+         calibrateAndApply,
          {}},
     };
 }
