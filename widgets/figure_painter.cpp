@@ -1,9 +1,9 @@
 #include "widgets/figure_painter.h"
 
+#include "control/base/unit_text.h"
 #include "widgets/decimation.h"
 #include "widgets/figure_axis.h"
 #include "widgets/figure_scales.h"
-#include "widgets/unit_text.h"
 
 #include <QFontMetricsF>
 #include <QPainter>

@@ -4,7 +4,7 @@
 #include "app/batch/numbers.h"
 #include "app/report/report_blocks.h"
 #include "app/report/step_sections.h"
-#include "widgets/unit_text.h"
+#include "control/base/unit_text.h"
 
 #include <fmt/format.h>
 
@@ -146,7 +146,7 @@ std::string parameterText(const ParameterValue& value, const devices::Catalogue&
     if (choice < spec->choices.size()) {
         return spec->choices[choice];
     }
-    return fmt::format("{} {}", reportNumber(value.value), widgets::unitText(spec->unit));
+    return fmt::format("{} {}", reportNumber(value.value), unitText(spec->unit));
 }
 
 ReportSection deviceSection(const ResultHeader& header, const RunOutcome& outcome,

@@ -1,6 +1,6 @@
 #include "app/report/report_blocks.h"
 
-#include "widgets/unit_text.h"
+#include "control/base/unit_text.h"
 
 #include <fmt/format.h>
 
@@ -57,7 +57,7 @@ std::vector<Cell> estimateRow(const ReportEstimate& estimate) {
         relative = {share <= 1.0 ? fmt::format("\u00b1{:.2g} %", 100.0 * share)
                                  : fmt::format("\u00b1{}", tidyExponent(fmt::format("{:.2g}", half)))};
     }
-    return {{estimate.name},     std::move(value),    {widgets::unitText(estimate.unit)},
+    return {{estimate.name},     std::move(value),    {unitText(estimate.unit)},
             std::move(interval), std::move(relative), sourceCell(estimate.source)};
 }
 
@@ -109,11 +109,8 @@ ReportTable checkTable(const std::vector<ReportCheck>& checks) {
                              : check.value && std::isfinite(*check.value)
                                  ? Cell{"\u2717 missed", ReportTone::Bad}
                                  : Cell{"\u2717 no value", ReportTone::Bad};
-        table.rows.push_back({{check.quantity},
-                              std::move(value),
-                              {widgets::unitText(check.unit)},
-                              {limitText(check)},
-                              verdict});
+        table.rows.push_back(
+            {{check.quantity}, std::move(value), {unitText(check.unit)}, {limitText(check)}, verdict});
     }
     return table;
 }
@@ -123,9 +120,8 @@ ReportTable quantityTable(const std::string& caption, const std::vector<ReportQu
     table.caption = caption;
     table.columns = {{"name"}, {"value", true}, {"unit"}};
     for (const ReportQuantity& quantity : quantities) {
-        table.rows.push_back({{quantity.name},
-                              numberCell(quantity.value),
-                              {widgets::unitText(quantity.unit), ReportTone::Muted}});
+        table.rows.push_back(
+            {{quantity.name}, numberCell(quantity.value), {unitText(quantity.unit), ReportTone::Muted}});
     }
     return table;
 }
@@ -146,7 +142,7 @@ ReportTable changeTable(const std::string& caption, const std::vector<ReportChan
             {{change.name},
              numberCell(change.before),
              numberCell(change.after),
-             {widgets::unitText(change.unit), ReportTone::Muted},
+             {unitText(change.unit), ReportTone::Muted},
              isChanged ? Cell{"changed", ReportTone::Plain} : Cell{"same", ReportTone::Muted}});
     }
     return table;

@@ -1,6 +1,6 @@
+#include "control/base/unit_text.h"
 #include "widgets/figure_scales.h"
 #include "widgets/figures.h"
-#include "widgets/unit_text.h"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,10 @@
 #include <string>
 #include <string_view>
 
-namespace halbench::widgets {
+namespace halbench {
 
 /// A unit symbol as people write it: "N*m*s/rad" -> "N·m·s/rad", "kg*m^2" -> "kg·m²", "degC" -> "°C", "deg"
 /// -> "°". Only for showing; files and metadata keep the symbol.
 std::string unitText(std::string_view symbol);
 
-} // namespace halbench::widgets
+} // namespace halbench

@@ -1,9 +1,9 @@
-#include "widgets/unit_text.h"
+#include "control/base/unit_text.h"
 
 #include <array>
 #include <utility>
 
-namespace halbench::widgets {
+namespace halbench {
 namespace {
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> Signs = {
@@ -31,4 +31,4 @@ std::string unitText(std::string_view symbol) {
     return text;
 }
 
-} // namespace halbench::widgets
+} // namespace halbench
