@@ -46,7 +46,8 @@ ReportPlot staticFrictionPlot(const std::vector<StaticFrictionPoint>& points) {
     widgets::Curve reverse{"reverse, sign removed", {}, {}, widgets::CurveStyle::HollowPoints, 1};
     for (const StaticFrictionPoint& point : points) {
         widgets::Curve& curve = point.current_A < 0.0 ? reverse : forward;
-        curve.x.push_back(radiansToDegrees(point.angle_rad));
+        const double turns = point.angle_rad / (2.0 * Pi);
+        curve.x.push_back(360.0 * (turns - std::floor(turns))); // the place on the rotor, whatever the turn
         curve.y.push_back(std::abs(point.current_A));
     }
     for (widgets::Curve* curve : {&forward, &reverse}) {

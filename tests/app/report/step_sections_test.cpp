@@ -113,7 +113,7 @@ TEST(CalibrationSection, tellsAppliedFromProposed) {
     result.figures = {{"stray.coefficient", "T/A", identified(2.5e-3, 3e-5, "T/A")}};
     result.before = {{"stray.coefficient", 0.0}};
     result.proposed = {{"stray.coefficient", 2.5e-3}};
-    result.staticFriction = {{0.1, 1.6}, {0.9, -1.7}};
+    result.staticFriction = {{0.1, 1.6}, {-0.5 * M_PI, -1.7}};
     EXPECT_NE(textOf(calibrationSection("Calibration", result)).find("Proposed, not applied"),
               std::string::npos);
     result.isApplied = true;
@@ -122,6 +122,7 @@ TEST(CalibrationSection, tellsAppliedFromProposed) {
     const auto plots = blocks<ReportPlot>(section);
     ASSERT_EQ(plots.size(), 1U);
     EXPECT_EQ(plots[0]->figure.panels[0].curves[1].y, (std::vector<double>{1.7}));
+    EXPECT_NEAR(plots[0]->figure.panels[0].curves[1].x.front(), 270.0, 1e-12);
 }
 
 TEST(TuningSection, namesInfiniteMarginsAndInstabilityInWords) {
