@@ -26,6 +26,7 @@ Result<std::unique_ptr<Device>> openTcpDevice(const DeviceUri& uri, const OpenOp
     device.identity.uri = uri.text;
     device.identity.transport = "tcp";
     device.interruptSignal = options.interruptSignal;
+    device.onMessage = options.onMessage;
     return openXcpDevice(std::make_unique<TcpTransport>(*address), std::move(device));
 }
 

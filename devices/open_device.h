@@ -3,8 +3,11 @@
 #include "devices/device.h"
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace halbench::devices {
 
@@ -13,6 +16,7 @@ struct OpenOptions {
     std::optional<std::uint64_t> seed; ///< `--seed`: wins over `?seed=`
     bool isRealtime = false;           ///< `--realtime`: a simulated device is paced by the wall clock
     const std::atomic<int>* interruptSignal = nullptr; ///< becomes SIGINT or SIGTERM when one arrived
+    std::function<void(const std::string&)> onMessage; ///< log lines of board and link; may be empty
 };
 
 /// Opens any device by its address and reads its catalogue.

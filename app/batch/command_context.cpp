@@ -10,6 +10,9 @@ Result<std::unique_ptr<devices::Device>> openDeviceFor(const CommandContext& con
     options.seed = context.global.seed;
     options.isRealtime = context.global.isRealtime;
     options.interruptSignal = &context.interruptSignal;
+    options.onMessage = [&console = context.console](const std::string& text) {
+        console.log(LogLevel::Debug, text);
+    };
     return devices::openDevice(uri, options);
 }
 
