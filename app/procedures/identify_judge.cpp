@@ -17,13 +17,12 @@ using control::MotorConstant;
 constexpr double CurrentError_ratio = 1.5e-3;
 // Torque constant per kelvin of the magnets; they are at ambient, which the coils show before they warm up.
 constexpr double MagnetTemperature_per_K = 1.2e-3;
-constexpr double ThermometerError_K = 2.0;
+constexpr double ThermometerError_K = 1.0;
 constexpr double Improbable = 0.01;
 
 double torqueError_ratio(const IdentifyFits& fits) {
     const double away_K = std::fabs(fits.startTemperature_degC - 25.0);
-    return std::hypot(CurrentError_ratio,
-                      MagnetTemperature_per_K * std::max(away_K - ThermometerError_K, 0.0));
+    return std::hypot(CurrentError_ratio, MagnetTemperature_per_K * std::max(away_K, ThermometerError_K));
 }
 
 void remark(DataQuality& quality, Verdict verdict, std::string code, std::string message, std::string hint) {
