@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <csignal>
 
 namespace halbench::devices {
 namespace {
@@ -91,6 +94,71 @@ TEST(BoardOverLoopback, stopLatchesUntilClearedAndRefusesArming) {
     ASSERT_TRUE(device->arm());
     ASSERT_TRUE(device->clock().waitFor(3.0)) << "the watchdog of 1 s must be fed while waiting";
     ASSERT_TRUE(device->disarm());
+}
+
+TEST(BoardOverLoopback, captureOfTheBoardIsTheStreamAtLoopRate) {
+    const auto device = openBoard();
+    ASSERT_TRUE(device);
+    // Handles are the numbers of the signals in the board's table.
+    const auto handleOf = [&](const std::string& name) {
+        const auto& signals = device->catalogue().signals;
+        return static_cast<double>(std::find_if(signals.begin(), signals.end(),
+                                                [&](const SignalSpec& spec) { return spec.name == name; }) -
+                                   signals.begin());
+    };
+    const std::vector<ParameterValue> setUp = {{"capture.signal_1", handleOf("current_command")},
+                                               {"capture.signal_2", handleOf("speed")},
+                                               {"capture.pretrigger", 0.0},
+                                               {"capture.prescaler", 1.0},
+                                               {"hb.mode", 1.0}};
+    ASSERT_TRUE(device->writeParameters(setUp));
+    ASSERT_TRUE(device->arm());
+    Recording stream;
+    ASSERT_TRUE(device->startStream({{"current_command", "speed"}, 1000.0},
+                                    [&](const SampleBlockPtr& block) { stream.append(*block); }));
+    const std::vector<ParameterValue> start = {{"capture.start", 1.0}, {"hb.setpoint", 2.0}};
+    ASSERT_TRUE(device->writeParameters(start));
+    ASSERT_TRUE(device->clock().waitFor(1.0));
+    const auto early = device->readCapture();
+    ASSERT_TRUE(early) << early.error().message;
+    EXPECT_EQ(early->rows(), 0U) << "4096 samples take 4.1 s";
+    ASSERT_TRUE(device->clock().waitFor(3.5));
+    device->stopStream();
+    const auto capture = device->readCapture();
+    ASSERT_TRUE(capture) << capture.error().message;
+    ASSERT_EQ(capture->rows(), 4096U);
+    EXPECT_EQ(capture->layout->columns[1].name, "speed");
+    EXPECT_DOUBLE_EQ(capture->time_s[1000], 1.0);
+    // Both saw the same loop: the capture is the stream, shifted by the ticks between the two starts.
+    const std::vector<double> streamed = stream.column("speed");
+    const std::vector<double> captured = capture->column("speed");
+    ASSERT_GT(streamed.size(), 4200U);
+    std::size_t shift = 0;
+    const auto isSame = [&](std::size_t offset) {
+        return std::equal(captured.begin(), captured.begin() + 4000,
+                          streamed.begin() + static_cast<long>(offset));
+    };
+    while (shift < 100 && !isSame(shift)) {
+        ++shift;
+    }
+    EXPECT_LT(shift, 100U);
+    EXPECT_GT(std::abs(captured.back()), 1.0) << "2 A turn the rotor: the comparison is not of zeros";
+}
+
+TEST(BoardOverLoopback, interruptEndsAWaitWithItsOwnCode) {
+    std::atomic<int> signal{0};
+    OpenOptions options;
+    options.interruptSignal = &signal;
+    const auto device = openDevice("sim:htm", options);
+    ASSERT_TRUE(device);
+    ASSERT_TRUE((*device)->clock().waitFor(0.01));
+    signal = SIGINT;
+    EXPECT_EQ((*device)->clock().waitFor(10.0).error().code, ErrorCode::Interrupted);
+    signal = SIGTERM;
+    EXPECT_EQ((*device)->clock().waitFor(10.0).error().code, ErrorCode::Terminated);
+    EXPECT_LT((*device)->clock().now_s(), 0.2);
+    const ParameterValue back{"gain.kp", 10.0};
+    EXPECT_TRUE((*device)->writeParameters({&back, 1})) << "restoring works after the signal";
 }
 
 } // namespace
