@@ -81,9 +81,7 @@ typedef struct {
     uint32_t duration_ticks;
     hb_phase phase; /* of sine and chirp */
     hb_reference_point held;
-    uint16_t segment; /* 1, 2, ... counts steps, plateaus; grows over starts so that a change marks a new
-                         segment */
-    uint16_t segment_base;
+    uint16_t segment; /* 1, 2, ... counts steps and plateaus while running, else 0 */
     uint8_t running, holds_position;
 } hb_reference;
 

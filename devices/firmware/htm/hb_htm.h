@@ -124,7 +124,7 @@ typedef struct hb_htm {
     float origin_angle_rad; /* where the rotor was when armed */
     float command_A;        /* held between position-loop samples */
     uint8_t mode;           /* mode in force; a new one restarts the loop */
-    uint8_t loop_phase, commutation_phase;
+    uint8_t loop_phase;     /* ticks since the position loop ran */
     uint8_t reference_pending, reference_started;
     uint8_t (*store)(void* context, const hb_htm_calibration* page);
     void* store_context;

@@ -28,19 +28,21 @@ uint8_t hb_type_size(uint8_t type) {
     }
 }
 
-float hb_value_as_float(uint8_t type, const void* source) {
-    union {
-        uint8_t u8;
-        int8_t s8;
-        uint16_t u16;
-        int16_t s16;
-        uint32_t u32;
-        int32_t s32;
-        float f32;
+typedef union {
+    uint8_t u8;
+    int8_t s8;
+    uint16_t u16;
+    int16_t s16;
+    uint32_t u32;
+    int32_t s32;
+    float f32;
 #if DBL_MANT_DIG == 53
-        double f64;
+    double f64;
 #endif
-    } value;
+} any_value;
+
+float hb_value_as_float(uint8_t type, const void* source) {
+    any_value value;
 #if DBL_MANT_DIG != 53
     if (type == HB_FLOAT64) {
         return 0.0F;
@@ -95,15 +97,7 @@ static int32_t roundedToSlong(float value) {
 }
 
 void hb_value_from_float(uint8_t type, void* destination, float value) {
-    union {
-        uint8_t u8;
-        int8_t s8;
-        uint16_t u16;
-        int16_t s16;
-        uint32_t u32;
-        int32_t s32;
-        float f32;
-    } result;
+    any_value result;
     switch (type) {
     case HB_UBYTE:
         result.u8 = (uint8_t)roundedTo(value, 0.0F, 255.0F);

@@ -9,7 +9,6 @@ enum { RES = 0xFF, ERR = 0xFE, EV = 0xFD, SERV = 0xFC };
 enum { CMD_CONNECT = 0xFF, CMD_DISCONNECT = 0xFE, CMD_SYNCH = 0xFC, CMD_USER = 0xF1 };
 enum { USER_STOP = 0x45, USER_RESET = 0x52 };
 enum { RESOURCE_CAL_DAQ = 0x05, COMM_BLOCK_AND_INFO = 0xC0, SESSION_DAQ_RUNNING = 0x40 };
-/* Answers and events always find room: samples leave this much of the queue alone. */
 enum { PROTOCOL_VERSION = 1, TRANSPORT_VERSION = 1, MIN_ST_NONE = 0 };
 
 typedef uint8_t (*command_function)(hb_xcp* slave, const uint8_t* packet, uint16_t length);

@@ -317,15 +317,11 @@ void hb_memory_continue_block(hb_xcp* slave) {
 }
 
 uint8_t hb_cmd_short_upload(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
-    uint8_t result;
-    (void)length;
     if (packet[1] == 0 || packet[1] > HB_MAX_CTO - 1) {
         return HB_ERR_OUT_OF_RANGE;
     }
-    slave->mta_extension = packet[3];
-    slave->mta_address = hb_get32(&packet[4]);
-    result = uploadPart(slave, packet[1]);
-    return result;
+    hb_cmd_set_mta(slave, packet, length);
+    return uploadPart(slave, packet[1]);
 }
 
 uint8_t hb_cmd_build_checksum(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
@@ -353,34 +349,32 @@ uint8_t hb_cmd_build_checksum(hb_xcp* slave, const uint8_t* packet, uint16_t len
     return HB_OK;
 }
 
+/* Takes `count` octets at the MTA, which moves behind them. */
+static uint8_t downloadPart(hb_xcp* slave, const uint8_t* source, uint8_t count) {
+    uint8_t result = hb_memory_write(slave, slave->mta_extension, slave->mta_address, source, count);
+    if (result == HB_OK) {
+        slave->mta_address += count;
+    }
+    return result;
+}
+
 uint8_t hb_cmd_download(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
-    uint8_t result;
     if (packet[1] == 0 || packet[1] > HB_MAX_CTO - 2) {
         return HB_ERR_OUT_OF_RANGE;
     }
     if (length < packet[1] + 2U) {
         return HB_ERR_CMD_SYNTAX;
     }
-    result = hb_memory_write(slave, slave->mta_extension, slave->mta_address, &packet[2], packet[1]);
-    if (result == HB_OK) {
-        slave->mta_address += packet[1];
-    }
-    return result;
+    return downloadPart(slave, &packet[2], packet[1]);
 }
 
 uint8_t hb_cmd_short_download(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
-    uint8_t result;
     if (packet[1] == 0 || packet[1] > HB_MAX_CTO - 8) {
         return HB_ERR_OUT_OF_RANGE;
     }
     if (length < packet[1] + 8U) {
         return HB_ERR_CMD_SYNTAX;
     }
-    slave->mta_extension = packet[3];
-    slave->mta_address = hb_get32(&packet[4]);
-    result = hb_memory_write(slave, slave->mta_extension, slave->mta_address, &packet[8], packet[1]);
-    if (result == HB_OK) {
-        slave->mta_address += packet[1];
-    }
-    return result;
+    hb_cmd_set_mta(slave, packet, length);
+    return downloadPart(slave, &packet[8], packet[1]);
 }

@@ -144,6 +144,15 @@ private:
     std::unique_ptr<hb_htm> m_board;
 };
 
+/// One more signal of the caller's own, as the simulation adds its truth.
+inline hb_signal truthSignal() {
+    hb_signal signal{};
+    signal.type = HB_FLOAT64;
+    signal.scale = 1.0F;
+    std::strcpy(signal.name, "truth.position");
+    return signal;
+}
+
 inline const Octets Accepted{0xFF};
 inline Octets refused(std::uint8_t code) {
     return {0xFE, code};

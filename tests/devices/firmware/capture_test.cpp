@@ -125,10 +125,7 @@ TEST(Capture, spacesItsSamplesByThePrescaler) {
 
 TEST(Capture, recordsTheCallersOwnSignals) {
     double truth = -2.5;
-    hb_signal signal{};
-    signal.type = HB_FLOAT64;
-    signal.scale = 1.0F;
-    std::strcpy(signal.name, "truth.position");
+    const hb_signal signal = truthSignal();
     hb_htm_config config{};
     config.extra = {&signal, 1, &truth};
     BoardFixture f(&config);

@@ -122,10 +122,7 @@ TEST(XcpDaq, leavesOutTheTimeStampWhenNotAsked) {
 
 TEST(XcpDaq, servesTheCallersOwnSignals) {
     const double truth = 1.23456789012345;
-    hb_signal signal{};
-    signal.type = HB_FLOAT64;
-    signal.scale = 1.0F;
-    std::strcpy(signal.name, "truth.position");
+    const hb_signal signal = truthSignal();
     hb_htm_config config{};
     config.extra = {&signal, 1, &truth};
     BoardFixture f(&config);

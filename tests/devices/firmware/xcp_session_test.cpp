@@ -92,10 +92,7 @@ TEST(XcpSession, changesTheEpkWhenATableChanges) {
         f.connect();
         return f.command({0xFA, 5});
     };
-    hb_signal one{};
-    std::strcpy(one.name, "truth.position");
-    one.type = HB_FLOAT64;
-    one.scale = 1.0F;
+    const hb_signal one = truthSignal();
     hb_signal two = one;
     two.upper = 1.0F;
     EXPECT_NE(epkWith(nullptr), epkWith(&one));
