@@ -170,16 +170,4 @@ IdealTrace runIdealLoop(const IdealLoopConfig& config) {
     return trace;
 }
 
-IdealTrace runConstantCurrent(const RotorConfig& rotorConfig, double torqueConstant_Nm_per_A,
-                              double current_A, double duration_s) {
-    const long ticks = std::lround(duration_s / Tick_s);
-    RotorState rotor;
-    IdealTrace trace;
-    for (long tick = 0; tick <= ticks; ++tick) {
-        appendRow(trace, tick, rotor, 0.0, 0.0, current_A);
-        stepRotor(rotorConfig, rotor, torqueConstant_Nm_per_A * current_A, Tick_s);
-    }
-    return trace;
-}
-
 } // namespace halbench::models

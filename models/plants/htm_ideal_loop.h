@@ -80,8 +80,4 @@ struct IdealTrace {
 /// Deterministic; 1 s of motor time takes about 0.1 ms.
 IdealTrace runIdealLoop(const IdealLoopConfig& config);
 
-/// Constant current instead of a position loop, from rest: steady speed (phi I - K_f)/c after many J/c.
-IdealTrace runConstantCurrent(const RotorConfig& rotor, double torqueConstant_Nm_per_A, double current_A,
-                              double duration_s);
-
 } // namespace halbench::models

@@ -43,7 +43,8 @@ constexpr double GainPerRadius_per_m = 20.0;
 
 std::array<double, 2> hallGains(const HtmParameters& p, std::uint64_t seed) {
     if (p.hallGainError_ratio) {
-        return {1.0 + *p.hallGainError_ratio / 2.0, 1.0 - *p.hallGainError_ratio / 2.0};
+        // a/b = 1 + error, mean 1
+        return {2.0 - 2.0 / (2.0 + *p.hallGainError_ratio), 2.0 / (2.0 + *p.hallGainError_ratio)};
     }
     Random random = stream(seed, Stream::HallGain);
     const auto part = drawPair(random, p.hallGainSpread_ratio, 2.0);

@@ -121,6 +121,15 @@ TEST(RadialCoil, fieldOnTheAxisOfASquareLoopIsTheTextbookOne) {
                 1e-16);
 }
 
+TEST(RadialCoil, holdsTheCopperOfThePublication) {
+    // Section 2: 10.42 cm^3 in the active sides of four coils, 53 % of the winding window. AWG 22 is 0.6438
+    // mm thick: 0.127 mm * 92^((36 - 22)/39).
+    const RadialCoil coil;
+    const double wire_m2 = Pi / 4.0 * std::pow(0.127e-3 * std::pow(92.0, 14.0 / 39.0), 2);
+    EXPECT_NEAR(4.0 * 2.0 * coil.turns * wire_m2 * coil.activeLength_m, 10.42e-6, 0.005e-6);
+    EXPECT_NEAR(coil.turns * wire_m2 / (coil.windowTangential_m * coil.windowRadial_m), 0.53, 0.005);
+}
+
 TEST(RadialCoil, filamentsCarryAllTurns) {
     double turns = 0.0;
     double radius_m = 0.0;

@@ -104,6 +104,14 @@ TEST(HalbachRing, magnetVolumeIsTheQuotedOne) {
     EXPECT_NEAR(ring.bars * 8.0 * ring.halfSize_m.prod(), 30.73e-6, 5e-9);
 }
 
+TEST(HalbachRing, barsMakeTheirShareOfTheRotorsInertia) {
+    // Section 5: 2.6e-4 kg m^2. NdFeB has 7.5 g/cm^3; a square bar adds m a^2/6 about its own axis.
+    const HalbachRing ring;
+    const double mass_kg = 7500.0 * ring.bars * 8.0 * ring.halfSize_m.prod();
+    const double side_m = 2.0 * ring.halfSize_m.x();
+    EXPECT_NEAR(mass_kg * (ring.radius_m * ring.radius_m + side_m * side_m / 6.0), 2.6e-4, 0.05e-4);
+}
+
 TEST(HalbachRing, turningTheRotorTurnsTheFieldMap) {
     Random random(3);
     const HalbachRing ring = scatteredRing(HalbachRing{}, RingScatter{}, random);

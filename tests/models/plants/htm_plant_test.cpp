@@ -204,6 +204,16 @@ TEST(HtmSpecimen, writingOneErrorDownLeavesTheOthersAlone) {
     EXPECT_EQ(after.magnets.angleError_rad(1.0), before.magnets.angleError_rad(1.0));
 }
 
+TEST(HtmSpecimen, writtenGainErrorIsTheRatioOfTheSensors) {
+    HtmParameters p;
+    for (const double error : {-0.2, 0.05, 0.2}) {
+        p.hallGainError_ratio = error;
+        const HtmSpecimen specimen = drawSpecimen(p, 1);
+        EXPECT_NEAR(specimen.hall[0].gain_ratio / specimen.hall[1].gain_ratio, 1.0 + error, 1e-15);
+        EXPECT_NEAR(specimen.hall[0].gain_ratio + specimen.hall[1].gain_ratio, 2.0, 1e-15);
+    }
+}
+
 TEST(HtmSpecimen, magnetsWeakenWithAmbientTemperature) {
     HtmParameters p = withoutImperfections(HtmParameters{});
     p.ambient_degC = 35.0;

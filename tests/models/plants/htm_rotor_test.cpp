@@ -1,4 +1,5 @@
 #include "control/base/random.h"
+#include "control/base/units.h"
 #include "models/plants/htm_linear.h"
 #include "models/plants/htm_rotor.h"
 
@@ -169,6 +170,23 @@ TEST(HtmRotor, reachesTheSteadySpeedOfTheForceBalance) {
         EXPECT_NEAR(state.speed_rad_s, expected, 1e-9 * expected);
         EXPECT_NEAR(state.speed_rad_s * 30.0 / 3.14159265358979323846, speed_rpm[i], 0.005);
     }
+}
+
+TEST(HtmRotor, meetsTheCurrentsOfThePublication) {
+    // Section 2: breakaway at 1.43357 A, 111.02 r/min for each further ampere. Section 5: 270 r/min at
+    // 3.866 A. Half of the last printed digit.
+    const RotorConfig config;
+    const auto steady_rpm = [&](double current_A) {
+        RotorState state;
+        stepRotor(config, state, Phi * current_A, 20.0); // e^(-20 s / 0.447 s) is below rounding
+        return radPerSecondToRpm(state.speed_rad_s);
+    };
+    EXPECT_EQ(steady_rpm(1.43356), 0.0);
+    EXPECT_GT(steady_rpm(1.43358), 0.0);
+    EXPECT_NEAR(steady_rpm(4.0) - steady_rpm(3.0), 111.02, 0.005);
+    EXPECT_NEAR(steady_rpm(3.866), 270.0, 0.0005 * 111.02 + 0.005);
+    EXPECT_NEAR(config.viscousDamping_Nm_s * rpmToRadPerSecond(270.0) + config.coulombFriction_Nm, 0.0553,
+                5e-5); // section 6.1: the torque that 270 r/min alone need
 }
 
 TEST(HtmRotor, frictionDependsOnDirectionAngleAndSpeedAsConfigured) {

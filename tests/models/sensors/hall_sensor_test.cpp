@@ -42,6 +42,19 @@ TEST(HallSensor, voltageFollowsTemperatureAndIsUndoneWithTheReportedOne) {
     EXPECT_NEAR(wrong_T, 0.1 * 1.033 / 1.066, 1e-15);
 }
 
+TEST(HallSensor, warmCoilBesideACoolerSensorShrinksBothFieldsAlike) {
+    // Section 9: the coil's sensor reports 80 degC, the Hall part sits at ambient + half of the rise: 52.5.
+    // The correction is then wrong by 0.0012 * 27.5 = 3.3 %, which the arctangent does not see.
+    const auto sensors = hallPair(HallConfig{}, 0.0);
+    Random silent(1);
+    const auto seen_T = [&](std::size_t channel, double psi) {
+        return hallFieldOfVoltage_T(sensors[channel], hallVoltage_V(sensors[channel], psi, 0.0, 52.5, silent),
+                                    80.0);
+    };
+    EXPECT_NEAR(0.157 / seen_T(0, 0.0) - 1.0, 0.033, 0.0015); // relative to the gain at 52.5, not at 25 degC
+    EXPECT_NEAR(std::atan2(seen_T(1, 0.7), seen_T(0, 0.7)), 0.7, 1e-14);
+}
+
 TEST(HallSensor, clipsItsOutput) {
     const HallConfig sensor;
     EXPECT_EQ(hallVoltageOfField_V(sensor, 1.0, 25.0), 4.8);
