@@ -100,10 +100,6 @@ std::string_view pidFormName(PidForm form) {
     return "parallel";
 }
 
-std::string_view gainUnitName(GainUnit unit) {
-    return unit == GainUnit::PerDegree ? "A/deg" : "A/rad";
-}
-
 Result<PidGains> convert(const PidGains& gains, PidForm form, GainUnit unit) {
     if (!isFinite(gains)) {
         return failure(ErrorCode::NotFinite, "a gain is not a finite number");

@@ -18,8 +18,7 @@ enum class PidForm { Parallel, Standard, Series };
 /// (resources/help/htm-theory.md, 6.7).
 enum class GainUnit { PerRadian, PerDegree };
 
-std::string_view pidFormName(PidForm form);   ///< "parallel", "standard", "series"
-std::string_view gainUnitName(GainUnit unit); ///< "A/rad", "A/deg"
+std::string_view pidFormName(PidForm form); ///< "parallel", "standard", "series"
 
 /// Gains with everything needed to read them. In the time forms an infinite T_i means no integral action.
 struct PidGains {

@@ -45,6 +45,12 @@ TEST(ParameterSpec, refusesAFractionForAWholeNumber) {
     EXPECT_TRUE(checkParameterValue(spec, 2.0).has_value());
 }
 
+TEST(Units, speedsOfThePublicationConvert) {
+    // resources/help/htm-theory.md section 5: 500 deg/s are 83.3 r/min; 270 r/min = 9 pi rad/s.
+    EXPECT_NEAR(radPerSecondToRpm(degreesToRadians(500.0)), 83.3, 0.05);
+    EXPECT_NEAR(rpmToRadPerSecond(270.0), 9.0 * Pi, 1e-14);
+}
+
 TEST(Units, symbolsAreUnique) {
     std::set<std::string_view> seen;
     for (const Unit& unit : units()) {
