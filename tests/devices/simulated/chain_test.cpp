@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 // Plant, firmware and link together; figures of resources/help/htm-theory.md.
 
@@ -40,20 +42,28 @@ public:
         return m_device->readSignals(names)->front();
     }
 
-    /// Mean over `duration_s` of a signal sampled at 1 kHz.
-    double mean(const std::string& name, double duration_s) {
-        double sum = 0.0;
-        std::size_t rows = 0;
+    /// A signal sampled at 1 kHz.
+    std::vector<double> samples(const std::string& name, double duration_s) {
+        std::vector<double> values;
         EXPECT_TRUE(m_device->startStream({{name}, 1000.0}, [&](SampleBlockPtr block) {
-            for (std::size_t row = 0; row < block->rows(); ++row) {
-                sum += block->value(row, 0);
-                ++rows;
-            }
+            values.insert(values.end(), block->values.begin(), block->values.end());
         }));
         wait(duration_s);
         m_device->stopStream();
-        EXPECT_GT(rows, 0U);
-        return sum / static_cast<double>(rows);
+        EXPECT_FALSE(values.empty());
+        return values;
+    }
+
+    double mean(const std::string& name, double duration_s) {
+        const std::vector<double> values = samples(name, duration_s);
+        return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+    }
+
+    /// Largest minus smallest value.
+    double spread(const std::string& name, double duration_s) {
+        const std::vector<double> values = samples(name, duration_s);
+        const auto [low, high] = std::minmax_element(values.begin(), values.end());
+        return *high - *low;
     }
 
     Device& device() { return *m_device; }
@@ -113,6 +123,26 @@ TEST(Chain, compensationRemovesTheStrayField) {
     motor.set("hb.setpoint", 4.0);
     motor.wait(0.5);
     EXPECT_NEAR(radiansToDegrees(motor.mean("position", 0.2) - 0.7), 0.0, 0.1);
+}
+
+TEST(Chain, uncompensatedStrayFieldLowersTheGainAndLimitsIt) {
+    // Section 6.10: kappa = k_s/B0 = 0.0159 rad/A feeds the current back into the angle. 10 A/rad act like
+    // 10/(1 + 10 kappa) = 8.63; above 1/kappa = 62.8 A/rad the current alternates from sample to sample.
+    Motor motor("imperfections=off&stray_mT_per_A=2.5&Kf=1&psi0=0.7"); // friction holds the rotor
+    motor.set("stray.enabled", 0.0);
+    motor.set("gain.ki", 0.0);
+    motor.arm(BoardMode::Position);
+    motor.set("hb.setpoint", 0.2);
+    motor.wait(0.5);
+    EXPECT_NEAR(motor.mean("current_command", 0.2), 8.63 * 0.2, 10.0 * 0.0025); // one ADC code, 0.0025 rad
+    motor.set("gain.kp", 30.0);
+    motor.set("hb.setpoint", 0.02);
+    motor.wait(0.5);
+    EXPECT_LT(motor.spread("current_command", 0.2), 3 * 30.0 * 0.0025); // settles but for some ADC codes
+    motor.set("gain.kp", 100.0);
+    motor.set("hb.setpoint", 0.03); // the push beyond one code that starts it
+    motor.wait(0.5);
+    EXPECT_GT(motor.spread("current_command", 0.2), 4.0);
 }
 
 TEST(Chain, positionFollowsTruthOverManyTurnsFromAnyStart) {
