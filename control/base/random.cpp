@@ -22,7 +22,7 @@ std::uint64_t rotateLeft(std::uint64_t value, int count) {
 
 } // namespace
 
-Random::Random(std::uint64_t seed) : m_state{}, m_seed(seed) {
+Random::Random(std::uint64_t seed) : m_seed(seed) {
     for (std::uint64_t& word : m_state) {
         word = splitMix(seed);
     }
