@@ -99,6 +99,17 @@ TEST(HalbachRing, idealCylinderWithAverageRemanenceAgreesWithTheBars) {
     EXPECT_NEAR(ideal_T / longBarsField_T(ringMagnets(ring, 0.0), Vector2d::Zero()).x(), 1.0, 3.5e-3);
 }
 
+TEST(HalbachRing, fieldAtTheSensorsGrowsByTwoPercentPerMillimetre) {
+    // What models/plants takes for the radius error of a sensor: 0.171 (r/14.5 mm)^2 of the centre field
+    // makes 2 * 0.171/1.171/14.5 mm = 20 per metre; higher orders in r add a few per cent to that.
+    const auto magnets = ringMagnets(HalbachRing{}, 0.0);
+    const auto radial_T = [&](double radius_m) {
+        return magnetsField_T(magnets, Vector3d(radius_m, 0, 0)).x();
+    };
+    const double slope_T_per_m = (radial_T(SensorRadius_m + 1e-4) - radial_T(SensorRadius_m - 1e-4)) / 2e-4;
+    EXPECT_NEAR(slope_T_per_m / radial_T(SensorRadius_m), 20.0, 2.0);
+}
+
 TEST(HalbachRing, magnetVolumeIsTheQuotedOne) {
     const HalbachRing ring;
     EXPECT_NEAR(ring.bars * 8.0 * ring.halfSize_m.prod(), 30.73e-6, 5e-9);

@@ -214,6 +214,22 @@ TEST(HtmSpecimen, writtenGainErrorIsTheRatioOfTheSensors) {
     }
 }
 
+TEST(HtmSpecimen, linearityErrorIsACubicShareOfTheField) {
+    HtmParameters p = withoutImperfections(HtmParameters{});
+    p.hallLinearitySpread_ratio = 0.005;
+    const HallConfig bent = drawSpecimen(p, 3).hall[0];
+    ASSERT_EQ(bent.harmonics.size(), 2U);
+    const double share = 4.0 * bent.harmonics[1].cosine_ratio;
+    EXPECT_NE(share, 0.0);
+    EXPECT_LE(std::fabs(share), 2.0 * 0.005);
+    for (const double psi : {0.0, 0.4, 1.3, 2.6, -2.0}) {
+        // B + l (B^3/B0^2 - B): right at zero and at the full field
+        const double field_T = 0.157 * std::cos(psi);
+        const double expected_T = field_T + share * (std::pow(field_T, 3) / (0.157 * 0.157) - field_T);
+        EXPECT_NEAR(hallField_T(bent, psi, 0.0), expected_T, 1e-15);
+    }
+}
+
 TEST(HtmSpecimen, magnetsWeakenWithAmbientTemperature) {
     HtmParameters p = withoutImperfections(HtmParameters{});
     p.ambient_degC = 35.0;
