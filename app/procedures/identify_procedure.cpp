@@ -152,11 +152,7 @@ Result<IdentifyResult> excite(devices::Device& device, const IdentifyConfig& con
     if (auto entered = enterState(observer, ProcedureState::Fit); !entered) {
         return failure(entered.error());
     }
-    IdentifyConfig compensated = config;
-    if (device.catalogue().findParameter("commutation.advance") != nullptr) {
-        compensated.commutationLag_s = 0.0;
-    }
-    auto result = identifyRecording(*recording, compensated);
+    auto result = identifyRecording(*recording, config);
     if (!result) {
         return failure(result.error());
     }

@@ -38,8 +38,8 @@ struct IdentifyConfig {
     double speedLimit_rad_s = 40.0; ///< the board's speed window while this procedure runs
     double usableSpeed_rad_s = 3.0; ///< plateaus slower than this are shown, not fitted
     int coastDownsPerDirection = 8; ///< run-up and coast-down pairs besides the sweep
-    /// Delay of the phase currents behind the angle that is not compensated, for recordings from elsewhere:
-    /// half a tick of 1 ms and 0.3 ms of the amplifier. runIdentify() compensates it on the board.
+    /// Delay of the phase currents behind the angle: half a tick of 1 ms and 0.3 ms of the amplifier. The fit
+    /// takes the torque that it costs into account; the board does not commutate ahead meanwhile.
     double commutationLag_s = 0.8e-3;
     double pauseTemperature_degC = 65; ///< waits above it
     double refuseTemperature_degC = 70;

@@ -11,8 +11,6 @@
 namespace halbench::app {
 namespace {
 
-// Half a tick of 1 ms plus 0.3 ms of the amplifier: resources/help/htm-theory.md section 7.4.
-constexpr double CommutationLag_s = 0.8e-3;
 constexpr double ShapePlateaus = 7.0;
 
 void addIfKnown(const devices::Catalogue& catalogue, std::vector<ParameterValue>& values,
@@ -96,7 +94,7 @@ Result<void> prepareSpinning(devices::Device& device, double speedLimit_rad_s) {
     addIfKnown(catalogue, values, "window.speed_enabled", 1.0);
     addIfKnown(catalogue, values, "window.position_enabled", 0.0);
     addIfKnown(catalogue, values, "commutation.divider", 1.0);
-    addIfKnown(catalogue, values, "commutation.advance", CommutationLag_s);
+    addIfKnown(catalogue, values, "commutation.advance", 0.0);
     addIfKnown(catalogue, values, "decode.method", 0.0);
     addIfKnown(catalogue, values, "stray.enabled", 1.0);
     return device.writeParameters(values);

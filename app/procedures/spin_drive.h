@@ -40,8 +40,9 @@ private:
 };
 
 /// Sets the board up for spinning: speed window on, position window off, currents commutated at the fast rate
-/// and ahead by the loop's lag, arctangent, stray field compensated. Parameters that the board lacks are left
-/// out. The caller holds the RestoreGuard. Errors: of the device.
+/// and not ahead (the fit knows the lag, and a recording needs no further word), arctangent, stray field
+/// compensated. Parameters that the board lacks are left out. The caller holds the RestoreGuard.
+/// Errors: of the device.
 Result<void> prepareSpinning(devices::Device& device, double speedLimit_rad_s);
 
 /// Waits for cool coils, arms, runs the plateaus and disarms. The board owns the current: it goes to zero at

@@ -118,8 +118,7 @@ TEST(Identify, findsThePlateausOfARecordingItself) {
     const auto device = open("sim:htm?seed=7");
     const auto live = runIdentify(*device, withInertia(5.5e-4), {});
     ASSERT_TRUE(live);
-    IdentifyConfig config = withInertia(5.5e-4);
-    config.commutationLag_s = 0.0; // the board commutated ahead
+    const IdentifyConfig config = withInertia(5.5e-4);
     const auto again = identifyRecording(live->recording, config);
     ASSERT_TRUE(again);
     EXPECT_EQ(*again->viscousDamping.value, *live->viscousDamping.value);
