@@ -94,6 +94,7 @@ void addDirections(FrictionSweep& sweep, const Problem& problem, const LinearFit
 
 void addAdequacy(FrictionSweep& sweep, std::span<const SteadyPoint> points, int parameters) {
     std::vector<double> levels;
+    levels.reserve(points.size());
     for (const SteadyPoint& point : points) {
         levels.push_back(point.current_A);
     }
@@ -106,6 +107,7 @@ void addAdequacy(FrictionSweep& sweep, std::span<const SteadyPoint> points, int 
         return std::fabs(points[a].speed_rad_s) < std::fabs(points[b].speed_rad_s);
     });
     std::vector<double> bySpeed;
+    bySpeed.reserve(order.size());
     for (const std::size_t i : order) {
         bySpeed.push_back(sweep.residuals_rad_s[i]);
     }
