@@ -1,5 +1,4 @@
 #include "app/batch/experiment_schema.h"
-
 #include "app/batch/output_file.h"
 
 #include <gmock/gmock.h>
