@@ -75,7 +75,7 @@ void takeAsymmetry(IdentifyResult& result, const IdentifyFits& fits) {
     }
     const double half = control::studentQuantile(0.975, freedom) * error;
     result.asymmetry = control::Estimate{*value, std::pair(*value - half, *value + half),
-                                         control::EstimateSource::Identified, "1"};
+                                         control::EstimateSource::Identified, ""};
     if (std::fabs(*value) > half) {
         remark(result.quality, Verdict::Good, "friction_asymmetry",
                fmt::format("friction differs between the directions by {:.1f} % of its mean",

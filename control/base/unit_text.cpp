@@ -12,9 +12,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> Signs = {
 } // namespace
 
 std::string unitText(std::string_view symbol) {
-    if (symbol == "1") { // a plain number
-        return {};
-    }
     if (symbol == "degC") {
         return "\u00b0C";
     }

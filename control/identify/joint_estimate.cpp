@@ -263,7 +263,7 @@ void addRatios(JointEstimate& joint, const MotorRatios& data, const Absolute& so
     };
     constexpr Wanted All[] = {{"c_over_J", Damping, Inertia, "1/s"},
                               {"Kf_over_J", Friction, Inertia, "rad/s^2"},
-                              {"phi_over_J", Torque, Inertia, "rad/(s^2*A)"},
+                              {"phi_over_J", Torque, Inertia, "rad/s^2/A"},
                               {"c_over_phi", Damping, Torque, "A*s/rad"},
                               {"Kf_over_phi", Friction, Torque, "A"}};
     const auto count = static_cast<Eigen::Index>(data.ratios.size());

@@ -1,0 +1,99 @@
+"""Every document the program prints keeps the common form: schema, header, known units, snake_case, no NaN.
+
+    python3 check_results.py build/release/halbench [Results[.case]]
+"""
+import os
+import re
+import sys
+import unittest
+
+import halbench
+from halbench import REPOSITORY, ProgramCase
+
+HEADER = {"schema", "halbench", "device", "started", "seed", "data_quality"}
+# Keys that are names of the device or of the book's letters, not of ours.
+LETTERS = re.compile(r"(?<![a-z])(Kf|J)(?![a-z])")
+UNIT_SUFFIX = re.compile(r"_(A|V|T|N|K|Nm|degC|A_per_rad|T_per_A|A_per_V|dB|Hz|1_s|mT)$")
+
+
+def known_units():
+    with open(os.path.join(REPOSITORY, "control/base/units.cpp"), encoding="utf-8") as file:
+        return set(re.findall(r'Unit\{"([^"]*)",', file.read()))
+
+
+class Results(ProgramCase):
+    def check(self, *arguments, header=True):
+        answer = self.run_program(*arguments, "--json")
+        self.assertIn(answer.code, (0, 1), answer)
+        document = answer.json()
+        self.assertRegex(document["schema"], r"^halbench\.[a-z]+/1$")
+        if header:
+            self.assertEqual(HEADER - set(document), set(), answer)
+            self.assertEqual(list(document)[0], "schema")
+            self.assertIn(document["data_quality"]["verdict"], ("good", "doubtful", "refused"))
+            for finding in document["data_quality"]["findings"]:
+                self.assertTrue(finding["code"] and finding["message"] and finding["hint"], finding)
+        self.walk(document, document["schema"])
+        return document
+
+    def walk(self, value, where):
+        if isinstance(value, dict):
+            for key, inner in value.items():
+                self.assert_key(key, where)
+                if key == "unit" and inner is not None:
+                    self.assertIn(inner, known_units(), where)
+                self.walk(inner, f"{where}.{key}")
+        elif isinstance(value, list):
+            for index, inner in enumerate(value):
+                self.walk(inner, f"{where}[{index}]")
+
+    def assert_key(self, key, where):
+        if "." in key or where.endswith(("overrides", "steps")):
+            return
+        self.assertRegex(LETTERS.sub("x", UNIT_SUFFIX.sub("", key)), r"^[a-z][a-z0-9_]*$", where)
+
+    def test_looking(self):
+        self.check("devices", header=False)
+        description = self.check("describe", "sim:htm", header=False)
+        names = {s["name"] for s in description["signals"]}
+        self.assertIn("truth.position", names)
+        roles = {p["role"] for p in description["parameters"]}
+        self.assertIn("gain.kp", roles)
+        self.check("get", "sim:htm", "position", "gain.kp", header=False)
+        self.check("set", "sim:htm", "gain.kp=12", header=False)
+
+    def test_motion(self):
+        self.check("record", "sim:htm", "--duration", "0.2", "--out", "f.csv")
+        self.check("move", "sim:htm", "--reference", "step,amplitude_deg=100", "--duration", "2")
+        self.check("move", "sim:htm", "--reference", "sine,amplitude_deg=45,frequency_hz=1", "--duration", "3")
+
+    def test_models(self):
+        free = self.check("identify", "sim:htm")
+        for parameter in free["parameters"].values():
+            self.assertEqual((parameter["value"], parameter["ci95"], parameter["source"]),
+                             (None, None, "not identifiable"))
+        self.check("identify", "sim:htm", "--given", "J=5.5e-4", "--out", "m.json")
+        self.check("identify", "sim:htm", "--currents", "0.2:1:0.2")
+        for method, *targets in (["recommended"], ["pole-placement"], ["bandwidth", "--bandwidth-hz", "4"]):
+            self.check("tune", "m.json", "--method", method, *targets, "--out", f"{method}.json")
+            self.check("analyse", "m.json", f"{method}.json")
+
+    def test_calibrations(self):
+        for what in ("hall", "stray", "static-friction", "all"):
+            self.check("calibrate", "sim:htm", what)
+
+    def test_run(self):
+        with open(os.path.join(REPOSITORY, "resources/experiments/htm/figure-13a-steps.toml"), encoding="utf-8") as file:
+            self.write("e.toml", file.read())
+        self.check("run", "e.toml", "--out", "out")
+
+    def test_written_files_are_what_is_printed(self):
+        self.accept("identify", "sim:htm", "--given", "J=5.5e-4", "--out", "m.json")
+        printed = self.accept("identify", "sim:htm", "--given", "J=5.5e-4", "--json").out
+        with open(self.path("m.json"), encoding="utf-8") as file:
+            self.assertEqual(file.read(), printed)
+
+
+if __name__ == "__main__":
+    halbench.set_program(sys.argv.pop(1))
+    unittest.main(verbosity=2)
