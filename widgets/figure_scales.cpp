@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace halbench::widgets {
 namespace {
@@ -60,6 +61,17 @@ Extent snapped(const Extent& extent, int majorTicks) {
             above - extent.high <= reach ? above : extent.high};
 }
 
+/// The wished distance of ticks, or a third of it where it would leave fewer than three (45 -> 15 degrees);
+/// nothing where the ticks would be too dense.
+std::optional<double> usableStep(const Axis& axis, double range, int majorTicks) {
+    if (!axis.tickStep || *axis.tickStep <= 0.0) {
+        return std::nullopt;
+    }
+    const double step = range / *axis.tickStep < 4.0 ? *axis.tickStep / 3.0 : *axis.tickStep;
+    const bool isReadable = range / step >= 3.0 && range / step <= 1.5 * majorTicks;
+    return isReadable ? std::optional<double>(step) : std::nullopt;
+}
+
 FigureScale scaleOf(const Axis& axis, Extent extent, bool isWidened, int majorTicks) {
     extent = nonEmpty(extent, axis.isLogarithmic);
     if (isWidened && !axis.isLogarithmic) {
@@ -76,13 +88,14 @@ FigureScale scaleOf(const Axis& axis, Extent extent, bool isWidened, int majorTi
         scale.division = QwtLogScaleEngine().divideScale(low, high, majorTicks, 10);
         return scale;
     }
-    const bool isStepUsable =
-        axis.tickStep && *axis.tickStep > 0.0 && (high - low) / *axis.tickStep <= 1.5 * majorTicks;
+    if (const std::optional<double> step = usableStep(axis, high - low, majorTicks)) {
+        scale.division = QwtLinearScaleEngine().divideScale(low, high, majorTicks, MinorTicks, *step);
+        return scale;
+    }
     // Few ticks may leave a single label inside the extent, and with it no scale at all.
     for (int ticks = majorTicks; ticks <= 4 * majorTicks; ++ticks) {
-        scale.division = QwtLinearScaleEngine().divideScale(low, high, ticks, MinorTicks,
-                                                            isStepUsable ? *axis.tickStep : 0.0);
-        if (isStepUsable || scale.division.ticks(QwtScaleDiv::MajorTick).size() >= 3) {
+        scale.division = QwtLinearScaleEngine().divideScale(low, high, ticks, MinorTicks);
+        if (scale.division.ticks(QwtScaleDiv::MajorTick).size() >= 3) {
             break;
         }
     }

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace halbench::app {
 
@@ -81,12 +82,29 @@ ReportSection plainSection(const StepOutcome& step, const std::string& heading) 
     return {heading, {facts}};
 }
 
-ReportSection sectionOf(const StepOutcome& step, const std::optional<KnownMotor>& motor) {
+/// The same motor under the gains that ran before the first step, to be drawn beside the proposal.
+std::optional<AnalysisResult> loopAtStart(const TuneOutcome& tuned,
+                                          const std::vector<ParameterValue>& parametersAtStart) {
+    std::map<std::string, double> values;
+    for (const ParameterValue& value : parametersAtStart) {
+        values.emplace(value.name, value.value);
+    }
+    const Result<control::PositionLaw> law = lawFromParameters(values);
+    if (!law) {
+        return std::nullopt;
+    }
+    Result<AnalysisResult> loop = runAnalysis(tuned.motor, *law, tuned.result.conditions);
+    return loop ? std::optional<AnalysisResult>(*std::move(loop)) : std::nullopt;
+}
+
+ReportSection sectionOf(const StepOutcome& step, const std::optional<KnownMotor>& motor,
+                        const std::vector<ParameterValue>& parametersAtStart) {
     const std::string heading = fmt::format("{}: {}", step.kind, step.name);
     struct Visitor {
         const StepOutcome& step;
         const std::string& heading;
         const std::optional<KnownMotor>& motor;
+        const std::vector<ParameterValue>& parametersAtStart;
         ReportSection operator()(std::monostate) const { return plainSection(step, heading); }
         ReportSection operator()(const IdentifyResult& result) const {
             return identificationSection(heading, result);
@@ -95,7 +113,7 @@ ReportSection sectionOf(const StepOutcome& step, const std::optional<KnownMotor>
             return calibrationSection(heading, result);
         }
         ReportSection operator()(const TuneOutcome& tuned) const {
-            return tuningSection(heading, tuned.result);
+            return tuningSection(heading, tuned.result, loopAtStart(tuned, parametersAtStart));
         }
         ReportSection operator()(const AnalysisResult& result) const {
             return analysisSection(heading, result);
@@ -109,7 +127,7 @@ ReportSection sectionOf(const StepOutcome& step, const std::optional<KnownMotor>
         }
         ReportSection operator()(const RecordResult& result) const { return recordSection(heading, result); }
     };
-    return std::visit(Visitor{step, heading, motor}, step.detail);
+    return std::visit(Visitor{step, heading, motor, parametersAtStart}, step.detail);
 }
 
 ReportSection checksSection(const RunOutcome& outcome) {
@@ -191,7 +209,7 @@ Result<std::string> renderRunReport(const ResultHeader& header, const Experiment
         content.sections.push_back(checksSection(outcome));
     }
     for (const StepOutcome& step : outcome.steps) {
-        content.sections.push_back(sectionOf(step, motor));
+        content.sections.push_back(sectionOf(step, motor, outcome.parametersAtStart));
     }
     if (std::optional<ReportSection> contradictions = contradictionsSection(info.model)) {
         content.sections.push_back(*std::move(contradictions));

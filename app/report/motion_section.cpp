@@ -160,9 +160,8 @@ void appendChanges(ReportSection& section, const ApplyResult& result) {
         return;
     }
     section.blocks.emplace_back(
-        changeTable(fmt::format("Changed parameters ({} of {} given; the others were on the board already)",
-                                changes.size(), asked),
-                    changes));
+        ReportParagraph{fmt::format("{} of {} given values were new to the board.", changes.size(), asked)});
+    section.blocks.emplace_back(changeTable("Changed parameters", changes));
 }
 
 } // namespace

@@ -39,6 +39,18 @@ std::string escaped(std::string_view text) {
     return result;
 }
 
+/// Findings are written as clauses; a report sets several of them side by side.
+std::string sentence(std::string text) {
+    if (!text.empty()) {
+        const char first = text.front();
+        const bool isWord =
+            text.size() > 1 && text[1] >= 'a' && text[1] <= 'z'; // leave symbols such as c/phi alone
+        text.front() = isWord && first >= 'a' && first <= 'z' ? static_cast<char>(first - 'a' + 'A') : first;
+        text += text.back() == '.' ? "" : ".";
+    }
+    return text;
+}
+
 std::string_view toneClass(ReportTone tone) {
     switch (tone) {
     case ReportTone::Good:
@@ -109,10 +121,10 @@ public:
             verdictName(verdict));
         m_html += block.quality.findings.empty() ? " &#8211; no findings.</p>\n" : "</p>\n<ul>\n";
         for (const Finding& finding : block.quality.findings) {
-            m_html += fmt::format("<li>{}", escaped(finding.message));
+            m_html += fmt::format("<li>{}", escaped(sentence(finding.message)));
             m_html += finding.hint.empty()
                           ? ""
-                          : fmt::format(" <span class=\"muted\">{}</span>", escaped(finding.hint));
+                          : fmt::format(" <span class=\"muted\">{}</span>", escaped(sentence(finding.hint)));
             m_html += "</li>\n";
         }
         m_html += block.quality.findings.empty() ? "</div>\n" : "</ul>\n</div>\n";

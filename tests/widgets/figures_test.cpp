@@ -86,6 +86,17 @@ TEST(FigureScales, timeEndsAtTheNextTickWhenItIsNear) {
     EXPECT_DOUBLE_EQ(far.division.upperBound(), 2.7);
 }
 
+TEST(FigureScales, refineTheWishedStepWhereItLeavesTooFewTicks) {
+    Figure figure = curveFigure({0.0, 1.0}, {-255.0, -145.0});
+    figure.panels[0].y.tickStep = 45.0;
+    const auto narrow = verticalScale(figure.panels[0], 220.0).division.ticks(QwtScaleDiv::MajorTick);
+    ASSERT_GE(narrow.size(), 3);
+    EXPECT_DOUBLE_EQ(narrow[1] - narrow[0], 15.0);
+    figure.panels[0].curves[0].y = {-270.0, -90.0};
+    const auto wide = verticalScale(figure.panels[0], 220.0).division.ticks(QwtScaleDiv::MajorTick);
+    EXPECT_DOUBLE_EQ(wide[1] - wide[0], 45.0);
+}
+
 TEST(FigureScales, obeyGivenExtents) {
     Figure figure = curveFigure({0.0, 1.0}, {0.0, 1.0});
     figure.panels[0].y.min = -20.0;

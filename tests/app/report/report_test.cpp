@@ -31,7 +31,7 @@ ReportContent sample() {
     content.sections = {
         {"Device", {ReportFacts{{{"seed", "1"}, {"firmware", "0.1.0"}}}}},
         {"Identification",
-         {ReportQuality{{Verdict::Doubtful, {{"code", "Only five points.", "Sweep more currents."}}}},
+         {ReportQuality{{Verdict::Doubtful, {{"code", "only five points", "Sweep more currents."}}}},
           estimateTable("Parameters", {{"damping", "N*m*s/rad", 1.23e-3, 1.19e-3, 1.27e-3, "identified"}}),
           plotOf({0.0, 0.5, 1.0}, {0.0, 12.5, 20.25})}},
         {"Checks",
