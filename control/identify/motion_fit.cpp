@@ -251,10 +251,6 @@ Result<void> checkSegments(std::span<const MotionSegment> segments) {
     return {};
 }
 
-} // namespace
-
-namespace {
-
 Result<MotionFit> fitOnce(std::span<const MotionSegment> segments, double start_per_s,
                           const Columns& columns) {
     MotionFit fit;
@@ -272,7 +268,8 @@ Result<MotionFit> fitOnce(std::span<const MotionSegment> segments, double start_
                        "record run-ups and coast-downs, not only steady motion");
     }
     fit.angleOrders = columns.orders;
-    fit.angleError_rad.assign(solution.global.data(), solution.global.data() + 2 * columns.orders);
+    const auto angleErrors = solution.global.head(2 * columns.orders);
+    fit.angleError_rad.assign(angleErrors.begin(), angleErrors.end());
     fit.residualRms_rad = std::sqrt(solution.squares / (rows - unknowns));
     dampingSpread(fit, solution, column, segments, unknowns);
     addBalances(fit, segments, columns, solution);
@@ -326,7 +323,7 @@ std::vector<double> correctedAngle_rad(const MotionFit& fit, std::span<const dou
     for (double& angle : corrected) {
         const double measured = angle;
         for (int order = 1; order <= fit.angleOrders; ++order) {
-            const auto place = static_cast<std::size_t>(2 * (order - 1));
+            const std::size_t place = 2 * (static_cast<std::size_t>(order) - 1);
             angle -= fit.angleError_rad[place] * std::cos(order * measured) +
                      fit.angleError_rad[place + 1] * std::sin(order * measured);
         }
