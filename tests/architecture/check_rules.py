@@ -1,4 +1,6 @@
 """Each rule is shown something wrong, which it must find, and something right, which it must leave alone."""
+import os
+import re
 import unittest
 
 import rules_data
@@ -121,6 +123,11 @@ SAMPLES = {
 class Rules(unittest.TestCase):
     def test_every_rule_has_its_samples(self):
         self.assertEqual(set(SAMPLES), set(RULES))
+
+    def test_every_rule_is_run(self):
+        with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "CMakeLists.txt"), encoding="utf-8") as file:
+            listed = re.search(r"set\(rules(.*?)\)", file.read(), re.S).group(1).split()
+        self.assertEqual(sorted(listed), sorted(RULES))
 
     def test_wrong_samples_are_found(self):
         for name, (wrong, _) in SAMPLES.items():

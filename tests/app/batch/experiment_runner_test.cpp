@@ -1,0 +1,143 @@
+#include "app/batch/experiment_runner.h"
+#include "app/batch/output_file.h"
+#include "app/batch/recording_file.h"
+#include "app/batch/run_files.h"
+#include "app/batch/run_plan.h"
+#include "app/batch/run_report.h"
+#include "app/batch/step_configs.h"
+#include "devices/open_device.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace halbench::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string Steps = R"(schema = "halbench.experiment/1"
+title = "A step & a <check>"
+device = "sim:htm?imperfections=off"
+
+[[step]]
+kind = "set"
+name = "stiffer"
+values = { "gain.kp" = 12 }
+
+[[step]]
+kind = "move"
+name = "step100"
+reference = { shape = "step", amplitude_deg = 100 }
+duration_s = 1.5
+
+[[check]]
+quantity = "step100.overshoot_percent"
+min = 20
+max = 50
+
+[[check]]
+quantity = "step100.rise_time_s"
+max = 0.001
+)";
+
+class ExperimentRunner : public ::testing::Test {
+protected:
+    ExperimentRunner() : m_console(ConsoleStyle{.isQuiet = true, .level = LogLevel::Error}) {
+        m_device = devices::openDevice("sim:htm?imperfections=off", {}).value();
+    }
+
+    RunOutcome run(const std::string& text) {
+        m_experiment = parseExperiment(text, "e.toml", {}).value();
+        return runExperiment(m_context, *m_device, m_experiment, 1);
+    }
+    ResultHeader header() { return headerFor(m_context, "halbench.run/1", *m_device); }
+    double kp() { return m_device->readParameters(std::vector<std::string>{"gain.kp"}).value()[0]; }
+
+    Console m_console;
+    std::atomic<int> m_interruptSignal = 0;
+    CommandContext m_context{{}, m_console, m_interruptSignal};
+    std::unique_ptr<devices::Device> m_device;
+    Experiment m_experiment;
+};
+
+TEST_F(ExperimentRunner, runsEveryStepAndJudgesEveryCheck) {
+    const RunOutcome outcome = run(Steps);
+    ASSERT_EQ(outcome.steps.size(), 2U);
+    EXPECT_FALSE(outcome.stoppedBy.has_value());
+    ASSERT_EQ(outcome.checks.size(), 2U);
+    EXPECT_TRUE(outcome.checks[0].passed); // about a third, resources/help/htm-theory.md 8.1
+    EXPECT_FALSE(outcome.checks[1].passed);
+    EXPECT_FALSE(outcome.passed);
+    EXPECT_EQ(outcome.steps[0].recording(), nullptr);
+    ASSERT_NE(outcome.steps[1].recording(), nullptr);
+    EXPECT_EQ(kp(), 12.0); // what `set` changed stays
+    EXPECT_FALSE(m_device->state().isArmed);
+}
+
+TEST_F(ExperimentRunner, anErrorOfAStepPutsBackWhatWasThereBefore) {
+    m_interruptSignal = 2;
+    const RunOutcome interrupted = run(Steps);
+    ASSERT_TRUE(interrupted.stoppedBy.has_value());
+    EXPECT_EQ(interrupted.stoppedBy->code, ErrorCode::Interrupted);
+    EXPECT_FALSE(interrupted.passed);
+    EXPECT_EQ(kp(), 10.0);
+    EXPECT_FALSE(m_device->state().isArmed);
+}
+
+TEST_F(ExperimentRunner, writesResultJunitRecordingAndReport) {
+    const fs::path folder = fs::path(::testing::TempDir()) / "halbench_runner";
+    fs::remove_all(folder);
+    const RunOutcome outcome = run(Steps);
+    ASSERT_TRUE(writeRunFiles(folder.string(), header(), m_experiment, outcome, *m_device).has_value());
+    for (const char* name : {"result.json", "junit.xml", "step100.csv", "report.html"}) {
+        EXPECT_TRUE(fs::exists(folder / name)) << name;
+    }
+    const std::string junit = readFile((folder / "junit.xml").string()).value();
+    EXPECT_NE(junit.find("failures=\"1\""), std::string::npos);
+    EXPECT_EQ(junit.find("A step & a <check>"), std::string::npos); // escaped
+    const JsonValue result = parseJson(readFile((folder / "result.json").string()).value(), "r").value();
+    EXPECT_FALSE(result.find("passed")->boolean());
+    EXPECT_EQ(result.find("checks")->items().size(), 2U);
+    EXPECT_NE(readFile((folder / "step100.csv").string()).value().find("time_s,"), std::string::npos);
+    fs::remove_all(folder);
+}
+
+TEST_F(ExperimentRunner, reportIsOneSelfContainedDocumentWithEqualBytes) {
+    const RunOutcome outcome = run(Steps);
+    const Result<std::string> report = renderRunReport(header(), m_experiment, outcome, *m_device);
+    ASSERT_TRUE(report.has_value());
+    EXPECT_NE(report->find("A step &amp; a &lt;check&gt;"), std::string::npos);
+    EXPECT_NE(report->find("<svg"), std::string::npos);
+    for (const char* outside : {"<script src", "<link", "href=\"http", "src=\"http"}) {
+        EXPECT_EQ(report->find(outside), std::string::npos) << outside;
+    }
+    EXPECT_EQ(*report, renderRunReport(header(), m_experiment, outcome, *m_device).value());
+}
+
+TEST_F(ExperimentRunner, planPredictsWithoutMoving) {
+    m_experiment = parseExperiment(Steps, "e.toml", {}).value();
+    const double before_s = m_device->clock().now_s();
+    const Result<RunPlan> plan = planRun(m_experiment, *m_device);
+    ASSERT_TRUE(plan.has_value()) << plan.error().message;
+    ASSERT_EQ(plan->steps.size(), 2U);
+    EXPECT_GE(plan->duration_s, 1.5);
+    EXPECT_GT(plan->peakCurrent_A, 0.0);
+    EXPECT_LE(plan->peakCurrent_A, 4.0);
+    EXPECT_GE(plan->highestTemperature_degC, 25.0);
+    EXPECT_LT(m_device->clock().now_s() - before_s, 0.5);
+    EXPECT_EQ(kp(), 10.0);
+}
+
+TEST_F(ExperimentRunner, whatTheDeviceCannotDoIsRefusedBeforeAnythingMoves) {
+    std::string text = Steps;
+    text.replace(text.find("gain.kp"), 7, "gain.kq");
+    m_experiment = parseExperiment(text, "e.toml", {}).value();
+    const Result<void> checked = checkAgainstDevice(m_experiment, *m_device);
+    ASSERT_FALSE(checked.has_value());
+    EXPECT_NE(checked.error().message.find("e.toml:"), std::string::npos) << checked.error().message;
+    EXPECT_NE(checked.error().message.find("gain.kq"), std::string::npos);
+}
+
+} // namespace
+} // namespace halbench::app
