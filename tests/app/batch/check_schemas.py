@@ -1,0 +1,106 @@
+"""What the program writes is what resources/schemas publish.
+
+    python3 check_schemas.py build/release/halbench resources
+"""
+import glob
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import tomllib
+import unittest
+
+import jsonschema
+
+PROGRAM, RESOURCES = (os.path.abspath(path) for path in (sys.argv.pop(1), sys.argv.pop(1)))
+
+
+def schema_of(name):
+    with open(os.path.join(RESOURCES, "schemas", f"{name}.schema.json"), encoding="utf-8") as file:
+        return json.load(file)
+
+
+def refuse_constant(text):
+    raise ValueError(f"{text} is no JSON")
+
+
+class Schemas(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def run_json(self, *arguments, code=0):
+        done = subprocess.run([PROGRAM, *arguments, "--json", "--quiet"], capture_output=True, text=True, check=False,
+                              cwd=self.folder.name, timeout=100)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return json.loads(done.stdout, parse_constant=refuse_constant)
+
+    def accept(self, document):
+        family, version = document["schema"].removeprefix("halbench.").split("/")
+        self.assertEqual(version, "1")
+        jsonschema.Draft7Validator(schema_of(family)).validate(document)
+        return document
+
+    def test_schemas_are_schemas(self):
+        files = glob.glob(os.path.join(RESOURCES, "schemas", "*.schema.json"))
+        self.assertGreater(len(files), 10)
+        for path in files:
+            with open(path, encoding="utf-8") as file:
+                jsonschema.Draft7Validator.check_schema(json.load(file))
+
+    def test_a_schema_refuses_what_it_does_not_know(self):
+        document = self.run_json("get", "sim:htm", "gain.kp")
+        for change in ({"surplus": 1}, {"seed": "one"}, {"started": "today"}):
+            with self.assertRaises(jsonschema.ValidationError):
+                self.accept(document | change)
+
+    def test_commands_that_look(self):
+        self.accept(self.run_json("--version"))
+        self.accept(self.run_json("devices"))
+        self.accept(self.run_json("describe", "sim:htm?seed=3&c=2e-3"))
+        self.accept(self.run_json("get", "sim:htm", "gain.kp", "position"))
+        self.accept(self.run_json("set", "sim:htm", "gain.kp=12.5"))
+        self.accept(self.run_json("get", "sim:htm", "no.such", code=2))
+
+    def test_commands_that_move(self):
+        self.accept(self.run_json("record", "sim:htm", "--duration", "0.1", "--out", "f.csv"))
+        self.accept(self.run_json("convert", "f.csv", "g.csv", "--signals", "position"))
+        self.accept(self.run_json("move", "sim:htm", "--reference", "step,amplitude_deg=100", "--duration", "1"))
+        self.accept(self.run_json("move", "sim:htm", "--reference", "sine,amplitude_deg=45,frequency_hz=1", "--duration",
+                                  "4"))
+        self.accept(self.run_json("calibrate", "sim:htm", "all"))
+
+    def test_from_identification_to_analysis(self):
+        self.accept(self.run_json("identify", "sim:htm"))
+        self.accept(self.run_json("identify", "sim:htm", "--given", "J=5.5e-4", "--out", "m.json"))
+        self.accept(self.run_json("tune", "m.json", "--out", "g.json"))
+        self.accept(self.run_json("tune", "m.json", "--method", "published", "--apply", "sim:htm"))
+        self.accept(self.run_json("analyse", "m.json", "g.json"))
+
+    def test_experiments(self):
+        experiments = glob.glob(os.path.join(RESOURCES, "experiments", "*", "*.toml"))
+        self.assertGreater(len(experiments), 10)
+        for path in experiments:
+            with self.subTest(path=os.path.basename(path)):
+                with open(path, "rb") as file:
+                    jsonschema.Draft7Validator(schema_of("experiment")).validate(tomllib.load(file))
+                self.accept(self.run_json("run", path, "--dry-run"))
+
+    def test_runs(self):
+        folder = os.path.join(RESOURCES, "experiments", "htm")
+        for name in ("tour.toml", "figure-07-amplifier.toml", "contradiction-06-difference-equation.toml"):
+            with self.subTest(name=name):
+                printed = self.accept(self.run_json("run", os.path.join(folder, name), "--out", name))
+                with open(os.path.join(self.folder.name, name, "result.json"), encoding="utf-8") as file:
+                    self.assertEqual(json.load(file), printed)
+
+    def test_shipped_data(self):
+        for path in glob.glob(os.path.join(RESOURCES, "presets", "*", "*.json")) + glob.glob(
+                os.path.join(RESOURCES, "devices", "*.json")):
+            with open(path, encoding="utf-8") as file:
+                self.accept(json.load(file))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
