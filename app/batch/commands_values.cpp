@@ -28,11 +28,6 @@ Result<std::vector<NamedValue>> readNamed(devices::Device& device, const std::ve
         }
         (isSignal ? signals : parameters).push_back(name);
     }
-    if (!signals.empty()) { // a simulated board has measured nothing before its first ticks
-        if (const Result<void> waited = device.clock().waitFor(0.01); !waited) {
-            return failure(waited.error());
-        }
-    }
     Result<std::vector<double>> signalValues = device.readSignals(signals);
     if (!signalValues) {
         return failure(signalValues.error());

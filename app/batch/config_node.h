@@ -15,6 +15,14 @@ struct ConfigNode {
     enum class Kind { Text, Integer, Number, Boolean, List, Table, Other };
     using Member = std::pair<std::string, ConfigNode>;
 
+    // Outside the class, because a member's type is complete only after it.
+    ConfigNode();
+    ConfigNode(const ConfigNode& other);
+    ConfigNode(ConfigNode&& other) noexcept;
+    ConfigNode& operator=(const ConfigNode& other);
+    ConfigNode& operator=(ConfigNode&& other) noexcept;
+    ~ConfigNode();
+
     Kind kind = Kind::Table;
     std::string text;
     double number = 0.0; ///< Integer and Number

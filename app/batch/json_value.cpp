@@ -18,6 +18,17 @@ JsonValue::JsonValue(const char* value) : m_value(std::string(value)) {}
 JsonValue::JsonValue(std::string_view value) : m_value(std::string(value)) {}
 JsonValue::JsonValue(std::string value) : m_value(std::move(value)) {}
 
+JsonValue::JsonValue(Array items, Tag) : m_value(std::move(items)) {}
+JsonValue::JsonValue(const JsonValue& other) = default;
+JsonValue::JsonValue(JsonValue&& other) noexcept = default;
+JsonValue& JsonValue::operator=(const JsonValue& other) = default;
+JsonValue& JsonValue::operator=(JsonValue&& other) noexcept = default;
+JsonValue::~JsonValue() = default;
+
+JsonValue JsonValue::array() {
+    return JsonValue(Array{}, Tag{});
+}
+
 JsonValue JsonValue::object() {
     JsonValue value;
     value.m_value = Object{};
@@ -133,6 +144,10 @@ public:
 
 private:
     void writeNumber(const JsonValue& value) {
+        if (const std::int64_t* whole = value.exactInteger()) {
+            text += std::to_string(*whole);
+            return;
+        }
         if (!std::isfinite(value.number())) {
             badPath = badPath.empty() ? m_path : badPath;
             return;

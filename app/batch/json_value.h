@@ -35,9 +35,15 @@ public:
     template <typename T>
     JsonValue(const std::optional<T>& value) : JsonValue(value ? JsonValue(*value) : JsonValue()) {}
     template <typename T>
-    JsonValue(const std::vector<T>& values) : m_value(Array(values.begin(), values.end())) {}
+    JsonValue(const std::vector<T>& values) : JsonValue(Array(values.begin(), values.end()), Tag{}) {}
+    // Outside the class, because a member's type is complete only after it.
+    JsonValue(const JsonValue& other);
+    JsonValue(JsonValue&& other) noexcept;
+    JsonValue& operator=(const JsonValue& other);
+    JsonValue& operator=(JsonValue&& other) noexcept;
+    ~JsonValue();
 
-    static JsonValue array() { return JsonValue(Array{}, Tag{}); }
+    static JsonValue array();
     static JsonValue object();
 
     bool isNull() const { return std::holds_alternative<std::monostate>(m_value); }
@@ -51,6 +57,8 @@ public:
 
     bool boolean() const { return std::get<bool>(m_value); }
     std::optional<std::int64_t> integer() const;
+    /// A number that was set as an integer, beyond what a double can hold; else nullptr.
+    const std::int64_t* exactInteger() const { return std::get_if<std::int64_t>(&m_value); }
     double number() const;
     const std::string& text() const { return std::get<std::string>(m_value); }
     const Array& items() const { return std::get<Array>(m_value); }
@@ -65,7 +73,7 @@ public:
 
 private:
     struct Tag {};
-    JsonValue(Array items, Tag) : m_value(std::move(items)) {}
+    JsonValue(Array items, Tag);
 
     std::variant<std::monostate, bool, std::int64_t, double, std::string, Array, Object> m_value;
 };
