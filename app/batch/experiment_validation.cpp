@@ -207,17 +207,17 @@ Result<void> checkCombination(const ConfigNode& step) {
 Result<void> checkUses(const ConfigNode& step, const std::vector<const ConfigNode*>& earlier) {
     constexpr std::array<std::pair<const char*, const char*>, 3> Uses = {
         std::pair("model", "identify"), std::pair("gains", "tune"), std::pair("bare", "identify")};
-    for (const auto& [key, kind] : Uses) {
-        const ConfigNode* used = step.find(key);
-        const bool isFound =
-            used == nullptr || std::any_of(earlier.begin(), earlier.end(), [&](const auto* other) {
-                return other->find("name")->text == used->text && other->find("kind")->text == kind;
-            });
+    for (const auto& use : Uses) {
+        const ConfigNode* used = step.find(use.first);
+        const auto isMeant = [&](const ConfigNode* other) {
+            return other->find("name")->text == used->text && other->find("kind")->text == use.second;
+        };
+        const bool isFound = used == nullptr || std::any_of(earlier.begin(), earlier.end(), isMeant);
         if (!isFound) {
-            return complaint(
-                *used,
-                fmt::format("'{}': no earlier step of kind {} is called \"{}\"", key, kind, used->text),
-                "name a step that stands before this one");
+            return complaint(*used,
+                             fmt::format("'{}': no earlier step of kind {} is called \"{}\"", use.first,
+                                         use.second, used->text),
+                             "name a step that stands before this one");
         }
     }
     return {};
