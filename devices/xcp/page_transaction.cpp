@@ -46,6 +46,18 @@ std::vector<SegmentChange> joined(std::vector<SegmentChange> changes) {
     return result;
 }
 
+/// 0 or 1. Error: Protocol for any other.
+Result<std::uint8_t> runningPage(XcpMaster& master, const A2lSegment& segment) {
+    Result<std::uint8_t> running = master.page(PageAccess::ControlLoop, segment.number);
+    if (running && (*running > 1 || segment.size > MaxSegment)) {
+        return failure(
+            ErrorCode::Protocol,
+            fmt::format("the board runs on page {} of a segment of {} octets", *running, segment.size),
+            "only pages 0 and 1 are known here; update the board's firmware");
+    }
+    return running;
+}
+
 /// One run of 3.10 with its intermediate results.
 class Transaction {
 public:
@@ -227,7 +239,7 @@ Result<void> switchPages(XcpMaster& master, XcpLink& link, const A2lSegment& seg
 }
 
 Result<void> readRunningPage(XcpMaster& master, const A2lSegment& segment) {
-    const Result<std::uint8_t> running = master.page(PageAccess::ControlLoop, segment.number);
+    const Result<std::uint8_t> running = runningPage(master, segment);
     if (!running) {
         return failure(running.error());
     }

@@ -228,6 +228,18 @@ TEST(HostileSlave, aPageOfTheFutureIsRefused) {
     EXPECT_EQ(opened.slave->parameter(0, 0), 0.0F);
 }
 
+TEST(HostileSlave, aPageOfTheFutureIsRefusedWhenConnectingToo) {
+    const Attempt opened = attempt([](TestSlave& slave) {
+        slave.bendAnswers = [](const Packet& command, std::deque<Packet>& answers) {
+            if (isCommand(command, Command::GetCalPage)) {
+                answers = {{0xFF, 0, 0, 223}};
+            }
+        };
+    });
+    ASSERT_FALSE(opened.device);
+    EXPECT_EQ(opened.device.error().code, ErrorCode::Protocol);
+}
+
 TEST(HostileSlave, valuesTheBoardChangesAreNamedAndTheOldOnesStay) {
     const Attempt opened = attempt([](TestSlave&) {});
     ASSERT_TRUE(opened.device);

@@ -295,6 +295,9 @@ std::deque<Packet> TestSlave::answerPages(const Packet& command) {
     }
     switch (static_cast<Command>(command[0])) {
     case Command::SetCalPage:
+        if (command[3] > 1) {
+            return error(SlaveError::PageNotValid);
+        }
         if ((command[1] & 1) != 0) {
             m_runningPage = command[3];
         }
@@ -305,6 +308,9 @@ std::deque<Packet> TestSlave::answerPages(const Packet& command) {
     case Command::GetCalPage:
         return {response({{0, 1}, {0, 1}, {command[1] == 1 ? m_runningPage : m_masterPage, 1}})};
     case Command::CopyCalPage:
+        if (command[2] > 1 || command[4] > 1) {
+            return error(SlaveError::PageNotValid);
+        }
         m_pages[command[4]] = m_pages[command[2]];
         return ok();
     default:
