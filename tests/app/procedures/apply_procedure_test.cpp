@@ -40,7 +40,8 @@ TEST(Apply, keepsGainsThatMoveAsPredicted) {
 }
 
 TEST(Apply, restoresTheOldGainsWhenTheMotorMovesUnlikeThePrediction) {
-    // The estimate says less than a quarter of the true inertia: the real step overshoots far more than predicted.
+    // The estimate says less than a quarter of the true inertia: the real step overshoots far more than
+    // predicted.
     const auto device = openMotor("imperfections=off&J=2.5e-3");
     const auto result = runApply(*device, recommendedWith(*device, motor()), {});
     ASSERT_TRUE(result) << result.error().message;
