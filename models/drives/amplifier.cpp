@@ -8,8 +8,8 @@
 namespace halbench::models {
 namespace {
 
-/// Augmented state: three states, the constant input, the integral of the current.
-constexpr std::size_t Size = 5;
+/// The three states as they differ from those the input settles at, and the integral of the current.
+constexpr std::size_t Size = 4;
 using Matrix = std::array<std::array<double, Size>, Size>;
 
 Matrix product(const Matrix& left, const Matrix& right) {
@@ -64,8 +64,24 @@ Matrix exponential(Matrix matrix) {
     return sum;
 }
 
+/// Modes that are over within a hundred-thousandth of a step become as fast as that: the current changes by
+/// less than that part of a step, and the squarings of the exponential keep eleven digits of the slow modes.
+AmplifierModel resolvable(AmplifierModel model, double step_s) {
+    const double shortest_s = 1e-5 * step_s;
+    const auto poles = amplifierPoles_rad_s(model);
+    const double near_s = 1.0 / std::abs(poles[0]);
+    const double far_s = 1.0 / std::abs(poles[1]);
+    if (far_s < shortest_s) {
+        const double kept_s = std::fmax(near_s, shortest_s);
+        model.first_s = kept_s + shortest_s;
+        model.second_s2 = kept_s * shortest_s;
+    }
+    model.lag_s = std::fmax(model.lag_s, shortest_s);
+    return model;
+}
+
 /// x0: output w of the quadratic factor, x1: tau w' with tau^2 = second, x2: output v of the lag;
-/// current = gain (v + zero v') with lag v' = w - v.
+/// current = gain (v + zero v') with lag v' = w - v. A constant input V settles at w = v = V.
 Matrix timesStep(const AmplifierModel& model, double step_s) {
     const double tau = std::sqrt(model.second_s2);
     const double lead = model.zero_s / model.lag_s;
@@ -73,11 +89,10 @@ Matrix timesStep(const AmplifierModel& model, double step_s) {
     rate[0][1] = step_s / tau;
     rate[1][0] = -step_s / tau;
     rate[1][1] = -step_s * model.first_s / model.second_s2;
-    rate[1][3] = step_s / tau;
     rate[2][0] = step_s / model.lag_s;
     rate[2][2] = -step_s / model.lag_s;
-    rate[4][0] = model.gain_A_per_V * lead; // integral over the step divided by the step
-    rate[4][2] = model.gain_A_per_V * (1.0 - lead);
+    rate[3][0] = model.gain_A_per_V * lead; // integral over the step divided by the step
+    rate[3][2] = model.gain_A_per_V * (1.0 - lead);
     return rate;
 }
 
@@ -121,33 +136,34 @@ std::complex<double> amplifierResponse_A_per_V(const AmplifierModel& model, doub
            ((1.0 + model.first_s * s + model.second_s2 * s * s) * (1.0 + model.lag_s * s));
 }
 
-AmplifierStepper::AmplifierStepper(const AmplifierModel& model, double step_s)
-    : m_gain_A_per_V(model.gain_A_per_V), m_lead(model.zero_s / model.lag_s) {
-    HB_ASSERT(step_s > 0.0 && model.second_s2 > 0.0 && model.lag_s > 0.0);
+AmplifierStepper::AmplifierStepper(const AmplifierModel& exact, double step_s) {
+    HB_ASSERT(step_s > 0.0 && exact.second_s2 > 0.0 && exact.lag_s > 0.0);
+    const AmplifierModel model = resolvable(exact, step_s);
+    m_gain_A_per_V = model.gain_A_per_V;
+    m_lead = model.zero_s / model.lag_s;
     const Matrix transition = exponential(timesStep(model, step_s));
-    for (std::size_t row = 0; row < 3; ++row) {
-        for (std::size_t column = 0; column < 4; ++column) {
+    for (std::size_t column = 0; column < 3; ++column) {
+        for (std::size_t row = 0; row < 3; ++row) {
             m_next[row][column] = transition[row][column];
         }
-    }
-    for (std::size_t column = 0; column < 4; ++column) {
-        m_mean[column] = transition[4][column];
+        m_mean[column] = transition[3][column];
     }
 }
 
 AmplifierCurrent AmplifierStepper::step(AmplifierState& state, double input_V) const {
-    const auto combine = [&](const std::array<double, 4>& row) {
-        return row[0] * state.x[0] + row[1] * state.x[1] + row[2] * state.x[2] + row[3] * input_V;
+    const std::array<double, 3> away = {state.x[0] - input_V, state.x[1], state.x[2] - input_V};
+    const auto combine = [&](const std::array<double, 3>& row) {
+        return row[0] * away[0] + row[1] * away[1] + row[2] * away[2];
     };
     AmplifierCurrent current;
-    current.mean_A = combine(m_mean);
-    state.x = {combine(m_next[0]), combine(m_next[1]), combine(m_next[2])};
+    current.mean_A = m_gain_A_per_V * input_V + combine(m_mean);
+    state.x = {input_V + combine(m_next[0]), combine(m_next[1]), input_V + combine(m_next[2])};
     current.atEnd_A = current_A(state);
     return current;
 }
 
 double AmplifierStepper::current_A(const AmplifierState& state) const {
-    return m_gain_A_per_V * (m_lead * state.x[0] + (1.0 - m_lead) * state.x[2]);
+    return m_gain_A_per_V * (state.x[2] + m_lead * (state.x[0] - state.x[2]));
 }
 
 AmplifierState AmplifierStepper::settledAt(double current_A) const {

@@ -1,3 +1,4 @@
+#include "control/base/random.h"
 #include "control/base/units.h"
 #include "models/drives/amplifier.h"
 
@@ -146,6 +147,52 @@ TEST(Amplifier, settledStateKeepsItsCurrentForEver) {
         EXPECT_NEAR(current.atEnd_A, 3.2, 1e-12);
         EXPECT_NEAR(current.mean_A, 3.2, 1e-12);
     }
+}
+
+TEST(Amplifier, settlesAtItsGainWithAnyPartsAllowed) {
+    // Time constants from 1e-12 s to 100 s in one amplifier: the squarings of a plain exponential would let
+    // the rounding of the slow mode grow without bound.
+    Random random(1);
+    const auto drawn = [&random](double low, double high) {
+        return low * std::pow(high / low, random.uniform());
+    };
+    for (int i = 0; i < 1000; ++i) {
+        AmplifierParts parts;
+        for (double* resistor : {&parts.R1_Ohm, &parts.R3_Ohm, &parts.R5_Ohm, &parts.R6_Ohm, &parts.R7_Ohm,
+                                 &parts.R8_Ohm, &parts.R9_Ohm}) {
+            *resistor = drawn(1.0, 1e7);
+        }
+        parts.R10_Ohm = drawn(1e-3, 1e3);
+        parts.C2_F = drawn(1e-12, 1e-5);
+        parts.C3_F = drawn(1e-12, 1e-5);
+        parts.coil_H = drawn(1e-7, 0.1);
+        const AmplifierModel model = amplifierModel(parts).value();
+        const AmplifierStepper stepper(model, 2.5e-4);
+        AmplifierState state = stepper.settledAt(model.gain_A_per_V * 1.5);
+        const AmplifierCurrent current = stepper.step(state, 1.5);
+        ASSERT_NEAR(current.atEnd_A / (1.5 * model.gain_A_per_V), 1.0, 1e-12);
+        ASSERT_NEAR(current.mean_A / (1.5 * model.gain_A_per_V), 1.0, 1e-12);
+        AmplifierState rising;
+        for (int k = 0; k < 1000; ++k) {
+            ASSERT_TRUE(std::isfinite(stepper.step(rising, 1.0).atEnd_A));
+        }
+    }
+}
+
+TEST(Amplifier, shortensOnlyModesThatAreOverAtOnce) {
+    // Poles of 1 us and below beside one of 0.2 ms, steps of 10 ms: e^(-50) is left, the mean lacks the
+    // slow time constant's area 0.2/10 (1 - e^(-50)).
+    AmplifierParts parts;
+    parts.R6_Ohm = 1.0;
+    parts.C3_F = 1e-12;
+    parts.coil_H = 1e-7;
+    parts.R3_Ohm = 20e3;
+    const AmplifierModel model = amplifierModel(parts).value(); // lag = R3 C2 = 0.2 ms
+    const AmplifierStepper stepper(model, 1e-2);
+    AmplifierState state;
+    const AmplifierCurrent current = stepper.step(state, 1.0);
+    EXPECT_NEAR(current.atEnd_A / model.gain_A_per_V, 1.0, 1e-12);
+    EXPECT_NEAR(current.mean_A / model.gain_A_per_V, 1.0 - 0.02, 2e-5); // 1e-5 for each shortened mode
 }
 
 TEST(Amplifier, toleratesCoincidingPoles) {
