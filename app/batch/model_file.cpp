@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 namespace halbench::app {
 
@@ -52,6 +53,16 @@ public:
             return 0.0;
         }
         return value == nullptr ? 0.0 : value->number();
+    }
+
+    /// From 0 to `largest`; anything else is a complaint and 0.
+    double wholeNumber(const std::string& path, double largest) {
+        const double value = number(path);
+        if (!(value >= 0.0 && value <= largest) || value != std::floor(value)) {
+            fail(path, fmt::format("must be a whole number from 0 to {}", largest));
+            return 0.0;
+        }
+        return value;
     }
 
     /// Absent and null mean the same.
@@ -169,7 +180,7 @@ Result<ModelFile> parseModel(const std::string& text, const std::string& origin)
     }
     readCovariance(reader, file.estimate);
     file.device = readDevice(reader);
-    file.seed = static_cast<std::uint64_t>(std::max(0.0, reader.number("seed")));
+    file.seed = static_cast<std::uint64_t>(reader.wholeNumber("seed", 9.0e15));
     const std::string verdict = reader.text("data_quality.verdict");
     if (reader.error()) {
         return failure(*reader.error());
@@ -209,7 +220,9 @@ Result<GainsFile> parseGains(const std::string& text, const std::string& origin)
     law.stictionThreshold_rad = optional("stiction_threshold", none.stictionThreshold_rad);
     law.stictionSpeed_rad_s = optional("stiction_speed", none.stictionSpeed_rad_s);
     file.timing.period_s = reader.number("sample_period_s");
-    file.timing.delay_samples = static_cast<int>(reader.optionalNumber("delay_samples").value_or(0.0));
+    if (reader.optionalNumber("delay_samples")) {
+        file.timing.delay_samples = static_cast<int>(reader.wholeNumber("delay_samples", 2.0));
+    }
     if (reader.error()) {
         return failure(*reader.error());
     }

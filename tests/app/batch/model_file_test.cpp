@@ -80,7 +80,8 @@ TEST(GainsFile, mistakesAreRefused) {
     for (const auto& [what, with] :
          {std::pair("\"kp\": {\"value\": 40}", "\"kp\": {}"), std::pair("\"value\": 60", "\"value\": null"),
           std::pair("parallel", "series"), std::pair("0.01", "-0.01"), std::pair("0.01", "0"),
-          std::pair("\"delay_samples\": 1", "\"delay_samples\": -1")}) {
+          std::pair("\"delay_samples\": 1", "\"delay_samples\": -1"),
+          std::pair("\"delay_samples\": 1", "\"delay_samples\": 1e99")}) {
         const Result<GainsFile> gains = parseGains(replaced(Gains, what, with), "g.json");
         ASSERT_FALSE(gains.has_value()) << with;
         EXPECT_EQ(gains.error().code, ErrorCode::InvalidInput);
