@@ -51,6 +51,16 @@ TEST(Identify, comesBackWithinThreeInAThousandWithoutImperfections) {
     }
 }
 
+TEST(Identify, givesEachRatioToOnePercentThroughTheFullChainWithoutScatter) {
+    const auto device = open("sim:htm?seed=12&friction_scatter=0");
+    const auto result = runIdentify(*device, {}, {});
+    ASSERT_TRUE(result);
+    // acceptance of resources/help/htm-theory.md section 7.3
+    EXPECT_NEAR(*result->ratios.at("c_over_J").value * 5.5e-4 / 1.23e-3, 1.0, 0.01);
+    EXPECT_NEAR(*result->ratios.at("Kf_over_J").value * 5.5e-4 / 2.05e-2, 1.0, 0.01);
+    EXPECT_NEAR(*result->ratios.at("phi_over_J").value / 26.0, 1.0, 0.01);
+}
+
 TEST(Identify, leavesTheBoardAsItWasAndDisarmed) {
     const auto device = open("sim:htm?seed=2");
     std::vector<std::string> names;
