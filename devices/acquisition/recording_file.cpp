@@ -28,9 +28,15 @@ QString pathOf(const std::string& path) {
     return QString::fromStdString(path);
 }
 
+/// Qt has no words for a flush that failed; the system has.
+std::string causeOf(const QFile& file) {
+    const int cause = errno;
+    return file.errorString() == QLatin1String("Unknown error") ? std::strerror(cause)
+                                                                : file.errorString().toStdString();
+}
+
 tl::unexpected<Error> fileError(const std::string& path, const std::string& doing, const QFile& file) {
-    return failure(ErrorCode::FileSystem,
-                   fmt::format("cannot {} '{}': {}", doing, path, file.errorString().toStdString()),
+    return failure(ErrorCode::FileSystem, fmt::format("cannot {} '{}': {}", doing, path, causeOf(file)),
                    doing == "read" ? "check the path"
                                    : "check that the folder can be written and the disk has room");
 }
@@ -75,7 +81,9 @@ Result<void> writeText(const std::string& path, const std::string& text) {
     const bool isWritten =
         file.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size());
     if (!isWritten || !sync(file)) {
-        return fileError(path, "write", file);
+        auto error = fileError(path, "write", file);
+        std::remove(path.c_str()); // QFile would write the rest before it removes
+        return error;
     }
     return {};
 }

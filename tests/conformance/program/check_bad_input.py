@@ -141,11 +141,18 @@ class Files(ProgramCase):
         self.assert_nothing_left("a/b/f.csv", "a/b/f.meta.json")
 
     def test_full_disk_leaves_no_partial_file(self):
-        answer = self.run_program("record", "sim:htm", "--duration", "10", "--rate", "1000", "--out", "f.csv",
-                                  preexec_fn=halbench.limit_file_size(100_000))
-        self.assertEqual(answer.code, 2, answer)
-        self.assertEqual(len(answer.err.strip().split("\n")), 1, answer)
-        self.assert_nothing_left()
+        for octets, command in ((100_000, ["record", "sim:htm", "--duration", "10", "--rate", "1000", "--out", "f.csv"]),
+                                (1000, ["record", "sim:htm", "--duration", "10", "--out", "f.csv"]),
+                                (1000, ["identify", "sim:htm", "--record", "f.csv"]),
+                                (1000, ["identify", "sim:htm", "--out", "m.json"]),
+                                (1000, ["move", "sim:htm", "--reference", "step,amplitude_deg=10", "--duration", "1",
+                                        "--out", "f.csv"])):
+            with self.subTest(command=command):
+                answer = self.run_program(*command, preexec_fn=halbench.limit_file_size(octets))
+                self.assertEqual(answer.code, 2, answer)
+                self.assertEqual(len(answer.err.strip().split("\n")), 1, answer)
+                self.assertNotIn("Unknown error", answer.err)
+                self.assert_nothing_left()
 
     def test_old_file_survives_a_failed_recording(self):
         self.write("f.csv", "old\n")
