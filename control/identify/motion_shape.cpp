@@ -71,7 +71,7 @@ Eigen::MatrixXd angleErrorShape(const MotionSegment& segment, int orders) {
         const double s1 = std::sin(angle);
         double c = 1.0;
         double s = 0.0;
-        for (int k = 0; k < orders; ++k) {
+        for (Eigen::Index k = 0; k < orders; ++k) {
             const double next = c * c1 - s * s1;
             s = s * c1 + c * s1;
             c = next;

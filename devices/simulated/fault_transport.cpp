@@ -79,7 +79,7 @@ Result<bool> FaultTransport::receive(std::vector<std::uint8_t>& packet, double t
             return unplugged();
         }
         const double left_s = deadline_s - m_transport->now_s();
-        const Result<bool> received = m_transport->receive(packet, left_s > 0.0 ? left_s : 0.0);
+        Result<bool> received = m_transport->receive(packet, left_s > 0.0 ? left_s : 0.0);
         if (!received || !*received) {
             return received;
         }

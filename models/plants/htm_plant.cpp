@@ -8,6 +8,8 @@ namespace {
 
 constexpr std::uint64_t NoiseStream = 101;
 constexpr std::uint64_t FrictionStream = 102;
+/// A coil is gone there: the model of its heat ends, whatever current an impossible amplifier drives.
+constexpr double CopperMelts_degC = 1085.0;
 
 } // namespace
 
@@ -61,6 +63,7 @@ void HtmPlant::heat(const std::array<double, 2>& current_A) {
     }
     for (std::size_t i = 0; i < 2; ++i) {
         stepCoilHeating(m_specimen.coil[i], m_coil[i], current_A[i], step_s);
+        m_coil[i].temperature_degC = std::fmin(m_coil[i].temperature_degC, CopperMelts_degC);
         m_truth.coil_degC[i] = m_coil[i].temperature_degC;
     }
 }

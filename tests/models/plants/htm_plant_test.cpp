@@ -132,6 +132,29 @@ TEST(HtmPlant, heldFourAmperesInOnePhaseReachTheLimitInTheDerivedTime) {
     EXPECT_NEAR(motor.truth().coil_degC[0], 25.0, 0.01);
 }
 
+TEST(HtmPlant, staysFiniteAtBothEndsOfEveryParameter) {
+    for (const HtmParameterSpec& spec : htmParameterSpecs()) {
+        for (const double value : {spec.min, spec.max}) {
+            HtmParameters p;
+            ASSERT_TRUE(setHtmParameter(p, spec.key, value));
+            HtmPlant motor = plant(p);
+            for (int ms = 0; ms < 500; ++ms) {
+                motor.drive(driveAt(4.0, motor.truth().rotor.angle_rad));
+                motor.advance(4);
+                const HtmReadings readings = motor.read();
+                for (std::size_t i = 0; i < 2; ++i) {
+                    ASSERT_GE(readings.hallCode[i], 0.0) << spec.key; // also refuses what is no number
+                    ASSERT_LE(readings.hallCode[i], 1023.0) << spec.key;
+                    ASSERT_GE(readings.temperatureCode[i], 0.0) << spec.key;
+                    ASSERT_LE(readings.temperatureCode[i], 1023.0) << spec.key;
+                    ASSERT_TRUE(std::isfinite(motor.truth().current_A[i])) << spec.key;
+                }
+                ASSERT_TRUE(std::isfinite(motor.truth().rotor.angle_rad)) << spec.key;
+            }
+        }
+    }
+}
+
 TEST(HtmPlant, frictionIsDrawnAnewAtEachStartFromRest) {
     HtmParameters p = withoutImperfections(HtmParameters{});
     p.frictionScatter_ratio = 0.033;
