@@ -13,7 +13,16 @@ from halbench import ProgramCase
 SIGNALS = ((signal.SIGINT, 130), (signal.SIGTERM, 143))
 
 
-class Interrupts(ProgramCase):
+class BoardCase(ProgramCase):
+    def board(self, uri):
+        description = self.accept("describe", uri, "--json").json()
+        values = {p["name"]: p["value"] for p in description["parameters"]
+                  if not p["name"].startswith(("reference.", "plateau.", "capture.", "hb.watchdog"))}
+        status = self.accept("get", uri, "hb.arm", "hb.setpoint", "hb.mode", "current_command", "--json").json()["values"]
+        return values, {v["name"]: v["value"] for v in status}
+
+
+class Interrupts(BoardCase):
     def interrupt(self, number, after_s, *arguments):
         process = self.start_program(*arguments)
         time.sleep(after_s)
@@ -40,13 +49,6 @@ class Interrupts(ProgramCase):
             self.assertEqual(self.board(uri), before)
             self.assert_nothing_left()
 
-    def board(self, uri):
-        description = self.accept("describe", uri, "--json").json()
-        values = {p["name"]: p["value"] for p in description["parameters"]
-                  if not p["name"].startswith(("reference.", "plateau.", "capture.", "hb.watchdog"))}
-        status = self.accept("get", uri, "hb.arm", "hb.setpoint", "hb.mode", "current_command", "--json").json()["values"]
-        return values, {v["name"]: v["value"] for v in status}
-
     def test_serving_ends_with_success(self):
         for number, _ in SIGNALS:
             process, _ = self.serve()
@@ -54,7 +56,7 @@ class Interrupts(ProgramCase):
             self.assertEqual(process.wait(timeout=5), 0)
 
 
-class Departures(ProgramCase):
+class Departures(BoardCase):
     def test_board_that_dies_in_mid_sweep_is_a_device_failure(self):
         server, uri = self.serve()
         process = self.start_program("identify", uri, "--arm", "--out", "m.json")
@@ -79,6 +81,7 @@ class Departures(ProgramCase):
 
     def test_killed_program_leaves_a_board_that_stops_itself(self):
         _, uri = self.serve()
+        parameters, _ = self.board(uri)
         process = self.start_program("identify", uri, "--arm")
         time.sleep(2.0)
         process.kill()
@@ -86,6 +89,7 @@ class Departures(ProgramCase):
         values = {v["name"]: v["value"]
                   for v in self.accept("get", uri, "hb.arm", "status", "current_command", "--json").json()["values"]}
         self.assertEqual(values, {"hb.arm": 0, "status": 3, "current_command": 0})
+        self.assertEqual(self.board(uri)[0] | {"hb.mode": 0}, parameters | {"hb.mode": 0}, "the old calibration is back")
 
 
 if __name__ == "__main__":
