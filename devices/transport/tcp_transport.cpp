@@ -115,7 +115,7 @@ Result<void> TcpTransport::readSocket() {
 Result<bool> TcpTransport::receive(std::vector<std::uint8_t>& packet, double timeout_s) {
     const double deadline_s = now_s() + timeout_s;
     for (;;) {
-        const Result<bool> taken = takeMessage(packet);
+        Result<bool> taken = takeMessage(packet);
         if (!taken || *taken) {
             return taken;
         }

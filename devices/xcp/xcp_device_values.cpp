@@ -146,6 +146,7 @@ Result<void> XcpDevice::writeParameters(std::span<const ParameterValue> values) 
 
 Result<void> XcpDevice::writeSegment(const A2lSegment& segment, const std::vector<RawChange>& changes) {
     std::vector<SegmentChange> places;
+    places.reserve(changes.size());
     for (const RawChange& change : changes) {
         places.push_back({change.target->address.offset - segment.address.offset, change.octets});
     }
@@ -193,6 +194,7 @@ Result<void> XcpDevice::writePlain(const std::vector<RawChange>& changes) {
 /// True when all values lie next to each other and one command carried them.
 Result<bool> XcpDevice::writeAdjacent(const std::vector<RawChange>& changes) {
     std::vector<const RawChange*> sorted;
+    sorted.reserve(changes.size());
     for (const RawChange& change : changes) {
         sorted.push_back(&change);
     }

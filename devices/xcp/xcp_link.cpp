@@ -58,7 +58,7 @@ Reply<Packet> XcpLink::exchange(const Packet& command, double timeout_s) {
         dispatch();
     }
     const double start_s = m_transport->now_s();
-    if (const Result<void> sent = sendNow(command); !sent) {
+    if (Result<void> sent = sendNow(command); !sent) {
         return tl::unexpected(Trouble{TroubleCause::Lost, 0, sent.error()});
     }
     Reply<Packet> reply = awaitAnswer(command[0], start_s + (timeout_s > 0.0 ? timeout_s : m_timeout_s));
@@ -187,7 +187,7 @@ Result<void> XcpLink::sendNow(const Packet& command) {
 Result<void> XcpLink::synchronise() {
     const Packet command = CommandEncoder().plain(Command::Synch);
     for (int attempt = 0; attempt < 2; ++attempt) {
-        if (const Result<void> sent = sendNow(command); !sent) {
+        if (Result<void> sent = sendNow(command); !sent) {
             return sent;
         }
         const double deadline_s = m_transport->now_s() + m_timeout_s;

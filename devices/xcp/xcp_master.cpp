@@ -171,7 +171,7 @@ Result<Packet> XcpMaster::read(Address address, std::size_t size) {
     Packet octets;
     while (octets.size() < size) {
         const Address here{address.offset + static_cast<std::uint32_t>(octets.size()), address.extension};
-        const Result<Packet> part = m_link->recover([&]() -> Reply<Packet> {
+        Result<Packet> part = m_link->recover([&]() -> Reply<Packet> {
             if (const Reply<void> moved = moveTo(here); !moved) {
                 return tl::unexpected(moved.error());
             }
@@ -190,7 +190,7 @@ bool XcpMaster::fitsOneDownload(std::size_t size) const {
 }
 
 Reply<void> XcpMaster::downloadAt(Address address, Octets data) {
-    if (const Reply<void> moved = moveTo(address); !moved) {
+    if (Reply<void> moved = moveTo(address); !moved) {
         return moved;
     }
     m_mta.reset();
@@ -233,7 +233,7 @@ Result<void> XcpMaster::write(Address address, Octets data) {
     for (std::size_t done = 0; done < data.size(); done += chunk) {
         const Address here{address.offset + static_cast<std::uint32_t>(done), address.extension};
         const Octets part = data.subspan(done, std::min(chunk, data.size() - done));
-        if (const Result<void> written = writeInOneDownload(here, part); !written) {
+        if (Result<void> written = writeInOneDownload(here, part); !written) {
             return written;
         }
     }
@@ -284,7 +284,7 @@ Result<std::optional<ChecksumResponse>> XcpMaster::checksum(Address address, std
 }
 
 Result<void> XcpMaster::storeCalibration() {
-    if (const Result<void> requested = order(m_encoder.setRequest(0x01)); !requested) {
+    if (Result<void> requested = order(m_encoder.setRequest(0x01)); !requested) {
         return requested;
     }
     const double end_s = m_link->transport().now_s() + MaxStoreTime_s;
@@ -297,7 +297,7 @@ Result<void> XcpMaster::storeCalibration() {
             return {};
         }
         const double next_s = m_link->transport().now_s() + StorePoll_s;
-        if (const Result<void> pumped = m_link->pumpUntil(next_s); !pumped) {
+        if (Result<void> pumped = m_link->pumpUntil(next_s); !pumped) {
             return pumped;
         }
     }
