@@ -34,10 +34,10 @@ TEST(Calibrate, findsOffsetGainAndQuadratureOfTheHallSensors) {
     // one ADC count is 0.39 mT; averaging over a thousand readings leaves a tenth of it
     EXPECT_NEAR(figure(*result, "hall.offset_a"), 4e-3, 5e-5);
     EXPECT_NEAR(figure(*result, "hall.offset_b"), 4e-3, 5e-5);
-    // gains 1 + 0.025 and 1 - 0.025
-    EXPECT_NEAR(figure(*result, "hall.gain_ratio"), 0.975 / 1.025, 5e-4);
+    // gains a/b = 1.05 with mean 1
+    EXPECT_NEAR(figure(*result, "hall.gain_ratio"), 1.0 / 1.05, 5e-4);
     EXPECT_NEAR(figure(*result, "hall.quadrature"), 1.0 * Degree, 0.03 * Degree);
-    EXPECT_NEAR(figure(*result, "hall.amplitude"), 0.157 * 1.025, 1e-4);
+    EXPECT_NEAR(figure(*result, "hall.amplitude"), 0.157 * 2.1 / 2.05, 1e-4);
     EXPECT_GT(result->residualBefore_rad, 1.0 * Degree);
     EXPECT_FALSE(result->isApplied);
 }
