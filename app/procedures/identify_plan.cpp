@@ -70,7 +70,7 @@ double PilotEstimate::steadySpeed_rad_s(double current_A) const {
 
 PilotEstimate nominalMotor() {
     // resources/help/htm-theory.md section 2: a, f, k
-    return {2.236364, 37.2727, 26.0};
+    return {2.236364, 37.2727, 26.0, 0.0};
 }
 
 std::vector<double> admissibleCurrents_A(const IdentifyConfig& config, const std::vector<double>& currents_A,

@@ -12,6 +12,7 @@ struct PilotEstimate {
     double damping_per_s = 0.0;   ///< c/J
     double friction_rad_s2 = 0.0; ///< K_f/J
     double torque_rad_s2_A = 0.0; ///< phi/J
+    double dampingError_per_s = 0.0;
 
     /// Steady speed at this current; infinite without damping.
     double steadySpeed_rad_s(double current_A) const;

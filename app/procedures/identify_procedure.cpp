@@ -84,7 +84,7 @@ public:
     }
 
 private:
-    // Short run-ups, gentle ones first, until one shows the motor; none when it never turned.
+    // Short run-ups, gentle ones first, until they show the motor; none when it never turned.
     Result<std::optional<PilotEstimate>> runPilot(const std::vector<double>& currents_A) {
         const double lowest = currents_A.front();
         const double highest = currents_A.back();
@@ -93,11 +93,14 @@ private:
             const double current = sign * (lowest + share * (highest - lowest));
             PlateauRun run{
                 {current, 0.0, current, 0.0}, 1.0, 0.5 * m_config.speedLimit_rad_s, "first motion"};
-            m_pilot = {};
             if (auto done = runPlateaus(m_device, m_observer, run, m_heat, m_watch); !done) {
                 return failure(done.error());
             }
-            if (const auto estimate = pilotEstimate()) {
+            // The dwell hangs on c/J: a slow first motion shows it poorly, a faster one better.
+            constexpr double GoodEnough = 0.08;
+            const auto estimate = pilotEstimate();
+            if (estimate &&
+                (share == 1.0 || estimate->dampingError_per_s < GoodEnough * estimate->damping_per_s)) {
                 return estimate;
             }
         }
@@ -112,7 +115,7 @@ private:
         }
         return PilotEstimate{std::max(fits->motion->damping_per_s, 0.0),
                              std::max(fits->balance->friction_rad_s2.value_or(0.0), 0.0),
-                             *fits->balance->torque_rad_s2_A};
+                             *fits->balance->torque_rad_s2_A, fits->motion->dampingError_per_s};
     }
 
     Result<void> runAll(const std::vector<PlateauRun>& runs) {
