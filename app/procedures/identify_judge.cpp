@@ -93,10 +93,13 @@ void judgeAmount(IdentifyResult& result, const IdentifyFits& fits) {
     if (fits.unsteadyPlateaus > 0) {
         constexpr double ManyOfThem = 0.25;
         const bool areMany = fits.unsteadyPlateaus > ManyOfThem * static_cast<double>(fits.points.size());
-        remark(
-            result.quality, areMany ? Verdict::Doubtful : Verdict::Good, "plateaus_not_steady",
-            fmt::format("{} plateaus were not steady at their end and were left out", fits.unsteadyPlateaus),
-            "dwell longer at each current");
+        remark(result.quality, areMany ? Verdict::Doubtful : Verdict::Good, "plateaus_not_steady",
+               fmt::format("{} not steady at {} end and left out",
+                           fits.unsteadyPlateaus == 1
+                               ? std::string("one plateau was")
+                               : fmt::format("{} plateaus were", fits.unsteadyPlateaus),
+                           fits.unsteadyPlateaus == 1 ? "its" : "their"),
+               "dwell longer at each current");
     }
     if (fits.lostRows > 0) {
         remark(result.quality, Verdict::Doubtful, "rows_lost",
