@@ -71,7 +71,7 @@ SAMPLES = {
                          [{"control/base/my_file.h": "#pragma once\n"}, {"devices/a.h": "#ifndef A_H\n#define A_H\n"}]),
     "cites_only_what_is_here": (
         [{"a.h": "// see physics/htm.md"}, {"README.md": "see ../shared/a"}, {"a.h": "// design.md section 1"},
-         {"resources/x.toml": "# cli.md"}, {"dev": "cd /work/main"}, {"a.cpp": "// style.md 7"}],
+         {"resources/x.toml": "# cli.md"}, {"dev": "cd /home/someone/project"}, {"a.cpp": "// style.md 7"}],
         [{"a.h": "// resources/help/protocol.md 3.5"}, {"a.h": "// astrophysics/ and metaphysics"},
          {"a.cpp": "// command-line.md, my_design.mdx"}]),
     "every_source_has_its_test": (

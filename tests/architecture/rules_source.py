@@ -164,7 +164,7 @@ def names_and_guards(files):
 
 # Pages that are not part of the repository, and places of one machine.
 FOREIGN_PLACES = re.compile(r"(\.\./shared|(?<![\w/])physics/[a-z*]+|\b(design|cli|style|user-wishes|performance|"
-                            r"virtual-hardware|look)\.md|(?<!\w)/work/|/tmp/hb\b)")
+                            r"virtual-hardware|look)\.md|(?<!\w)/home/\w+/)")
 SELF = "tests/architecture/"
 
 
