@@ -1,0 +1,72 @@
+#include "tests/widgets/gui_fixture.h"
+#include "widgets/stop_button.h"
+
+#include <QSignalSpy>
+#include <QtTest/QTest>
+
+namespace halbench::widgets {
+namespace {
+
+using StopButtonTest = GuiTest;
+
+TEST_F(StopButtonTest, stopsWhenPressedNotWhenLetGo) {
+    StopButton button(StopButton::Variant::Full);
+    QSignalSpy stops(&button, &StopButton::stopRequested);
+    QTest::mousePress(&button, Qt::LeftButton);
+    EXPECT_EQ(stops.count(), 1);
+    QTest::mouseRelease(&button, Qt::LeftButton);
+    EXPECT_EQ(stops.count(), 1);
+}
+
+TEST_F(StopButtonTest, stopsBySpaceAndReturn) {
+    StopButton button(StopButton::Variant::Compact);
+    QSignalSpy stops(&button, &StopButton::stopRequested);
+    QTest::keyPress(&button, Qt::Key_Space);
+    EXPECT_EQ(stops.count(), 1);
+    QTest::keyRelease(&button, Qt::Key_Space);
+    QTest::keyClick(&button, Qt::Key_Return);
+    EXPECT_EQ(stops.count(), 2);
+}
+
+TEST_F(StopButtonTest, hammeringOnItNeverRearms) {
+    StopButton button(StopButton::Variant::Full);
+    QSignalSpy stops(&button, &StopButton::stopRequested);
+    QSignalSpy rearms(&button, &StopButton::rearmRequested);
+    QObject::connect(&button, &StopButton::stopRequested, &button, [&button] { button.setLatched(true); });
+    for (int i = 0; i < 5; ++i) {
+        QTest::mouseClick(&button, Qt::LeftButton);
+    }
+    EXPECT_EQ(stops.count(), 5);
+    EXPECT_EQ(rearms.count(), 0);
+}
+
+TEST_F(StopButtonTest, asksForRearmingOnPurposeAfterTheLockOut) {
+    StopButton button(StopButton::Variant::Full);
+    button.setLockOut_ms(1);
+    QSignalSpy stops(&button, &StopButton::stopRequested);
+    QSignalSpy rearms(&button, &StopButton::rearmRequested);
+    button.setLatched(true, QStringLiteral("Esc"));
+    EXPECT_TRUE(QTest::qWaitFor([&button] { return button.text().contains(QStringLiteral("re-arm")); }));
+    QTest::mouseClick(&button, Qt::LeftButton);
+    EXPECT_EQ(rearms.count(), 1);
+    EXPECT_EQ(stops.count(), 1); // stopping twice is harmless, not stopping is not
+    button.setLatched(false);
+    QTest::mouseClick(&button, Qt::LeftButton);
+    EXPECT_EQ(rearms.count(), 1);
+}
+
+TEST_F(StopButtonTest, isLargeSaysWhyAndKeepsItsSize) {
+    StopButton button(StopButton::Variant::Full);
+    const QSize size = button.sizeHint();
+    EXPECT_GE(size.width(), 88);
+    EXPECT_GE(size.height(), 40);
+    EXPECT_EQ(roleOf(button), Role::Stop);
+    EXPECT_FALSE(button.accessibleName().isEmpty());
+    EXPECT_TRUE(button.toolTip().contains(QStringLiteral("Esc")));
+    button.setLatched(true, QStringLiteral("link lost"));
+    EXPECT_EQ(button.sizeHint(), size);
+    EXPECT_TRUE(button.toolTip().contains(QStringLiteral("link lost")));
+}
+
+} // namespace
+} // namespace halbench::widgets

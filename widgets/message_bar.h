@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QFrame>
+#include <QString>
+
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace halbench::widgets {
+
+enum class Severity { Information, Success, Warning, Error };
+
+/// What went wrong, where it belongs: one sentence, the remedy, and the remedy as a button if there is one.
+struct Message {
+    Severity severity = Severity::Information;
+    QString text;
+    QString remedy;
+    QString actionText; ///< empty: no button
+};
+
+/// Shows one message in place; hidden while there is none.
+class MessageBar : public QFrame {
+    Q_OBJECT
+public:
+    explicit MessageBar(QWidget* parent = nullptr);
+
+    void showMessage(const Message& message);
+    void clear();
+    const Message& message() const { return m_message; }
+
+Q_SIGNALS:
+    void actionTriggered();
+    void dismissed();
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    void refresh();
+
+    Message m_message;
+    QLabel* m_symbol = nullptr;
+    QLabel* m_words = nullptr;
+    QPushButton* m_action = nullptr;
+    QToolButton* m_close = nullptr;
+};
+
+} // namespace halbench::widgets

@@ -1,0 +1,152 @@
+#include "widgets/status_strip.h"
+
+#include "widgets/icons.h"
+#include "widgets/progress_row.h"
+
+#include <QAccessible>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+
+namespace halbench::widgets {
+namespace {
+
+Role roleOfState(WorkState state) {
+    switch (state) {
+    case WorkState::Connected:
+        return Role::Good;
+    case WorkState::Armed:
+    case WorkState::Running:
+        return Role::Armed;
+    case WorkState::Stopped:
+    case WorkState::Fault:
+        return Role::Bad;
+    case WorkState::Disconnected:
+        break;
+    }
+    return Role::Muted;
+}
+
+QString iconOfState(WorkState state) {
+    switch (state) {
+    case WorkState::Connected:
+        return QStringLiteral("connect");
+    case WorkState::Armed:
+        return QStringLiteral("arm");
+    case WorkState::Running:
+        return QStringLiteral("play");
+    case WorkState::Stopped:
+        return QStringLiteral("stop");
+    case WorkState::Fault:
+        return QStringLiteral("warning");
+    case WorkState::Disconnected:
+        break;
+    }
+    return QStringLiteral("disconnect");
+}
+
+} // namespace
+
+StatusStrip::StatusStrip(QWidget* parent)
+    : QFrame(parent), m_deviceLabel(new QLabel(this)), m_simulatedBadge(new QLabel(this)),
+      m_stateSymbol(new QLabel(this)), m_stateBadge(new QLabel(this)), m_recordSymbol(new QLabel(this)),
+      m_recordLabel(new QLabel(this)) {
+    setProperty("surface", QStringLiteral("strip"));
+    m_simulatedBadge->setProperty("badge", true);
+    m_stateBadge->setProperty("badge", true);
+    m_recordLabel->setFont(tabularFont(font()));
+    setRole(*m_simulatedBadge, Role::Simulated);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(PanelMargin_px, GridStep_px, PanelMargin_px, GridStep_px);
+    row->setSpacing(PanelMargin_px);
+    row->addWidget(m_deviceLabel);
+    row->addWidget(m_simulatedBadge);
+    row->addSpacing(GridStep_px);
+    row->addWidget(m_stateSymbol);
+    row->addWidget(m_stateBadge);
+    row->addStretch(1);
+    row->addWidget(m_recordSymbol);
+    row->addWidget(m_recordLabel);
+    refresh();
+    refreshRecording();
+}
+
+void StatusStrip::setState(WorkState state, const QString& detail) {
+    if (m_state == state && m_detail == detail) {
+        return;
+    }
+    m_state = state;
+    m_detail = detail;
+    refresh();
+    QAccessibleEvent alert(this, QAccessible::Alert);
+    QAccessible::updateAccessibility(&alert);
+}
+
+void StatusStrip::setDevice(const QString& name, bool isSimulated) {
+    m_device = name;
+    m_isSimulated = isSimulated;
+    refresh();
+}
+
+void StatusStrip::clearDevice() {
+    setDevice({}, false);
+}
+
+void StatusStrip::setRecording(bool isRecording, double elapsed_s) {
+    m_isRecording = isRecording;
+    m_elapsed_s = elapsed_s;
+    refreshRecording();
+}
+
+QString StatusStrip::stateText() const {
+    switch (m_state) {
+    case WorkState::Connected:
+        return tr("Connected");
+    case WorkState::Armed:
+        return tr("Armed");
+    case WorkState::Running:
+        return m_detail.isEmpty() ? tr("Running") : tr("Running %1").arg(m_detail);
+    case WorkState::Stopped:
+        return m_detail.isEmpty() ? tr("Stopped") : tr("Stopped (%1)").arg(m_detail);
+    case WorkState::Fault:
+        return m_detail.isEmpty() ? tr("Fault") : tr("Fault (%1)").arg(m_detail);
+    case WorkState::Disconnected:
+        break;
+    }
+    return tr("Disconnected");
+}
+
+void StatusStrip::refresh() {
+    const Role role = roleOfState(m_state);
+    m_deviceLabel->setText(m_device.isEmpty() ? tr("No device") : m_device);
+    setRole(*m_deviceLabel, m_device.isEmpty() ? Role::Muted : Role::None);
+    m_simulatedBadge->setText(tr("SIMULATED"));
+    m_simulatedBadge->setToolTip(tr("This device is a simulation inside the program; nothing real moves"));
+    m_simulatedBadge->setVisible(m_isSimulated);
+    m_stateSymbol->setPixmap(themedIcon(iconOfState(m_state), role).pixmap(16, 16));
+    m_stateBadge->setText(stateText());
+    m_stateBadge->setToolTip(stateText());
+    setRole(*m_stateBadge, role);
+    setRole(*this, role);
+    setAccessibleName(tr("State of the device"));
+    setAccessibleDescription(m_isSimulated ? tr("%1, simulated, %2").arg(m_deviceLabel->text(), stateText())
+                                           : tr("%1, %2").arg(m_deviceLabel->text(), stateText()));
+}
+
+void StatusStrip::refreshRecording() {
+    const Role role = m_isRecording ? Role::Bad : Role::Muted;
+    m_recordSymbol->setPixmap(themedIcon(QStringLiteral("record"), role).pixmap(16, 16));
+    m_recordLabel->setText(m_isRecording ? tr("Recording %1").arg(durationText(m_elapsed_s))
+                                         : tr("Not recording"));
+    setRole(*m_recordLabel, m_isRecording ? Role::None : Role::Muted);
+}
+
+void StatusStrip::changeEvent(QEvent* event) {
+    QFrame::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::StyleChange) {
+        refresh();
+        refreshRecording();
+    }
+}
+
+} // namespace halbench::widgets
