@@ -29,6 +29,7 @@ HOUSE = {
     "devices": (["control/base/", "devices/"], ["QtCore"]),
     "app/procedures": (["control/", "models/", "devices/acquisition/", EVERY_DEVICE_HEADER, "app/procedures/"],
                        ["QtCore"]),
+    "app/session": (["control/", EVERY_DEVICE_HEADER, "app/procedures/", "app/session/"], ["QtCore"]),
     "app/batch": (["control/", "models/", "devices/", "app/procedures/", "app/report/", "app/batch/"], ["QtCore"]),
     "app/report": (["control/", "models/", EVERY_DEVICE_HEADER, "app/procedures/", "app/report/", "widgets/"],
                    ["QtCore", "QtGui", "QtSvg", "QtWidgets"]),

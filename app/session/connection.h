@@ -1,0 +1,118 @@
+#pragma once
+
+#include "control/base/result.h"
+#include "control/base/sample_block.h"
+#include "devices/device.h"
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace halbench::app {
+
+/// How the time of a simulated device runs. A real device has its own time; nothing here changes it.
+struct Pace {
+    /// Device seconds per wall second. 0: virtual time, which passes only while a procedure waits, so that
+    /// the same calls give the same bytes as in batch mode.
+    double speed_ratio = 1.0;
+};
+
+/// What the connection last knew of its device.
+struct ConnectionReport {
+    devices::DeviceState board;
+    devices::LinkStatistics statistics;
+    double deviceTime_s = 0.0;
+    std::optional<Error> lost; ///< why the link is gone
+};
+
+/// Called on the connection thread; they must return soon and not call the connection back.
+struct ConnectionEvents {
+    std::function<void(const devices::DeviceInfo&, const devices::Catalogue&)> onOpened;
+    std::function<void(const Error&)> onRefused; ///< could not be opened; nothing follows
+    std::function<void(const ConnectionReport&)> onReport;
+    std::function<void(SampleBlockPtr)> onBlock; ///< time since the device was opened
+};
+
+/// One open device on a thread of its own (resources/help/architecture.md, threads). The thread serves the
+/// link without pause: it feeds the watchdog, delivers samples, runs the jobs it is given one after the other
+/// and obeys stop() between any two slices of 5 ms, whatever procedure, fit or picture is busy elsewhere.
+/// Public functions may be called from any thread, except where it says so.
+class Connection {
+public:
+    using Opener = std::function<Result<std::unique_ptr<devices::Device>>()>;
+    using Job = std::function<void(devices::Device&)>;
+
+    Connection(Opener open, Pace pace, ConnectionEvents events);
+    /// Runs what was posted, disarms, closes the device. No event follows.
+    ~Connection();
+    Connection(const Connection&) = delete;
+    Connection& operator=(const Connection&) = delete;
+
+    /// Runs the job on the connection thread. A job of a device that could not be opened is never run.
+    void post(Job job);
+    /// Emergency stop; returns at once.
+    void stop() noexcept;
+    void setPace(Pace pace);
+
+    /// What the display wants to see whenever no procedure streams; no signals: nothing.
+    void setLiveStream(devices::StreamRequest request);
+
+    // For SharedDevice, as jobs on the connection thread only:
+    Result<void> startProcedureStream(devices::Device& device, const devices::StreamRequest& request,
+                                      devices::BlockSink sink);
+    void stopProcedureStream(devices::Device& device);
+    /// `done` is called on the connection thread once device time has advanced by the duration, or with the
+    /// error that came first. One wait at a time.
+    void beginWait(devices::Device& device, double duration_s, std::function<void(Result<void>)> done);
+
+private:
+    struct Wait {
+        double duration_s = 0.0;
+        double end_s = 0.0;
+        std::function<void(Result<void>)> done;
+    };
+
+    void run();
+    void serve(devices::Device& device);
+    void runJobs(devices::Device& device);
+    void advance(devices::Device& device);
+    bool isVirtual() const { return m_isSimulated && m_speed_ratio <= 0.0; }
+    std::optional<double> dueTime_s(double now_s);
+    void idle(double duration_s);
+    void afterSlice(devices::Device& device, const Result<void>& result);
+    void finishWait(Result<void> result);
+    void report(devices::Device& device, bool isForced);
+    void restartLiveStream(devices::Device& device);
+    devices::BlockSink displaySink(double start_s, devices::BlockSink then);
+
+    const Opener m_open;
+    const ConnectionEvents m_events;
+
+    std::mutex m_mutex; ///< guards the two below
+    std::condition_variable m_wake;
+    std::deque<Job> m_jobs;
+    bool m_isClosing = false;
+    std::atomic<bool> m_isStopWanted = false;
+
+    // Used by the connection thread alone.
+    double m_speed_ratio;
+    std::optional<Wait> m_wait;
+    devices::StreamRequest m_live;
+    bool m_isProcedureStreaming = false;
+    std::optional<Error> m_lost;
+    std::chrono::steady_clock::time_point m_lastAdvance;
+    std::chrono::steady_clock::time_point m_lastReport;
+    devices::DeviceState m_reported;
+    double m_debt_s = 0.0; ///< device time that the wall clock asks for
+    bool m_isSimulated = false;
+
+    std::thread m_thread; ///< last: starts when everything else is there
+};
+
+} // namespace halbench::app

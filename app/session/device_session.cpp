@@ -1,0 +1,177 @@
+#include "app/session/device_session.h"
+
+#include <utility>
+
+namespace halbench::app {
+
+DeviceSession::DeviceSession(QObject* parent) : QObject(parent) {}
+
+DeviceSession::~DeviceSession() {
+    disconnectDevice();
+}
+
+void DeviceSession::connectDevice(const QString& uri, Pace pace, std::optional<std::uint64_t> seed) {
+    disconnectDevice();
+    m_pace = pace;
+    m_report = {};
+    devices::OpenOptions options;
+    options.seed = seed;
+    options.onMessage = [this](const std::string& text) {
+        onGui([this, text] { message(MessageLevel::Info, tr("board"), QString::fromStdString(text)); });
+    };
+    auto open = [address = uri.toStdString(), options] { return devices::openDevice(address, options); };
+    {
+        const std::lock_guard lock(m_connectionMutex);
+        m_connection = std::make_unique<Connection>(std::move(open), pace, events());
+    }
+    setState(SessionState::Connecting);
+    message(MessageLevel::Info, tr("connection"), tr("connecting %1").arg(uri));
+}
+
+void DeviceSession::disconnectDevice() {
+    abortProcedure();
+    endProcedureThread();
+    ++m_generation;
+    std::unique_ptr<Connection> leaving;
+    {
+        const std::lock_guard lock(m_connectionMutex);
+        leaving = std::move(m_connection);
+    }
+    if (!leaving) {
+        return;
+    }
+    leaving.reset();
+    takeBlocks();
+    setState(SessionState::Disconnected);
+    message(MessageLevel::Info, tr("connection"), tr("disconnected"));
+}
+
+ConnectionEvents DeviceSession::events() {
+    const std::uint64_t generation = m_generation;
+    const auto say = [this, generation](auto function) {
+        onGui([this, generation, function] {
+            if (generation == m_generation) {
+                function();
+            }
+        });
+    };
+    ConnectionEvents events;
+    events.onOpened = [this, say](const devices::DeviceInfo& info, const devices::Catalogue& catalogue) {
+        say([this, info, catalogue] { opened(info, catalogue); });
+    };
+    events.onRefused = [this, say](const Error& error) { say([this, error] { refused(error); }); };
+    events.onReport = [this, say](const ConnectionReport& report) {
+        say([this, report] { reported(report); });
+    };
+    events.onBlock = [this](SampleBlockPtr block) {
+        const std::lock_guard lock(m_mutex);
+        m_blocks.push_back(std::move(block));
+    };
+    return events;
+}
+
+void DeviceSession::opened(const devices::DeviceInfo& info, const devices::Catalogue& catalogue) {
+    m_info = info;
+    m_catalogue = catalogue;
+    setState(SessionState::Connected);
+    message(MessageLevel::Info, tr("connection"),
+            tr("connected %1, firmware %2")
+                .arg(QString::fromStdString(info.id), QString::fromStdString(info.firmware)));
+}
+
+void DeviceSession::refused(const Error& error) {
+    {
+        const std::lock_guard lock(m_connectionMutex);
+        m_connection.reset();
+    }
+    setState(SessionState::Disconnected);
+    message(MessageLevel::Error, tr("connection"), QString::fromStdString(error.message));
+    connectFailed(QString::fromStdString(error.message), QString::fromStdString(error.hint));
+}
+
+void DeviceSession::reported(const ConnectionReport& report) {
+    const bool isNewlyLost = report.lost && !m_report.lost;
+    m_report = report;
+    if (isNewlyLost) {
+        setState(SessionState::Lost);
+        message(MessageLevel::Error, tr("connection"), QString::fromStdString(report.lost->message));
+    }
+    reportChanged();
+}
+
+void DeviceSession::setState(SessionState state) {
+    if (state != m_state) {
+        m_state = state;
+        stateChanged();
+    }
+}
+
+void DeviceSession::setPace(Pace pace) {
+    m_pace = pace;
+    if (m_connection) {
+        m_connection->setPace(pace);
+    }
+}
+
+void DeviceSession::setLiveStream(const std::vector<std::string>& signalNames, double rate_Hz) {
+    if (m_connection) {
+        m_connection->setLiveStream({signalNames, rate_Hz});
+    }
+}
+
+std::vector<SampleBlockPtr> DeviceSession::takeBlocks() {
+    const std::lock_guard lock(m_mutex);
+    return std::exchange(m_blocks, {});
+}
+
+void DeviceSession::stopActuator() noexcept {
+    const std::lock_guard lock(m_connectionMutex);
+    if (m_connection) {
+        m_connection->stop();
+    }
+    m_isAborting = true; // a procedure that only computes ends as well
+}
+
+ProcedureObserver DeviceSession::observer() {
+    ProcedureObserver observer;
+    observer.onState = [this](ProcedureState stage) { onGui([this, stage] { procedureStage(stage); }); };
+    observer.onProgress = [this](double fraction, const std::string& text) {
+        onGui([this, fraction, text] { procedureProgress(fraction, QString::fromStdString(text)); });
+    };
+    observer.checkAbort = [this]() -> Result<void> {
+        if (m_isAborting) {
+            return failure(ErrorCode::Interrupted, "ended by the user", "the old gains run again");
+        }
+        return {};
+    };
+    return observer;
+}
+
+bool DeviceSession::startProcedure(const QString& name,
+                                   std::function<void(devices::Device&, const ProcedureObserver&)> body) {
+    if (m_state != SessionState::Connected || !m_procedure.isEmpty()) {
+        return false;
+    }
+    m_isAborting = false;
+    m_procedure = name;
+    m_procedureDevice = std::make_unique<SharedDevice>(*m_connection, m_info, m_catalogue);
+    m_procedureThread = std::thread(
+        [this, body = std::move(body), observer = observer()] { body(*m_procedureDevice, observer); });
+    procedureChanged();
+    return true;
+}
+
+void DeviceSession::abortProcedure() {
+    m_isAborting = true;
+}
+
+void DeviceSession::endProcedureThread() {
+    if (m_procedureThread.joinable()) {
+        m_procedureThread.join();
+        m_procedureDevice.reset();
+        m_procedure.clear();
+        procedureChanged();
+    }
+}
+
+} // namespace halbench::app

@@ -1,0 +1,140 @@
+#pragma once
+
+#include "app/procedures/procedure.h"
+#include "app/session/connection.h"
+#include "app/session/shared_device.h"
+#include "devices/open_device.h"
+
+#include <QtCore/QObject>
+#include <QtCore/QString>
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+namespace halbench::app {
+
+enum class SessionState { Disconnected, Connecting, Connected, Lost };
+
+enum class MessageLevel { Debug, Info, Warning, Error };
+
+/// The device of the window, seen from the GUI thread: what it is, how it is, and asynchronous access to it.
+/// Nothing here waits for the device. One device and at most one procedure at a time.
+/// Thread: GUI; only stopActuator() may be called from anywhere.
+class DeviceSession : public QObject {
+    Q_OBJECT
+
+public:
+    explicit DeviceSession(QObject* parent = nullptr);
+    /// Ends a running procedure through its restore path, disarms, disconnects.
+    ~DeviceSession() override;
+
+    /// Leaves the device there was and opens another; answers with connected() or connectFailed().
+    void connectDevice(const QString& uri, Pace pace, std::optional<std::uint64_t> seed = {});
+    void disconnectDevice();
+
+    SessionState state() const { return m_state; }
+    const devices::DeviceInfo& info() const { return m_info; }
+    const devices::Catalogue& catalogue() const { return m_catalogue; }
+    const ConnectionReport& report() const { return m_report; }
+    Pace pace() const { return m_pace; }
+    void setPace(Pace pace);
+
+    /// Signals the display wants while no procedure streams. The rate must divide their event's rate.
+    void setLiveStream(const std::vector<std::string>& signalNames, double rate_Hz);
+    /// Samples that arrived since the last call, oldest first; time since the device was opened.
+    std::vector<SampleBlockPtr> takeBlocks();
+
+    /// Emergency stop: to the wire within a slice of the connection thread, whatever else is busy.
+    void stopActuator() noexcept;
+
+    /// Runs `function(Device&) -> Result<T>` on the connection thread and `then(Result<T>)` afterwards on the
+    /// GUI thread; DeviceLost at once when nothing is connected.
+    template <typename Function, typename Then>
+    void request(Function function, Then then);
+
+    /// Name of the running procedure; empty when none runs.
+    const QString& procedure() const { return m_procedure; }
+    /// Runs `function(Device&, const ProcedureObserver&) -> Result<T>` on a thread of its own and `then(...)`
+    /// on the GUI thread. False when there is no device or a procedure runs already.
+    template <typename Function, typename Then>
+    bool runProcedure(const QString& name, Function function, Then then);
+    /// Asks the running procedure to end through its restore path.
+    void abortProcedure();
+
+Q_SIGNALS:
+    void stateChanged();
+    void connectFailed(const QString& message, const QString& hint);
+    void reportChanged(); ///< at most ten times a second, and whenever the board's state changes
+    void procedureChanged();
+    void procedureStage(halbench::app::ProcedureState stage);
+    void procedureProgress(double fraction, const QString& text);
+    void message(halbench::app::MessageLevel level, const QString& source, const QString& text);
+
+private:
+    template <typename Function>
+    void onGui(Function function);
+    void opened(const devices::DeviceInfo& info, const devices::Catalogue& catalogue);
+    void refused(const Error& error);
+    void reported(const ConnectionReport& report);
+    void setState(SessionState state);
+    ConnectionEvents events();
+    ProcedureObserver observer();
+    bool startProcedure(const QString& name,
+                        std::function<void(devices::Device&, const ProcedureObserver&)> body);
+    void endProcedureThread();
+
+    SessionState m_state = SessionState::Disconnected;
+    devices::DeviceInfo m_info;
+    devices::Catalogue m_catalogue;
+    ConnectionReport m_report;
+    Pace m_pace;
+    QString m_procedure;
+    std::uint64_t m_generation = 0; ///< of the connection; what an older one still says is not heard
+
+    std::atomic<bool> m_isAborting = false;
+    std::mutex m_mutex; ///< guards the blocks
+    std::vector<SampleBlockPtr> m_blocks;
+
+    std::mutex m_connectionMutex; ///< guards the pointer against stopActuator() from another thread
+    std::unique_ptr<Connection> m_connection;
+    std::unique_ptr<SharedDevice> m_procedureDevice;
+    std::thread m_procedureThread;
+};
+
+template <typename Function>
+void DeviceSession::onGui(Function function) {
+    QMetaObject::invokeMethod(this, std::move(function), Qt::QueuedConnection);
+}
+
+template <typename Function, typename Then>
+void DeviceSession::request(Function function, Then then) {
+    using Answer = std::invoke_result_t<Function, devices::Device&>;
+    if (m_state != SessionState::Connected) {
+        then(Answer(failure(ErrorCode::DeviceLost, "no device is connected", "connect one first")));
+        return;
+    }
+    m_connection->post([this, function, then](devices::Device& device) {
+        auto answer = std::make_shared<Answer>(function(device));
+        onGui([answer, then] { then(std::move(*answer)); });
+    });
+}
+
+template <typename Function, typename Then>
+bool DeviceSession::runProcedure(const QString& name, Function function, Then then) {
+    using Answer = std::invoke_result_t<Function, devices::Device&, const ProcedureObserver&>;
+    return startProcedure(name,
+                          [this, function, then](devices::Device& device, const ProcedureObserver& observer) {
+                              auto answer = std::make_shared<Answer>(function(device, observer));
+                              onGui([this, answer, then] {
+                                  endProcedureThread();
+                                  then(std::move(*answer));
+                              });
+                          });
+}
+
+} // namespace halbench::app
