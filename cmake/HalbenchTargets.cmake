@@ -16,8 +16,9 @@ endif()
 
 # halbench_library(control_lti DEPENDS control_base ...): one static library of all sources in this folder
 # (not its sub-folders). A folder without sources becomes an interface library, so that its dependants link.
+# AUTOMOC: the folder has Q_OBJECT classes.
 function(halbench_library name)
-  cmake_parse_arguments(ARG "RECURSE" "" "DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "RECURSE;AUTOMOC" "" "DEPENDS" ${ARGN})
   if(ARG_RECURSE)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp *.c)
     list(FILTER sources EXCLUDE REGEX "/(boards|examples)/")
@@ -27,6 +28,12 @@ function(halbench_library name)
   if(sources)
     add_library(${name} STATIC ${sources})
     target_link_libraries(${name} PUBLIC halbench_options halbench_expected ${ARG_DEPENDS})
+    if(ARG_AUTOMOC)
+      # moc looks again when a source is new or gone; by itself it only notices changed ones.
+      set(list ${CMAKE_CURRENT_BINARY_DIR}/${name}_sources.txt)
+      file(CONFIGURE OUTPUT ${list} CONTENT "${sources}")
+      set_target_properties(${name} PROPERTIES AUTOMOC ON AUTOGEN_TARGET_DEPENDS ${list})
+    endif()
   else()
     add_library(${name} INTERFACE)
     target_link_libraries(${name} INTERFACE halbench_options halbench_expected ${ARG_DEPENDS})
