@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QString>
+
+#include <optional>
+#include <string>
+
+namespace halbench::widgets {
+
+enum class AngleUnit { Radian, Degree };
+
+/// How a value in an SI unit is shown: shown = value * factor.
+struct DisplayUnit {
+    QString text; ///< as people write it, e.g. "A/deg"
+    double factor = 1.0;
+};
+
+/// Units that count radians above or below the line turn with the angle unit; all others stay as they are.
+DisplayUnit displayUnit(const std::string& symbol, AngleUnit angleUnit);
+
+/// At most that many significant digits in the user's notation, without group separators.
+QString numberText(double value, int significantDigits = 7);
+
+/// A finite number in the user's notation or in the C one; the unit may stand behind it.
+std::optional<double> parseNumber(const QString& text, const QString& unitText = {});
+
+/// Whether a board with single-precision numbers holds the same in both cases: 2^-23 relative.
+bool areSameOnBoard(double one, double other);
+
+} // namespace halbench::widgets
