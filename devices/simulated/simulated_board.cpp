@@ -18,19 +18,21 @@ const hb_signal SimulatedBoard::TruthSignals[2] = {
 };
 
 Result<std::unique_ptr<SimulatedBoard>> SimulatedBoard::make(const models::HtmParameters& parameters,
-                                                             std::uint64_t seed) {
+                                                             std::uint64_t seed, Line line) {
     auto plant = models::HtmPlant::make(parameters, seed);
     if (!plant) {
         return failure(plant.error());
     }
-    return std::unique_ptr<SimulatedBoard>(new SimulatedBoard(std::move(*plant), seed));
+    return std::unique_ptr<SimulatedBoard>(new SimulatedBoard(std::move(*plant), seed, line));
 }
 
-SimulatedBoard::SimulatedBoard(models::HtmPlant plant, std::uint64_t seed)
+SimulatedBoard::SimulatedBoard(models::HtmPlant plant, std::uint64_t seed, Line line)
     : m_plant(std::move(plant)), m_identity(fmt::format("sim-htm-{}", seed)) {
     m_stored = initialCalibration();
     hb_htm_config config{};
     config.device = m_identity.c_str();
+    config.transport_a2l = line.a2l;
+    config.max_dto = line.maxDto;
     config.extra = {TruthSignals, 2, &m_truth};
     config.store = &SimulatedBoard::store;
     config.store_context = this;

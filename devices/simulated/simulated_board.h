@@ -20,9 +20,15 @@ namespace halbench::devices {
 /// between boards. Neither copied nor moved, because the board's code points into itself.
 class SimulatedBoard {
 public:
+    /// The line the board is told it hangs on: the A2L block that describes it, and the longest measurement
+    /// packet it carries.
+    struct Line {
+        const char* a2l = nullptr; ///< a literal; nullptr: TCP
+        std::uint16_t maxDto = 0;  ///< 0: the board's own limit
+    };
     /// Errors: OutOfRange (parameters that make no amplifier).
     static Result<std::unique_ptr<SimulatedBoard>> make(const models::HtmParameters& parameters,
-                                                        std::uint64_t seed);
+                                                        std::uint64_t seed, Line line = {nullptr, 0});
 
     SimulatedBoard(const SimulatedBoard&) = delete;
     SimulatedBoard& operator=(const SimulatedBoard&) = delete;
@@ -57,7 +63,7 @@ private:
     static const hb_signal TruthSignals[2];
     static std::uint8_t store(void* context, const hb_htm_calibration* page);
 
-    SimulatedBoard(models::HtmPlant plant, std::uint64_t seed);
+    SimulatedBoard(models::HtmPlant plant, std::uint64_t seed, Line line);
     hb_htm_calibration initialCalibration();
     void sampleAndDrive();
     void updateTruth();

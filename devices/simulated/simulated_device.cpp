@@ -126,13 +126,13 @@ Result<SimulatedSetup> parseSimulatedAddress(const DeviceUri& uri, std::optional
     return setup;
 }
 
-Result<std::unique_ptr<SimulatedBoard>> makeSimulatedBoard(const DeviceUri& uri,
-                                                           std::optional<std::uint64_t> seed) {
+Result<std::unique_ptr<SimulatedBoard>>
+makeSimulatedBoard(const DeviceUri& uri, std::optional<std::uint64_t> seed, SimulatedBoard::Line line) {
     const auto setup = parseSimulatedAddress(uri, seed);
     if (!setup) {
         return failure(setup.error());
     }
-    return SimulatedBoard::make(setup->parameters, setup->seed);
+    return SimulatedBoard::make(setup->parameters, setup->seed, line);
 }
 
 Result<std::unique_ptr<Device>> openSimulatedDevice(const DeviceUri& uri, const OpenOptions& options) {

@@ -28,7 +28,8 @@ Result<SimulatedSetup> parseSimulatedAddress(const DeviceUri& uri, std::optional
 
 /// The board alone, for whoever brings a link of its own (`serve`). Errors as above.
 Result<std::unique_ptr<SimulatedBoard>> makeSimulatedBoard(const DeviceUri& uri,
-                                                           std::optional<std::uint64_t> seed);
+                                                           std::optional<std::uint64_t> seed,
+                                                           SimulatedBoard::Line line = {nullptr, 0});
 
 /// The board behind the loopback as a Device. Errors as above, DeviceLost, Protocol.
 Result<std::unique_ptr<Device>> openSimulatedDevice(const DeviceUri& uri, const OpenOptions& options);

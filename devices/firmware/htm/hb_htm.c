@@ -148,6 +148,10 @@ static void describe(hb_htm* board, const hb_htm_config* config, hb_xcp_descript
     description->model = "htm";
     description->device = config->device ? config->device : "htm";
     description->variant = config->variant;
+#if HB_FEATURE_FULL
+    description->transport_a2l = config->transport_a2l;
+    description->max_dto = config->max_dto;
+#endif
     description->signals[0].entries = hb_htm_signal_table;
     description->signals[0].count = hb_htm_signal_count;
     description->signals[0].base = &board->signals;

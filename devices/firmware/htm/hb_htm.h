@@ -94,8 +94,12 @@ typedef struct {
 #define HB_HTM_COUNTS_PER_TURN 262144L
 
 typedef struct {
-    const char* device;    /* identity, e.g. "sim-htm-1"; NULL: "htm" */
-    const char* variant;   /* appended to the EPK; NULL: nothing */
+    const char* device;  /* identity, e.g. "sim-htm-1"; NULL: "htm" */
+    const char* variant; /* appended to the EPK; NULL: nothing */
+#if HB_FEATURE_FULL
+    const char* transport_a2l; /* A2L block of the line the board is served on; NULL: HB_A2L_TRANSPORT */
+    uint16_t max_dto;          /* longest measurement packet that line carries; 0: HB_MAX_DTO */
+#endif
     hb_signal_table extra; /* further signals of the caller, e.g. the simulated truth; count 0: none */
     /* Stores a page in non-volatile memory; 1 = done. NULL: SET_REQUEST is answered with an error. */
     uint8_t (*store)(void* context, const hb_htm_calibration* page);

@@ -5,8 +5,7 @@
  * the host's table. Defaults are the preset "published" of resources/help/htm-theory.md 8.1 with stray
  * compensation on. */
 
-#define COUNT_RAD 2.39684498e-5F /* 2 pi/2^18 */
-#define ANGLE_LIMIT 51471.0F     /* 8192 turns */
+#define ANGLE_LIMIT 51471.0F /* 8192 turns */
 #define LARGEST_ULONG 4294967296.0F
 
 static const char StatusChoices[] HB_ROM = "idle|armed|stopped by command|stopped by watchdog|fault";
@@ -38,7 +37,9 @@ static const char SlopeChoices[] HB_ROM = "rising|falling";
     HB_SIGNAL(name, "", type, hb_htm_signals, member, 1.0F, 0.0F, highest, choices, text)
 
 const hb_signal hb_htm_signal_table[] HB_ROM = {
-    SIGNAL("position", "rad", HB_SLONG, position, COUNT_RAD, ANGLE_LIMIT, NULL, "Rotor angle, unwrapped"),
+    HB_SIGNAL_EXACT("position", "rad", HB_SLONG, hb_htm_signals, position,
+                    2.3968449810713143e-05 /* 2 pi/2^18 */, -(ANGLE_LIMIT), ANGLE_LIMIT,
+                    "Rotor angle, unwrapped"),
     SIGNAL("speed", "rad/s", HB_FLOAT32, speed_rad_s, 1.0F, 1000.0F, NULL, "Rotor speed, slope over 32 ms"),
     SIGNAL("reference", "rad", HB_FLOAT32, reference, 1.0F, ANGLE_LIMIT, NULL,
            "Reference: rad in mode position, else A"),

@@ -131,11 +131,23 @@ static void putEvents(writer* out, const hb_xcp* slave) {
     }
 }
 
+static void putTransport(writer* out, const hb_xcp* slave) {
+#if HB_FEATURE_FULL
+    if (slave->description.transport_a2l) {
+        put(out, slave->description.transport_a2l);
+        return;
+    }
+#else
+    (void)slave;
+#endif
+    putRom(out, TEXT(HB_A2L_TRANSPORT));
+}
+
 static void putInterface(writer* out, const hb_xcp* slave) {
     putRom(out, TEXT("/begin IF_DATA XCP\n/begin PROTOCOL_LAYER 0x0100 1000 200 0 0 0 0 0 "));
     putUnsigned(out, HB_MAX_CTO);
     putChar(out, ' ');
-    putUnsigned(out, HB_MAX_DTO);
+    putUnsigned(out, hb_xcp_max_dto(&slave->description));
     putRom(out, TEXT(" BYTE_ORDER_MSB_LAST ADDRESS_GRANULARITY_BYTE\n/end PROTOCOL_LAYER\n"
                      "/begin DAQ DYNAMIC "));
     putUnsigned(out, HB_DAQ_LISTS);
@@ -145,7 +157,9 @@ static void putInterface(writer* out, const hb_xcp* slave) {
                      "GRANULARITY_ODT_ENTRY_SIZE_DAQ_BYTE 8 OVERLOAD_INDICATION_EVENT\n"
                      "/begin TIMESTAMP_SUPPORTED 1 SIZE_DWORD UNIT_1US /end TIMESTAMP_SUPPORTED\n"));
     putEvents(out, slave);
-    putRom(out, TEXT("/end DAQ\n" HB_A2L_TRANSPORT "/end IF_DATA\n"));
+    putRom(out, TEXT("/end DAQ\n"));
+    putTransport(out, slave);
+    putRom(out, TEXT("/end IF_DATA\n"));
 }
 
 static void putPrologue(writer* out, hb_xcp* slave) {
@@ -190,26 +204,36 @@ static void putChoices(writer* out, const char* name, const char* choices) {
     putRom(out, TEXT(" /end COMPU_VTAB\n"));
 }
 
+/* How a raw value becomes a physical one. */
+typedef struct {
+    float scale;
+    const char* digits; /* the factor as text, where a float is not exact enough; or NULL */
+    const char* choices;
+} conversion;
+
 /* Conversion of one entry; returns 0 if it needs none. */
-static uint8_t putConversion(writer* out, const char* name, const char* unit, float scale,
-                             const char* choices) {
-    if (!choices && scale == 1.0F) {
+static uint8_t putConversion(writer* out, const char* name, const char* unit, conversion rule) {
+    if (!rule.choices && rule.scale == 1.0F) {
         return 0;
     }
-    if (choices) {
-        putChoices(out, name, choices);
+    if (rule.choices) {
+        putChoices(out, name, rule.choices);
     }
     putRom(out, TEXT("/begin COMPU_METHOD CM."));
     put(out, name);
     putRom(out, TEXT(" \"\" "));
-    putRom(out, choices ? TEXT("TAB_VERB \"%.0f\"") : TEXT("LINEAR \"%.6g\""));
+    putRom(out, rule.choices ? TEXT("TAB_VERB \"%.0f\"") : TEXT("LINEAR \"%.6g\""));
     putQuoted(out, unit);
-    if (choices) {
+    if (rule.choices) {
         putRom(out, TEXT(" COMPU_TAB_REF VT."));
         put(out, name);
     } else {
         putRom(out, TEXT(" COEFFS_LINEAR "));
-        putFloat(out, scale);
+        if (rule.digits) {
+            putRom(out, rule.digits);
+        } else {
+            putFloat(out, rule.scale);
+        }
         putRom(out, TEXT(" 0"));
     }
     putRom(out, TEXT(" /end COMPU_METHOD\n"));
@@ -246,11 +270,19 @@ static void putUnit(writer* out, const char* unit) {
     }
 }
 
+static conversion conversionOf(const hb_signal* signal) {
+    conversion rule = {signal->scale, NULL, signal->choices};
+#if HB_NUMBER_DIGITS > 6
+    rule.digits = signal->digits;
+#endif
+    return rule;
+}
+
 static void putSignal(writer* out, const hb_xcp* slave, const hb_signal* entry, uint16_t handle) {
     hb_signal signal;
     uint8_t has_conversion;
     hb_rom_copy(&signal, entry, sizeof signal);
-    has_conversion = putConversion(out, signal.name, signal.unit, signal.scale, signal.choices);
+    has_conversion = putConversion(out, signal.name, signal.unit, conversionOf(&signal));
     putRom(out, TEXT("/begin MEASUREMENT "));
     put(out, signal.name);
     putQuoted(out, signal.text);
@@ -285,9 +317,11 @@ static uint32_t addressOf(const hb_parameter* parameter) {
 
 static void putParameter(writer* out, const hb_parameter* entry) {
     hb_parameter parameter;
+    conversion words = {1.0F, NULL, NULL};
     uint8_t has_conversion;
     hb_rom_copy(&parameter, entry, sizeof parameter);
-    has_conversion = putConversion(out, parameter.name, parameter.unit, 1.0F, parameter.choices);
+    words.choices = parameter.choices;
+    has_conversion = putConversion(out, parameter.name, parameter.unit, words);
     putRom(out, TEXT("/begin CHARACTERISTIC "));
     put(out, parameter.name);
     putQuoted(out, parameter.text);

@@ -20,7 +20,7 @@ static uint32_t hashFloat(uint32_t hash, float value) {
     return hashNumber(hash, bits);
 }
 
-static uint32_t hashChoices(uint32_t hash, const char* choices) {
+static uint32_t hashText(uint32_t hash, const char* choices) {
     for (; choices && hb_rom_octet(choices); choices++) {
         uint8_t octet = hb_rom_octet(choices);
         hash = hb_hash(hash, &octet, 1);
@@ -35,7 +35,10 @@ static uint32_t hashSignal(uint32_t hash, const hb_signal* entry) {
     hash = hashFloat(hash, signal.scale);
     hash = hashFloat(hash, signal.lower);
     hash = hashFloat(hash, signal.upper);
-    hash = hashChoices(hash, signal.choices);
+    hash = hashText(hash, signal.choices);
+#if HB_NUMBER_DIGITS > 6
+    hash = hashText(hash, signal.digits);
+#endif
     hash = hb_hash(hash, (const uint8_t*)signal.name, sizeof signal.name);
     hash = hb_hash(hash, (const uint8_t*)signal.unit, sizeof signal.unit);
     return hb_hash(hash, (const uint8_t*)signal.text, sizeof signal.text);
@@ -50,14 +53,17 @@ static uint32_t hashParameter(uint32_t hash, const hb_parameter* entry) {
     hash = hashFloat(hash, parameter.initial);
     hash = hashFloat(hash, parameter.lower);
     hash = hashFloat(hash, parameter.upper);
-    hash = hashChoices(hash, parameter.choices);
+    hash = hashText(hash, parameter.choices);
     hash = hb_hash(hash, (const uint8_t*)parameter.name, sizeof parameter.name);
     hash = hb_hash(hash, (const uint8_t*)parameter.unit, sizeof parameter.unit);
     return hb_hash(hash, (const uint8_t*)parameter.text, sizeof parameter.text);
 }
 
 static uint32_t hashTables(const hb_xcp_description* description) {
-    uint32_t hash = hashNumber(HB_HASH_START, ((uint32_t)HB_MAX_DTO << 16) | HB_MAX_CTO);
+    uint32_t hash = hashNumber(HB_HASH_START, ((uint32_t)hb_xcp_max_dto(description) << 16) | HB_MAX_CTO);
+#if HB_FEATURE_FULL
+    hash = hashText(hash, description->transport_a2l);
+#endif
     for (uint8_t table = 0; table < 2; table++) {
         for (uint16_t i = 0; i < description->signals[table].count; i++) {
             hash = hashSignal(hash, &description->signals[table].entries[i]);

@@ -25,6 +25,9 @@ typedef struct {
     float scale;
     float lower, upper; /* physical */
     const char* choices;
+#if HB_NUMBER_DIGITS > 6
+    const char* digits; /* the scale in decimal, where a float is not exact enough for a host; or NULL */
+#endif
     char name[HB_NAME_CAPACITY];
     char unit[HB_UNIT_CAPACITY];
     char text[HB_SIGNAL_TEXT_CAPACITY];
@@ -63,8 +66,22 @@ typedef struct {
     uint8_t time_unit; /* 6 = 1 ms */
 } hb_event;
 
+#if HB_NUMBER_DIGITS > 6
+#define HB_DIGITS(digits) digits,
+#else
+#define HB_DIGITS(digits)
+#endif
 #define HB_SIGNAL(name, unit, type, structure, member, scale, lower, upper, choices, text)                   \
-    { type, (uint16_t)offsetof(structure, member), scale, lower, upper, choices, name, unit, HB_TEXT(text) }
+    {                                                                                                        \
+        type, (uint16_t)offsetof(structure, member), scale, lower, upper, choices, HB_DIGITS(NULL) name,     \
+            unit, HB_TEXT(text)                                                                              \
+    }
+/* A signal whose scale is a literal of double precision without suffix, given to the host in full. */
+#define HB_SIGNAL_EXACT(name, unit, type, structure, member, literal, lower, upper, text)                    \
+    {                                                                                                        \
+        type, (uint16_t)offsetof(structure, member), (float)literal, lower, upper, NULL,                     \
+            HB_DIGITS(#literal) name, unit, HB_TEXT(text)                                                    \
+    }
 #define HB_PARAM(space, name, unit, type, structure, member, initial, lower, upper, choices, text)           \
     {                                                                                                        \
         type, space, (uint16_t)offsetof(structure, member), 1, 1, initial, lower, upper, choices, name,      \

@@ -54,7 +54,7 @@ static uint8_t connectCommand(hb_xcp* slave, const uint8_t* packet, uint16_t len
     slave->response[1] = RESOURCE_CAL_DAQ;
     slave->response[2] = COMM_BLOCK_AND_INFO;
     slave->response[3] = HB_MAX_CTO;
-    hb_put16(&slave->response[4], HB_MAX_DTO);
+    hb_put16(&slave->response[4], hb_xcp_max_dto(&slave->description));
     slave->response[6] = PROTOCOL_VERSION;
     slave->response[7] = TRANSPORT_VERSION;
     slave->response_length = 8;

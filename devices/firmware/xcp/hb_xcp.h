@@ -74,6 +74,10 @@ typedef struct {
     uint8_t* live;
     uint16_t live_octets;
     uint32_t block_octets;
+#if HB_FEATURE_FULL            /* a small board knows its line when it is compiled */
+    const char* transport_a2l; /* A2L block of the line this board is served on; NULL: HB_A2L_TRANSPORT */
+    uint16_t max_dto;          /* longest measurement packet that line carries; 0: HB_MAX_DTO */
+#endif
     hb_xcp_hooks hooks;
     void* board;
 } hb_xcp_description;

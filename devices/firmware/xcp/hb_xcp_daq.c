@@ -157,7 +157,7 @@ static uint8_t writeEntry(hb_xcp* slave, uint8_t bit_offset, uint8_t size, uint8
     entry = &daq->entries[odt->first_entry + daq->write_entry];
     entry->source = source;
     entry->size = size;
-    if (packetOctets(daq, odt, daq->write_odt == 0) > HB_MAX_DTO) {
+    if (packetOctets(daq, odt, daq->write_odt == 0) > hb_xcp_max_dto(&slave->description)) {
         entry->size = 0;
         return HB_ERR_DAQ_CONFIG;
     }

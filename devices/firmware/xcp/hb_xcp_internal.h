@@ -30,6 +30,18 @@ static inline void hb_put32(uint8_t* octets, uint32_t value) {
     hb_put16(octets + 2, (uint16_t)(value >> 16));
 }
 
+/* Longest measurement packet: what the build holds and the line carries. */
+static inline uint16_t hb_xcp_max_dto(const hb_xcp_description* description) {
+#if HB_FEATURE_FULL
+    if (description->max_dto != 0 && description->max_dto < HB_MAX_DTO) {
+        return description->max_dto;
+    }
+#else
+    (void)description;
+#endif
+    return HB_MAX_DTO;
+}
+
 /* Response of `length` octets whose first is the packet identifier. */
 void hb_xcp_send(hb_xcp* slave, const uint8_t* packet, uint16_t length);
 

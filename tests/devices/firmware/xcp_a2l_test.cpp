@@ -132,7 +132,10 @@ TEST(XcpA2l, givesAddressesUnitsAndWords) {
             "ECU_ADDRESS 0x0000\nPHYS_UNIT \"rad\"\n"),
         std::string::npos);
     EXPECT_NE(text.find("NO_COMPU_METHOD 0 4294967295\n"), std::string::npos); // marks: the whole type
-    EXPECT_NE(text.find("COEFFS_LINEAR 2.396845e-05 0"), std::string::npos);   // 2 pi/2^18
+    const std::size_t factor = text.find("COEFFS_LINEAR 2.3");
+    ASSERT_NE(factor, std::string::npos);
+    EXPECT_EQ(std::strtod(text.c_str() + factor + 14, nullptr), 2.0 * Pi / 262144.0)
+        << "an angle that a host computes is the nearest double";
     EXPECT_NE(text.find("/begin CHARACTERISTIC gain.kp \"Proportional gain\" VALUE 0x10004 RL.FLOAT32_IEEE 0 "
                         "NO_COMPU_METHOD 0 2000\nPHYS_UNIT \"A/rad\"\n"),
               std::string::npos);
@@ -145,6 +148,32 @@ TEST(XcpA2l, givesAddressesUnitsAndWords) {
     EXPECT_NE(text.find("ECU_ADDRESS_EXTENSION 2\nREAD_ONLY\nMATRIX_DIM 4096 4 1\n"), std::string::npos);
     const Octets epk = f.command({0xFA, 5});
     EXPECT_NE(text.find("EPK \"" + std::string(epk.begin() + 8, epk.end()) + '"'), std::string::npos);
+}
+
+TEST(XcpA2l, tellsTheLineItIsServedOnAndKeepsItsPacketsThatShort) {
+    hb_htm_config config{};
+    config.transport_a2l = "/begin XCP_ON_SxI 0x0100 115200 /end XCP_ON_SxI\n";
+    config.max_dto = 40;
+    BoardFixture f(&config);
+    BoardFixture usual;
+    const Octets session = f.command({0xFF, 0x00});
+    usual.connect();
+    EXPECT_EQ(session[4] | (session[5] << 8), 40);
+    const std::string text = wholeText(f);
+    EXPECT_NE(text.find(config.transport_a2l), std::string::npos);
+    EXPECT_EQ(text.find("XCP_ON_TCP_IP"), std::string::npos);
+    EXPECT_NE(text.find(" 255 40 BYTE_ORDER_MSB_LAST"), std::string::npos);
+    EXPECT_NE(f.command({0xFA, 5}), usual.command({0xFA, 5})) << "another description, another EPK";
+    f.command({0xD6});
+    f.command({0xD5, 0, 1, 0});
+    f.command({0xD4, 0, 0, 0, 1});
+    f.command({0xD3, 0, 0, 0, 0, 20});
+    f.command({0xE2, 0, 0, 0, 0, 0});
+    const Octets entry{0xE1, 0xFF, 4, 0, 0, 0, 0, 0};
+    for (int i = 0; i < (40 - 5) / 4; ++i) { // 5 octets of identification and time stamp
+        ASSERT_EQ(f.command(entry), Accepted);
+    }
+    EXPECT_EQ(f.command(entry), refused(0x2A));
 }
 
 TEST(XcpA2l, doesNotDependOnTheLocale) {
