@@ -4,6 +4,7 @@
 #include "devices/device_uri.h"
 #include "devices/simulated/simulated_device.h"
 #include "devices/transport/tcp_transport.h"
+#include "devices/transport/udp_transport.h"
 #include "devices/xcp/xcp_device.h"
 
 #include <fmt/format.h>
@@ -12,22 +13,29 @@ namespace halbench::devices {
 
 namespace {
 
-Result<std::unique_ptr<Device>> openTcpDevice(const DeviceUri& uri, const OpenOptions& options) {
-    const Result<TcpAddress> address = parseTcpAddress(uri.address);
+std::unique_ptr<Transport> networkTransport(const std::string& scheme, const NetworkAddress& address) {
+    if (scheme == "udp") {
+        return std::make_unique<UdpTransport>(address);
+    }
+    return std::make_unique<TcpTransport>(address);
+}
+
+Result<std::unique_ptr<Device>> openNetworkDevice(const DeviceUri& uri, const OpenOptions& options) {
+    const Result<NetworkAddress> address = parseNetworkAddress(uri.address);
     if (!address) {
         return failure(address.error());
     }
     if (!uri.options.empty()) {
         return failure(ErrorCode::UnknownName,
                        fmt::format("device '{}': unknown option '{}'", uri.text, uri.options.front().first),
-                       "a tcp: address has no options");
+                       fmt::format("a {}: address has no options", uri.scheme));
     }
     XcpDeviceOptions device;
     device.identity.uri = uri.text;
-    device.identity.transport = "tcp";
+    device.identity.transport = uri.scheme;
     device.interruptSignal = options.interruptSignal;
     device.onMessage = options.onMessage;
-    return openXcpDevice(std::make_unique<TcpTransport>(*address), std::move(device));
+    return openXcpDevice(networkTransport(uri.scheme, *address), std::move(device));
 }
 
 } // namespace
@@ -40,15 +48,15 @@ Result<std::unique_ptr<Device>> openDevice(const std::string& text, const OpenOp
     if (uri->scheme == "sim") {
         return openSimulatedDevice(*uri, options);
     }
-    if (uri->scheme == "tcp") {
-        return openTcpDevice(*uri, options);
+    if (uri->scheme == "tcp" || uri->scheme == "udp") {
+        return openNetworkDevice(*uri, options);
     }
     if (uri->scheme == "replay") {
         return openReplayDevice(uri->text, uri->address);
     }
     return failure(ErrorCode::UnknownName,
                    fmt::format("device '{}': '{}:' is not built in this version", text, uri->scheme),
-                   "known are sim:htm, tcp:HOST:PORT and replay:FILE");
+                   "known are sim:htm, tcp:HOST:PORT, udp:HOST:PORT and replay:FILE");
 }
 
 std::vector<DeviceListing> listDevices() {

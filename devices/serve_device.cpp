@@ -1,7 +1,10 @@
 #include "devices/serve_device.h"
 
 #include "devices/simulated/simulated_device.h"
+#include "devices/sxi_framing.h"
+#include "devices/transport/pty_server.h"
 #include "devices/transport/tcp_server.h"
+#include "devices/transport/udp_server.h"
 
 #include <fmt/format.h>
 
@@ -26,10 +29,47 @@ private:
     SimulatedBoard* m_board;
 };
 
+/// What the board says of its line in its own description (resources/help/protocol.md 3.13).
+SimulatedBoard::Line lineOf(ServedLine line) {
+    switch (line) {
+    case ServedLine::Tcp:
+        break;
+    case ServedLine::Udp:
+        return {"/begin XCP_ON_UDP_IP 0x0100 5555 ADDRESS \"127.0.0.1\" /end XCP_ON_UDP_IP\n", 0};
+    case ServedLine::Pty:
+        return {"/begin XCP_ON_SxI 0x0100 115200 /begin ASYNCH_FULL_DUPLEX_MODE PARITY_NONE ONE_STOP_BIT "
+                "/begin FRAMING 0x9A 0x9B /end FRAMING /end ASYNCH_FULL_DUPLEX_MODE HEADER_LEN_CTR_BYTE "
+                "CHECKSUM_WORD /end XCP_ON_SxI\n",
+                HB_SXI_LONGEST_PACKET};
+    }
+    return {nullptr, 0};
+}
+
+template <typename Server>
+Result<std::unique_ptr<ServerPort>> owned(Result<Server> server) {
+    if (!server) {
+        return failure(server.error());
+    }
+    return std::unique_ptr<ServerPort>(std::make_unique<Server>(*std::move(server)));
+}
+
+Result<std::unique_ptr<ServerPort>> openPort(const ServeRequest& request) {
+    if (request.line == ServedLine::Pty) {
+        return owned(PtyServer::open(std::make_unique<SxiFraming>()));
+    }
+    const Result<NetworkAddress> address = parseNetworkAddress(request.address);
+    if (!address) {
+        return failure(address.error());
+    }
+    return request.line == ServedLine::Udp ? owned(UdpServer::bind(*address))
+                                           : owned(TcpServer::listen(*address));
+}
+
 } // namespace
 
-Result<void> serveTcp(const ServeRequest& request, const std::function<void(const std::string&)>& onListening,
-                      const std::atomic<int>& interruptSignal) {
+Result<void> serveDevice(const ServeRequest& request,
+                         const std::function<void(const std::string&)>& onListening,
+                         const std::atomic<int>& interruptSignal) {
     const Result<DeviceUri> uri = parseDeviceUri(request.device);
     if (!uri) {
         return failure(uri.error());
@@ -38,21 +78,18 @@ Result<void> serveTcp(const ServeRequest& request, const std::function<void(cons
         return failure(ErrorCode::Usage, fmt::format("'{}' cannot be served", request.device),
                        "serve needs a simulated device, e.g. sim:htm");
     }
-    const Result<std::unique_ptr<SimulatedBoard>> board = makeSimulatedBoard(*uri, request.seed);
+    const Result<std::unique_ptr<SimulatedBoard>> board =
+        makeSimulatedBoard(*uri, request.seed, lineOf(request.line));
     if (!board) {
         return failure(board.error());
     }
-    const Result<TcpAddress> address = parseTcpAddress(request.address);
-    if (!address) {
-        return failure(address.error());
+    const Result<std::unique_ptr<ServerPort>> port = openPort(request);
+    if (!port) {
+        return failure(port.error());
     }
-    Result<TcpServer> server = TcpServer::listen(*address);
-    if (!server) {
-        return failure(server.error());
-    }
-    onListening("tcp:" + server->address().text());
+    onListening((*port)->address());
     ServedSimulation served(**board);
-    server->run(served, interruptSignal);
+    serveBoard(**port, served, interruptSignal);
     return {};
 }
 

@@ -10,17 +10,21 @@
 
 namespace halbench::devices {
 
+enum class ServedLine { Tcp, Udp, Pty };
+
 /// What `halbench serve` was asked for.
 struct ServeRequest {
-    std::string device;                ///< `sim:htm?...`
-    std::string address;               ///< HOST:PORT; port 0 picks one
+    std::string device; ///< `sim:htm?...`
+    ServedLine line = ServedLine::Tcp;
+    std::string address;               ///< HOST:PORT, port 0 picks one; not for a pseudo terminal
     std::optional<std::uint64_t> seed; ///< wins over `?seed=`
 };
 
-/// Serves a simulated board to other XCP tools over TCP, paced by the wall clock, until the flag is set.
-/// `onListening` gets "tcp:127.0.0.1:PORT" once, when connections are accepted.
-/// Errors: InvalidInput, UnknownName, OutOfRange (device, address), DeviceLost.
-Result<void> serveTcp(const ServeRequest& request, const std::function<void(const std::string&)>& onListening,
-                      const std::atomic<int>& interruptSignal);
+/// Serves a simulated board to other XCP tools, paced by the wall clock, until the flag is set.
+/// `onListening` gets "tcp:127.0.0.1:PORT", "udp:127.0.0.1:PORT" or "pty:/dev/pts/N" once, when masters are
+/// answered. Errors: InvalidInput, UnknownName, OutOfRange (device, address), DeviceLost.
+Result<void> serveDevice(const ServeRequest& request,
+                         const std::function<void(const std::string&)>& onListening,
+                         const std::atomic<int>& interruptSignal);
 
 } // namespace halbench::devices

@@ -32,6 +32,23 @@ private:
     std::size_t m_begin = 0;
 };
 
+/// Follows the message counter of the other side (3.2).
+class CounterWatch {
+public:
+    /// Messages missing between the last one and this; 0 for the first.
+    std::uint16_t missingBefore(std::uint16_t counter) const {
+        return m_hasLast ? static_cast<std::uint16_t>(counter - m_last - 1) : std::uint16_t{0};
+    }
+    void take(std::uint16_t counter) {
+        m_last = counter;
+        m_hasLast = true;
+    }
+
+private:
+    std::uint16_t m_last = 0;
+    bool m_hasLast = false;
+};
+
 /// Appends one message.
 void appendMessage(std::vector<std::uint8_t>& stream, std::uint16_t counter,
                    std::span<const std::uint8_t> packet);

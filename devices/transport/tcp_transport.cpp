@@ -4,10 +4,8 @@
 #include <poll.h>
 #include <sys/socket.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 
 namespace halbench::devices {
@@ -18,15 +16,9 @@ constexpr double ConnectTimeout_s = 1.5;
 constexpr int SendTimeout_ms = 500;
 constexpr std::size_t MaxPacket = 0xFFFF;
 
-timespec timeoutOf(double duration_s) {
-    const double bounded_s = std::clamp(duration_s, 0.0, 3600.0);
-    const double whole_s = std::floor(bounded_s);
-    return {static_cast<time_t>(whole_s), static_cast<long>((bounded_s - whole_s) * 1e9)};
-}
-
 } // namespace
 
-TcpTransport::TcpTransport(TcpAddress address)
+TcpTransport::TcpTransport(NetworkAddress address)
     : m_address(std::move(address)), m_parser(MaxPacket), m_start(std::chrono::steady_clock::now()) {}
 
 double TcpTransport::now_s() const {
@@ -40,13 +32,13 @@ Error TcpTransport::lost(const std::string& what) {
 }
 
 Result<void> TcpTransport::open() {
-    Result<TcpSocket> socket = connectTcp(m_address, ConnectTimeout_s);
+    Result<Descriptor> socket = connectTcp(m_address, ConnectTimeout_s);
     if (!socket) {
         return failure(socket.error());
     }
     m_socket = *std::move(socket);
     m_parser = MessageParser(MaxPacket);
-    m_hasCounter = false;
+    m_counters = {};
     return {};
 }
 
@@ -56,7 +48,7 @@ Result<void> TcpTransport::send(std::span<const std::uint8_t> packet) {
     std::size_t done = 0;
     while (m_socket.isOpen() && done < m_outgoing.size()) {
         const ssize_t sent =
-            ::send(m_socket.descriptor(), m_outgoing.data() + done, m_outgoing.size() - done, MSG_NOSIGNAL);
+            ::send(m_socket.number(), m_outgoing.data() + done, m_outgoing.size() - done, MSG_NOSIGNAL);
         if (sent >= 0) {
             done += static_cast<std::size_t>(sent);
             continue;
@@ -64,7 +56,7 @@ Result<void> TcpTransport::send(std::span<const std::uint8_t> packet) {
         if (errno != EAGAIN && errno != EINTR) {
             return failure(lost(std::strerror(errno)));
         }
-        pollfd entry{m_socket.descriptor(), POLLOUT, 0};
+        pollfd entry{m_socket.number(), POLLOUT, 0};
         if (::poll(&entry, 1, SendTimeout_ms) == 0) {
             return failure(lost("the board takes no more commands"));
         }
@@ -86,11 +78,8 @@ Result<bool> TcpTransport::takeMessage(std::vector<std::uint8_t>& packet) {
         return false;
     }
     const std::uint16_t counter = (*message)->counter;
-    if (m_hasCounter) {
-        m_statistics.packetsLost += static_cast<std::uint16_t>(counter - m_lastCounter - 1);
-    }
-    m_lastCounter = counter;
-    m_hasCounter = true;
+    m_statistics.packetsLost += m_counters.missingBefore(counter);
+    m_counters.take(counter);
     ++m_statistics.packetsReceived;
     packet.assign((*message)->packet.begin(), (*message)->packet.end());
     return true;
@@ -98,7 +87,7 @@ Result<bool> TcpTransport::takeMessage(std::vector<std::uint8_t>& packet) {
 
 Result<void> TcpTransport::readSocket() {
     std::array<std::uint8_t, 65536> octets;
-    const ssize_t count = ::recv(m_socket.descriptor(), octets.data(), octets.size(), 0);
+    const ssize_t count = ::recv(m_socket.number(), octets.data(), octets.size(), 0);
     if (count > 0) {
         m_parser.feed({octets.data(), static_cast<std::size_t>(count)});
         return {};
@@ -122,9 +111,7 @@ Result<bool> TcpTransport::receive(std::vector<std::uint8_t>& packet, double tim
         if (!m_socket.isOpen()) {
             return failure(lost("the connection is closed"));
         }
-        pollfd entry{m_socket.descriptor(), POLLIN, 0};
-        const timespec timeout = timeoutOf(deadline_s - now_s());
-        if (::ppoll(&entry, 1, &timeout, nullptr) <= 0) {
+        if (!m_socket.isReadableWithin(deadline_s - now_s())) {
             return false;
         }
         if (const Result<void> read = readSocket(); !read) {

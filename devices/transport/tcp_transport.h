@@ -12,7 +12,7 @@ namespace halbench::devices {
 /// Thread: one, the connection's.
 class TcpTransport : public Transport {
 public:
-    explicit TcpTransport(TcpAddress address);
+    explicit TcpTransport(NetworkAddress address);
 
     Result<void> open() override;
     void close() noexcept override { m_socket.close(); }
@@ -28,14 +28,13 @@ private:
     Result<void> readSocket();
     Error lost(const std::string& what);
 
-    TcpAddress m_address;
-    TcpSocket m_socket;
+    NetworkAddress m_address;
+    Descriptor m_socket;
     MessageParser m_parser;
     TransportStatistics m_statistics;
     std::vector<std::uint8_t> m_outgoing;
     std::uint16_t m_sendCounter = 0;
-    std::uint16_t m_lastCounter = 0;
-    bool m_hasCounter = false;
+    CounterWatch m_counters;
     std::chrono::steady_clock::time_point m_start;
 };
 

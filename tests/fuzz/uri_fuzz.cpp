@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (uri->scheme == "sim") {
         (void)parseSimulatedAddress(*uri, std::nullopt);
     } else if (uri->scheme == "tcp") {
-        (void)parseTcpAddress(uri->address);
+        (void)parseNetworkAddress(uri->address);
     }
     return 0;
 }

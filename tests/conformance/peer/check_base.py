@@ -12,6 +12,17 @@ def set_target(target):
     TARGET = target
 
 
+def only_on(*lines):
+    """A case that makes sense on some lines only."""
+    def decorate(case):
+        def run(self):
+            if self.target.line in lines:
+                case(self)
+        run.__doc__ = case.__doc__
+        return run
+    return decorate
+
+
 class SlaveCase(unittest.TestCase):
     def setUp(self):
         self.target = TARGET
@@ -19,7 +30,7 @@ class SlaveCase(unittest.TestCase):
         self.addCleanup(self.running.stop)
 
     def raw_master(self):
-        master = Master(self.running.port)
+        master = Master(self.running.address)
         self.addCleanup(master.close)
         return master
 

@@ -43,7 +43,7 @@ class ProgramCase(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
-        self.running, self.uri = running, f"tcp:127.0.0.1:{running.port}"
+        self.running, self.uri = running, running.address
 
     def run_on(self, verb, *arguments):
         return Answer([verb, self.uri, *arguments, "--json"])
@@ -69,7 +69,7 @@ class ProgramCase(unittest.TestCase):
 
     def board_value(self, name):
         """What the board runs with, read by our own master on the page of the control loop."""
-        master = Master(self.running.port)
+        master = Master(self.running.address)
         master.connect()
         master.describe()
         if master.a2l.segments:

@@ -3,7 +3,7 @@ import struct
 import time
 
 import wire
-from check_base import SlaveCase
+from check_base import SlaveCase, only_on
 from master import NoAnswer
 from wire import RES, ERR
 
@@ -106,17 +106,19 @@ class Session(SlaveCase):
         self.assert_silent(master, 0.2)
         master.status()
 
+    @only_on("tcp")
     def test_messages_survive_any_cut(self):
         master = self.raw_master()
         octets = wire.message(bytes([wire.CONNECT, 0]), 0) + wire.message(bytes([wire.GET_STATUS]), 1)
         for octet in octets:
-            master.socket.sendall(bytes([octet]))
+            master.line.send_octets(bytes([octet]))
         self.assertEqual(master.answer()[0], RES)
         self.assertEqual(len(master.answer()), 6)
 
+    @only_on("tcp")
     def test_nonsense_length_ends_the_connection_and_not_the_slave(self):
         master = self.master(describe=False)
-        master.socket.sendall(b"\x00\x00\x00\x00" * 4 + b"\xff\xff" * 40000)
+        master.line.send_octets(b"\x00\x00\x00\x00" * 4 + b"\xff\xff" * 40000)
         end = time.monotonic() + 2
         while not master.is_closed and time.monotonic() < end:
             master.pump(0.05)
@@ -129,6 +131,7 @@ class Session(SlaveCase):
             master.status()
         self.assertEqual(master.lost, 0)
 
+    @only_on("tcp", "udp")
     def test_second_master_takes_the_session_over(self):
         first = self.master()
         second = self.master()

@@ -1,12 +1,12 @@
-"""An independent XCP master over TCP, written from protocol.md (sections 3.1, 3.2, 3.5-3.11)."""
+"""An independent XCP master over TCP, UDP and serial lines, written from protocol.md (sections 3.1, 3.2, 3.5-3.11)."""
 import select
-import socket
 import struct
 import time
 from dataclasses import dataclass, field
 
 import wire
 from a2l import Description
+from line import open_line
 from wire import RES, ERR, EV, SERV
 
 
@@ -47,11 +47,9 @@ class DaqList:
 
 
 class Master:
-    def __init__(self, port, host="127.0.0.1", timeout_s=2.0):
+    def __init__(self, address, timeout_s=2.0):
         self.timeout_s = timeout_s
-        self.socket = socket.create_connection((host, port), timeout=timeout_s)
-        self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        self.splitter = wire.Splitter()
+        self.line = open_line(address, timeout_s)
         self.counter = 0
         self.expected_counter = None
         self.lost = 0
@@ -62,7 +60,7 @@ class Master:
         self.max_cto, self.max_dto = 8, 8
 
     def close(self):
-        self.socket.close()
+        self.line.close()
 
     def __enter__(self):
         return self
@@ -74,18 +72,15 @@ class Master:
 
     def send(self, *packets):
         """Sends packets in one write, whatever is outstanding."""
-        octets = b""
-        for packet in packets:
-            octets += wire.message(packet, self.counter)
-            self.counter += 1
-        self.socket.sendall(octets)
+        self.line.send(packets, self.counter)
+        self.counter += len(packets)
 
     def pump(self, seconds):
         """Takes in whatever arrives within this time."""
         end = time.monotonic() + seconds
         while True:
             left = end - time.monotonic()
-            ready, _, _ = select.select([self.socket], [], [], max(left, 0.0))
+            ready, _, _ = select.select([self.line], [], [], max(left, 0.0))
             if not ready:
                 return
             self.take_in()
@@ -93,16 +88,12 @@ class Master:
                 return
 
     def take_in(self):
-        try:
-            octets = self.socket.recv(65536)
-        except ConnectionError:
-            octets = b""
-        if not octets:
-            self.is_closed = True
-        for counter, packet in self.splitter.feed(octets):
+        messages, is_open = self.line.receive()
+        self.is_closed = self.is_closed or not is_open
+        for counter, packet in messages:
             if self.expected_counter is not None:
-                self.lost += (counter - self.expected_counter) & 0xFFFF
-            self.expected_counter = (counter + 1) & 0xFFFF
+                self.lost += (counter - self.expected_counter) % self.line.turn
+            self.expected_counter = (counter + 1) % self.line.turn
             kind = packet[0]
             if kind in (RES, ERR):
                 self.answers.append(packet)
@@ -119,7 +110,7 @@ class Master:
             left = end - time.monotonic()
             if left <= 0 or self.is_closed:
                 raise NoAnswer("connection closed" if self.is_closed else "timeout")
-            ready, _, _ = select.select([self.socket], [], [], left)
+            ready, _, _ = select.select([self.line], [], [], left)
             if ready:
                 self.take_in()
         return self.answers.pop(0)

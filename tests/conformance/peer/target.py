@@ -1,5 +1,6 @@
 """Starts the slave under test: the product's simulated board, or our own slave to test the tests."""
 import os
+import re
 import shlex
 import subprocess
 import sys
@@ -16,6 +17,7 @@ class Target:
     triggers: tuple = ("hb.arm", "hb.stop", "reference.start", "capture.start")
     stopped_by_command: int = 2
     stopped_by_watchdog: int = 3
+    line: str = "tcp"
 
     def start(self):
         return Running(self.command)
@@ -25,10 +27,10 @@ class Running:
     def __init__(self, command):
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
         line = self.process.stdout.readline()
-        if not line.startswith("listening tcp:127.0.0.1:"):
+        if not re.fullmatch(r"listening (tcp:127\.0\.0\.1:\d+|udp:127\.0\.0\.1:\d+|pty:/\S+)\n", line):
             self.stop()
-            raise RuntimeError(f"{command[0]} said {line!r} instead of its port")
-        self.port = int(line.rsplit(":", 1)[1])
+            raise RuntimeError(f"{command[0]} said {line!r} instead of its address")
+        self.address = line.split(" ", 1)[1].strip()
 
     def stop(self):
         """Ends it and returns its exit code."""
@@ -46,8 +48,11 @@ def slave_target(variant="plain"):
     return Target([sys.executable, os.path.join(HERE, "slave.py"), variant], moving="counter")
 
 
-def program_target(program):
-    return Target([program, "serve", "sim:htm?seed=1", "--tcp", "127.0.0.1:0"], moving="position")
+LINES = {"tcp": ["--tcp", "127.0.0.1:0"], "udp": ["--udp", "127.0.0.1:0"], "pty": ["--pty"]}
+
+
+def program_target(program, kind="tcp"):
+    return Target([program, "serve", "sim:htm?seed=1", *LINES[kind]], moving="position", line=kind)
 
 
 def command_target(command):
@@ -56,7 +61,10 @@ def command_target(command):
 
 
 def from_arguments():
-    """`--program PATH`, `--slave VARIANT` or `--command "COMMAND"` in front of unittest's own arguments."""
+    """`--program PATH`, `--udp PATH`, `--pty PATH`, `--slave VARIANT` or `--command "COMMAND"` in front of
+    unittest's own arguments."""
     kind, value = sys.argv[1:3]
     del sys.argv[1:3]
+    if kind in ("--udp", "--pty"):
+        return program_target(value, kind[2:])
     return {"--program": program_target, "--slave": slave_target, "--command": command_target}[kind](value)

@@ -299,6 +299,10 @@ class Serving(ProgramCase):
                 self.refuse(2, r"\w", "serve", "sim:htm", "--tcp", place)
         self.refuse(3, "no.such.host.invalid", "serve", "sim:htm", "--tcp", "no.such.host.invalid:1")
         self.refuse(2, "serial", "serve", "serial:/dev/ttyS0", "--tcp", "127.0.0.1:0")
+        self.refuse(2, r"\w", "serve", "sim:htm", "--udp", "127.0.0.1")
+        self.refuse(3, "udp:no.such.host.invalid", "serve", "sim:htm", "--udp", "no.such.host.invalid:1")
+        self.refuse(2, "one of", "serve", "sim:htm", "--udp", "127.0.0.1:0", "--pty")
+        self.refuse(2, "one of", "serve", "sim:htm")
 
     def test_occupied_port_is_told(self):
         with socket.create_server(("127.0.0.1", 0)) as taken:

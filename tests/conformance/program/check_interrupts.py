@@ -51,9 +51,10 @@ class Interrupts(BoardCase):
 
     def test_serving_ends_with_success(self):
         for number, _ in SIGNALS:
-            process, _ = self.serve()
-            process.send_signal(number)
-            self.assertEqual(process.wait(timeout=5), 0)
+            for kind in ("tcp", "udp", "pty"):
+                process, _ = self.serve(kind)
+                process.send_signal(number)
+                self.assertEqual(process.wait(timeout=5), 0, kind)
 
 
 class Departures(BoardCase):

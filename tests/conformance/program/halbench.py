@@ -69,10 +69,11 @@ class ProgramCase(unittest.TestCase):
         process.kill()
         process.communicate()
 
-    def serve(self):
-        process = self.start_program("serve", "sim:htm?seed=1", "--tcp", "127.0.0.1:0")
+    def serve(self, kind="tcp"):
+        where = ["--pty"] if kind == "pty" else [f"--{kind}", "127.0.0.1:0"]
+        process = self.start_program("serve", "sim:htm?seed=1", *where)
         line = process.stdout.readline()
-        self.assertRegex(line, r"^listening tcp:127\.0\.0\.1:\d+$")
+        self.assertRegex(line, r"^listening pty:/dev/\S+$" if kind == "pty" else rf"^listening {kind}:127\.0\.0\.1:\d+$")
         return process, line.split(" ", 1)[1].strip()
 
     def accept(self, *arguments, **options):

@@ -13,8 +13,7 @@ namespace halbench::devices {
 /// `halbench serve sim:htm` in a thread of the test.
 class BoardServer {
 public:
-    explicit BoardServer(const std::string& device = "sim:htm?imperfections=off")
-        : m_thread([this, device] { serve(device); }) {
+    explicit BoardServer(ServedLine line = ServedLine::Tcp) : m_thread([this, line] { serve(line); }) {
         std::unique_lock lock(m_mutex);
         m_changed.wait(lock, [this] { return !m_address.empty(); });
     }
@@ -28,14 +27,14 @@ public:
             m_thread.join();
         }
     }
-    /// "tcp:127.0.0.1:PORT"
+    /// "tcp:127.0.0.1:PORT", "udp:127.0.0.1:PORT", "pty:/dev/pts/N"
     const std::string& uri() const { return m_address; }
 
 private:
-    void serve(const std::string& device) {
-        const auto served = serveTcp(
-            {device, "127.0.0.1:0", std::nullopt}, [this](const std::string& address) { announce(address); },
-            m_interrupt);
+    void serve(ServedLine line) {
+        const auto served = serveDevice(
+            {"sim:htm?imperfections=off", line, line == ServedLine::Pty ? "" : "127.0.0.1:0", std::nullopt},
+            [this](const std::string& address) { announce(address); }, m_interrupt);
         if (!served) {
             announce(served.error().message);
         }

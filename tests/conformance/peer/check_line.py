@@ -1,0 +1,187 @@
+"""The lines themselves: datagrams, frames, damage, masters that come and go (protocol.md 3.2, 3.3)."""
+import random
+import time
+import unittest
+
+import line
+import wire
+from check_base import SlaveCase
+from master import DaqList, NoAnswer
+from wire import RES
+
+
+def damaged(frame, kind, random_numbers):
+    """The frame with one thing wrong behind its first octet."""
+    octets = bytearray(frame)
+    at = random_numbers.randrange(1, len(octets))
+    if kind == "flip":
+        octets[at] ^= 1 << random_numbers.randrange(8)
+    elif kind == "lost":
+        del octets[at]
+    elif kind == "extra":
+        octets.insert(at, random_numbers.randrange(256))
+    else:
+        octets = bytearray(random_numbers.randbytes(len(octets)))
+    return bytes(octets)
+
+
+class SelfTest(unittest.TestCase):
+    """Our own framing against the page's vectors."""
+
+    def test_frames_are_those_of_the_page(self):
+        self.assertEqual(line.sxi_frame(b"\xff\x00", 0).hex(), "9a0200ff000101")
+        self.assertEqual(line.sxi_frame(b"\xfd", 1).hex(), "9a0101fd00fe01")
+
+    def test_any_packet_comes_back_at_any_cut(self):
+        numbers = random.Random(1)
+        for counter in range(300):
+            packet = bytes(numbers.choice((0x9A, 0x9B, 0, 1, 0xFF)) for _ in range(numbers.randrange(1, 250)))
+            frame = line.sxi_frame(packet, counter)
+            cut = numbers.randrange(len(frame))
+            splitter = line.SxiSplitter()
+            self.assertEqual(splitter.feed(frame[:cut]) + splitter.feed(frame[cut:]), [(counter & 0xFF, packet)])
+
+
+class Datagrams(SlaveCase):
+    def test_datagrams_are_short_and_shared(self):
+        master = self.master()
+        signals = list(master.a2l.signals.values())
+        lists = [DaqList(event=0, odts=[signals[:12]]), DaqList(event=0, odts=[signals[:12]])]
+        master.start(lists)
+        master.line.datagrams.clear()
+        master.pump(1.0)
+        count = len(master.line.datagrams)
+        messages = len(master.dtos)
+        master.stop_measuring()
+        self.assertGreater(count, 100)
+        self.assertGreater(messages, count, "several messages share a datagram")
+        self.assertLessEqual(max(master.line.datagrams), line.MOST_IN_A_DATAGRAM)
+        self.assertEqual(master.lost, 0)
+
+    def test_several_commands_in_one_datagram_are_answered(self):
+        master = self.master(describe=False)
+        master.line.send_octets(b"".join(wire.message(bytes([wire.GET_STATUS]), i) for i in range(5)))
+        for _ in range(5):
+            self.assertEqual(master.answer()[0], RES)
+
+    def test_nonsense_is_dropped_and_the_session_goes_on(self):
+        master = self.master(describe=False)
+        status = wire.message(bytes([wire.GET_STATUS]), 0)
+        for nonsense in (b"", b"\0", b"\0\0\0\0", b"\xff\xff\0\0", status[:-1], b"\x05" + status[1:], b"\xff" * 1400):
+            master.line.send_octets(nonsense)
+        self.assert_silent(master, 0.1)
+        master.line.send_octets(status + status[:3])            # a whole message, then a broken one
+        self.assertEqual(master.answer()[0], RES)
+        master.status()
+
+    def test_stranger_is_ignored_until_he_connects(self):
+        master = self.master(describe=False)
+        stranger = self.raw_master()
+        stranger.send(bytes([wire.GET_STATUS]))
+        stranger.send(bytes([wire.DISCONNECT]))
+        self.assert_silent(stranger, 0.2)
+        self.assertEqual(master.answers, [])
+        master.status()
+        stranger.connect()
+        master.send(bytes([wire.GET_STATUS]))
+        self.assert_silent(master, 0.2)
+        stranger.status()
+
+    def test_stream_goes_to_the_master_that_connected_last(self):
+        first = self.master()
+        first.start([DaqList(event=0, odts=[[first.a2l.signals[self.target.moving]]])])
+        first.pump(0.1)
+        self.assertTrue(first.dtos)
+        second = self.master()
+        first.pump(0.05)
+        first.dtos.clear()
+        second.start([DaqList(event=0, odts=[[second.a2l.signals[self.target.moving]]])])
+        second.pump(0.1)
+        first.pump(0.05)
+        self.assertTrue(second.dtos)
+        self.assertEqual(first.dtos, [])
+
+    def test_stop_of_a_stranger_is_obeyed(self):
+        master = self.master()
+        self.set_in_motion(master)
+        stranger = self.raw_master()
+        stranger.send(bytes([wire.USER_CMD, wire.USER_STOP]))
+        master.pump(0.1)
+        self.wait_for_value(master, "status", self.target.stopped_by_command)
+
+
+class Frames(SlaveCase):
+    def test_damaged_frames_are_dropped_and_the_next_one_is_answered(self):
+        """200 damaged commands of four kinds: the next command is answered every time, without a repeat."""
+        master = self.master(describe=False)
+        numbers = random.Random(7)
+        for index in range(200):
+            kind = ("flip", "lost", "extra", "garbage")[index % 4]
+            frame = line.sxi_frame(bytes([wire.GET_ID, 1]), master.counter)
+            master.line.send_octets(damaged(frame, kind, numbers))
+            master.pump(0.004)
+            master.answers.clear()          # damage that the sum does not see may be answered
+            master.status()
+        self.assertEqual(master.line.splitter.damaged, 0)
+
+    def test_damaged_frame_is_never_answered(self):
+        master = self.master(describe=False)
+        frame = line.sxi_frame(bytes([wire.GET_STATUS]), master.counter)
+        for at in range(1, len(frame)):
+            master.line.send_octets(frame[:at] + bytes([frame[at] ^ 0x10]) + frame[at + 1:])
+        self.assert_silent(master, 0.3)
+        master.status()
+
+    def test_command_survives_any_cut(self):
+        master = self.master(describe=False)
+        for octet in line.sxi_frame(bytes([wire.GET_STATUS]), master.counter):
+            master.line.send_octets(bytes([octet]))
+            time.sleep(0.003)
+        self.assertEqual(len(master.answer()), 6)
+
+    def test_every_packet_fits_the_frame(self):
+        master = self.master()
+        self.assertLessEqual(master.max_dto, 255)
+        master.read_daq_properties()
+        signals = list(master.a2l.signals.values())
+        odts, room = [[]], master.max_dto - 1 - master.time_size
+        for item in signals * 8:
+            if room < item.size:
+                odts, room = odts + [[]], master.max_dto - 1
+            odts[-1].append(item)
+            room -= item.size
+        daq = DaqList(event=1, odts=odts[:-1])
+        master.start([daq])
+        self.serve_for(master, 0.5)
+        master.stop_measuring()
+        self.assertGreater(len(daq.samples), 20)
+        self.assertEqual((daq.incomplete, master.lost, master.line.splitter.damaged), (0, 0, 0))
+
+    def test_line_survives_masters_that_come_and_go(self):
+        for _ in range(5):
+            master = self.master()
+            master.start([DaqList(event=0, odts=[list(master.a2l.signals.values())[:12]])])
+            master.close()                  # in the middle of the stream
+            time.sleep(0.1)                 # nobody listens: the line fills up
+        master = self.master()
+        master.status()
+        self.assertEqual(master.lost, 0)
+
+    def test_line_without_a_reader_does_not_hold_up_the_board(self):
+        master = self.master()
+        master.start([DaqList(event=0, odts=[list(master.a2l.signals.values())[:12]])])
+        time.sleep(0.5)                     # 500 frames of about 60 octets: more than the line holds
+        master.connect()
+        self.assertFalse(master.status()[0] & 0x40)
+
+    def test_what_was_on_its_way_is_discarded_by_connect(self):
+        first = self.master()
+        first.start([DaqList(event=0, odts=[[first.a2l.signals[self.target.moving]]])])
+        time.sleep(0.1)
+        first.close()
+        second = self.raw_master()
+        second.send(bytes([wire.CONNECT, 0]))
+        try:
+            self.assertEqual(second.answer()[0], RES)
+        except NoAnswer:
+            self.fail("CONNECT was not answered")
