@@ -1,0 +1,162 @@
+#include "control/signals/sample_history.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::control {
+namespace {
+
+/// A step of time this many periods long is a gap even when nobody counted lost rows.
+constexpr double GapPeriods = 2.5;
+
+bool isSameStream(const StreamLayout& left, const StreamLayout& right) {
+    return left.period_s == right.period_s &&
+           std::equal(left.columns.begin(), left.columns.end(), right.columns.begin(), right.columns.end(),
+                      [](const auto& a, const auto& b) { return a.name == b.name && a.unit == b.unit; });
+}
+
+} // namespace
+
+SampleHistory::SampleHistory(std::size_t budget_bytes) : m_budget_bytes(budget_bytes) {}
+
+void SampleHistory::clear() {
+    m_names.clear();
+    m_places.clear();
+    m_streams.clear();
+    m_edges = {};
+    m_lostRows = 0;
+    m_hostArrival_s = 0.0;
+    ++m_revision;
+}
+
+std::size_t SampleHistory::bytes() const {
+    std::size_t sum = 0;
+    for (const auto& [number, stream] : m_streams) {
+        sum += stream.track.bytes();
+    }
+    return sum;
+}
+
+void SampleHistory::append(const SampleBlock& block) {
+    m_lostRows += block.lostRows;
+    if (block.layout == nullptr || block.layout->columns.empty() || block.rows() == 0) {
+        return;
+    }
+    bool isRestart = false;
+    Stream& stream = streamFor(block, isRestart);
+    if (isRestart) {
+        stream.offset_s = offsetFor(block, stream.period_s);
+    }
+    addRows(stream, block, isRestart || block.lostRows > 0);
+    m_hostArrival_s = block.hostArrival_s;
+    keepBudget();
+    ++m_revision;
+}
+
+SampleHistory::Stream& SampleHistory::streamFor(const SampleBlock& block, bool& isRestart) {
+    for (auto it = m_streams.rbegin(); it != m_streams.rend(); ++it) {
+        Stream& stream = it->second;
+        const bool isLast = it == m_streams.rbegin();
+        if (stream.layout == block.layout || (isLast && isSameStream(*stream.layout, *block.layout))) {
+            const double newest_s = stream.track.time_s(stream.track.endRow() - 1) - stream.offset_s;
+            isRestart = stream.layout != block.layout || block.time_s.front() <= newest_s;
+            stream.layout = block.layout;
+            return stream;
+        }
+    }
+    isRestart = true;
+    const std::size_t number = m_nextStream++;
+    registerColumns(*block.layout, number);
+    return m_streams
+        .emplace(number,
+                 Stream{block.layout, SampleTrack(block.layout->columns.size()), 0.0, block.layout->period_s})
+        .first->second;
+}
+
+void SampleHistory::registerColumns(const StreamLayout& layout, std::size_t stream) {
+    for (std::size_t column = 0; column < layout.columns.size(); ++column) {
+        const std::string& name = layout.columns[column].name;
+        if (std::find(m_names.begin(), m_names.end(), name) == m_names.end()) {
+            m_names.push_back(name);
+        }
+        m_places[name].push_back({stream, column});
+    }
+}
+
+double SampleHistory::offsetFor(const SampleBlock& block, double period_s) const {
+    const auto held = range();
+    if (!held || block.time_s.front() > held->end_s) {
+        return 0.0; // the clock went on
+    }
+    const double length_s = block.time_s.back() - block.time_s.front();
+    const double waited_s = block.hostArrival_s - m_hostArrival_s - length_s;
+    return held->end_s + std::max(period_s, waited_s) - block.time_s.front();
+}
+
+void SampleHistory::addRows(Stream& stream, const SampleBlock& block, bool isAfterGap) {
+    const std::size_t width = block.layout->columns.size();
+    m_row.resize(width);
+    const double longest_s = GapPeriods * stream.period_s;
+    double before_s =
+        stream.track.isEmpty() ? block.time_s.front() : stream.track.time_s(stream.track.endRow() - 1);
+    for (std::size_t row = 0; row < block.rows(); ++row) {
+        const double time_s = block.time_s[row] + stream.offset_s;
+        for (std::size_t column = 0; column < width; ++column) {
+            const double value = block.value(row, column);
+            m_row[column] = std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN();
+        }
+        const bool isJump = stream.period_s > 0.0 && time_s - before_s > longest_s;
+        stream.track.add(time_s, m_row.data(), isAfterGap || isJump);
+        isAfterGap = false;
+        before_s = time_s;
+    }
+}
+
+void SampleHistory::keepBudget() {
+    while (bytes() > m_budget_bytes) {
+        auto oldest = m_streams.end();
+        for (auto it = m_streams.begin(); it != m_streams.end(); ++it) {
+            const bool isInUse = it == std::prev(m_streams.end()) && it->second.track.chunks() == 1;
+            const auto firstTime = [](const Stream& s) { return s.track.time_s(s.track.firstRow()); };
+            if (!isInUse &&
+                (oldest == m_streams.end() || firstTime(it->second) < firstTime(oldest->second))) {
+                oldest = it;
+            }
+        }
+        if (oldest == m_streams.end()) {
+            return; // the newest chunk always stays
+        }
+        oldest->second.track.dropOldestChunk();
+        if (oldest->second.track.isEmpty()) {
+            for (auto& [name, places] : m_places) {
+                std::erase_if(places, [&](const Place& place) { return place.stream == oldest->first; });
+            }
+            m_streams.erase(oldest);
+        }
+    }
+}
+
+std::string SampleHistory::unit(const std::string& signal) const {
+    const auto places = m_places.find(signal);
+    if (places == m_places.end() || places->second.empty()) {
+        return {};
+    }
+    const Place& place = places->second.back();
+    return m_streams.at(place.stream).layout->columns[place.column].unit;
+}
+
+std::optional<TimeRange> SampleHistory::range() const {
+    std::optional<TimeRange> result;
+    for (const auto& [number, stream] : m_streams) {
+        if (stream.track.isEmpty()) {
+            continue; // just made, its first block is being added
+        }
+        const double begin_s = stream.track.time_s(stream.track.firstRow());
+        const double end_s = stream.track.time_s(stream.track.endRow() - 1);
+        result = result ? TimeRange{std::min(result->begin_s, begin_s), std::max(result->end_s, end_s)}
+                        : TimeRange{begin_s, end_s};
+    }
+    return result;
+}
+
+} // namespace halbench::control

@@ -1,0 +1,120 @@
+#pragma once
+
+#include "control/base/sample_block.h"
+#include "control/signals/sample_track.h"
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace halbench::control {
+
+struct TimeRange {
+    double begin_s = 0.0;
+    double end_s = 0.0;
+
+    double length_s() const { return end_s - begin_s; }
+    bool operator==(const TimeRange&) const = default;
+};
+
+struct TimedValue {
+    double time_s = 0.0;
+    double value = 0.0; ///< NaN where the device gave none
+    bool isAfterGap = false;
+};
+
+/// What one pixel column shows of a signal.
+struct HistoryColumn {
+    Extremes extremes;       ///< empty where the signal has no value
+    bool isAfterGap = false; ///< the line from the column before is interrupted
+};
+
+/// The recent past of all signals for showing it: bounded in memory, oldest rows go first, and any stretch of
+/// it is asked for in time proportional to the pixels, not to the samples. Blocks of different layouts (other
+/// signals, another rate) may follow each other; a signal keeps its name. Each such change, lost rows and a
+/// jump of the device's clock are gaps; a value that is not finite is a break.
+///
+/// Time is the device's. Where its clock starts again (a new stream counts from zero), the rows continue
+/// after the newest ones, as much later as the host saw them arrive, so that time never runs back.
+///
+/// Belongs to one thread, normally that of the window: devices/acquisition/display_inbox.h brings the blocks
+/// there.
+class SampleHistory {
+public:
+    explicit SampleHistory(std::size_t budget_bytes);
+
+    void append(const SampleBlock& block);
+    void clear();
+
+    /// Rises with every change; a view that has drawn this revision need not draw again.
+    std::uint64_t revision() const { return m_revision; }
+    std::size_t bytes() const;
+    std::size_t budget_bytes() const { return m_budget_bytes; }
+    /// Rows said to be lost by the blocks.
+    std::uint64_t lostRows() const { return m_lostRows; }
+
+    /// Names in the order in which they first came.
+    const std::vector<std::string>& signals() const { return m_names; }
+    bool contains(const std::string& signal) const { return m_places.count(signal) > 0; }
+    /// SI unit symbol as the stream gave it; empty when the signal is unknown.
+    std::string unit(const std::string& signal) const;
+
+    /// From the oldest to the newest row held; nothing when there is none.
+    std::optional<TimeRange> range() const;
+    std::optional<TimeRange> range(const std::string& signal) const;
+    std::optional<TimedValue> latest(const std::string& signal) const;
+    /// The sample nearest to a time; nothing farther away than one and a half sampling periods, nor NaN.
+    std::optional<TimedValue> valueAt(const std::string& signal, double time_s) const;
+    /// Extremes of a stretch of time, both ends included. O(log rows).
+    Extremes extremes(const std::string& signal, TimeRange range) const;
+
+    /// Rows of the signal in a stretch of time: what decides between samples() and columns().
+    std::size_t rowsIn(const std::string& signal, TimeRange range) const;
+    /// The samples in a stretch of time and one beyond each of its ends, so that lines reach the frame.
+    void samples(const std::string& signal, TimeRange range, std::vector<TimedValue>& result) const;
+    /// `count` equal columns of the stretch. A sample may be counted one eighth of a column off; none is
+    /// lost.
+    void columns(const std::string& signal, TimeRange range, std::size_t count,
+                 std::vector<HistoryColumn>& result) const;
+
+private:
+    struct Stream {
+        std::shared_ptr<const StreamLayout> layout;
+        SampleTrack track;
+        double offset_s = 0.0; ///< of the history's time from the device's
+        double period_s = 0.0;
+    };
+    struct Place {
+        std::size_t stream;
+        std::size_t column;
+    };
+    struct Edges { ///< rows at the column edges of the last question, which all signals of a stream share
+        std::size_t stream = 0;
+        std::uint64_t endRow = 0;
+        TimeRange range;
+        std::vector<std::uint64_t> rows;
+    };
+
+    Stream& streamFor(const SampleBlock& block, bool& isRestart);
+    void registerColumns(const StreamLayout& layout, std::size_t stream);
+    double offsetFor(const SampleBlock& block, double period_s) const;
+    void addRows(Stream& stream, const SampleBlock& block, bool isAfterGap);
+    void keepBudget();
+    const std::vector<std::uint64_t>& edges(std::size_t stream, TimeRange range, std::size_t count) const;
+    void addColumns(const Place& place, TimeRange range, std::vector<HistoryColumn>& result) const;
+
+    std::size_t m_budget_bytes;
+    std::uint64_t m_revision = 0;
+    std::uint64_t m_lostRows = 0;
+    double m_hostArrival_s = 0.0;
+    std::vector<std::string> m_names;
+    std::map<std::string, std::vector<Place>> m_places;
+    std::map<std::size_t, Stream> m_streams; ///< by number, in the order of time
+    std::size_t m_nextStream = 0;
+    std::vector<double> m_row;
+    mutable Edges m_edges;
+};
+
+} // namespace halbench::control

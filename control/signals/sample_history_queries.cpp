@@ -1,0 +1,163 @@
+#include "control/signals/sample_history.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::control {
+namespace {
+
+/// A lookup farther away than this many periods would show a value of another moment.
+constexpr double NearPeriods = 1.5;
+
+/// Largest group of the pyramid that is at most an eighth of a column.
+std::uint64_t snapFor(std::uint64_t rows, std::size_t columns) {
+    std::uint64_t snap = 1;
+    while (4 * snap * 8 * columns <= rows) {
+        snap *= 4;
+    }
+    return snap;
+}
+
+} // namespace
+
+std::optional<TimeRange> SampleHistory::range(const std::string& signal) const {
+    const auto places = m_places.find(signal);
+    if (places == m_places.end() || places->second.empty()) {
+        return std::nullopt;
+    }
+    const SampleTrack& first = m_streams.at(places->second.front().stream).track;
+    const SampleTrack& last = m_streams.at(places->second.back().stream).track;
+    return TimeRange{first.time_s(first.firstRow()), last.time_s(last.endRow() - 1)};
+}
+
+std::optional<TimedValue> SampleHistory::latest(const std::string& signal) const {
+    const auto places = m_places.find(signal);
+    if (places == m_places.end() || places->second.empty()) {
+        return std::nullopt;
+    }
+    const Place& place = places->second.back();
+    const SampleTrack& track = m_streams.at(place.stream).track;
+    const std::uint64_t row = track.endRow() - 1;
+    return TimedValue{track.time_s(row), track.value(place.column, row)};
+}
+
+std::optional<TimedValue> SampleHistory::valueAt(const std::string& signal, double time_s) const {
+    const auto places = m_places.find(signal);
+    if (places == m_places.end()) {
+        return std::nullopt;
+    }
+    std::optional<TimedValue> nearest;
+    for (const Place& place : places->second) {
+        const Stream& stream = m_streams.at(place.stream);
+        const SampleTrack& track = stream.track;
+        const std::uint64_t after = track.rowAt(time_s);
+        for (std::uint64_t row = after > track.firstRow() ? after - 1 : after;
+             row < std::min(after + 1, track.endRow()); ++row) {
+            const double distance_s = std::abs(track.time_s(row) - time_s);
+            const bool isNear = stream.period_s <= 0.0 || distance_s <= NearPeriods * stream.period_s;
+            if (isNear && (!nearest || distance_s < std::abs(nearest->time_s - time_s))) {
+                nearest = TimedValue{track.time_s(row), track.value(place.column, row)};
+            }
+        }
+    }
+    return nearest && std::isnan(nearest->value) ? std::nullopt : nearest;
+}
+
+Extremes SampleHistory::extremes(const std::string& signal, TimeRange range) const {
+    Extremes result;
+    const auto places = m_places.find(signal);
+    if (places == m_places.end()) {
+        return result;
+    }
+    for (const Place& place : places->second) {
+        const SampleTrack& track = m_streams.at(place.stream).track;
+        const double afterEnd_s = std::nextafter(range.end_s, std::numeric_limits<double>::infinity());
+        result.add(track.extremes(place.column, track.rowAt(range.begin_s), track.rowAt(afterEnd_s)));
+    }
+    return result;
+}
+
+std::size_t SampleHistory::rowsIn(const std::string& signal, TimeRange range) const {
+    std::size_t rows = 0;
+    if (const auto places = m_places.find(signal); places != m_places.end()) {
+        for (const Place& place : places->second) {
+            const SampleTrack& track = m_streams.at(place.stream).track;
+            const std::uint64_t begin = track.rowAt(range.begin_s);
+            rows += static_cast<std::size_t>(std::max(track.rowAt(range.end_s), begin) - begin);
+        }
+    }
+    return rows;
+}
+
+void SampleHistory::samples(const std::string& signal, TimeRange range,
+                            std::vector<TimedValue>& result) const {
+    result.clear();
+    const auto places = m_places.find(signal);
+    if (places == m_places.end()) {
+        return;
+    }
+    for (const Place& place : places->second) {
+        const SampleTrack& track = m_streams.at(place.stream).track;
+        std::uint64_t row = track.rowAt(range.begin_s);
+        row = row > track.firstRow() ? row - 1 : row;
+        bool isFirst = true;
+        for (bool isBeyond = false; row < track.endRow() && !isBeyond; ++row) {
+            const double time_s = track.time_s(row);
+            isBeyond = time_s > range.end_s;
+            result.push_back({time_s, track.value(place.column, row), isFirst || track.hasGap(row, row + 1)});
+            isFirst = false;
+        }
+    }
+}
+
+const std::vector<std::uint64_t>& SampleHistory::edges(std::size_t number, TimeRange range,
+                                                       std::size_t count) const {
+    const SampleTrack& track = m_streams.at(number).track;
+    if (m_edges.stream == number && m_edges.endRow == track.endRow() && m_edges.range == range &&
+        m_edges.rows.size() == count + 1) {
+        return m_edges.rows;
+    }
+    m_edges = {number, track.endRow(), range, std::move(m_edges.rows)};
+    m_edges.rows.resize(count + 1);
+    const std::uint64_t first = track.rowAt(range.begin_s);
+    const std::uint64_t snap = snapFor(std::max(track.rowAt(range.end_s), first) - first, count);
+    std::uint64_t row = first;
+    for (std::size_t i = 0; i <= count; ++i) {
+        const double time_s =
+            range.begin_s + range.length_s() * static_cast<double>(i) / static_cast<double>(count);
+        row = track.rowAtFrom(row, time_s);
+        m_edges.rows[i] = std::max(row - row % snap, track.firstRow());
+    }
+    return m_edges.rows;
+}
+
+void SampleHistory::columns(const std::string& signal, TimeRange range, std::size_t count,
+                            std::vector<HistoryColumn>& result) const {
+    result.assign(count, {});
+    if (const auto places = m_places.find(signal); places != m_places.end() && range.length_s() > 0.0) {
+        for (const Place& place : places->second) {
+            addColumns(place, range, result);
+        }
+    }
+}
+
+void SampleHistory::addColumns(const Place& place, TimeRange range,
+                               std::vector<HistoryColumn>& result) const {
+    const SampleTrack& track = m_streams.at(place.stream).track;
+    const std::vector<std::uint64_t>& rows = edges(place.stream, range, result.size());
+    bool isAfterGap = true;
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        if (rows[i] == rows[i + 1]) {
+            continue;
+        }
+        const Extremes extremes = track.extremes(place.column, rows[i], rows[i + 1]);
+        isAfterGap = isAfterGap || track.hasGap(rows[i], rows[i + 1]);
+        if (!extremes.isEmpty()) {
+            result[i].extremes.add(extremes);
+            result[i].isAfterGap = result[i].isAfterGap || isAfterGap;
+        }
+        isAfterGap = extremes.isEmpty();
+    }
+}
+
+} // namespace halbench::control
