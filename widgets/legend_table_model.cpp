@@ -1,0 +1,160 @@
+#include "widgets/legend_table_model.h"
+
+#include <QGuiApplication>
+#include <QLocale>
+#include <QPainter>
+#include <QPixmap>
+
+namespace halbench::widgets {
+namespace {
+
+constexpr int SampleWidth = 24;
+constexpr int SampleHeight = 8;
+constexpr double SampleLine = 2.0;
+
+QString numberText(const std::optional<double>& value, int decimals) {
+    if (!value) {
+        return QStringLiteral("–");
+    }
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(*value, 'f', decimals);
+}
+
+std::optional<double> difference(const LegendNumbers& numbers) {
+    return numbers.atA && numbers.atB ? std::optional(*numbers.atB - *numbers.atA) : std::nullopt;
+}
+
+} // namespace
+
+void LegendTableModel::setCurves(const std::vector<HistoryCurve*>& curves) {
+    beginResetModel();
+    m_curves = curves;
+    m_numbers.assign(curves.size(), {});
+    endResetModel();
+}
+
+void LegendTableModel::setTheme(const Theme& theme) {
+    m_theme = theme;
+    if (!m_curves.empty()) {
+        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, Columns - 1));
+    }
+}
+
+void LegendTableModel::setNumbers(const std::vector<LegendNumbers>& numbers) {
+    if (numbers != m_numbers && numbers.size() == m_curves.size() && !m_curves.empty()) {
+        m_numbers = numbers;
+        Q_EMIT dataChanged(index(0, Value), index(rowCount() - 1, Difference));
+    }
+}
+
+int LegendTableModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_curves.size());
+}
+
+int LegendTableModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : Columns;
+}
+
+QString LegendTableModel::text(std::size_t row, int column) const {
+    const PlotCurve& curve = m_curves[row]->curve();
+    const LegendNumbers& numbers = m_numbers[row];
+    switch (column) {
+    case Name:
+        return curve.label;
+    case Value:
+        return numberText(numbers.value, curve.decimals);
+    case AtA:
+        return numberText(numbers.atA, curve.decimals);
+    case AtB:
+        return numberText(numbers.atB, curve.decimals);
+    case Difference:
+        return numberText(difference(numbers), curve.decimals);
+    default:
+        return curve.unit;
+    }
+}
+
+QString LegendTableModel::widestText(int row, Column column) const {
+    if (column == Name || column == Unit) {
+        return text(static_cast<std::size_t>(row), column);
+    }
+    const int decimals = m_curves[static_cast<std::size_t>(row)]->curve().decimals;
+    return numberText(-8888.0, decimals);
+}
+
+QString LegendTableModel::describe(std::size_t row) const {
+    const QString state = m_numbers[row].isStale ? tr(", not updated any more") : QString();
+    return tr("%1: %2 %3%4")
+        .arg(m_curves[row]->curve().label, text(row, Value), m_curves[row]->curve().unit, state);
+}
+
+QVariant LegendTableModel::colour(std::size_t row, int column) const {
+    if (!m_curves[row]->isVisible()) {
+        return m_theme.disabled;
+    }
+    if (column == Unit || (column == Value && m_numbers[row].isStale)) {
+        return m_theme.muted;
+    }
+    return m_theme.text;
+}
+
+QPixmap LegendTableModel::lineSample(std::size_t row) const {
+    const double ratio = qGuiApp->devicePixelRatio();
+    QPixmap pixmap(QSize(SampleWidth, SampleHeight) * ratio);
+    pixmap.setDevicePixelRatio(ratio);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const HistoryCurve& curve = *m_curves[row];
+    painter.setPen(
+        curvePen(curve.isVisible() ? curve.colour() : m_theme.disabled, curve.pattern(), SampleLine));
+    painter.drawLine(QPointF(0.0, 0.5 * SampleHeight), QPointF(SampleWidth, 0.5 * SampleHeight));
+    return pixmap;
+}
+
+QVariant LegendTableModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid() || index.row() >= rowCount()) {
+        return {};
+    }
+    const auto row = static_cast<std::size_t>(index.row());
+    switch (role) {
+    case Qt::DisplayRole:
+        return text(row, index.column());
+    case Qt::ToolTipRole:
+    case Qt::AccessibleTextRole:
+        return index.column() == Name ? QVariant(describe(row)) : QVariant();
+    case Qt::DecorationRole:
+        return index.column() == Name ? QVariant(lineSample(row)) : QVariant();
+    case Qt::ForegroundRole:
+        return colour(row, index.column());
+    case Qt::TextAlignmentRole:
+        return static_cast<int>(
+            Qt::AlignVCenter |
+            (index.column() >= Value && index.column() <= Difference ? Qt::AlignRight : Qt::AlignLeft));
+    default:
+        return {};
+    }
+}
+
+QVariant LegendTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
+        return {};
+    }
+    switch (section) {
+    case Name:
+        return tr("Signal");
+    case Value:
+        return tr("Now");
+    case AtA:
+        return QStringLiteral("A");
+    case AtB:
+        return QStringLiteral("B");
+    case Difference:
+        return tr("B − A");
+    default:
+        return tr("Unit");
+    }
+}
+
+} // namespace halbench::widgets

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "widgets/history_curve.h"
+#include "widgets/plot_marks.h"
+#include "widgets/theme.h"
+
+#include <QAbstractTableModel>
+
+#include <optional>
+#include <vector>
+
+namespace halbench::widgets {
+
+/// The numbers of one curve beside its plot, in the unit shown.
+struct LegendNumbers {
+    std::optional<double> value;
+    std::optional<double> atA;
+    std::optional<double> atB;
+    bool isStale = false; ///< other signals have newer samples
+    bool operator==(const LegendNumbers&) const = default;
+};
+
+/// One row a curve: line sample and name, live value, values at the cursors and their difference, unit.
+class LegendTableModel : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    enum Column { Name, Value, AtA, AtB, Difference, Unit, Columns };
+
+    explicit LegendTableModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
+
+    /// The curves are not owned and must outlive the model's next setCurves.
+    void setCurves(const std::vector<HistoryCurve*>& curves);
+    void setTheme(const Theme& theme);
+    void setNumbers(const std::vector<LegendNumbers>& numbers);
+    /// The widest text a column can be expected to show, for its width.
+    QString widestText(int row, Column column) const;
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    QString text(std::size_t row, int column) const;
+    QString describe(std::size_t row) const;
+    QVariant colour(std::size_t row, int column) const;
+    QPixmap lineSample(std::size_t row) const;
+
+    std::vector<HistoryCurve*> m_curves;
+    std::vector<LegendNumbers> m_numbers;
+    Theme m_theme;
+};
+
+} // namespace halbench::widgets

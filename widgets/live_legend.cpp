@@ -1,0 +1,98 @@
+#include "widgets/live_legend.h"
+
+#include <QHeaderView>
+#include <QKeyEvent>
+
+#include <algorithm>
+
+namespace halbench::widgets {
+namespace {
+
+constexpr int CellPadding = 12;
+
+} // namespace
+
+LiveLegend::LiveLegend(QWidget* parent) : QTableView(parent) {
+    setModel(&m_table);
+    setFrameShape(QFrame::NoFrame);
+    setShowGrid(false);
+    setWordWrap(false);
+    setTextElideMode(Qt::ElideRight);
+    setSelectionBehavior(QAbstractItemView::SelectRows);
+    setSelectionMode(QAbstractItemView::SingleSelection);
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setTabKeyNavigation(false); // Tab leaves the legend
+    verticalHeader()->hide();
+    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    horizontalHeader()->setMinimumSectionSize(8);
+    horizontalHeader()->setHighlightSections(false);
+    setCursorColumnsShown(false);
+    setAccessibleName(tr("Legend with live values"));
+    setAccessibleDescription(tr("Space hides or shows the chosen curve, Delete removes it from the plot."));
+    connect(this, &QTableView::doubleClicked, this,
+            [this](const QModelIndex& index) { Q_EMIT toggleRequested(index.row()); });
+}
+
+void LiveLegend::setTheme(const Theme& theme) {
+    m_table.setTheme(theme);
+    QPalette colours = palette();
+    colours.setColor(QPalette::Base, theme.panel);
+    colours.setColor(QPalette::Text, theme.text);
+    setPalette(colours);
+}
+
+void LiveLegend::setCursorColumnsShown(bool areShown) {
+    for (const int column : {LegendTableModel::AtA, LegendTableModel::AtB, LegendTableModel::Difference}) {
+        setColumnHidden(column, !areShown);
+    }
+    horizontalHeader()->setVisible(areShown); // the numbers need names only when there are several
+}
+
+LiveLegend::Widths LiveLegend::neededWidths() const {
+    Widths widths{};
+    for (int row = 0; row < m_table.rowCount(); ++row) {
+        for (int column = LegendTableModel::Value; column < LegendTableModel::Columns; ++column) {
+            const QString text = m_table.widestText(row, static_cast<LegendTableModel::Column>(column));
+            int& width = widths[static_cast<std::size_t>(column)];
+            width = std::max(width, fontMetrics().horizontalAdvance(text) + CellPadding);
+        }
+    }
+    return widths;
+}
+
+void LiveLegend::setWidths(const Widths& widths, int total_px) {
+    int rest = total_px;
+    for (int column = LegendTableModel::Value; column < LegendTableModel::Columns; ++column) {
+        setColumnWidth(column, widths[static_cast<std::size_t>(column)]);
+        rest -= isColumnHidden(column) ? 0 : widths[static_cast<std::size_t>(column)];
+    }
+    setColumnWidth(LegendTableModel::Name, std::max(rest, 0));
+    setFixedWidth(total_px);
+}
+
+bool LiveLegend::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) { // Space is the stack's pause elsewhere
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (currentIndex().isValid() && (key == Qt::Key_Space || key == Qt::Key_Delete)) {
+            event->accept();
+            return true;
+        }
+    }
+    return QTableView::event(event);
+}
+
+void LiveLegend::keyPressEvent(QKeyEvent* event) {
+    const int row = currentIndex().row();
+    if (row >= 0 && event->key() == Qt::Key_Space) {
+        Q_EMIT toggleRequested(row);
+    } else if (row >= 0 && event->key() == Qt::Key_Delete) {
+        Q_EMIT removeRequested(row);
+    } else {
+        QTableView::keyPressEvent(event);
+    }
+}
+
+} // namespace halbench::widgets

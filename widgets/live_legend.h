@@ -1,0 +1,40 @@
+#pragma once
+
+#include "widgets/legend_table_model.h"
+
+#include <QTableView>
+
+#include <array>
+
+namespace halbench::widgets {
+
+/// The curves of one plot with their live values; Space hides or shows the chosen one, Delete takes it away.
+class LiveLegend : public QTableView {
+    Q_OBJECT
+public:
+    /// Widths of the columns, shared by all legends of a stack so that their plots align.
+    using Widths = std::array<int, LegendTableModel::Columns>;
+
+    explicit LiveLegend(QWidget* parent = nullptr);
+
+    LegendTableModel& table() { return m_table; }
+    void setTheme(const Theme& theme);
+    void setCursorColumnsShown(bool areShown);
+    bool hasCursorColumns() const { return !isColumnHidden(LegendTableModel::AtA); }
+    /// What this legend's numbers and units need; the name gets what remains.
+    Widths neededWidths() const;
+    void setWidths(const Widths& widths, int total_px);
+
+Q_SIGNALS:
+    void toggleRequested(int curve);
+    void removeRequested(int curve);
+
+protected:
+    bool event(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    LegendTableModel m_table;
+};
+
+} // namespace halbench::widgets

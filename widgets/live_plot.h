@@ -1,0 +1,101 @@
+#pragma once
+
+#include "control/signals/sample_history.h"
+#include "widgets/history_curve.h"
+#include "widgets/live_plot_spec.h"
+#include "widgets/plot_marks.h"
+#include "widgets/theme.h"
+
+#include <QStringList>
+#include <qwt_plot.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+class QwtPlotGrid;
+
+namespace halbench::widgets {
+
+class ValueScaleDraw;
+
+/// One plot of a stack: curves from the history over the stack's time axis. It decides nothing about time:
+/// the stack tells it which stretch to show, and it tells the stack what the user did. Window thread.
+class LivePlot : public QwtPlot {
+    Q_OBJECT
+public:
+    explicit LivePlot(QWidget* parent = nullptr);
+    ~LivePlot() override;
+
+    void setSpec(const PlotSpec& spec, const control::SampleHistory* history);
+    const PlotSpec& spec() const { return m_spec; }
+    void setTheme(const Theme& theme);
+    const std::vector<HistoryCurve*>& curves() const { return m_curves; }
+
+    /// One frame: `view` on the axis, `drawn` of it with curves. Repaints when the event loop comes to it.
+    void showFrame(control::TimeRange view, double timeStep_s, control::TimeRange drawn);
+    void setCursors(const CursorPair& cursors);
+    void setMarkers(const std::vector<PlotMarker>& markers) { m_overlay->setMarkers(markers); }
+    void setNamesShown(bool areShown) { m_overlay->setNamesShown(areShown); }
+
+    /// The range the user chose; nothing while the axis follows the data.
+    const std::optional<ValueRange>& userRange() const { return m_userRange; }
+    void setUserRange(const std::optional<ValueRange>& range);
+    ValueRange shownRange() const;
+    /// Fits the axis to what is drawn, now.
+    void fitValues();
+
+    /// Width that tick labels and title need, and the width to give them so that stacked plots align.
+    int neededExtent() const;
+    void setExtent(int extent_px);
+    /// The canvas in coordinates of this widget.
+    QRect canvasRect() const;
+    double timeAt(double canvasX) const;
+
+Q_SIGNALS:
+    void zoomRequested(double factor, double at_s);
+    void boxChosen(halbench::control::TimeRange time, halbench::widgets::ValueRange values);
+    void panRequested(double by_s);
+    void valuesChanged();     ///< the user zoomed the value axis
+    void viewAboutToChange(); ///< before a value zoom or a drag: what zoom back returns to
+    void fitRequested();
+    void cursorMoved(int index, double time_s);
+    void signalsDropped(QStringList names);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    enum class Drag { None, Box, Pan, Cursor };
+    void press(const QMouseEvent& event);
+    void move(const QMouseEvent& event);
+    void release(const QMouseEvent& event);
+    void wheel(const QWheelEvent& event);
+    int cursorNear(double canvasX) const;
+    void finishBox(const QPoint& end);
+    void panTo(const QPoint& place);
+    std::optional<ValueRange> dataRange() const;
+    void updateTitle();
+
+    PlotSpec m_spec;
+    const control::SampleHistory* m_history = nullptr;
+    Theme m_theme;
+    std::vector<HistoryCurve*> m_curves; ///< owned by the plot
+    QwtPlotGrid* m_grid;
+    BandItem* m_bands;
+    OverlayItem* m_overlay;
+    ValueScaleDraw* m_valueScale; ///< owned by the plot's axis
+    AutoRange m_autoRange{0.0};
+    std::optional<ValueRange> m_userRange;
+    control::TimeRange m_drawn;
+    Drag m_drag = Drag::None;
+    int m_draggedCursor = 0;
+    QPoint m_pressed;
+    QPoint m_last;
+    CursorPair m_cursors;
+};
+
+} // namespace halbench::widgets

@@ -1,0 +1,159 @@
+// What the mouse does on a plot.
+#include "widgets/live_plot.h"
+
+#include <QApplication>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QMimeData>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include <cmath>
+
+namespace halbench::widgets {
+namespace {
+
+constexpr double CursorReach_px = 5.0;
+constexpr double ZoomPerStep = 1.25;
+constexpr int StepAngle = 120; ///< of a wheel's notch, in Qt's eighths of a degree
+
+double wheelSteps(const QWheelEvent& event) {
+    const QPoint angle = event.angleDelta();
+    return static_cast<double>(angle.y() != 0 ? angle.y() : angle.x()) / StepAngle;
+}
+
+} // namespace
+
+bool LivePlot::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == canvas()) {
+        switch (event->type()) {
+        case QEvent::MouseButtonPress:
+            press(*static_cast<QMouseEvent*>(event));
+            return true;
+        case QEvent::MouseMove:
+            move(*static_cast<QMouseEvent*>(event));
+            return true;
+        case QEvent::MouseButtonRelease:
+            release(*static_cast<QMouseEvent*>(event));
+            return true;
+        case QEvent::MouseButtonDblClick:
+            Q_EMIT fitRequested();
+            return true;
+        case QEvent::Wheel:
+            wheel(*static_cast<QWheelEvent*>(event));
+            return true;
+        default:
+            break;
+        }
+    }
+    return QwtPlot::eventFilter(watched, event);
+}
+
+int LivePlot::cursorNear(double canvasX) const {
+    int nearest = -1;
+    double distance = CursorReach_px;
+    for (int i = 0; m_cursors.isVisible && i < 2; ++i) {
+        const double away = std::abs(canvasMap(xBottom).transform(m_cursors.at(i)) - canvasX);
+        if (away < distance || (away == distance && i == m_cursors.active)) {
+            distance = away;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+void LivePlot::press(const QMouseEvent& event) {
+    setFocus(Qt::MouseFocusReason);
+    m_pressed = event.pos();
+    m_last = event.pos();
+    const bool isPan = event.button() == Qt::MiddleButton ||
+                       (event.button() == Qt::LeftButton && (event.modifiers() & Qt::ControlModifier) != 0);
+    if (isPan) {
+        m_drag = Drag::Pan;
+        Q_EMIT viewAboutToChange();
+        canvas()->setCursor(Qt::ClosedHandCursor);
+    } else if (event.button() == Qt::LeftButton) {
+        m_draggedCursor = cursorNear(event.pos().x());
+        m_drag = m_draggedCursor >= 0 ? Drag::Cursor : Drag::Box;
+    }
+}
+
+void LivePlot::move(const QMouseEvent& event) {
+    switch (m_drag) {
+    case Drag::None:
+        canvas()->setCursor(cursorNear(event.pos().x()) >= 0 ? Qt::SplitHCursor : Qt::ArrowCursor);
+        break;
+    case Drag::Cursor:
+        Q_EMIT cursorMoved(m_draggedCursor, timeAt(event.pos().x()));
+        break;
+    case Drag::Pan:
+        panTo(event.pos());
+        break;
+    case Drag::Box:
+        m_overlay->setBox(QRectF(m_pressed, event.pos()).normalized());
+        replot();
+        break;
+    }
+}
+
+void LivePlot::panTo(const QPoint& place) {
+    Q_EMIT panRequested(timeAt(m_last.x()) - timeAt(place.x()));
+    if (m_userRange) { // an axis that follows its data is left to do so
+        const QwtScaleMap map = canvasMap(yLeft);
+        const double by = map.invTransform(m_last.y()) - map.invTransform(place.y());
+        m_userRange = ValueRange{m_userRange->low + by, m_userRange->high + by};
+    }
+    m_last = place;
+}
+
+void LivePlot::release(const QMouseEvent& event) {
+    const Drag finished = m_drag;
+    m_drag = Drag::None;
+    canvas()->unsetCursor();
+    if (finished == Drag::Box) {
+        finishBox(event.pos());
+    }
+}
+
+void LivePlot::finishBox(const QPoint& end) {
+    const QRectF box = QRectF(m_pressed, end).normalized();
+    m_overlay->setBox(std::nullopt);
+    replot();
+    if (box.width() < QApplication::startDragDistance() || box.height() < QApplication::startDragDistance()) {
+        return; // a click
+    }
+    const QwtScaleMap map = canvasMap(yLeft);
+    Q_EMIT boxChosen({timeAt(box.left()), timeAt(box.right())},
+                     {map.invTransform(box.bottom()), map.invTransform(box.top())});
+}
+
+void LivePlot::wheel(const QWheelEvent& event) {
+    const double factor = std::pow(ZoomPerStep, -wheelSteps(event));
+    const QPointF place = event.position();
+    if ((event.modifiers() & Qt::ControlModifier) == 0) {
+        Q_EMIT zoomRequested(factor, timeAt(place.x()));
+        return;
+    }
+    Q_EMIT viewAboutToChange();
+    const ValueRange values = shownRange();
+    const double at = canvasMap(yLeft).invTransform(place.y());
+    m_userRange = ValueRange{at + factor * (values.low - at), at + factor * (values.high - at)};
+    Q_EMIT valuesChanged();
+}
+
+void LivePlot::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasFormat(QLatin1String(SignalsMimeType))) {
+        event->acceptProposedAction();
+    }
+}
+
+void LivePlot::dropEvent(QDropEvent* event) {
+    const QByteArray names = event->mimeData()->data(QLatin1String(SignalsMimeType));
+    const QStringList list = QString::fromUtf8(names).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    if (!list.isEmpty()) {
+        event->acceptProposedAction();
+        Q_EMIT signalsDropped(list);
+    }
+}
+
+} // namespace halbench::widgets

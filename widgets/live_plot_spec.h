@@ -1,0 +1,48 @@
+#pragma once
+
+#include "widgets/value_range.h"
+
+#include <QString>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace halbench::widgets {
+
+/// One signal as a plot shows it.
+struct PlotCurve {
+    std::string signal;  ///< its name in the history
+    QString label;       ///< in words, translated
+    QString unit;        ///< shown, e.g. "°"
+    double factor = 1.0; ///< shown value = factor x SI value, e.g. 180/pi
+    int decimals = 3;    ///< of the live value
+
+    bool operator==(const PlotCurve&) const = default;
+};
+
+/// A stretch of values to be warned of, in the unit shown; either end may be infinite.
+struct LimitBand {
+    enum class Role { Warn, Bad };
+    double from = 0.0;
+    double to = 0.0;
+    Role role = Role::Warn;
+
+    bool operator==(const LimitBand&) const = default;
+};
+
+/// One plot of a stack: axis titled `quantity [unit]`.
+struct PlotSpec {
+    QString quantity;
+    QString unit;
+    std::vector<PlotCurve> curves;
+    std::vector<LimitBand> bands;
+    std::optional<ValueRange> fixedRange; ///< default: follows the data
+
+    bool operator==(const PlotSpec&) const = default;
+};
+
+/// What the tree of signals drags: names, one a line, UTF-8.
+inline constexpr char SignalsMimeType[] = "application/x-halbench-signals";
+
+} // namespace halbench::widgets

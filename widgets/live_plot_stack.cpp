@@ -1,0 +1,293 @@
+#include "widgets/live_plot_stack.h"
+
+#include "widgets/cursor_bar.h"
+#include "widgets/live_legend.h"
+#include "widgets/live_plot.h"
+#include "widgets/time_axis_bar.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QSplitter>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace halbench::widgets {
+namespace {
+
+constexpr int FramePeriod_ms = 33; ///< 30 frames a second
+constexpr int HandleWidth = 4;
+constexpr std::size_t ZoomHistoryLength = 50;
+
+} // namespace
+
+LivePlotStack::LivePlotStack(QWidget* parent)
+    : QWidget(parent), m_splitter(new QSplitter(Qt::Vertical, this)), m_timeAxis(new TimeAxisBar(this)),
+      m_cursorBar(new CursorBar(this)), m_timer(new QTimer(this)) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_splitter, 1);
+    layout->addWidget(m_timeAxis);
+    layout->addWidget(m_cursorBar);
+    m_splitter->setHandleWidth(HandleWidth);
+    m_splitter->setChildrenCollapsible(false);
+    m_cursorBar->hide();
+    createActions();
+    connect(m_cursorBar, &CursorBar::cursorTyped, this, &LivePlotStack::setCursor);
+    connect(m_timer, &QTimer::timeout, this, &LivePlotStack::refresh);
+    setPlots({});
+    m_timer->start(FramePeriod_ms);
+}
+
+LivePlotStack::~LivePlotStack() = default;
+
+void LivePlotStack::setHistory(const control::SampleHistory* history) {
+    m_history = history;
+    m_drawnRevision.reset();
+    matchRows();
+}
+
+void LivePlotStack::setPlots(std::vector<PlotSpec> plots) {
+    m_specs = std::move(plots);
+    if (m_specs.empty()) {
+        m_specs.emplace_back();
+    }
+    m_zoomHistory.clear();
+    m_extent_px = 0;
+    matchRows();
+}
+
+void LivePlotStack::addCurve(int plot, const PlotCurve& curve) {
+    const bool isFirst = m_specs.size() == 1 && m_specs.front().curves.empty();
+    if (plot < 0 || plot >= static_cast<int>(m_specs.size())) {
+        plot = isFirst ? 0 : static_cast<int>(m_specs.size());
+    }
+    if (plot == static_cast<int>(m_specs.size())) {
+        m_specs.emplace_back();
+    }
+    PlotSpec& spec = m_specs[static_cast<std::size_t>(plot)];
+    const bool isThere = std::any_of(spec.curves.begin(), spec.curves.end(),
+                                     [&](const PlotCurve& other) { return other.signal == curve.signal; });
+    if (isThere) {
+        return;
+    }
+    if (spec.curves.empty() && spec.quantity.isEmpty()) {
+        spec.quantity = curve.label;
+        spec.unit = curve.unit;
+    }
+    spec.curves.push_back(curve);
+    matchRows();
+}
+
+void LivePlotStack::removeCurve(int plot, const std::string& signal) {
+    if (plot < 0 || plot >= static_cast<int>(m_specs.size())) {
+        return;
+    }
+    std::vector<PlotCurve>& curves = m_specs[static_cast<std::size_t>(plot)].curves;
+    std::erase_if(curves, [&](const PlotCurve& curve) { return curve.signal == signal; });
+    if (curves.empty()) {
+        m_specs.erase(m_specs.begin() + plot);
+    }
+    if (m_specs.empty()) {
+        m_specs.emplace_back();
+    }
+    m_zoomHistory.clear(); // its entries belong to the plots as they were
+    matchRows();
+}
+
+void LivePlotStack::setTheme(const Theme& theme) {
+    m_theme = theme;
+    QPalette colours = palette();
+    colours.setColor(QPalette::Window, theme.line); // seen between the plots
+    setPalette(colours);
+    setAutoFillBackground(true);
+    for (const Row& row : m_rows) {
+        row.plot->setTheme(theme);
+        row.legend->setTheme(theme);
+    }
+    m_timeAxis->setTheme(theme);
+    m_cursorBar->setTheme(theme);
+    m_isDirty = true;
+}
+
+LivePlotStack::Row LivePlotStack::makeRow() {
+    Row row;
+    row.box = new QWidget;
+    auto* layout = new QHBoxLayout(row.box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    row.plot = new LivePlot(row.box);
+    row.legend = new LiveLegend(row.box);
+    layout->addWidget(row.plot, 1);
+    layout->addWidget(row.legend);
+    if (m_theme.panel.isValid()) {
+        row.plot->setTheme(m_theme);
+        row.legend->setTheme(m_theme);
+    }
+    row.plot->canvas()->installEventFilter(this);
+    m_splitter->addWidget(row.box);
+    return row;
+}
+
+void LivePlotStack::connectPlot(int index) {
+    LivePlot* plot = m_rows[static_cast<std::size_t>(index)].plot;
+    LiveLegend* legend = m_rows[static_cast<std::size_t>(index)].legend;
+    connect(plot, &LivePlot::zoomRequested, this, &LivePlotStack::zoomTime);
+    connect(plot, &LivePlot::viewAboutToChange, this, &LivePlotStack::remember);
+    connect(plot, &LivePlot::fitRequested, this, &LivePlotStack::fitAll);
+    connect(plot, &LivePlot::cursorMoved, this, &LivePlotStack::setCursor);
+    connect(plot, &LivePlot::valuesChanged, this, [this] { m_isDirty = true; });
+    connect(plot, &LivePlot::panRequested, this, [this](double by_s) {
+        const bool wasFollowing = isFollowing();
+        m_view.pan(by_s);
+        changed(wasFollowing, isPaused());
+    });
+    connect(plot, &LivePlot::boxChosen, this, [this, plot](control::TimeRange time, ValueRange values) {
+        remember();
+        plot->setUserRange(values);
+        showTimeRange(time);
+    });
+    connect(plot, &LivePlot::signalsDropped, this,
+            [this, index](const QStringList& names) { Q_EMIT signalsDropped(index, names); });
+    connect(legend, &LiveLegend::removeRequested, this, [this, index](int curve) {
+        const PlotSpec& spec = m_specs[static_cast<std::size_t>(index)];
+        removeCurve(index, std::string(spec.curves[static_cast<std::size_t>(curve)].signal));
+        Q_EMIT plotsChanged();
+    });
+    connect(legend, &LiveLegend::toggleRequested, this, [this, plot, legend](int curve) {
+        HistoryCurve* item = plot->curves()[static_cast<std::size_t>(curve)];
+        item->setVisible(!item->isVisible());
+        legend->setTheme(m_theme);
+        m_isDirty = true;
+    });
+}
+
+void LivePlotStack::matchRows() {
+    while (m_rows.size() < m_specs.size()) {
+        m_rows.push_back(makeRow());
+        connectPlot(static_cast<int>(m_rows.size()) - 1);
+    }
+    while (m_rows.size() > m_specs.size()) {
+        m_rows.back().box->hide();
+        m_rows.back().box->setParent(nullptr);
+        m_rows.back().box->deleteLater(); // the request may come from one of its own signals
+        m_rows.pop_back();
+    }
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        configureRow(i);
+    }
+    m_isDirty = true;
+}
+
+void LivePlotStack::configureRow(std::size_t index) {
+    Row& row = m_rows[index];
+    row.plot->setNamesShown(index == 0);
+    row.plot->setMarkers(m_markers);
+    row.plot->setCursors(m_cursors);
+    row.legend->table().setCurves({});
+    row.plot->setSpec(m_specs[index], m_history);
+    row.legend->table().setCurves(row.plot->curves());
+    row.legend->setCursorColumnsShown(m_cursors.isVisible);
+    row.legend->setAccessibleName(tr("Live values of %1").arg(row.plot->accessibleName()));
+}
+
+ValueRange LivePlotStack::valueRange(int plot) const {
+    return m_rows.at(static_cast<std::size_t>(plot)).plot->shownRange();
+}
+
+void LivePlotStack::changed(bool wasFollowing, bool wasPaused) {
+    m_isDirty = true;
+    m_actions.at(Command::Follow)->setChecked(isFollowing());
+    m_actions.at(Command::Pause)->setChecked(isPaused());
+    if (wasFollowing != isFollowing()) {
+        Q_EMIT followingChanged(isFollowing());
+    }
+    if (wasPaused != isPaused()) {
+        Q_EMIT pausedChanged(isPaused());
+    }
+}
+
+void LivePlotStack::setFollowing(bool isFollowing) {
+    const bool wasFollowing = this->isFollowing();
+    const bool wasPaused = isPaused();
+    m_view.setFollowing(isFollowing);
+    changed(wasFollowing, wasPaused);
+}
+
+void LivePlotStack::setPaused(bool isPaused) {
+    const bool wasFollowing = isFollowing();
+    const bool wasPaused = this->isPaused();
+    m_view.setPaused(isPaused);
+    changed(wasFollowing, wasPaused);
+}
+
+void LivePlotStack::setTimeSpan(double length_s) {
+    if (length_s > 0.0) {
+        m_view.zoom(length_s / m_view.range().length_s(), m_view.range().end_s);
+        m_isDirty = true;
+    }
+}
+
+void LivePlotStack::showTimeRange(control::TimeRange range) {
+    const bool wasFollowing = isFollowing();
+    m_view.show(range);
+    changed(wasFollowing, isPaused());
+}
+
+void LivePlotStack::remember() {
+    Snapshot snapshot{m_view, {}};
+    for (const Row& row : m_rows) {
+        snapshot.values.push_back(row.plot->userRange());
+    }
+    m_zoomHistory.push_back(std::move(snapshot));
+    if (m_zoomHistory.size() > ZoomHistoryLength) {
+        m_zoomHistory.erase(m_zoomHistory.begin());
+    }
+    m_isWheeling = false;
+}
+
+void LivePlotStack::zoomBack() {
+    if (m_zoomHistory.empty()) {
+        return;
+    }
+    const bool wasFollowing = isFollowing();
+    const bool wasPaused = isPaused();
+    m_view = m_zoomHistory.back().view;
+    for (std::size_t i = 0; i < m_rows.size() && i < m_zoomHistory.back().values.size(); ++i) {
+        m_rows[i].plot->setUserRange(m_zoomHistory.back().values[i]);
+    }
+    m_zoomHistory.pop_back();
+    m_isWheeling = false;
+    changed(wasFollowing, wasPaused);
+}
+
+void LivePlotStack::zoomTime(double factor, double at_s) {
+    if (!m_isWheeling) {
+        remember();
+        m_isWheeling = true;
+    }
+    m_view.zoom(factor, at_s);
+    m_isDirty = true;
+}
+
+void LivePlotStack::fitAll() {
+    remember();
+    const bool wasFollowing = isFollowing();
+    if (!wasFollowing) {
+        m_view.showAll();
+    }
+    for (const Row& row : m_rows) {
+        row.plot->setUserRange(std::nullopt);
+    }
+    m_drawnRevision.reset();
+    drawFrame();
+    for (const Row& row : m_rows) {
+        row.plot->fitValues();
+    }
+    changed(wasFollowing, isPaused());
+}
+
+} // namespace halbench::widgets

@@ -1,0 +1,162 @@
+#pragma once
+
+#include "control/signals/sample_history.h"
+#include "widgets/live_plot_spec.h"
+#include "widgets/plot_marks.h"
+#include "widgets/theme.h"
+#include "widgets/time_view.h"
+
+#include <QStringList>
+#include <QWidget>
+
+#include <map>
+#include <optional>
+#include <vector>
+
+class QAction;
+class QSplitter;
+class QTimer;
+
+namespace halbench::widgets {
+
+class CursorBar;
+class LiveLegend;
+class LivePlot;
+class TimeAxisBar;
+
+/// Plots above each other over one time axis, fed from a history: what the Monitor shows. Lives in the
+/// window's thread. One timer draws all plots, 30 times a second at most and only when something changed; the
+/// owner brings new blocks into the history when frameStarting() is emitted.
+///
+///     wheel              zoom time at the pointer; with Ctrl the values
+///     left drag          zoom into a box           Ctrl + left drag, middle drag   pan
+///     double click, F    fit: the values while following, else all of the history
+///     Backspace          zoom back                 Home                            all of the history
+///     Space              pause, data are kept      End                             follow the newest sample
+///     C                  cursors; arrows move the active one, Shift coarsely, A and B choose it
+///     M                  marker                    Insert                          add signals
+///
+/// A list without plots becomes one empty plot, which says what it is for.
+class LivePlotStack : public QWidget {
+    Q_OBJECT
+public:
+    enum class Command {
+        Pause,
+        Follow,
+        Fit,
+        ShowAll,
+        ZoomBack,
+        ZoomIn,
+        ZoomOut,
+        ScrollBack,
+        ScrollOn,
+        Cursors,
+        CursorA,
+        CursorB,
+        Marker,
+        AddSignals
+    };
+
+    explicit LivePlotStack(QWidget* parent = nullptr);
+    ~LivePlotStack() override;
+
+    /// Not owned; must outlive the stack or be replaced. May be null.
+    void setHistory(const control::SampleHistory* history);
+    void setPlots(std::vector<PlotSpec> plots);
+    const std::vector<PlotSpec>& plots() const { return m_specs; }
+    /// Adds to a plot, or as a new plot below when `plot` is none of them. A signal is shown once in a plot.
+    void addCurve(int plot, const PlotCurve& curve);
+    void removeCurve(int plot, const std::string& signal);
+    void setTheme(const Theme& theme);
+
+    void setFollowing(bool isFollowing);
+    bool isFollowing() const { return m_view.isFollowing(); }
+    void setPaused(bool isPaused);
+    bool isPaused() const { return m_view.isPaused(); }
+    void fitAll();
+    void zoomBack();
+    /// Length of the shown stretch of time.
+    void setTimeSpan(double length_s);
+    const control::TimeRange& timeRange() const { return m_view.range(); }
+    void showTimeRange(control::TimeRange range);
+    ValueRange valueRange(int plot) const;
+
+    void setCursorsVisible(bool areVisible);
+    const CursorPair& cursors() const { return m_cursors; }
+    void setCursor(int index, double time_s);
+    void setMarkers(std::vector<PlotMarker> markers);
+    const std::vector<PlotMarker>& markers() const { return m_markers; }
+
+    /// Draws now if something changed; otherwise the timer does.
+    void refresh();
+    /// For tool bars and menus: text, shortcut and tooltip are set.
+    QAction* action(Command command) const { return m_actions.at(command); }
+
+Q_SIGNALS:
+    void frameStarting();
+    /// `plot`: index into plots(), -1 for below the plots.
+    void signalsDropped(int plot, QStringList names);
+    /// Insert was pressed.
+    void addSignalsRequested(int plot);
+    void plotsChanged(); ///< by the user, e.g. a curve was removed
+    void pausedChanged(bool isPaused);
+    void followingChanged(bool isFollowing);
+    void cursorsChanged();
+    void markersChanged();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    struct Row {
+        QWidget* box = nullptr;
+        LivePlot* plot = nullptr;
+        LiveLegend* legend = nullptr;
+    };
+    struct Snapshot { ///< an entry of the zoom history
+        TimeView view;
+        std::vector<std::optional<ValueRange>> values;
+    };
+    void createActions();
+    void addAction(Command command, const QString& text, const QString& shortcut, const QString& what);
+    void run(Command command);
+    Row makeRow();
+    void connectPlot(int index);
+    void matchRows();
+    void configureRow(std::size_t index);
+    void align();
+    void drawFrame();
+    void showState();
+    void showNumbers();
+    void remember();
+    void zoomTime(double factor, double at_s);
+    void changed(bool wasFollowing, bool wasPaused);
+    void placeCursors();
+    void moveCursor(int columns);
+    void dropMarker();
+    int activePlot() const;
+    int deviceColumns() const;
+    double timeStep_s() const;
+
+    const control::SampleHistory* m_history = nullptr;
+    Theme m_theme;
+    std::vector<PlotSpec> m_specs;
+    std::vector<Row> m_rows;
+    TimeView m_view;
+    CursorPair m_cursors;
+    std::vector<PlotMarker> m_markers;
+    std::vector<Snapshot> m_zoomHistory;
+    bool m_isWheeling = false; ///< turns of the wheel in a row are one step of the zoom history
+    std::map<Command, QAction*> m_actions;
+    QSplitter* m_splitter;
+    TimeAxisBar* m_timeAxis;
+    CursorBar* m_cursorBar;
+    QTimer* m_timer;
+    std::optional<std::uint64_t> m_drawnRevision;
+    bool m_isDirty = true;
+    int m_framesSinceNumbers = 0;
+    int m_extent_px = 0;
+};
+
+} // namespace halbench::widgets

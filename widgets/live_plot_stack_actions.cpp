@@ -1,0 +1,176 @@
+// What keys and tool bars do with a stack of plots.
+#include "widgets/cursor_bar.h"
+#include "widgets/live_legend.h"
+#include "widgets/live_plot.h"
+#include "widgets/live_plot_stack.h"
+
+#include <QAction>
+#include <QKeyEvent>
+
+#include <algorithm>
+#include <utility>
+
+namespace halbench::widgets {
+namespace {
+
+constexpr double KeyZoom = 1.5;
+constexpr double Page_ratio = 0.9;    ///< of the view
+constexpr double Scroll_ratio = 0.05; ///< of the view, without cursors
+constexpr int CoarseColumns = 50;     ///< of a cursor step with Shift
+
+} // namespace
+
+void LivePlotStack::createActions() {
+    addAction(Command::Pause, tr("Pause"), QStringLiteral("Space"),
+              tr("Freeze the view; data are kept and go on being recorded"));
+    addAction(Command::Follow, tr("Follow"), QStringLiteral("End"), tr("Keep the newest sample in view"));
+    addAction(Command::Fit, tr("Fit"), QStringLiteral("F"),
+              tr("Fit the value axes; when the view stands still, show all of the history"));
+    addAction(Command::ShowAll, tr("Show all"), QStringLiteral("Home"), tr("Show all of the history"));
+    addAction(Command::ZoomBack, tr("Zoom back"), QStringLiteral("Backspace"),
+              tr("Return to the view before"));
+    addAction(Command::ZoomIn, tr("Zoom in"), QStringLiteral("+"), tr("Show a shorter stretch of time"));
+    addAction(Command::ZoomOut, tr("Zoom out"), QStringLiteral("-"), tr("Show a longer stretch of time"));
+    addAction(Command::ScrollBack, tr("Scroll back"), QStringLiteral("PgUp"), tr("Show what was before"));
+    addAction(Command::ScrollOn, tr("Scroll on"), QStringLiteral("PgDown"), tr("Show what came after"));
+    addAction(Command::Cursors, tr("Cursors"), QStringLiteral("C"),
+              tr("Two cursors that measure; drag them or move them with the arrow keys"));
+    addAction(Command::CursorA, tr("Cursor A"), QStringLiteral("A"), tr("Arrow keys move cursor A"));
+    addAction(Command::CursorB, tr("Cursor B"), QStringLiteral("B"), tr("Arrow keys move cursor B"));
+    addAction(Command::Marker, tr("Marker"), QStringLiteral("M"), tr("Mark this moment"));
+    addAction(Command::AddSignals, tr("Add signals"), QStringLiteral("Insert"), tr("Choose signals to show"));
+    for (const Command command : {Command::Pause, Command::Follow, Command::Cursors}) {
+        m_actions.at(command)->setCheckable(true);
+    }
+    m_actions.at(Command::Follow)->setChecked(true);
+}
+
+void LivePlotStack::addAction(Command command, const QString& text, const QString& shortcut,
+                              const QString& what) {
+    auto* action = new QAction(text, this);
+    action->setShortcut(QKeySequence(shortcut));
+    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    action->setToolTip(
+        QStringLiteral("%1 (%2)").arg(what, action->shortcut().toString(QKeySequence::NativeText)));
+    action->setStatusTip(what);
+    connect(action, &QAction::triggered, this, [this, command] { run(command); });
+    QWidget::addAction(action);
+    m_actions[command] = action;
+}
+
+void LivePlotStack::run(Command command) {
+    const bool wasFollowing = isFollowing();
+    const bool wasPaused = isPaused();
+    const double middle_s = 0.5 * (m_view.range().begin_s + m_view.range().end_s);
+    switch (command) {
+    case Command::Pause:
+        return setPaused(!wasPaused);
+    case Command::Follow:
+        return setFollowing(wasPaused || !wasFollowing);
+    case Command::Fit:
+        return fitAll();
+    case Command::ZoomBack:
+        return zoomBack();
+    case Command::ShowAll:
+        remember();
+        m_view.showAll();
+        break;
+    case Command::ZoomIn:
+    case Command::ZoomOut:
+        return zoomTime(command == Command::ZoomIn ? 1.0 / KeyZoom : KeyZoom, middle_s);
+    case Command::ScrollBack:
+    case Command::ScrollOn:
+        m_view.pan((command == Command::ScrollOn ? Page_ratio : -Page_ratio) * m_view.range().length_s());
+        break;
+    case Command::Cursors:
+        return setCursorsVisible(!m_cursors.isVisible);
+    case Command::CursorA:
+    case Command::CursorB:
+        m_cursors.active = command == Command::CursorA ? 0 : 1;
+        return setCursorsVisible(true);
+    case Command::Marker:
+        return dropMarker();
+    case Command::AddSignals:
+        Q_EMIT addSignalsRequested(activePlot());
+        return;
+    }
+    changed(wasFollowing, wasPaused);
+}
+
+int LivePlotStack::activePlot() const {
+    const auto focused = std::find_if(m_rows.begin(), m_rows.end(), [](const Row& row) {
+        return row.plot->hasFocus() || row.legend->hasFocus();
+    });
+    return focused == m_rows.end() ? 0 : static_cast<int>(focused - m_rows.begin());
+}
+
+void LivePlotStack::setCursorsVisible(bool areVisible) {
+    const control::TimeRange& view = m_view.range();
+    const auto isInView = [&](double time_s) { return time_s >= view.begin_s && time_s <= view.end_s; };
+    if (areVisible && !m_cursors.isVisible && !(isInView(m_cursors.a_s) && isInView(m_cursors.b_s))) {
+        m_cursors.a_s = view.begin_s + view.length_s() / 3.0;
+        m_cursors.b_s = view.begin_s + view.length_s() * 2.0 / 3.0;
+    }
+    m_cursors.isVisible = areVisible;
+    m_cursorBar->setVisible(areVisible);
+    m_actions.at(Command::Cursors)->setChecked(areVisible);
+    for (const Row& row : m_rows) {
+        row.legend->setCursorColumnsShown(areVisible);
+    }
+    placeCursors();
+}
+
+void LivePlotStack::setCursor(int index, double time_s) {
+    (index == 0 ? m_cursors.a_s : m_cursors.b_s) = time_s;
+    m_cursors.active = index;
+    placeCursors();
+}
+
+void LivePlotStack::placeCursors() {
+    for (const Row& row : m_rows) {
+        row.plot->setCursors(m_cursors);
+    }
+    m_cursorBar->setCursors(m_cursors);
+    m_isDirty = true;
+    Q_EMIT cursorsChanged();
+}
+
+void LivePlotStack::moveCursor(int columns) {
+    const double column_s = m_view.range().length_s() / deviceColumns();
+    setCursor(m_cursors.active, m_cursors.at(m_cursors.active) + columns * column_s);
+}
+
+void LivePlotStack::keyPressEvent(QKeyEvent* event) {
+    const bool isArrow = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
+    if (!isArrow) {
+        QWidget::keyPressEvent(event);
+        return;
+    }
+    const int sign = event->key() == Qt::Key_Right ? 1 : -1;
+    const bool isCoarse = (event->modifiers() & Qt::ShiftModifier) != 0;
+    if (m_cursors.isVisible && (event->modifiers() & Qt::ControlModifier) == 0) {
+        moveCursor(isCoarse ? sign * CoarseColumns : sign);
+        return;
+    }
+    const bool wasFollowing = isFollowing();
+    m_view.pan(sign * (isCoarse ? 5.0 : 1.0) * Scroll_ratio * m_view.range().length_s());
+    changed(wasFollowing, isPaused());
+}
+
+void LivePlotStack::dropMarker() {
+    std::vector<PlotMarker> markers = m_markers;
+    const double time_s = m_cursors.isVisible ? m_cursors.at(m_cursors.active) : m_view.now_s();
+    markers.push_back({time_s, QString::number(markers.size() + 1)});
+    setMarkers(std::move(markers));
+}
+
+void LivePlotStack::setMarkers(std::vector<PlotMarker> markers) {
+    m_markers = std::move(markers);
+    for (const Row& row : m_rows) {
+        row.plot->setMarkers(m_markers);
+    }
+    m_isDirty = true;
+    Q_EMIT markersChanged();
+}
+
+} // namespace halbench::widgets

@@ -1,0 +1,143 @@
+// What a stack of plots does each frame.
+#include "widgets/cursor_bar.h"
+#include "widgets/live_legend.h"
+#include "widgets/live_plot.h"
+#include "widgets/live_plot_stack.h"
+#include "widgets/time_axis_bar.h"
+
+#include <QEvent>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::widgets {
+namespace {
+
+constexpr int FramesPerNumber = 3;   ///< numbers change ten times a second
+constexpr double StaleAfter_s = 1.0; ///< a signal that is so much older than the newest is said to be old
+constexpr int CharactersPerTick = 9; ///< room of a label of the time axis
+constexpr int LongestName = 22;      ///< characters of a curve's name before it is shortened
+constexpr int LineSampleRoom = 36;   ///< beside the name
+constexpr double WidestLegend_ratio = 0.45;
+
+} // namespace
+
+void LivePlotStack::refresh() {
+    Q_EMIT frameStarting();
+    if (!isVisible()) {
+        return;
+    }
+    const std::optional<std::uint64_t> revision =
+        m_history != nullptr ? std::optional(m_history->revision()) : std::nullopt;
+    if (!m_isDirty && revision == m_drawnRevision) {
+        return;
+    }
+    // A paused view shows the same whatever arrives; only its state counts on.
+    if (m_isDirty || !isPaused()) {
+        drawFrame();
+    } else {
+        m_view.update(m_history->range(), deviceColumns());
+    }
+    if (m_isDirty || ++m_framesSinceNumbers >= FramesPerNumber) {
+        m_framesSinceNumbers = 0;
+        showNumbers();
+        showState();
+    }
+    m_drawnRevision = revision;
+    m_isDirty = false;
+}
+
+int LivePlotStack::deviceColumns() const {
+    const QWidget* canvas = m_rows.front().plot->canvas();
+    return std::max(1, static_cast<int>(std::lround((canvas->width() - 1) * canvas->devicePixelRatioF())));
+}
+
+double LivePlotStack::timeStep_s() const {
+    const int room = fontMetrics().averageCharWidth() * CharactersPerTick;
+    const int labels = std::max(1, m_rows.front().plot->canvas()->width() / std::max(1, room));
+    return niceStep(m_view.range().length_s(), labels);
+}
+
+void LivePlotStack::drawFrame() {
+    m_view.update(m_history != nullptr ? m_history->range() : std::nullopt, deviceColumns());
+    for (const Row& row : m_rows) {
+        row.plot->showFrame(m_view.range(), timeStep_s(), m_view.drawn());
+    }
+    align();
+    m_timeAxis->setRange(m_view.range(), timeStep_s());
+}
+
+void LivePlotStack::align() {
+    LiveLegend::Widths widths{};
+    int name_px = 0;
+    for (const Row& row : m_rows) {
+        m_extent_px = std::max(m_extent_px, row.plot->neededExtent()); // only grows: nothing jumps
+        const LiveLegend::Widths own = row.legend->neededWidths();
+        for (std::size_t i = 0; i < widths.size(); ++i) {
+            widths[i] = std::max(widths[i], own[i]);
+        }
+        for (const PlotCurve& curve : row.plot->spec().curves) {
+            const int longest_px = LongestName * fontMetrics().averageCharWidth();
+            name_px = std::max(name_px, std::min(fontMetrics().horizontalAdvance(curve.label), longest_px));
+        }
+    }
+    int total_px = name_px > 0 ? name_px + LineSampleRoom : 0;
+    for (int column = LegendTableModel::Value; column < LegendTableModel::Columns; ++column) {
+        const bool isShown =
+            m_cursors.isVisible || column == LegendTableModel::Value || column == LegendTableModel::Unit;
+        total_px += isShown ? widths[static_cast<std::size_t>(column)] : 0;
+    }
+    total_px = std::min(total_px, static_cast<int>(WidestLegend_ratio * width()));
+    for (const Row& row : m_rows) {
+        row.plot->setExtent(m_extent_px);
+        row.legend->setWidths(widths, total_px);
+    }
+    const QRect canvas = m_rows.front().plot->canvasRect();
+    const QPoint left = m_rows.front().plot->mapTo(this, canvas.topLeft());
+    m_timeAxis->setCanvas(left.x() - m_timeAxis->x(), canvas.width());
+}
+
+void LivePlotStack::showNumbers() {
+    const std::optional<control::TimeRange> held = m_history != nullptr ? m_history->range() : std::nullopt;
+    for (const Row& row : m_rows) {
+        std::vector<LegendNumbers> numbers(row.plot->curves().size());
+        for (std::size_t i = 0; held && i < numbers.size(); ++i) {
+            const PlotCurve& curve = row.plot->curves()[i]->curve();
+            const auto shown = [&](const std::optional<control::TimedValue>& sample) {
+                return sample && !std::isnan(sample->value) ? std::optional(curve.factor * sample->value)
+                                                            : std::nullopt;
+            };
+            const auto latest = m_history->latest(curve.signal);
+            numbers[i].value = shown(isPaused() ? m_history->valueAt(curve.signal, m_view.now_s()) : latest);
+            numbers[i].isStale = latest && latest->time_s < held->end_s - StaleAfter_s;
+            if (m_cursors.isVisible) {
+                numbers[i].atA = shown(m_history->valueAt(curve.signal, m_cursors.a_s));
+                numbers[i].atB = shown(m_history->valueAt(curve.signal, m_cursors.b_s));
+            }
+        }
+        row.legend->table().setNumbers(numbers);
+    }
+}
+
+void LivePlotStack::showState() {
+    const QLocale locale;
+    if (isPaused()) {
+        m_timeAxis->setState(
+            tr("Paused, data are kept (%1 s since)").arg(locale.toString(m_view.behind_s(), 'f', 1)), true);
+    } else if (isFollowing()) {
+        m_timeAxis->setState(tr("Following, %1 s").arg(locale.toString(m_view.range().length_s(), 'g', 4)),
+                             false);
+    } else {
+        m_timeAxis->setState(tr("Standing still; End follows again"), true);
+    }
+}
+
+bool LivePlotStack::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize) {
+        m_isDirty = true; // other columns
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+} // namespace halbench::widgets

@@ -1,0 +1,120 @@
+#include "widgets/plot_marks.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <qwt_scale_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace halbench::widgets {
+namespace {
+
+constexpr int BandAlpha = 30; ///< of 255: curves stay the brightest thing
+constexpr int BoxAlpha = 40;
+
+QColor withAlpha(QColor colour, int alpha) {
+    colour.setAlpha(alpha);
+    return colour;
+}
+
+} // namespace
+
+BandItem::BandItem() {
+    setZ(1.0);
+}
+
+void BandItem::set(std::vector<LimitBand> bands, const Theme& theme) {
+    m_bands = std::move(bands);
+    m_theme = theme;
+}
+
+void BandItem::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap& yMap,
+                    const QRectF& canvas) const {
+    for (const LimitBand& band : m_bands) {
+        const double low = std::min(yMap.s1(), yMap.s2());
+        const double high = std::max(yMap.s1(), yMap.s2());
+        if (band.to <= low || band.from >= high) {
+            continue;
+        }
+        const QColor colour = band.role == LimitBand::Role::Bad ? m_theme.bad : m_theme.warn;
+        const double top = yMap.transform(std::min(band.to, high));
+        const double bottom = yMap.transform(std::max(band.from, low));
+        painter->fillRect(QRectF(canvas.left(), top, canvas.width(), bottom - top),
+                          withAlpha(colour, BandAlpha));
+        painter->setPen(QPen(colour, 1.0));
+        for (const double limit : {band.from, band.to}) {
+            if (limit > low && limit < high) {
+                const double y = std::round(yMap.transform(limit));
+                painter->drawLine(QPointF(canvas.left(), y), QPointF(canvas.right(), y));
+            }
+        }
+    }
+}
+
+OverlayItem::OverlayItem() {
+    setZ(100.0);
+}
+
+void OverlayItem::draw(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap&,
+                       const QRectF& canvas) const {
+    painter->save();
+    drawMarkers(painter, xMap, canvas);
+    drawCursors(painter, xMap, canvas);
+    if (m_box) {
+        painter->setPen(QPen(m_theme.accent, 1.0));
+        painter->setBrush(withAlpha(m_theme.accent, BoxAlpha));
+        painter->drawRect(*m_box);
+    }
+    if (!m_message.isEmpty()) {
+        painter->setPen(m_theme.muted);
+        painter->drawText(canvas, Qt::AlignCenter | Qt::TextWordWrap, m_message);
+    }
+    painter->restore();
+}
+
+void OverlayItem::drawFlag(QPainter* painter, double x, const QRectF& canvas, const QString& text,
+                           const QColor& colour, const QColor& textColour) const {
+    const QFontMetricsF metrics(painter->font());
+    const double width = metrics.horizontalAdvance(text) + 8.0;
+    const double left =
+        std::clamp(x - 0.5 * width, canvas.left(), std::max(canvas.left(), canvas.right() - width));
+    const QRectF flag(left, canvas.top(), width, metrics.height());
+    painter->fillRect(flag, colour);
+    painter->setPen(textColour);
+    painter->drawText(flag, Qt::AlignCenter, text);
+}
+
+void OverlayItem::drawMarkers(QPainter* painter, const QwtScaleMap& xMap, const QRectF& canvas) const {
+    for (const PlotMarker& marker : m_markers) {
+        const double x = std::round(xMap.transform(marker.time_s));
+        if (x < canvas.left() || x > canvas.right()) {
+            continue;
+        }
+        painter->setPen(QPen(m_theme.muted, 1.0, Qt::DashLine));
+        painter->drawLine(QPointF(x, canvas.top()), QPointF(x, canvas.bottom()));
+        if (m_areNamesShown && !marker.text.isEmpty()) {
+            drawFlag(painter, x, canvas, marker.text, m_theme.raised, m_theme.text);
+        }
+    }
+}
+
+void OverlayItem::drawCursors(QPainter* painter, const QwtScaleMap& xMap, const QRectF& canvas) const {
+    for (int i = 0; m_cursors.isVisible && i < 2; ++i) {
+        const double x = std::round(xMap.transform(m_cursors.at(i)));
+        if (x < canvas.left() - 1.0 || x > canvas.right() + 1.0) {
+            continue;
+        }
+        const bool isActive = i == m_cursors.active;
+        const QColor colour = isActive ? m_theme.accent : m_theme.text;
+        painter->setPen(QPen(colour, isActive ? 2.0 : 1.0));
+        painter->drawLine(QPointF(x, canvas.top()), QPointF(x, canvas.bottom()));
+        if (m_areNamesShown) {
+            drawFlag(painter, x, canvas, i == 0 ? QStringLiteral("A") : QStringLiteral("B"), colour,
+                     m_theme.panel);
+        }
+    }
+}
+
+} // namespace halbench::widgets

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "widgets/live_plot_spec.h"
+#include "widgets/theme.h"
+
+#include <QRectF>
+#include <qwt_plot_item.h>
+
+#include <optional>
+#include <vector>
+
+namespace halbench::widgets {
+
+/// A moment with a note, dropped by key.
+struct PlotMarker {
+    double time_s = 0.0;
+    QString text;
+    bool operator==(const PlotMarker&) const = default;
+};
+
+/// Where the two cursors are; the keyboard moves the active one.
+struct CursorPair {
+    double a_s = 0.0;
+    double b_s = 0.0;
+    bool isVisible = false;
+    int active = 0; ///< 0 = A, 1 = B
+
+    double at(int index) const { return index == 0 ? a_s : b_s; }
+    bool operator==(const CursorPair&) const = default;
+};
+
+/// Limit bands behind the curves.
+class BandItem : public QwtPlotItem {
+public:
+    BandItem();
+    void set(std::vector<LimitBand> bands, const Theme& theme);
+    void draw(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,
+              const QRectF& canvas) const override;
+
+private:
+    std::vector<LimitBand> m_bands;
+    Theme m_theme;
+};
+
+/// What lies over the curves: markers, cursors A and B, the box that is being drawn, the text of an empty
+/// plot.
+class OverlayItem : public QwtPlotItem {
+public:
+    OverlayItem();
+    void setTheme(const Theme& theme) { m_theme = theme; }
+    void setCursors(const CursorPair& cursors) { m_cursors = cursors; }
+    void setMarkers(std::vector<PlotMarker> markers) { m_markers = std::move(markers); }
+    void setBox(std::optional<QRectF> box) { m_box = box; }
+    void setMessage(const QString& message) { m_message = message; }
+    /// Names of cursors and markers are written in the topmost plot only.
+    void setNamesShown(bool areShown) { m_areNamesShown = areShown; }
+    void draw(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,
+              const QRectF& canvas) const override;
+
+private:
+    void drawFlag(QPainter* painter, double x, const QRectF& canvas, const QString& text,
+                  const QColor& colour, const QColor& textColour) const;
+    void drawMarkers(QPainter* painter, const QwtScaleMap& xMap, const QRectF& canvas) const;
+    void drawCursors(QPainter* painter, const QwtScaleMap& xMap, const QRectF& canvas) const;
+
+    Theme m_theme;
+    CursorPair m_cursors;
+    std::vector<PlotMarker> m_markers;
+    std::optional<QRectF> m_box;
+    QString m_message;
+    bool m_areNamesShown = true;
+};
+
+} // namespace halbench::widgets

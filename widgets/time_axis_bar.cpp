@@ -1,0 +1,69 @@
+#include "widgets/time_axis_bar.h"
+
+#include "widgets/value_range.h"
+#include "widgets/value_scale_draw.h"
+
+#include <QPainter>
+#include <QPalette>
+
+#include <algorithm>
+
+namespace halbench::widgets {
+
+TimeAxisBar::TimeAxisBar(QWidget* parent) : QWidget(parent), m_scale(std::make_unique<ValueScaleDraw>()) {
+    m_scale->setAlignment(QwtScaleDraw::BottomScale);
+    setFixedHeight(2 * fontMetrics().height() + 10);
+    setAccessibleName(tr("Time axis"));
+}
+
+TimeAxisBar::~TimeAxisBar() = default;
+
+void TimeAxisBar::setTheme(const Theme& theme) {
+    m_theme = theme;
+    update();
+}
+
+void TimeAxisBar::setCanvas(int left, int width) {
+    if (left != m_left || width != m_width) {
+        m_left = left;
+        m_width = width;
+        update();
+    }
+}
+
+void TimeAxisBar::setRange(control::TimeRange range, double step_s) {
+    m_scale->setDecimals(decimalsOf(step_s));
+    m_scale->setScaleDiv(divisionOf(range.begin_s, range.end_s, step_s));
+    update();
+}
+
+void TimeAxisBar::setState(const QString& state, bool isWarning) {
+    if (state != m_state || isWarning != m_isWarning) {
+        m_state = state;
+        m_isWarning = isWarning;
+        setAccessibleDescription(state);
+        update();
+    }
+}
+
+void TimeAxisBar::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.fillRect(rect(), m_theme.panel);
+    m_scale->move(m_left, 0.0);
+    m_scale->setLength(std::max(1, m_width - 1));
+    QPalette colours = palette();
+    colours.setColor(QPalette::WindowText, m_theme.plotAxis);
+    colours.setColor(QPalette::Text, m_theme.plotAxis);
+    painter.setFont(font());
+    m_scale->draw(&painter, colours);
+    const QRect line(m_left, height() - fontMetrics().height() - 2, m_width, fontMetrics().height());
+    painter.setPen(m_isWarning ? m_theme.warn : m_theme.muted);
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, m_state);
+    painter.setPen(m_theme.text);
+    const QString title = tr("time [s]");
+    const int titleWidth = fontMetrics().horizontalAdvance(title);
+    const bool isRoomy = m_width > 2 * fontMetrics().horizontalAdvance(m_state) + titleWidth + 16;
+    painter.drawText(line, isRoomy ? Qt::AlignCenter : Qt::AlignRight | Qt::AlignVCenter, title);
+}
+
+} // namespace halbench::widgets

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "control/signals/sample_history.h"
+#include "widgets/theme.h"
+
+#include <QWidget>
+
+#include <memory>
+
+namespace halbench::widgets {
+
+class ValueScaleDraw;
+
+/// The time axis below a stack of plots, aligned with their canvases, with the view's state beside its title.
+class TimeAxisBar : public QWidget {
+    Q_OBJECT
+public:
+    explicit TimeAxisBar(QWidget* parent = nullptr);
+    ~TimeAxisBar() override;
+
+    void setTheme(const Theme& theme);
+    /// The canvases' left edge and width in this widget's coordinates.
+    void setCanvas(int left, int width);
+    void setRange(control::TimeRange range, double step_s);
+    void setState(const QString& state, bool isWarning);
+    const QString& state() const { return m_state; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    std::unique_ptr<ValueScaleDraw> m_scale;
+    Theme m_theme;
+    int m_left = 0;
+    int m_width = 100;
+    QString m_state;
+    bool m_isWarning = false;
+};
+
+} // namespace halbench::widgets
