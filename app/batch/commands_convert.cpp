@@ -18,6 +18,21 @@ Result<std::optional<double>> timeOption(const std::string& option, const std::s
     return time ? Result<std::optional<double>>(*time) : failure(time.error());
 }
 
+std::string recoveryText(const std::string& path, const devices::Recovery& recovery) {
+    const std::string cut =
+        recovery.cutOctets == 0
+            ? std::string("nothing was cut off")
+            : fmt::format("cut off: {} octets behind the last whole row", recovery.cutOctets);
+    return fmt::format("recovered {} rows ({} s) of {}; {}", recovery.rows, formatNumber(recovery.duration_s),
+                       path, cut);
+}
+
+JsonValue toJson(const devices::Recovery& recovery) {
+    JsonValue document = JsonValue::object();
+    document.set("rows", static_cast<std::uint64_t>(recovery.rows)).set("duration_s", recovery.duration_s);
+    return document.set("cut_octets", recovery.cutOctets);
+}
+
 } // namespace
 
 CommandResult runConvertCommand(CommandContext& context, const CommandOptions& options) {
@@ -27,15 +42,20 @@ CommandResult runConvertCommand(CommandContext& context, const CommandOptions& o
         return failure(from ? to.error() : from.error());
     }
     const devices::ConvertRequest request{options.input, options.out, splitList(options.signals), *from, *to};
-    const Result<std::size_t> rows = devices::convertRecording(request);
-    if (!rows) {
-        return failure(rows.error());
+    const Result<devices::Conversion> done = devices::convertRecording(request);
+    if (!done) {
+        return failure(done.error());
     }
-    context.console.log(LogLevel::Info, fmt::format("wrote {} ({} rows)", options.out, *rows));
+    if (done->recovery) {
+        context.console.log(LogLevel::Info, recoveryText(options.input, *done->recovery));
+    }
+    context.console.log(LogLevel::Info, fmt::format("wrote {} ({} rows)", options.out, done->rows));
     JsonValue document = toJson(headerFor(context, "halbench.conversion/1"));
-    const Result<void> printed =
-        context.console.printDocument(document.set("rows", static_cast<std::uint64_t>(*rows)));
-    if (!printed) {
+    document.set("rows", static_cast<std::uint64_t>(done->rows));
+    if (done->recovery) {
+        document.set("recovered", toJson(*done->recovery));
+    }
+    if (const Result<void> printed = context.console.printDocument(document); !printed) {
         return failure(printed.error());
     }
     return ExitCode::Done;

@@ -11,6 +11,19 @@ namespace halbench::app {
 
 namespace {
 
+/// An option that may be missing, into its place.
+Result<void> readInto(double& value, const char* option, const std::string& text) {
+    if (text.empty()) {
+        return {};
+    }
+    const Result<double> number = numberOption(option, text);
+    if (!number) {
+        return failure(number.error());
+    }
+    value = *number;
+    return {};
+}
+
 Result<RecordConfig> recordConfigFrom(const CommandOptions& options) {
     RecordConfig config;
     config.signals = splitList(options.signals);
@@ -19,19 +32,25 @@ Result<RecordConfig> recordConfigFrom(const CommandOptions& options) {
         return failure(duration.error());
     }
     config.duration_s = *duration;
-    if (!options.rate.empty()) {
-        const Result<double> rate = numberOption("--rate", options.rate);
-        if (!rate) {
-            return failure(rate.error());
-        }
-        config.rate_Hz = *rate;
+    const Result<void> rate = readInto(config.rate_Hz, "--rate", options.rate);
+    if (!rate) {
+        return failure(rate.error());
     }
     return config;
 }
 
-} // namespace
+CommandResult tell(CommandContext& context, const std::string& path, const ResultHeader& header,
+                   std::size_t rows, std::uint64_t lostRows) {
+    JsonValue document = toJson(header);
+    document.set("rows", static_cast<std::uint64_t>(rows)).set("lost_rows", lostRows);
+    context.console.log(LogLevel::Info, fmt::format("wrote {} ({} rows)", path, rows));
+    if (const Result<void> printed = context.console.printDocument(document); !printed) {
+        return failure(printed.error());
+    }
+    return ExitCode::Done;
+}
 
-CommandResult runRecordCommand(CommandContext& context, const CommandOptions& options) {
+CommandResult recordStream(CommandContext& context, const CommandOptions& options) {
     const Result<RecordConfig> config = recordConfigFrom(options);
     if (!config) {
         return failure(config.error());
@@ -40,25 +59,22 @@ CommandResult runRecordCommand(CommandContext& context, const CommandOptions& op
     if (!device) {
         return failure(device.error());
     }
-    const Result<RecordResult> result = runRecord(**device, *config, observerFor(context));
-    if (!result) {
-        return failure(result.error());
-    }
     ResultHeader header = headerFor(context, "halbench.recorded/1", **device);
+    RecordingOutput output(context, **device, options.out, header.started);
+    const RecordOutlet outlet = output.outlet();
+    const Result<RecordResult> result = runRecord(**device, *config, observerFor(context), &outlet);
+    const Result<void> done = result ? output.finish() : failure(result.error());
+    if (!done) {
+        return failure(output.stopped(done.error()));
+    }
     header.quality = result->quality;
-    if (const Result<void> written = writeRecording(options.out, result->recording, **device, header.started);
-        !written) {
-        return failure(written.error());
-    }
-    JsonValue document = toJson(header);
-    document.set("rows", static_cast<std::uint64_t>(result->recording.rows()));
-    document.set("lost_rows", result->recording.lostRows);
-    context.console.log(LogLevel::Info,
-                        fmt::format("wrote {} ({} rows)", options.out, result->recording.rows()));
-    if (const Result<void> printed = context.console.printDocument(document); !printed) {
-        return failure(printed.error());
-    }
-    return ExitCode::Done;
+    return tell(context, options.out, header, result->rows, result->lostRows);
+}
+
+} // namespace
+
+CommandResult runRecordCommand(CommandContext& context, const CommandOptions& options) {
+    return recordStream(context, options);
 }
 
 } // namespace halbench::app

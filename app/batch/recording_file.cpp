@@ -1,17 +1,52 @@
 #include "app/batch/recording_file.h"
 
-#include "devices/acquisition/recording_file.h"
+#include <fmt/format.h>
 
 namespace halbench::app {
 
 Result<void> writeRecording(const std::string& path, const Recording& recording, devices::Device& device,
-                            const std::string& started) {
+                            const std::string& started, std::vector<devices::RecordingMeta::Marker> markers) {
     Recording written = recording;
     if (!written.layout) { // a stream that ended before its first row
         written.layout = std::make_shared<const StreamLayout>();
     }
-    return devices::writeRecordingFile(path, written,
-                                       devices::describeRecording(device, *written.layout, started));
+    devices::RecordingMeta meta = devices::describeRecording(device, *written.layout, started);
+    meta.markers = std::move(markers);
+    return devices::writeRecordingFile(path, written, std::move(meta));
+}
+
+RecordOutlet RecordingOutput::outlet() {
+    return {[this](const StreamLayout& layout) { return begin(layout); },
+            [this](const SampleBlock& block) { return m_writer->append(block); }};
+}
+
+Result<void> RecordingOutput::begin(const StreamLayout& layout) {
+    auto writer = devices::RecordingWriter::create(m_path, layout,
+                                                   devices::describeRecording(m_device, layout, m_started));
+    if (!writer) {
+        return failure(writer.error());
+    }
+    m_writer = *std::move(writer);
+    if (!m_writer->movedAside().empty()) {
+        m_context.console.log(LogLevel::Warning,
+                              fmt::format("an interrupted recording was found and is now '{}'; halbench "
+                                          "convert makes a recording of it",
+                                          m_writer->movedAside()));
+    }
+    return {};
+}
+
+Result<void> RecordingOutput::finish() {
+    return m_writer->finish();
+}
+
+Error RecordingOutput::stopped(Error error) {
+    if (m_writer != nullptr && m_writer->abandon()) {
+        error.hint += fmt::format("{}what was recorded is in '{}', halbench convert makes a recording of it",
+                                  error.hint.empty() ? "" : "; ", m_writer->partialPath());
+    }
+    m_writer.reset();
+    return error;
 }
 
 } // namespace halbench::app

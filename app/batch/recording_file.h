@@ -1,16 +1,43 @@
 #pragma once
 
-#include "control/base/sample_block.h"
-#include "devices/device.h"
+#include "app/batch/command_context.h"
+#include "app/procedures/record_procedure.h"
+#include "devices/acquisition/recording_writer.h"
 
+#include <memory>
 #include <string>
-#include <string_view>
+#include <vector>
 
 namespace halbench::app {
 
 /// Writes a recording as CSV with its sidecar NAME.meta.json (resources/help/command-line.md, "Recording");
 /// `started` is the header's, so that virtual time gives equal bytes. Error: FileSystem.
 Result<void> writeRecording(const std::string& path, const Recording& recording, devices::Device& device,
-                            const std::string& started);
+                            const std::string& started,
+                            std::vector<devices::RecordingMeta::Marker> markers = {});
+
+/// A recording that goes into its file as it comes (resources/help/command-line.md, "Recording").
+/// Thread: the procedure's.
+class RecordingOutput {
+public:
+    RecordingOutput(CommandContext& context, devices::Device& device, std::string path, std::string started)
+        : m_context(context), m_device(device), m_path(std::move(path)), m_started(std::move(started)) {}
+
+    /// For runRecord(); this object must outlive it. Errors: FileSystem, Usage.
+    RecordOutlet outlet();
+    /// Gives the file its name. Error: FileSystem; see stopped().
+    Result<void> finish();
+    /// The error that ended the recording, with the place of what was recorded until then.
+    Error stopped(Error error);
+
+private:
+    Result<void> begin(const StreamLayout& layout);
+
+    CommandContext& m_context;
+    devices::Device& m_device;
+    std::string m_path;
+    std::string m_started;
+    std::unique_ptr<devices::RecordingWriter> m_writer;
+};
 
 } // namespace halbench::app

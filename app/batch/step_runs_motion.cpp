@@ -60,8 +60,8 @@ Result<StepOutcome> runRecordStep(StepRun& run, const ExperimentStep& step) {
     }
     StepOutcome outcome;
     outcome.quality = result->quality;
-    outcome.body.set("rows", static_cast<std::uint64_t>(result->recording.rows()));
-    outcome.body.set("lost_rows", result->recording.lostRows);
+    outcome.body.set("rows", static_cast<std::uint64_t>(result->rows));
+    outcome.body.set("lost_rows", result->lostRows);
     outcome.detail = *std::move(result);
     return outcome;
 }

@@ -37,8 +37,8 @@ Result<void> waitObserved(devices::Device& device, const ProcedureObserver& obse
     return {};
 }
 
-StreamRecorder::StreamRecorder(devices::Device& device, const ProcedureObserver& observer)
-    : m_device(device), m_observer(observer) {}
+StreamRecorder::StreamRecorder(devices::Device& device, const ProcedureObserver& observer, RowSink sink)
+    : m_device(device), m_observer(observer), m_sink(std::move(sink)) {}
 
 StreamRecorder::~StreamRecorder() {
     if (m_isRunning) {
@@ -60,21 +60,32 @@ Result<void> StreamRecorder::start(const std::vector<std::string>& signals, doub
 }
 
 void StreamRecorder::take(const SampleBlockPtr& block) {
-    m_recording.append(*block);
-    for (std::size_t row = 0; row < block->rows() && !m_error; ++row) {
-        for (std::size_t column = 0; column < block->layout->columns.size(); ++column) {
-            if (!std::isfinite(block->value(row, column))) {
-                m_error =
-                    Error{ErrorCode::NotFinite,
-                          fmt::format("{} is not a number at {:.3f} s", block->layout->columns[column].name,
-                                      block->time_s[row]),
-                          "The board or the link delivers damaged values; nothing was concluded from them."};
-                break;
-            }
+    checkFinite(*block);
+    m_rows += block->rows();
+    if (!m_sink) {
+        m_recording.append(*block);
+    } else if (!m_error) {
+        if (const Result<void> taken = m_sink(*block); !taken) {
+            m_error = taken.error();
         }
     }
     if (m_observer.onBlock) {
         m_observer.onBlock(block);
+    }
+}
+
+void StreamRecorder::checkFinite(const SampleBlock& block) {
+    for (std::size_t row = 0; row < block.rows() && !m_error; ++row) {
+        for (std::size_t column = 0; column < block.layout->columns.size(); ++column) {
+            if (!std::isfinite(block.value(row, column))) {
+                m_error =
+                    Error{ErrorCode::NotFinite,
+                          fmt::format("{} is not a number at {:.3f} s", block.layout->columns[column].name,
+                                      block.time_s[row]),
+                          "The board or the link delivers damaged values; nothing was concluded from them."};
+                break;
+            }
+        }
     }
 }
 

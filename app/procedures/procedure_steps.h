@@ -2,6 +2,7 @@
 
 #include "app/procedures/procedure.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,29 +17,37 @@ Result<void> enterState(const ProcedureObserver& observer, ProcedureState state)
 Result<void> waitObserved(devices::Device& device, const ProcedureObserver& observer, double duration_s,
                           double from = 0.0, double to = 1.0, const std::string& text = {});
 
-/// A stream kept in memory for the life of a procedure. Stops the stream on destruction.
-/// Thread: the procedure's.
+/// Takes the rows of a stream one block after the other. An error ends the stream's use.
+using RowSink = std::function<Result<void>(const SampleBlock&)>;
+
+/// A stream kept in memory for the life of a procedure, or handed on instead. Stops the stream on
+/// destruction. Thread: the procedure's.
 class StreamRecorder {
 public:
-    StreamRecorder(devices::Device& device, const ProcedureObserver& observer);
+    /// With a sink the rows go there and nowhere else.
+    StreamRecorder(devices::Device& device, const ProcedureObserver& observer, RowSink sink = nullptr);
     ~StreamRecorder();
     StreamRecorder(const StreamRecorder&) = delete;
     StreamRecorder& operator=(const StreamRecorder&) = delete;
 
     /// Signals the device does not have are left out. Errors: of the device.
     Result<void> start(const std::vector<std::string>& signals, double rate_Hz);
-    /// Errors: NotFinite when a sample was no number, naming the signal and the time.
+    /// Errors: SafetyStop of the guard; NotFinite when a sample was no number, naming the signal and the
+    /// time; of the sink.
     Result<void> check() const;
-    std::size_t rows() const { return m_recording.rows(); }
+    std::size_t rows() const { return m_rows; }
     /// Stops the stream and gives what came.
     Recording finish();
 
 private:
     void take(const SampleBlockPtr& block);
+    void checkFinite(const SampleBlock& block);
 
     devices::Device& m_device;
     const ProcedureObserver& m_observer;
+    RowSink m_sink;
     Recording m_recording;
+    std::size_t m_rows = 0;
     std::optional<Error> m_error;
     bool m_isRunning = false;
 };

@@ -10,7 +10,7 @@
 namespace halbench::app {
 namespace {
 
-constexpr double MaxRows = 2e7; // held in memory until written: some gigabytes
+constexpr double MaxRows = 2e7; // some gigabytes
 
 Result<void> checkRecord(const devices::Catalogue& catalogue, const RecordConfig& config) {
     if (!std::isfinite(config.duration_s) || config.duration_s <= 0.0) {
@@ -39,16 +39,52 @@ Result<void> checkRecord(const devices::Catalogue& catalogue, const RecordConfig
     return {};
 }
 
-// Rows up to the duration; when some were lost, those waited for too long lie behind it.
-void trimRows(Recording& recording, double duration_s, double period_s) {
-    if (recording.rows() == 0) { // nothing came, not even a layout
-        return;
+/// Takes the rows of one recording and counts them. Rows behind the end, waited for because others were lost
+/// or on their way when the wait ended, are left out.
+class RowTaker {
+public:
+    RowTaker(const RecordConfig& config, const RecordOutlet* outlet)
+        : m_outlet(outlet), m_end_s(config.duration_s - 0.5 / config.rate_Hz) {}
+
+    Result<void> take(const SampleBlock& block) {
+        SampleBlock wanted = block;
+        while (!wanted.time_s.empty() && wanted.time_s.back() > m_end_s) {
+            wanted.time_s.pop_back();
+        }
+        if (wanted.time_s.empty()) {
+            return {};
+        }
+        wanted.values.resize(wanted.rows() * wanted.layout->columns.size());
+        m_rows += wanted.rows();
+        m_lostRows += wanted.lostRows;
+        if (m_outlet != nullptr) {
+            return m_outlet->append(wanted);
+        }
+        m_recording.append(wanted);
+        return {};
     }
-    const double end_s = duration_s - 0.5 * period_s;
-    while (!recording.time_s.empty() && recording.time_s.back() > end_s) {
-        recording.time_s.pop_back();
+
+    RecordResult result() { return {std::move(m_recording), m_rows, m_lostRows, {}}; }
+
+private:
+    const RecordOutlet* m_outlet;
+    double m_end_s;
+    Recording m_recording;
+    std::size_t m_rows = 0;
+    std::uint64_t m_lostRows = 0;
+};
+
+/// What the stream's blocks will look like.
+StreamLayout layoutOf(const devices::Catalogue& catalogue, const std::vector<std::string>& signals,
+                      double rate_Hz) {
+    StreamLayout layout;
+    layout.period_s = 1.0 / rate_Hz;
+    for (const std::string& name : signals) {
+        if (const SignalSpec* spec = catalogue.findSignal(name)) {
+            layout.columns.push_back({name, spec->unit});
+        }
     }
-    recording.values.resize(recording.rows() * recording.layout->columns.size());
+    return layout;
 }
 
 // A gap is shown; a stream that is mostly gap is no recording.
@@ -67,10 +103,15 @@ Result<DataQuality> judgeRows(std::size_t found, std::size_t expected) {
     return quality;
 }
 
-// Waits for the rows, with some patience for those on their way.
+// Waits for the rows, with some patience for those on their way. A recording that cannot be kept ends early.
 Result<void> collect(devices::Device& device, const ProcedureObserver& observer,
                      const StreamRecorder& recorder, std::size_t rows, double duration_s) {
-    if (auto waited = waitObserved(device, observer, duration_s, 0.0, 1.0, "records"); !waited) {
+    ProcedureObserver watching = observer;
+    watching.checkAbort = [&]() -> Result<void> {
+        const Result<void> goOn = observer.checkAbort ? observer.checkAbort() : Result<void>();
+        return goOn ? recorder.check() : goOn;
+    };
+    if (auto waited = waitObserved(device, watching, duration_s, 0.0, 1.0, "records"); !waited) {
         return waited;
     }
     constexpr double Patience_s = 0.2;
@@ -80,13 +121,13 @@ Result<void> collect(devices::Device& device, const ProcedureObserver& observer,
             return waited;
         }
     }
-    return {};
+    return recorder.check();
 }
 
 } // namespace
 
 Result<RecordResult> runRecord(devices::Device& device, const RecordConfig& config,
-                               const ProcedureObserver& observer) {
+                               const ProcedureObserver& observer, const RecordOutlet* outlet) {
     if (auto entered = enterState(observer, ProcedureState::Prepare); !entered) {
         return failure(entered.error());
     }
@@ -96,23 +137,20 @@ Result<RecordResult> runRecord(devices::Device& device, const RecordConfig& conf
     const auto& signals = config.signals.empty() ? device.catalogue().defaultSignals : config.signals;
     // rows at 0, 1/R, ... < S; a duration that is a whole number of periods up to rounding counts as such
     const auto rows = static_cast<std::size_t>(std::ceil(config.duration_s * config.rate_Hz - 1e-6));
-    StreamRecorder recorder(device, observer);
-    if (auto started = recorder.start(signals, config.rate_Hz); !started) {
-        return failure(started.error());
+    RowTaker taker(config, outlet);
+    StreamRecorder recorder(device, observer, [&](const SampleBlock& block) { return taker.take(block); });
+    Result<void> done = recorder.start(signals, config.rate_Hz);
+    if (done && outlet != nullptr) {
+        done = outlet->begin(layoutOf(device.catalogue(), signals, config.rate_Hz));
     }
-    if (auto entered = enterState(observer, ProcedureState::Record); !entered) {
-        return failure(entered.error());
+    done = done ? enterState(observer, ProcedureState::Record) : done;
+    done = done ? collect(device, observer, recorder, rows, config.duration_s) : done;
+    if (!done) {
+        return failure(done.error());
     }
-    if (auto collected = collect(device, observer, recorder, rows, config.duration_s); !collected) {
-        return failure(collected.error());
-    }
-    if (auto finite = recorder.check(); !finite) {
-        return failure(finite.error());
-    }
-    RecordResult result;
-    result.recording = recorder.finish();
-    trimRows(result.recording, config.duration_s, 1.0 / config.rate_Hz);
-    auto quality = judgeRows(result.recording.rows(), rows);
+    recorder.finish();
+    RecordResult result = taker.result();
+    auto quality = judgeRows(result.rows, rows);
     if (!quality) {
         return failure(quality.error());
     }

@@ -2,6 +2,7 @@
 
 #include "app/procedures/procedure.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,14 +15,23 @@ struct RecordConfig {
 };
 
 struct RecordResult {
-    Recording recording; ///< rows at t = 0, 1/R, ... < duration
+    Recording recording; ///< rows at t = 0, 1/R, ... < duration; none with an outlet
+    std::size_t rows = 0;
+    std::uint64_t lostRows = 0;
     DataQuality quality; ///< doubtful when rows were lost
+};
+
+/// Where rows go as they come, e.g. a file, instead of into memory.
+struct RecordOutlet {
+    /// Once, when the device has accepted to send; signals with units and the period. May call the device.
+    std::function<Result<void>(const StreamLayout&)> begin;
+    std::function<Result<void>(const SampleBlock&)> append; ///< must not call the device
 };
 
 /// Listens; never arms, never writes. Walks Prepare, Record, Done.
 /// Errors: UnknownName (signal), OutOfRange (rate: the hint names the nearest allowed ones; duration), of the
-/// device, of the abort.
+/// device, of the abort, of the outlet.
 Result<RecordResult> runRecord(devices::Device& device, const RecordConfig& config,
-                               const ProcedureObserver& observer);
+                               const ProcedureObserver& observer, const RecordOutlet* outlet = nullptr);
 
 } // namespace halbench::app

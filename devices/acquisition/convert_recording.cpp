@@ -2,6 +2,7 @@
 
 #include "devices/acquisition/recording_csv.h"
 #include "devices/acquisition/recording_file.h"
+#include "devices/acquisition/recording_writer.h"
 
 #include <fmt/format.h>
 
@@ -18,12 +19,37 @@ bool endsWith(const std::string& text, std::string_view ending) {
            text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
 }
 
-Result<void> checkFormat(const std::string& path) {
-    if (!endsWith(path, ".csv")) {
-        return failure(ErrorCode::Usage, fmt::format("'{}' is of no format known here", path),
-                       "this version reads and writes .csv");
+Result<void> checkFormats(const ConvertRequest& request) {
+    if (!endsWith(request.input, ".csv") && !isPartialRecording(request.input)) {
+        return failure(ErrorCode::Usage, fmt::format("'{}' is of no format that can be read", request.input),
+                       "this version reads .csv and .csv.partial (an interrupted recording)");
+    }
+    if (!endsWith(request.output, ".csv")) {
+        return failure(ErrorCode::Usage,
+                       fmt::format("'{}' is of no format that can be written", request.output),
+                       "this version writes .csv");
     }
     return {};
+}
+
+struct Source {
+    RecordedFile file;
+    std::optional<Recovery> recovery;
+};
+
+Result<Source> readSource(const std::string& path) {
+    if (!isPartialRecording(path)) {
+        Result<RecordedFile> file = readRecordingFile(path);
+        return file ? Result<Source>(Source{*std::move(file), {}}) : failure(file.error());
+    }
+    Result<PartialRecording> partial = readPartialRecording(path);
+    if (!partial) {
+        return failure(partial.error());
+    }
+    const Recording& recording = partial->file.recording;
+    const Recovery recovery{recording.rows(), recording.time_s.back() - recording.time_s.front(),
+                            partial->cutOctets};
+    return Source{std::move(partial->file), recovery};
 }
 
 Result<std::vector<std::size_t>> columnsOf(const StreamLayout& layout,
@@ -51,6 +77,21 @@ Result<std::vector<std::size_t>> columnsOf(const StreamLayout& layout,
         columns.push_back(static_cast<std::size_t>(found - layout.columns.begin()));
     }
     return columns;
+}
+
+RecordingMeta partMeta(RecordingMeta meta, const StreamLayout& layout) {
+    meta.gaps.clear(); // found again while writing
+    std::vector<RecordingMeta::SignalNote> notes;
+    for (const StreamLayout::Column& column : layout.columns) {
+        const std::string header = csvColumnName(column.name, column.unit);
+        const auto known = std::find_if(meta.signals.begin(), meta.signals.end(),
+                                        [&](const auto& note) { return note.name == column.name; });
+        notes.push_back(known != meta.signals.end()
+                            ? *known
+                            : RecordingMeta::SignalNote{column.name, header, column.unit, {}});
+    }
+    meta.signals = std::move(notes);
+    return meta;
 }
 
 } // namespace
@@ -93,36 +134,32 @@ Result<Recording> selectPart(const Recording& recording, const std::vector<std::
     return part;
 }
 
-Result<std::size_t> convertRecording(const ConvertRequest& request) {
-    for (const std::string& path : {request.input, request.output}) {
-        if (const Result<void> format = checkFormat(path); !format) {
-            return failure(format.error());
-        }
+Result<Conversion> convertRecording(const ConvertRequest& request) {
+    if (const Result<void> formats = checkFormats(request); !formats) {
+        return failure(formats.error());
     }
-    Result<RecordedFile> file = readRecordingFile(request.input);
-    if (!file) {
-        return failure(file.error());
+    Result<Source> source = readSource(request.input);
+    if (!source) {
+        return failure(source.error());
     }
-    const Result<Recording> part = selectPart(file->recording, request.signals, request.from_s, request.to_s);
+    const Result<Recording> part =
+        selectPart(source->file.recording, request.signals, request.from_s, request.to_s);
     if (!part) {
         return failure(part.error());
     }
-    RecordingMeta meta = std::move(file->meta);
-    meta.gaps.clear();
-    std::vector<RecordingMeta::SignalNote> notes;
-    for (const StreamLayout::Column& column : part->layout->columns) {
-        const std::string header = csvColumnName(column.name, column.unit);
-        const auto known = std::find_if(meta.signals.begin(), meta.signals.end(),
-                                        [&](const auto& note) { return note.name == column.name; });
-        notes.push_back(known != meta.signals.end()
-                            ? *known
-                            : RecordingMeta::SignalNote{column.name, header, column.unit, {}});
-    }
-    meta.signals = std::move(notes);
-    if (const Result<void> written = writeRecordingFile(request.output, *part, std::move(meta)); !written) {
+    RecordingMeta meta = partMeta(std::move(source->file.meta), *part->layout);
+    // An interrupted recording that gets its name back is no working file of this conversion.
+    const bool isItsOwn = request.input == partialPathOf(request.output);
+    const Result<void> written =
+        writeRecordingFile(request.output, *part, std::move(meta), isItsOwn ? ".recovering" : ".partial");
+    if (!written) {
         return failure(written.error());
     }
-    return part->rows();
+    const bool isWhole = request.signals.empty() && !request.from_s && !request.to_s;
+    if (isItsOwn && isWhole) {
+        removePartialRecording(request.input);
+    }
+    return Conversion{part->rows(), source->recovery};
 }
 
 } // namespace halbench::devices

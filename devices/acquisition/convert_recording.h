@@ -23,8 +23,22 @@ struct ConvertRequest {
 Result<Recording> selectPart(const Recording& recording, const std::vector<std::string>& signals,
                              std::optional<double> from_s, std::optional<double> to_s);
 
-/// Reads, selects, writes; gives the number of rows. Formats go by the file's ending; this version knows
-/// .csv. Errors: Usage (format), FileSystem, InvalidInput, those above.
-Result<std::size_t> convertRecording(const ConvertRequest& request);
+/// How much of an interrupted recording was there.
+struct Recovery {
+    std::size_t rows = 0;
+    double duration_s = 0.0;     ///< from the first row to the last
+    std::uint64_t cutOctets = 0; ///< behind the last whole row
+};
+
+struct Conversion {
+    std::size_t rows = 0;             ///< written
+    std::optional<Recovery> recovery; ///< when the input was an interrupted recording
+};
+
+/// Reads, selects, writes. Formats go by the file's ending; this version reads .csv and .csv.partial, what an
+/// interrupted recording is called, and writes .csv. The input stays as it is, except that `run.csv.partial`
+/// is gone once all of it has become `run.csv`. Errors: Usage (format), FileSystem, InvalidInput, those
+/// above.
+Result<Conversion> convertRecording(const ConvertRequest& request);
 
 } // namespace halbench::devices

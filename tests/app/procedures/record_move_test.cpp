@@ -23,6 +23,52 @@ TEST(Record, givesRowsFromZeroUpToTheDuration) {
     EXPECT_EQ(result->recording.layout->columns.size(), device->catalogue().defaultSignals.size());
 }
 
+TEST(Record, anOutletGetsTheRowsThatMemoryWouldHaveHeld) {
+    RecordConfig config;
+    config.duration_s = 0.5;
+    config.rate_Hz = 1000.0;
+    const auto kept = runRecord(*openMotor(""), config, {});
+    ASSERT_TRUE(kept);
+    Recording streamed;
+    StreamLayout announced;
+    const RecordOutlet outlet{[&](const StreamLayout& layout) -> Result<void> {
+                                  announced = layout;
+                                  return {};
+                              },
+                              [&](const SampleBlock& block) -> Result<void> {
+                                  streamed.append(block);
+                                  return {};
+                              }};
+    const auto result = runRecord(*openMotor(""), config, {}, &outlet);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->rows, 500U);
+    EXPECT_EQ(result->recording.rows(), 0U);
+    EXPECT_EQ(streamed.time_s, kept->recording.time_s);
+    EXPECT_EQ(streamed.values, kept->recording.values);
+    EXPECT_DOUBLE_EQ(announced.period_s, streamed.layout->period_s);
+    ASSERT_EQ(announced.columns.size(), streamed.layout->columns.size());
+    for (std::size_t column = 0; column < announced.columns.size(); ++column) {
+        EXPECT_EQ(announced.columns[column].name, streamed.layout->columns[column].name);
+        EXPECT_EQ(announced.columns[column].unit, streamed.layout->columns[column].unit);
+    }
+}
+
+TEST(Record, endsSoonWithTheErrorOfItsOutlet) {
+    const auto device = openMotor("");
+    RecordConfig config;
+    config.duration_s = 1000.0;
+    const RecordOutlet outlet{[](const StreamLayout&) { return Result<void>(); },
+                              [](const SampleBlock& block) -> Result<void> {
+                                  return block.time_s.back() < 1.0
+                                             ? Result<void>()
+                                             : failure(ErrorCode::FileSystem, "the disk is full", "");
+                              }};
+    const auto result = runRecord(*device, config, {}, &outlet);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::FileSystem);
+    EXPECT_LT(device->clock().now_s(), 2.0);
+}
+
 TEST(Record, refusesWhatTheDeviceCannotDo) {
     const auto device = openMotor("");
     RecordConfig config;

@@ -2,6 +2,7 @@
 
     python3 check_bad_input.py build/release/halbench [Class[.case]]
 """
+import os
 import socket
 import sys
 import unittest
@@ -140,19 +141,36 @@ class Files(ProgramCase):
         self.accept(*self.record("--out", "a/b/f.csv"))
         self.assert_nothing_left("a/b/f.csv", "a/b/f.meta.json")
 
+    def fill_disk(self, octets, *command):
+        answer = self.run_program(*command, preexec_fn=halbench.limit_file_size(octets))
+        self.assertEqual(answer.code, 2, answer)
+        self.assertEqual(len(answer.err.strip().split("\n")), 1, answer)
+        self.assertNotIn("Unknown error", answer.err)
+        return answer
+
     def test_full_disk_leaves_no_partial_file(self):
-        for octets, command in ((100_000, ["record", "sim:htm", "--duration", "10", "--rate", "1000", "--out", "f.csv"]),
-                                (1000, ["record", "sim:htm", "--duration", "10", "--out", "f.csv"]),
+        for octets, command in ((1000, ["record", "sim:htm", "--duration", "10", "--out", "f.csv"]),
                                 (1000, ["identify", "sim:htm", "--record", "f.csv"]),
                                 (1000, ["identify", "sim:htm", "--out", "m.json"]),
                                 (1000, ["move", "sim:htm", "--reference", "step,amplitude_deg=10", "--duration", "1",
                                         "--out", "f.csv"])):
             with self.subTest(command=command):
-                answer = self.run_program(*command, preexec_fn=halbench.limit_file_size(octets))
-                self.assertEqual(answer.code, 2, answer)
-                self.assertEqual(len(answer.err.strip().split("\n")), 1, answer)
-                self.assertNotIn("Unknown error", answer.err)
+                self.fill_disk(octets, *command)
                 self.assert_nothing_left()
+
+    def test_full_disk_in_mid_recording_keeps_what_was_written(self):
+        command = ["record", "sim:htm", "--duration", "10", "--rate", "1000", "--out", "f.csv"]
+        answer = self.fill_disk(100_000, *command)
+        self.assertRegex(answer.err, r"cannot write 'f\.csv'.*'f\.csv\.partial', halbench convert")
+        self.assert_nothing_left("f.csv.partial", "f.meta.json.partial")
+        self.assertEqual(os.path.getsize(self.path("f.csv.partial")), 100_000)
+        with open(self.path("f.csv.partial"), encoding="utf-8") as file:
+            kept = file.read().rpartition("\n")[0] + "\n"
+        self.accept("convert", "f.csv.partial", "f.csv")
+        self.accept(*command[:-1], "all.csv")
+        with open(self.path("f.csv"), encoding="utf-8") as part, open(self.path("all.csv"), encoding="utf-8") as whole:
+            self.assertEqual(part.read(), kept)
+            self.assertTrue(whole.read().startswith(kept))
 
     def test_old_file_survives_a_failed_recording(self):
         self.write("f.csv", "old\n")
@@ -160,7 +178,15 @@ class Files(ProgramCase):
                          preexec_fn=halbench.limit_file_size(100_000))
         with open(self.path("f.csv"), encoding="utf-8") as file:
             self.assertEqual(file.read(), "old\n")
-        self.assert_nothing_left("f.csv")
+        self.assert_nothing_left("f.csv", "f.csv.partial", "f.meta.json.partial")
+
+    def test_unknown_recording_formats_are_refused_with_the_known_ones(self):
+        self.accept(*self.record("--out", "f.csv"))
+        for name in ("f.mf4", "f.mat", "f", "f.CSV", "f.csv.partial"):
+            self.refuse(2, r"writes \.csv$", "convert", "f.csv", name)
+        for name in ("f.mf4", "f.mat", "f"):
+            self.refuse(2, r"reads \.csv and \.csv\.partial", "convert", name, "g.csv")
+        self.assert_nothing_left("f.csv", "f.meta.json")
 
     def test_recordings_with_nonsense_are_refused_with_their_place(self):
         head = "time_s,position_rad,current_command_A\n"

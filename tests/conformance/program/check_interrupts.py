@@ -2,6 +2,8 @@
 
     python3 check_interrupts.py build/release/halbench [Class[.case]]
 """
+import json
+import os
 import signal
 import sys
 import time
@@ -22,6 +24,63 @@ class BoardCase(ProgramCase):
         return values, {v["name"]: v["value"] for v in status}
 
 
+    def recover(self, name):
+        """Rows of an interrupted recording of 100 Hz: all that were written, evenly spaced, with their sidecar."""
+        with open(self.path(name + ".partial"), encoding="utf-8") as file:
+            whole = file.read().rpartition("\n")[0].split("\n")[1:]
+        answer = self.accept("convert", name + ".partial", name)
+        self.assertRegex(answer.err, rf"recovered {len(whole)} rows \([0-9.]+ s\) of {name}\.partial; (nothing was )?cut off")
+        with open(self.path(name), encoding="utf-8") as file:
+            rows = file.read().split("\n")[1:-1]
+        self.assertEqual(rows, whole)
+        self.assertEqual([float(row.split(",")[0]) for row in rows], [i / 100 for i in range(len(rows))])
+        with open(self.path(name.replace(".csv", ".meta.json")), encoding="utf-8") as file:
+            meta = json.load(file)
+        self.assertEqual(meta["markers"], [{"text": "recording interrupted", "time_s": float(rows[-1].split(",")[0])}])
+        self.assertEqual((meta["rows"], meta["device"]["model"]), (len(rows), "htm"))
+        self.assertFalse(os.path.exists(self.path(name + ".partial")))
+        return len(rows)
+
+
+class Killed(BoardCase):
+    """SIGKILL in mid-recording: what had arrived is in the partial file."""
+
+    def kill(self, name, *arguments):
+        process = self.start_program(*arguments, "--realtime", "--duration", "30", "--out", name)
+        partial = self.path(name + ".partial")
+        until = time.monotonic() + 10
+        while time.monotonic() < until and not (os.path.exists(partial) and os.path.getsize(partial) > 20_000):
+            time.sleep(0.02)
+        process.kill()
+        process.communicate()
+        self.assertEqual(process.returncode, -signal.SIGKILL)
+        self.assertFalse(os.path.exists(self.path(name)))
+        size = os.path.getsize(partial)
+        rows = self.recover(name)
+        self.assertGreater(rows, 50, f"{size} octets")
+
+    def test_recording_of_a_simulated_board(self):
+        self.kill("f.csv", "record", "sim:htm")
+
+    def test_recording_of_a_board_on_the_network(self):
+        _, uri = self.serve()
+        self.kill("f.csv", "record", uri)
+
+    def test_the_next_recording_does_not_destroy_what_is_left(self):
+        self.write("f.csv.partial", "time_s,position_rad\n0,1\n0.01,2\n0.0")
+        answer = self.accept("record", "sim:htm", "--duration", "0.1", "--out", "f.csv")
+        self.assertRegex(answer.err, r"'f\.interrupted\.csv\.partial'; halbench convert")
+        self.assert_nothing_left("f.csv", "f.meta.json", "f.interrupted.csv.partial")
+        answer = self.accept("convert", "f.interrupted.csv.partial", "old.csv", "--json")
+        self.assertEqual(answer.json()["recovered"], {"rows": 2, "duration_s": 0.01, "cut_octets": 3})
+
+    def test_nothing_to_recover_is_said(self):
+        for text in ("", "time_s,posi", "time_s,position_rad\n", "time_s,position_rad\n0,"):
+            self.write("f.csv.partial", text)
+            self.refuse(2, "no whole row", "convert", "f.csv.partial", "f.csv")
+        self.assert_nothing_left("f.csv.partial")
+
+
 class Interrupts(BoardCase):
     def interrupt(self, number, after_s, *arguments):
         process = self.start_program(*arguments)
@@ -33,12 +92,15 @@ class Interrupts(BoardCase):
         self.assertLess(time.monotonic() - began, 3.0, "ends at once")
         return process.returncode, out, err
 
-    def test_recording_ends_without_a_file(self):
+    def test_recording_ends_without_its_name_and_says_where_the_rows_are(self):
         for number, code in SIGNALS:
+            name = f"f{code}.csv"
             ended, _, err = self.interrupt(number, 0.7, "record", "sim:htm", "--realtime", "--duration", "30", "--out",
-                                           "f.csv")
+                                           name)
             self.assertEqual(ended, code, err)
-            self.assert_nothing_left()
+            self.assertRegex(err.strip(), rf"\A[^\n]*'{name}\.partial', halbench convert[^\n]*\Z")
+            self.assertFalse(os.path.exists(self.path(name)))
+            self.recover(name)
 
     def test_sweep_ends_and_the_board_is_as_before(self):
         for number, code in SIGNALS:
@@ -76,7 +138,9 @@ class Departures(BoardCase):
         server.send_signal(signal.SIGSTOP)
         _, err = process.communicate(timeout=15)
         self.assertEqual(process.returncode, 3, err)
-        self.assert_nothing_left()
+        self.assertRegex(err.strip(), r"\A[^\n]*'f\.csv\.partial', halbench convert[^\n]*\Z")
+        self.assert_nothing_left("f.csv.partial", "f.meta.json.partial")
+        self.recover("f.csv")
         server.send_signal(signal.SIGCONT)
         self.accept("describe", uri)
 

@@ -1,6 +1,7 @@
 #include "devices/acquisition/convert_recording.h"
 #include "devices/acquisition/recording_csv.h"
 #include "devices/acquisition/recording_file.h"
+#include "devices/acquisition/recording_writer.h"
 
 #include <QtCore/QTemporaryDir>
 
@@ -8,6 +9,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -180,24 +182,134 @@ TEST_F(RecordingFileTest, aWriterOnAFullDiskRepeatsItsErrorAndNeverFinishes) {
     EXPECT_FALSE(fs::exists(path("run.csv")));
 }
 
+/// A program that wrote these rows and ended there; gives what it left.
+std::string interrupt(const std::string& file, const Recording& part) {
+    auto writer = RecordingWriter::create(file, *part.layout, metaOf(part));
+    EXPECT_TRUE(writer);
+    EXPECT_TRUE((*writer)->append({part.layout, part.time_s, part.values, 0.0, 0}));
+    return contentOf(file + ".partial");
+}
+
 TEST_F(RecordingFileTest, anInterruptedRecordingIsRecoveredUpToItsLastWholeLine) {
     const Recording part = ramp(10);
-    {
-        auto writer = RecordingWriter::create(path("run.csv"), *part.layout, metaOf(part));
-        ASSERT_TRUE(writer);
-        ASSERT_TRUE((*writer)->append({part.layout, part.time_s, part.values, 0.0, 0}));
-    } // the program ends here
+    interrupt(path("run.csv"), part);
     EXPECT_FALSE(fs::exists(path("run.csv")));
     std::ofstream(path("run.csv.partial"), std::ios::app) << "0.1,5,0.1";
-    const auto rows = recoverRecording(path("run.csv"));
-    ASSERT_TRUE(rows) << rows.error().message;
-    EXPECT_EQ(*rows, 10U);
+    const auto done = convertRecording({path("run.csv.partial"), path("run.csv"), {}, {}, {}});
+    ASSERT_TRUE(done) << done.error().message;
+    EXPECT_EQ(done->rows, 10U);
+    ASSERT_TRUE(done->recovery);
+    EXPECT_EQ(done->recovery->cutOctets, 9U);
+    EXPECT_DOUBLE_EQ(done->recovery->duration_s, 0.09);
     const auto back = readRecordingFile(path("run.csv"));
     ASSERT_TRUE(back);
+    EXPECT_TRUE(back->warnings.empty()) << "the sidecar's SHA-256 is that of the recovered data";
     EXPECT_EQ(back->recording.values, part.values);
     EXPECT_EQ(back->meta.parameters.size(), 1U);
     EXPECT_EQ(back->recording.layout->columns[1].name, "hall.a");
+    ASSERT_EQ(back->meta.markers.size(), 1U);
+    EXPECT_EQ(back->meta.markers[0].text, "recording interrupted");
+    EXPECT_DOUBLE_EQ(back->meta.markers[0].time_s, 0.09);
+    EXPECT_FALSE(fs::exists(path("run.csv.partial"))) << "it has become run.csv";
+    EXPECT_FALSE(fs::exists(path("run.meta.json.partial")));
+}
+
+TEST_F(RecordingFileTest, anInterruptionAtAnyByteLosesNoWholeRow) {
+    const Recording part = ramp(5);
+    const std::string written = interrupt(path("run.csv"), part);
+    const std::size_t header = written.find('\n') + 1;
+    for (std::size_t size = 0; size <= written.size(); ++size) {
+        std::ofstream(path("run.csv.partial"), std::ios::binary) << written.substr(0, size);
+        const auto found = readPartialRecording(path("run.csv.partial"));
+        const auto lines = static_cast<std::size_t>(
+            std::count(written.begin(), written.begin() + static_cast<long>(size), '\n'));
+        ASSERT_EQ(found.has_value(), lines > 1) << size;
+        if (!found) {
+            EXPECT_EQ(found.error().code, ErrorCode::InvalidInput);
+            EXPECT_FALSE(found.error().hint.empty());
+            continue;
+        }
+        EXPECT_EQ(found->file.recording.rows(), lines - 1) << size;
+        EXPECT_EQ(found->cutOctets, size - written.rfind('\n', size - 1) - 1) << size;
+        EXPECT_TRUE(std::equal(found->file.recording.values.begin(), found->file.recording.values.end(),
+                               part.values.begin()));
+    }
+    EXPECT_GT(written.size(), header);
+}
+
+TEST_F(RecordingFileTest, zerosThatAPowerLossLeftAreCutOff) {
+    const std::string written = interrupt(path("run.csv"), ramp(5));
+    std::ofstream(path("run.csv.partial"), std::ios::binary) << written + std::string(100, '\0') + "0,1\n";
+    const auto found = readPartialRecording(path("run.csv.partial"));
+    ASSERT_TRUE(found) << found.error().message;
+    EXPECT_EQ(found->file.recording.rows(), 5U);
+    EXPECT_EQ(found->cutOctets, 104U);
+}
+
+TEST_F(RecordingFileTest, aDamagedSidecarDoesNotStopARecovery) {
+    interrupt(path("run.csv"), ramp(5));
+    const std::string meta = contentOf(path("run.meta.json.partial"));
+    std::ofstream(path("run.meta.json.partial")) << meta.substr(0, meta.size() / 2);
+    const auto found = readPartialRecording(path("run.csv.partial"));
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->file.recording.layout->columns[1].name, "hall.a") << "known by its column";
+}
+
+TEST_F(RecordingFileTest, recoveringUnderAnotherNameOrAPartLeavesThePartialFile) {
+    const std::string written = interrupt(path("run.csv"), ramp(10));
+    ASSERT_TRUE(convertRecording({path("run.csv.partial"), path("other.csv"), {}, {}, {}}));
+    ASSERT_TRUE(convertRecording({path("run.csv.partial"), path("run.csv"), {"hall.a"}, {}, {}}));
+    EXPECT_EQ(contentOf(path("run.csv.partial")), written);
+    EXPECT_TRUE(fs::exists(path("run.meta.json.partial")));
+}
+
+TEST_F(RecordingFileTest, aFullDiskWhileRecoveringLosesNothing) {
+    const std::string written = interrupt(path("run.csv"), ramp(3000));
+    {
+        const SmallDisk disk(20000);
+        ASSERT_FALSE(convertRecording({path("run.csv.partial"), path("run.csv"), {}, {}, {}}));
+    }
+    EXPECT_EQ(contentOf(path("run.csv.partial")), written);
+    EXPECT_FALSE(fs::exists(path("run.csv")));
+    EXPECT_FALSE(fs::exists(path("run.csv.recovering")));
+}
+
+TEST_F(RecordingFileTest, anOldInterruptedRecordingIsMovedAsideNotLost) {
+    const std::string first = interrupt(path("run.csv"), ramp(10));
+    const std::string second = interrupt(path("run.csv"), ramp(20)); // finds the first one
+    ASSERT_TRUE(writeRecordingFile(path("run.csv"), ramp(3), metaOf(ramp(3))));
+    EXPECT_EQ(contentOf(path("run.interrupted.csv.partial")), first);
+    EXPECT_EQ(contentOf(path("run.interrupted-2.csv.partial")), second);
+    const auto back = readPartialRecording(path("run.interrupted.csv.partial"));
+    ASSERT_TRUE(back) << back.error().message;
+    EXPECT_TRUE(back->file.hasMeta) << "its sidecar went with it";
     EXPECT_FALSE(fs::exists(path("run.csv.partial")));
+}
+
+TEST_F(RecordingFileTest, twoProgramsDoNotMixTheirRows) {
+    const Recording part = ramp(3);
+    const auto one = RecordingWriter::create(path("run.csv"), *part.layout, metaOf(part));
+    ASSERT_TRUE(one);
+    const auto two = RecordingWriter::create(path("run.csv"), *part.layout, metaOf(part));
+    ASSERT_FALSE(two);
+    EXPECT_EQ(two.error().code, ErrorCode::Usage);
+    ASSERT_TRUE((*one)->append({part.layout, part.time_s, part.values, 0.0, 0}));
+    EXPECT_TRUE((*one)->finish());
+    EXPECT_EQ(readRecordingFile(path("run.csv"))->recording.rows(), 3U);
+}
+
+TEST_F(RecordingFileTest, anAbandonedRecordingStaysOnlyWhenItHasRows) {
+    const Recording part = ramp(3);
+    {
+        const auto writer = RecordingWriter::create(path("run.csv"), *part.layout, metaOf(part));
+        ASSERT_TRUE(writer);
+        EXPECT_FALSE((*writer)->abandon());
+    }
+    EXPECT_TRUE(fs::is_empty(path("")));
+    const auto writer = RecordingWriter::create(path("run.csv"), *part.layout, metaOf(part));
+    ASSERT_TRUE((*writer)->append({part.layout, part.time_s, part.values, 0.0, 0}));
+    EXPECT_TRUE((*writer)->abandon());
+    EXPECT_TRUE(readPartialRecording(path("run.csv.partial")));
 }
 
 TEST_F(RecordingFileTest, convertKeepsTheSignalsAndTheIntervalAskedFor) {
@@ -206,7 +318,8 @@ TEST_F(RecordingFileTest, convertKeepsTheSignalsAndTheIntervalAskedFor) {
     const auto rows =
         convertRecording({path("in.csv"), path("out.csv"), {"hall.a", "position_rad"}, 0.2, 0.5});
     ASSERT_TRUE(rows) << rows.error().message;
-    EXPECT_EQ(*rows, 30U); // 0.20 ... 0.49
+    EXPECT_EQ(rows->rows, 30U); // 0.20 ... 0.49
+    EXPECT_FALSE(rows->recovery);
     const auto back = readRecordingFile(path("out.csv"));
     ASSERT_TRUE(back);
     EXPECT_EQ(back->recording.layout->columns[0].name, "hall.a");
@@ -224,6 +337,8 @@ TEST_F(RecordingFileTest, convertRefusesWhatItCannotDo) {
         return done ? ErrorCode::Internal : done.error().code;
     };
     EXPECT_EQ(code({path("in.csv"), path("out.mat"), {}, {}, {}}), ErrorCode::Usage);
+    EXPECT_EQ(code({path("in.mf4"), path("out.csv"), {}, {}, {}}), ErrorCode::Usage);
+    EXPECT_EQ(code({path("in.csv"), path("out.csv.partial"), {}, {}, {}}), ErrorCode::Usage);
     EXPECT_EQ(code({path("in.csv"), path("out.csv"), {"unknown"}, {}, {}}), ErrorCode::UnknownName);
     EXPECT_EQ(code({path("in.csv"), path("out.csv"), {}, 5.0, {}}), ErrorCode::OutOfRange);
     EXPECT_EQ(code({path("none.csv"), path("out.csv"), {}, {}, {}}), ErrorCode::FileSystem);

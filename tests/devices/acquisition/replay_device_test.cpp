@@ -1,11 +1,12 @@
 #include "devices/acquisition/guard.h"
-#include "devices/acquisition/recording_file.h"
+#include "devices/acquisition/recording_writer.h"
 #include "devices/open_device.h"
 
 #include <QtCore/QTemporaryDir>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace halbench::devices {

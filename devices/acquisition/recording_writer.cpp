@@ -1,0 +1,277 @@
+#include "devices/acquisition/recording_writer.h"
+
+#include "control/base/assert.h"
+#include "devices/acquisition/recording_csv.h"
+
+#include <QtCore/QDir>
+#include <QtCore/QFileInfo>
+
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+namespace halbench::devices {
+
+namespace {
+
+constexpr double GapFactor = 1.5; // a step longer than this many periods has lost rows
+constexpr std::size_t RowsPerBlock = 4096;
+
+QString pathOf(const std::string& path) {
+    return QString::fromStdString(path);
+}
+
+/// Qt has no words for a flush that failed; the system has.
+std::string causeOf(const QFile& file) {
+    const int cause = errno;
+    return file.errorString() == QLatin1String("Unknown error") ? std::strerror(cause)
+                                                                : file.errorString().toStdString();
+}
+
+tl::unexpected<Error> cannotWrite(const std::string& path, const QFile& file) {
+    return failure(ErrorCode::FileSystem, fmt::format("cannot write '{}': {}", path, causeOf(file)),
+                   "check that the folder can be written and the disk has room");
+}
+
+Result<void> moveInto(const std::string& from, const std::string& to) {
+    if (std::rename(from.c_str(), to.c_str()) != 0) {
+        return failure(ErrorCode::FileSystem,
+                       fmt::format("cannot rename '{}' to '{}': {}", from, to, std::strerror(errno)),
+                       "check that the folder can be written");
+    }
+    return {};
+}
+
+Result<void> createFolderOf(const std::string& path) {
+    const QFileInfo info(pathOf(path));
+    if (!QDir().mkpath(info.path())) {
+        return failure(ErrorCode::FileSystem,
+                       fmt::format("cannot create the folder '{}'", info.path().toStdString()),
+                       "give a folder that can be written");
+    }
+    if (info.isDir()) {
+        return failure(ErrorCode::FileSystem, fmt::format("'{}' is a folder", path),
+                       "give the name of a file");
+    }
+    return {};
+}
+
+/// Everything on the disk, not only in the system's memory.
+bool sync(QFile& file) {
+    return file.flush() && ::fsync(file.handle()) == 0;
+}
+
+Result<void> writeText(const std::string& path, const std::string& text) {
+    QFile file(pathOf(path));
+    if (!file.open(QIODevice::WriteOnly)) {
+        return cannotWrite(path, file);
+    }
+    const bool isWritten =
+        file.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size());
+    if (!isWritten || !sync(file)) {
+        auto error = cannotWrite(path, file);
+        std::remove(path.c_str()); // QFile would write the rest before it removes
+        return error;
+    }
+    return {};
+}
+
+/// Rows missing directly before this one.
+std::uint64_t lostBefore(const Recording& recording, std::size_t row) {
+    const double period_s = recording.layout->period_s;
+    if (row == 0 || period_s <= 0.0) {
+        return 0;
+    }
+    const double steps = (recording.time_s[row] - recording.time_s[row - 1]) / period_s;
+    return steps > GapFactor ? static_cast<std::uint64_t>(std::min(std::round(steps) - 1.0, 1e15)) : 0;
+}
+
+/// One behind the last row of the block that begins here: a block ends before a gap.
+std::size_t blockEnd(const Recording& recording, std::size_t begin) {
+    std::size_t end = begin + 1;
+    while (end < recording.rows() && end - begin < RowsPerBlock && lostBefore(recording, end) == 0) {
+        ++end;
+    }
+    return end;
+}
+
+SampleBlock blockOf(const Recording& recording, std::size_t begin, std::size_t end) {
+    const std::size_t columns = recording.layout->columns.size();
+    const auto at = [](const std::vector<double>& values, std::size_t index) {
+        return values.begin() + static_cast<std::ptrdiff_t>(index);
+    };
+    SampleBlock block;
+    block.layout = recording.layout;
+    block.lostRows = lostBefore(recording, begin);
+    block.time_s.assign(at(recording.time_s, begin), at(recording.time_s, end));
+    block.values.assign(at(recording.values, begin * columns), at(recording.values, end * columns));
+    return block;
+}
+
+/// Two programs with one file would mix their rows; a lock ends with its program, however that ended.
+bool lock(QFile& file) {
+    return ::flock(file.handle(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+}
+
+/// A name beside `path` that is free: "run.interrupted.csv", "run.interrupted-2.csv" ...
+std::string nameAside(const std::string& path) {
+    const QFileInfo info(pathOf(path));
+    const std::string ending = info.suffix() == QLatin1String("csv") ? ".csv" : "";
+    const std::string stem = path.substr(0, path.size() - ending.size()) + ".interrupted";
+    std::string name = stem + ending;
+    for (int number = 2; QFileInfo::exists(pathOf(partialPathOf(name))); ++number) {
+        name = fmt::format("{}-{}{}", stem, number, ending);
+    }
+    return name;
+}
+
+} // namespace
+
+std::string partialPathOf(const std::string& path) {
+    return path + ".partial";
+}
+
+RecordingWriter::RecordingWriter(const std::string& path, const std::string& suffix, RecordingMeta meta)
+    : m_path(path), m_partial(path + suffix), m_metaPartial(metaPathOf(path) + suffix),
+      m_meta(std::move(meta)), m_file(pathOf(m_partial)), m_hash(QCryptographicHash::Sha256) {
+    m_meta.rows = 0;
+}
+
+/// Opens the working file; what is there already is a recording that somebody may want back.
+Result<void> RecordingWriter::open() {
+    const auto taken =
+        failure(ErrorCode::Usage, fmt::format("'{}' is being written by another program", m_partial),
+                "wait for its end or give another name");
+    if (QFile old(pathOf(m_partial)); old.open(QIODevice::ReadOnly) && old.size() > 0) {
+        if (!lock(old)) {
+            return taken;
+        }
+        const std::string aside = nameAside(m_path);
+        if (Result<void> moved = moveInto(m_partial, partialPathOf(aside)); !moved) {
+            return moved;
+        }
+        if (QFileInfo::exists(pathOf(m_metaPartial))) {
+            (void)moveInto(m_metaPartial, partialPathOf(metaPathOf(aside))); // the rows can be read without
+        }
+        m_movedAside = partialPathOf(aside);
+    }
+    if (!m_file.open(QIODevice::WriteOnly)) {
+        return cannotWrite(m_path, m_file);
+    }
+    return lock(m_file) ? Result<void>() : taken;
+}
+
+Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::string& path,
+                                                                 const StreamLayout& layout,
+                                                                 RecordingMeta meta,
+                                                                 const std::string& suffix) {
+    if (const Result<void> folder = createFolderOf(path); !folder) {
+        return failure(folder.error());
+    }
+    std::unique_ptr<RecordingWriter> writer(new RecordingWriter(path, suffix, std::move(meta)));
+    Result<void> begun = writer->open();
+    if (!begun) {
+        return failure(begun.error());
+    }
+    // The sidecar as it stands lets an interrupted recording be recovered with its names and parameters.
+    begun = writeText(writer->m_metaPartial, toMetaJson(writer->m_meta));
+    begun = begun ? writer->put(csvHeader(layout)) : begun;
+    if (!begun) {
+        writer->discard();
+        return failure(begun.error());
+    }
+    return writer;
+}
+
+Result<void> RecordingWriter::put(const std::string& text) {
+    if (m_error) {
+        return failure(*m_error);
+    }
+    const auto size = static_cast<qint64>(text.size());
+    if (m_file.write(text.data(), size) != size || !m_file.flush()) {
+        const auto error = cannotWrite(m_path, m_file);
+        m_error = error.value();
+        return error;
+    }
+    m_hash.addData(text.data(), static_cast<int>(text.size()));
+    return {};
+}
+
+Result<void> RecordingWriter::append(const SampleBlock& block) {
+    m_text.clear();
+    appendCsvRows(m_text, block);
+    if (Result<void> written = put(m_text); !written) {
+        return written;
+    }
+    if (block.lostRows != 0 && block.rows() != 0) {
+        m_meta.gaps.push_back({block.time_s.front(), block.lostRows});
+    }
+    m_meta.rows += block.rows();
+    m_meta.period_s = block.layout->period_s; // planned before, known now
+    return {};
+}
+
+Result<void> RecordingWriter::finish() {
+    if (m_error) {
+        return failure(*m_error);
+    }
+    if (!sync(m_file)) {
+        return cannotWrite(m_path, m_file);
+    }
+    m_file.close();
+    m_meta.sha256 = m_hash.result().toHex().toStdString();
+    const std::string metaPath = metaPathOf(m_path);
+    const std::string complete = m_metaPartial + ".new"; // until it is, the first one serves a recovery
+    if (Result<void> written = writeText(complete, toMetaJson(m_meta)); !written) {
+        return written;
+    }
+    if (Result<void> moved = moveInto(m_partial, m_path); !moved) {
+        std::remove(complete.c_str());
+        return moved;
+    }
+    std::remove(m_metaPartial.c_str());
+    return moveInto(complete, metaPath);
+}
+
+bool RecordingWriter::abandon() {
+    if (m_meta.rows == 0) {
+        discard();
+        return false;
+    }
+    m_file.close();
+    return true;
+}
+
+void RecordingWriter::discard() {
+    m_file.close();
+    std::remove(m_partial.c_str());
+    std::remove(m_metaPartial.c_str());
+}
+
+Result<void> writeRecordingFile(const std::string& path, const Recording& recording, RecordingMeta meta,
+                                const std::string& suffix) {
+    HB_ASSERT(recording.layout != nullptr);
+    Result<std::unique_ptr<RecordingWriter>> writer =
+        RecordingWriter::create(path, *recording.layout, std::move(meta), suffix);
+    if (!writer) {
+        return failure(writer.error());
+    }
+    Result<void> done;
+    for (std::size_t begin = 0; done && begin < recording.rows();) {
+        const std::size_t end = blockEnd(recording, begin);
+        done = (*writer)->append(blockOf(recording, begin, end));
+        begin = end;
+    }
+    done = done ? (*writer)->finish() : done;
+    if (!done) {
+        (*writer)->discard();
+    }
+    return done;
+}
+
+} // namespace halbench::devices

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "control/base/sample_block.h"
+#include "devices/acquisition/recording_meta.h"
+
+#include <QtCore/QCryptographicHash>
+#include <QtCore/QFile>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace halbench::devices {
+
+/// What a file is called until it is complete: "dir/run.csv" -> "dir/run.csv.partial".
+std::string partialPathOf(const std::string& path);
+
+/// Writes a recording as it comes, as `path.partial`; every block is with the system when append() returns,
+/// so that a killed program loses none of them. finish() gives it its name and its sidecar. A recording that
+/// ended otherwise stays as `path.partial` for readPartialRecording(). Never drops a row silently: the first
+/// error stays and finish() repeats it. Thread: one.
+class RecordingWriter {
+public:
+    /// Folders are created. What an interrupted program left under the working name is moved aside, never
+    /// lost. `suffix`: of the working name. Errors: FileSystem with path and cause; Usage when another
+    /// program is writing it now.
+    static Result<std::unique_ptr<RecordingWriter>> create(const std::string& path,
+                                                           const StreamLayout& layout, RecordingMeta meta,
+                                                           const std::string& suffix = ".partial");
+
+    Result<void> append(const SampleBlock& block);
+    Result<void> finish();
+    /// Ends without a name: the partial file stays when there are rows in it, else nothing is left. Says
+    /// whether it stays.
+    bool abandon();
+    /// Ends and leaves nothing.
+    void discard();
+
+    std::uint64_t rows() const { return m_meta.rows; }
+    const std::string& partialPath() const { return m_partial; }
+    /// Where an older interrupted recording is now; empty when there was none.
+    const std::string& movedAside() const { return m_movedAside; }
+
+private:
+    RecordingWriter(const std::string& path, const std::string& suffix, RecordingMeta meta);
+    Result<void> open();
+    Result<void> put(const std::string& text);
+
+    std::string m_path;
+    std::string m_partial;
+    std::string m_metaPartial;
+    std::string m_movedAside;
+    RecordingMeta m_meta;
+    QFile m_file;
+    QCryptographicHash m_hash;
+    std::string m_text;
+    std::optional<Error> m_error;
+};
+
+/// A whole recording at once; on an error nothing is left behind and an older file stays. Errors: as above.
+Result<void> writeRecordingFile(const std::string& path, const Recording& recording, RecordingMeta meta,
+                                const std::string& suffix = ".partial");
+
+} // namespace halbench::devices
