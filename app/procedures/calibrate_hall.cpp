@@ -1,4 +1,5 @@
 #include "app/procedures/calibrate_runs.h"
+#include "app/procedures/excitation_limits.h"
 #include "app/procedures/spin_drive.h"
 #include "control/base/units.h"
 #include "control/identify/distributions.h"
@@ -103,9 +104,10 @@ Result<void> calibrateHall(devices::Device& device, const CalibrateConfig& confi
         }
     };
     StreamRecorder recorder(device, listening);
-    if (auto started =
-            recorder.start({"position", "speed", "hall.a", "hall.b", "current.a", "current.b"}, 100.0);
-        !started) {
+    recorder.guardBy(excitationLimits(device.catalogue(), config.speedLimit_rad_s));
+    const std::vector<std::string> signals = withWatchedSignals(
+        device.catalogue(), {"position", "speed", "hall.a", "hall.b", "current.a", "current.b"});
+    if (auto started = recorder.start(signals, 100.0); !started) {
         return started;
     }
     for (const double sign : {1.0, -1.0}) {
@@ -115,7 +117,7 @@ Result<void> calibrateHall(devices::Device& device, const CalibrateConfig& confi
         run.mayReach_rad_s = 0.9 * config.speedLimit_rad_s;
         run.text = "spins slowly for the Hall sensors";
         if (auto done = runPlateaus(device, listening, run, {}, watch); !done) {
-            return done;
+            return failure(recorder.causeOf(done.error()));
         }
     }
     if (auto checked = recorder.check(); !checked) {

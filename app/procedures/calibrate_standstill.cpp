@@ -1,5 +1,7 @@
 #include "app/procedures/calibrate_runs.h"
 #include "app/procedures/coil_forecast.h"
+#include "app/procedures/excitation_limits.h"
+#include "app/procedures/procedure_steps.h"
 #include "control/identify/calibration_fits.h"
 #include "control/identify/distributions.h"
 
@@ -35,19 +37,30 @@ Result<void> drive(devices::Device& device, const ProcedureObserver& observer,
     return waitObserved(device, observer, duration_s, 0.0, 1.0, text);
 }
 
+Result<void> startGuarded(StreamRecorder& recorder, const devices::Device& device,
+                          const CalibrateConfig& config, std::vector<std::string> measured) {
+    recorder.guardBy(excitationLimits(device.catalogue(), config.speedLimit_rad_s));
+    return recorder.start(withWatchedSignals(device.catalogue(), std::move(measured)), 100.0);
+}
+
 // A short push, so that the next measurement stands at another angle.
-Result<void> nudge(devices::Device& device, const ProcedureObserver& observer, double current_A) {
+Result<void> nudge(devices::Device& device, const CalibrateConfig& config,
+                   const ProcedureObserver& observer) {
     constexpr double Push_s = 0.15;
     constexpr double Rest_s = 0.8;
+    StreamRecorder recorder(device, observer);
+    if (auto started = startGuarded(recorder, device, config, {"position"}); !started) {
+        return started;
+    }
     if (auto driven = drive(device, observer,
                             {{"reference.shape", ShapeStep},
-                             {"reference.amplitude", current_A},
+                             {"reference.amplitude", config.frictionCurrent_A},
                              {"reference.duration", Push_s}},
                             devices::BoardMode::Current, Push_s + Rest_s, "turns to another angle");
         !driven) {
-        return driven;
+        return failure(recorder.causeOf(driven.error()));
     }
-    return device.disarm();
+    return recorder.check() ? device.disarm() : recorder.check();
 }
 
 // Levels 0, +1/8, -1/8, ... +1, -1 of the largest current, then zero.
@@ -97,17 +110,20 @@ void refuse(CalibrateResult& result, const char* code, const Error& error) {
     result.quality.findings.push_back({code, error.message, error.hint});
 }
 
-Result<Recording> recordAt(devices::Device& device, const ProcedureObserver& observer,
-                           const std::vector<ParameterValue>& values, devices::BoardMode mode,
-                           double duration_s, const char* text) {
+Result<Recording> recordAt(devices::Device& device, const CalibrateConfig& config,
+                           const ProcedureObserver& observer, const std::vector<ParameterValue>& values,
+                           double duration_s) {
     StreamRecorder recorder(device, observer);
-    if (auto started = recorder.start(
-            {"position", "current_command", "hall.a", "hall.b", "current.a", "current.b"}, 100.0);
+    if (auto started =
+            startGuarded(recorder, device, config,
+                         {"position", "current_command", "hall.a", "hall.b", "current.a", "current.b"});
         !started) {
         return failure(started.error());
     }
-    if (auto driven = drive(device, observer, values, mode, duration_s, text); !driven) {
-        return failure(driven.error());
+    if (auto driven =
+            drive(device, observer, values, devices::BoardMode::DAxis, duration_s, "d-axis current at rest");
+        !driven) {
+        return failure(recorder.causeOf(driven.error()));
     }
     if (auto disarmed = device.disarm(); !disarmed) {
         return failure(disarmed.error());
@@ -119,7 +135,8 @@ Result<Recording> recordAt(devices::Device& device, const ProcedureObserver& obs
 }
 
 // One ramp; ends as soon as the rotor is surely off.
-Result<Recording> rampOnce(devices::Device& device, const ProcedureObserver& observer, double end_A) {
+Result<Recording> rampOnce(devices::Device& device, const CalibrateConfig& config,
+                           const ProcedureObserver& observer, double end_A) {
     constexpr double Rate_A_s = 0.6;
     double first_rad = 0.0;
     double travel_rad = 0.0;
@@ -138,7 +155,7 @@ Result<Recording> rampOnce(devices::Device& device, const ProcedureObserver& obs
         }
     };
     StreamRecorder recorder(device, listening);
-    if (auto started = recorder.start({"position", "current_command"}, 100.0); !started) {
+    if (auto started = startGuarded(recorder, device, config, {"position", "current_command"}); !started) {
         return failure(started.error());
     }
     const double duration_s = std::fabs(end_A) / Rate_A_s;
@@ -149,13 +166,13 @@ Result<Recording> rampOnce(devices::Device& device, const ProcedureObserver& obs
                              {"reference.duration", duration_s}},
                             devices::BoardMode::Current, 0.1, "ramps the current from rest");
         !driven) {
-        return failure(driven.error());
+        return failure(recorder.causeOf(driven.error()));
     }
     constexpr double SurelyOff_rad = 0.8;
     for (double passed_s = 0.1; passed_s < duration_s && travel_rad < SurelyOff_rad; passed_s += 0.05) {
         if (auto waited = waitObserved(device, listening, 0.05, 0.0, 1.0, "ramps the current from rest");
             !waited) {
-            return failure(waited.error());
+            return failure(recorder.causeOf(waited.error()));
         }
     }
     if (auto disarmed = device.disarm(); !disarmed) {
@@ -205,13 +222,13 @@ Result<void> calibrateStray(devices::Device& device, const CalibrateConfig& conf
     }
     std::vector<control::StrayRecord> records;
     for (int i = 0; i < Angles; ++i) {
-        auto recording = recordAt(device, observer, dAxisLevels(config.strayCurrent_A, Dwell_s),
-                                  devices::BoardMode::DAxis, Duration_s, "d-axis current at rest");
+        auto recording =
+            recordAt(device, config, observer, dAxisLevels(config.strayCurrent_A, Dwell_s), Duration_s);
         if (!recording) {
             return failure(recording.error());
         }
         records.push_back(strayRecord(*recording, 0));
-        if (auto moved = nudge(device, observer, config.frictionCurrent_A); !moved) {
+        if (auto moved = nudge(device, config, observer); !moved) {
             return moved;
         }
     }
@@ -239,7 +256,7 @@ Result<void> calibrateStaticFriction(devices::Device& device, const CalibrateCon
     }
     for (int i = 0; i < 2 * config.frictionStarts; ++i) {
         const double sign = i % 2 == 0 ? 1.0 : -1.0;
-        const auto recording = rampOnce(device, observer, sign * config.frictionCurrent_A);
+        const auto recording = rampOnce(device, config, observer, sign * config.frictionCurrent_A);
         if (!recording) {
             return failure(recording.error());
         }

@@ -1,6 +1,7 @@
 #include "app/procedures/identify_procedure.h"
 
 #include "app/procedures/coil_forecast.h"
+#include "app/procedures/excitation_limits.h"
 #include "app/procedures/identify_estimate.h"
 #include "app/procedures/identify_plan.h"
 #include "app/procedures/spin_drive.h"
@@ -65,16 +66,17 @@ public:
     /// Everything from the pilot to the last coast-down; gives the recording.
     Result<Recording> run(const std::vector<double>& currents_A) {
         StreamRecorder recorder(m_device, m_observer);
+        recorder.guardBy(excitationLimits(m_device.catalogue(), m_config.speedLimit_rad_s));
         if (auto started = recorder.start(wantedSignals(m_device.catalogue()), Rate_Hz); !started) {
             return failure(started.error());
         }
         const auto pilot = runPilot(currents_A);
         if (!pilot) {
-            return failure(pilot.error());
+            return failure(recorder.causeOf(pilot.error()));
         }
         if (*pilot) {
             if (auto done = runAll(planRuns(m_config, currents_A, **pilot)); !done) {
-                return failure(done.error());
+                return failure(recorder.causeOf(done.error()));
             }
         }
         if (auto checked = recorder.check(); !checked) {

@@ -1,6 +1,7 @@
 #include "app/procedures/move_procedure.h"
 
 #include "app/procedures/coil_forecast.h"
+#include "app/procedures/excitation_limits.h"
 #include "app/procedures/position_law_parameters.h"
 #include "app/procedures/procedure_steps.h"
 #include "control/base/units.h"
@@ -303,11 +304,13 @@ Result<MoveResult> performMove(devices::Device& device, const MoveConfig& config
         return failure(entered.error());
     }
     StreamRecorder recorder(device, observer);
+    recorder.guardBy(excitationLimits(device.catalogue(), config.speedLimit_rad_s,
+                                      excursionWindow_rad(device.catalogue(), config)));
     if (auto started = recorder.start(recordedSignals(), config.rate_Hz); !started) {
         return failure(started.error());
     }
     if (auto followed = follow(device, config, observer); !followed) {
-        return failure(followed.error());
+        return failure(recorder.causeOf(followed.error()));
     }
     if (auto finite = recorder.check(); !finite) {
         return failure(finite.error());

@@ -54,7 +54,9 @@ Result<void> StreamRecorder::start(const std::vector<std::string>& signals, doub
             request.signals.push_back(name);
         }
     }
-    auto started = m_device.startStream(request, [this](SampleBlockPtr block) { take(block); });
+    devices::BlockSink sink = [this](const SampleBlockPtr& block) { take(block); };
+    auto started =
+        m_device.startStream(request, m_guard ? m_guard->watching(std::move(sink)) : std::move(sink));
     m_isRunning = started.has_value();
     return started;
 }
@@ -89,7 +91,18 @@ void StreamRecorder::checkFinite(const SampleBlock& block) {
     }
 }
 
+void StreamRecorder::guardBy(std::vector<devices::GuardLimit> limits) {
+    m_guard.emplace(m_device, std::move(limits));
+}
+
+Error StreamRecorder::causeOf(const Error& error) const {
+    return m_guard && m_guard->tripped() ? *m_guard->tripped() : error;
+}
+
 Result<void> StreamRecorder::check() const {
+    if (m_guard && m_guard->tripped()) {
+        return failure(*m_guard->tripped());
+    }
     return m_error ? Result<void>(failure(*m_error)) : Result<void>();
 }
 

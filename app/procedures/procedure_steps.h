@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/procedures/procedure.h"
+#include "devices/acquisition/guard.h"
 
 #include <functional>
 #include <optional>
@@ -30,11 +31,15 @@ public:
     StreamRecorder(const StreamRecorder&) = delete;
     StreamRecorder& operator=(const StreamRecorder&) = delete;
 
+    /// Before start(): the host's own limits, beside the board's. A value outside stops the device at once.
+    void guardBy(std::vector<devices::GuardLimit> limits);
     /// Signals the device does not have are left out. Errors: of the device.
     Result<void> start(const std::vector<std::string>& signals, double rate_Hz);
     /// Errors: SafetyStop of the guard; NotFinite when a sample was no number, naming the signal and the
     /// time; of the sink.
     Result<void> check() const;
+    /// Why a procedure ended: the guard's reason rather than what its stop caused.
+    Error causeOf(const Error& error) const;
     std::size_t rows() const { return m_rows; }
     /// Stops the stream and gives what came.
     Recording finish();
@@ -46,6 +51,7 @@ private:
     devices::Device& m_device;
     const ProcedureObserver& m_observer;
     RowSink m_sink;
+    std::optional<devices::Guard> m_guard;
     Recording m_recording;
     std::size_t m_rows = 0;
     std::optional<Error> m_error;

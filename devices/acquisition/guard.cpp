@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace halbench::devices {
 
 BlockSink Guard::watching(BlockSink next) {
@@ -14,21 +16,32 @@ BlockSink Guard::watching(BlockSink next) {
 }
 
 void Guard::check(const SampleBlock& block) {
-    for (const GuardLimit& limit : m_limits) {
-        const int column = block.layout->indexOf(limit.signal);
-        for (std::size_t row = 0; column >= 0 && !m_error && row < block.rows(); ++row) {
-            const double value = block.value(row, static_cast<std::size_t>(column));
-            if (value >= limit.min && value <= limit.max) {
-                continue;
-            }
-            m_device->stop();
-            const std::string& unit = block.layout->columns[static_cast<std::size_t>(column)].unit;
-            m_error = Error{ErrorCode::SafetyStop,
-                            fmt::format("stopped: {} = {} {} at {} s is outside {} to {} {}", limit.signal,
-                                        value, unit, block.time_s[row], limit.min, limit.max, unit),
-                            "find the cause, then clear the stop before arming again"};
+    for (GuardLimit& limit : m_limits) {
+        const int index = block.layout->indexOf(limit.signal);
+        for (std::size_t row = 0; index >= 0 && !m_error && row < block.rows(); ++row) {
+            const auto column = static_cast<std::size_t>(index);
+            checkValue(limit, block.value(row, column), block.layout->columns[column], block.time_s[row]);
         }
     }
+}
+
+void Guard::checkValue(GuardLimit& limit, double value, const StreamLayout::Column& column, double time_s) {
+    if (limit.isFromStart && std::isfinite(value)) {
+        limit.min += value;
+        limit.max += value;
+        limit.isFromStart = false;
+    }
+    if (value >= limit.min && value <= limit.max) {
+        return;
+    }
+    m_device->stop();
+    const std::string what = std::isfinite(value)
+                                 ? fmt::format("{:.4g} {} and outside {:.4g} to {:.4g} {}", value,
+                                               column.unit, limit.min, limit.max, column.unit)
+                                 : std::string("not a number");
+    m_error = Error{ErrorCode::SafetyStop,
+                    fmt::format("stopped from here: {} was {} at {:.3f} s", limit.signal, what, time_s),
+                    "find the cause, then clear the stop before arming again"};
 }
 
 } // namespace halbench::devices

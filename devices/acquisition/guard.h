@@ -13,6 +13,7 @@ struct GuardLimit {
     std::string signal;
     double min = 0.0;
     double max = 0.0;
+    bool isFromStart = false; ///< counts from the first value that is seen
 };
 
 /// Watches a stream on the connection side, before recorder and display: at the first value outside its
@@ -30,6 +31,7 @@ public:
 
 private:
     void check(const SampleBlock& block);
+    void checkValue(GuardLimit& limit, double value, const StreamLayout::Column& column, double time_s);
 
     Device* m_device;
     std::vector<GuardLimit> m_limits;

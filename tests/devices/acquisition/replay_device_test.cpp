@@ -117,5 +117,29 @@ TEST(Guard, passesEveryBlockOnAndStaysQuietInside) {
     EXPECT_FALSE(guard.tripped());
 }
 
+TEST(Guard, countsAPositionFromTheFirstValueItSees) {
+    const auto opened = openDevice("sim:htm?imperfections=off&psi0=5", {});
+    ASSERT_TRUE(opened);
+    Guard guard(**opened, {{"position", -1.0, 1.0, true}});
+    const BlockSink sink = guard.watching(nullptr);
+    const auto layout = std::make_shared<const StreamLayout>(StreamLayout{{{"position", "rad"}}, 0.001});
+    sink(std::make_shared<SampleBlock>(SampleBlock{layout, {0.0, 0.1}, {5.0, 5.9}, 0.0, 0}));
+    EXPECT_FALSE(guard.tripped());
+    sink(std::make_shared<SampleBlock>(SampleBlock{layout, {0.2}, {3.9}, 0.0, 0}));
+    ASSERT_TRUE(guard.tripped());
+    EXPECT_TRUE((*opened)->state().isStopLatched);
+}
+
+TEST(Guard, stopsWhenAValueIsNotANumber) {
+    const auto opened = openDevice("sim:htm?imperfections=off", {});
+    ASSERT_TRUE(opened);
+    Guard guard(**opened, {{"speed", -1.0, 1.0}});
+    const auto layout = std::make_shared<const StreamLayout>(StreamLayout{{{"speed", "rad/s"}}, 0.001});
+    guard.watching(nullptr)(
+        std::make_shared<SampleBlock>(SampleBlock{layout, {0.0}, {std::nan("")}, 0.0, 0}));
+    ASSERT_TRUE(guard.tripped());
+    EXPECT_NE(guard.tripped()->message.find("not a number"), std::string::npos);
+}
+
 } // namespace
 } // namespace halbench::devices
