@@ -61,9 +61,21 @@ void addLookingCommands(CLI::App& app, CommandOptions& options) {
 void addMovingCommands(CLI::App& app, CommandOptions& options) {
     CLI::App* record = addCommand(app, "record", "Record signals into a CSV file; never arms");
     addDevice(record, options);
-    record->add_option("--duration", options.duration, "Seconds")->required()->type_name("S");
+    record->add_option("--duration", options.duration, "Seconds; not with --capture")->type_name("S");
     record->add_option("--signals", options.signals, "Names, separated by commas")->type_name("A,B");
-    record->add_option("--rate", options.rate, "Rows per second, default 100")->type_name("HZ");
+    record->add_option("--rate", options.rate, "Rows per second, default 100; of a capture 1000")
+        ->type_name("HZ");
+    record
+        ->add_option("--capture", options.capture,
+                     "The board itself records 4096 rows of 1 to 4 signals at the rate of its loop")
+        ->type_name("A,B");
+    record
+        ->add_option("--trigger", options.trigger, "Of a capture: now (default), reference, A>LEVEL, A<LEVEL")
+        ->type_name("T");
+    record->add_option("--pre-trigger", options.preTrigger, "Of a capture: share of rows before the trigger")
+        ->type_name("RATIO");
+    record->add_option("--wait", options.wait, "Of a capture: longest wait for the trigger, default 10")
+        ->type_name("S");
     record->add_option("--out", options.out, "Recording")->required()->type_name("FILE.csv");
     CLI::App* move = addCommand(app, "move", "Follow a reference and measure how well");
     addDevice(move, options);

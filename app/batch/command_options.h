@@ -29,6 +29,8 @@ struct CommandOptions {
     std::string duration;
     std::string signals;
     std::string rate;
+    std::string capture;                   ///< record --capture A,B
+    std::string trigger, preTrigger, wait; ///< record --capture
     std::string reference;
     std::string what; ///< hall, stray, static-friction or all
     std::vector<std::string> given;

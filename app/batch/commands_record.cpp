@@ -3,6 +3,7 @@
 #include "app/batch/numbers.h"
 #include "app/batch/recording_file.h"
 #include "app/batch/result_header.h"
+#include "app/procedures/capture_procedure.h"
 #include "app/procedures/record_procedure.h"
 
 #include <fmt/format.h>
@@ -25,6 +26,15 @@ Result<void> readInto(double& value, const char* option, const std::string& text
 }
 
 Result<RecordConfig> recordConfigFrom(const CommandOptions& options) {
+    for (const std::string* option : {&options.trigger, &options.preTrigger, &options.wait}) {
+        if (!option->empty()) {
+            return failure(ErrorCode::Usage, "--trigger, --pre-trigger and --wait belong to --capture",
+                           "name the signals with --capture A,B");
+        }
+    }
+    if (options.duration.empty()) {
+        return failure(ErrorCode::Usage, "--duration is required", "say how long to record, in seconds");
+    }
     RecordConfig config;
     config.signals = splitList(options.signals);
     const Result<double> duration = numberOption("--duration", options.duration);
@@ -39,6 +49,24 @@ Result<RecordConfig> recordConfigFrom(const CommandOptions& options) {
     return config;
 }
 
+Result<CaptureConfig> captureConfigFrom(const CommandOptions& options) {
+    if (!options.duration.empty() || !options.signals.empty()) {
+        return failure(ErrorCode::Usage, "--duration and --signals do not go with --capture",
+                       "a capture has 4096 rows of the signals that --capture names");
+    }
+    CaptureConfig config;
+    config.signals = splitList(options.capture);
+    const Result<CaptureTrigger> trigger = parseCaptureTrigger(options.trigger);
+    if (!trigger) {
+        return failure(trigger.error());
+    }
+    config.trigger = *trigger;
+    Result<void> read = readInto(config.rate_Hz, "--rate", options.rate);
+    read = read ? readInto(config.pretrigger_ratio, "--pre-trigger", options.preTrigger) : read;
+    read = read ? readInto(config.patience_s, "--wait", options.wait) : read;
+    return read ? Result<CaptureConfig>(std::move(config)) : failure(read.error());
+}
+
 CommandResult tell(CommandContext& context, const std::string& path, const ResultHeader& header,
                    std::size_t rows, std::uint64_t lostRows) {
     JsonValue document = toJson(header);
@@ -48,6 +76,28 @@ CommandResult tell(CommandContext& context, const std::string& path, const Resul
         return failure(printed.error());
     }
     return ExitCode::Done;
+}
+
+CommandResult recordCapture(CommandContext& context, const CommandOptions& options) {
+    const Result<CaptureConfig> config = captureConfigFrom(options);
+    if (!config) {
+        return failure(config.error());
+    }
+    const Result<std::unique_ptr<devices::Device>> device = openDeviceFor(context, options.device);
+    if (!device) {
+        return failure(device.error());
+    }
+    const Result<Recording> capture = runCapture(**device, *config, observerFor(context));
+    if (!capture) {
+        return failure(capture.error());
+    }
+    const ResultHeader header = headerFor(context, "halbench.recorded/1", **device);
+    const Result<void> written =
+        writeRecording(options.out, *capture, **device, header.started, {{0.0, "trigger"}});
+    if (!written) {
+        return failure(written.error());
+    }
+    return tell(context, options.out, header, capture->rows(), capture->lostRows);
 }
 
 CommandResult recordStream(CommandContext& context, const CommandOptions& options) {
@@ -74,7 +124,7 @@ CommandResult recordStream(CommandContext& context, const CommandOptions& option
 } // namespace
 
 CommandResult runRecordCommand(CommandContext& context, const CommandOptions& options) {
-    return recordStream(context, options);
+    return options.capture.empty() ? recordStream(context, options) : recordCapture(context, options);
 }
 
 } // namespace halbench::app

@@ -2,6 +2,7 @@
 
 #include "app/procedures/apply_procedure.h"
 #include "app/procedures/calibrate_procedure.h"
+#include "app/procedures/capture_procedure.h"
 #include "app/procedures/identify_procedure.h"
 #include "app/procedures/move_procedure.h"
 #include "app/procedures/record_procedure.h"
@@ -26,6 +27,12 @@ Result<void> record(devices::Device& device, const ProcedureObserver& observer) 
     RecordConfig config;
     config.duration_s = 0.5;
     return withoutValue(runRecord(device, config, observer));
+}
+
+Result<void> captureSpeed(devices::Device& device, const ProcedureObserver& observer) {
+    CaptureConfig config;
+    config.signals = {"speed"};
+    return withoutValue(runCapture(device, config, observer));
 }
 
 Result<void> moveOneStep(devices::Device& device, const ProcedureObserver& observer) {
@@ -67,6 +74,7 @@ Result<void> calibrateAndApply(devices::Device& device, const ProcedureObserver&
 std::vector<ProcedureCase> procedureCases() {
     return {
         {"record", {State::Prepare, State::Record, State::Done}, record, {}, true},
+        {"capture", {State::Prepare, State::Record, State::Done}, captureSpeed, {}, true},
         {"move", {State::Prepare, State::Excite, State::Record, State::Judge, State::Done}, moveOneStep, {}},
         {"apply",
          {State::Prepare, State::Propose, State::Apply, State::Verify, State::Done},

@@ -130,6 +130,20 @@ class Files(ProgramCase):
             self.refuse(2, r"\w", *self.record("--signals", signals, "--out", "f.csv"))
         self.assert_nothing_left()
 
+    def test_captures_are_judged(self):
+        for pattern, more in (("1 to 4", ["a,b,c,d,e"]), ("no signal 'a'", ["a"]), ("no signal ''", [","]),
+                              ("twice", ["speed,speed"]), ("--duration", ["speed", "--duration", "1"]),
+                              ("--signals", ["speed", "--signals", "position"]), ("300 Hz.*333", ["speed", "--rate", "300"]),
+                              ("before the trigger", ["speed", "--pre-trigger", "1"]), ("zero seconds", ["speed", "--wait", "0"]),
+                              ("no trigger", ["speed", "--trigger", "soon"]), ("no signal 'a'", ["speed", "--trigger", "a>1"]),
+                              ("--pre-trigger", ["speed", "--pre-trigger", "half"])):
+            with self.subTest(more=more):
+                self.refuse(2, pattern, "record", "sim:htm", "--out", "f.csv", "--capture", *more)
+        self.refuse(2, "belong to --capture", *self.record("--out", "f.csv", "--trigger", "now"))
+        self.refuse(1, "did not come within 2 s", "record", "sim:htm", "--out", "f.csv", "--capture", "speed",
+                    "--trigger", "speed>100", "--wait", "2")
+        self.assert_nothing_left()
+
     def test_places_that_cannot_be_written_are_refused(self):
         self.write("file", "x")
         for out in ("file/f.csv", "/proc/none/f.csv", ".", "/", "/dev/null/f.csv"):

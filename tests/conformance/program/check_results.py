@@ -2,6 +2,7 @@
 
     python3 check_results.py build/release/halbench [Results[.case]]
 """
+import json
 import os
 import re
 import sys
@@ -66,6 +67,20 @@ class Results(ProgramCase):
         self.check("record", "sim:htm", "--duration", "0.2", "--out", "f.csv")
         self.check("move", "sim:htm", "--reference", "step,amplitude_deg=100", "--duration", "2")
         self.check("move", "sim:htm", "--reference", "sine,amplitude_deg=45,frequency_hz=1", "--duration", "3")
+
+    def test_captures(self):
+        result = self.check("record", "sim:htm?hall_noise_mT=2", "--capture", "hall.a,speed", "--trigger", "hall.a>0.157",
+                            "--pre-trigger", "0.5", "--rate", "500", "--out", "f.csv")
+        self.assertEqual((result["rows"], result["lost_rows"]), (4096, 0))
+        with open(self.path("f.csv"), encoding="utf-8") as file:
+            rows = [line.split(",") for line in file.read().split("\n")[:-1]]
+        self.assertEqual(rows[0], ["time_s", "hall_a_T", "speed_rad_s"])
+        self.assertEqual((rows[1][0], rows[2049][0], rows[-1][0]), ("-4.096", "0", "4.094"))
+        with open(self.path("f.meta.json"), encoding="utf-8") as file:
+            meta = json.load(file)
+        self.assertEqual(meta["markers"], [{"text": "trigger", "time_s": 0}])
+        self.assertEqual((meta["rows"], meta["period_s"]), (4096, 0.002))
+        self.accept("record", "replay:f.csv", "--duration", "8", "--rate", "500", "--out", "again.csv")
 
     def test_models(self):
         free = self.check("identify", "sim:htm")
