@@ -62,6 +62,14 @@ bool isTold(const std::optional<Error>& error) {
     return code == ExitCode::CheckFailed || code == ExitCode::DeviceFailed || code == ExitCode::SafetyStop;
 }
 
+/// A device or limit that ended the run matters more than the files that it then left incomplete.
+Error withCause(const Error& files, const std::optional<Error>& stoppedBy) {
+    if (!stoppedBy) {
+        return files;
+    }
+    return {stoppedBy->code, stoppedBy->message + "; " + files.message, stoppedBy->hint + "; " + files.hint};
+}
+
 CommandResult runAll(CommandContext& context, const CommandOptions& options, const Experiment& experiment,
                      devices::Device& device) {
     const ResultHeader opened = headerFor(context, "halbench.run/1", device);
@@ -71,9 +79,9 @@ CommandResult runAll(CommandContext& context, const CommandOptions& options, con
     }
     ResultHeader header = opened;
     header.quality = runQuality(outcome);
-    if (const Result<void> written = writeRunFiles(options.out, header, experiment, outcome, device);
-        !written) {
-        return failure(written.error());
+    const Result<void> written = writeRunFiles(options.out, header, experiment, outcome, device);
+    if (!written) {
+        return failure(withCause(written.error(), outcome.stoppedBy));
     }
     if (outcome.stoppedBy && exitCodeFor(outcome.stoppedBy->code) != ExitCode::CheckFailed) {
         return failure(*outcome.stoppedBy);

@@ -65,6 +65,37 @@ struct TestCase {
     bool isError = false;
 };
 
+/// Which files of a run were written, and what stood in the way of the others.
+class WrittenFiles {
+public:
+    explicit WrittenFiles(std::string folder) : m_folder(std::move(folder)) {}
+
+    void add(const std::string& name, const Result<void>& written) {
+        (written ? m_written : m_missing).push_back(name);
+        if (!written && !m_cause) {
+            m_cause = written.error();
+        }
+    }
+
+    Result<void> result() const {
+        if (!m_cause) {
+            return {};
+        }
+        const std::string rest =
+            m_written.empty() ? "nothing" : fmt::format("{}", fmt::join(m_written, ", "));
+        return failure(m_cause->code,
+                       fmt::format("{}; missing in '{}': {}; written: {}", m_cause->message, m_folder,
+                                   fmt::join(m_missing, ", "), rest),
+                       m_cause->hint);
+    }
+
+private:
+    std::string m_folder;
+    std::vector<std::string> m_written;
+    std::vector<std::string> m_missing;
+    std::optional<Error> m_cause; ///< the first
+};
+
 std::vector<TestCase> testCases(const RunOutcome& outcome) {
     std::vector<TestCase> cases;
     for (const StepOutcome& step : outcome.steps) {
@@ -149,27 +180,20 @@ std::string runText(const RunOutcome& outcome) {
 
 Result<void> writeRunFiles(const std::string& folder, const ResultHeader& header,
                            const Experiment& experiment, const RunOutcome& outcome, devices::Device& device) {
+    WrittenFiles files(folder);
+    const auto text = [&](const std::string& name, const Result<std::string>& content) {
+        files.add(name, content ? writeFile(folder + "/" + name, *content) : failure(content.error()));
+    };
+    text("result.json", toJsonText(runDocument(header, experiment, outcome)));
+    text("junit.xml", junitText(experiment, outcome));
     for (const StepOutcome& step : outcome.steps) {
-        const Recording* recording = step.recording();
-        const Result<void> written =
-            recording == nullptr
-                ? Result<void>()
-                : writeRecording(folder + "/" + step.name + ".csv", *recording, device, header.started);
-        if (!written) {
-            return written;
+        if (const Recording* recording = step.recording()) {
+            const std::string name = step.name + ".csv";
+            files.add(name, writeRecording(folder + "/" + name, *recording, device, header.started));
         }
     }
-    const Result<std::string> report = renderRunReport(header, experiment, outcome, device);
-    if (!report) {
-        return failure(report.error());
-    }
-    const Result<std::string> result = toJsonText(runDocument(header, experiment, outcome));
-    if (!result) {
-        return failure(result.error());
-    }
-    Result<void> written = writeFile(folder + "/report.html", *report);
-    written = written ? writeFile(folder + "/junit.xml", junitText(experiment, outcome)) : written;
-    return written ? writeFile(folder + "/result.json", *result) : written;
+    text("report.html", renderRunReport(header, experiment, outcome, device));
+    return files.result();
 }
 
 } // namespace halbench::app

@@ -19,7 +19,9 @@ DataQuality runQuality(const RunOutcome& outcome);
 /// One line a check and the verdict, for people.
 std::string runText(const RunOutcome& outcome);
 
-/// result.json, junit.xml, STEP.csv of every recorded step and report.html. Error: FileSystem, Internal.
+/// result.json, junit.xml, STEP.csv of every recorded step and report.html, the smallest and most telling
+/// first. A file that cannot be written does not keep the others from it; the error names all that are
+/// missing. Errors: FileSystem, Internal.
 Result<void> writeRunFiles(const std::string& folder, const ResultHeader& header,
                            const Experiment& experiment, const RunOutcome& outcome, devices::Device& device);
 

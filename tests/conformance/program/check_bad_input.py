@@ -2,6 +2,7 @@
 
     python3 check_bad_input.py build/release/halbench [Class[.case]]
 """
+import json
 import os
 import socket
 import sys
@@ -313,6 +314,24 @@ class Experiments(ProgramCase):
             with self.subTest(out=out):
                 self.refuse(2, r"\w", "run", "e.toml", "--out", out)
         self.assert_nothing_left("e.toml", "file")
+
+    def test_full_disk_at_the_end_of_a_run_keeps_the_result_and_names_what_is_missing(self):
+        self.write("e.toml", GOOD_EXPERIMENT)
+        answer = self.run_program("run", "e.toml", "--out", "out", "--quiet",
+                                  preexec_fn=halbench.limit_file_size(20_000))
+        self.assertEqual(answer.code, 2, answer)
+        self.assertEqual(len(answer.err.strip().split("\n")), 1, answer)
+        self.assertRegex(answer.err, r"missing in 'out': step100\.csv, report\.html; written: result\.json, junit\.xml;")
+        self.assert_nothing_left("e.toml", "out/result.json", "out/junit.xml")
+        with open(self.path("out/result.json"), encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["steps"][0]["name"], "step100")
+
+    def test_full_disk_from_the_start_of_a_run_says_that_nothing_was_written(self):
+        self.write("e.toml", GOOD_EXPERIMENT)
+        answer = self.run_program("run", "e.toml", "--out", "out", "--quiet", preexec_fn=halbench.limit_file_size(100))
+        self.assertEqual(answer.code, 2, answer)
+        self.assertRegex(answer.err, r"\A[^\n]*missing in 'out': result\.json.*; written: nothing;[^\n]*\n\Z")
+        self.assert_nothing_left("e.toml")
 
 
 class Consent(ProgramCase):
