@@ -110,6 +110,13 @@ void addIdentifyingCommands(CLI::App& app, CommandOptions& options) {
     identify->add_option("--out", options.out, "Result")->type_name("MODEL.json");
 }
 
+void addCalibration(CLI::App* command, CommandOptions& options) {
+    command
+        ->add_option("--calibration", options.calibrationFile,
+                     "How well the stray field is known, from calibrate --out")
+        ->type_name("CAL.json");
+}
+
 void addTuningCommands(CLI::App& app, CommandOptions& options) {
     CLI::App* tune = addCommand(app, "tune", "Design gains for an identified motor");
     tune->add_option("MODEL.json|DEVICE", options.device, "Identified model, or a device to identify")
@@ -120,6 +127,7 @@ void addTuningCommands(CLI::App& app, CommandOptions& options) {
     tune->add_option("--omega-rad-s", options.omega, "Natural frequency")->type_name("RAD_S");
     tune->add_option("--bandwidth-hz", options.bandwidth, "Bandwidth")->type_name("HZ");
     tune->add_option("--phase-margin-deg", options.phaseMargin, "Phase margin")->type_name("DEG");
+    addCalibration(tune, options);
     tune->add_option("--apply", options.applyDevice, "Write the gains to this device")->type_name("DEVICE");
     tune->add_option("--given", options.given, "Known constant when DEVICE is identified first")
         ->take_all()
@@ -129,6 +137,7 @@ void addTuningCommands(CLI::App& app, CommandOptions& options) {
     CLI::App* analyse = addCommand(app, "analyse", "Margins and step response of a model with gains");
     analyse->add_option("MODEL.json", options.device, "Identified model")->required();
     analyse->add_option("GAINS.json", options.gainsFile, "Gains")->required();
+    addCalibration(analyse, options);
     analyse->add_option("--bode", options.bodeFile, "Open loop, frequency response")->type_name("F.csv");
     analyse->add_option("--step", options.stepFile, "Closed loop, step response")->type_name("F.csv");
 }

@@ -42,6 +42,7 @@ struct CommandOptions {
     std::string method;
     std::string zeta, omega, bandwidth, phaseMargin;
     std::string gainsFile;
+    std::string calibrationFile; ///< tune, analyse --calibration CAL.json
     std::string bodeFile, stepFile;
     std::string experiment;
     std::string deviceOverride; ///< run --device

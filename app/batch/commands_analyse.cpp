@@ -29,16 +29,13 @@ Result<void> writeColumns(const std::string& path, const std::string& header,
 std::string analysisText(const AnalysisResult& result) {
     std::string text = fmt::format("{}\n", result.isStable ? "stable" : "UNSTABLE");
     const JsonValue body = analysisBody(result);
-    for (const char* part : {"margins", "step"}) {
+    for (const char* part : {"margins", "step", "large_step"}) {
         if (const JsonValue* figures = body.find(part); figures->isObject()) {
             for (const JsonMember& figure : figures->members()) {
                 text += fmt::format("{:<26} {}\n", figure.key,
                                     figure.value.isNumber() ? formatNumber(figure.value.number()) : "none");
             }
         }
-    }
-    for (const Finding& warning : result.warnings) {
-        text += fmt::format("warning: {}; {}\n", warning.message, warning.hint);
     }
     return text + findingLines(result.quality);
 }
@@ -57,6 +54,9 @@ CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& o
     Result<LoopConditions> conditions = loopConditionsOf(model->device ? model->device->model : "");
     if (!conditions) {
         return failure(conditions.error());
+    }
+    if (const Result<void> taken = takeCalibration(*conditions, options.calibrationFile); !taken) {
+        return failure(taken.error());
     }
     conditions->timing = gains->timing;
     const Result<AnalysisResult> result = runAnalysis(model->estimate, gains->law, *conditions);

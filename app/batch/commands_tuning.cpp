@@ -106,9 +106,6 @@ std::string gainsText(const TuneResult& result) {
     text += fmt::format("{}, gain margin {:.3g}, phase margin {:.4g} deg\n",
                         predicted.isStable ? "stable" : "UNSTABLE", predicted.margins.gainMargin_ratio,
                         predicted.margins.phaseMargin_deg);
-    for (const Finding& warning : result.warnings) {
-        text += fmt::format("warning: {}; {}\n", warning.message, warning.hint);
-    }
     return text + findingLines(result.quality);
 }
 
@@ -176,6 +173,9 @@ CommandResult runTuneCommand(CommandContext& context, const CommandOptions& opti
         isDevice ? sourceFromDevice(context, options) : sourceFromFile(context, options.device);
     if (!source) {
         return failure(source.error());
+    }
+    if (const Result<void> taken = takeCalibration(source->conditions, options.calibrationFile); !taken) {
+        return failure(taken.error());
     }
     config->conditions = source->conditions;
     config->seed = source->header.seed;

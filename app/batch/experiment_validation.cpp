@@ -172,6 +172,25 @@ Result<void> checkKeys(const ConfigNode& table, std::string_view section, std::s
     return {};
 }
 
+/// A key that the subject of an analysis does not read is a mistake, not a remark.
+Result<void> checkSubject(const ConfigNode& step) {
+    constexpr std::array<std::pair<const char*, const char*>, 12> Readers = {
+        std::pair("model", "loop"),        std::pair("gains", "loop"),
+        std::pair("speed_rpm", "torque"),  std::pair("torque_Nm", "torque"),
+        std::pair("zeta", "poles"),        std::pair("omega_rad_s", "poles"),
+        std::pair("rate_deg_s", "poles"),  std::pair("accuracy_deg", "poles"),
+        std::pair("remanence_T", "field"), std::pair("ring_radius_mm", "field"),
+        std::pair("pitch_mm", "coil"),     std::pair("temperature_degC", "sensing")};
+    const std::string& subject = step.find("what")->text;
+    for (const auto& [key, reader] : Readers) {
+        if (const ConfigNode* node = step.find(key); node != nullptr && subject != reader) {
+            return complaint(*node, fmt::format("'{}' means nothing for what = \"{}\"", key, subject),
+                             fmt::format("it belongs to \"{}\"", reader));
+        }
+    }
+    return {};
+}
+
 /// Rules that no single key can hold.
 Result<void> checkCombination(const ConfigNode& step) {
     const auto has = [&](const ConfigNode* table, const char* key) {
@@ -191,6 +210,14 @@ Result<void> checkCombination(const ConfigNode& step) {
         !(has(&step, "model") && has(&step, "gains"))) {
         return complaint(step, "what = \"loop\" needs 'model' and 'gains'",
                          "name an identify and a tune step");
+    }
+    if (has(&step, "settled_deg") && !has(&step, "repeat")) {
+        return complaint(*step.find("settled_deg"), "'settled_deg' needs 'repeat'", "say how many times");
+    }
+    if (kind == "analyse") {
+        if (const Result<void> read = checkSubject(step); !read) {
+            return read;
+        }
     }
     const ConfigNode* reference = step.find("reference");
     for (const auto& [left, right] :

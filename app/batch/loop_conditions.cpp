@@ -1,6 +1,10 @@
 #include "app/batch/loop_conditions.h"
 
+#include "app/batch/model_file.h"
 #include "devices/profile.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace halbench::app {
 
@@ -60,6 +64,43 @@ Result<LoopConditions> loopConditionsOf(devices::Device& device) {
         conditions.stray->coefficient_T_per_A = coefficient->value_or(conditions.stray->coefficient_T_per_A);
     }
     return conditions;
+}
+
+std::optional<std::pair<double, double>> strayInterval(const CalibrateResult& calibration) {
+    for (const CalibrationFigure& figure : calibration.figures) {
+        if (figure.name == "stray.coefficient") {
+            return figure.estimate.interval95;
+        }
+    }
+    return std::nullopt;
+}
+
+void takeStrayInterval(LoopConditions& conditions,
+                       const std::optional<std::pair<double, double>>& interval95_T_per_A) {
+    if (conditions.stray && interval95_T_per_A) {
+        const double used_T_per_A = conditions.stray->coefficient_T_per_A;
+        conditions.stray->error_T_per_A = std::max(std::abs(used_T_per_A - interval95_T_per_A->first),
+                                                   std::abs(used_T_per_A - interval95_T_per_A->second));
+    }
+}
+
+Result<void> takeCalibration(LoopConditions& conditions, const std::string& path) {
+    if (path.empty()) {
+        return {};
+    }
+    const Result<CalibrationFile> file = readCalibrationFile(path);
+    if (!file) {
+        return failure(file.error());
+    }
+    if (!file->stray95_T_per_A) {
+        return failure(ErrorCode::Refused, path + ": holds no stray coefficient",
+                       "calibrate with 'stray' or 'all'");
+    }
+    if (conditions.stray && file->isApplied) {
+        conditions.stray->coefficient_T_per_A = file->stray_T_per_A;
+    }
+    takeStrayInterval(conditions, file->stray95_T_per_A);
+    return {};
 }
 
 } // namespace halbench::app

@@ -1,7 +1,12 @@
 #pragma once
 
 #include "app/procedures/analyse.h"
+#include "app/procedures/calibrate_procedure.h"
 #include "devices/device.h"
+
+#include <optional>
+#include <string>
+#include <utility>
 
 namespace halbench::app {
 
@@ -12,5 +17,18 @@ Result<LoopConditions> loopConditionsOf(const std::string& model);
 /// The same from what an open device says of itself: its delay, its current limit, its stray-field
 /// compensation. Errors: of the device.
 Result<LoopConditions> loopConditionsOf(devices::Device& device);
+
+/// 95 % interval of k_s in T/A, when the calibration found it.
+std::optional<std::pair<double, double>> strayInterval(const CalibrateResult& calibration);
+
+/// Sets the error of the coefficient that the board compensates with: its distance from the far end of the
+/// interval, so that a calibration that was not applied counts too (resources/help/htm-theory.md 8.4).
+/// Nothing changes without an interval or for a device without stray field.
+void takeStrayInterval(LoopConditions& conditions,
+                       const std::optional<std::pair<double, double>>& interval95_T_per_A);
+
+/// The same from a calibration's file; an applied one is what the board compensates with. Nothing changes
+/// without a path. Errors: of the file; Refused when it holds no stray coefficient.
+Result<void> takeCalibration(LoopConditions& conditions, const std::string& path);
 
 } // namespace halbench::app

@@ -1,4 +1,5 @@
 #include "app/batch/result_documents.h"
+#include "control/base/units.h"
 
 namespace halbench::app {
 
@@ -40,6 +41,19 @@ JsonValue stepOf(const std::optional<control::StepMetrics>& step) {
     return body.set("final_error_rad", finiteOrNull(step->finalError_rad));
 }
 
+JsonValue largeStepOf(const std::optional<LargeStep>& step) {
+    if (!step) {
+        return {};
+    }
+    JsonValue body = JsonValue::object();
+    body.set("amplitude_deg", radiansToDegrees(step->amplitude_rad));
+    const JsonValue figures = stepOf(step->metrics);
+    for (const JsonMember& figure : figures.members()) {
+        body.set(figure.key, figure.value);
+    }
+    return body;
+}
+
 JsonValue valueWithUnit(double value, const char* unit) {
     JsonValue entry = JsonValue::object();
     return entry.set("value", value).set("unit", unit);
@@ -68,7 +82,7 @@ JsonValue analysisBody(const AnalysisResult& result) {
     body.set("dominant_frequency_rad_s", finiteOrNull(result.dominantFrequency_rad_s));
     body.set("dominant_damping_ratio", finiteOrNull(result.dominantDamping_ratio));
     body.set("margins", marginsOf(result.margins)).set("crossings", crossingsOf(result.crossings));
-    body.set("step", stepOf(result.step));
+    body.set("step", stepOf(result.step)).set("large_step", largeStepOf(result.largeStep));
     body.set("proportional_limit_A_per_rad", finiteOrNull(result.proportionalLimit_A_per_rad));
     body.set("friction_band_rad", finiteOrNull(result.frictionBand_rad));
     body.set("high_frequency_gain_A_per_rad", finiteOrNull(result.highFrequencyGain_A_per_rad));
@@ -80,7 +94,19 @@ JsonValue amplifierBody(const AmplifierAnalysis& result) {
     body.set("gain_A_per_V", result.gain_A_per_V).set("lag_at_10hz_deg", result.lagAt10Hz_deg);
     body.set("cutoff_hz", finiteOrNull(result.cutoff_Hz));
     body.set("magnitude_at_1khz_db", result.magnitudeAt1kHz_dB);
-    return body.set("phase_at_1khz_deg", result.phaseAt1kHz_deg);
+    body.set("phase_at_1khz_deg", result.phaseAt1kHz_deg);
+    body.set("shunt_power_W", result.shuntPower_W);
+    return body.set("shunt_power_each_W", result.shuntPowerEach_W);
+}
+
+JsonValue motorAnalysisBody(const MotorAnalysis& result) {
+    JsonValue figures = JsonValue::object();
+    for (const ComputedFigure& figure : result.figures) {
+        JsonValue entry = JsonValue::object();
+        figures.set(figure.key, entry.set("value", finiteOrNull(figure.value)).set("unit", figure.unit));
+    }
+    JsonValue body = JsonValue::object();
+    return body.set("what", result.subject).set("figures", figures);
 }
 
 JsonValue gainsBody(const TuneResult& result) {

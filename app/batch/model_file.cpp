@@ -232,6 +232,38 @@ Result<GainsFile> parseGains(const std::string& text, const std::string& origin)
     return file;
 }
 
+Result<CalibrationFile> parseCalibration(const std::string& text, const std::string& origin) {
+    const Result<JsonValue> root = parseJson(text, origin);
+    if (!root) {
+        return failure(root.error());
+    }
+    DocumentReader reader(*root, origin, "calibrate");
+    reader.requireSchema("halbench.calibration", 1);
+    CalibrationFile file;
+    const JsonValue* applied = reader.find("applied", true);
+    file.isApplied = applied != nullptr && applied->isBoolean() && applied->boolean();
+    const JsonValue* figures = reader.find("figures", true);
+    // The figure's own name holds a dot, so it is no path.
+    const JsonValue* stray =
+        figures != nullptr && figures->isObject() ? figures->find("stray.coefficient") : nullptr;
+    if (stray != nullptr) {
+        const JsonValue* value = stray->find("value");
+        const JsonValue* interval = stray->find("ci95");
+        if (value != nullptr && value->isNumber() && interval != nullptr && interval->isArray() &&
+            interval->items().size() == 2 && interval->items()[0].isNumber() &&
+            interval->items()[1].isNumber()) {
+            file.stray_T_per_A = value->number();
+            file.stray95_T_per_A = {interval->items()[0].number(), interval->items()[1].number()};
+        } else if (value == nullptr || !value->isNull()) {
+            reader.fail("figures.stray.coefficient", "needs a value and the two ends of its interval");
+        }
+    }
+    if (reader.error()) {
+        return failure(*reader.error());
+    }
+    return file;
+}
+
 Result<ModelFile> readModelFile(const std::string& path) {
     const Result<std::string> text = readFile(path);
     if (!text) {
@@ -246,6 +278,14 @@ Result<GainsFile> readGainsFile(const std::string& path) {
         return failure(text.error());
     }
     return parseGains(*text, path);
+}
+
+Result<CalibrationFile> readCalibrationFile(const std::string& path) {
+    const Result<std::string> text = readFile(path);
+    if (!text) {
+        return failure(text.error());
+    }
+    return parseCalibration(*text, path);
 }
 
 } // namespace halbench::app

@@ -5,7 +5,9 @@
 #include "control/design/position_loop.h"
 #include "devices/device.h"
 
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace halbench::app {
 
@@ -22,13 +24,22 @@ struct GainsFile {
     control::LoopTiming timing;
 };
 
+/// What tuning needs of CAL.json as `calibrate --out` wrote it.
+struct CalibrationFile {
+    std::optional<std::pair<double, double>> stray95_T_per_A; ///< absent: not calibrated or refused
+    double stray_T_per_A = 0.0;                               ///< the estimate itself
+    bool isApplied = false;                                   ///< it runs on the board
+};
+
 /// Errors: FileSystem; InvalidInput naming file and key (no JSON, wrong schema, newer version, missing key,
 /// wrong type, a number that is not finite); Refused when the file holds a refused estimate.
 Result<ModelFile> readModelFile(const std::string& path);
 Result<GainsFile> readGainsFile(const std::string& path);
+Result<CalibrationFile> readCalibrationFile(const std::string& path);
 
 /// The same from text; `origin` names it in messages.
 Result<ModelFile> parseModel(const std::string& text, const std::string& origin);
 Result<GainsFile> parseGains(const std::string& text, const std::string& origin);
+Result<CalibrationFile> parseCalibration(const std::string& text, const std::string& origin);
 
 } // namespace halbench::app

@@ -1,7 +1,32 @@
 #include "app/batch/result_documents.h"
 #include "control/base/units.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace halbench::app {
+
+namespace {
+
+JsonValue degreesOrNull(const std::optional<double>& angle_rad) {
+    // A limit that was written in degrees reads as it was written.
+    return angle_rad ? finiteOrNull(std::round(radiansToDegrees(*angle_rad) * 1e9) * 1e-9) : JsonValue();
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+JsonValue runOf(const MoveRepetition& repetition, std::size_t run) {
+    JsonValue entry = JsonValue::object();
+    entry.set("start_deg", finiteOrNull(radiansToDegrees(repetition.start_rad[run])));
+    entry.set("max_error_deg", finiteOrNull(radiansToDegrees(repetition.maxError_rad[run])));
+    return entry.set("peak_to_peak_deg", finiteOrNull(radiansToDegrees(repetition.peakToPeak_rad[run])));
+}
+
+} // namespace
 
 JsonValue calibrationBody(const CalibrateResult& result) {
     JsonValue figures = JsonValue::object();
@@ -36,6 +61,8 @@ JsonValue moveFigures(const MoveFigures& figures) {
     body.set("mean_error_deg", finiteOrNull(radiansToDegrees(figures.meanError_rad)));
     body.set("peak_error_deg", finiteOrNull(radiansToDegrees(figures.peakError_rad)));
     body.set("first_second_error_deg", finiteOrNull(radiansToDegrees(figures.firstSecondError_rad)));
+    body.set("peak_to_peak_deg", finiteOrNull(radiansToDegrees(figures.peakToPeak_rad)));
+    body.set("lock_time_s", finiteOrNull(figures.lockTime_s));
     body.set("gain", finiteOrNull(figures.gain_ratio));
     return body.set("phase_deg", finiteOrNull(figures.phase_deg));
 }
@@ -46,8 +73,26 @@ JsonValue moveBody(const MoveResult& result) {
     for (const JsonMember& figure : measured.members()) {
         body.set("measured_" + figure.key, figure.value);
     }
+    body.set("lock_threshold_deg", degreesOrNull(result.lockThreshold_rad));
     body.set("peak_current_A", finiteOrNull(result.peakCurrent_A));
     return body.set("highest_temperature_degC", finiteOrNull(result.highestTemperature_degC));
+}
+
+JsonValue repetitionBody(const MoveRepetition& repetition) {
+    const std::vector<double>& swings_rad = repetition.peakToPeak_rad;
+    const auto [least, most] = std::minmax_element(swings_rad.begin(), swings_rad.end());
+    JsonValue runs = JsonValue::array();
+    for (std::size_t run = 0; run < swings_rad.size(); ++run) {
+        runs.push(runOf(repetition, run));
+    }
+    JsonValue body = JsonValue::object();
+    body.set("count", repetition.config.count);
+    body.set("settled_deg", degreesOrNull(repetition.config.settled_rad));
+    body.set("settled_fraction", finiteOrNull(repetition.settled_ratio()));
+    body.set("least_peak_to_peak_deg", finiteOrNull(radiansToDegrees(*least)));
+    body.set("median_peak_to_peak_deg", finiteOrNull(radiansToDegrees(median(swings_rad))));
+    body.set("largest_peak_to_peak_deg", finiteOrNull(radiansToDegrees(*most)));
+    return body.set("runs", runs);
 }
 
 JsonValue applyBody(const ApplyResult& result) {

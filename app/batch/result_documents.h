@@ -5,7 +5,9 @@
 #include "app/procedures/apply_procedure.h"
 #include "app/procedures/calibrate_procedure.h"
 #include "app/procedures/identify_procedure.h"
+#include "app/procedures/motor_analysis.h"
 #include "app/procedures/move_procedure.h"
+#include "app/procedures/move_repetition.h"
 #include "app/procedures/tune.h"
 
 namespace halbench::app {
@@ -28,8 +30,11 @@ JsonValue calibrationBody(const CalibrateResult& result);
 JsonValue gainsBody(const TuneResult& result);
 JsonValue analysisBody(const AnalysisResult& result);
 JsonValue moveBody(const MoveResult& result);
+/// Of a move that was repeated; it holds at least one run.
+JsonValue repetitionBody(const MoveRepetition& repetition);
 JsonValue moveFigures(const MoveFigures& figures);
 JsonValue amplifierBody(const AmplifierAnalysis& result);
+JsonValue motorAnalysisBody(const MotorAnalysis& result);
 JsonValue applyBody(const ApplyResult& result);
 
 /// {value, unit, ci95, source}; value and ci95 are null when it is not identifiable.

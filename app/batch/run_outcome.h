@@ -6,7 +6,9 @@
 #include "app/procedures/apply_procedure.h"
 #include "app/procedures/calibrate_procedure.h"
 #include "app/procedures/identify_procedure.h"
+#include "app/procedures/motor_analysis.h"
 #include "app/procedures/move_procedure.h"
+#include "app/procedures/move_repetition.h"
 #include "app/procedures/record_procedure.h"
 #include "app/procedures/tune.h"
 
@@ -21,7 +23,8 @@ namespace halbench::app {
 struct MoveOutcome {
     MoveConfig config;
     models::PositionLaw law;
-    MoveResult result;
+    MoveResult result; ///< of a repeated move: the last run
+    std::optional<MoveRepetition> repetition;
 };
 
 /// Gains with the motor they were designed for.
@@ -32,7 +35,7 @@ struct TuneOutcome {
 
 /// The procedure's own result, for later steps and the report.
 using StepDetail = std::variant<std::monostate, IdentifyResult, CalibrateResult, TuneOutcome, AnalysisResult,
-                                AmplifierAnalysis, ApplyResult, MoveOutcome, RecordResult>;
+                                AmplifierAnalysis, MotorAnalysis, ApplyResult, MoveOutcome, RecordResult>;
 
 struct StepOutcome {
     std::string kind;

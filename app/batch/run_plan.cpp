@@ -95,14 +95,14 @@ private:
         if (!config) {
             return failure(config.error());
         }
-        addMove(*config, plan);
+        addMove(*config, plan, step.number("repeat").value_or(1.0));
         return {};
     }
 
-    void addMove(const MoveConfig& config, StepPlan& plan) {
+    void addMove(const MoveConfig& config, StepPlan& plan, double runs = 1.0) {
         const MovePrediction prediction =
             predictMove(config, m_law, m_motor.rotor, m_motor.torqueConstant_Nm_per_A);
-        plan.duration_s = prediction.duration_s;
+        plan.duration_s = runs * prediction.duration_s;
         plan.peakCurrent_A = prediction.peakCurrent_A;
         heat(plan, prediction.meanSquare_A2);
     }

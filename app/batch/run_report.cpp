@@ -53,7 +53,9 @@ ReportSection amplifierSection(const std::string& heading, const AmplifierAnalys
         quantityTable("Amplifier", {{"gain", result.gain_A_per_V, "A/V"},
                                     {"lag at 10 Hz", result.lagAt10Hz_deg, "deg"},
                                     {"-3 dB frequency", result.cutoff_Hz, "Hz"},
-                                    {"phase at 1 kHz", result.phaseAt1kHz_deg, "deg"}}));
+                                    {"phase at 1 kHz", result.phaseAt1kHz_deg, "deg"},
+                                    {"loss in one shunt at the largest current", result.shuntPower_W, "W"},
+                                    {"loss in each of two in parallel", result.shuntPowerEach_W, "W"}}));
     section.blocks.emplace_back(ReportPlot{figure, "Computed from the parts of the amplifier."});
     return section;
 }
@@ -121,9 +123,10 @@ ReportSection sectionOf(const StepOutcome& step, const std::optional<KnownMotor>
         ReportSection operator()(const AmplifierAnalysis& result) const {
             return amplifierSection(heading, result);
         }
+        ReportSection operator()(const MotorAnalysis& result) const { return motorSection(heading, result); }
         ReportSection operator()(const ApplyResult& result) const { return applySection(heading, result); }
         ReportSection operator()(const MoveOutcome& move) const {
-            return moveSection(heading, move.result, idealTrace(move, motor));
+            return moveSection(heading, move.result, idealTrace(move, motor), move.repetition);
         }
         ReportSection operator()(const RecordResult& result) const { return recordSection(heading, result); }
     };

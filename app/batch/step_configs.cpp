@@ -3,6 +3,7 @@
 #include "app/batch/command_support.h"
 #include "app/batch/names.h"
 #include "app/batch/presets.h"
+#include "control/base/units.h"
 
 #include <algorithm>
 
@@ -130,6 +131,9 @@ Result<MoveConfig> moveConfigOf(const ExperimentStep& step) {
     config.duration_s = *step.number("duration_s");
     config.evaluateFrom_s = step.number("evaluate_from_s");
     config.evaluateTo_s = step.number("evaluate_to_s");
+    if (const std::optional<double> threshold_deg = step.number("lock_threshold_deg")) {
+        config.lockThreshold_rad = degreesToRadians(*threshold_deg);
+    }
     return config;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/batch/command_context.h"
+#include "app/batch/loop_conditions.h"
 #include "app/batch/run_outcome.h"
 
 namespace halbench::app {
@@ -23,6 +24,13 @@ struct StepRun {
         return nullptr;
     }
 };
+
+/// Says that an earlier step has nothing that a later one could use.
+Error missingResult(const std::string& step);
+
+/// The surroundings of the loop on this device, with what the run's calibrations found of the stray field.
+/// Errors: of the device.
+Result<LoopConditions> conditionsOf(StepRun& run);
 
 // One function a kind. Name and kind of the outcome are set by the caller. Errors: of the procedure.
 Result<StepOutcome> runIdentifyStep(StepRun& run, const ExperimentStep& step);

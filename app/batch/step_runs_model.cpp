@@ -1,64 +1,12 @@
-#include "app/batch/loop_conditions.h"
 #include "app/batch/presets.h"
 #include "app/batch/result_documents.h"
 #include "app/batch/step_configs.h"
 #include "app/batch/step_runs.h"
 #include "control/base/units.h"
-#include "devices/device_uri.h"
-#include "devices/simulated/simulated_device.h"
 
 namespace halbench::app {
 
 namespace {
-
-/// Half width of the stray-field coefficient's interval, from the last calibration that found it.
-std::optional<double> strayError_T_per_A(const std::vector<StepOutcome>& steps) {
-    std::optional<double> halfWidth;
-    for (const StepOutcome& step : steps) {
-        const CalibrateResult* calibration = std::get_if<CalibrateResult>(&step.detail);
-        if (calibration == nullptr || !calibration->isApplied) {
-            continue;
-        }
-        for (const CalibrationFigure& figure : calibration->figures) {
-            if (figure.name == "stray.coefficient" && figure.estimate.interval95) {
-                halfWidth = 0.5 * (figure.estimate.interval95->second - figure.estimate.interval95->first);
-            }
-        }
-    }
-    return halfWidth;
-}
-
-Result<LoopConditions> conditionsOf(StepRun& run) {
-    Result<LoopConditions> conditions = loopConditionsOf(run.device);
-    if (conditions && conditions->stray) {
-        conditions->stray->error_T_per_A = strayError_T_per_A(run.earlier);
-    }
-    return conditions;
-}
-
-Result<StepOutcome> amplifierOutcome(const devices::Device& device) {
-    const Result<devices::DeviceUri> uri = devices::parseDeviceUri(device.info().uri);
-    if (!uri) {
-        return failure(uri.error());
-    }
-    const Result<devices::SimulatedSetup> setup = devices::parseSimulatedAddress(*uri, std::nullopt);
-    if (!setup) {
-        return failure(ErrorCode::Usage, "the amplifier's parts are known of a simulated motor only",
-                       "use --device sim:htm");
-    }
-    Result<AmplifierAnalysis> result = analyseAmplifier(setup->parameters.amplifier);
-    if (!result) {
-        return failure(result.error());
-    }
-    StepOutcome outcome;
-    outcome.body = amplifierBody(*result);
-    outcome.detail = *std::move(result);
-    return outcome;
-}
-
-Error missingResult(const std::string& name) {
-    return {ErrorCode::Refused, "step \"" + name + "\" gave no result to work with", "see its findings"};
-}
 
 /// What `apply` writes, and the motor that its prediction is made from.
 struct Proposal {
@@ -161,30 +109,6 @@ Result<StepOutcome> runTuneStep(StepRun& run, const ExperimentStep& step) {
     outcome.quality = result->quality;
     outcome.body = gainsBody(*result);
     outcome.detail = TuneOutcome{motor, *std::move(result)};
-    return outcome;
-}
-
-Result<StepOutcome> runAnalyseStep(StepRun& run, const ExperimentStep& step) {
-    if (*step.text("what") == "amplifier") {
-        return amplifierOutcome(run.device);
-    }
-    const IdentifyResult* model = run.find<IdentifyResult>(*step.text("model"));
-    const TuneOutcome* tuned = run.find<TuneOutcome>(*step.text("gains"));
-    if (model == nullptr || tuned == nullptr) {
-        return failure(missingResult(model == nullptr ? *step.text("model") : *step.text("gains")));
-    }
-    const Result<LoopConditions> conditions = conditionsOf(run);
-    if (!conditions) {
-        return failure(conditions.error());
-    }
-    Result<AnalysisResult> result = runAnalysis(motorEstimate(*model), tuned->result.law, *conditions);
-    if (!result) {
-        return failure(result.error());
-    }
-    StepOutcome outcome;
-    outcome.quality = result->quality;
-    outcome.body = analysisBody(*result);
-    outcome.detail = *std::move(result);
     return outcome;
 }
 

@@ -5,32 +5,7 @@
 #include "app/procedures/procedure_steps.h"
 #include "control/base/units.h"
 
-#include <algorithm>
-
 namespace halbench::app {
-
-namespace {
-
-/// Largest minus smallest position in the evaluated part of a step: the size of a limit cycle.
-std::optional<double> peakToPeak_deg(const MoveConfig& config, const Recording& recording) {
-    std::vector<double> position = recording.column("truth.position");
-    position = position.empty() ? recording.column("position") : position;
-    const double from_s = config.evaluateFrom_s.value_or(0.5 * config.duration_s);
-    const double to_s = config.evaluateTo_s.value_or(config.duration_s);
-    std::vector<double> evaluated;
-    for (std::size_t row = 0; row < position.size(); ++row) {
-        if (recording.time_s[row] >= from_s && recording.time_s[row] <= to_s) {
-            evaluated.push_back(position[row]);
-        }
-    }
-    if (evaluated.empty() || config.reference.shape != MoveReference::Shape::Step) {
-        return std::nullopt;
-    }
-    const auto [smallest, largest] = std::minmax_element(evaluated.begin(), evaluated.end());
-    return radiansToDegrees(*largest - *smallest);
-}
-
-} // namespace
 
 Result<StepOutcome> runMoveStep(StepRun& run, const ExperimentStep& step) {
     Result<MoveConfig> config = moveConfigOf(step);
@@ -41,15 +16,24 @@ Result<StepOutcome> runMoveStep(StepRun& run, const ExperimentStep& step) {
     if (!law) {
         return failure(law.error());
     }
-    Result<MoveResult> result = runMove(run.device, *config, observerFor(run.context));
+    RepeatConfig repeat;
+    repeat.count = static_cast<int>(step.number("repeat").value_or(1.0));
+    if (const std::optional<double> settled_deg = step.number("settled_deg")) {
+        repeat.settled_rad = degreesToRadians(*settled_deg);
+    }
+    Result<RepeatedMove> result = runRepeatedMove(run.device, *config, repeat, observerFor(run.context));
     if (!result) {
         return failure(result.error());
     }
     StepOutcome outcome;
-    outcome.quality = result->quality;
-    outcome.body = moveBody(*result);
-    outcome.body.set("peak_to_peak_deg", peakToPeak_deg(*config, result->recording));
-    outcome.detail = MoveOutcome{*std::move(config), *law, *std::move(result)};
+    outcome.quality = result->last.quality;
+    outcome.body = moveBody(result->last);
+    MoveOutcome detail{*std::move(config), *law, std::move(result->last), std::nullopt};
+    if (step.find("repeat") != nullptr) {
+        outcome.body.set("repetition", repetitionBody(result->repetition));
+        detail.repetition = std::move(result->repetition);
+    }
+    outcome.detail = std::move(detail);
     return outcome;
 }
 

@@ -37,7 +37,7 @@ std::optional<double> lastFall_Hz(const models::AmplifierModel& model,
 
 } // namespace
 
-Result<AmplifierAnalysis> analyseAmplifier(const models::AmplifierParts& parts) {
+Result<AmplifierAnalysis> analyseAmplifier(const models::AmplifierParts& parts, double largestCurrent_A) {
     const Result<models::AmplifierModel> model = models::amplifierModel(parts);
     if (!model) {
         return failure(model.error());
@@ -58,6 +58,8 @@ Result<AmplifierAnalysis> analyseAmplifier(const models::AmplifierParts& parts) 
     result.lagAt10Hz_deg = -result.phase_deg[PointsPerDecade];
     result.magnitudeAt1kHz_dB = result.magnitude_dB[3 * PointsPerDecade];
     result.phaseAt1kHz_deg = result.phase_deg[3 * PointsPerDecade];
+    result.shuntPower_W = largestCurrent_A * largestCurrent_A * parts.R10_Ohm;
+    result.shuntPowerEach_W = 0.25 * result.shuntPower_W;
     const double static_dB = 20.0 * std::log10(std::abs(model->gain_A_per_V));
     result.cutoff_Hz = lastFall_Hz(*model, result.frequency_Hz, result.magnitude_dB,
                                    static_dB + 20.0 * std::log10(std::sqrt(0.5)));

@@ -190,14 +190,15 @@ void addStrayWarning(AnalysisResult& result, const std::optional<StrayField>& st
 void addSaturationNote(AnalysisResult& result, const PidGains& gains, double currentLimit_A) {
     const double largest_deg = radiansToDegrees(currentLimit_A / gains.proportional);
     constexpr double NotableOvershoot_percent = 15.0;
-    if (result.isStable && result.largeStep->overshoot_percent > NotableOvershoot_percent &&
+    if (result.isStable && result.largeStep->metrics.overshoot_percent > NotableOvershoot_percent &&
         largest_deg < LargeStep_deg) {
         result.warnings.push_back(
             {"large_steps_overshoot",
              fmt::format("steps above {:.3g} deg reach the current limit of {:.3g} A; with it and with "
                          "friction a step "
                          "of {:.0f} deg overshoots by {:.3g} %",
-                         largest_deg, currentLimit_A, LargeStep_deg, result.largeStep->overshoot_percent),
+                         largest_deg, currentLimit_A, LargeStep_deg,
+                         result.largeStep->metrics.overshoot_percent),
              "lead large moves along a ramp, or choose a slower loop"});
     }
 }
@@ -253,12 +254,13 @@ Result<AnalysisResult> runAnalysis(const MotorEstimate& estimate, const control:
     if (!stepped || !largeStep) {
         return failure(stepped ? largeStep.error() : stepped.error());
     }
-    result->largeStep = largeStep->metrics;
+    result->largeStep = *largeStep;
     addStabilityWarnings(*result, *gains);
     addFrictionWarning(*result, *plant, *gains, law);
     addStrayWarning(*result, conditions.stray);
     addSaturationNote(*result, *gains, conditions.currentLimit_A);
     result->quality.verdict = result->isStable ? Verdict::Good : Verdict::Doubtful;
+    result->quality.findings = result->warnings;
     return result;
 }
 

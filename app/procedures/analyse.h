@@ -37,6 +37,13 @@ struct LoopConditions {
     std::optional<StrayField> stray;
 };
 
+/// A reference step of the motor with its friction and the current limit: where the linear loop promises too
+/// much or, thanks to friction, too little.
+struct LargeStep {
+    double amplitude_rad = 0.0;
+    control::StepMetrics metrics;
+};
+
 /// Everything predicted for one motor and one law, always on the sampled loop with the device's delay.
 struct AnalysisResult {
     bool isStable = false;
@@ -46,8 +53,7 @@ struct AnalysisResult {
     control::StabilityMargins margins;
     std::vector<control::Crossing> crossings;
     std::optional<control::StepMetrics> step; ///< of the linear loop, unit step; absent when unstable
-    /// A step of 100 degrees of the event-exact motor with friction and current limit, over 5 s.
-    std::optional<control::StepMetrics> largeStep;
+    std::optional<LargeStep> largeStep;       ///< of 100 degrees, with friction and current limit
     double proportionalLimit_A_per_rad = 0.0;
     double frictionBand_rad = 0.0;            ///< predicted rest band +-K_f/(phi K_P)
     double highFrequencyGain_A_per_rad = 0.0; ///< K_P + K_D/T_s

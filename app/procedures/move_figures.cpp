@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 namespace halbench::app {
 namespace {
@@ -56,6 +57,36 @@ void measureErrors(const MoveResponse& response, const MoveConfig& config, MoveF
         figures.meanError_rad = sum / static_cast<double>(count);
     }
     figures.finalError_rad = response.reference_rad.back() - response.position_rad.back();
+}
+
+void measureTravel(const MoveResponse& response, const MoveConfig& config, MoveFigures& figures) {
+    std::optional<std::pair<double, double>> ends_rad;
+    for (std::size_t i = 0; i < response.time_s.size(); ++i) {
+        if (evaluatedPart(config).holds(response.time_s[i])) {
+            const double position_rad = response.position_rad[i];
+            const auto [low_rad, high_rad] = ends_rad.value_or(std::pair(position_rad, position_rad));
+            ends_rad = {std::min(low_rad, position_rad), std::max(high_rad, position_rad)};
+        }
+    }
+    figures.peakToPeak_rad = ends_rad ? ends_rad->second - ends_rad->first : 0.0;
+}
+
+void measureLock(const MoveResponse& response, const MoveConfig& config, MoveFigures& figures) {
+    if (!config.lockThreshold_rad) {
+        return;
+    }
+    double locked_s = response.time_s.front();
+    for (std::size_t i = 0; i < response.time_s.size(); i += response.rowsPerReference) {
+        if (std::fabs(response.reference_rad[i] - response.position_rad[i]) > *config.lockThreshold_rad) {
+            const std::size_t next = i + response.rowsPerReference;
+            locked_s = next < response.time_s.size() ? response.time_s[next] : 2.0 * response.time_s.back();
+        }
+    }
+    const bool isSine = config.reference.shape == MoveReference::Shape::Sine;
+    const double proof_s = isSine ? 0.5 / config.reference.frequency_Hz : 0.0;
+    if (locked_s + proof_s <= response.time_s.back() + 1e-9) {
+        figures.lockTime_s = locked_s;
+    }
 }
 
 // First Fourier coefficient over the last whole periods of the evaluated part.
@@ -114,6 +145,8 @@ Result<MoveFigures> measureMove(const MoveResponse& response, const MoveConfig& 
     }
     MoveFigures figures;
     measureErrors(response, config, figures);
+    measureTravel(response, config, figures);
+    measureLock(response, config, figures);
     if (config.reference.shape == MoveReference::Shape::Sine) {
         measureSine(response, config, figures);
     }

@@ -190,6 +190,7 @@ Result<MoveResult> judge(Recording recording, const MoveConfig& config, double p
                            config);
     };
     MoveResult result;
+    result.lockThreshold_rad = config.lockThreshold_rad;
     const auto measured = figuresOf({"position", origin->reference_rad});
     if (!measured) {
         return failure(measured.error());

@@ -15,6 +15,8 @@ struct MoveConfig {
     /// each step instead.
     std::optional<double> evaluateFrom_s;
     std::optional<double> evaluateTo_s;
+    /// Error below which the rotor counts as locked to its reference; without one there is no lock time.
+    std::optional<double> lockThreshold_rad;
     double rate_Hz = 1000.0; ///< overshoot needs fine samples
     double speedLimit_rad_s = 40.0;
     double pauseTemperature_degC = 65.0;
@@ -32,11 +34,15 @@ struct MoveFigures {
     double maxError_rad = 0.0;         ///< in the evaluated part
     double rmsError_rad = 0.0;         ///< in the evaluated part
     double meanError_rad = 0.0;        ///< in the evaluated part
+    double peakToPeak_rad = 0.0;       ///< of the position in the evaluated part: of a step, a limit cycle
     double peakError_rad = 0.0;        ///< of the whole run
     double firstSecondError_rad = 0.0; ///< largest in the first second
     std::optional<double>
         gain_ratio; ///< sine: fundamental of position over reference, whole periods of the evaluated part
     std::optional<double> phase_deg;
+    /// From here to the end the error stays below MoveConfig::lockThreshold_rad; absent when it does not. Of
+    /// a sine, whose error has two peaks a period, at least half a period must follow.
+    std::optional<double> lockTime_s;
 };
 
 struct MoveResult {
@@ -45,6 +51,7 @@ struct MoveResult {
     Recording recording;              ///< 1 kHz from the start of the reference; time from 0
     double peakCurrent_A = 0.0;
     double highestTemperature_degC = 0.0;
+    std::optional<double> lockThreshold_rad; ///< that both lock times are meant with
     DataQuality quality;
 
     /// Truth where known, else measured: what checks and reports mean.

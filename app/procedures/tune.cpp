@@ -118,11 +118,7 @@ void judge(TuneResult& result) {
                has("stray_field_not_compensated")) {
         result.quality.verdict = Verdict::Doubtful;
     }
-    for (const Finding& finding : result.warnings) {
-        if (result.quality.verdict != Verdict::Good) {
-            result.quality.findings.push_back(finding);
-        }
-    }
+    result.quality.findings = result.warnings;
 }
 
 } // namespace

@@ -109,6 +109,7 @@ ReportTable figuresTable(const std::vector<std::pair<std::string, const MoveFigu
     row("overshoot", "%", 1.0, 2, [](const MoveFigures& f) { return f.overshoot_percent; });
     row("peak time", "s", 1.0, 3, [](const MoveFigures& f) { return f.peakTime_s; });
     row("settling time, 2 %", "s", 1.0, 3, [](const MoveFigures& f) { return f.settlingTime_s; });
+    row("locked from", "s", 1.0, 3, [](const MoveFigures& f) { return f.lockTime_s; });
     row("final error", "\u00b0", degrees, 3, [](const MoveFigures& f) { return Number(f.finalError_rad); });
     row("largest error, evaluated part", "\u00b0", degrees, 3,
         [](const MoveFigures& f) { return Number(f.maxError_rad); });
@@ -119,6 +120,26 @@ ReportTable figuresTable(const std::vector<std::pair<std::string, const MoveFigu
     row("gain", "", 1.0, 4, [](const MoveFigures& f) { return f.gain_ratio; });
     row("phase", "\u00b0", 1.0, 2, [](const MoveFigures& f) { return f.phase_deg; });
     return table;
+}
+
+/// One row a run: where it began and how it ended.
+void appendRepetition(ReportSection& section, const MoveRepetition& repetition) {
+    ReportTable table;
+    table.caption = "Runs, each from where the rotor came to rest";
+    table.columns = {{"start \u00b0", true}, {"largest error \u00b0", true}, {"peak to peak \u00b0", true}};
+    for (std::size_t run = 0; run < repetition.start_rad.size(); ++run) {
+        const auto cell = [](double angle_rad, int decimals) {
+            return Cell{fmt::format("{:.{}f}", radiansToDegrees(angle_rad), decimals)};
+        };
+        table.rows.push_back({cell(repetition.start_rad[run], 2), cell(repetition.maxError_rad[run], 3),
+                              cell(repetition.peakToPeak_rad[run], 3)});
+    }
+    if (const std::optional<double> settled_ratio = repetition.settled_ratio()) {
+        section.blocks.emplace_back(ReportParagraph{fmt::format(
+            "{:.0f} % of {} runs settled within {:.3g}\u00b0 where errors count.", 100.0 * *settled_ratio,
+            repetition.start_rad.size(), radiansToDegrees(*repetition.config.settled_rad))});
+    }
+    section.blocks.emplace_back(std::move(table));
 }
 
 void appendMove(ReportSection& section, const MoveResult& result,
@@ -137,9 +158,14 @@ void appendMove(ReportSection& section, const MoveResult& result,
     if (!figure.panels.empty()) {
         section.blocks.emplace_back(ReportPlot{std::move(figure), {}});
     }
-    section.blocks.emplace_back(ReportFacts{
+    ReportFacts facts{
         {{"peak current", fmt::format("{:.3f} A", result.peakCurrent_A)},
-         {"highest coil temperature", fmt::format("{:.1f} \u00b0C", result.highestTemperature_degC)}}});
+         {"highest coil temperature", fmt::format("{:.1f} \u00b0C", result.highestTemperature_degC)}}};
+    if (result.lockThreshold_rad) {
+        facts.facts.push_back({"locked means", fmt::format("error below {:.3g}\u00b0 to the end",
+                                                           radiansToDegrees(*result.lockThreshold_rad))});
+    }
+    section.blocks.emplace_back(std::move(facts));
 }
 
 /// Only what differs is worth a row.
@@ -167,9 +193,13 @@ void appendChanges(ReportSection& section, const ApplyResult& result) {
 } // namespace
 
 ReportSection moveSection(const std::string& heading, const MoveResult& result,
-                          const std::optional<models::IdealTrace>& predicted) {
+                          const std::optional<models::IdealTrace>& predicted,
+                          const std::optional<MoveRepetition>& repetition) {
     ReportSection section{heading, {}};
     section.blocks.emplace_back(ReportQuality{result.quality});
+    if (repetition) {
+        appendRepetition(section, *repetition);
+    }
     appendMove(section, result, predicted, std::nullopt);
     return section;
 }

@@ -3,6 +3,8 @@
 #include "app/procedures/apply_procedure.h"
 #include "app/procedures/calibrate_procedure.h"
 #include "app/procedures/identify_procedure.h"
+#include "app/procedures/motor_analysis.h"
+#include "app/procedures/move_repetition.h"
 #include "app/procedures/tune.h"
 #include "app/report/report.h"
 #include "models/plants/htm_ideal_loop.h"
@@ -30,9 +32,14 @@ ReportSection tuningSection(const std::string& heading, const TuneResult& result
 /// Margins, open loop and predicted step of one loop.
 ReportSection analysisSection(const std::string& heading, const AnalysisResult& result);
 
-/// Position over reference and prediction, error, current and the response's figures.
+/// What follows from the parts of a simulated motor.
+ReportSection motorSection(const std::string& heading, const MotorAnalysis& result);
+
+/// Position over reference and prediction, error, current and the response's figures; of a repeated move the
+/// last run is drawn and the others are listed.
 ReportSection moveSection(const std::string& heading, const MoveResult& result,
-                          const std::optional<models::IdealTrace>& predicted = std::nullopt);
+                          const std::optional<models::IdealTrace>& predicted = std::nullopt,
+                          const std::optional<MoveRepetition>& repetition = std::nullopt);
 
 /// Parameters before and after, whether they stayed, and the verifying move.
 ReportSection applySection(const std::string& heading, const ApplyResult& result);

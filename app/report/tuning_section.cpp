@@ -68,6 +68,12 @@ ReportTable marginTable(const AnalysisResult& predicted, const std::optional<Ana
     row("friction band at rest", [](const AnalysisResult& loop) {
         return Cell{"\u00b1" + withUnit(radiansToDegrees(loop.frictionBand_rad), "\u00b0")};
     });
+    row("overshoot of a large step, with friction and current limit", [](const AnalysisResult& loop) {
+        return Cell{loop.largeStep
+                        ? fmt::format("{:.3g} % of {:.0f}\u00b0", loop.largeStep->metrics.overshoot_percent,
+                                      radiansToDegrees(loop.largeStep->amplitude_rad))
+                        : "\u2013"};
+    });
     return table;
 }
 

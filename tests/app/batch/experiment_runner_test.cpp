@@ -7,6 +7,7 @@
 #include "app/batch/step_configs.h"
 #include "devices/open_device.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -113,6 +114,43 @@ TEST_F(ExperimentRunner, reportIsOneSelfContainedDocumentWithEqualBytes) {
         EXPECT_EQ(report->find(outside), std::string::npos) << outside;
     }
     EXPECT_EQ(*report, renderRunReport(header(), m_experiment, outcome, *m_device).value());
+}
+
+TEST_F(ExperimentRunner, aRepeatedMoveIsJudgedByItsShareAndALockTimeByItsThreshold) {
+    std::string text = Steps.substr(0, Steps.find("[[check]]"));
+    text += "repeat = 2\nsettled_deg = 10\nlock_threshold_deg = 20\n";
+    for (const char* quantity : {"repetition.settled_fraction", "repetition.count", "lock_time_s",
+                                 "repetition.runs.1.start_deg", "repetition.median_peak_to_peak_deg"}) {
+        text += "[[check]]\nquantity = \"step100." + std::string(quantity) + "\"\nmin = 0\n";
+    }
+    const RunOutcome outcome = run(text);
+    ASSERT_EQ(outcome.checks.size(), 5U);
+    for (const CheckOutcome& check : outcome.checks) {
+        EXPECT_TRUE(check.passed) << check.quantity;
+    }
+    EXPECT_EQ(outcome.checks[0].value, 1.0); // friction stops the rotor within 8.21 degrees
+    EXPECT_EQ(outcome.checks[1].value, 2.0);
+    EXPECT_EQ(outcome.steps[1].body.find("lock_threshold_deg")->number(), 20.0);
+    EXPECT_NEAR(planRun(m_experiment, *m_device)->duration_s, 2.0 * 1.5, 1e-9);
+}
+
+TEST_F(ExperimentRunner, everySubjectOfAnAnalysisIsComputedFromTheMotorOfTheAddress) {
+    std::string text = "schema = \"halbench.experiment/1\"\ndevice = \"sim:htm?imperfections=off\"\n";
+    for (const char* what : {"torque", "sensing", "poles", "field", "coil"}) {
+        text += fmt::format("[[step]]\nkind = \"analyse\"\nname = \"{0}\"\nwhat = \"{0}\"\n", what);
+    }
+    const RunOutcome outcome = run(text);
+    ASSERT_EQ(outcome.steps.size(), 5U) << outcome.stoppedBy->message;
+    for (const StepOutcome& step : outcome.steps) {
+        EXPECT_EQ(step.body.find("what")->text(), step.name);
+        EXPECT_FALSE(step.body.find("figures")->members().empty()) << step.name;
+    }
+    EXPECT_NEAR(findQuantity(outcome.steps[0].body, "figures.largest_torque.value").value_or(0), 0.0572,
+                5e-5);
+    EXPECT_EQ(quantityUnit(outcome.steps[0].body, "figures.largest_torque.value"), "N*m");
+    m_device = devices::openDevice("sim:htm?phi=0.02&Imax=3", {}).value();
+    EXPECT_NEAR(findQuantity(run(text).steps[0].body, "figures.largest_torque.value").value_or(0), 0.06,
+                1e-12);
 }
 
 TEST_F(ExperimentRunner, planPredictsWithoutMoving) {

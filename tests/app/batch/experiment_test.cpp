@@ -85,6 +85,7 @@ const Mistake Mistakes[] = {
     {"notFinite", "duration_s = 3", "duration_s = inf", "e.toml:15:", "duration_s"},
     {"choice", "\"step\"", "\"circle\"", "e.toml:14:", "sine"},
     {"nestedKey", "amplitude_deg", "amplitude_mm", "e.toml:14:", "amplitude_deg"},
+    {"settledOfOne", "duration_s = 3", "duration_s = 3\nsettled_deg = 1", "e.toml:16:", "repeat"},
     {"sameName", "\"step100\"", "\"sweep\"", "e.toml:", "sweep"},
     {"unknownStep", "step100.overshoot", "step200.overshoot", "e.toml:18:", "step200"},
     {"noLimit", "max = 12", "reason = \"x\"", "e.toml:", "max"},
@@ -93,6 +94,15 @@ const Mistake Mistakes[] = {
 
 INSTANTIATE_TEST_SUITE_P(OfEveryKind, ExperimentMistake, ::testing::ValuesIn(Mistakes),
                          [](const auto& mistake) { return std::string(mistake.param.name); });
+
+TEST(Experiment, anAnalysisTakesTheKeysOfItsSubjectOnly) {
+    const std::string analysis = "schema = \"halbench.experiment/1\"\n[[step]]\nkind = \"analyse\"\n"
+                                 "name = \"motor\"\nwhat = \"torque\"\n";
+    EXPECT_TRUE(parseExperiment(analysis + "speed_rpm = 270\n", "e.toml", {}).has_value());
+    const Error error = mistakeIn(analysis + "pitch_mm = 0.7\n");
+    EXPECT_NE(error.message.find("e.toml:6:"), std::string::npos) << error.message;
+    EXPECT_NE(error.hint.find("coil"), std::string::npos) << error.hint;
+}
 
 TEST(Experiment, settingsFromTheCommandLineReplaceValues) {
     const Result<Experiment> experiment =

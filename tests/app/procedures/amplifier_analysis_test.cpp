@@ -7,7 +7,7 @@ namespace {
 
 // Figures and printed digits of resources/help/htm-theory.md section 5.
 TEST(AmplifierAnalysis, agreesWithTheTheoryPage) {
-    const Result<AmplifierAnalysis> analysis = analyseAmplifier(models::AmplifierParts{});
+    const Result<AmplifierAnalysis> analysis = analyseAmplifier(models::AmplifierParts{}, 4.0);
     ASSERT_TRUE(analysis.has_value());
     EXPECT_NEAR(analysis->gain_A_per_V, 2.0, 5e-4);
     EXPECT_NEAR(analysis->lagAt10Hz_deg, 1.080, 5e-4);
@@ -17,8 +17,15 @@ TEST(AmplifierAnalysis, agreesWithTheTheoryPage) {
     EXPECT_NEAR(analysis->phaseAt1kHz_deg, -78.0, 0.05);
 }
 
+TEST(AmplifierAnalysis, oneShuntWouldBurnMoreThanItsTenWatts) {
+    models::AmplifierParts parts; // resources/help/htm-theory.md 6.14: I^2 R, half the current in each of two
+    const AmplifierAnalysis analysis = analyseAmplifier(parts, 4.0).value();
+    EXPECT_NEAR(analysis.shuntPower_W, 16.0, 1e-12);
+    EXPECT_NEAR(analysis.shuntPowerEach_W, 4.0, 1e-12);
+}
+
 TEST(AmplifierAnalysis, curveReachesFrom1HzTo100kHzAndFallsSteadily) {
-    const AmplifierAnalysis analysis = analyseAmplifier(models::AmplifierParts{}).value();
+    const AmplifierAnalysis analysis = analyseAmplifier(models::AmplifierParts{}, 4.0).value();
     ASSERT_EQ(analysis.frequency_Hz.size(), 251U); // 5 decades of 50 points and the end
     EXPECT_NEAR(analysis.frequency_Hz.front(), 1.0, 1e-9);
     EXPECT_NEAR(analysis.frequency_Hz.back(), 1e5, 1e-4);
@@ -32,7 +39,7 @@ TEST(AmplifierAnalysis, curveReachesFrom1HzTo100kHzAndFallsSteadily) {
 TEST(AmplifierAnalysis, refusesPartsThatAreNone) {
     models::AmplifierParts parts;
     parts.R10_Ohm = 0.0;
-    const Result<AmplifierAnalysis> analysis = analyseAmplifier(parts);
+    const Result<AmplifierAnalysis> analysis = analyseAmplifier(parts, 4.0);
     ASSERT_FALSE(analysis.has_value());
     EXPECT_EQ(analysis.error().code, ErrorCode::OutOfRange);
 }

@@ -111,6 +111,21 @@ TEST(Tune, saysOfThePublishedGainsWhatTheTheorySays) {
     EXPECT_FALSE(has(result->warnings, "above_sampled_limit"));
 }
 
+TEST(Tune, tellsEveryWarningAsAFindingWhateverTheVerdict) {
+    for (const char* name : {"recommended", "published", "published-degrees"}) {
+        const auto result = runTune(published(), method(name));
+        ASSERT_TRUE(result.has_value());
+        ASSERT_EQ(result->quality.findings.size(), result->warnings.size()) << name;
+        for (std::size_t i = 0; i < result->warnings.size(); ++i) {
+            EXPECT_EQ(result->quality.findings[i].code, result->warnings[i].code) << name;
+        }
+        const auto loop = runAnalysis(published(), result->law, {});
+        ASSERT_TRUE(loop.has_value());
+        EXPECT_EQ(loop->quality.findings.size(), loop->warnings.size()) << name;
+    }
+    EXPECT_FALSE(runTune(published(), method("published"))->warnings.empty());
+}
+
 TEST(Tune, oneSampleOfDelayTurnsThePublishedPresetUnstable) {
     const auto result = runTune(published(), method("published", 1));
     ASSERT_TRUE(result.has_value());

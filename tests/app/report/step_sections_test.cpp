@@ -198,6 +198,37 @@ TEST(ApplySection, saysWhetherTheValuesStayed) {
     EXPECT_NE(html.find("predicted"), std::string::npos);
 }
 
+TEST(MotorSection, showsEveryFigureInWordsWithItsUnitAndWhatIsDoubtful) {
+    const std::string html = textOf(motorSection("analyse: ring", analyseField({}, {})));
+    for (const char* words : {"their field at the sensors", "mT", "1.74", "remanence that would reach it",
+                              "Data quality: doubtful", "magnets end near 1.5 T"}) {
+        EXPECT_NE(html.find(words), std::string::npos) << words;
+    }
+}
+
+TEST(MoveSection, listsTheRunsOfARepeatedMoveAndSaysWhatLockedMeans) {
+    MoveResult result;
+    result.lockThreshold_rad = 20.0 * M_PI / 180.0;
+    result.measured.lockTime_s = 0.73;
+    MoveRepetition repetition;
+    repetition.config = {2, 0.28 * M_PI / 180.0};
+    repetition.start_rad = {0.0, M_PI / 2.0};
+    repetition.maxError_rad = {0.1 * M_PI / 180.0, 1.25 * M_PI / 180.0};
+    repetition.peakToPeak_rad = {0.0, 2.5 * M_PI / 180.0};
+    const std::string html = textOf(moveSection("move: micro", result, std::nullopt, repetition));
+    for (const char* words : {"50 % of 2 runs settled within 0.28\u00b0", "90.00", "1.250", "2.500", "0.730",
+                              "error below 20\u00b0 to the end"}) {
+        EXPECT_NE(html.find(words), std::string::npos) << words;
+    }
+}
+
+TEST(TuningSection, showsTheLargeStepThatFrictionAndCurrentLimitAllow) {
+    AnalysisResult loop;
+    loop.largeStep = LargeStep{100.0 * M_PI / 180.0, {}};
+    loop.largeStep->metrics.overshoot_percent = 33.3;
+    EXPECT_NE(textOf(analysisSection("analyse: loop", loop)).find("33.3 % of 100\u00b0"), std::string::npos);
+}
+
 TEST(ContradictionsSection, belongsToTheMotorOnly) {
     EXPECT_FALSE(contradictionsSection("planar").has_value());
     ASSERT_TRUE(contradictionsSection("htm").has_value());

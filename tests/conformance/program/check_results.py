@@ -93,6 +93,26 @@ class Results(ProgramCase):
             self.check("tune", "m.json", "--method", method, *targets, "--out", f"{method}.json")
             self.check("analyse", "m.json", f"{method}.json")
 
+    def test_a_warning_is_told_once(self):
+        self.accept("identify", "sim:htm", "--given", "J=5.5e-4", "--out", "m.json")
+        for method in ("recommended", "published", "published-degrees"):
+            document = self.accept("tune", "m.json", "--method", method, "--json").json()
+            text = self.accept("tune", "m.json", "--method", method).out
+            self.assertEqual(document["warnings"], document["data_quality"]["findings"])
+            for warning in document["warnings"]:
+                self.assertEqual(text.count(warning["message"]), 1, text)
+
+    def test_a_calibration_tells_how_well_the_stray_field_is_known(self):
+        self.accept("identify", "sim:htm", "--given", "J=5.5e-4", "--out", "m.json")
+        self.accept("calibrate", "sim:htm", "stray", "--apply", "--out", "c.json")
+        codes = [{w["code"] for w in self.accept("tune", "m.json", *options, "--json").json()["warnings"]}
+                 for options in ((), ("--calibration", "c.json"))]
+        self.assertIn("stray_field_not_calibrated", codes[0])
+        self.assertFalse({code for code in codes[1] if code.startswith("stray_field")})
+        self.accept("tune", "m.json", "--out", "g.json")
+        analysed = self.check("analyse", "m.json", "g.json", "--calibration", "c.json")
+        self.assertFalse({w["code"] for w in analysed["warnings"] if w["code"].startswith("stray_field")})
+
     def test_calibrations(self):
         for what in ("hall", "stray", "static-friction", "all"):
             self.check("calibrate", "sim:htm", what)
