@@ -1,8 +1,11 @@
+#include "app/procedures/move_repetition.h"
 #include "tests/app/procedures/simulated_motor.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 // Figures of resources/help/htm-theory.md section 8 through the whole chain: plant, board, link, procedure.
 // Tolerances of that section; "full chain" keeps quantisation, amplifier, noise and the compensated stray
@@ -132,15 +135,33 @@ TEST(MicroStepPreset, failsWithoutStrayCompensation) {
     EXPECT_GT(max_deg(moved(*device, move("staircase,amplitude_deg=0.32,period_s=1,count=10", 10))), 0.36);
 }
 
-TEST(DegreePreset, largeStepsEndInALimitCycle) {
+TEST(DegreePreset, largeStepsEndInALimitCycleFromEveryStart) {
+    // Sections 6.8 and 8.3: 2.2 to 3.2 deg peak to peak in the reference, comparable statistically only
+    // (section 11): the typical run lies there, none is smaller than the ideal loop's 2.0.
     const auto device = openMotor(FullChain);
     setLaw(*device, models::publishedInDegreesLaw());
-    const MoveResult result = moved(*device, move("step,amplitude_deg=100", 6));
-    const std::vector<double> position = result.recording.column("truth.position");
-    const auto [low, high] = std::minmax_element(position.begin() + 4000, position.end());
-    const double peakToPeak_deg = radiansToDegrees(*high - *low);
-    EXPECT_GT(peakToPeak_deg, 1.8); // 2.2 to 3.2 in the reference, comparable statistically only (section 11)
-    EXPECT_LT(peakToPeak_deg, 4.0);
+    MoveConfig config = move("step,amplitude_deg=100", 4);
+    config.evaluateFrom_s = 3.0;
+    const auto repeated = runRepeatedMove(*device, config, {9, degreesToRadians(0.64)}, {});
+    ASSERT_TRUE(repeated) << repeated.error().message;
+    EXPECT_EQ(repeated->repetition.settled_ratio(), 0.0);
+    std::vector<double> swing = repeated->repetition.peakToPeak_rad;
+    std::sort(swing.begin(), swing.end());
+    EXPECT_GT(radiansToDegrees(swing.front()), 2.0);
+    EXPECT_GT(radiansToDegrees(swing[4]), 2.2 - 0.6);
+    EXPECT_LT(radiansToDegrees(swing[4]), 3.2 + 0.6); // median of nine: three sigma of 0.5 deg 1.25/3
+}
+
+TEST(DegreePreset, mostSingleMicroStepsSettle) {
+    // Section 8.3: 7 of 9 starting angles in the reference; fewer than 60 % of 30 would be a chance below
+    // 1 % at that rate.
+    const auto device = openMotor(FullChain);
+    setLaw(*device, models::publishedInDegreesLaw());
+    MoveConfig config = move("step,amplitude_deg=0.32", 1);
+    config.evaluateFrom_s = 0.9;
+    const auto repeated = runRepeatedMove(*device, config, {30, degreesToRadians(0.28)}, {});
+    ASSERT_TRUE(repeated) << repeated.error().message;
+    EXPECT_GE(repeated->repetition.settled_ratio().value_or(0.0), 0.6);
 }
 
 TEST(DegreePreset, microStepsSettleFromAStartThatDoesNotFallIntoTheCycle) {
@@ -212,19 +233,63 @@ TEST(RecommendedSensitivity, staticFrictionFifteenPercentAboveKinetic) {
     EXPECT_LT(max_deg(moved(*device, move("staircase,amplitude_deg=0.32,period_s=1,count=10", 10))), 0.25);
 }
 
-TEST(RecommendedSensitivity, linearDecodeCostsDegrees) {
-    const auto device = openMotor(FullChain);
+struct SensitivityRow {
+    double sine_deg;
+    double step_deg;
+    double micro_deg;
+};
+
+/// The three runs of section 8.4's sensitivity table, from a starting angle, with one board setting changed.
+SensitivityRow sensitivity(double start_rad, const char* setting, double value) {
+    const auto device = openMotor(FullChain + "&psi0=" + std::to_string(start_rad));
     setLaw(*device, recommended());
-    setParameter(*device, "decode.method", 1.0);
-    EXPECT_NEAR(max_deg(moved(*device, move("sine,amplitude_deg=360,period_s=5", 10))), 3.0, 0.5);
+    setParameter(*device, setting, value);
+    return {max_deg(moved(*device, move("sine,amplitude_deg=360,period_s=5", 10))),
+            std::fabs(final_deg(moved(*device, move("step,amplitude_deg=100", 3)))),
+            max_deg(moved(*device, move("staircase,amplitude_deg=0.32,period_s=1,count=10", 10)))};
+}
+
+constexpr double SensitivityStarts_rad[] = {0.0, 1.0, 2.5, -0.7, 0.3};
+
+TEST(RecommendedSensitivity, linearDecodeCostsDegrees) {
+    // Section 8.4: 3.0 deg on the sine, 0.9 deg after the step, 0.31 deg on micro-steps; the start is not
+    // stated. All count from the start, whose own decoding error (up to 1.898 deg, 3.5) stays in them, so
+    // they depend on it: the sine is never better than the line's own peak and never worse than twice that
+    // beside the 0.64 deg of the loop, widened by the slope's ripple (0.785 to 1.111) on top of it; the other
+    // two must lie on both sides of the quoted ones.
+    SensitivityRow least{1e9, 1e9, 1e9};
+    SensitivityRow most{0.0, 0.0, 0.0};
+    for (const double start_rad : SensitivityStarts_rad) {
+        const SensitivityRow row = sensitivity(start_rad, "decode.method", 1.0);
+        least = {std::min(least.sine_deg, row.sine_deg), std::min(least.step_deg, row.step_deg),
+                 std::min(least.micro_deg, row.micro_deg)};
+        most = {std::max(most.sine_deg, row.sine_deg), std::max(most.step_deg, row.step_deg),
+                std::max(most.micro_deg, row.micro_deg)};
+    }
+    EXPECT_NEAR(least.sine_deg, 3.0, 0.5); // the best start; +-0.5: where on the quantised sine it falls
+    EXPECT_LT(most.sine_deg, 2.0 * 1.898 * 1.111 + 0.64);
+    EXPECT_LT(least.step_deg, 0.9);
+    EXPECT_GT(most.step_deg, 0.9);
+    EXPECT_LT(most.step_deg, 2.0 * 1.898 + 0.32);
+    EXPECT_LT(least.micro_deg, 0.31);
+    EXPECT_GT(most.micro_deg, 0.31); // 0.25 is what the arctangent keeps from every start
 }
 
 TEST(RecommendedSensitivity, unstableWithoutStrayCompensation) {
-    // Section 8.4: K_P + K_D/T_s = 180 A/rad exceeds B0/k_s = 62.8: 34 deg on the sine instead of 0.42.
-    const auto device = openMotor(FullChain);
-    setLaw(*device, recommended());
-    setParameter(*device, "stray.enabled", 0.0);
-    EXPECT_GT(max_deg(moved(*device, move("sine,amplitude_deg=360,period_s=5", 10))), 5.0);
+    // Section 8.4: K_P + K_D/T_s = 180 A/rad exceeds B0/k_s = 62.8: 34 deg, 6.5 deg and no micro-steps. The
+    // loop chatters, so single runs compare statistically only (section 11): the sines +-3 deg; the steps
+    // stop anywhere (sigma 3 deg), their mean of five +-3.3 deg (2.5 sigma), none within the published 0.64
+    // deg. Ten steps of 0.32 deg that are not made leave 3.2 deg; the chatter moves the rotor by a few
+    // tenths.
+    double step_deg = 0.0;
+    for (const double start_rad : SensitivityStarts_rad) {
+        const SensitivityRow row = sensitivity(start_rad, "stray.enabled", 0.0);
+        EXPECT_NEAR(row.sine_deg, 34.0, 3.0) << start_rad;
+        EXPECT_GT(row.step_deg, 0.64) << start_rad;
+        EXPECT_NEAR(row.micro_deg, 3.2, 0.4) << start_rad;
+        step_deg += row.step_deg / std::size(SensitivityStarts_rad);
+    }
+    EXPECT_NEAR(step_deg, 6.5, 3.3);
 }
 
 TEST(StartingAngle, doesNotMatterInTheIdealChain) {

@@ -35,6 +35,15 @@ class Documents(ProgramCase):
                     self.accept(*arguments, timeout=100)
             os.unlink(self.path("resources"))
 
+    def test_the_help_names_every_shipped_experiment(self):
+        with open(os.path.join(REPOSITORY, "resources/help/command-line.md"), encoding="utf-8") as file:
+            named = set(re.findall(r"`([\w-]+\.toml)`", file.read()))
+        folder = os.path.join(REPOSITORY, "resources/experiments/htm")
+        shipped = {name for name in os.listdir(folder) if name.endswith(".toml")}
+        self.assertGreater(len(shipped), 20)
+        self.assertEqual(shipped - named, set())
+        self.assertEqual(named - shipped, set())
+
     def test_the_readme_shows_commands(self):
         self.assertGreater(len(commands_of("README.md")), 5)
 
