@@ -7,6 +7,8 @@
 #include "devices/transport/udp_transport.h"
 #include "devices/xcp/xcp_device.h"
 
+#include <QtCore/QStandardPaths>
+
 #include <fmt/format.h>
 
 namespace halbench::devices {
@@ -35,10 +37,16 @@ Result<std::unique_ptr<Device>> openNetworkDevice(const DeviceUri& uri, const Op
     device.identity.transport = uri.scheme;
     device.interruptSignal = options.interruptSignal;
     device.onMessage = options.onMessage;
+    device.cacheFolder = options.cacheFolder;
     return openXcpDevice(networkTransport(uri.scheme, *address), std::move(device));
 }
 
 } // namespace
+
+std::string userCacheFolder() {
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation);
+    return folder.isEmpty() ? std::string() : folder.toStdString() + "/halbench/boards";
+}
 
 Result<std::unique_ptr<Device>> openDevice(const std::string& text, const OpenOptions& options) {
     const Result<DeviceUri> uri = parseDeviceUri(text);

@@ -17,7 +17,12 @@ struct OpenOptions {
     bool isRealtime = false;           ///< `--realtime`: a simulated device is paced by the wall clock
     const std::atomic<int>* interruptSignal = nullptr; ///< becomes SIGINT or SIGTERM when one arrived
     std::function<void(const std::string&)> onMessage; ///< log lines of board and link; may be empty
+    /// Where descriptions of boards in the network are kept between connections; empty: nowhere.
+    std::string cacheFolder;
 };
+
+/// The user's folder for descriptions, e.g. ~/.cache/halbench/boards (XDG_CACHE_HOME).
+std::string userCacheFolder();
 
 /// Opens any device by its address and reads its catalogue.
 /// Errors: InvalidInput, UnknownName, OutOfRange (address), DeviceLost, Protocol.

@@ -10,6 +10,7 @@ Result<std::unique_ptr<devices::Device>> openDeviceFor(const CommandContext& con
     options.seed = context.global.seed;
     options.isRealtime = context.global.isRealtime;
     options.interruptSignal = &context.interruptSignal;
+    options.cacheFolder = devices::userCacheFolder();
     options.onMessage = [&console = context.console](const std::string& text) {
         console.log(LogLevel::Debug, text);
     };

@@ -16,6 +16,7 @@ void DeviceSession::connectDevice(const QString& uri, Pace pace, std::optional<s
     m_report = {};
     devices::OpenOptions options;
     options.seed = seed;
+    options.cacheFolder = devices::userCacheFolder();
     options.onMessage = [this](const std::string& text) {
         onGui([this, text] { message(MessageLevel::Info, tr("board"), QString::fromStdString(text)); });
     };

@@ -122,14 +122,40 @@ Result<void> XcpDevice::readIdentity() {
     return {};
 }
 
-Result<void> XcpDevice::readDescription() {
-    const Result<std::string> text = m_master.description();
+/// The board's own text, or a copy of it that an earlier connection kept under the same name and EPK (3.7).
+Result<A2lDescription> XcpDevice::cachedOrUploaded() {
+    const DescriptionCache cache(m_options.cacheFolder);
+    DescriptionKey key{m_options.identity.model, m_options.identity.firmware, 0};
+    bool isCached = false;
+    const Result<std::string> text = m_master.description([&](std::size_t octets) {
+        key.octets = octets;
+        std::optional<std::string> known = cache.find(key);
+        isCached = known.has_value();
+        return known;
+    });
     if (!text) {
         return failure(text.error());
     }
     Result<A2lDescription> description = parseA2l(*text);
     if (!description) { // the board's mistake, not the user's
         return failure(ErrorCode::Protocol, description.error().message, description.error().hint);
+    }
+    if (!m_options.cacheFolder.empty()) {
+        message(isCached ? fmt::format("description of '{}' taken from the cache", key.name)
+                         : fmt::format("description read from the board, {} octets", text->size()));
+    }
+    if (!isCached) {
+        if (const Result<bool> kept = cache.store(key, *text); !kept) {
+            message("the description is not kept: " + kept.error().message);
+        }
+    }
+    return description;
+}
+
+Result<void> XcpDevice::readDescription() {
+    Result<A2lDescription> description = cachedOrUploaded();
+    if (!description) {
+        return failure(description.error());
     }
     for (const std::string& warning : description->warnings) {
         message(warning);

@@ -27,6 +27,9 @@ struct XcpDeviceOptions {
     std::function<void(const std::string&)> onMessage;
     /// Watchdog the board gets when it is armed; a status request is sent every quarter of it.
     double watchdog_s = 1.0;
+    /// Folder where descriptions of boards are kept, so that the next connection need not read them; empty:
+    /// none.
+    std::string cacheFolder;
     /// Brackets downloads by USER_CMD 01/02 where no page can be switched (vendor extension, never assumed).
     bool useVendorBrackets = false;
 };

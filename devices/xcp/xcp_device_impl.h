@@ -1,6 +1,7 @@
 #pragma once
 
 #include "devices/xcp/board_description.h"
+#include "devices/xcp/description_cache.h"
 #include "devices/xcp/stream_assembler.h"
 #include "devices/xcp/xcp_device.h"
 #include "devices/xcp/xcp_master.h"
@@ -65,6 +66,7 @@ private:
     // opening (xcp_device.cpp)
     Result<void> readIdentity();
     Result<void> readDescription();
+    Result<A2lDescription> cachedOrUploaded();
     Result<void> readDefaults();
     void installHandlers();
 

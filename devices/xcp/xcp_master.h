@@ -5,6 +5,7 @@
 #include "devices/xcp/xcp_link.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -36,8 +37,10 @@ public:
     Result<StatusResponse> status();
     /// Identity texts: name, EPK. Empty when the board has none.
     Result<std::string> identity(IdType type);
-    /// The whole description (GET_ID 4 and UPLOAD, 3.7).
-    Result<std::string> description();
+    /// A description of this many octets that need not be read; nothing when it must be.
+    using KnownDescription = std::function<std::optional<std::string>(std::size_t octets)>;
+    /// The whole description (GET_ID 4, and UPLOAD unless it is known, 3.7).
+    Result<std::string> description(const KnownDescription& known);
 
     Result<Packet> read(Address address, std::size_t size);
     Result<void> write(Address address, Octets data);

@@ -49,7 +49,7 @@ Reply<std::string> XcpMaster::identityOnce(IdType type) {
     return text;
 }
 
-Result<std::string> XcpMaster::description() {
+Result<std::string> XcpMaster::description(const KnownDescription& known) {
     m_mta.reset();
     for (int attempt = 0;; ++attempt) {
         const Result<IdResponse> id = m_link->recover([&]() -> Reply<IdResponse> {
@@ -74,6 +74,9 @@ Result<std::string> XcpMaster::description() {
             return failure(ErrorCode::Protocol,
                            fmt::format("the board's description has {} octets", id->length),
                            fmt::format("at most {} are read", MaxA2lSize));
+        }
+        if (std::optional<std::string> text = known(id->length); text && !id->isInline) {
+            return *std::move(text);
         }
         Result<std::string> text = id->isInline ? id->text : uploadDescription(id->length);
         const bool isWorthAnother = attempt < DescriptionTries - 1 && !m_link->lost();

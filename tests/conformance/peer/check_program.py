@@ -22,9 +22,10 @@ HARMLESS = {"event_flood", "a2l_many_blocks"}      # right values all the same
 
 
 class Answer:
-    def __init__(self, arguments):
+    def __init__(self, arguments, environment):
         began = time.monotonic()
-        done = subprocess.run([PROGRAM] + arguments, capture_output=True, text=True, timeout=30, check=False)
+        done = subprocess.run([PROGRAM] + arguments, capture_output=True, text=True, timeout=30, check=False,
+                              env=environment)
         self.seconds = time.monotonic() - began
         self.code, self.out, self.err = done.returncode, done.stdout, done.stderr
         self.arguments = arguments
@@ -43,10 +44,11 @@ class ProgramCase(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
+        self.environment = os.environ | {"XDG_CACHE_HOME": os.path.join(self.folder, "cache")}
         self.running, self.uri = running, running.address
 
     def run_on(self, verb, *arguments):
-        return Answer([verb, self.uri, *arguments, "--json"])
+        return Answer([verb, self.uri, *arguments, "--json"], self.environment)
 
     def accept(self, verb, *arguments):
         answer = self.run_on(verb, *arguments)

@@ -1,7 +1,9 @@
 """Runs the program as a user does and checks what the command-line contract says of every answer."""
+import atexit
 import json
 import os
 import resource
+import shutil
 import signal
 import subprocess
 import tempfile
@@ -13,8 +15,12 @@ REPOSITORY = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", "..",
 
 
 def set_program(path):
+    """From here on the program keeps what it keeps in a folder of the test's own."""
     global PROGRAM
     PROGRAM = os.path.abspath(path)
+    cache = tempfile.mkdtemp()
+    atexit.register(shutil.rmtree, cache, ignore_errors=True)
+    os.environ["XDG_CACHE_HOME"] = cache
 
 
 class Answer:

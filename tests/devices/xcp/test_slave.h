@@ -31,8 +31,23 @@ struct SlaveTraits {
     bool hasChecksum = true;
     bool hasBlockMode = false;
     bool marksOverload = false;
+    std::string name;      ///< GET_ID 1; empty: the slave has none
+    std::string epk;       ///< GET_ID 5
+    double clockRatio = 1; ///< ticks of the slave's clock over those of the host's
+    bool hasClockCommand = true;
     bool hasGap = false; ///< a hole between p.a and p.b, so that they cannot be written together
 };
+
+inline constexpr std::uint32_t TestSegmentAddress = 0x4000;
+inline constexpr std::size_t TestSegmentSize = 64;
+inline constexpr double TestSamplePeriod_s = 0.010;
+
+inline std::deque<Packet> slaveOk() {
+    return {{0xFF}};
+}
+inline std::deque<Packet> slaveError(SlaveError code) {
+    return {{0xFE, static_cast<std::uint8_t>(code)}};
+}
 
 /// A small XCP slave written for tests from resources/help/protocol.md, with nothing of the product's board
 /// in it: signals count (ULONG, number of the sample), wave (FLOAT32 = count / 4), byte (UBYTE), big (FLOAT64
@@ -76,6 +91,9 @@ private:
 
     std::deque<Packet> answer(const Packet& command);
     std::deque<Packet> answerInfo(const Packet& command);
+    Packet identity(std::uint8_t type) const;
+    std::deque<Packet> clockAnswer();
+    std::uint64_t ticksAt(double time_s) const;
     std::deque<Packet> answerMemory(const Packet& command);
     std::deque<Packet> answerPages(const Packet& command);
     std::deque<Packet> answerDaq(const Packet& command);
