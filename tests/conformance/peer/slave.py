@@ -38,6 +38,7 @@ class Slave:
         self.mischief.spoil(self.board)
         self.a2l = self.mischief.description(render(self.board, variant).encode())
         self.is_connected = False
+        self.clock_origin = 0
         self.reset_session()
 
     def reset_session(self):
@@ -227,7 +228,7 @@ class Slave:
 
     def ticks(self):
         per_cycle = {0: 1_000_000, 3: 1000}[self.variant.time_unit]
-        return (self.variant.time_start + self.board.cycles * per_cycle) & 0xFFFFFFFF
+        return (self.variant.time_start + (self.board.cycles - self.clock_origin) * per_cycle) & 0xFFFFFFFF
 
     def require_stopped(self):
         if any(d.is_running for d in self.daqs):
@@ -311,6 +312,8 @@ class Slave:
     def start_stop(self, p):
         if p[0] > 2:
             raise Refused(wire.ERR_MODE)
+        if p[0] == 1:
+            self.clock_origin = self.board.cycles    # the clock's turns come at known times of the measurement
         for daq in self.daqs:
             if p[0] == 0:
                 daq.is_running = False

@@ -11,7 +11,7 @@ class Variant:
     pages: str = "two"          # two | readonly | none
     short_download: bool = True
     time_unit: int = 3          # 3 = 1 us, 0 = 1 ns (wraps every 4.29 s)
-    time_start: int = 0
+    time_start: int = 0         # of the clock, when a measurement starts
     max_cto: int = 64
     max_dto: int = 128
     mischief: str = ""
@@ -30,8 +30,8 @@ FOREIGN = {
     "no_pages": Variant(pages="none"),
     "no_short_download": Variant(short_download=False),
     "no_short_download_no_pages": Variant(short_download=False, pages="none"),
-    "nanosecond_clock": Variant(time_unit=0, time_start=0xFFFFFFFF - 500_000_000),
-    "microsecond_clock_wraps": Variant(time_start=0xFFFFFFFF - 300_000),
+    "nanosecond_clock": Variant(time_unit=0, time_start=0xFFFFFFFF - 100_000_000),
+    "microsecond_clock_wraps": Variant(time_start=0xFFFFFFFF - 100_000),
     "smallest_packets": Variant(max_cto=16, max_dto=16),
 }
 
