@@ -174,6 +174,10 @@ Theme currentTheme() {
     return loadTheme("light").value();
 }
 
+void clearOwnSheet(QWidget& widget) {
+    widget.setStyleSheet({});
+}
+
 void setRole(QWidget& widget, Role role) {
     for (const RoleName& name : RoleNames) {
         if (name.role == role) {

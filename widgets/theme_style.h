@@ -40,6 +40,9 @@ QFont applicationFont(const Dress& dress);
 /// The font with digits of equal width: itself when its digits are, else the system's fixed font.
 QFont tabularFont(const QFont& font);
 
+/// Takes a foreign widget's own style sheet away, so that the application's dresses it.
+void clearOwnSheet(QWidget& widget);
+
 /// Gives the widget a role and dresses it anew.
 void setRole(QWidget& widget, Role role);
 Role roleOf(const QWidget& widget);

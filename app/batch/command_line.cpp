@@ -234,7 +234,8 @@ Result<CommandLine> parseCommandLine(const std::vector<std::string>& arguments) 
     addIdentifyingCommands(app, line.options);
     addTuningCommands(app, line.options);
     addFileCommands(app, line.options);
-    app.footer("Help: resources/help/command-line.md. The window comes with a later version.");
+    app.footer("Help: resources/help/command-line.md. Without a command the window opens; it takes --project "
+               "FILE and --connect DEVICE.");
     line.helpText = app.help();
     try {
         std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());

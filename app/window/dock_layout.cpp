@@ -1,0 +1,135 @@
+#include "app/window/dock_layout.h"
+
+#include "widgets/theme_style.h"
+
+#include <qtadvanceddocking/DockAreaWidget.h>
+#include <qtadvanceddocking/DockManager.h>
+#include <qtadvanceddocking/DockWidget.h>
+
+#include <algorithm>
+
+namespace halbench::app {
+
+namespace {
+
+/// Of the arrangement files; raised when panels change so that an old arrangement no longer fits.
+constexpr int ArrangementVersion = 1;
+
+ads::DockWidgetArea dockArea(PanelArea area) {
+    switch (area) {
+    case PanelArea::Left:
+        return ads::LeftDockWidgetArea;
+    case PanelArea::Right:
+        return ads::RightDockWidgetArea;
+    case PanelArea::Bottom:
+        return ads::BottomDockWidgetArea;
+    case PanelArea::Centre:
+        break;
+    }
+    return ads::CenterDockWidgetArea;
+}
+
+void configureDocking() {
+    using Manager = ads::CDockManager;
+    Manager::setConfigFlags(Manager::DefaultOpaqueConfig);
+    Manager::setConfigFlag(Manager::AllTabsHaveCloseButton, false);
+    Manager::setConfigFlag(Manager::ActiveTabHasCloseButton, false);
+    Manager::setConfigFlag(Manager::DockAreaHasCloseButton, false);
+    Manager::setConfigFlag(Manager::FocusHighlighting, true);
+    Manager::setConfigFlag(Manager::XmlCompressionEnabled, false); // layouts that can be compared
+}
+
+bool isIn(const PanelSpec& spec, Perspective perspective) {
+    return std::find(spec.perspectives.begin(), spec.perspectives.end(), perspective) !=
+           spec.perspectives.end();
+}
+
+} // namespace
+
+DockLayout::DockLayout(Workbench& bench, QWidget* container) : QObject(container), m_specs(panelSpecs()) {
+    configureDocking();
+    m_manager = new ads::CDockManager(container);
+    widgets::clearOwnSheet(*m_manager);
+    for (const PanelSpec& spec : m_specs) {
+        addPanel(spec, bench);
+    }
+    arrange(m_perspective);
+}
+
+QWidget* DockLayout::widget() const {
+    return m_manager;
+}
+
+void DockLayout::addPanel(const PanelSpec& spec, Workbench& bench) {
+    auto* dock = new ads::CDockWidget(spec.title);
+    dock->setObjectName(spec.id);
+    dock->setWidget(spec.make(bench), ads::CDockWidget::ForceNoScrollArea);
+    dock->setMinimumSizeHintMode(ads::CDockWidget::MinimumSizeHintFromContent);
+    ads::CDockAreaWidget* neighbour = nullptr;
+    for (const PanelSpec& other : m_specs) {
+        const auto placed = m_docks.find(other.id);
+        if (other.area == spec.area && placed != m_docks.end()) {
+            neighbour = (*placed)->dockAreaWidget();
+        }
+    }
+    if (neighbour != nullptr) {
+        m_manager->addDockWidget(ads::CenterDockWidgetArea, dock, neighbour);
+    } else {
+        m_manager->addDockWidget(dockArea(spec.area), dock);
+    }
+    m_docks.insert(spec.id, dock);
+}
+
+void DockLayout::arrange(Perspective perspective) {
+    for (const PanelSpec& spec : m_specs) {
+        m_docks.value(spec.id)->toggleView(isIn(spec, perspective));
+    }
+    for (const PanelSpec& spec : m_specs) {
+        if (isIn(spec, perspective) && spec.perspectives.size() == 1) {
+            m_docks.value(spec.id)->setAsCurrentTab();
+        }
+    }
+}
+
+void DockLayout::setPerspective(Perspective perspective) {
+    if (perspective == m_perspective) {
+        return;
+    }
+    m_arrangements[perspectiveId(m_perspective)] = m_manager->saveState(ArrangementVersion);
+    m_perspective = perspective;
+    const QByteArray kept = m_arrangements.value(perspectiveId(perspective));
+    if (kept.isEmpty() || !m_manager->restoreState(kept, ArrangementVersion)) {
+        arrange(perspective);
+    }
+    perspectiveChanged();
+}
+
+void DockLayout::reset() {
+    m_arrangements.clear();
+    arrange(m_perspective);
+}
+
+QString DockLayout::helpPageOf(const QWidget* widget) const {
+    for (const PanelSpec& spec : m_specs) {
+        if (widget != nullptr && m_docks.value(spec.id)->isAncestorOf(widget)) {
+            return spec.helpPage;
+        }
+    }
+    return {};
+}
+
+QHash<QString, QByteArray> DockLayout::arrangements() {
+    m_arrangements[perspectiveId(m_perspective)] = m_manager->saveState(ArrangementVersion);
+    return m_arrangements;
+}
+
+void DockLayout::setArrangements(const QHash<QString, QByteArray>& arrangements) {
+    m_arrangements = arrangements;
+    const QByteArray kept = m_arrangements.value(perspectiveId(m_perspective));
+    if (!kept.isEmpty() && !m_manager->restoreState(kept, ArrangementVersion)) {
+        m_arrangements.remove(perspectiveId(m_perspective));
+        arrange(m_perspective);
+    }
+}
+
+} // namespace halbench::app

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "app/window/panels.h"
+
+#include <QByteArray>
+#include <QHash>
+#include <QObject>
+
+namespace ads {
+class CDockManager;
+class CDockWidget;
+} // namespace ads
+
+namespace halbench::app {
+
+/// The docked panels and their five arrangements. Each arrangement is kept as the user left it; `reset` gives
+/// the first one back. Thread: GUI.
+class DockLayout : public QObject {
+    Q_OBJECT
+
+public:
+    DockLayout(Workbench& bench, QWidget* container);
+
+    QWidget* widget() const;
+    Perspective perspective() const { return m_perspective; }
+    void setPerspective(Perspective perspective);
+    void reset();
+
+    /// Name of the panel that holds the widget; empty when none does.
+    QString helpPageOf(const QWidget* widget) const;
+    const QHash<QString, ads::CDockWidget*>& docks() const { return m_docks; }
+
+    /// Arrangements by perspectiveId(). What does not fit the panels of this version is left as it is.
+    QHash<QString, QByteArray> arrangements();
+    void setArrangements(const QHash<QString, QByteArray>& arrangements);
+
+Q_SIGNALS:
+    void perspectiveChanged();
+
+private:
+    void addPanel(const PanelSpec& spec, Workbench& bench);
+    void arrange(Perspective perspective);
+
+    std::vector<PanelSpec> m_specs;
+    ads::CDockManager* m_manager = nullptr;
+    QHash<QString, ads::CDockWidget*> m_docks;
+    QHash<QString, QByteArray> m_arrangements;
+    Perspective m_perspective = Perspective::Monitor;
+};
+
+} // namespace halbench::app

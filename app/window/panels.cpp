@@ -1,0 +1,57 @@
+#include "app/window/panels.h"
+
+#include "app/workspaces/device_panel.h"
+#include "app/workspaces/log_panel.h"
+
+#include <QCoreApplication>
+
+namespace halbench::app {
+
+namespace {
+
+QString words(const char* text) {
+    return QCoreApplication::translate("Panels", text);
+}
+
+template <typename Panel>
+QWidget* make(Workbench& bench) {
+    return new Panel(bench);
+}
+
+std::vector<Perspective> everywhere() {
+    return {std::begin(AllPerspectives), std::end(AllPerspectives)};
+}
+
+} // namespace
+
+QString perspectiveTitle(Perspective perspective) {
+    switch (perspective) {
+    case Perspective::Monitor:
+        return words(QT_TRANSLATE_NOOP("Panels", "Monitor"));
+    case Perspective::Identify:
+        return words(QT_TRANSLATE_NOOP("Panels", "Identify"));
+    case Perspective::Tune:
+        return words(QT_TRANSLATE_NOOP("Panels", "Tune"));
+    case Perspective::Record:
+        return words(QT_TRANSLATE_NOOP("Panels", "Record"));
+    case Perspective::Field:
+        break;
+    }
+    return words(QT_TRANSLATE_NOOP("Panels", "Field && Pose"));
+}
+
+QString perspectiveId(Perspective perspective) {
+    constexpr const char* Ids[] = {"monitor", "identify", "tune", "record", "field"};
+    return Ids[static_cast<std::size_t>(perspective)];
+}
+
+std::vector<PanelSpec> panelSpecs() {
+    return {
+        {"devices", words(QT_TRANSLATE_NOOP("Panels", "Devices")), PanelArea::Left, everywhere(),
+         "command-line.md", make<DevicePanel>},
+        {"log", words(QT_TRANSLATE_NOOP("Panels", "Log")), PanelArea::Bottom, everywhere(), "index.md",
+         make<LogPanel>},
+    };
+}
+
+} // namespace halbench::app

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "app/workspaces/workbench.h"
+
+#include <QString>
+#include <QWidget>
+
+#include <functional>
+#include <vector>
+
+namespace halbench::app {
+
+/// The five tasks that the window arranges its panels for.
+enum class Perspective { Monitor, Identify, Tune, Record, Field };
+
+inline constexpr Perspective AllPerspectives[] = {Perspective::Monitor, Perspective::Identify,
+                                                  Perspective::Tune, Perspective::Record, Perspective::Field};
+
+/// As the user reads it.
+QString perspectiveTitle(Perspective perspective);
+/// As files and preferences name it; stable.
+QString perspectiveId(Perspective perspective);
+
+enum class PanelArea { Left, Centre, Right, Bottom };
+
+/// One panel of the window: who makes it, where it goes, in which perspectives it is open.
+struct PanelSpec {
+    QString id; ///< stable, in layout files
+    QString title;
+    PanelArea area = PanelArea::Centre;
+    std::vector<Perspective> perspectives;
+    QString helpPage; ///< file of resources/help
+    std::function<QWidget*(Workbench&)> make;
+};
+
+/// Every panel there is, in the order in which they are docked.
+std::vector<PanelSpec> panelSpecs();
+
+} // namespace halbench::app

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+
+namespace halbench::app {
+
+enum class ThemeChoice { System, Light, Dark };
+
+/// What the window remembers between two starts. Kept in the user's configuration folder, never in a project.
+struct Preferences {
+    ThemeChoice theme = ThemeChoice::System;
+    QString language;          ///< "en", "de", "zh_CN"; empty: the system's
+    int stopLockOut_ms = 1000; ///< after a stop, how long re-arming is refused
+    QString lastDevice;        ///< URI
+    QString lastProject;
+    QByteArray geometry;
+    QString perspective;
+};
+
+/// What is damaged or missing keeps its default.
+Preferences loadPreferences();
+void savePreferences(const Preferences& preferences);
+
+/// "light" or "dark": the choice, or what the system's palette looks like.
+QString themeName(ThemeChoice choice);
+
+} // namespace halbench::app

@@ -1,0 +1,99 @@
+#include "app/window/top_bar.h"
+
+#include "widgets/status_strip.h"
+#include "widgets/stop_button.h"
+#include "widgets/theme_style.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QToolButton>
+
+namespace halbench::app {
+
+TopBar::TopBar(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(bench) {
+    m_strip = new widgets::StatusStrip(this);
+    m_stop = new widgets::StopButton(widgets::StopButton::Variant::Full, this);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(widgets::PanelMargin_px, widgets::GridStep_px, widgets::PanelMargin_px,
+                            widgets::GridStep_px);
+    row->setSpacing(widgets::GroupSpacing_px);
+    row->addWidget(m_strip, 1);
+    buildPerspectives();
+    row->addWidget(m_stop);
+
+    DeviceSession& session = m_bench.session();
+    connect(m_stop, &widgets::StopButton::stopRequested, &session, &DeviceSession::stopActuator);
+    connect(m_stop, &widgets::StopButton::rearmRequested, this, &TopBar::rearm);
+    connect(&session, &DeviceSession::stateChanged, this, &TopBar::refresh);
+    connect(&session, &DeviceSession::reportChanged, this, &TopBar::refresh);
+    connect(&session, &DeviceSession::procedureChanged, this, &TopBar::refresh);
+    refresh();
+}
+
+void TopBar::buildPerspectives() {
+    auto* group = new QButtonGroup(this);
+    int number = 0;
+    for (const Perspective perspective : AllPerspectives) {
+        auto* button = new QToolButton(this);
+        button->setText(perspectiveTitle(perspective));
+        button->setCheckable(true);
+        button->setShortcut(QKeySequence(QString("Ctrl+%1").arg(++number)));
+        button->setToolTip(tr("Arrange the panels for %1 (%2)")
+                               .arg(perspectiveTitle(perspective).replace("&&", "&"),
+                                    button->shortcut().toString(QKeySequence::NativeText)));
+        button->setAccessibleName(tr("Perspective %1").arg(perspectiveTitle(perspective).replace("&&", "&")));
+        group->addButton(button);
+        m_perspectives.insert(static_cast<int>(perspective), button);
+        layout()->addWidget(button);
+        connect(button, &QToolButton::clicked, this, [this, perspective] { perspectiveChosen(perspective); });
+    }
+    setPerspective(Perspective::Monitor);
+}
+
+void TopBar::setPerspective(Perspective perspective) {
+    m_perspectives.value(static_cast<int>(perspective))->setChecked(true);
+}
+
+void TopBar::setStopLockOut_ms(int lockOut_ms) {
+    m_stop->setLockOut_ms(lockOut_ms);
+}
+
+/// The purposeful act that releases a latched stop or fault; it arms nothing.
+void TopBar::rearm() {
+    DeviceSession& session = m_bench.session();
+    session.request([](devices::Device& device) { return device.clearStop(); },
+                    [&session](Result<void> cleared) {
+                        if (!cleared) {
+                            session.message(MessageLevel::Error, tr("stop"),
+                                            QString::fromStdString(cleared.error().message));
+                        }
+                    });
+}
+
+void TopBar::refresh() {
+    const DeviceSession& session = m_bench.session();
+    const devices::DeviceState& board = session.report().board;
+    const QString fault = QString::fromStdString(board.faultText);
+    const bool isConnected = session.state() == SessionState::Connected;
+    m_stop->setLatched(isConnected && (board.isStopLatched || board.fault != 0), fault);
+    if (isConnected) {
+        m_strip->setDevice(QString::fromStdString(session.info().uri), session.info().isSimulated);
+    } else {
+        m_strip->clearDevice();
+    }
+    if (session.state() == SessionState::Lost) {
+        m_strip->setState(widgets::WorkState::Fault, tr("connection lost"));
+    } else if (!isConnected) {
+        m_strip->setState(widgets::WorkState::Disconnected);
+    } else if (board.fault != 0) {
+        m_strip->setState(widgets::WorkState::Fault, fault);
+    } else if (board.isStopLatched) {
+        m_strip->setState(widgets::WorkState::Stopped, fault);
+    } else if (!session.procedure().isEmpty()) {
+        m_strip->setState(widgets::WorkState::Running, session.procedure());
+    } else {
+        m_strip->setState(board.isArmed ? widgets::WorkState::Armed : widgets::WorkState::Connected);
+    }
+}
+
+} // namespace halbench::app

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "app/window/panels.h"
+
+#include <QHash>
+#include <QWidget>
+
+class QAbstractButton;
+
+namespace halbench::widgets {
+class StatusStrip;
+class StopButton;
+} // namespace halbench::widgets
+
+namespace halbench::app {
+
+/// The strip on top of every perspective: state, perspectives, STOP.
+class TopBar : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit TopBar(Workbench& bench, QWidget* parent = nullptr);
+
+    void setPerspective(Perspective perspective);
+    void setStopLockOut_ms(int lockOut_ms);
+
+Q_SIGNALS:
+    void perspectiveChosen(halbench::app::Perspective perspective);
+
+private:
+    void buildPerspectives();
+    void refresh();
+    void rearm();
+
+    Workbench& m_bench;
+    widgets::StatusStrip* m_strip = nullptr;
+    widgets::StopButton* m_stop = nullptr;
+    QHash<int, QAbstractButton*> m_perspectives;
+};
+
+} // namespace halbench::app

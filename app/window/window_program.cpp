@@ -1,0 +1,92 @@
+#include "app/window/window_program.h"
+
+#include "app/window/main_window.h"
+#include "widgets/theme_style.h"
+
+#include <QApplication>
+
+#include <clocale>
+#include <cstdio>
+#include <optional>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr int UsageExit = 2;
+
+struct WindowCall {
+    std::optional<QString> device;
+    std::optional<QString> project;
+};
+
+std::optional<WindowCall> parse(const std::vector<std::string>& arguments) {
+    WindowCall call;
+    for (std::size_t i = 0; i < arguments.size(); i += 2) {
+        const bool hasValue = i + 1 < arguments.size() && !arguments[i + 1].empty();
+        if (arguments[i] == "--connect" && hasValue) {
+            call.device = QString::fromStdString(arguments[i + 1]);
+        } else if (arguments[i] == "--project" && hasValue) {
+            call.project = QString::fromStdString(arguments[i + 1]);
+        } else {
+            return std::nullopt;
+        }
+    }
+    return call;
+}
+
+int refuse(const char* text) {
+    std::fprintf(stderr, "halbench: %s\n", text);
+    return UsageExit;
+}
+
+bool hasDisplay() {
+    return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
+           !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
+}
+
+void dress(QApplication& application, const Preferences& preferences) {
+    const Result<widgets::Theme> theme = widgets::loadTheme(themeName(preferences.theme).toStdString());
+    if (theme) {
+        widgets::applyTheme(application, *theme, {QLocale(), widgets::Dress().fontSize_pt});
+    }
+}
+
+} // namespace
+
+bool isWindowCall(const std::vector<std::string>& arguments) {
+    return arguments.empty() || arguments.front() == "--connect" || arguments.front() == "--project";
+}
+
+int runWindow(const std::vector<std::string>& arguments) {
+    const std::optional<WindowCall> call = parse(arguments);
+    if (!call) {
+        return refuse(
+            "the window takes --project FILE and --connect DEVICE; commands: see 'halbench --help'");
+    }
+    if (!hasDisplay()) {
+        return refuse(
+            "there is no display to open the window on; run it on a desktop, or see 'halbench --help' "
+            "for what works without one");
+    }
+    qputenv("QT_XCB_GL_INTEGRATION", "none"); // raster only: quicker to start, smaller
+    QCoreApplication::setOrganizationName("Halbench");
+    QCoreApplication::setApplicationName("halbench");
+    QCoreApplication::setApplicationVersion(HALBENCH_VERSION);
+    QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+    int count = 1;
+    char name[] = "halbench";
+    char* words[] = {name, nullptr};
+    QApplication application(count, words);
+    std::setlocale(LC_NUMERIC, "C"); // files; the screen asks QLocale
+    const Preferences preferences = loadPreferences();
+    dress(application, preferences);
+    MainWindow window(preferences);
+    window.show();
+    if (call->device) {
+        window.connectDevice(*call->device);
+    }
+    return QApplication::exec();
+}
+
+} // namespace halbench::app

@@ -1,0 +1,156 @@
+#include "app/workspaces/device_panel.h"
+
+#include "devices/open_device.h"
+#include "widgets/icons.h"
+#include "widgets/message_bar.h"
+#include "widgets/theme_style.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace halbench::app {
+
+namespace {
+
+/// Device seconds per wall second; 0 is virtual time.
+constexpr double Speeds_ratio[] = {1.0, 5.0, 20.0, 100.0, 0.0};
+
+QString words(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+} // namespace
+
+DevicePanel::DevicePanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(bench) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(widgets::PanelMargin_px, widgets::PanelMargin_px, widgets::PanelMargin_px,
+                               widgets::PanelMargin_px);
+    column->setSpacing(widgets::PanelMargin_px);
+    buildChooser();
+    buildIdentity();
+    column->addStretch(1);
+    setFocusProxy(m_list);
+    refreshList();
+    refresh();
+    DeviceSession& session = m_bench.session();
+    connect(&session, &DeviceSession::stateChanged, this, &DevicePanel::refresh);
+    connect(&session, &DeviceSession::connectFailed, this, &DevicePanel::onFailed);
+    connect(&session, &DeviceSession::procedureChanged, this, &DevicePanel::refresh);
+}
+
+void DevicePanel::buildChooser() {
+    m_list = new QListWidget(this);
+    m_list->setAccessibleName(tr("Devices that can be connected"));
+    m_list->setToolTip(tr("Enter or double click connects"));
+    m_list->setMaximumHeight(fontMetrics().height() * 5);
+    m_address = new QLineEdit(this);
+    m_address->setAccessibleName(tr("Device address"));
+    m_address->setToolTip(tr("For example sim:htm?seed=7 or tcp:HOST:PORT"));
+    m_address->setPlaceholderText(tr("sim:htm or tcp:HOST:PORT"));
+    m_connect = new QPushButton(this);
+    m_connect->setIcon(widgets::themedIcon("connect"));
+    m_speedLabel = new QLabel(tr("Simulated &time"), this);
+    m_speed = new QComboBox(this);
+    m_speed->setAccessibleName(tr("Speed of simulated time"));
+    m_speed->setToolTip(tr("How fast the simulated motor lives; a real device has its own time"));
+    m_speed->addItems(
+        {tr("real time"), tr("5 times"), tr("20 times"), tr("100 times"), tr("as fast as possible")});
+    m_speedLabel->setBuddy(m_speed);
+    m_message = new widgets::MessageBar(this);
+
+    auto* column = static_cast<QVBoxLayout*>(layout());
+    column->addWidget(m_list);
+    column->addWidget(m_address);
+    column->addWidget(m_connect);
+    column->addWidget(m_message);
+    auto* speed = new QHBoxLayout;
+    speed->addWidget(m_speedLabel);
+    speed->addWidget(m_speed, 1);
+    column->addLayout(speed);
+
+    connect(m_list, &QListWidget::currentTextChanged, m_address, &QLineEdit::setText);
+    connect(m_list, &QListWidget::itemActivated, this, [this] { connectAddress(); });
+    connect(m_address, &QLineEdit::returnPressed, this, &DevicePanel::connectAddress);
+    connect(m_connect, &QPushButton::clicked, this, [this] {
+        if (m_bench.session().state() == SessionState::Disconnected) {
+            connectAddress();
+        } else {
+            m_bench.session().disconnectDevice();
+        }
+    });
+    connect(m_speed, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+            [this] { m_bench.session().setPace(chosenPace()); });
+}
+
+void DevicePanel::buildIdentity() {
+    m_identity = new QLabel(this);
+    m_identity->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_identity->setWordWrap(true);
+    m_identity->setFocusPolicy(Qt::ClickFocus);
+    m_identity->setAccessibleName(tr("Identity of the device"));
+    m_identity->setToolTip(tr("Model, identity and firmware as the device says"));
+    layout()->addWidget(m_identity);
+}
+
+void DevicePanel::refreshList() {
+    m_list->clear();
+    for (const devices::DeviceListing& listing : devices::listDevices()) {
+        auto* item = new QListWidgetItem(words(listing.uri), m_list);
+        item->setToolTip(listing.isAvailable ? words(listing.id)
+                                             : words(listing.reason + ". " + listing.hint));
+    }
+    m_list->setCurrentRow(0);
+}
+
+Pace DevicePanel::chosenPace() const {
+    return {Speeds_ratio[static_cast<std::size_t>(m_speed->currentIndex())]};
+}
+
+void DevicePanel::setAddress(const QString& uri) {
+    m_address->setText(uri);
+}
+
+QString DevicePanel::address() const {
+    return m_address->text().trimmed();
+}
+
+void DevicePanel::connectAddress() {
+    m_message->clear();
+    if (address().isEmpty()) {
+        onFailed(tr("No device is named."), tr("Choose one from the list or write its address."));
+        return;
+    }
+    m_bench.session().connectDevice(address(), chosenPace());
+}
+
+void DevicePanel::onFailed(const QString& text, const QString& hint) {
+    m_message->showMessage({widgets::Severity::Error, text, hint, {}});
+}
+
+void DevicePanel::refresh() {
+    const DeviceSession& session = m_bench.session();
+    const bool isFree = session.state() == SessionState::Disconnected;
+    m_list->setEnabled(isFree);
+    m_address->setEnabled(isFree);
+    m_connect->setText(isFree ? tr("&Connect") : tr("Dis&connect"));
+    m_connect->setIcon(widgets::themedIcon(isFree ? "connect" : "disconnect"));
+    m_connect->setToolTip(isFree ? tr("Connect the device (Alt+C)")
+                                 : tr("End what runs, disarm and disconnect (Alt+C)"));
+    const bool isSimulated = session.info().isSimulated || isFree;
+    m_speed->setEnabled(isSimulated && session.procedure().isEmpty());
+    m_speedLabel->setEnabled(m_speed->isEnabled());
+    if (session.state() == SessionState::Lost && session.report().lost) {
+        onFailed(words(session.report().lost->message), words(session.report().lost->hint));
+    }
+    m_identity->setText(
+        session.state() == SessionState::Connected
+            ? tr("%1\nFirmware %2").arg(words(session.info().id), words(session.info().firmware))
+            : QString());
+}
+
+} // namespace halbench::app

@@ -1,0 +1,124 @@
+#include "app/procedures/move_procedure.h"
+#include "app/window/dock_layout.h"
+#include "app/window/help_window.h"
+#include "app/window/main_window.h"
+#include "app/workspaces/device_panel.h"
+#include "tests/app/window/window_test.h"
+#include "widgets/stop_button.h"
+
+#include <QDialog>
+#include <QListWidget>
+#include <QTextBrowser>
+#include <qtadvanceddocking/DockWidget.h>
+
+namespace halbench::app {
+namespace {
+
+class MainWindowTest : public WindowTest {
+protected:
+    void startMove() {
+        session().runProcedure(
+            "move",
+            [](devices::Device& device, const ProcedureObserver& observer) {
+                MoveConfig config;
+                config.reference = *parseMoveReference("sine,amplitude_deg=100,period_s=2");
+                config.duration_s = 30.0;
+                return runMove(device, config, observer);
+            },
+            [this](Result<MoveResult> result) { moved = std::move(result); });
+        ASSERT_TRUE(wait([&] { return session().report().board.isArmed; }));
+    }
+
+    std::optional<Result<MoveResult>> moved;
+};
+
+TEST_F(MainWindowTest, enterInTheDeviceListConnectsTheSimulatedMotor) {
+    open();
+    auto* list = window->findChild<DevicePanel*>()->findChild<QListWidget*>();
+    QTest::keyClick(list, Qt::Key_Return);
+    ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
+    EXPECT_TRUE(session().info().isSimulated);
+}
+
+TEST_F(MainWindowTest, escapeStopsWhateverHasTheFocus) {
+    open();
+    connectMotor(1.0);
+    startMove();
+    QTest::keyClick(window->findChild<DevicePanel*>(), Qt::Key_Escape);
+    ASSERT_TRUE(wait([&] { return moved.has_value(); }));
+    EXPECT_FALSE(*moved);
+    EXPECT_TRUE(wait([&] { return session().report().board.isStopLatched; }));
+}
+
+TEST_F(MainWindowTest, escapeInAModalDialogClosesItAndStops) {
+    open();
+    connectMotor(1.0);
+    startMove();
+    QDialog dialog(window.get());
+    dialog.setModal(true);
+    dialog.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+    QTest::keyClick(&dialog, Qt::Key_Escape);
+    EXPECT_FALSE(dialog.isVisible());
+    EXPECT_TRUE(wait([&] { return session().report().board.isStopLatched; }));
+}
+
+TEST_F(MainWindowTest, theStopButtonIsThereInEveryPerspectiveAtTheSamePlace) {
+    open();
+    auto* stop = window->findChild<widgets::StopButton*>();
+    const QPoint place = stop->mapTo(window.get(), QPoint());
+    for (const Perspective perspective : AllPerspectives) {
+        window->docks().setPerspective(perspective);
+        QTest::qWait(0);
+        EXPECT_TRUE(stop->isVisible());
+        EXPECT_EQ(stop->mapTo(window.get(), QPoint()), place) << perspectiveId(perspective).toStdString();
+    }
+}
+
+TEST_F(MainWindowTest, aLatchedStopIsReleasedOnlyOnPurpose) {
+    Preferences preferences;
+    preferences.stopLockOut_ms = 0;
+    open(preferences);
+    connectMotor(1.0);
+    auto* stop = window->findChild<widgets::StopButton*>();
+    QTest::mouseClick(stop, Qt::LeftButton);
+    ASSERT_TRUE(wait([&] { return stop->isLatched(); }));
+    EXPECT_FALSE(session().report().board.isArmed);
+    ASSERT_TRUE(wait([&] { return stop->text().contains("re-arm"); })); // the lock-out has passed
+    QTest::mouseClick(stop, Qt::LeftButton);
+    ASSERT_TRUE(wait([&] { return !stop->isLatched(); }));
+    EXPECT_FALSE(session().report().board.isArmed); // released, not armed
+}
+
+TEST_F(MainWindowTest, anArrangementIsKeptPerPerspective) {
+    open();
+    window->docks().docks().value("log")->toggleView(false);
+    window->docks().setPerspective(Perspective::Tune);
+    EXPECT_FALSE(window->docks().docks().value("log")->isClosed());
+    window->docks().setPerspective(Perspective::Monitor);
+    EXPECT_TRUE(window->docks().docks().value("log")->isClosed());
+    window->docks().reset();
+    EXPECT_FALSE(window->docks().docks().value("log")->isClosed());
+}
+
+TEST_F(MainWindowTest, aDamagedArrangementIsLeftOutAndThePanelsStay) {
+    open();
+    window->docks().setArrangements({{"monitor", "not a layout"}});
+    EXPECT_FALSE(window->docks().docks().value("devices")->isClosed());
+}
+
+TEST_F(MainWindowTest, helpOpensThePageOfThePanelThatHasTheFocus) {
+    open();
+    EXPECT_EQ(window->docks().helpPageOf(window->findChild<DevicePanel*>()), "command-line.md");
+    const HelpWindow help("command-line.md");
+    EXPECT_TRUE(help.findChild<QTextBrowser*>()->toPlainText().contains("halbench"));
+}
+
+TEST_F(MainWindowTest, everyPanelNamesAHelpPageThatExists) {
+    for (const PanelSpec& spec : panelSpecs()) {
+        EXPECT_FALSE(helpText(spec.helpPage).isEmpty()) << spec.id.toStdString();
+    }
+}
+
+} // namespace
+} // namespace halbench::app

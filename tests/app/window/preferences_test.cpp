@@ -1,0 +1,50 @@
+#include "app/window/preferences.h"
+#include "app/window/stop_guard.h"
+#include "app/window/window_program.h"
+#include "tests/app/window/window_test.h"
+
+#include <QSettings>
+
+namespace halbench::app {
+namespace {
+
+class PreferencesTest : public WindowTest {};
+
+TEST_F(PreferencesTest, comeBackAsTheyWereSaved) {
+    Preferences saved;
+    saved.theme = ThemeChoice::Dark;
+    saved.language = "de";
+    saved.stopLockOut_ms = 5000;
+    saved.perspective = "tune";
+    savePreferences(saved);
+    const Preferences loaded = loadPreferences();
+    EXPECT_EQ(loaded.theme, ThemeChoice::Dark);
+    EXPECT_EQ(loaded.language, "de");
+    EXPECT_EQ(loaded.stopLockOut_ms, 5000);
+    EXPECT_EQ(loaded.perspective, "tune");
+}
+
+TEST_F(PreferencesTest, damagedOnesKeepTheirDefault) {
+    QSettings().setValue("stop_lock_out_ms", "soon");
+    QSettings().setValue("theme", 17);
+    EXPECT_EQ(loadPreferences().stopLockOut_ms, Preferences().stopLockOut_ms);
+    EXPECT_EQ(loadPreferences().theme, ThemeChoice::System);
+    QSettings().setValue("stop_lock_out_ms", -5);
+    EXPECT_EQ(loadPreferences().stopLockOut_ms, 0); // a lock-out has no negative length
+}
+
+TEST(WindowProgram, opensWithoutArgumentsOrWithItsOwn) {
+    EXPECT_TRUE(isWindowCall({}));
+    EXPECT_TRUE(isWindowCall({"--connect", "sim:htm"}));
+    EXPECT_TRUE(isWindowCall({"--project", "motor.toml"}));
+    EXPECT_FALSE(isWindowCall({"devices"}));
+    EXPECT_FALSE(isWindowCall({"--version"}));
+}
+
+TEST(WindowProgram, refusesAnOptionWithoutItsValue) {
+    EXPECT_EQ(runWindow({"--connect"}), 2);
+    EXPECT_EQ(runWindow({"--connect", "sim:htm", "--colour", "red"}), 2);
+}
+
+} // namespace
+} // namespace halbench::app

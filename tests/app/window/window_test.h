@@ -1,0 +1,53 @@
+#pragma once
+
+#include "app/window/main_window.h"
+#include "widgets/theme_style.h"
+
+#include <QApplication>
+#include <QStandardPaths>
+#include <QtTest/QTest>
+
+#include <gtest/gtest.h>
+
+namespace halbench::app {
+
+/// The real window on Qt's offscreen platform, with preferences of its own.
+class WindowTest : public testing::Test {
+protected:
+    static constexpr int Patience_ms = 20000;
+
+    struct Platform {
+        Platform() {
+            qputenv("QT_QPA_PLATFORM", "offscreen");
+            QStandardPaths::setTestModeEnabled(true);
+        }
+    };
+
+    void open(const Preferences& preferences = {}) {
+        window = std::make_unique<MainWindow>(preferences);
+        window->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+    }
+
+    void connectMotor(double speed_ratio) {
+        window->connectDevice("sim:htm");
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !window->bench().deviceValues().empty(); }, Patience_ms));
+        window->bench().session().setPace({speed_ratio});
+    }
+
+    DeviceSession& session() { return window->bench().session(); }
+
+    template <typename Condition>
+    static bool wait(Condition condition) {
+        return QTest::qWaitFor(condition, Patience_ms);
+    }
+
+    Platform platform;
+    int argumentCount = 1;
+    char name[5] = "test";
+    char* arguments[2] = {name, nullptr};
+    QApplication application{argumentCount, arguments};
+    std::unique_ptr<MainWindow> window;
+};
+
+} // namespace halbench::app

@@ -1,0 +1,74 @@
+#include "app/workspaces/workbench.h"
+
+#include <QCoreApplication>
+#include <QtTest/QTest>
+
+#include <gtest/gtest.h>
+
+namespace halbench::app {
+namespace {
+
+constexpr int Patience_ms = 20000;
+
+class WorkbenchTest : public testing::Test {
+protected:
+    void connectMotor(double speed_ratio) {
+        bench.session().connectDevice("sim:htm", {speed_ratio});
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !bench.deviceValues().empty(); }, Patience_ms));
+    }
+
+    int m_argumentCount = 1;
+    char m_name[5] = "test";
+    char* m_arguments[2] = {m_name, nullptr};
+    QCoreApplication application{m_argumentCount, m_arguments};
+    Workbench bench;
+};
+
+TEST_F(WorkbenchTest, knowsEveryValueOnceConnected) {
+    connectMotor(0.0);
+    EXPECT_EQ(bench.deviceValues().size(), bench.session().catalogue().parameters.size());
+    EXPECT_EQ(bench.deviceValue("gain.kp"), 10.0); // the published preset, htm-theory.md section 8.1
+    EXPECT_FALSE(bench.deviceValue("gain.colour"));
+}
+
+TEST_F(WorkbenchTest, aWriteShowsWhatTheDeviceReadsBack) {
+    connectMotor(0.0);
+    std::optional<Result<void>> written;
+    bench.writeValues({{"gain.kp", 12.5}}, [&](Result<void> result) { written = result; });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return written.has_value(); }, Patience_ms));
+    ASSERT_TRUE(*written) << written->error().message;
+    EXPECT_EQ(bench.deviceValue("gain.kp"), 12.5);
+}
+
+TEST_F(WorkbenchTest, aRefusedWriteChangesNothing) {
+    connectMotor(0.0);
+    std::optional<Result<void>> written;
+    bench.writeValues({{"gain.ki", 1.0}, {"gain.kp", -1e9}}, [&](Result<void> result) { written = result; });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return written.has_value(); }, Patience_ms));
+    ASSERT_FALSE(*written);
+    EXPECT_EQ(written->error().code, ErrorCode::OutOfRange);
+    EXPECT_EQ(bench.deviceValue("gain.kp"), 10.0);
+    EXPECT_EQ(bench.deviceValue("gain.ki"), 0.1);
+}
+
+TEST_F(WorkbenchTest, samplesOfTheLiveStreamReachTheHistory) {
+    connectMotor(20.0);
+    bench.session().setLiveStream({"position", "hall.a"}, 100.0);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+            bench.drainSamples();
+            return bench.history().range("hall.a").value_or(control::TimeRange{}).length_s() > 1.0;
+        },
+        Patience_ms));
+    EXPECT_EQ(bench.history().unit("hall.a"), "T");
+    EXPECT_EQ(bench.history().lostRows(), 0U);
+}
+
+TEST_F(WorkbenchTest, valuesAreGoneWithTheDevice) {
+    connectMotor(0.0);
+    bench.session().disconnectDevice();
+    EXPECT_TRUE(bench.deviceValues().empty());
+}
+
+} // namespace
+} // namespace halbench::app
