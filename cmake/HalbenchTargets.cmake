@@ -51,8 +51,13 @@ function(halbench_test name)
   add_executable(test_${name} ${sources})
   target_link_libraries(test_${name} PRIVATE halbench_options halbench_expected ${ARG_DEPENDS}
     GTest::gmock GTest::gtest_main)
-  target_compile_definitions(test_${name} PRIVATE HALBENCH_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
-    HALBENCH_PROGRAM="${CMAKE_BINARY_DIR}/halbench")
+  # Only where it is used: a path in every command line would keep clones from sharing compiled objects.
+  foreach(source ${sources})
+    file(STRINGS ${source} uses REGEX HALBENCH_SOURCE_DIR LIMIT_COUNT 1)
+    if(uses)
+      set_property(SOURCE ${source} APPEND PROPERTY COMPILE_DEFINITIONS HALBENCH_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+    endif()
+  endforeach()
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
