@@ -1,5 +1,6 @@
 #include "widgets/parameter_table.h"
 
+#include "widgets/action_button.h"
 #include "widgets/icons.h"
 #include "widgets/message_bar.h"
 #include "widgets/parameter_delegate.h"
@@ -14,9 +15,11 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QToolButton>
+#include <QTimer>
 #include <QTreeView>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace halbench::widgets {
 namespace {
@@ -29,19 +32,11 @@ void setWords(QAction& action, const QString& text, const QString& purpose) {
     action.setToolTip(key.isEmpty() ? purpose : QStringLiteral("%1 (%2)").arg(purpose, key));
 }
 
-QToolButton* buttonFor(QAction* action, Qt::ToolButtonStyle style, QWidget* parent) {
-    auto* button = new QToolButton(parent);
-    button->setDefaultAction(action);
-    button->setToolButtonStyle(style);
-    button->setFocusPolicy(Qt::StrongFocus);
-    return button;
-}
-
 } // namespace
 
 ParameterTable::ParameterTable(QWidget* parent)
     : QWidget(parent), m_model(new ParameterTableModel(this)), m_filter(new ParameterFilterModel(this)),
-      m_search(new QLineEdit(this)), m_changedOnly(new QToolButton(this)), m_angleUnit(new QComboBox(this)),
+      m_search(new QLineEdit(this)), m_changedOnly(new QPushButton(this)), m_angleUnit(new QComboBox(this)),
       m_view(new QTreeView(this)), m_messages(new MessageBar(this)), m_help(new QLabel(this)),
       m_writeButton(new QPushButton(this)) {
     m_filter->setSourceModel(m_model);
@@ -108,8 +103,7 @@ void ParameterTable::createView() {
     m_search->setClearButtonEnabled(true);
     m_changedOnly->setCheckable(true);
     m_changedOnly->setIcon(themedIcon(QStringLiteral("filter")));
-    m_changedOnly->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_changedOnly->setFocusPolicy(Qt::StrongFocus);
+    m_changedOnly->setAutoDefault(false);
     m_help->setWordWrap(true);
     m_help->setTextFormat(Qt::PlainText);
     m_help->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -128,11 +122,11 @@ void ParameterTable::layOut() {
     auto* bottom = new QHBoxLayout;
     bottom->addWidget(m_writeButton);
     for (QAction* action : {m_read, m_revert, m_defaults}) {
-        bottom->addWidget(buttonFor(action, Qt::ToolButtonTextBesideIcon, this));
+        bottom->addWidget(new ActionButton(*action, ActionButton::Shape::IconAndText, this));
     }
     bottom->addStretch(1);
-    bottom->addWidget(buttonFor(m_undo, Qt::ToolButtonIconOnly, this));
-    bottom->addWidget(buttonFor(m_redo, Qt::ToolButtonIconOnly, this));
+    bottom->addWidget(new ActionButton(*m_undo, ActionButton::Shape::IconOnly, this));
+    bottom->addWidget(new ActionButton(*m_redo, ActionButton::Shape::IconOnly, this));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(PanelMargin_px, PanelMargin_px, PanelMargin_px, PanelMargin_px);
     column->setSpacing(PanelMargin_px);
@@ -145,12 +139,17 @@ void ParameterTable::layOut() {
 
 void ParameterTable::connectModel() {
     connect(m_search, &QLineEdit::textChanged, this, &ParameterTable::setSearch);
-    connect(m_changedOnly, &QToolButton::toggled, this, [this](bool isOn) {
+    connect(m_changedOnly, &QPushButton::toggled, this, [this](bool isOn) {
         m_filter->setChangedOnly(isOn);
         m_view->expandAll();
     });
     connect(m_angleUnit, QOverload<int>::of(&QComboBox::activated), this, &ParameterTable::onAngleUnitChosen);
     connect(m_writeButton, &QPushButton::clicked, m_write, &QAction::trigger);
+    connect(m_model, &ParameterTableModel::dataChanged, this, [this] {
+        if (!std::exchange(m_hasFittedColumns, true)) { // the first values are here: later ones move nothing
+            QTimer::singleShot(0, this, &ParameterTable::fitColumns);
+        }
+    });
     connect(m_model, &ParameterTableModel::changedCountChanged, this, [this](int count) {
         m_messages->clear();
         refreshActions();
@@ -172,11 +171,16 @@ void ParameterTable::setSpecs(std::vector<ParameterSpec> specs) {
     for (int row = 0; row < m_filter->rowCount(); ++row) {
         m_view->setFirstColumnSpanned(row, {}, true);
     }
+    m_hasFittedColumns = false;
+    fitColumns();
+    showHelp();
+}
+
+void ParameterTable::fitColumns() {
     for (int column = 0; column < ParameterTableModel::Columns; ++column) {
         m_view->resizeColumnToContents(column);
         m_view->setColumnWidth(column, m_view->columnWidth(column) + PanelMargin_px);
     }
-    showHelp();
 }
 
 void ParameterTable::setOnline(bool isOnline) {

@@ -14,7 +14,6 @@ class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
-class QToolButton;
 class QTreeView;
 
 namespace halbench::widgets {
@@ -49,6 +48,7 @@ private:
     void createView();
     void write();
     void layOut();
+    void fitColumns();
     void connectModel();
     void onEditRefused(const QString& name, const QString& message, const QString& remedy,
                        std::optional<double> suggestion);
@@ -61,7 +61,7 @@ private:
     ParameterTableModel* m_model = nullptr;
     ParameterFilterModel* m_filter = nullptr;
     QLineEdit* m_search = nullptr;
-    QToolButton* m_changedOnly = nullptr;
+    QPushButton* m_changedOnly = nullptr;
     QComboBox* m_angleUnit = nullptr;
     QTreeView* m_view = nullptr;
     MessageBar* m_messages = nullptr;
@@ -77,6 +77,7 @@ private:
     std::string m_refusedName;
     std::optional<double> m_suggestion;
     bool m_isOnline = false;
+    bool m_hasFittedColumns = false;
 };
 
 } // namespace halbench::widgets

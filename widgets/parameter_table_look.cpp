@@ -81,7 +81,7 @@ QVariant ParameterTableModel::look(const Row& row, int column, int role) const {
                : column == DeviceColumn && !m_isStale ? QVariant(theme.text)
                                                       : QVariant(theme.muted);
     case Qt::DecorationRole:
-        if (column == NameColumn && row.edited) {
+        if (isEdited) {
             return themedIcon(QStringLiteral("write"), Role::Primary);
         }
         return isOutside ? QVariant(themedIcon(QStringLiteral("warning"), Role::Warn)) : QVariant();
@@ -151,8 +151,8 @@ QVariant ParameterTableModel::headerData(int section, Qt::Orientation orientatio
     if (role != Qt::DisplayRole && role != Qt::AccessibleTextRole) {
         return {};
     }
-    const QStringList words = {tr("Parameter"), tr("Device"),  tr("Edited"), tr("Default"),
-                               tr("Unit"),      tr("Minimum"), tr("Maximum")};
+    const QStringList words = {tr("Parameter"), tr("Device"),  tr("Edited"), tr("Unit"),
+                               tr("Default"),   tr("Minimum"), tr("Maximum")};
     return words.value(section);
 }
 

@@ -20,7 +20,7 @@ namespace halbench::widgets {
 class ParameterTableModel : public QAbstractItemModel {
     Q_OBJECT
 public:
-    enum Column { NameColumn, DeviceColumn, EditedColumn, DefaultColumn, UnitColumn, MinColumn, MaxColumn };
+    enum Column { NameColumn, DeviceColumn, EditedColumn, UnitColumn, DefaultColumn, MinColumn, MaxColumn };
     static constexpr int Columns = MaxColumn + 1;
     enum DataRole {
         NameRole = Qt::UserRole, ///< of the parameter; empty for a group

@@ -1,5 +1,7 @@
 #include "widgets/theme_proxy.h"
 
+#include "widgets/theme_style.h"
+
 #include <QPainter>
 #include <QPainterPath>
 #include <QStyleFactory>
@@ -54,7 +56,47 @@ void ThemeProxy::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
         painter->restore();
         return;
     }
+    if (element == PE_IndicatorCheckBox || element == PE_IndicatorItemViewItemCheck ||
+        element == PE_IndicatorRadioButton) {
+        painter->save();
+        drawIndicator(element, *option, *painter);
+        painter->restore();
+        return;
+    }
     QProxyStyle::drawPrimitive(element, option, painter, widget);
+}
+
+void ThemeProxy::drawIndicator(PrimitiveElement element, const QStyleOption& option,
+                               QPainter& painter) const {
+    const bool isEnabled = option.state.testFlag(State_Enabled);
+    const bool isOn = option.state.testFlag(State_On);
+    const bool isHalf = option.state.testFlag(State_NoChange);
+    const QColor filled = isEnabled ? m_theme.accent : m_theme.disabled;
+    const double side = qMin(option.rect.width(), option.rect.height()) - 1.0;
+    QRectF box(0.0, 0.0, side, side);
+    box.moveCenter(QRectF(option.rect).center());
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(isOn || isHalf ? filled : isEnabled ? m_theme.muted : m_theme.disabled, 1.0));
+    if (element == PE_IndicatorRadioButton) {
+        painter.setBrush(m_theme.panel);
+        painter.drawEllipse(box);
+        if (isOn) {
+            painter.setBrush(filled);
+            painter.drawEllipse(box.center(), side / 4.0, side / 4.0);
+        }
+        return;
+    }
+    painter.setBrush(isOn || isHalf ? filled : m_theme.panel);
+    painter.drawRoundedRect(box, 2.0, 2.0);
+    const auto at = [&box](double x, double y) {
+        return QPointF(box.x() + x * box.width(), box.y() + y * box.height());
+    };
+    painter.setPen(QPen(readableOn(m_theme, filled), 1.75, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    if (isOn) {
+        painter.drawPolyline(QPolygonF({at(0.24, 0.52), at(0.43, 0.71), at(0.77, 0.31)}));
+    } else if (isHalf) {
+        painter.drawLine(at(0.25, 0.5), at(0.75, 0.5));
+    }
 }
 
 void ThemeProxy::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
@@ -86,7 +128,7 @@ QSize ThemeProxy::sizeFromContents(ContentsType type, const QStyleOption* option
     QSize result = QProxyStyle::sizeFromContents(type, option, size, widget);
     if (type == CT_ComboBox || type == CT_SpinBox) {
         // The same height as buttons and line edits of the style sheet.
-        result.setHeight(qMax(result.height(), option->fontMetrics.height() + 13));
+        result.setHeight(qMax(result.height(), option->fontMetrics.height() + 11));
     }
     return result;
 }

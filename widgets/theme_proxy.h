@@ -23,6 +23,7 @@ public:
 
 private:
     void drawBox(const QRect& box, const QStyleOption& option, QPainter& painter) const;
+    void drawIndicator(PrimitiveElement element, const QStyleOption& option, QPainter& painter) const;
     void drawChevron(const QRect& box, bool isUp, bool isEnabled, QPainter& painter) const;
 
     Theme m_theme;

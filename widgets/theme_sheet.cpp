@@ -12,7 +12,7 @@ namespace {
 constexpr const char* Controls = R"(
 QToolTip { background: @raised@; color: @text@; border: 1px solid @line@; padding: 4px; }
 QPushButton, QToolButton { background: @raised@; color: @text@; border: 1px solid @line@; border-radius: 4px;
-    padding: 1px 9px; min-height: @inner@px; }
+    padding: 1px 9px; min-height: @inner@px; outline: none; }
 QToolButton { padding: 1px 5px; }
 QToolButton[autoRaise="true"] { background: transparent; border-color: transparent; }
 QPushButton:hover, QToolButton:hover { border-color: @muted@; background: @hover@; }
@@ -36,14 +36,15 @@ QPushButton[role="stop"]:pressed { background: @stoppressed@; }
 QPushButton[role="stop"]:focus { border: 2px solid @text@; }
 QPushButton[role="stop"][latched="true"] { background: @panel@; color: @bad@; border: 2px solid @bad@; }
 QPushButton[role="stop"][latched="true"]:focus { border: 2px solid @text@; }
-QLineEdit, QPlainTextEdit, QTextEdit, QTextBrowser { background: @panel@; color: @text@; border: 1px solid @line@;
+QLineEdit, QPlainTextEdit, QTextEdit, QTextBrowser { background: @panel@; border: 1px solid @line@;
     border-radius: 4px; padding: 1px 5px; selection-background-color: @accent@; selection-color: @onaccent@; }
 QLineEdit { min-height: @inner@px; }
 QLineEdit:hover { border-color: @muted@; }
 QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus, QTextBrowser:focus { border: 2px solid @accent@;
     padding: 0px 4px; }
-QLineEdit:disabled { background: @window@; color: @disabled@; }
+QLineEdit:disabled { background: @window@; }
 QLineEdit[role="bad"] { border: 2px solid @bad@; padding: 0px 4px; }
+QAbstractSpinBox { min-height: @control@px; }
 QAbstractSpinBox > QLineEdit, QComboBox > QLineEdit, QAbstractItemView QLineEdit { border: none; padding: 0px;
     min-height: 0px; background: @panel@; }
 QAbstractItemView QLineEdit { border: 2px solid @accent@; border-radius: 0px; padding: 0px 2px; }
@@ -53,7 +54,7 @@ constexpr const char* Surfaces = R"(
 QAbstractItemView { background: @panel@; alternate-background-color: @alternate@; border: 1px solid @line@;
     gridline-color: @line@; selection-background-color: @selection@; selection-color: @text@; outline: 0; }
 QAbstractItemView:focus { border: 1px solid @accent@; }
-QTreeView::item, QListView::item, QTableView::item { padding: 0px 4px; min-height: @row@px; }
+QTreeView::item, QListView::item, QTableView::item { padding: 0px; min-height: @row@px; }
 QTreeView::item:selected, QListView::item:selected, QTableView::item:selected { background: @selection@;
     color: @text@; }
 QTreeView::item:focus, QListView::item:focus, QTableView::item:focus { border: 2px solid @accent@; }
@@ -64,7 +65,7 @@ QTabBar::tab { background: transparent; color: @muted@; border: none; border-bot
     padding: 5px 12px; }
 QTabBar::tab:selected { color: @text@; border-bottom: 2px solid @accent@; }
 QTabBar::tab:hover { color: @text@; }
-QTabBar:focus::tab:selected { background: @selection@; }
+QTabBar::tab:selected:focus { background: @selection@; }
 QTabWidget::pane { border: none; border-top: 1px solid @line@; }
 QMenuBar { background: @window@; }
 QMenuBar::item { background: transparent; padding: 4px 8px; }
@@ -153,9 +154,10 @@ QString styleSheetOf(const Theme& theme, int fontHeight_px) {
     for (const auto& [name, colour] : colours) {
         sheet.replace(QStringLiteral("@%1@").arg(name), colour.name());
     }
-    // Controls are 28 px and rows 26 px high with a font of 15 px; borders and padding take 4 px.
-    sheet.replace(QStringLiteral("@inner@"), QString::number(fontHeight_px + 9));
-    sheet.replace(QStringLiteral("@row@"), QString::number(fontHeight_px + 11));
+    // Controls are 28 px and rows 26 px high with the font's 17 px; borders and padding take 4 px.
+    sheet.replace(QStringLiteral("@inner@"), QString::number(fontHeight_px + 7));
+    sheet.replace(QStringLiteral("@control@"), QString::number(fontHeight_px + 11));
+    sheet.replace(QStringLiteral("@row@"), QString::number(fontHeight_px + 9));
     return sheet;
 }
 
