@@ -35,6 +35,19 @@ Result<std::array<double, 3>> parallelPerRadian(const control::PidGains& gains) 
     return valuesOf(*converted);
 }
 
+QString changeText(double before, double after) {
+    if (before == 0.0) {
+        return GainEditor::tr("new");
+    }
+    const double ratio = after / before;
+    if (ratio >= 3.0 || ratio < 1.0 / 3.0) {
+        return QStringLiteral("× ") + numberText(ratio, 3);
+    }
+    const double change_percent = (ratio - 1.0) * 100.0;
+    return (change_percent > 0.0 ? QStringLiteral("+") : QString()) + numberText(change_percent, 3) +
+           QStringLiteral(" %");
+}
+
 } // namespace
 
 GainEditor::GainEditor(QWidget* parent)
@@ -162,14 +175,10 @@ void GainEditor::refreshComparison() {
     for (std::size_t i = 0; i < Gains; ++i) {
         const DisplayUnit unit = unitOf(i);
         Row& row = m_rows[i];
-        row.device->setText(m_device ? numberText((*m_device)[i] * unit.factor) : QStringLiteral("—"));
+        row.device->setText(m_device ? row.edit->textFromValue((*m_device)[i] * unit.factor)
+                                     : QStringLiteral("—"));
         const bool isSame = m_device && areSameOnBoard((*m_device)[i], m_edited[i]);
-        const bool hasRatio = m_device && (*m_device)[i] != 0.0;
-        const double change_percent = hasRatio ? (m_edited[i] / (*m_device)[i] - 1.0) * 100.0 : 0.0;
-        const QString sign = change_percent > 0.0 ? QStringLiteral("+") : QString();
-        row.change->setText(isSame || !m_device ? QString()
-                            : hasRatio          ? tr("%1%2 %").arg(sign, numberText(change_percent, 3))
-                                                : tr("new"));
+        row.change->setText(isSame || !m_device ? QString() : changeText((*m_device)[i], m_edited[i]));
         setRole(*row.change, isSame ? Role::Muted : Role::Primary);
     }
 }
