@@ -22,32 +22,28 @@ QPointF mm(const Eigen::Vector2d& point_m) {
     return {point_m.x() * MmPerM, point_m.y() * MmPerM};
 }
 
-QPainterPath pathOf(const std::vector<FieldLine>& lines) {
-    QPainterPath path;
+/// Single pieces: the raster engine draws them many times faster than one long path of wide lines.
+QVector<QLineF> piecesOf(const std::vector<FieldLine>& lines) {
+    QVector<QLineF> pieces;
     for (const FieldLine& line : lines) {
-        path.moveTo(mm(line.front()));
         for (std::size_t i = 1; i < line.size(); ++i) {
-            path.lineTo(mm(line[i]));
+            pieces.append(QLineF(mm(line[i - 1]), mm(line[i])));
         }
     }
-    return path;
+    return pieces;
 }
 
 /// An arrow along +x of this length, its middle at the origin.
-QPainterPath arrowPath(double length_mm, double head_mm) {
+QVector<QLineF> arrowOf(double length_mm, double head_mm) {
     const double half = length_mm / 2.0;
-    QPainterPath path(QPointF(-half, 0.0));
-    path.lineTo(half, 0.0);
-    path.moveTo(half - head_mm, head_mm * 0.7);
-    path.lineTo(half, 0.0);
-    path.lineTo(half - head_mm, -head_mm * 0.7);
-    return path;
+    return {QLineF(-half, 0.0, half, 0.0), QLineF(half - head_mm, head_mm * 0.7, half, 0.0),
+            QLineF(half - head_mm, -head_mm * 0.7, half, 0.0)};
 }
 
 /// A line of this many logical pixels whatever the scale of the picture.
 QPen linePen(const QPainter& painter, const QColor& colour, double width_px) {
-    QPen pen(colour, width_px * painter.device()->devicePixelRatioF(), Qt::SolidLine, Qt::RoundCap,
-             Qt::RoundJoin);
+    QPen pen(colour, width_px * painter.device()->devicePixelRatioF(), Qt::SolidLine, Qt::SquareCap,
+             Qt::MiterJoin); // round ends would take the slow way
     pen.setCosmetic(true);
     return pen;
 }
@@ -66,7 +62,7 @@ RotorView::RotorView(QWidget* parent) : QWidget(parent) {
 
 void RotorView::setGeometryOf(const RotorGeometry& geometry) {
     m_geometry = geometry;
-    m_paths = {};
+    m_pieces = {};
     cacheMagnets();
     update();
 }
@@ -75,7 +71,7 @@ void RotorView::cacheMagnets() {
     m_magnets = {};
     m_magnetArrows = {};
     const double side_mm = 2.0 * m_geometry.ring.halfSize_m.x() * MmPerM;
-    const QPainterPath arrow = arrowPath(0.68 * side_mm, 0.25 * side_mm);
+    const QVector<QLineF> arrow = arrowOf(0.68 * side_mm, 0.25 * side_mm);
     for (const models::CuboidMagnet& magnet : models::ringMagnets(m_geometry.ring, 0.0)) {
         QTransform place;
         const QPointF centre = mm(magnet.centre_m.head<2>());
@@ -83,7 +79,9 @@ void RotorView::cacheMagnets() {
         place.rotate(radiansToDegrees(magnet.angle_rad));
         const QPointF half(magnet.halfSize_m.x() * MmPerM, magnet.halfSize_m.y() * MmPerM);
         m_magnets.addPolygon(place.map(QPolygonF(QRectF(-half, half))));
-        m_magnetArrows.addPath(place.map(arrow));
+        for (const QLineF& line : arrow) {
+            m_magnetArrows.append(place.map(line));
+        }
     }
 }
 
@@ -162,22 +160,22 @@ void RotorView::changeEvent(QEvent* event) {
     update();
 }
 
-const QPainterPath& RotorView::fieldPath() {
-    auto& path = m_paths[static_cast<std::size_t>(m_model)];
-    if (!path) {
+const QVector<QLineF>& RotorView::fieldPieces() {
+    auto& pieces = m_pieces[static_cast<std::size_t>(m_model)];
+    if (!pieces) {
         switch (m_model) {
         case FieldModel::Ideal:
-            path = pathOf(idealFieldLines(m_geometry, Lines));
+            pieces = piecesOf(idealFieldLines(m_geometry, Lines));
             break;
         case FieldModel::Segmented:
-            path = pathOf(segmentedFieldLines(m_geometry, Lines));
+            pieces = piecesOf(segmentedFieldLines(m_geometry, Lines));
             break;
         case FieldModel::Measured:
-            path = pathOf(uniformFieldLines(m_geometry, Lines));
+            pieces = piecesOf(uniformFieldLines(m_geometry, Lines));
             break;
         }
     }
-    return *path;
+    return *pieces;
 }
 
 double RotorView::shownFieldAngle_rad() const {
@@ -214,13 +212,11 @@ void RotorView::drawMagnets(QPainter& painter, const Theme& theme) const {
     QPainterPath ring;
     ring.addEllipse(QPointF(), housing_mm, housing_mm);
     ring.addEllipse(QPointF(), bore_mm, bore_mm);
-    QPen pen = linePen(painter, theme.line, 1.0);
-    painter.setPen(pen);
+    painter.setPen(linePen(painter, theme.line, 1.0));
     painter.setBrush(theme.raised);
     painter.drawPath(ring);
     painter.setBrush(mixed(theme.raised, theme.muted, 0.3));
-    pen.setColor(mixed(theme.raised, theme.muted, 0.7));
-    painter.setPen(pen);
+    painter.setPen(Qt::NoPen);
     painter.save();
     painter.rotate(radiansToDegrees(m_angle_rad.value_or(0.0)));
     painter.drawPath(m_magnets);
@@ -233,7 +229,7 @@ void RotorView::drawArrows(QPainter& painter, const Theme& theme) const {
     painter.setBrush(Qt::NoBrush);
     painter.save();
     painter.rotate(radiansToDegrees(m_angle_rad.value_or(0.0)));
-    painter.drawPath(m_magnetArrows);
+    painter.drawLines(m_magnetArrows);
     painter.restore();
 }
 
@@ -247,11 +243,11 @@ void RotorView::drawFieldLines(QPainter& painter, const Theme& theme) {
     painter.setBrush(Qt::NoBrush);
     painter.save();
     painter.rotate(radiansToDegrees(shownFieldAngle_rad()));
-    painter.drawPath(fieldPath());
+    painter.drawLines(fieldPieces());
     pen.setWidthF(2.0 * painter.device()->devicePixelRatioF());
     painter.setPen(pen);
     const double bore_mm = m_geometry.boreRadius_m() * MmPerM;
-    painter.drawPath(arrowPath(0.26 * bore_mm, 0.07 * bore_mm)); // which way the lines run
+    painter.drawLines(arrowOf(0.26 * bore_mm, 0.07 * bore_mm)); // which way the lines run
     painter.restore();
 }
 
@@ -329,7 +325,7 @@ void RotorView::drawSensors(QPainter& painter, const Theme& theme) const {
             painter.translate(radius_mm + length_mm / 2.0, 0.0);
             painter.rotate(length_mm < 0.0 ? 180.0 : 0.0);
             const double length = std::abs(length_mm);
-            painter.drawPath(arrowPath(length, std::min(2.2, 0.6 * length)));
+            painter.drawLines(arrowOf(length, std::min(2.2, 0.6 * length)));
         }
         painter.restore();
     }

@@ -3,7 +3,9 @@
 #include "widgets/rotor_field_lines.h"
 #include "widgets/theme.h"
 
+#include <QLineF>
 #include <QPainterPath>
+#include <QVector>
 #include <QWidget>
 
 #include <array>
@@ -51,7 +53,7 @@ private:
     };
 
     void cacheMagnets();
-    const QPainterPath& fieldPath();
+    const QVector<QLineF>& fieldPieces();
     double shownFieldAngle_rad() const;
     void drawMagnets(QPainter& painter, const Theme& theme) const;
     void drawArrows(QPainter& painter, const Theme& theme) const;
@@ -67,9 +69,9 @@ private:
 
     RotorGeometry m_geometry;
     FieldModel m_model = FieldModel::Ideal;
-    std::array<std::optional<QPainterPath>, 3> m_paths; ///< rotor frame, mm; by field model
-    QPainterPath m_magnets;                             ///< rotor frame, mm
-    QPainterPath m_magnetArrows;                        ///< rotor frame, mm
+    std::array<std::optional<QVector<QLineF>>, 3> m_pieces; ///< rotor frame, mm; by field model
+    QPainterPath m_magnets;                                 ///< rotor frame, mm
+    QVector<QLineF> m_magnetArrows;                         ///< rotor frame, mm
     double m_currentLimit_A = 4.0;
     std::optional<double> m_angle_rad;
     std::optional<Pair> m_current_A;
