@@ -9,14 +9,6 @@
 namespace halbench::control {
 namespace {
 
-double mean(std::span<const double> values) {
-    double sum = 0.0;
-    for (const double value : values) {
-        sum += value;
-    }
-    return sum / static_cast<double>(values.size());
-}
-
 // Squared misfit of the travel after a start at `start_s`, resting level subtracted before.
 double misfit(std::span<const double> time_s, std::span<const double> travel, double start_s) {
     const auto rows = static_cast<Eigen::Index>(time_s.size());

@@ -85,4 +85,13 @@ double rSquared(const LinearFit& fit, const Eigen::VectorXd& observed, const Eig
     return total > 0.0 ? 1.0 - rest / total : 1.0;
 }
 
+double mean(std::span<const double> values) {
+    HB_ASSERT(!values.empty());
+    double sum = 0.0;
+    for (const double value : values) {
+        sum += value;
+    }
+    return sum / static_cast<double>(values.size());
+}
+
 } // namespace halbench::control

@@ -3,6 +3,7 @@
 #include "control/base/result.h"
 
 #include <Eigen/Core>
+#include <span>
 
 namespace halbench::control {
 
@@ -29,5 +30,8 @@ Result<LinearFit> fitLinear(const Eigen::MatrixXd& design, const Eigen::VectorXd
 
 /// 1 - sum w r^2 / sum w (y - mean)^2.
 double rSquared(const LinearFit& fit, const Eigen::VectorXd& observed, const Eigen::VectorXd& weights);
+
+/// Arithmetic mean; there must be a value.
+double mean(std::span<const double> values);
 
 } // namespace halbench::control

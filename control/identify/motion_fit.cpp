@@ -205,8 +205,6 @@ void addBalances(MotionFit& fit, std::span<const MotionSegment> segments, const 
         const Eigen::Vector3d gradient(0.0, a, 1.0);
         const Eigen::Matrix3d normal = part.local.transpose() * part.local;
         balance.error_rad_s2 = fit.residualRms_rad * std::sqrt(gradient.dot(normal.ldlt().solve(gradient)));
-        balance.meanSpeed_rad_s = (segments[i].angle_rad.back() - segments[i].angle_rad.front()) /
-                                  (segments[i].time_s.back() - segments[i].time_s.front());
         fit.balances.push_back(balance);
         row += n;
     }

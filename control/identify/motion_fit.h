@@ -23,9 +23,8 @@ struct SegmentBalance {
     double current_A = 0.0; ///< s I: positive drives, negative brakes
     int direction = 1;
     double balance_rad_s2 = 0.0;
-    double error_rad_s2 = 0.0;    ///< 1 sigma of the angle noise alone, damping known
-    double slope_rad_s = 0.0;     ///< change of the balance with the damping a
-    double meanSpeed_rad_s = 0.0; ///< signed
+    double error_rad_s2 = 0.0; ///< 1 sigma of the angle noise alone, damping known
+    double slope_rad_s = 0.0;  ///< change of the balance with the damping a
     double residualRms_rad = 0.0;
 };
 

@@ -10,14 +10,6 @@
 namespace halbench::control {
 namespace {
 
-double mean(std::span<const double> values) {
-    double sum = 0.0;
-    for (const double value : values) {
-        sum += value;
-    }
-    return sum / static_cast<double>(values.size());
-}
-
 std::size_t firstAtOrAfter(std::span<const double> time_s, double instant_s) {
     return static_cast<std::size_t>(std::lower_bound(time_s.begin(), time_s.end(), instant_s - 1e-9) -
                                     time_s.begin());

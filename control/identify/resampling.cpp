@@ -65,11 +65,9 @@ Result<BootstrapResult> bootstrapPairs(const Eigen::MatrixXd& design, const Eige
     if (result.refused * 10 > resamples) {
         return failure(ErrorCode::Refused, "the fit hangs on single points", "measure more points");
     }
-    result.median.resize(static_cast<Eigen::Index>(drawn.size()));
     for (std::size_t k = 0; k < drawn.size(); ++k) {
         std::sort(drawn[k].begin(), drawn[k].end());
         result.interval95.emplace_back(percentile(drawn[k], 0.025), percentile(drawn[k], 0.975));
-        result.median(static_cast<Eigen::Index>(k)) = percentile(drawn[k], 0.5);
     }
     return result;
 }

@@ -14,9 +14,8 @@ using FitQuantity = std::function<Eigen::VectorXd(const Eigen::VectorXd& coeffic
 
 struct BootstrapResult {
     std::vector<std::pair<double, double>> interval95; ///< percentile interval of each quantity
-    Eigen::VectorXd median;
-    int draws = 0;   ///< resamples that could be fitted
-    int refused = 0; ///< resamples that did not decide the coefficients
+    int draws = 0;                                     ///< resamples that could be fitted
+    int refused = 0;                                   ///< resamples that did not decide the coefficients
 };
 
 /// Pairs bootstrap: rows are drawn with replacement, the weighted fit repeated. Deterministic for a seed.

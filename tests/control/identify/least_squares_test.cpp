@@ -44,6 +44,12 @@ TEST(LeastSquares, meetsTheHandCalculationOfAStraightLine) {
     EXPECT_EQ(fit->freedom, 2);
 }
 
+TEST(LeastSquares, meanIsTheSumOverTheCount) {
+    const std::vector<double> values = {1.0, 2.0, 6.0};
+    EXPECT_EQ(mean(values), 3.0);
+    EXPECT_EQ(mean(std::span(values).first(1)), 1.0);
+}
+
 TEST(LeastSquares, aPointOfDoubleWeightCountsTwice) {
     const auto weighted = fitLinear(line({0, 1, 3}), column({1, 2, 5}), column({1, 2, 1}));
     const auto repeated = fitLinear(line({0, 1, 1, 3}), column({1, 2, 2, 5}));
