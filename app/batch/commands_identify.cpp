@@ -36,7 +36,7 @@ CommandResult identifyDevice(CommandContext& context, const CommandOptions& opti
     }
     if (!options.recordFile.empty()) {
         const Result<void> written =
-            writeRecording(options.recordFile, result->recording, **device, header.started);
+            writeRecording(options.recordFile, result->recording, **device, {header.started, {}, {}});
         if (!written) {
             return failure(written.error());
         }

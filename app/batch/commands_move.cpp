@@ -47,7 +47,8 @@ CommandResult runMoveCommand(CommandContext& context, const CommandOptions& opti
     ResultHeader header = headerFor(context, "halbench.move/1", **device);
     header.quality = result->quality;
     if (!options.out.empty()) {
-        const Result<void> written = writeRecording(options.out, result->recording, **device, header.started);
+        const Result<void> written =
+            writeRecording(options.out, result->recording, **device, {header.started, {}, {}});
         if (!written) {
             return failure(written.error());
         }

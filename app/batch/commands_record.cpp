@@ -93,7 +93,7 @@ CommandResult recordCapture(CommandContext& context, const CommandOptions& optio
     }
     const ResultHeader header = headerFor(context, "halbench.recorded/1", **device);
     const Result<void> written =
-        writeRecording(options.out, *capture, **device, header.started, {{0.0, "trigger"}});
+        writeRecording(options.out, *capture, **device, {header.started, {{0.0, "trigger"}}, {}});
     if (!written) {
         return failure(written.error());
     }

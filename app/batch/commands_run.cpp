@@ -52,10 +52,10 @@ CommandResult showPlan(CommandContext& context, const Experiment& experiment, de
     return ExitCode::Done;
 }
 
-/// A run that a device or a limit ended is still told in files; one that the user or a bad input ended is
-/// not.
+/// A run that a device, a limit or a file that could not be written ended is still told in files; one that
+/// the user or a bad input ended is not.
 bool isTold(const std::optional<Error>& error) {
-    if (!error) {
+    if (!error || error->code == ErrorCode::FileSystem) {
         return true;
     }
     const ExitCode code = exitCodeFor(error->code);
@@ -73,7 +73,7 @@ Error withCause(const Error& files, const std::optional<Error>& stoppedBy) {
 CommandResult runAll(CommandContext& context, const CommandOptions& options, const Experiment& experiment,
                      devices::Device& device) {
     const ResultHeader opened = headerFor(context, "halbench.run/1", device);
-    const RunOutcome outcome = runExperiment(context, device, experiment, opened.seed);
+    const RunOutcome outcome = runExperiment(context, device, experiment, opened.seed, options.out);
     if (!isTold(outcome.stoppedBy)) {
         return failure(*outcome.stoppedBy);
     }

@@ -21,11 +21,18 @@ constexpr std::array Kinds = {
     StepKind{"wait", runWaitStep},
 };
 
+bool records(const std::string& kind) {
+    return kind == "identify" || kind == "move" || kind == "record";
+}
+
 Result<StepOutcome> runStep(StepRun& run, const ExperimentStep& step) {
     for (const StepKind& entry : Kinds) {
         if (step.kind == entry.kind) {
+            const auto before = records(step.kind) ? devices::parameterNotes(run.device)
+                                                   : std::vector<devices::RecordingMeta::ParameterNote>();
             Result<StepOutcome> outcome = entry.run(run, step);
             if (outcome) {
+                outcome->parametersBefore = before;
                 outcome->kind = step.kind;
                 outcome->name = step.name;
             }
@@ -53,7 +60,7 @@ Error inStep(const ExperimentStep& step, Error error) {
 } // namespace
 
 RunOutcome runExperiment(CommandContext& context, devices::Device& device, const Experiment& experiment,
-                         std::uint64_t seed) {
+                         std::uint64_t seed, const std::string& folder) {
     RunOutcome outcome;
     Result<RestoreGuard> guard = RestoreGuard::take(device);
     if (!guard) {
@@ -61,7 +68,7 @@ RunOutcome runExperiment(CommandContext& context, devices::Device& device, const
         return outcome;
     }
     outcome.parametersAtStart = guard->snapshot();
-    StepRun run{context, device, seed, outcome.steps};
+    StepRun run{context, device, seed, folder, outcome.steps};
     for (const ExperimentStep& step : experiment.steps) {
         context.console.log(LogLevel::Info, fmt::format("{} \"{}\"", step.kind, step.name));
         Result<StepOutcome> done = checkInterrupt(context).and_then([&] { return runStep(run, step); });

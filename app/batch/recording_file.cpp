@@ -4,14 +4,33 @@
 
 namespace halbench::app {
 
+std::vector<devices::RecordingMeta::Marker> segmentMarkers(const Recording& recording) {
+    const std::vector<double> segments = recording.column("reference.segment");
+    std::vector<devices::RecordingMeta::Marker> markers;
+    double before = 0.0;
+    for (std::size_t row = 0; row < segments.size(); ++row) {
+        if (segments[row] != before) {
+            markers.push_back({recording.time_s[row], segments[row] > 0.0
+                                                          ? fmt::format("reference segment {}", segments[row])
+                                                          : std::string("reference ends")});
+        }
+        before = segments[row];
+    }
+    return markers;
+}
+
 Result<void> writeRecording(const std::string& path, const Recording& recording, devices::Device& device,
-                            const std::string& started, std::vector<devices::RecordingMeta::Marker> markers) {
+                            RecordingNotes notes) {
     Recording written = recording;
     if (!written.layout) { // a stream that ended before its first row
         written.layout = std::make_shared<const StreamLayout>();
     }
-    devices::RecordingMeta meta = devices::describeRecording(device, *written.layout, started);
-    meta.markers = std::move(markers);
+    devices::RecordingMeta meta = devices::describeRecording(device, *written.layout, notes.started);
+    meta.markers = segmentMarkers(written);
+    meta.markers.insert(meta.markers.end(), notes.markers.begin(), notes.markers.end());
+    if (!notes.parameters.empty()) {
+        meta.parameters = std::move(notes.parameters);
+    }
     return devices::writeRecordingFile(path, written, std::move(meta));
 }
 

@@ -10,11 +10,22 @@
 
 namespace halbench::app {
 
-/// Writes a recording as CSV with its sidecar NAME.meta.json (resources/help/command-line.md, "Recording");
-/// `started` is the header's, so that virtual time gives equal bytes. Error: FileSystem.
+/// What a sidecar says of a recording besides its device and signals.
+struct RecordingNotes {
+    std::string started; ///< the header's, so that virtual time gives equal bytes
+    std::vector<devices::RecordingMeta::Marker> markers;
+    /// At the start of the recording; empty: as they are now.
+    std::vector<devices::RecordingMeta::ParameterNote> parameters;
+};
+
+/// Where the board's reference began a step or plateau, or ended: markers of a recording that has the signal
+/// reference.segment.
+std::vector<devices::RecordingMeta::Marker> segmentMarkers(const Recording& recording);
+
+/// Writes a recording as CSV with its sidecar NAME.meta.json (resources/help/command-line.md, "Recording"),
+/// its reference's segments as markers beside those given. Error: FileSystem.
 Result<void> writeRecording(const std::string& path, const Recording& recording, devices::Device& device,
-                            const std::string& started,
-                            std::vector<devices::RecordingMeta::Marker> markers = {});
+                            RecordingNotes notes);
 
 /// A recording that goes into its file as it comes (resources/help/command-line.md, "Recording").
 /// Thread: the procedure's.

@@ -187,9 +187,12 @@ Result<void> writeRunFiles(const std::string& folder, const ResultHeader& header
     text("result.json", toJsonText(runDocument(header, experiment, outcome)));
     text("junit.xml", junitText(experiment, outcome));
     for (const StepOutcome& step : outcome.steps) {
-        if (const Recording* recording = step.recording()) {
-            const std::string name = step.name + ".csv";
-            files.add(name, writeRecording(folder + "/" + name, *recording, device, header.started));
+        const std::string name = step.name + ".csv";
+        if (step.isStreamed) {
+            files.add(name, {});
+        } else if (const Recording* recording = step.recording()) {
+            files.add(name, writeRecording(folder + "/" + name, *recording, device,
+                                           {header.started, {}, step.parametersBefore}));
         }
     }
     text("report.html", renderRunReport(header, experiment, outcome, device));

@@ -11,6 +11,7 @@
 #include "app/procedures/move_repetition.h"
 #include "app/procedures/record_procedure.h"
 #include "app/procedures/tune.h"
+#include "devices/acquisition/recording_meta.h"
 
 #include <optional>
 #include <string>
@@ -43,6 +44,9 @@ struct StepOutcome {
     DataQuality quality;
     JsonValue body = JsonValue::object(); ///< as in result.json; checks look their quantities up here
     StepDetail detail;
+    /// Of a step that records: on the board when it began.
+    std::vector<devices::RecordingMeta::ParameterNote> parametersBefore;
+    bool isStreamed = false; ///< NAME.csv was written while it recorded
 
     /// What is written as NAME.csv; nullptr when the step recorded nothing.
     const Recording* recording() const;

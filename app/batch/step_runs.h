@@ -11,6 +11,7 @@ struct StepRun {
     CommandContext& context;
     devices::Device& device;
     std::uint64_t seed;
+    const std::string& folder; ///< where recordings go as they come; empty: nowhere
     const std::vector<StepOutcome>& earlier;
 
     /// The detail of an earlier step of this type, nullptr without one.

@@ -1,4 +1,6 @@
+#include "app/batch/recording_file.h"
 #include "app/batch/result_documents.h"
+#include "app/batch/result_header.h"
 #include "app/batch/step_configs.h"
 #include "app/batch/step_runs.h"
 #include "app/procedures/position_law_parameters.h"
@@ -38,11 +40,26 @@ Result<StepOutcome> runMoveStep(StepRun& run, const ExperimentStep& step) {
 }
 
 Result<StepOutcome> runRecordStep(StepRun& run, const ExperimentStep& step) {
-    Result<RecordResult> result = runRecord(run.device, recordConfigOf(step), observerFor(run.context));
-    if (!result) {
-        return failure(result.error());
+    RecordingOutput file(run.context, run.device, run.folder + "/" + step.name + ".csv",
+                         headerFor(run.context, "halbench.run/1", run.device).started);
+    Recording kept; // for the report
+    RecordOutlet outlet = file.outlet();
+    outlet.append = [&kept, toFile = outlet.append](const SampleBlock& block) {
+        kept.append(block);
+        return toFile(block);
+    };
+    const bool isStreamed = !run.folder.empty();
+    Result<RecordResult> result =
+        runRecord(run.device, recordConfigOf(step), observerFor(run.context), isStreamed ? &outlet : nullptr);
+    const Result<void> done = !result ? failure(result.error()) : isStreamed ? file.finish() : Result<void>();
+    if (!done) {
+        return failure(file.stopped(done.error()));
+    }
+    if (isStreamed) {
+        result->recording = std::move(kept);
     }
     StepOutcome outcome;
+    outcome.isStreamed = isStreamed;
     outcome.quality = result->quality;
     outcome.body.set("rows", static_cast<std::uint64_t>(result->rows));
     outcome.body.set("lost_rows", result->lostRows);

@@ -84,6 +84,19 @@ auto listOf(const QJsonObject& object, const char* key, Make make) {
 
 } // namespace
 
+std::vector<RecordingMeta::ParameterNote> parameterNotes(Device& device) {
+    std::vector<RecordingMeta::ParameterNote> notes;
+    std::vector<std::string> names;
+    for (const ParameterSpec& spec : device.catalogue().parameters) {
+        names.push_back(spec.name);
+    }
+    const Result<std::vector<double>> values = device.readParameters(names);
+    for (std::size_t i = 0; values && i < names.size(); ++i) {
+        notes.push_back({names[i], (*values)[i], device.catalogue().parameters[i].unit});
+    }
+    return notes;
+}
+
 RecordingMeta describeRecording(Device& device, const StreamLayout& layout, const std::string& started) {
     RecordingMeta meta;
     meta.device = device.info();
@@ -95,14 +108,7 @@ RecordingMeta describeRecording(Device& device, const StreamLayout& layout, cons
         meta.signals.push_back({column.name, csvColumnName(column.name, column.unit), column.unit,
                                 spec != nullptr ? spec->role : std::string()});
     }
-    std::vector<std::string> names;
-    for (const ParameterSpec& spec : device.catalogue().parameters) {
-        names.push_back(spec.name);
-    }
-    const Result<std::vector<double>> values = device.readParameters(names);
-    for (std::size_t i = 0; values && i < names.size(); ++i) {
-        meta.parameters.push_back({names[i], (*values)[i], device.catalogue().parameters[i].unit});
-    }
+    meta.parameters = parameterNotes(device);
     return meta;
 }
 

@@ -48,6 +48,9 @@ struct RecordingMeta {
     std::string sha256; ///< of the CSV file
 };
 
+/// All parameters as they are now; none when the device is lost.
+std::vector<RecordingMeta::ParameterNote> parameterNotes(Device& device);
+
 /// Device, signals of the layout and the parameters as they are now; without parameters when the device is
 /// lost.
 RecordingMeta describeRecording(Device& device, const StreamLayout& layout, const std::string& started);

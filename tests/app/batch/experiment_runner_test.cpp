@@ -5,6 +5,7 @@
 #include "app/batch/run_plan.h"
 #include "app/batch/run_report.h"
 #include "app/batch/step_configs.h"
+#include "devices/acquisition/recording_file.h"
 #include "devices/open_device.h"
 
 #include <fmt/format.h>
@@ -48,9 +49,9 @@ protected:
         m_device = devices::openDevice("sim:htm?imperfections=off", {}).value();
     }
 
-    RunOutcome run(const std::string& text) {
+    RunOutcome run(const std::string& text, const std::string& folder = {}) {
         m_experiment = parseExperiment(text, "e.toml", {}).value();
-        return runExperiment(m_context, *m_device, m_experiment, 1);
+        return runExperiment(m_context, *m_device, m_experiment, 1, folder);
     }
     ResultHeader header() { return headerFor(m_context, "halbench.run/1", *m_device); }
     double kp() { return m_device->readParameters(std::vector<std::string>{"gain.kp"}).value()[0]; }
@@ -101,6 +102,62 @@ TEST_F(ExperimentRunner, writesResultJunitRecordingAndReport) {
     EXPECT_FALSE(result.find("passed")->boolean());
     EXPECT_EQ(result.find("checks")->items().size(), 2U);
     EXPECT_NE(readFile((folder / "step100.csv").string()).value().find("time_s,"), std::string::npos);
+    fs::remove_all(folder);
+}
+
+const std::string RecordThenSet = R"(schema = "halbench.experiment/1"
+device = "sim:htm?imperfections=off"
+
+[[step]]
+kind = "record"
+name = "rest"
+duration_s = 0.5
+
+[[step]]
+kind = "move"
+name = "stairs"
+reference = { shape = "staircase", amplitude_deg = 5, count = 3, period_s = 0.2 }
+duration_s = 0.8
+
+[[step]]
+kind = "set"
+name = "stiffer"
+values = { "gain.kp" = 12 }
+)";
+
+double kpIn(const devices::RecordingMeta& meta) {
+    for (const devices::RecordingMeta::ParameterNote& note : meta.parameters) {
+        if (note.name == "gain.kp") {
+            return note.value;
+        }
+    }
+    return 0.0;
+}
+
+TEST_F(ExperimentRunner, recordingsTellTheParametersAtTheirStartAndTheSegmentsOfTheReference) {
+    const fs::path folder = fs::path(::testing::TempDir()) / "halbench_recorded";
+    fs::remove_all(folder);
+    const RunOutcome outcome = run(RecordThenSet, folder.string());
+    ASSERT_FALSE(outcome.stoppedBy.has_value()) << outcome.stoppedBy->message;
+    EXPECT_TRUE(fs::exists(folder / "rest.csv")) << "written while it recorded";
+    EXPECT_FALSE(fs::exists(folder / "stairs.csv"));
+    const std::string early = readFile((folder / "rest.csv").string()).value();
+    EXPECT_EQ(outcome.steps[0].recording()->rows(), 50U) << "the report has the rows as well";
+    ASSERT_TRUE(writeRunFiles(folder.string(), header(), m_experiment, outcome, *m_device));
+    EXPECT_EQ(readFile((folder / "rest.csv").string()).value(), early);
+    ASSERT_EQ(kp(), 12.0);
+    const auto rest = devices::readRecordingFile((folder / "rest.csv").string());
+    const auto stairs = devices::readRecordingFile((folder / "stairs.csv").string());
+    ASSERT_TRUE(rest && stairs);
+    EXPECT_TRUE(rest->warnings.empty());
+    EXPECT_EQ(kpIn(rest->meta), 10.0);
+    EXPECT_EQ(kpIn(stairs->meta), 10.0);
+    ASSERT_GE(stairs->meta.markers.size(), 3U);
+    for (int stair = 1; stair < 3; ++stair) { // one every 0.2 s, taken by the board at its 10 ms cycle
+        const auto index = static_cast<std::size_t>(stair);
+        EXPECT_EQ(stairs->meta.markers[index].text, "reference segment " + std::to_string(stair + 1));
+        EXPECT_NEAR(stairs->meta.markers[index].time_s, 0.2 * stair, 0.0101);
+    }
     fs::remove_all(folder);
 }
 

@@ -30,7 +30,8 @@ protected:
 
 TEST_F(RunReport, namesDeviceStepsAndChecks) {
     m_outcome.checks = {{"step100.overshoot_percent", 7.5, "%", {}, 12.0, "published claim", true}};
-    m_outcome.steps.push_back({"wait", "pause", {}, JsonValue::object().set("duration_s", 2.5), {}});
+    m_outcome.steps.push_back(
+        {"wait", "pause", {}, JsonValue::object().set("duration_s", 2.5), {}, {}, false});
     const std::string html = render();
     for (const char* words : {"Two steps", "A description &amp; more", "SIMULATED", "all checks passed",
                               "wait: pause", "2.5 s", "step100.overshoot_percent: published claim",
@@ -65,7 +66,7 @@ TEST_F(RunReport, drawsTheLoopAtStartBesideTheProposal) {
     ASSERT_TRUE(result.has_value());
     tuned.result = *std::move(result);
     m_outcome.parametersAtStart = {{"gain.kp", 10.0}, {"gain.ki", 0.1}, {"gain.kd", 0.0}};
-    m_outcome.steps.push_back({"tune", "gains", {}, JsonValue::object(), tuned});
+    m_outcome.steps.push_back({"tune", "gains", {}, JsonValue::object(), tuned, {}, false});
     const std::string html = render();
     EXPECT_NE(html.find("37.92°"),
               std::string::npos); // margins of the recommended and of the published loop:

@@ -326,6 +326,22 @@ class Experiments(ProgramCase):
         with open(self.path("out/result.json"), encoding="utf-8") as file:
             self.assertEqual(json.load(file)["steps"][0]["name"], "step100")
 
+    def test_full_disk_in_a_record_step_ends_the_run_with_its_result(self):
+        self.write("e.toml", GOOD_EXPERIMENT.replace("[[step]]", '''[[step]]
+kind = "record"
+name = "rest"
+duration_s = 10
+rate_hz = 1000
+
+[[step]]''', 1))
+        answer = self.run_program("run", "e.toml", "--out", "out", "--quiet",
+                                  preexec_fn=halbench.limit_file_size(100_000))
+        self.assertEqual(answer.code, 2, answer)
+        self.assertRegex(answer.err, r"\A[^\n]*step \"rest\": cannot write 'out/rest\.csv'[^\n]*'out/rest\.csv\.partial'[^\n]*\n\Z")
+        with open(self.path("out/result.json"), encoding="utf-8") as file:
+            self.assertRegex(json.load(file)["error"]["message"], "cannot write")
+        self.accept("convert", "out/rest.csv.partial", "out/rest.csv")
+
     def test_full_disk_from_the_start_of_a_run_says_that_nothing_was_written(self):
         self.write("e.toml", GOOD_EXPERIMENT)
         answer = self.run_program("run", "e.toml", "--out", "out", "--quiet", preexec_fn=halbench.limit_file_size(100))

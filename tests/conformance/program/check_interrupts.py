@@ -12,6 +12,14 @@ import unittest
 import halbench
 from halbench import ProgramCase
 
+RECORDING_EXPERIMENT = '''schema = "halbench.experiment/1"
+device = "sim:htm?seed=1"
+
+[[step]]
+kind = "record"
+name = "rest"
+duration_s = 30
+'''
 SIGNALS = ((signal.SIGINT, 130), (signal.SIGTERM, 143))
 
 
@@ -46,7 +54,7 @@ class Killed(BoardCase):
     """SIGKILL in mid-recording: what had arrived is in the partial file."""
 
     def kill(self, name, *arguments):
-        process = self.start_program(*arguments, "--realtime", "--duration", "30", "--out", name)
+        process = self.start_program(*arguments, "--realtime")
         partial = self.path(name + ".partial")
         until = time.monotonic() + 10
         while time.monotonic() < until and not (os.path.exists(partial) and os.path.getsize(partial) > 20_000):
@@ -60,11 +68,15 @@ class Killed(BoardCase):
         self.assertGreater(rows, 50, f"{size} octets")
 
     def test_recording_of_a_simulated_board(self):
-        self.kill("f.csv", "record", "sim:htm")
+        self.kill("f.csv", "record", "sim:htm", "--duration", "30", "--out", "f.csv")
+
+    def test_record_step_of_a_run(self):
+        self.write("e.toml", RECORDING_EXPERIMENT)
+        self.kill("out/rest.csv", "run", "e.toml", "--out", "out")
 
     def test_recording_of_a_board_on_the_network(self):
         _, uri = self.serve()
-        self.kill("f.csv", "record", uri)
+        self.kill("f.csv", "record", uri, "--duration", "30", "--out", "f.csv")
 
     def test_the_next_recording_does_not_destroy_what_is_left(self):
         self.write("f.csv.partial", "time_s,position_rad\n0,1\n0.01,2\n0.0")
