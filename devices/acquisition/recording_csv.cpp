@@ -226,8 +226,10 @@ void appendCsvRows(std::string& text, const SampleBlock& block) {
 
 Result<Recording> parseRecordingCsv(std::string_view text, const std::string& origin) {
     if (text.size() > MaxFile) {
-        return failure(ErrorCode::InvalidInput, fmt::format("{}: {} octets", origin, text.size()),
-                       fmt::format("at most {} are read; cut it with: halbench convert", MaxFile));
+        return failure(
+            ErrorCode::InvalidInput, fmt::format("{}: {} octets", origin, text.size()),
+            fmt::format("at most {} are read; cut the file into pieces that each begin with its first line",
+                        MaxFile));
     }
     LineReader lines(text);
     Line line;

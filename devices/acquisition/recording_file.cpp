@@ -39,8 +39,10 @@ Result<std::string> readText(const std::string& path, qint64 limit) {
                        "check the path");
     }
     if (file.size() > limit) {
-        return failure(ErrorCode::InvalidInput, fmt::format("'{}' has {} octets", path, file.size()),
-                       fmt::format("at most {} are read", limit));
+        return failure(
+            ErrorCode::InvalidInput, fmt::format("'{}' has {} octets", path, file.size()),
+            fmt::format("at most {} are read; cut the file into pieces that each begin with its first line",
+                        limit));
     }
     return file.readAll().toStdString();
 }
