@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace halbench::devices::xcp {
 
@@ -56,11 +58,36 @@ std::string nearestRates(const std::map<std::uint16_t, double>& rates, double wa
                       : "these signals have no periodic event";
 }
 
-/// Events that carry all signals so far.
-void intersect(std::map<std::uint16_t, double>& common, const std::map<std::uint16_t, double>& rates) {
-    for (auto entry = common.begin(); entry != common.end();) {
-        entry = rates.count(entry->first) == 0 ? common.erase(entry) : std::next(entry);
+/// Events that carry both.
+std::map<std::uint16_t, double> intersection(const std::map<std::uint16_t, double>& one,
+                                             const std::map<std::uint16_t, double>& other) {
+    std::map<std::uint16_t, double> common;
+    for (const auto& entry : one) {
+        if (other.count(entry.first) != 0) {
+            common.insert(entry);
+        }
     }
+    return common;
+}
+
+std::string ratesText(const std::map<std::uint16_t, double>& rates_Hz) {
+    std::vector<std::string> texts;
+    for (const auto& [event, rate_Hz] : rates_Hz) {
+        texts.push_back(rate_Hz > 0.0 ? fmt::format("{} Hz", rate_Hz) : "irregularly");
+    }
+    return texts.empty() ? "never" : fmt::format("{}", fmt::join(texts, " or "));
+}
+
+/// A row of a stream is one consistent sample of one event (3.8): values of two events are of two cycles, and
+/// a row that mixed them would show a moment that never was. Boards of ours offer every signal at every
+/// event.
+tl::unexpected<Error> noCommonEvent(const StreamRequest& request, const std::string& name,
+                                    const std::map<std::uint16_t, double>& own,
+                                    const std::map<std::uint16_t, double>& others) {
+    return failure(ErrorCode::OutOfRange,
+                   fmt::format("the board samples '{}' ({}) at another event than '{}' ({})", name,
+                               ratesText(own), request.signals.front(), ratesText(others)),
+                   "stream signals of one event together, the others in a stream of their own");
 }
 
 Result<std::map<std::uint16_t, double>> addSignals(const BoardDescription& board,
@@ -74,7 +101,11 @@ Result<std::map<std::uint16_t, double>> addSignals(const BoardDescription& board
                            "list the signals with: halbench describe DEVICE");
         }
         const std::map<std::uint16_t, double> rates = board.eventRates(*signal);
-        plan.entries.empty() ? common = rates : (intersect(common, rates), common);
+        const auto shared = plan.entries.empty() ? rates : intersection(common, rates);
+        if (shared.empty() && !rates.empty() && !common.empty()) {
+            return noCommonEvent(request, name, rates, common);
+        }
+        common = shared;
         plan.entries.push_back({signal->address, signal->type, signal->bitMask, signal->conversion.factor,
                                 signal->conversion.offset});
         layout.columns.push_back({name, signal->conversion.unit});
