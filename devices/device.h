@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -53,6 +54,12 @@ struct DeviceState {
     std::string faultText;   ///< in words, e.g. "coil temperature above its limit"
 };
 
+/// How fast a board's clock runs against the host's.
+struct ClockDrift {
+    double drift_ppm = 0.0;       ///< positive: the board's clock gains
+    double uncertainty_ppm = 0.0; ///< half of the 95 % interval
+};
+
 struct LinkStatistics {
     std::uint64_t packetsReceived = 0;
     std::uint64_t packetsSent = 0;
@@ -61,6 +68,7 @@ struct LinkStatistics {
     std::uint64_t commandsRepeated = 0;
     double roundTripMedian_s = 0.0;
     double roundTripWorst_s = 0.0;
+    std::optional<ClockDrift> clockDrift; ///< absent on a simulation's own clock and before some seconds
 };
 
 struct StreamRequest {

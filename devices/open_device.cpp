@@ -38,6 +38,7 @@ Result<std::unique_ptr<Device>> openNetworkDevice(const DeviceUri& uri, const Op
     device.interruptSignal = options.interruptSignal;
     device.onMessage = options.onMessage;
     device.cacheFolder = options.cacheFolder;
+    device.measuresClock = true;
     return openXcpDevice(networkTransport(uri.scheme, *address), std::move(device));
 }
 

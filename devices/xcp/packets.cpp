@@ -190,13 +190,6 @@ Result<std::uint8_t> decodeCalPage(Octets packet) {
     return packet[3];
 }
 
-Result<PagProcessorResponse> decodePagProcessor(Octets packet) {
-    if (Result<void> size = needOctets(packet, 3, Command::GetPagProcessorInfo); !size) {
-        return failure(size.error());
-    }
-    return PagProcessorResponse{packet[1], packet[2]};
-}
-
 std::size_t sizeOf(IdField field) {
     constexpr std::array<std::size_t, 4> Sizes = {1, 2, 3, 4};
     return Sizes[static_cast<std::size_t>(field)];
@@ -240,6 +233,13 @@ Result<DaqResolutionResponse> decodeDaqResolution(Octets packet, ByteOrder order
         response.ticksPerSecond = perSecond == std::floor(perSecond) ? perSecond : 0.0;
     }
     return response;
+}
+
+Result<std::uint32_t> decodeDaqClock(Octets packet, ByteOrder order) {
+    if (Result<void> size = needOctets(packet, 8, Command::GetDaqClock); !size) {
+        return failure(size.error());
+    }
+    return static_cast<std::uint32_t>(readUnsigned(packet.subspan(4, 4), order));
 }
 
 Result<DaqEventResponse> decodeDaqEvent(Octets packet) {

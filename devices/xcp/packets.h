@@ -143,10 +143,8 @@ struct ConnectResponse {
     std::uint8_t transportVersion = 1;
     ByteOrder order = ByteOrder::LittleEndian;
 
-    bool hasPages() const { return (resource & 0x01) != 0; }
     bool hasDaq() const { return (resource & 0x04) != 0; }
     bool hasBlockMode() const { return (commMode & 0x40) != 0; }
-    bool hasCommModeInfo() const { return (commMode & 0x80) != 0; }
 };
 /// Refuses MAX_CTO below 8, MAX_DTO below 8 and word or long granularity.
 Result<ConnectResponse> decodeConnect(Octets packet);
@@ -174,12 +172,6 @@ struct ChecksumResponse {
 Result<ChecksumResponse> decodeChecksum(Octets packet, ByteOrder order);
 
 Result<std::uint8_t> decodeCalPage(Octets packet);
-
-struct PagProcessorResponse {
-    std::uint8_t maxSegments = 0;
-    std::uint8_t properties = 0;
-};
-Result<PagProcessorResponse> decodePagProcessor(Octets packet);
 
 enum class IdField { Absolute = 0, RelativeByte = 1, RelativeWord = 2, RelativeWordAligned = 3 };
 /// Octets before the time stamp (3.8).
@@ -217,6 +209,9 @@ struct DaqEventResponse {
     double cycle_s = 0.0; ///< 0 = sporadic
 };
 Result<DaqEventResponse> decodeDaqEvent(Octets packet);
+
+/// Ticks of the board's clock now (GET_DAQ_CLOCK).
+Result<std::uint32_t> decodeDaqClock(Octets packet, ByteOrder order);
 
 /// Seconds of a time stamp or event cycle unit: 0 = 1 ns, 1 = 10 ns ... 9 = 1 s (3.9).
 Result<double> unitSeconds(std::uint8_t code);

@@ -23,8 +23,10 @@ public:
 
     double lastArrival_s() const { return m_lastArrival_s; }
     double boardPeriod_s() const { return m_plan.boardPeriod_s; }
-    std::uint64_t incompleteSamples() const { return m_decoder.incompleteSamples(); }
-    std::uint64_t misplacedSamples() const { return m_misplaced; }
+    /// Incomplete samples, samples out of time, packets of no list of ours.
+    std::uint64_t dropped() const {
+        return m_decoder.incompleteSamples() + m_decoder.foreignPackets() + m_misplaced;
+    }
 
 private:
     void addRow(double time_s, double arrival_s);

@@ -25,6 +25,8 @@ namespace halbench::devices::xcp {
 namespace {
 
 constexpr double ConnectPatience_s = 1.8;
+/// GET_DAQ_CLOCK tells 32 bits; a clock with fewer in its time stamps turns over earlier.
+constexpr std::size_t ClockOctets = 4;
 constexpr double MinTimeout_s = 0.1;
 constexpr double MaxTimeout_s = 0.5;
 constexpr std::size_t MaxModelName = 32;
@@ -172,6 +174,9 @@ Result<void> XcpDevice::readDescription() {
         return failure(ability.error());
     }
     m_ability = *std::move(ability);
+    if (m_options.measuresClock && m_ability && m_ability->format.timestampSize == ClockOctets) {
+        m_boardClock.emplace(ClockOctets, m_ability->tick_s);
+    }
     m_board = BoardDescription(*std::move(description), m_ability);
     if (!m_options.profile && isModelName(identity.model)) {
         Result<std::optional<Profile>> profile = findProfile(identity.model);
@@ -216,11 +221,11 @@ LinkStatistics XcpDevice::statistics() const {
     statistics.packetsReceived = wire.packetsReceived;
     statistics.packetsSent = wire.packetsSent;
     statistics.packetsLost = wire.packetsLost;
-    statistics.packetsDamaged = wire.packetsDamaged + m_droppedSamples +
-                                (m_stream ? m_stream->incompleteSamples() + m_stream->misplacedSamples() : 0);
+    statistics.packetsDamaged = wire.packetsDamaged + m_droppedSamples + (m_stream ? m_stream->dropped() : 0);
     statistics.commandsRepeated = m_link.repeatedCommands();
     statistics.roundTripMedian_s = m_link.roundTripMedian_s();
     statistics.roundTripWorst_s = m_link.roundTripWorst_s();
+    statistics.clockDrift = m_clockFit.drift();
     return statistics;
 }
 

@@ -30,6 +30,9 @@ struct XcpDeviceOptions {
     /// Folder where descriptions of boards are kept, so that the next connection need not read them; empty:
     /// none.
     std::string cacheFolder;
+    /// Asks the board for its clock once a second while streaming, to tell its drift (3.9). Not for a board
+    /// on a virtual clock: its clock is the host's.
+    bool measuresClock = false;
     /// Brackets downloads by USER_CMD 01/02 where no page can be switched (vendor extension, never assumed).
     bool useVendorBrackets = false;
 };

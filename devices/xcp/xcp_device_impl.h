@@ -1,6 +1,7 @@
 #pragma once
 
 #include "devices/xcp/board_description.h"
+#include "devices/xcp/clock_fit.h"
 #include "devices/xcp/description_cache.h"
 #include "devices/xcp/stream_assembler.h"
 #include "devices/xcp/xcp_device.h"
@@ -85,6 +86,8 @@ private:
     void deliverBlocks();
     Result<void> feedWatchdog();
     Result<void> checkHeartbeat();
+    Result<void> compareClocks();
+    void reportLink() const;
 
     // state, arming, stopping (xcp_device_state.cpp)
     Result<void> refreshState();
@@ -110,6 +113,9 @@ private:
     std::unique_ptr<StreamAssembler> m_stream;
     BlockSink m_sink;
     double m_streamStarted_s = 0.0;
+    std::optional<TickUnwrapper> m_boardClock; ///< absent: not asked for
+    ClockFit m_clockFit;
+    double m_nextClock_s = 0.0;
     std::uint64_t m_droppedSamples = 0; ///< incomplete or misplaced, of streams that ended
 };
 

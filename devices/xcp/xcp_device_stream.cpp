@@ -14,6 +14,7 @@ constexpr double Rounding_s = 1e-9;
 constexpr double MaxPump_s = 0.05;
 constexpr double IdleStatusPeriod_s = 0.25;
 constexpr double MaxSilence_s = 1.8;
+constexpr double ClockPeriod_s = 1.0;
 
 } // namespace
 
@@ -54,9 +55,12 @@ void XcpDevice::stopStream() noexcept {
     if (!m_link.lost()) {
         (void)m_master.stopLists();
     }
-    m_droppedSamples += m_stream->incompleteSamples() + m_stream->misplacedSamples();
+    m_droppedSamples += m_stream->dropped();
     m_stream.reset();
     m_sink = nullptr;
+    if (m_options.measuresClock) {
+        reportLink();
+    }
 }
 
 Result<void> XcpDevice::waitFor(double duration_s) {
@@ -102,7 +106,43 @@ Result<void> XcpDevice::checkWhileWaiting() {
     if (m_expectsArmed && !m_state.isArmed && hasLatched) {
         return failure(safetyError());
     }
+    if (m_stream && m_boardClock && now_s() >= m_nextClock_s) {
+        if (Result<void> compared = compareClocks(); !compared) {
+            return compared;
+        }
+    }
     return checkHeartbeat();
+}
+
+/// A reading of the board's clock between two of the host's (3.9).
+Result<void> XcpDevice::compareClocks() {
+    m_nextClock_s = now_s() + ClockPeriod_s;
+    const Result<std::optional<std::uint32_t>> ticks = m_master.clockTicks();
+    if (!ticks) {
+        return failure(ticks.error());
+    }
+    if (!*ticks) {
+        m_boardClock.reset();
+        return {};
+    }
+    const XcpLink::Exchange& exchange = m_link.lastExchange();
+    const auto passed = static_cast<double>(m_boardClock->unwrap(**ticks, exchange.answered_s));
+    m_clockFit.add(exchange.sent_s, exchange.answered_s, passed * m_ability->tick_s);
+    return {};
+}
+
+void XcpDevice::reportLink() const {
+    const LinkStatistics link = statistics();
+    std::string text =
+        fmt::format("link: {} packets, {} lost, {} damaged, {} commands repeated, round trip "
+                    "{:.2f} ms, at worst {:.2f} ms",
+                    link.packetsReceived, link.packetsLost, link.packetsDamaged, link.commandsRepeated,
+                    1e3 * link.roundTripMedian_s, 1e3 * link.roundTripWorst_s);
+    if (link.clockDrift) {
+        text += fmt::format(", the board's clock gains {:.1f} +- {:.1f} ppm", link.clockDrift->drift_ppm,
+                            link.clockDrift->uncertainty_ppm);
+    }
+    message(text);
 }
 
 /// Any command restarts the board's watchdog (3.11); reading the state tells at the same time of faults.

@@ -63,7 +63,8 @@ Reply<Packet> XcpLink::exchange(const Packet& command, double timeout_s) {
     }
     Reply<Packet> reply = awaitAnswer(command[0], start_s + (timeout_s > 0.0 ? timeout_s : m_timeout_s));
     if (reply) {
-        noteRoundTrip(m_transport->now_s() - start_s);
+        m_lastExchange = {start_s, m_transport->now_s()};
+        noteRoundTrip(m_lastExchange.answered_s - start_s);
     }
     return reply;
 }
@@ -129,8 +130,7 @@ void XcpLink::dispatch() {
     case PacketKind::Response:
     case PacketKind::Error:
     case PacketKind::Empty:
-        ++m_stray;
-        break;
+        break; // an answer that nobody waits for any more
     }
 }
 

@@ -83,7 +83,12 @@ public:
     const std::optional<Error>& lost() const { return m_lost; }
 
     std::uint64_t repeatedCommands() const { return m_repeated; }
-    std::uint64_t strayAnswers() const { return m_stray; }
+    /// When the last command that was answered was sent, and when its answer came.
+    struct Exchange {
+        double sent_s = 0.0;
+        double answered_s = 0.0;
+    };
+    const Exchange& lastExchange() const { return m_lastExchange; }
     double roundTripMedian_s() const;
     double roundTripWorst_s() const { return m_worstRoundTrip_s; }
 
@@ -103,7 +108,7 @@ private:
     std::optional<Error> m_lost;
     bool m_isPending = false; ///< the board asked for more time
     std::uint64_t m_repeated = 0;
-    std::uint64_t m_stray = 0;
+    Exchange m_lastExchange;
     std::deque<double> m_roundTrips_s;
     double m_worstRoundTrip_s = 0.0;
 };

@@ -63,6 +63,8 @@ public:
 
     /// Nothing when the board cannot sample.
     Result<std::optional<DaqAbility>> daqAbility();
+    /// Ticks of the board's clock; nothing when it does not tell them.
+    Result<std::optional<std::uint32_t>> clockTicks();
     struct ListRequest {
         const std::vector<DaqEntry>* entries = nullptr;
         const DaqPlan* plan = nullptr;

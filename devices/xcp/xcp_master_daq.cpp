@@ -78,6 +78,14 @@ Result<std::optional<DaqAbility>> XcpMaster::daqAbility() {
     return std::optional<DaqAbility>(std::move(ability));
 }
 
+Result<std::optional<std::uint32_t>> XcpMaster::clockTicks() {
+    return m_link->recover([&] {
+        return optionalAnswer<std::uint32_t>(
+            *m_link, m_encoder.plain(Command::GetDaqClock),
+            [order = m_session.order](Octets a) { return decodeDaqClock(a, order); });
+    });
+}
+
 Result<void> XcpMaster::readEventCycles(std::uint16_t count, DaqAbility& ability) {
     for (std::uint16_t event = 0; event < std::min(count, MaxEvents); ++event) {
         const auto answer = m_link->recover([&] {

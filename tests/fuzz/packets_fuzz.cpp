@@ -13,11 +13,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         (void)xcp::decodeChecksum(octets, order);
         (void)xcp::decodeDaqProcessor(octets, order);
         (void)xcp::decodeDaqResolution(octets, order);
+        (void)xcp::decodeDaqClock(octets, order);
     }
     (void)xcp::decodeConnect(octets);
     (void)xcp::decodeStatus(octets);
     (void)xcp::decodeCalPage(octets);
-    (void)xcp::decodePagProcessor(octets);
     (void)xcp::decodeDaqEvent(octets);
     (void)xcp::kindOf(octets);
     (void)xcp::hexText(octets);

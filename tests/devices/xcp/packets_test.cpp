@@ -44,8 +44,7 @@ TEST(Responses, connectTellsSizesAndByteOrder) {
     ASSERT_TRUE(little);
     EXPECT_EQ(little->maxCto, 255);
     EXPECT_EQ(little->maxDto, 508);
-    EXPECT_TRUE(little->hasBlockMode() && little->hasCommModeInfo() && little->hasPages() &&
-                little->hasDaq());
+    EXPECT_TRUE(little->hasBlockMode() && little->hasDaq());
     const auto big = decodeConnect(Packet{0xFF, 0x05, 0x01, 32, 0x01, 0xFC, 1, 1});
     ASSERT_TRUE(big);
     EXPECT_EQ(big->maxDto, 508);
@@ -86,10 +85,16 @@ TEST(Responses, everyShorterOneIsRefused) {
     refuses(8, [](Octets o) { return decodeId(o, ByteOrder::LittleEndian); });
     refuses(8, [](Octets o) { return decodeChecksum(o, ByteOrder::LittleEndian); });
     refuses(4, [](Octets o) { return decodeCalPage(o); });
-    refuses(3, [](Octets o) { return decodePagProcessor(o); });
     refuses(8, [](Octets o) { return decodeDaqProcessor(o, ByteOrder::LittleEndian); });
     refuses(8, [](Octets o) { return decodeDaqResolution(o, ByteOrder::LittleEndian); });
     refuses(7, [](Octets o) { return decodeDaqEvent(o); });
+    refuses(8, [](Octets o) { return decodeDaqClock(o, ByteOrder::LittleEndian); });
+}
+
+TEST(Responses, clockIsTheFieldBehindItsFormat) {
+    const Packet answer{0xFF, 0, 0, 1, 0x78, 0x56, 0x34, 0x12};
+    EXPECT_EQ(*decodeDaqClock(answer, ByteOrder::LittleEndian), 0x12345678U);
+    EXPECT_EQ(*decodeDaqClock(answer, ByteOrder::BigEndian), 0x78563412U);
 }
 
 TEST(Octets, checksumIsCrc16CittOfTheStandardCheckText) {
