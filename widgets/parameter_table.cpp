@@ -151,7 +151,6 @@ void ParameterTable::connectModel() {
         }
     });
     connect(m_model, &ParameterTableModel::changedCountChanged, this, [this](int count) {
-        m_messages->clear();
         refreshActions();
         Q_EMIT changedCountChanged(count);
     });
@@ -161,7 +160,10 @@ void ParameterTable::connectModel() {
             static_cast<void>(m_model->edit(m_refusedName, *m_suggestion)); // a refusal shows itself
         }
     });
-    connect(&m_model->undoStack(), &QUndoStack::indexChanged, this, &ParameterTable::refreshActions);
+    connect(&m_model->undoStack(), &QUndoStack::indexChanged, this, [this] {
+        m_messages->clear(); // an edit that is taken answers the refusal; values that are read do not
+        refreshActions();
+    });
     connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, &ParameterTable::showHelp);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace halbench::widgets {
 
@@ -60,10 +61,13 @@ void ParameterTableModel::setSpecs(std::vector<ParameterSpec> specs) {
         m_rows.push_back({std::move(spec), {}, {}, {}});
     }
     endResetModel();
-    Q_EMIT changedCountChanged(0);
+    announceCount();
 }
 
 void ParameterTableModel::setDeviceValues(const std::vector<ParameterValue>& values, Origin origin) {
+    if (m_isStale) {
+        setStale(false);
+    }
     for (const ParameterValue& value : values) {
         const auto at = findRow(value.name);
         if (!at) {
@@ -71,19 +75,29 @@ void ParameterTableModel::setDeviceValues(const std::vector<ParameterValue>& val
         }
         Row& row = m_rows[*at];
         const bool isNews = row.device && !areSameOnBoard(*row.device, value.value);
+        const bool isSeen = row.device == value.value && (origin == Origin::Read || !row.beforeOutsideChange);
+        const bool isDone = row.edited && areSameOnBoard(*row.edited, value.value);
+        if (isSeen && !isDone) {
+            continue; // read again and again, nothing to say
+        }
         if (origin == Origin::Written) {
             row.beforeOutsideChange.reset();
         } else if (isNews) {
             row.beforeOutsideChange = row.device;
         }
         row.device = value.value;
-        if (row.edited && areSameOnBoard(*row.edited, value.value)) {
+        if (isDone) {
             row.edited.reset();
         }
         announce(*at);
     }
-    m_isStale = false;
-    Q_EMIT changedCountChanged(changedCount());
+    announceCount();
+}
+
+void ParameterTableModel::announceCount() {
+    if (std::exchange(m_announcedCount, changedCount()) != changedCount()) {
+        Q_EMIT changedCountChanged(changedCount());
+    }
 }
 
 void ParameterTableModel::setStale(bool isStale) {
@@ -161,7 +175,6 @@ void ParameterTableModel::refuse(const Row& row, const Error& error, const QStri
 void ParameterTableModel::push(std::vector<Change> changes, const QString& text) {
     if (!changes.empty()) {
         m_undo.push(new ParameterEditCommand(*this, std::move(changes), text)); // the stack owns it
-        Q_EMIT changedCountChanged(changedCount());
     }
 }
 
@@ -169,7 +182,7 @@ void ParameterTableModel::show(std::size_t at, std::optional<double> value) {
     Row& row = m_rows[at];
     row.edited = value && row.device && areSameOnBoard(*value, *row.device) ? std::nullopt : value;
     announce(at);
-    Q_EMIT changedCountChanged(changedCount());
+    announceCount();
 }
 
 void ParameterTableModel::revert() {

@@ -95,6 +95,7 @@ private:
     void push(std::vector<Change> changes, const QString& text);
     void show(std::size_t row, std::optional<double> value);
     void announce(std::size_t row);
+    void announceCount();
     QString shownValue(const Row& row, std::optional<double> value) const;
     QString cellText(const Row& row, int column) const;
     QString toolTip(const Row& row, int column) const;
@@ -106,6 +107,7 @@ private:
     QUndoStack m_undo;
     AngleUnit m_angleUnit = AngleUnit::Radian;
     bool m_isStale = false;
+    int m_announcedCount = 0;
 };
 
 /// The words of an enumeration or a switch; empty for a number.

@@ -237,6 +237,17 @@ TEST_F(ParameterTableWidget, refusalStandsInPlaceWithItsRemedyAsAButton) {
     EXPECT_FALSE(m_table->messages().isVisible());
 }
 
+TEST_F(ParameterTableWidget, refusalStaysWhileValuesAreReadAgain) {
+    m_table->model().setData(m_table->model().indexOf("gain.kp"), QStringLiteral("5000"));
+    QSignalSpy changes(&m_table->model(), &Model::dataChanged);
+    m_table->model().setDeviceValues(someValues(), Model::Origin::Read);
+    EXPECT_TRUE(m_table->messages().isVisible());
+    EXPECT_EQ(changes.count(), 0); // polling the same values repaints nothing
+    m_table->model().setDeviceValues({{"gain.ki", 0.3}}, Model::Origin::Read);
+    EXPECT_TRUE(m_table->messages().isVisible());
+    EXPECT_EQ(changes.count(), 1);
+}
+
 TEST_F(ParameterTableWidget, withoutADeviceNothingIsWrittenOrReadButEditsStay) {
     ASSERT_TRUE(m_table->model().edit("gain.kp", 12.0));
     m_table->setOnline(false);
