@@ -69,8 +69,12 @@ void SimulatedBoard::updateTruth() {
     m_truth.speed_rad_s = m_plant.truth().rotor.speed_rad_s;
 }
 
+// A generator that is started again while it runs counts from segment 1 anew: its ticks fall back, although
+// the segment may be the same.
 void SimulatedBoard::redrawFrictionAtNewSegment() {
-    if (m_board.signals.reference_segment != m_segment) {
+    const bool isRestarted = m_board.reference.running != 0 && m_board.reference.ticks < m_referenceTicks;
+    m_referenceTicks = m_board.reference.ticks;
+    if (m_board.signals.reference_segment != m_segment || isRestarted) {
         m_segment = m_board.signals.reference_segment;
         m_plant.redrawFriction();
     }

@@ -78,6 +78,7 @@ private:
     double m_turns_rad = 0.0;  ///< whole turns between the plant's angle and the board's
     std::uint64_t m_ticks = 0; ///< after the one at power-on
     std::uint16_t m_segment = 0;
+    std::uint32_t m_referenceTicks = 0;
     std::optional<double> m_brokenHallCode;
 };
 

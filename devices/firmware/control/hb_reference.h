@@ -85,7 +85,7 @@ typedef struct {
     uint8_t running, holds_position;
 } hb_reference;
 
-/* t = 0 is the next hb_reference_evaluate(). */
+/* t = 0 is the next hb_reference_evaluate(), with segment 1; also when it is running already. */
 #if HB_FEATURE_GENERATOR
 void hb_reference_start(hb_reference* reference, const hb_reference_config* config,
                         const hb_plateau_config* plateaus, uint8_t is_position);

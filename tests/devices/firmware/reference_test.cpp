@@ -155,6 +155,23 @@ TEST(Reference, walksThroughThePlateausAndEndsAtZeroCurrent) {
     EXPECT_EQ(hb_reference_evaluate(&reference).value, 0.0F);
 }
 
+TEST(Reference, aStartWhileItRunsBeginsWithTheFirstSegmentAndTimeZero) {
+    const hb_reference_config config = shape(HB_SHAPE_STAIRCASE);
+    const hb_plateau_config plateaus{};
+    hb_reference reference{};
+    hb_reference_start(&reference, &config, &plateaus, 1);
+    for (int tick = 0; tick < 2500; ++tick) {
+        hb_reference_evaluate(&reference);
+        hb_reference_advance(&reference);
+    }
+    EXPECT_EQ(reference.segment, 3);
+    hb_reference_start(&reference, &config, &plateaus, 1);
+    EXPECT_EQ(hb_reference_evaluate(&reference).value, 2.0F); // the first step
+    EXPECT_EQ(reference.segment, 1);
+    EXPECT_EQ(reference.ticks, 0U);
+    EXPECT_EQ(reference.running, 1);
+}
+
 TEST(Reference, addsBaseMotionByMode) {
     hb_reference_config config = shape(HB_SHAPE_NONE);
     config.base = 3.0F;
