@@ -16,6 +16,11 @@ namespace {
 // (resources/help/htm-theory.md sections 3.2 and 3.8).
 constexpr double HoldLoss_s2 = 1e-6 / 24.0 + 0.5 * 3.0e-4 * 3.0e-4 - 1.52e-8;
 
+// Of the lag that is assumed when the data do not tell it: the hold of an unknown loop may be anything up to
+// a tick of 1 ms (uniform: 1/sqrt(12)), the amplifier's 0.3 ms are good to 20 %
+// (resources/help/identification.md section 3.1).
+constexpr double LagError_s = 0.295e-3;
+
 struct Columns {
     std::vector<double> angle_rad;
     std::vector<double> current_A;
@@ -106,6 +111,16 @@ std::optional<SweepPoint> measurePlateau(std::span<const double> time_s, std::sp
     return point;
 }
 
+// What the loss of torque at speed takes off a steady speed: (phi/c) I L omega^2. Without it the sweep would
+// be no straight line.
+double lostSpeed_rad_s(const IdentifyFits& fits, const SweepPoint& point) {
+    if (!fits.motion || !fits.balance || !(fits.motion->damping_per_s > 0.0)) {
+        return 0.0;
+    }
+    const double gain = fits.balance->torque_rad_s2_A.value_or(0.0) / fits.motion->damping_per_s;
+    return gain * point.current_A * fits.motion->torqueLoss_s2 * point.speed_rad_s * point.speed_rad_s;
+}
+
 void fitSteadySweep(const Recording& recording, const Columns& columns,
                     const std::vector<control::CurrentPlateau>& plateaus, const IdentifyConfig& config,
                     IdentifyFits& fits) {
@@ -121,7 +136,8 @@ void fitSteadySweep(const Recording& recording, const Columns& columns,
         }
         fits.points.push_back(*point);
         if (point->isUsed) {
-            steady.push_back({point->current_A, point->speed_rad_s, error_rad_s});
+            steady.push_back(
+                {point->current_A, point->speed_rad_s + lostSpeed_rad_s(fits, *point), error_rad_s});
         }
     }
     auto sweep = control::fitFrictionSweep(steady, config.seed);
@@ -144,6 +160,7 @@ void fitTransients(const Recording& recording, const Columns& columns,
     const auto segments = control::findMotion(recording.time_s, columns.angle_rad, plateaus, segmentConfig);
     control::MotionFitConfig motionConfig;
     motionConfig.torqueLoss_s2 = HoldLoss_s2 + 0.5 * config.commutationLag_s * config.commutationLag_s;
+    motionConfig.torqueLossError_s2 = config.commutationLag_s * LagError_s;
     auto motion = control::fitMotion(segments, motionConfig);
     if (!motion) {
         fits.motionProblem = motion.error().message;

@@ -10,6 +10,9 @@
 namespace halbench::control {
 namespace {
 
+// The board's crystal, 1 sigma of 50 in a million: c/J goes with time, K_f/J and phi/J with its square.
+constexpr double ClockError_ratio = 2.9e-5;
+
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 
 int index(MotorConstant constant) {
@@ -356,6 +359,11 @@ MotorRatios motorRatios(const MotionFit& motion, const std::optional<BalanceFit>
     data.errors.push_back(
         {chosen * byScatter * chosen.transpose(), balance ? std::fmax(balance->freedom, 1.0) : Infinite});
     data.errors.push_back({chosen * bySupply * chosen.transpose(), Infinite});
+    const double friction = balance ? balance->friction_rad_s2.value_or(0.0) : 0.0;
+    const double torque = balance ? balance->torque_rad_s2_A.value_or(0.0) : 0.0;
+    const Eigen::Vector3d clock(motion.damping_per_s, 2.0 * friction, 2.0 * torque);
+    const Eigen::VectorXd byClock = chosen * (ClockError_ratio * clock);
+    data.errors.push_back({byClock * byClock.transpose(), Infinite});
     return data;
 }
 

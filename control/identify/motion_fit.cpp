@@ -2,120 +2,15 @@
 
 #include "control/base/assert.h"
 #include "control/base/units.h"
+#include "control/identify/motion_projection.h"
 #include "control/identify/motion_shape.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
 namespace halbench::control {
 namespace {
-
-constexpr int LocalColumns = 3;
-constexpr int RippleColumns = 6;
-
-// One segment for one value of the damping, local unknowns projected out.
-struct Projected {
-    Eigen::MatrixXd local;      // n x 3
-    Eigen::MatrixXd global;     // n x q as is
-    Eigen::MatrixXd globalRest; // without the part the local unknowns explain
-    Eigen::VectorXd angle;
-    Eigen::VectorXd angleRest;
-    Eigen::HouseholderQR<Eigen::MatrixXd> qr;
-};
-
-Eigen::MatrixXd withoutLocal(const Eigen::HouseholderQR<Eigen::MatrixXd>& qr, const Eigen::MatrixXd& what) {
-    Eigen::MatrixXd turned = qr.householderQ().transpose() * what;
-    turned.topRows(LocalColumns).setZero();
-    return qr.householderQ() * turned;
-}
-
-struct Columns {
-    int orders = 0;
-    bool ripple = false;
-    int count() const { return 2 * orders + (ripple ? RippleColumns : 0); }
-};
-
-Projected project(const MotionSegment& segment, double damping, const Columns& columns) {
-    Projected part;
-    part.local = localShape(segment, damping);
-    part.angle = Eigen::Map<const Eigen::VectorXd>(segment.angle_rad.data(),
-                                                   static_cast<Eigen::Index>(segment.angle_rad.size()));
-    part.qr.compute(part.local);
-    part.angleRest = withoutLocal(part.qr, part.angle);
-    part.global.resize(part.angle.size(), columns.count());
-    if (columns.orders > 0) {
-        part.global.leftCols(2 * columns.orders) = angleErrorShape(segment, columns.orders);
-    }
-    if (columns.ripple) {
-        part.global.rightCols(RippleColumns) = rippleShape(segment, damping);
-    }
-    part.globalRest = withoutLocal(part.qr, part.global);
-    return part;
-}
-
-// All segments for one value of the damping, all linear unknowns solved.
-struct Solution {
-    std::vector<Projected> parts;
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> globalQr;
-    Eigen::VectorXd global;
-    Eigen::VectorXd rest; // stacked residual
-    std::vector<Eigen::Vector3d> local;
-    double squares = 0.0;
-};
-
-Eigen::VectorXd withoutGlobal(const Solution& solution, const Eigen::VectorXd& stacked) {
-    if (solution.global.size() == 0) {
-        return stacked;
-    }
-    Eigen::VectorXd turned = solution.globalQr.householderQ().transpose() * stacked;
-    turned.head(solution.globalQr.rank()).setZero();
-    return solution.globalQr.householderQ() * turned;
-}
-
-Solution solve(std::span<const MotionSegment> segments, double damping, const Columns& columns) {
-    Solution solution;
-    Eigen::Index rows = 0;
-    for (const MotionSegment& segment : segments) {
-        solution.parts.push_back(project(segment, damping, columns));
-        rows += solution.parts.back().angle.size();
-    }
-    Eigen::MatrixXd stacked(rows, columns.count());
-    solution.rest.resize(rows);
-    Eigen::Index row = 0;
-    for (const Projected& part : solution.parts) {
-        stacked.middleRows(row, part.angle.size()) = part.globalRest;
-        solution.rest.segment(row, part.angle.size()) = part.angleRest;
-        row += part.angle.size();
-    }
-    if (columns.count() > 0) {
-        solution.globalQr.setThreshold(1e-8);
-        solution.globalQr.compute(stacked);
-        solution.global = solution.globalQr.solve(solution.rest);
-        solution.rest -= stacked * solution.global;
-    }
-    for (const Projected& part : solution.parts) {
-        const Eigen::VectorXd corrected =
-            columns.count() > 0 ? Eigen::VectorXd(part.angle - part.global * solution.global) : part.angle;
-        solution.local.emplace_back(part.qr.solve(corrected));
-    }
-    solution.squares = solution.rest.squaredNorm();
-    return solution;
-}
-
-// Derivative of the model by the damping, all linear unknowns projected out.
-Eigen::VectorXd dampingColumn(std::span<const MotionSegment> segments, const Solution& solution,
-                              double damping) {
-    Eigen::VectorXd stacked(solution.rest.size());
-    Eigen::Index row = 0;
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        const Eigen::VectorXd column = solution.local[i](2) * dampingShape(segments[i], damping);
-        stacked.segment(row, column.size()) = withoutLocal(solution.parts[i].qr, column);
-        row += column.size();
-    }
-    return withoutGlobal(solution, stacked);
-}
 
 // Coarse search over the damping with the local unknowns only.
 double startDamping(std::span<const MotionSegment> segments) {
@@ -123,8 +18,8 @@ double startDamping(std::span<const MotionSegment> segments) {
     double bestSquares = -1.0;
     for (double damping = 0.02; damping < 60.0; damping *= 1.25) {
         double squares = 0.0;
-        for (const MotionSegment& segment : segments) {
-            squares += project(segment, damping, {}).angleRest.squaredNorm();
+        for (std::size_t i = 0; i < segments.size(); ++i) {
+            squares += projectSegment(segments, i, damping, {}).angleRest.squaredNorm();
         }
         if (bestSquares < 0.0 || squares < bestSquares) {
             bestSquares = squares;
@@ -134,11 +29,11 @@ double startDamping(std::span<const MotionSegment> segments) {
     return best;
 }
 
-double iterateDamping(std::span<const MotionSegment> segments, double damping, const Columns& columns) {
+double iterateDamping(std::span<const MotionSegment> segments, double damping, const MotionColumns& columns) {
     constexpr int MostIterations = 40;
     for (int i = 0; i < MostIterations; ++i) {
-        const Solution solution = solve(segments, damping, columns);
-        const Eigen::VectorXd column = dampingColumn(segments, solution, damping);
+        const MotionSolution solution = solveMotion(segments, damping, columns);
+        const Eigen::VectorXd column = withoutGlobal(solution, dampingColumn(segments, solution, damping));
         const double size = column.squaredNorm();
         if (!(size > 0.0)) {
             return damping;
@@ -154,19 +49,12 @@ double iterateDamping(std::span<const MotionSegment> segments, double damping, c
 }
 
 // Sandwich over segments, never below the independent-noise variance while there are few of them.
-void dampingSpread(MotionFit& fit, const Solution& solution, const Eigen::VectorXd& column,
+void dampingSpread(MotionFit& fit, const MotionSolution& solution, const Eigen::VectorXd& column,
                    std::span<const MotionSegment> segments, int unknowns) {
     const double size = column.squaredNorm();
     const auto count = static_cast<double>(segments.size());
     const auto rows = static_cast<double>(column.size());
-    double meat = 0.0;
-    Eigen::Index row = 0;
-    for (const Projected& part : solution.parts) {
-        const Eigen::Index n = part.angle.size();
-        const double score = column.segment(row, n).dot(solution.rest.segment(row, n));
-        meat += score * score;
-        row += n;
-    }
+    const double meat = clusterMeat(solution, column)(0, 0);
     const double noise = solution.squares / std::max(rows - unknowns, 1.0) / size;
     constexpr double EnoughClusters = 10.0;
     if (count < EnoughClusters) {
@@ -183,15 +71,15 @@ double balanceOf(const Eigen::Vector3d& local, int direction, double damping) {
     return direction * (local(2) + damping * local(1));
 }
 
-void addBalances(MotionFit& fit, std::span<const MotionSegment> segments, const Columns& columns,
-                 const Solution& solution) {
+void addBalances(MotionFit& fit, std::span<const MotionSegment> segments, const MotionColumns& columns,
+                 const MotionSolution& solution) {
     const double a = fit.damping_per_s;
     const double step = 1e-5 * (std::fabs(a) + 0.1);
-    const Solution above = solve(segments, a + step, columns);
-    const Solution below = solve(segments, a - step, columns);
+    const MotionSolution above = solveMotion(segments, a + step, columns);
+    const MotionSolution below = solveMotion(segments, a - step, columns);
     Eigen::Index row = 0;
     for (std::size_t i = 0; i < segments.size(); ++i) {
-        const Projected& part = solution.parts[i];
+        const ProjectedSegment& part = solution.parts[i];
         const Eigen::Index n = part.angle.size();
         const int s = segments[i].direction;
         SegmentBalance balance;
@@ -210,7 +98,7 @@ void addBalances(MotionFit& fit, std::span<const MotionSegment> segments, const 
     }
 }
 
-Columns affordableColumns(std::span<const MotionSegment> segments, const MotionFitConfig& config) {
+MotionColumns affordableColumns(std::span<const MotionSegment> segments, const MotionFitConfig& config) {
     double travel = 0.0;
     std::size_t rows = 0;
     for (const MotionSegment& segment : segments) {
@@ -220,7 +108,7 @@ Columns affordableColumns(std::span<const MotionSegment> segments, const MotionF
     // An angle error can be told from motion only when every angle was passed at many different times.
     constexpr double EnoughTurns = 20.0;
     constexpr std::size_t EnoughRows = 600;
-    Columns columns;
+    MotionColumns columns;
     if (travel > EnoughTurns * 2.0 * Pi && rows > EnoughRows) {
         columns.orders = config.angleOrders;
         columns.ripple = config.fitsRipple;
@@ -236,7 +124,7 @@ Result<void> checkSegments(std::span<const MotionSegment> segments) {
     for (const MotionSegment& segment : segments) {
         HB_ASSERT(segment.time_s.size() == segment.angle_rad.size());
         HB_ASSERT(segment.direction == 1 || segment.direction == -1);
-        if (segment.time_s.size() <= LocalColumns) {
+        if (segment.time_s.size() <= MotionLocalColumns) {
             return failure(ErrorCode::Refused, "a stretch of motion has too few samples", "record faster");
         }
         for (const double angle : segment.angle_rad) {
@@ -249,18 +137,34 @@ Result<void> checkSegments(std::span<const MotionSegment> segments) {
     return {};
 }
 
+// Errors of the shared unknowns need many segments as clusters.
+constexpr std::size_t EnoughClusters = 10;
+
+void addClusterErrors(MotionFit& fit, const MotionColumns& columns, const MotionSolution& solution,
+                      const Eigen::VectorXd& bend) {
+    const Eigen::MatrixXd covariance = sandwichCovariance(solution, bend);
+    for (Eigen::Index i = 0; i < 2 * columns.orders; ++i) {
+        fit.angleErrorSpread_rad.push_back(std::sqrt(covariance(i, i)));
+    }
+    if (!columns.loss.empty()) {
+        const Eigen::Index last = columns.count() - 1;
+        fit.torqueLossError_s2 = std::sqrt(covariance(last, last));
+    }
+}
+
 Result<MotionFit> fitOnce(std::span<const MotionSegment> segments, double start_per_s,
-                          const Columns& columns) {
+                          const MotionColumns& columns) {
     MotionFit fit;
     fit.damping_per_s = iterateDamping(segments, start_per_s, columns);
     if (!std::isfinite(fit.damping_per_s)) {
         return failure(ErrorCode::Refused, "the damping of the motion cannot be decided",
                        "record run-ups and coast-downs over a wider range of speed");
     }
-    const Solution solution = solve(segments, fit.damping_per_s, columns);
-    const Eigen::VectorXd column = dampingColumn(segments, solution, fit.damping_per_s);
+    const MotionSolution solution = solveMotion(segments, fit.damping_per_s, columns);
+    const Eigen::VectorXd bend = dampingColumn(segments, solution, fit.damping_per_s);
+    const Eigen::VectorXd column = withoutGlobal(solution, bend);
     const auto rows = static_cast<double>(solution.rest.size());
-    const int unknowns = LocalColumns * static_cast<int>(segments.size()) + columns.count() + 1;
+    const int unknowns = MotionLocalColumns * static_cast<int>(segments.size()) + columns.count() + 1;
     if (!(column.squaredNorm() > 0.0) || rows <= unknowns) {
         return failure(ErrorCode::Refused, "the segments do not bend: the damping is undecided",
                        "record run-ups and coast-downs, not only steady motion");
@@ -268,32 +172,76 @@ Result<MotionFit> fitOnce(std::span<const MotionSegment> segments, double start_
     fit.angleOrders = columns.orders;
     const auto angleErrors = solution.global.head(2 * columns.orders);
     fit.angleError_rad.assign(angleErrors.begin(), angleErrors.end());
+    fit.torqueLoss_s2 = columns.loss.empty() ? 0.0 : solution.global.tail(1).value();
     fit.residualRms_rad = std::sqrt(solution.squares / (rows - unknowns));
     dampingSpread(fit, solution, column, segments, unknowns);
     addBalances(fit, segments, columns, solution);
+    if (segments.size() >= EnoughClusters) {
+        addClusterErrors(fit, columns, solution, bend);
+    }
     return fit;
 }
 
-// How well the loss of torque at speed is known, 1 sigma: it goes with the square of the lag, of which the
-// amplifier's share, 0.3 of 0.8 ms, is known to 5 % from the tolerances of its parts.
-constexpr double LossError_ratio = 0.04;
-
-// The segments as they would be without the loss of torque at speed, to first order of the loss.
-std::vector<MotionSegment> withoutTorqueLoss(std::span<const MotionSegment> segments, const MotionFit& fit,
-                                             const Columns& columns, double loss_s2) {
+// What a loss L = 1 s^2 of torque at speed does to the angle of each segment; speeds and torque from a fit
+// that did not know of it, which is right to first order of the loss (resources/help/identification.md 3.1).
+// Where torque and friction are not told apart, what is left of the torque stands for it.
+std::vector<Eigen::VectorXd> lossResponse(std::span<const MotionSegment> segments, const MotionFit& fit,
+                                          const MotionColumns& columns) {
     const auto balance = fitBalance(fit);
-    const double torque = balance ? balance->torque_rad_s2_A.value_or(0.0) : 0.0;
-    const Solution solution = solve(segments, fit.damping_per_s, columns);
+    const auto torque = balance ? balance->torque_rad_s2_A : std::optional<double>();
+    const MotionSolution solution = solveMotion(segments, fit.damping_per_s, columns);
+    std::vector<Eigen::VectorXd> response;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const Eigen::Vector3d& local = solution.local[i];
+        const MotionSegment& segment = segments[i];
+        const double rest = segment.current_A == 0.0 ? 0.0 : fit.balances[i].balance_rad_s2;
+        const double drive = torque ? *torque * segment.current_A : segment.direction * rest;
+        response.emplace_back(-drive * forceShape(segment, fit.damping_per_s, {local(1), local(2)},
+                                                  [](double speed) { return speed * speed; }));
+    }
+    return response;
+}
+
+std::vector<MotionSegment> withoutLoss(std::span<const MotionSegment> segments,
+                                       const std::vector<Eigen::VectorXd>& response, double loss_s2) {
     std::vector<MotionSegment> corrected(segments.begin(), segments.end());
     for (std::size_t i = 0; i < corrected.size(); ++i) {
-        const Eigen::VectorXd response =
-            lossShape(segments[i], fit.damping_per_s, solution.local[i](1), solution.local[i](2));
         for (std::size_t row = 0; row < corrected[i].angle_rad.size(); ++row) {
-            corrected[i].angle_rad[row] +=
-                loss_s2 * torque * segments[i].current_A * response(static_cast<Eigen::Index>(row));
+            corrected[i].angle_rad[row] -= loss_s2 * response[i](static_cast<Eigen::Index>(row));
         }
     }
     return corrected;
+}
+
+// The loss as an unknown of the fit, in units of `scale_s2` so that all columns are of one size.
+Result<MotionFit> fitWithLoss(std::span<const MotionSegment> segments, double start_per_s,
+                              MotionColumns columns, const std::vector<Eigen::VectorXd>& response,
+                              double scale_s2) {
+    for (const Eigen::VectorXd& column : response) {
+        columns.loss.emplace_back(scale_s2 * column);
+    }
+    auto fit = fitOnce(segments, start_per_s, columns);
+    if (fit) {
+        fit->torqueLoss_s2 *= scale_s2;
+        fit->torqueLossError_s2 *= scale_s2;
+        fit->isTorqueLossFitted = true;
+    }
+    return fit;
+}
+
+// The loss as assumed; what a would change by 1 sigma of the assumption is part of its error.
+Result<MotionFit> fitAssumingLoss(std::span<const MotionSegment> segments, const MotionFit& first,
+                                  const MotionColumns& columns, const std::vector<Eigen::VectorXd>& response,
+                                  const MotionFitConfig& config) {
+    auto fit = fitOnce(withoutLoss(segments, response, config.torqueLoss_s2), first.damping_per_s, columns);
+    if (fit) {
+        const double shift = fit->damping_per_s - first.damping_per_s;
+        fit->dampingError_per_s =
+            std::hypot(fit->dampingError_per_s, config.torqueLossError_s2 / config.torqueLoss_s2 * shift);
+        fit->torqueLoss_s2 = config.torqueLoss_s2;
+        fit->torqueLossError_s2 = config.torqueLossError_s2;
+    }
+    return fit;
 }
 
 } // namespace
@@ -302,18 +250,19 @@ Result<MotionFit> fitMotion(std::span<const MotionSegment> segments, const Motio
     if (const auto checked = checkSegments(segments); !checked) {
         return failure(checked.error());
     }
-    const Columns columns = affordableColumns(segments, config);
+    const MotionColumns columns = affordableColumns(segments, config);
     auto fit = fitOnce(segments, startDamping(segments), columns);
     if (!fit || config.torqueLoss_s2 == 0.0) {
         return fit;
     }
-    const auto corrected = withoutTorqueLoss(segments, *fit, columns, config.torqueLoss_s2);
-    auto final = fitOnce(corrected, fit->damping_per_s, columns);
-    if (final) {
-        const double shift = final->damping_per_s - fit->damping_per_s;
-        final->dampingError_per_s = std::hypot(final->dampingError_per_s, LossError_ratio * shift);
+    const auto response = lossResponse(segments, *fit, columns);
+    if (segments.size() >= EnoughClusters && columns.count() > 0) {
+        auto fitted = fitWithLoss(segments, fit->damping_per_s, columns, response, config.torqueLoss_s2);
+        if (fitted && fitted->torqueLossError_s2 < config.torqueLossError_s2) {
+            return fitted;
+        }
     }
-    return final;
+    return fitAssumingLoss(segments, *fit, columns, response, config);
 }
 
 std::vector<double> correctedAngle_rad(const MotionFit& fit, std::span<const double> angle_rad) {

@@ -12,9 +12,11 @@ namespace halbench::control {
 struct MotionFitConfig {
     int angleOrders = 6;    ///< orders per turn of the sensors' angle error that are fitted along
     bool fitsRipple = true; ///< torque and friction ripple once and twice per turn
-    /// Torque of a current falls as 1 - this omega^2: hold between two commutations, roll-off and lag of the
-    /// amplifier (resources/help/identification.md section 4).
+    /// Torque of a current falls as 1 - L omega^2: hold between two commutations, roll-off and lag of the
+    /// amplifier (resources/help/identification.md section 3.1). L is fitted along; this is what is assumed
+    /// of it, with its 1 sigma, when the data cannot tell it any better.
     double torqueLoss_s2 = 0.0;
+    double torqueLossError_s2 = 0.0;
 };
 
 /// What one segment says about the balance of torques, all over J:
@@ -37,6 +39,10 @@ struct MotionFit {
     int angleOrders = 0;                  ///< orders that the data could carry
     std::vector<double> angleError_rad;   ///< of cos theta, sin theta, cos 2 theta, ... of the measured angle
     double residualRms_rad = 0.0;
+    double torqueLoss_s2 = 0.0; ///< L, fitted or assumed
+    double torqueLossError_s2 = 0.0;
+    bool isTorqueLossFitted = false;
+    std::vector<double> angleErrorSpread_rad; ///< 1 sigma of angleError_rad; empty below ten segments
 };
 
 /// Fits the measured angle, not a differentiated speed, of all segments at once:
@@ -45,10 +51,10 @@ struct MotionFit {
 ///
 /// with psi0, omega0, alpha0 free in each segment (so that friction may differ from run to run without
 /// biasing a), a common damping a, the sensors' angle error h as a Fourier series, and the response r of the
-/// rotor to torque and friction ripple. Variable projection: the linear unknowns are eliminated exactly, a
-/// is found by Gauss-Newton. Covariance of a by the sandwich over segments. Cost: samples times unknowns^2.
-/// Errors: Refused (no segment; the segments do not bend, so that a is undecided), NotFinite.
-/// Source: resources/help/identification.md section 3.
+/// rotor to torque and friction ripple and to the loss of torque at speed. Variable projection: the linear
+/// unknowns are eliminated exactly, a is found by Gauss-Newton. Covariance of a by the sandwich over
+/// segments. Cost: samples times unknowns^2. Errors: Refused (no segment; the segments do not bend, so that a
+/// is undecided), NotFinite. Source: resources/help/identification.md section 3.
 Result<MotionFit> fitMotion(std::span<const MotionSegment> segments, const MotionFitConfig& config = {});
 
 /// The measured angle without the sensors' error that the fit found.

@@ -111,23 +111,24 @@ Eigen::MatrixXd rippleShape(const MotionSegment& segment, double damping_per_s) 
     return shape;
 }
 
-Eigen::VectorXd lossShape(const MotionSegment& segment, double damping_per_s, double speed_rad_s,
-                          double acceleration_rad_s2) {
-    const auto square = [&](double t) {
+Eigen::VectorXd forceShape(const MotionSegment& segment, double damping_per_s, const SpeedCourse& course,
+                           const std::function<double(double)>& force_rad_s2) {
+    const auto forceAt = [&](double t) {
         const double x = damping_per_s * t;
         const double lag = std::fabs(x) < 1e-9 ? t : -std::expm1(-x) / damping_per_s;
-        const double speed = speed_rad_s + acceleration_rad_s2 * lag;
-        return speed * speed;
+        return force_rad_s2(course.speed_rad_s + course.acceleration_rad_s2 * lag);
     };
     Eigen::VectorXd shape = Eigen::VectorXd::Zero(rowsOf(segment));
     double speed = 0.0;
+    double before = forceAt(0.0);
     for (Eigen::Index i = 1; i < shape.size(); ++i) {
         const double step = since(segment, i) - since(segment, i - 1);
         const double decay = std::exp(-damping_per_s * step);
-        const double next =
-            decay * speed + 0.5 * step * (decay * square(since(segment, i - 1)) + square(since(segment, i)));
+        const double now = forceAt(since(segment, i));
+        const double next = decay * speed + 0.5 * step * (decay * before + now);
         shape(i) = shape(i - 1) + 0.5 * step * (speed + next);
         speed = next;
+        before = now;
     }
     return shape;
 }

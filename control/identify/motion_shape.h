@@ -3,6 +3,7 @@
 #include "control/identify/motion_segments.h"
 
 #include <Eigen/Core>
+#include <functional>
 
 namespace halbench::control {
 
@@ -22,8 +23,14 @@ Eigen::MatrixXd angleErrorShape(const MotionSegment& segment, int orders);
 /// from rest; the free start of the segment takes up the homogeneous part.
 Eigen::MatrixXd rippleShape(const MotionSegment& segment, double damping_per_s);
 
-/// Response of delta'' + a delta' to omega(t)^2 of a segment that starts with this speed and acceleration.
-Eigen::VectorXd lossShape(const MotionSegment& segment, double damping_per_s, double speed_rad_s,
-                          double acceleration_rad_s2);
+/// Speed and acceleration at the start of a segment, which relaxes from there with the damping.
+struct SpeedCourse {
+    double speed_rad_s = 0.0;
+    double acceleration_rad_s2 = 0.0;
+};
+
+/// Response of delta'' + a delta' to force(omega(t)), an acceleration that depends on the speed.
+Eigen::VectorXd forceShape(const MotionSegment& segment, double damping_per_s, const SpeedCourse& course,
+                           const std::function<double(double)>& force_rad_s2);
 
 } // namespace halbench::control

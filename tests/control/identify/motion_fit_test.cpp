@@ -116,6 +116,69 @@ TEST(MotionFit, coastDownsAloneGiveFrictionButNoTorqueConstant) {
     EXPECT_NEAR(*balance->friction_rad_s2 / truth.friction_rad_s2, 1.0, 1e-8);
 }
 
+// Segments of a rotor whose torque falls as 1 - loss omega^2, by Runge-Kutta steps of 1 ms.
+std::vector<MotionSegment> segmentsWithLoss(double loss_s2, int pairs, std::uint64_t seed) {
+    const MotorRatios truth;
+    Random random(seed);
+    std::vector<MotionSegment> segments;
+    double angle = 0.3;
+    for (int i = 0; i < 2 * pairs; ++i) {
+        const double current = i % 2 == 0 ? 4.0 : 0.0;
+        const double friction = truth.friction_rad_s2 * (1.0 + 0.033 * random.gaussian());
+        const auto acceleration = [&](double w) {
+            return truth.torque_rad_s2_A * current * (1.0 - loss_s2 * w * w) - truth.damping_per_s * w -
+                   friction;
+        };
+        double speed = i % 2 == 0 ? 4.0 : 26.0;
+        MotionSegment segment{{}, {}, current, 1};
+        for (int tick = 0; speed > 3.0 && tick < 1000; ++tick) {
+            if (tick % 10 == 0) {
+                segment.time_s.push_back(1e-3 * tick);
+                segment.angle_rad.push_back(angle + 7e-4 * random.gaussian());
+            }
+            const double k1 = acceleration(speed);
+            const double k2 = acceleration(speed + 0.5e-3 * k1);
+            angle += 1e-3 * (speed + 0.5e-3 * k1);
+            speed += 1e-3 * k2;
+        }
+        segments.push_back(segment);
+    }
+    return segments;
+}
+
+TEST(MotionFit, findsTheLossOfTorqueAtSpeedWhateverWasAssumed) {
+    MotionFitConfig config;
+    config.torqueLoss_s2 = 3.9e-7;
+    config.torqueLossError_s2 = 1e-5; // hardly anything is assumed
+    for (const double loss_s2 : {0.0, 3.9e-7, 1.2e-6}) {
+        const auto motion = fitMotion(segmentsWithLoss(loss_s2, 24, 5), config);
+        ASSERT_TRUE(motion);
+        EXPECT_TRUE(motion->isTorqueLossFitted);
+        // four standard errors of one draw
+        EXPECT_NEAR(motion->torqueLoss_s2, loss_s2, 4.0 * motion->torqueLossError_s2);
+        EXPECT_NEAR(motion->damping_per_s, 1.23e-3 / 5.5e-4, 4.0 * motion->dampingError_per_s);
+        EXPECT_LT(motion->dampingError_per_s, 2e-3 * motion->damping_per_s);
+    }
+}
+
+TEST(MotionFit, takesTheErrorOfTheAssumedLossIntoTheDampingWhenItCannotFindIt) {
+    MotionFitConfig config;
+    config.torqueLoss_s2 = 3.9e-7;
+    config.torqueLossError_s2 = 0.0;
+    const auto segments = segmentsWithLoss(3.9e-7, 3, 6);
+    const auto sure = fitMotion(segments, config);
+    config.torqueLossError_s2 = 3.9e-7;
+    const auto unsure = fitMotion(segments, config);
+    config.torqueLoss_s2 = 0.0;
+    const auto without = fitMotion(segments, config);
+    ASSERT_TRUE(sure && unsure && without);
+    EXPECT_FALSE(unsure->isTorqueLossFitted);
+    EXPECT_EQ(unsure->torqueLoss_s2, 3.9e-7);
+    // an error of all of the loss is worth all of its correction
+    EXPECT_NEAR(unsure->dampingError_per_s,
+                std::hypot(sure->dampingError_per_s, sure->damping_per_s - without->damping_per_s), 1e-9);
+}
+
 TEST(MotionFit, refusesARecordThatNeverMoves) {
     std::vector<double> time;
     for (int i = 0; i < 500; ++i) {

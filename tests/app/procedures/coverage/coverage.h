@@ -15,6 +15,7 @@ namespace halbench::app {
 struct Coverage {
     std::array<int, 3> covered{};
     int runs = 0;
+    int notGood = 0; ///< verdicts
 };
 
 inline Coverage countCoverage(int firstSeed, int lastSeed) {
@@ -41,6 +42,7 @@ inline Coverage countCoverage(int firstSeed, int lastSeed) {
             const auto& interval = estimates[i]->interval95;
             coverage.covered[i] += interval && interval->first <= Truth[i] && Truth[i] <= interval->second;
         }
+        coverage.notGood += result->quality.verdict != Verdict::Good;
         ++coverage.runs;
     }
     return coverage;
