@@ -112,7 +112,41 @@ void judgeAmount(IdentifyResult& result, const IdentifyFits& fits) {
     }
     if (!fits.balanceProblem.empty()) {
         remark(result.quality, Verdict::Good, "torque_not_separated", fits.balanceProblem,
-               "add a coast-down or a second current");
+               "use a higher current, so that the coast-down above 3 rad/s lasts longer than 0.12 s, or a "
+               "second "
+               "current");
+    }
+}
+
+// Residual of the worst stretch over the median of all: what the model leaves is the sensors' noise, the same
+// in every stretch; friction that depends on speed bends the slow ones (resources/help/identification.md 5).
+double worstStretch_ratio(const control::MotionFit& motion) {
+    std::vector<double> residuals;
+    for (const control::SegmentBalance& balance : motion.balances) {
+        residuals.push_back(balance.residualRms_rad);
+    }
+    const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
+    std::nth_element(residuals.begin(), middle, residuals.end());
+    return *middle > 0.0 ? *std::max_element(middle, residuals.end()) / *middle : 1.0;
+}
+
+// White noise of twelve samples or more exceeds this less than once in 1e9 stretches; of simulated motors
+// with all imperfections one in a hundred does.
+constexpr double InadequateStretch_ratio = 3.5;
+
+void judgeStretches(IdentifyResult& result, const IdentifyFits& fits) {
+    constexpr std::size_t EnoughStretches = 5;
+    if (!fits.motion || fits.motion->balances.size() < EnoughStretches) {
+        return;
+    }
+    const double ratio = worstStretch_ratio(*fits.motion);
+    if (ratio > InadequateStretch_ratio) {
+        remark(
+            result.quality, Verdict::Doubtful, "friction_depends_on_speed",
+            fmt::format("model inadequate: one stretch of motion lies {:.1f} times further off the model "
+                        "than most",
+                        ratio),
+            "friction may depend on speed: the intervals do not hold that error; use faster currents only");
     }
 }
 
@@ -278,6 +312,9 @@ void addNotes(IdentifyResult& result, const IdentifyFits& fits) {
     if (fits.motion) {
         result.notes["motion_segments"] = static_cast<double>(fits.motion->balances.size());
         result.notes["angle_residual_rms_rad"] = fits.motion->residualRms_rad;
+        result.notes["torque_loss_s2"] = fits.motion->torqueLoss_s2;
+        result.notes["torque_loss_error_s2"] = fits.motion->torqueLossError_s2;
+        result.notes["worst_stretch_ratio"] = worstStretch_ratio(*fits.motion);
     }
     if (fits.balance && fits.balance->friction_rad_s2 && *fits.balance->friction_rad_s2 > 0.0) {
         result.notes["friction_scatter_ratio"] =
@@ -305,6 +342,7 @@ IdentifyResult judgeFits(const IdentifyFits& fits, const IdentifyConfig& config)
         return result;
     }
     takeAsymmetry(result, fits);
+    judgeStretches(result, fits);
     judgeModel(result, fits);
     judgeAgreement(result, fits);
     judgeGiven(result, joint, config);
