@@ -14,6 +14,7 @@ namespace {
 constexpr double SettleTimes = 9.0;
 constexpr double SteadinessWindows_s = 2.1; // two windows of 1 s and the samples at their ends
 constexpr double LongestDwell_s = 15.0;
+constexpr double LoneRunUp_s = 2.0; // without a sweep the run-ups alone must bend enough to show c/J
 constexpr double SpeedShare = 0.9;  // of the limit that a plateau may reach
 constexpr double GuardShare = 0.95; // of the limit at which a run is ended
 
@@ -44,11 +45,11 @@ PlateauRun sweepRun(const std::vector<double>& currents, double sign, double dwe
     return run;
 }
 
-// As fast as one second makes it, but below the speed limit; the coast-down takes no longer than that.
+// As fast as this dwell makes it, but below the speed limit; the coast-down takes no longer than that.
 PlateauRun coastRun(const IdentifyConfig& config, const std::vector<double>& currents, double sign,
-                    const PilotEstimate& pilot) {
+                    const PilotEstimate& pilot, double dwell_s) {
     PlateauRun run;
-    run.dwell_s = 1.0;
+    run.dwell_s = dwell_s;
     const double limit = 0.8 * config.speedLimit_rad_s;
     while (run.dwell_s > 0.2 && runUpSpeed_rad_s(pilot, currents.back(), run.dwell_s) > limit) {
         run.dwell_s -= 0.05;
@@ -102,7 +103,7 @@ std::vector<PlateauRun> planRuns(const IdentifyConfig& config, const std::vector
             runs.push_back(sweepRun(admissible, sign, settle_s + SteadinessWindows_s, random));
         }
         if (config.coastDownsPerDirection > 0) {
-            runs.push_back(coastRun(config, currents_A, sign, pilot));
+            runs.push_back(coastRun(config, currents_A, sign, pilot, canSweep ? 1.0 : LoneRunUp_s));
         }
     }
     for (PlateauRun& run : runs) {

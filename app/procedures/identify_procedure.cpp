@@ -106,7 +106,10 @@ private:
                 return estimate;
             }
         }
-        return std::optional<PilotEstimate>();
+        // It turned, but too slowly to tell torque from friction, as one low current does: the published
+        // motor's figures plan the runs, whose speed is watched all the same.
+        return m_watch.highest_rad_s() > m_config.usableSpeed_rad_s ? std::optional(nominalMotor())
+                                                                    : std::optional<PilotEstimate>();
     }
 
     std::optional<PilotEstimate> pilotEstimate() const {

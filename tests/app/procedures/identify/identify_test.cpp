@@ -51,6 +51,69 @@ TEST(Identify, comesBackWithinThreeInAThousandWithoutImperfections) {
     }
 }
 
+TEST(Identify, isRightWithinItsIntervalWhateverTheLagOfTheCurrents) {
+    // No lag at all; the published amplifier; one that is four times as slow (R3, 1 ms more of lag).
+    for (const char* uri :
+         {"sim:htm?chain=ideal", "sim:htm?imperfections=off", "sim:htm?imperfections=off&C2=1e-7"}) {
+        const auto device = open(uri);
+        const auto result = runIdentify(*device, withInertia(5.5e-4), {});
+        ASSERT_TRUE(result) << result.error().message;
+        EXPECT_TRUE(covers(result->viscousDamping, 1.23e-3)) << uri;
+        EXPECT_TRUE(covers(result->coulombFriction, 2.05e-2)) << uri;
+        EXPECT_TRUE(covers(result->torqueConstant, 1.43e-2)) << uri;
+        EXPECT_EQ(result->quality.verdict, Verdict::Good) << uri;
+        // well within the 0.3 % of htm-theory.md section 7.2
+        EXPECT_LT(result->viscousDamping.interval95->second, 1.002 * 1.23e-3) << uri;
+    }
+}
+
+TEST(Identify, frictionThatDependsOnSpeedIsWithinTheIntervalOrTheVerdictIsNotGood) {
+    for (const char* speed : {"0.3", "1", "2", "3", "5", "10"}) {
+        for (const char* seed : {"1", "2"}) {
+            const std::string uri = std::string("sim:htm?stribeck_speed=") + speed + "&seed=" + seed;
+            const auto device = open(uri);
+            const auto result = runIdentify(*device, withInertia(5.5e-4), {});
+            ASSERT_TRUE(result && result->viscousDamping.interval95) << uri;
+            const auto [low, high] = *result->viscousDamping.interval95;
+            // three standard errors, so that one of 12 intervals of 95 % may miss
+            const bool isRight =
+                std::fabs(*result->viscousDamping.value - 1.23e-3) < 1.53 * 0.5 * (high - low);
+            EXPECT_TRUE(isRight || result->quality.verdict != Verdict::Good) << uri;
+            if (std::stod(speed) > 2.5) {
+                EXPECT_TRUE(hasFinding(*result, "friction_depends_on_speed")) << uri;
+            }
+        }
+    }
+}
+
+TEST(Identify, oneCurrentWithItsCoastDownsDecidesAllRatios) {
+    for (const SweepDirections directions : {SweepDirections::Both, SweepDirections::Reverse}) {
+        const auto device = open("sim:htm?seed=2");
+        IdentifyConfig config = withInertia(5.5e-4);
+        config.sweep = {3.0, 3.0, 1.0};
+        config.directions = directions;
+        const auto result = runIdentify(*device, config, {});
+        ASSERT_TRUE(result) << result.error().message;
+        EXPECT_TRUE(covers(result->viscousDamping, 1.23e-3));
+        EXPECT_TRUE(covers(result->coulombFriction, 2.05e-2));
+        EXPECT_TRUE(covers(result->torqueConstant, 1.43e-2));
+        EXPECT_EQ(result->quality.verdict, Verdict::Good);
+    }
+}
+
+TEST(Identify, oneCurrentWhoseCoastDownsAreTooShortGivesTheDampingAndSaysWhy) {
+    // 2 A turn the rotor at 6.6 rad/s: it coasts down to 3 rad/s within 0.08 s.
+    const auto device = open("sim:htm?seed=1");
+    IdentifyConfig config = withInertia(5.5e-4);
+    config.sweep = {2.0, 2.0, 1.0};
+    const auto result = runIdentify(*device, config, {});
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_TRUE(covers(result->viscousDamping, 1.23e-3));
+    EXPECT_FALSE(result->torqueConstant.value);
+    EXPECT_FALSE(result->coulombFriction.value);
+    EXPECT_TRUE(hasFinding(*result, "torque_not_separated"));
+}
+
 TEST(Identify, givesEachRatioToOnePercentThroughTheFullChainWithoutScatter) {
     const auto device = open("sim:htm?seed=12&friction_scatter=0");
     const auto result = runIdentify(*device, {}, {});
