@@ -64,29 +64,15 @@ private:
         return {};
     }
 
-    /// The times of the calibrations are those of their defaults: a turn in each direction, the d-axis ramp,
-    /// a ramp for each start (resources/help/htm-theory.md 7.5).
     Result<void> planCalibrate(const ExperimentStep& step, StepPlan& plan) {
         const Result<CalibrateConfig> config = calibrateConfigOf(step);
         if (!config) {
             return failure(config.error());
         }
-        double square_A2_s = 0.0;
-        const auto add = [&](double duration_s, double peak_A, double share) {
-            plan.duration_s += duration_s;
-            plan.peakCurrent_A = std::max(plan.peakCurrent_A, peak_A);
-            square_A2_s += peak_A * peak_A * share * duration_s;
-        };
-        for (const Calibration which : config->which) {
-            if (which == Calibration::Hall) {
-                add(20.0, config->spinCurrent_A, 0.5);
-            } else if (which == Calibration::Stray) {
-                add(10.0, config->strayCurrent_A, 0.5);
-            } else {
-                add(4.0 * config->frictionStarts, config->frictionCurrent_A, 0.33);
-            }
-        }
-        heat(plan, square_A2_s / plan.duration_s);
+        const CalibratePrediction prediction = predictCalibrate(*config);
+        plan.duration_s = prediction.duration_s;
+        plan.peakCurrent_A = prediction.peakCurrent_A;
+        heat(plan, prediction.meanSquare_A2);
         return {};
     }
 

@@ -88,6 +88,19 @@ Result<double> proposedOrPresent(devices::Device& device, const CalibrateResult&
     return values->front();
 }
 
+std::vector<PlateauRun> hallRuns(const CalibrateConfig& config) {
+    std::vector<PlateauRun> runs;
+    for (const double sign : {1.0, -1.0}) {
+        PlateauRun run;
+        run.currents_A = {sign * config.spinCurrent_A, sign * config.spinCurrent_A, 0.0};
+        run.dwell_s = 4.0;
+        run.mayReach_rad_s = 0.9 * config.speedLimit_rad_s;
+        run.text = "spins slowly for the Hall sensors";
+        runs.push_back(std::move(run));
+    }
+    return runs;
+}
+
 Result<void> calibrateHall(devices::Device& device, const CalibrateConfig& config,
                            const ProcedureObserver& observer, CalibrateResult& result) {
     const auto stray = proposedOrPresent(device, result, "stray.coefficient");
@@ -110,12 +123,7 @@ Result<void> calibrateHall(devices::Device& device, const CalibrateConfig& confi
     if (auto started = recorder.start(signals, 100.0); !started) {
         return started;
     }
-    for (const double sign : {1.0, -1.0}) {
-        PlateauRun run;
-        run.currents_A = {sign * config.spinCurrent_A, sign * config.spinCurrent_A, 0.0};
-        run.dwell_s = 4.0;
-        run.mayReach_rad_s = 0.9 * config.speedLimit_rad_s;
-        run.text = "spins slowly for the Hall sensors";
+    for (const PlateauRun& run : hallRuns(config)) {
         if (auto done = runPlateaus(device, listening, run, {}, watch); !done) {
             return failure(recorder.causeOf(done.error()));
         }
@@ -145,7 +153,7 @@ Result<void> calibrateHall(devices::Device& device, const CalibrateConfig& confi
     result.residualBefore_rad = control::hallAngleError_rad(*before, e);
     result.residualAfter_rad = fit->residual_ratio;
     judgeEllipse(result, *fit);
-    return {};
+    return calibrateAngleMap(device, config, observer, result);
 }
 
 } // namespace halbench::app

@@ -16,10 +16,10 @@ Result<void> checkConfig(const CalibrateConfig& config) {
                        "choose hall, stray, static-friction or all");
     }
     const double largest = std::max({std::fabs(config.spinCurrent_A), std::fabs(config.strayCurrent_A),
-                                     std::fabs(config.frictionCurrent_A)});
+                                     std::fabs(config.frictionCurrent_A), std::fabs(config.mapCurrent_A)});
     constexpr double BoardLimit_A = 4.0;
-    if (!(largest <= BoardLimit_A) || config.spinCurrent_A <= 0.0 || config.strayCurrent_A <= 0.0 ||
-        config.frictionCurrent_A <= 0.0) {
+    if (!(largest <= BoardLimit_A) || config.spinCurrent_A <= 0.0 || config.mapCurrent_A <= 0.0 ||
+        config.strayCurrent_A <= 0.0 || config.frictionCurrent_A <= 0.0) {
         return failure(ErrorCode::OutOfRange, "the currents of a calibration must lie in (0, 4] A", {});
     }
     if (config.frictionStarts < 2 || config.frictionStarts > 50) {

@@ -21,6 +21,7 @@ struct CalibrateConfig {
     std::vector<Calibration> which{Calibration::Hall, Calibration::Stray, Calibration::StaticFriction};
     bool apply = false;             ///< write what is proposed, verify, keep
     double spinCurrent_A = 2.2;     ///< slow constant speed for the sensor ellipse
+    double mapCurrent_A = 4.0;      ///< fast run-ups for the angle error that the ellipse leaves
     double strayCurrent_A = 4.0;    ///< largest d-axis current
     double frictionCurrent_A = 3.0; ///< end of the static-friction ramp
     int frictionStarts = 6;         ///< angles at which the rotor is broken loose, each direction
@@ -57,5 +58,14 @@ struct CalibrateResult {
 /// do not support is left out and named in the findings.
 Result<CalibrateResult> runCalibrate(devices::Device& device, const CalibrateConfig& config,
                                      const ProcedureObserver& observer);
+
+/// What the chosen calibrations will do, before anything is armed (also for `run --dry-run`), for a motor
+/// with the published constants.
+struct CalibratePrediction {
+    double duration_s = 0.0;
+    double peakCurrent_A = 0.0;
+    double meanSquare_A2 = 0.0; ///< in the phase that carries most
+};
+CalibratePrediction predictCalibrate(const CalibrateConfig& config);
 
 } // namespace halbench::app

@@ -2,6 +2,7 @@
 
 #include "app/procedures/calibrate_procedure.h"
 #include "app/procedures/procedure_steps.h"
+#include "app/procedures/spin_drive.h"
 
 #include <vector>
 
@@ -19,6 +20,30 @@ Result<void> calibrateStray(devices::Device& device, const CalibrateConfig& conf
 /// found before, or the board's.
 Result<void> calibrateHall(devices::Device& device, const CalibrateConfig& config,
                            const ProcedureObserver& observer, CalibrateResult& result);
+
+/// Slow turns for the ellipse.
+std::vector<PlateauRun> hallRuns(const CalibrateConfig& config);
+
+/// Angle error per turn, orders 1 to 6, that the ellipse proposed in `result` leaves; proposes the board's
+/// error map when it is known well enough to be worth it, else that it is switched off.
+Result<void> calibrateAngleMap(devices::Device& device, const CalibrateConfig& config,
+                               const ProcedureObserver& observer, CalibrateResult& result);
+/// Fast run-ups and coast-downs, one run in each direction.
+std::vector<PlateauRun> angleMapRuns(const CalibrateConfig& config);
+
+/// Times of the measurements at standstill, for the procedure and its prediction.
+namespace standstill {
+inline constexpr int StrayAngles = 3;
+inline constexpr int StrayLevels = 17;
+inline constexpr double StrayDwell_s = 0.12;
+inline constexpr double StrayDuration_s = StrayLevels * StrayDwell_s + 0.05;
+inline constexpr double StrayMeanSquare_ratio = 0.36; ///< of the largest current, over the levels
+inline constexpr double PushDuration_s = 0.15;
+inline constexpr double PushRest_s = 0.8;
+inline constexpr double RampRate_A_per_s = 0.6;
+inline constexpr double RampEnd_rad = 0.8; ///< travel at which the rotor is surely off
+inline constexpr double RampRest_s = 0.6;
+} // namespace standstill
 
 /// Current at the first motion under a slow ramp, at several angles, both ways.
 Result<void> calibrateStaticFriction(devices::Device& device, const CalibrateConfig& config,

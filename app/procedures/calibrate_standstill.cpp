@@ -46,8 +46,7 @@ Result<void> startGuarded(StreamRecorder& recorder, const devices::Device& devic
 // A short push, so that the next measurement stands at another angle.
 Result<void> nudge(devices::Device& device, const CalibrateConfig& config,
                    const ProcedureObserver& observer) {
-    constexpr double Push_s = 0.15;
-    constexpr double Rest_s = 0.8;
+    using standstill::PushDuration_s;
     StreamRecorder recorder(device, observer);
     if (auto started = startGuarded(recorder, device, config, {"position"}); !started) {
         return started;
@@ -55,8 +54,9 @@ Result<void> nudge(devices::Device& device, const CalibrateConfig& config,
     if (auto driven = drive(device, observer,
                             {{"reference.shape", ShapeStep},
                              {"reference.amplitude", config.frictionCurrent_A},
-                             {"reference.duration", Push_s}},
-                            devices::BoardMode::Current, Push_s + Rest_s, "turns to another angle");
+                             {"reference.duration", PushDuration_s}},
+                            devices::BoardMode::Current, PushDuration_s + standstill::PushRest_s,
+                            "turns to another angle");
         !driven) {
         return failure(recorder.causeOf(driven.error()));
     }
@@ -137,7 +137,7 @@ Result<Recording> recordAt(devices::Device& device, const CalibrateConfig& confi
 // One ramp; ends as soon as the rotor is surely off.
 Result<Recording> rampOnce(devices::Device& device, const CalibrateConfig& config,
                            const ProcedureObserver& observer, double end_A) {
-    constexpr double Rate_A_s = 0.6;
+    using standstill::RampRate_A_per_s;
     double first_rad = 0.0;
     double travel_rad = 0.0;
     bool hasFirst = false;
@@ -158,18 +158,18 @@ Result<Recording> rampOnce(devices::Device& device, const CalibrateConfig& confi
     if (auto started = startGuarded(recorder, device, config, {"position", "current_command"}); !started) {
         return failure(started.error());
     }
-    const double duration_s = std::fabs(end_A) / Rate_A_s;
+    const double duration_s = std::fabs(end_A) / RampRate_A_per_s;
     if (auto driven = drive(device, listening,
                             {{"reference.shape", ShapeRamp},
                              {"reference.amplitude", end_A},
-                             {"reference.rate", std::copysign(Rate_A_s, end_A)},
+                             {"reference.rate", std::copysign(RampRate_A_per_s, end_A)},
                              {"reference.duration", duration_s}},
                             devices::BoardMode::Current, 0.1, "ramps the current from rest");
         !driven) {
         return failure(recorder.causeOf(driven.error()));
     }
-    constexpr double SurelyOff_rad = 0.8;
-    for (double passed_s = 0.1; passed_s < duration_s && travel_rad < SurelyOff_rad; passed_s += 0.05) {
+    for (double passed_s = 0.1; passed_s < duration_s && travel_rad < standstill::RampEnd_rad;
+         passed_s += 0.05) {
         if (auto waited = waitObserved(device, listening, 0.05, 0.0, 1.0, "ramps the current from rest");
             !waited) {
             return failure(recorder.causeOf(waited.error()));
@@ -182,8 +182,7 @@ Result<Recording> rampOnce(devices::Device& device, const CalibrateConfig& confi
         return failure(checked.error());
     }
     Recording recording = recorder.finish();
-    constexpr double Rest_s = 0.6; // coasts out
-    if (auto waited = waitObserved(device, observer, Rest_s); !waited) {
+    if (auto waited = waitObserved(device, observer, standstill::RampRest_s); !waited) {
         return failure(waited.error());
     }
     return recording;
@@ -210,20 +209,18 @@ void addStaticFriction(CalibrateResult& result) {
 
 Result<void> calibrateStray(devices::Device& device, const CalibrateConfig& config,
                             const ProcedureObserver& observer, CalibrateResult& result) {
-    constexpr double Dwell_s = 0.12;
-    constexpr int Angles = 3;
-    constexpr double Duration_s = 17 * Dwell_s + 0.05;
-    // One phase may carry all of it: mean square of the levels is 0.36 of the largest.
-    const double meanSquare_A2 = 0.36 * config.strayCurrent_A * config.strayCurrent_A;
-    if (auto admitted =
-            admitHeat(device, observer, meanSquare_A2, Angles * Duration_s, Pause_degC, Refuse_degC);
+    using namespace standstill;
+    // One phase may carry all of it.
+    const double meanSquare_A2 = StrayMeanSquare_ratio * config.strayCurrent_A * config.strayCurrent_A;
+    if (auto admitted = admitHeat(device, observer, meanSquare_A2, StrayAngles * StrayDuration_s, Pause_degC,
+                                  Refuse_degC);
         !admitted) {
         return failure(admitted.error());
     }
     std::vector<control::StrayRecord> records;
-    for (int i = 0; i < Angles; ++i) {
-        auto recording =
-            recordAt(device, config, observer, dAxisLevels(config.strayCurrent_A, Dwell_s), Duration_s);
+    for (int i = 0; i < StrayAngles; ++i) {
+        auto recording = recordAt(device, config, observer, dAxisLevels(config.strayCurrent_A, StrayDwell_s),
+                                  StrayDuration_s);
         if (!recording) {
             return failure(recording.error());
         }
@@ -254,8 +251,10 @@ Result<void> calibrateStaticFriction(devices::Device& device, const CalibrateCon
         !admitted) {
         return failure(admitted.error());
     }
+    // First all starts of one direction: each goes on where the last one came to rest, more than 0.8 rad
+    // further, so that they spread over the turn. The other direction turns all of it back.
     for (int i = 0; i < 2 * config.frictionStarts; ++i) {
-        const double sign = i % 2 == 0 ? 1.0 : -1.0;
+        const double sign = i < config.frictionStarts ? 1.0 : -1.0;
         const auto recording = rampOnce(device, config, observer, sign * config.frictionCurrent_A);
         if (!recording) {
             return failure(recording.error());
