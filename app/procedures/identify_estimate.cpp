@@ -154,6 +154,26 @@ void fitSteadySweep(const Recording& recording, const Columns& columns,
     fits.sweep = std::move(*sweep);
 }
 
+// A constant error delta of the angle and the lag tau leave cos(delta + omega tau) of the torque, of which
+// -phi I delta tau omega looks like damping; it changes its sign with the direction and cancels when both
+// were run (resources/help/identification.md section 3.1).
+double oneWayDampingError_per_s(const control::MotionFit& motion, double lag_s) {
+    constexpr double MountingError_rad = 0.0087; // sensors to coils, half a degree
+    const auto balance = control::fitBalance(motion);
+    const bool runsBothWays =
+        std::any_of(motion.balances.begin(), motion.balances.end(), [&motion](const auto& segment) {
+            return segment.direction != motion.balances.front().direction;
+        });
+    if (runsBothWays || !balance) {
+        return 0.0;
+    }
+    double largest_A = 0.0;
+    for (const control::SegmentBalance& segment : motion.balances) {
+        largest_A = std::max(largest_A, segment.current_A);
+    }
+    return balance->torque_rad_s2_A.value_or(0.0) * largest_A * MountingError_rad * lag_s;
+}
+
 void fitTransients(const Recording& recording, const Columns& columns,
                    const std::vector<control::CurrentPlateau>& plateaus, const IdentifyConfig& config,
                    const control::SegmentConfig& segmentConfig, IdentifyFits& fits) {
@@ -166,6 +186,8 @@ void fitTransients(const Recording& recording, const Columns& columns,
         fits.motionProblem = motion.error().message;
         return;
     }
+    motion->dampingError_per_s =
+        std::hypot(motion->dampingError_per_s, oneWayDampingError_per_s(*motion, config.commutationLag_s));
     constexpr double WorstDampingError = 0.25;
     if (!(motion->dampingError_per_s < WorstDampingError * std::fabs(motion->damping_per_s) + 0.02)) {
         fits.motionProblem = "the motion does not bend enough to show c/J";

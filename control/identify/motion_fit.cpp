@@ -188,14 +188,14 @@ Result<MotionFit> fitOnce(std::span<const MotionSegment> segments, double start_
 std::vector<Eigen::VectorXd> lossResponse(std::span<const MotionSegment> segments, const MotionFit& fit,
                                           const MotionColumns& columns) {
     const auto balance = fitBalance(fit);
-    const auto torque = balance ? balance->torque_rad_s2_A : std::optional<double>();
+    const double torque = balance ? balance->torque_rad_s2_A.value_or(0.0) : 0.0;
     const MotionSolution solution = solveMotion(segments, fit.damping_per_s, columns);
     std::vector<Eigen::VectorXd> response;
     for (std::size_t i = 0; i < segments.size(); ++i) {
         const Eigen::Vector3d& local = solution.local[i];
         const MotionSegment& segment = segments[i];
         const double rest = segment.current_A == 0.0 ? 0.0 : fit.balances[i].balance_rad_s2;
-        const double drive = torque ? *torque * segment.current_A : segment.direction * rest;
+        const double drive = torque > 0.0 ? torque * segment.current_A : segment.direction * rest;
         response.emplace_back(-drive * forceShape(segment, fit.damping_per_s, {local(1), local(2)},
                                                   [](double speed) { return speed * speed; }));
     }
