@@ -65,8 +65,15 @@ ConnectionEvents DeviceSession::events() {
         say([this, report] { reported(report); });
     };
     events.onBlock = [this](SampleBlockPtr block) {
-        const std::lock_guard lock(m_mutex);
-        m_blocks.push_back(std::move(block));
+        devices::BlockSink sink;
+        {
+            const std::lock_guard lock(m_mutex);
+            m_blocks.push_back(block);
+            sink = m_blockSink;
+        }
+        if (sink) {
+            sink(std::move(block));
+        }
     };
     return events;
 }
@@ -123,6 +130,11 @@ void DeviceSession::setLiveStream(const std::vector<std::string>& signalNames, d
 std::vector<SampleBlockPtr> DeviceSession::takeBlocks() {
     const std::lock_guard lock(m_mutex);
     return std::exchange(m_blocks, {});
+}
+
+void DeviceSession::setBlockSink(devices::BlockSink sink) {
+    const std::lock_guard lock(m_mutex);
+    m_blockSink = std::move(sink);
 }
 
 void DeviceSession::stopActuator() noexcept {

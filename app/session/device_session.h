@@ -49,6 +49,10 @@ public:
     /// Samples that arrived since the last call, oldest first; time since the device was opened.
     std::vector<SampleBlockPtr> takeBlocks();
 
+    /// Every block as it comes, on the connection thread, for a recorder; empty: nobody. It must return at
+    /// once, and may still be called for the block that was on its way.
+    void setBlockSink(devices::BlockSink sink);
+
     /// Emergency stop: to the wire within a slice of the connection thread, whatever else is busy.
     void stopActuator() noexcept;
 
@@ -97,8 +101,9 @@ private:
     std::uint64_t m_generation = 0; ///< of the connection; what an older one still says is not heard
 
     std::atomic<bool> m_isAborting = false;
-    std::mutex m_mutex; ///< guards the blocks
+    std::mutex m_mutex; ///< guards the blocks and the sink
     std::vector<SampleBlockPtr> m_blocks;
+    devices::BlockSink m_blockSink;
 
     std::mutex m_connectionMutex; ///< guards the pointer against stopActuator() from another thread
     std::unique_ptr<Connection> m_connection;

@@ -216,6 +216,14 @@ Result<void> RecordingWriter::append(const SampleBlock& block) {
     return {};
 }
 
+void RecordingWriter::addMarker(double time_s, const std::string& text) {
+    m_meta.markers.push_back({time_s, text});
+}
+
+void RecordingWriter::addChange(double time_s, const std::string& parameter, double value) {
+    m_meta.changes.push_back({time_s, parameter, value});
+}
+
 Result<void> RecordingWriter::finish() {
     if (m_error) {
         return failure(*m_error);

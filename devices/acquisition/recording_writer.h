@@ -29,6 +29,9 @@ public:
                                                            const std::string& suffix = ".partial");
 
     Result<void> append(const SampleBlock& block);
+    /// For the sidecar; times on the recording's axis.
+    void addMarker(double time_s, const std::string& text);
+    void addChange(double time_s, const std::string& parameter, double value);
     Result<void> finish();
     /// Ends without a name: the partial file stays when there are rows in it, else nothing is left. Says
     /// whether it stays.

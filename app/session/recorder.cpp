@@ -1,0 +1,192 @@
+#include "app/session/recorder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace halbench::app {
+
+namespace {
+
+/// A row that comes later than this many periods has a gap before it.
+constexpr double GapFactor = 1.5;
+
+} // namespace
+
+Recorder::Recorder(RecorderConfig config)
+    : m_config(std::move(config)), m_layout(std::make_shared<const StreamLayout>(m_config.layout)),
+      m_thread([this] { run(); }) {}
+
+Recorder::~Recorder() {
+    finish();
+    m_thread.join();
+}
+
+void Recorder::push(SampleBlockPtr block) {
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_status.state != RecorderStatus::State::Recording) {
+            return;
+        }
+        if (m_queued_rows + block->rows() > m_config.queue_rows) {
+            m_status.droppedRows += block->rows();
+            return;
+        }
+        m_queued_rows += block->rows();
+        m_queue.push_back(std::move(block));
+    }
+    m_wake.notify_one();
+}
+
+void Recorder::addMarker(double time_s, const std::string& text) {
+    const std::lock_guard lock(m_mutex);
+    m_markers.push_back({time_s, text});
+}
+
+void Recorder::addChange(double time_s, const std::string& parameter, double value) {
+    const std::lock_guard lock(m_mutex);
+    m_changes.push_back({time_s, parameter, value});
+}
+
+void Recorder::finish() {
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_status.state == RecorderStatus::State::Recording) {
+            m_status.state = RecorderStatus::State::Finishing;
+        }
+    }
+    m_wake.notify_one();
+}
+
+RecorderStatus Recorder::status() const {
+    const std::lock_guard lock(m_mutex);
+    return m_status;
+}
+
+void Recorder::run() {
+    auto writer = devices::RecordingWriter::create(m_config.path, *m_layout, m_config.meta);
+    if (!writer) {
+        end(failure(writer.error()));
+        return;
+    }
+    Result<void> written = writeAll(**writer);
+    if (written) {
+        noteEvents(**writer);
+        written = (*writer)->finish();
+    }
+    if (!written) {
+        (*writer)->abandon(); // what was written stays under its working name
+    }
+    end(written);
+}
+
+/// Until the recording is finished and the queue is empty, or the disk refuses.
+Result<void> Recorder::writeAll(devices::RecordingWriter& writer) {
+    for (;;) {
+        std::deque<SampleBlockPtr> blocks;
+        {
+            std::unique_lock lock(m_mutex);
+            m_wake.wait(lock, [this] {
+                return !m_queue.empty() || m_status.state != RecorderStatus::State::Recording;
+            });
+            if (m_queue.empty()) {
+                return {};
+            }
+            blocks.swap(m_queue);
+            m_queued_rows = 0;
+        }
+        for (const SampleBlockPtr& block : blocks) {
+            if (Result<void> written = write(writer, *block); !written) {
+                return written;
+            }
+        }
+    }
+}
+
+void Recorder::followLayout(const SampleBlock& block) {
+    m_sourceRow += block.lostRows;
+    if (m_source == block.layout) {
+        return;
+    }
+    m_source = block.layout;
+    m_sourceRow = 0;
+    m_columns.clear();
+    for (const StreamLayout::Column& column : m_layout->columns) {
+        m_columns.push_back(m_source->indexOf(column.name));
+    }
+    const double ratio = m_source->period_s > 0.0 ? m_layout->period_s / m_source->period_s : 1.0;
+    m_stride = static_cast<std::size_t>(std::max(1.0, std::round(ratio)));
+}
+
+void Recorder::appendRow(SampleBlock& rows, const SampleBlock& block, std::size_t row) const {
+    rows.time_s.push_back(block.time_s[row] - *m_first_s);
+    for (const int column : m_columns) {
+        rows.values.push_back(column < 0 ? std::numeric_limits<double>::quiet_NaN()
+                                         : block.value(row, static_cast<std::size_t>(column)));
+    }
+}
+
+std::uint64_t Recorder::missingBefore(double time_s) const {
+    const double steps = (time_s - m_last_s) / m_layout->period_s;
+    return m_layout->period_s > 0.0 && steps > GapFactor ? static_cast<std::uint64_t>(std::round(steps) - 1.0)
+                                                         : 0;
+}
+
+/// The rows to keep, split before every gap: a block of the file follows its gap.
+std::vector<SampleBlock> Recorder::keptRows(const SampleBlock& block) {
+    std::vector<SampleBlock> parts;
+    for (std::size_t row = 0; row < block.rows(); ++row) {
+        const double time_s = block.time_s[row];
+        if (m_sourceRow++ % m_stride != 0 || (m_first_s && time_s <= m_last_s)) {
+            continue;
+        }
+        const std::uint64_t missing = m_first_s ? missingBefore(time_s) : 0;
+        if (parts.empty() || missing > 0) {
+            parts.emplace_back();
+            parts.back().layout = m_layout;
+            parts.back().lostRows = missing;
+        }
+        m_first_s = m_first_s ? m_first_s : time_s;
+        m_last_s = time_s;
+        appendRow(parts.back(), block, row);
+    }
+    return parts;
+}
+
+Result<void> Recorder::write(devices::RecordingWriter& writer, const SampleBlock& block) {
+    followLayout(block);
+    for (const SampleBlock& part : keptRows(block)) {
+        if (Result<void> written = writer.append(part); !written) {
+            return written;
+        }
+        const std::lock_guard lock(m_mutex);
+        m_status.rows += part.rows();
+        m_status.missingRows += part.lostRows;
+        m_status.elapsed_s = m_last_s - *m_first_s;
+    }
+    return {};
+}
+
+void Recorder::noteEvents(devices::RecordingWriter& writer) {
+    const std::lock_guard lock(m_mutex);
+    const double first_s = m_first_s.value_or(0.0);
+    for (const auto& marker : m_markers) {
+        writer.addMarker(std::max(0.0, marker.time_s - first_s), marker.text);
+    }
+    for (const auto& change : m_changes) {
+        writer.addChange(std::max(0.0, change.time_s - first_s), change.name, change.value);
+    }
+}
+
+void Recorder::end(const Result<void>& result) {
+    const std::lock_guard lock(m_mutex);
+    m_queue.clear();
+    m_queued_rows = 0;
+    m_status.state = result ? RecorderStatus::State::Done : RecorderStatus::State::Failed;
+    if (!result) {
+        m_status.error = result.error();
+    }
+}
+
+} // namespace halbench::app

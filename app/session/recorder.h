@@ -1,0 +1,94 @@
+#pragma once
+
+#include "control/base/result.h"
+#include "control/base/sample_block.h"
+#include "devices/acquisition/recording_meta.h"
+#include "devices/acquisition/recording_writer.h"
+
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace halbench::app {
+
+/// What is written where.
+struct RecorderConfig {
+    std::string path;                 ///< of the CSV file; its sidecar lies beside it
+    StreamLayout layout;              ///< the columns; the distance of rows
+    devices::RecordingMeta meta;      ///< device, parameters, start
+    std::size_t queue_rows = 120'000; ///< what may wait for the disk: two minutes at 1 kHz
+};
+
+struct RecorderStatus {
+    enum class State { Recording, Finishing, Done, Failed };
+    State state = State::Recording;
+    double elapsed_s = 0.0; ///< device time from the first row to the last
+    std::uint64_t rows = 0; ///< on the disk
+    std::uint64_t missingRows =
+        0; ///< gaps of the time axis: lost on the link, a restart of the stream, dropped
+    std::uint64_t droppedRows = 0; ///< of the stream, because the disk did not keep up
+    std::optional<Error> error;    ///< why it failed; what was written stays as `path.partial`
+};
+
+/// Writes samples to a CSV file on a thread of its own while a device streams. The stream may change its
+/// signals and its rate on the way: the columns stay, a signal that does not come is an empty field, and what
+/// is missing is counted. A disk that is slow or full ends or thins the recording and disturbs nothing else.
+/// push() comes from the connection thread, everything else from any.
+class Recorder {
+public:
+    explicit Recorder(RecorderConfig config);
+    /// Completes the file and waits for that.
+    ~Recorder();
+    Recorder(const Recorder&) = delete;
+    Recorder& operator=(const Recorder&) = delete;
+
+    /// Returns at once.
+    void push(SampleBlockPtr block);
+    /// Times on the clock of the blocks.
+    void addMarker(double time_s, const std::string& text);
+    void addChange(double time_s, const std::string& parameter, double value);
+    /// No more rows; the file gets its name. Returns at once; status() tells when it is done.
+    void finish();
+
+    RecorderStatus status() const;
+    const std::string& path() const { return m_config.path; }
+
+private:
+    void run();
+    std::vector<SampleBlock> keptRows(const SampleBlock& block);
+    Result<void> write(devices::RecordingWriter& writer, const SampleBlock& block);
+    Result<void> writeAll(devices::RecordingWriter& writer);
+    void noteEvents(devices::RecordingWriter& writer);
+    void followLayout(const SampleBlock& block);
+    void appendRow(SampleBlock& rows, const SampleBlock& block, std::size_t row) const;
+    std::uint64_t missingBefore(double time_s) const;
+    void end(const Result<void>& result);
+
+    const RecorderConfig m_config;
+    const std::shared_ptr<const StreamLayout> m_layout;
+
+    mutable std::mutex m_mutex; ///< guards the queue and the status
+    std::condition_variable m_wake;
+    std::deque<SampleBlockPtr> m_queue;
+    std::size_t m_queued_rows = 0;
+    std::vector<devices::RecordingMeta::Marker> m_markers;
+    std::vector<devices::RecordingMeta::ParameterChange> m_changes;
+    RecorderStatus m_status;
+
+    // Of the recorder's thread alone.
+    std::shared_ptr<const StreamLayout> m_source; ///< of the newest block
+    std::vector<int> m_columns;                   ///< of the source, by column here; -1: does not come
+    std::size_t m_stride = 1;                     ///< one of so many rows of the source is kept
+    std::uint64_t m_sourceRow = 0;
+    std::optional<double> m_first_s;
+    double m_last_s = 0.0;
+
+    std::thread m_thread; ///< last: starts when everything else is there
+};
+
+} // namespace halbench::app

@@ -1,0 +1,201 @@
+#include "app/session/recorder.h"
+#include "devices/acquisition/recording_file.h"
+
+#include <QtCore/QTemporaryDir>
+#include <QtTest/QTest>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+
+namespace halbench::app {
+namespace {
+
+namespace fs = std::filesystem;
+using State = RecorderStatus::State;
+
+std::shared_ptr<const StreamLayout> layoutOf(std::vector<std::string> names, double period_s) {
+    StreamLayout layout;
+    for (std::string& name : names) {
+        layout.columns.push_back({std::move(name), "A"});
+    }
+    layout.period_s = period_s;
+    return std::make_shared<const StreamLayout>(std::move(layout));
+}
+
+/// Rows from a time on; the value of column k in row i is 100 k + i.
+SampleBlockPtr block(const std::shared_ptr<const StreamLayout>& layout, double from_s, std::size_t rows) {
+    auto made = std::make_shared<SampleBlock>();
+    made->layout = layout;
+    for (std::size_t row = 0; row < rows; ++row) {
+        made->time_s.push_back(from_s + static_cast<double>(row) * layout->period_s);
+        for (std::size_t column = 0; column < layout->columns.size(); ++column) {
+            made->values.push_back(100.0 * static_cast<double>(column) + static_cast<double>(row));
+        }
+    }
+    return made;
+}
+
+class RecorderTest : public testing::Test {
+protected:
+    RecorderConfig config(const std::shared_ptr<const StreamLayout>& layout) {
+        RecorderConfig made;
+        made.path = path();
+        made.layout = *layout;
+        return made;
+    }
+    std::string path() const { return folder.filePath("run.csv").toStdString(); }
+    static bool ended(const Recorder& recorder) {
+        return QTest::qWaitFor(
+            [&] {
+                return recorder.status().state == State::Done || recorder.status().state == State::Failed;
+            },
+            20000);
+    }
+    Recording read() const {
+        const auto file = devices::readRecordingFile(path());
+        EXPECT_TRUE(file) << (file ? "" : file.error().message);
+        return file ? file->recording : Recording();
+    }
+
+    QTemporaryDir folder;
+};
+
+TEST_F(RecorderTest, writesWhatComesAndCountsTimeFromTheFirstRow) {
+    const auto layout = layoutOf({"a", "b"}, 0.01);
+    Recorder recorder(config(layout));
+    recorder.push(block(layout, 5.0, 10));
+    recorder.push(block(layout, 5.1, 10));
+    recorder.addMarker(5.05, "here");
+    recorder.addChange(5.1, "gain.kp", 12.0);
+    recorder.finish();
+    ASSERT_TRUE(ended(recorder));
+    EXPECT_EQ(recorder.status().state, State::Done);
+    EXPECT_EQ(recorder.status().rows, 20U);
+    EXPECT_EQ(recorder.status().missingRows, 0U);
+    EXPECT_NEAR(recorder.status().elapsed_s, 0.19, 1e-9);
+    const auto file = devices::readRecordingFile(path());
+    ASSERT_TRUE(file);
+    EXPECT_EQ(file->recording.rows(), 20U);
+    EXPECT_EQ(file->recording.time_s.front(), 0.0);
+    EXPECT_TRUE(file->warnings.empty());
+    ASSERT_EQ(file->meta.markers.size(), 1U);
+    EXPECT_NEAR(file->meta.markers[0].time_s, 0.05, 1e-9);
+    ASSERT_EQ(file->meta.changes.size(), 1U);
+    EXPECT_EQ(file->meta.changes[0].name, "gain.kp");
+    EXPECT_FALSE(fs::exists(path() + ".partial"));
+}
+
+TEST_F(RecorderTest, keepsEveryTenthRowOfAStreamTenTimesAsDense) {
+    const auto stream = layoutOf({"a"}, 0.001);
+    Recorder recorder(config(layoutOf({"a"}, 0.01)));
+    for (int i = 0; i < 10; ++i) {
+        recorder.push(block(stream, 0.025 * i, 25)); // blocks end between the rows that are kept
+    }
+    recorder.finish();
+    ASSERT_TRUE(ended(recorder));
+    EXPECT_EQ(recorder.status().rows, 25U);
+    EXPECT_EQ(recorder.status().missingRows, 0U);
+    EXPECT_NEAR(read().time_s.back(), 0.24, 1e-9);
+}
+
+TEST_F(RecorderTest, columnsStayWhileTheStreamChangesItsSignals) {
+    Recorder recorder(config(layoutOf({"a", "b"}, 0.01)));
+    recorder.push(block(layoutOf({"a", "b"}, 0.01), 0.0, 5));
+    recorder.push(block(layoutOf({"c", "b"}, 0.01), 0.05, 5));
+    recorder.finish();
+    ASSERT_TRUE(ended(recorder));
+    const Recording recording = read();
+    ASSERT_EQ(recording.rows(), 10U);
+    EXPECT_EQ(recording.column("b")[7], 102.0); // second column, third row of its block
+    EXPECT_EQ(recording.column("a")[4], 4.0);
+    EXPECT_TRUE(std::isnan(recording.column("a")[5]));
+}
+
+TEST_F(RecorderTest, aGapIsCountedAndMarkedInTheSidecar) {
+    const auto layout = layoutOf({"a"}, 0.01);
+    Recorder recorder(config(layout));
+    recorder.push(block(layout, 0.0, 5));
+    recorder.push(block(layout, 0.10, 5)); // five rows are missing
+    recorder.finish();
+    ASSERT_TRUE(ended(recorder));
+    EXPECT_EQ(recorder.status().missingRows, 5U);
+    const auto file = devices::readRecordingFile(path());
+    ASSERT_TRUE(file);
+    ASSERT_EQ(file->meta.gaps.size(), 1U);
+    EXPECT_EQ(file->meta.gaps[0].lostRows, 5U);
+    EXPECT_NEAR(file->meta.gaps[0].time_s, 0.10, 1e-9);
+}
+
+TEST_F(RecorderTest, whatDoesNotFitIntoTheQueueIsCountedNeverHidden) {
+    const auto layout = layoutOf({"a"}, 0.01);
+    RecorderConfig small = config(layout);
+    small.queue_rows = 8;
+    Recorder recorder(std::move(small));
+    recorder.push(block(layout, 0.0, 9)); // larger than the queue, whatever the disk does
+    recorder.push(block(layout, 0.09, 5));
+    recorder.finish();
+    ASSERT_TRUE(ended(recorder));
+    EXPECT_EQ(recorder.status().droppedRows, 9U);
+    EXPECT_EQ(recorder.status().rows, 5U);
+}
+
+/// No file of this process may grow beyond the limit: what a full disk looks like to a writer.
+class SmallDisk {
+public:
+    explicit SmallDisk(rlim_t octets) {
+        getrlimit(RLIMIT_FSIZE, &m_before);
+        m_handler = std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit small{octets, m_before.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &small);
+    }
+    ~SmallDisk() {
+        setrlimit(RLIMIT_FSIZE, &m_before);
+        std::signal(SIGXFSZ, m_handler);
+    }
+    SmallDisk(const SmallDisk&) = delete;
+    SmallDisk& operator=(const SmallDisk&) = delete;
+
+private:
+    rlimit m_before{};
+    void (*m_handler)(int) = nullptr;
+};
+
+TEST_F(RecorderTest, aFullDiskEndsTheRecordingWithItsReasonAndKeepsWhatWasWritten) {
+    const auto layout = layoutOf({"a"}, 0.01);
+    RecorderStatus status;
+    {
+        const SmallDisk disk(20000);
+        Recorder recorder(config(layout));
+        for (int i = 0; i < 100; ++i) {
+            recorder.push(block(layout, i * 1.0, 100));
+        }
+        ASSERT_TRUE(ended(recorder));
+        status = recorder.status();
+        recorder.push(block(layout, 100.0, 100)); // goes nowhere, disturbs nothing
+    }
+    EXPECT_EQ(status.state, State::Failed);
+    ASSERT_TRUE(status.error);
+    EXPECT_EQ(status.error->code, ErrorCode::FileSystem);
+    EXPECT_FALSE(fs::exists(path()));
+    const auto kept = devices::readPartialRecording(path() + ".partial");
+    ASSERT_TRUE(kept) << kept.error().message;
+    EXPECT_GE(kept->file.recording.rows(), status.rows);
+}
+
+TEST_F(RecorderTest, anUnwritableFolderFailsWithItsName) {
+    RecorderConfig bad = config(layoutOf({"a"}, 0.01));
+    QFile file(folder.filePath("file"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly)); // a file where a folder is needed: fails for root as well
+    bad.path = folder.filePath("file/run.csv").toStdString();
+    Recorder recorder(std::move(bad));
+    ASSERT_TRUE(ended(recorder));
+    EXPECT_EQ(recorder.status().state, State::Failed);
+    EXPECT_NE(recorder.status().error->message.find("file"), std::string::npos);
+}
+
+} // namespace
+} // namespace halbench::app
