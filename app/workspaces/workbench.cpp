@@ -23,7 +23,7 @@ Workbench::Workbench(QObject* parent) : QObject(parent), m_history(HistoryBudget
     connect(&m_session, &DeviceSession::stateChanged, this, &Workbench::onSessionState);
     connect(&m_session, &DeviceSession::procedureChanged, this, [this] {
         if (m_session.procedure().isEmpty()) {
-            refreshValues(); // what the procedure wrote or restored
+            readValues(true); // what the procedure wrote or restored
         }
     });
 }
@@ -65,15 +65,19 @@ void Workbench::onSessionState() {
 }
 
 void Workbench::refreshValues() {
+    readValues(false);
+}
+
+void Workbench::readValues(bool areOurs) {
     if (m_session.state() != SessionState::Connected) {
         return;
     }
     m_session.request([names = parameterNames(m_session.catalogue())](
                           devices::Device& device) { return device.readParameters(names); },
-                      [this](Result<std::vector<double>> values) { takeValues(values); });
+                      [this, areOurs](Result<std::vector<double>> values) { takeValues(values, areOurs); });
 }
 
-void Workbench::takeValues(const Result<std::vector<double>>& values) {
+void Workbench::takeValues(const Result<std::vector<double>>& values, bool areOurs) {
     const std::vector<ParameterSpec>& specs = m_session.catalogue().parameters;
     if (!values || values->size() != specs.size()) {
         return; // the session says that the device is lost
@@ -81,6 +85,8 @@ void Workbench::takeValues(const Result<std::vector<double>>& values) {
     for (std::size_t i = 0; i < specs.size(); ++i) {
         m_values[specs[i].name] = (*values)[i];
     }
+    m_areValuesOurs = areOurs;
+    m_recording.noteValues(m_values);
     valuesChanged();
 }
 
@@ -98,7 +104,7 @@ void Workbench::writeValues(std::vector<ParameterValue> values, std::function<vo
             return outcome->written;
         },
         [this, outcome, then](Result<void> written) {
-            takeValues(outcome->values);
+            takeValues(outcome->values, true);
             then(std::move(written));
         });
 }

@@ -3,6 +3,8 @@
 #include "app/procedures/identify_procedure.h"
 #include "app/procedures/tune.h"
 #include "app/session/device_session.h"
+#include "app/workspaces/live_signals.h"
+#include "app/workspaces/recording_control.h"
 #include "control/signals/sample_history.h"
 
 #include <QObject>
@@ -25,6 +27,10 @@ public:
     ~Workbench() override;
 
     DeviceSession& session() { return m_session; }
+    /// What the panels want to see of the device while no procedure streams.
+    LiveSignals& liveSignals() { return m_liveSignals; }
+    /// The recording of the panel and of the window's action.
+    RecordingControl& recording() { return m_recording; }
     const control::SampleHistory& history() const { return m_history; }
     /// Moves what arrived into the history; called once per frame.
     void drainSamples();
@@ -35,6 +41,9 @@ public:
     const std::map<std::string, double>& deviceValues() const { return m_values; }
     std::optional<double> deviceValue(const std::string& parameter) const;
     void refreshValues();
+    /// Whether what changed last in the values was written from here, by a panel or a procedure; otherwise
+    /// it was found changed.
+    bool areValuesOurs() const { return m_areValuesOurs; }
     /// One transaction, then all values are read back; `then` gets the outcome, after valuesChanged().
     void writeValues(std::vector<ParameterValue> values, std::function<void(Result<void>)> then);
 
@@ -52,11 +61,15 @@ Q_SIGNALS:
 
 private:
     void onSessionState();
-    void takeValues(const Result<std::vector<double>>& values);
+    void readValues(bool areOurs);
+    void takeValues(const Result<std::vector<double>>& values, bool areOurs);
 
     DeviceSession m_session;
+    LiveSignals m_liveSignals{m_session};
+    RecordingControl m_recording{m_session, m_liveSignals};
     control::SampleHistory m_history;
     std::map<std::string, double> m_values;
+    bool m_areValuesOurs = false;
     std::optional<IdentifyResult> m_identification;
     std::optional<TuneResult> m_design;
 };

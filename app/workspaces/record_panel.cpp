@@ -1,0 +1,157 @@
+#include "app/workspaces/record_panel.h"
+
+#include "app/workspaces/panel_parts.h"
+#include "app/workspaces/recording_control.h"
+#include "widgets/icons.h"
+#include "widgets/message_bar.h"
+#include "widgets/progress_row.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace halbench::app {
+
+namespace {
+
+/// All divide the board's 1 kHz.
+constexpr int Rates_Hz[] = {10, 20, 50, 100, 200, 500, 1000};
+constexpr int DefaultRate = 3;
+
+} // namespace
+
+RecordPanel::RecordPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(bench) {
+    QVBoxLayout* column = makePanelColumn(this);
+    m_message = new widgets::MessageBar(this);
+    column->addWidget(m_message);
+    buildTarget();
+    buildState();
+    column->addStretch(1);
+    RecordingControl& recording = m_bench.recording();
+    connect(&recording, &RecordingControl::changed, this, &RecordPanel::refresh);
+    connect(&recording, &RecordingControl::finished, this, &RecordPanel::onFinished);
+    connect(&recording, &RecordingControl::failed, this, [this](const QString& text, const QString& remedy) {
+        m_message->showMessage({widgets::Severity::Error, text, remedy, {}});
+    });
+    connect(&m_bench, &Workbench::deviceChanged, this, &RecordPanel::refresh);
+    refresh();
+}
+
+void RecordPanel::buildTarget() {
+    auto* rows = new QFormLayout;
+    m_folder = new QLineEdit(QDir::toNativeSeparators(m_bench.recording().folder()), this);
+    m_folder->setAccessibleName(tr("Folder of recordings"));
+    m_folder->setToolTip(tr("Made when it does not exist"));
+    m_name = new QLineEdit(this);
+    m_name->setAccessibleName(tr("Name of the recording"));
+    m_name->setPlaceholderText(tr("device and date"));
+    m_name->setToolTip(tr("Without ending; empty: device and date"));
+    m_rate = new QComboBox(this);
+    m_rate->setAccessibleName(tr("Rows per second"));
+    m_rate->setToolTip(tr("At most as many as the device sends"));
+    for (const int rate_Hz : Rates_Hz) {
+        m_rate->addItem(tr("%1 Hz").arg(rate_Hz), rate_Hz);
+    }
+    m_rate->setCurrentIndex(DefaultRate);
+    rows->addRow(tr("Folder"), m_folder);
+    rows->addRow(tr("Name"), m_name);
+    rows->addRow(tr("Rows"), m_rate);
+    static_cast<QVBoxLayout*>(layout())->addLayout(rows);
+}
+
+void RecordPanel::buildState() {
+    auto* column = static_cast<QVBoxLayout*>(layout());
+    m_record = makeButton({}, this);
+    m_record->setIcon(widgets::themedIcon(QStringLiteral("record"), widgets::Role::Bad));
+    column->addWidget(m_record);
+    auto* state = new QFormLayout;
+    const auto addFigure = [&](const QString& title, const QString& toolTip) {
+        auto* label = new QLabel(this);
+        label->setAlignment(Qt::AlignRight);
+        label->setFont(widgets::tabularFont(label->font()));
+        label->setAccessibleName(title);
+        label->setToolTip(toolTip);
+        state->addRow(title, label);
+        return label;
+    };
+    m_elapsed = addFigure(tr("Time"), tr("Device time from the first row to the last"));
+    m_rows = addFigure(tr("Rows written"), tr("On the disk"));
+    m_missing = addFigure(tr("Rows missing"),
+                          tr("Lost on the link, or the disk did not keep up; marked in the file"));
+    column->addLayout(state);
+    auto* marker = new QHBoxLayout;
+    m_note = new QLineEdit(this);
+    m_note->setAccessibleName(tr("Note of the marker"));
+    m_note->setPlaceholderText(tr("note"));
+    m_note->setToolTip(tr("What the marker says (Enter marks)"));
+    m_mark = makeButton(
+        {tr("Mark"), tr("Marks this moment in the recording (Enter in the note)"), QStringLiteral("note")},
+        this);
+    marker->addWidget(m_note, 1);
+    marker->addWidget(m_mark);
+    column->addLayout(marker);
+    connect(m_record, &QPushButton::clicked, this, &RecordPanel::toggle);
+    connect(m_mark, &QPushButton::clicked, this, &RecordPanel::addMarker);
+    connect(m_note, &QLineEdit::returnPressed, this, &RecordPanel::addMarker);
+}
+
+void RecordPanel::toggle() {
+    RecordingControl& recording = m_bench.recording();
+    if (recording.isRecording()) {
+        recording.stop();
+        return;
+    }
+    m_message->clear();
+    recording.setFolder(QDir::fromNativeSeparators(m_folder->text().trimmed()));
+    recording.setName(m_name->text().trimmed());
+    recording.setRate_Hz(m_rate->currentData().toDouble());
+    recording.start();
+}
+
+void RecordPanel::addMarker() {
+    if (m_mark->isEnabled()) {
+        m_bench.recording().addMarker(m_bench.session().report().deviceTime_s, m_note->text());
+        m_note->clear();
+    }
+}
+
+void RecordPanel::refresh() {
+    const RecordingControl& recording = m_bench.recording();
+    const bool isRecording = recording.isRecording();
+    const bool isConnected = m_bench.session().state() == SessionState::Connected;
+    const RecorderStatus status = recording.status();
+    m_record->setEnabled(isRecording || isConnected);
+    m_record->setText(isRecording ? tr("End the recording") : tr("Record"));
+    m_record->setToolTip(isRecording ? tr("Completes the file (Ctrl+R)")
+                                     : tr("Writes what is measured to a file (Ctrl+R)"));
+    for (QWidget* target :
+         {static_cast<QWidget*>(m_folder), static_cast<QWidget*>(m_name), static_cast<QWidget*>(m_rate)}) {
+        target->setEnabled(!isRecording);
+    }
+    m_mark->setEnabled(isRecording);
+    m_note->setEnabled(isRecording);
+    if (isRecording) {
+        m_elapsed->setText(widgets::durationText(status.elapsed_s));
+        m_rows->setText(QLocale().toString(static_cast<qulonglong>(status.rows)));
+        m_missing->setText(QLocale().toString(static_cast<qulonglong>(status.missingRows)));
+        showRole(*m_missing, status.missingRows > 0 ? widgets::Role::Warn : widgets::Role::None);
+    } else if (m_elapsed->text().isEmpty()) {
+        for (QLabel* figure : {m_elapsed, m_rows, m_missing}) {
+            figure->setText(QStringLiteral("\u2013"));
+        }
+    }
+}
+
+void RecordPanel::onFinished(const QString& path, qulonglong rows) {
+    m_message->showMessage({widgets::Severity::Success,
+                            tr("%1 rows in %2").arg(QLocale().toString(rows), QDir::toNativeSeparators(path)),
+                            tr("What was measured, with its units; the sidecar beside it has the rest."),
+                            {}});
+}
+
+} // namespace halbench::app

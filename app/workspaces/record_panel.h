@@ -1,0 +1,46 @@
+#pragma once
+
+#include "app/workspaces/workbench.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace halbench::widgets {
+class MessageBar;
+}
+
+namespace halbench::app {
+
+/// Recording to a file with its state in view: time, rows, gaps (resources/help/monitor.md, "Recording").
+class RecordPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit RecordPanel(Workbench& bench, QWidget* parent = nullptr);
+
+private:
+    void buildTarget();
+    void buildState();
+    void toggle();
+    void addMarker();
+    void refresh();
+    void onFinished(const QString& path, qulonglong rows);
+
+    Workbench& m_bench;
+    widgets::MessageBar* m_message = nullptr;
+    QLineEdit* m_folder = nullptr;
+    QLineEdit* m_name = nullptr;
+    QComboBox* m_rate = nullptr;
+    QPushButton* m_record = nullptr;
+    QPushButton* m_mark = nullptr;
+    QLineEdit* m_note = nullptr;
+    QLabel* m_elapsed = nullptr;
+    QLabel* m_rows = nullptr;
+    QLabel* m_missing = nullptr;
+};
+
+} // namespace halbench::app

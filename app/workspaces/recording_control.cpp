@@ -1,0 +1,171 @@
+#include "app/workspaces/recording_control.h"
+
+#include "app/workspaces/wall_clock.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QPointer>
+#include <QStandardPaths>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr int LookPeriod_ms = 100;
+
+QString defaultFolder() {
+    return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + QStringLiteral("/Halbench");
+}
+
+/// Rows as wished, or as dense as the stream can: a whole number of its rows apart.
+double periodFor(double rate_Hz, double stream_Hz) {
+    const double stride = std::max(1.0, std::round(stream_Hz / rate_Hz));
+    return stride / stream_Hz;
+}
+
+StreamLayout layoutFor(const devices::Catalogue& catalogue, const std::vector<std::string>& names,
+                       double period_s) {
+    StreamLayout layout;
+    layout.period_s = period_s;
+    for (const std::string& name : names) {
+        const SignalSpec* spec = catalogue.findSignal(name);
+        layout.columns.push_back({name, spec != nullptr ? spec->unit : std::string()});
+    }
+    return layout;
+}
+
+} // namespace
+
+RecordingControl::RecordingControl(DeviceSession& session, LiveSignals& liveSignals, QObject* parent)
+    : QObject(parent), m_session(session), m_liveSignals(liveSignals), m_folder(defaultFolder()) {
+    m_look.setInterval(LookPeriod_ms);
+    connect(&m_look, &QTimer::timeout, this, &RecordingControl::look);
+    connect(&m_session, &DeviceSession::stateChanged, this, &RecordingControl::onSession);
+}
+
+RecordingControl::~RecordingControl() {
+    m_session.setBlockSink({});
+}
+
+void RecordingControl::start() {
+    if (isRecording()) {
+        return;
+    }
+    if (m_session.state() != SessionState::Connected) {
+        Q_EMIT failed(tr("There is nothing to record."), tr("Connect a device first."));
+        return;
+    }
+    const QString subject = QString::fromStdString(m_session.info().id);
+    const QString name = m_name.isEmpty() ? datedName(subject, wallClock()) : m_name;
+    m_path = QDir(m_folder).filePath(name + QStringLiteral(".csv"));
+    if (QFileInfo::exists(m_path)) {
+        Q_EMIT failed(tr("%1 exists already.").arg(m_path),
+                      tr("Choose another name; recordings are not overwritten."));
+        return;
+    }
+    m_liveSignals.want(this, m_session.catalogue().defaultSignals);
+    RecorderConfig config;
+    config.path = m_path.toStdString();
+    config.layout = layoutFor(m_session.catalogue(), m_liveSignals.streamed(),
+                              periodFor(m_rate_Hz, m_liveSignals.rate_Hz()));
+    m_isStarting = true;
+    const std::string started = wallClock().toString(Qt::ISODate).toStdString();
+    m_session.request(
+        [layout = config.layout, started](devices::Device& device) -> Result<devices::RecordingMeta> {
+            return devices::describeRecording(device, layout, started);
+        },
+        [self = QPointer(this), config](const Result<devices::RecordingMeta>& meta) {
+            if (!self || !self->m_isStarting) {
+                return; // ended before it began
+            }
+            if (meta) {
+                RecorderConfig complete = config;
+                complete.meta = *meta;
+                self->begin(std::move(complete));
+            } else {
+                self->stop();
+                Q_EMIT self->failed(QString::fromStdString(meta.error().message),
+                                    QString::fromStdString(meta.error().hint));
+            }
+        });
+    Q_EMIT changed();
+}
+
+void RecordingControl::begin(RecorderConfig config) {
+    m_isStarting = false;
+    m_values.clear();
+    for (const auto& note : config.meta.parameters) {
+        m_values[note.name] = note.value;
+    }
+    m_recorder = std::make_shared<Recorder>(std::move(config));
+    m_session.setBlockSink(
+        [recorder = m_recorder](SampleBlockPtr block) { recorder->push(std::move(block)); });
+    m_look.start();
+    Q_EMIT changed();
+}
+
+void RecordingControl::stop() {
+    m_isStarting = false;
+    m_session.setBlockSink({});
+    if (m_recorder) {
+        m_recorder->finish();
+    }
+    Q_EMIT changed();
+}
+
+RecorderStatus RecordingControl::status() const {
+    return m_recorder ? m_recorder->status() : RecorderStatus();
+}
+
+/// A device that goes away ends the recording; what came until then is kept.
+void RecordingControl::onSession() {
+    if (m_session.state() != SessionState::Connected && isRecording()) {
+        stop();
+    }
+}
+
+void RecordingControl::look() {
+    const RecorderStatus status = m_recorder->status();
+    if (status.state == RecorderStatus::State::Done) {
+        leave();
+        Q_EMIT finished(m_path, status.rows);
+    } else if (status.state == RecorderStatus::State::Failed) {
+        leave();
+        const Error error = status.error.value_or(Error());
+        Q_EMIT failed(QString::fromStdString(error.message),
+                      tr("%1. What was written until then is in %2.")
+                          .arg(QString::fromStdString(error.hint), m_path + QStringLiteral(".partial")));
+    }
+    Q_EMIT changed();
+}
+
+void RecordingControl::leave() {
+    m_look.stop();
+    m_session.setBlockSink({});
+    m_recorder.reset();
+    m_liveSignals.want(this, {});
+}
+
+void RecordingControl::addMarker(double time_s, const QString& text) {
+    if (m_recorder) {
+        m_recorder->addMarker(time_s, text.toStdString());
+    }
+}
+
+void RecordingControl::noteValues(const std::map<std::string, double>& values) {
+    if (!m_recorder) {
+        return;
+    }
+    for (const auto& [name, value] : values) {
+        const auto known = m_values.find(name);
+        if (known != m_values.end() && known->second != value) {
+            m_recorder->addChange(m_session.report().deviceTime_s, name, value);
+            known->second = value;
+        }
+    }
+}
+
+} // namespace halbench::app

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "app/session/device_session.h"
+#include "app/session/recorder.h"
+#include "app/workspaces/live_signals.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace halbench::app {
+
+/// One recording at a time, shared by the panel and the window's Record action: the profile's default signals
+/// and whatever is watched when it starts, to a CSV file (resources/help/monitor.md, "Recording").
+/// Thread: GUI; the file is written elsewhere.
+class RecordingControl : public QObject {
+    Q_OBJECT
+
+public:
+    RecordingControl(DeviceSession& session, LiveSignals& liveSignals, QObject* parent = nullptr);
+    /// Completes the file.
+    ~RecordingControl() override;
+
+    /// Where and how densely the next recording goes; the rate is lowered to what the stream has.
+    void setFolder(const QString& folder) { m_folder = folder; }
+    const QString& folder() const { return m_folder; }
+    void setRate_Hz(double rate_Hz) { m_rate_Hz = rate_Hz; }
+    double rate_Hz() const { return m_rate_Hz; }
+    /// Empty: device and date. Without folder and ending.
+    void setName(const QString& name) { m_name = name; }
+
+    void start();
+    void stop();
+    bool isRecording() const { return m_recorder != nullptr || m_isStarting; }
+    RecorderStatus status() const;
+    /// Of the running recording or, after it, of the last one.
+    const QString& path() const { return m_path; }
+
+    /// A mark at the newest sample, kept in the recording's sidecar.
+    void addMarker(double time_s, const QString& text);
+    /// Values of the device as now known; changes are kept in the sidecar.
+    void noteValues(const std::map<std::string, double>& values);
+
+Q_SIGNALS:
+    void changed(); ///< ten times a second while recording
+    void finished(const QString& path, qulonglong rows);
+    void failed(const QString& text, const QString& remedy);
+
+private:
+    void onSession();
+    void begin(RecorderConfig config);
+    void look();
+    void leave();
+
+    DeviceSession& m_session;
+    LiveSignals& m_liveSignals;
+    QString m_folder;
+    QString m_name;
+    QString m_path;
+    double m_rate_Hz = 100.0;
+    bool m_isStarting = false;
+    std::shared_ptr<Recorder> m_recorder;
+    std::map<std::string, double> m_values; ///< at the last look, for changes
+    QTimer m_look;
+};
+
+} // namespace halbench::app

@@ -1,0 +1,17 @@
+#include "app/workspaces/wall_clock.h"
+
+#include <QRegularExpression>
+
+namespace halbench::app {
+
+QDateTime wallClock() {
+    return QDateTime::currentDateTimeUtc();
+}
+
+QString datedName(const QString& subject, const QDateTime& date) {
+    QString name = subject.isEmpty() ? QStringLiteral("recording") : subject;
+    name.replace(QRegularExpression(QStringLiteral("[^A-Za-z0-9._-]+")), QStringLiteral("-"));
+    return name + QLatin1Char('_') + date.toString(QStringLiteral("yyyy-MM-ddTHH-mm-ss"));
+}
+
+} // namespace halbench::app

@@ -1,0 +1,126 @@
+#include "app/workspaces/record_panel.h"
+#include "app/workspaces/recording_control.h"
+#include "app/workspaces/wall_clock.h"
+#include "devices/acquisition/recording_file.h"
+#include "tests/app/workspaces/bench_fixture.h"
+#include "widgets/message_bar.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTemporaryDir>
+
+namespace halbench::app {
+namespace {
+
+class RecordPanelTest : public BenchTest {
+protected:
+    void SetUp() override {
+        BenchTest::SetUp();
+        panel = std::make_unique<RecordPanel>(bench());
+        panel->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(panel.get()));
+        type(find<QLineEdit>(*panel, "Folder of recordings"), folder.path());
+    }
+    void TearDown() override { panel.reset(); }
+
+    widgets::Message message() { return panel->findChild<widgets::MessageBar*>()->message(); }
+    QString figure(const QString& name) { return find<QLabel>(*panel, name)->text(); }
+
+    QTemporaryDir folder;
+    std::unique_ptr<RecordPanel> panel;
+};
+
+TEST_F(RecordPanelTest, recordsAFileThatOpensAgainWithUnitsMarkersAndChanges) {
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Record")->isEnabled(); }));
+    type(find<QLineEdit>(*panel, "Name of the recording"), "first");
+    click(*panel, "Record");
+    ASSERT_TRUE(wait([&] { return figure("Rows written").toInt() > 50; }));
+    EXPECT_EQ(figure("Rows missing"), "0");
+    auto* note = find<QLineEdit>(*panel, "Note of the marker");
+    QTest::keyClicks(note, "knock");
+    QTest::keyClick(note, Qt::Key_Return);
+    bench().writeValues({{"gain.kp", 12.0}}, [](const Result<void>&) {});
+    ASSERT_TRUE(wait([&] { return bench().deviceValue("gain.kp").value_or(0.0) == 12.0; }));
+    ASSERT_TRUE(wait([&] { return figure("Rows written").toInt() > 150; }));
+    click(*panel, "End the recording");
+    ASSERT_TRUE(wait([&] { return message().severity == widgets::Severity::Success; }));
+
+    const std::string path = folder.filePath("first.csv").toStdString();
+    const auto file = devices::readRecordingFile(path);
+    ASSERT_TRUE(file) << file.error().message;
+    EXPECT_TRUE(file->warnings.empty()); // the SHA-256 fits
+    EXPECT_GT(file->recording.rows(), 150U);
+    EXPECT_EQ(file->recording.lostRows, 0U);
+    EXPECT_EQ(file->recording.layout->period_s, 0.01); // 100 rows a second unless said otherwise
+    const int hall = file->recording.layout->indexOf("hall.a");
+    ASSERT_GE(hall, 0);
+    EXPECT_EQ(file->recording.layout->columns[static_cast<std::size_t>(hall)].unit, "T");
+    ASSERT_EQ(file->meta.markers.size(), 1U);
+    EXPECT_EQ(file->meta.markers[0].text, "knock");
+    ASSERT_EQ(file->meta.changes.size(), 1U);
+    EXPECT_EQ(file->meta.changes[0].name, "gain.kp");
+    EXPECT_EQ(file->meta.device.id, "sim-htm-1");
+    EXPECT_FALSE(file->meta.parameters.empty());
+}
+
+TEST_F(RecordPanelTest, theDefaultNameHasTheDeviceAndAnIsoDate) {
+    EXPECT_EQ(datedName("sim-htm-1", QDateTime({2026, 11, 21}, {21, 5, 9}, Qt::UTC)),
+              "sim-htm-1_2026-11-21T21-05-09");
+    EXPECT_EQ(datedName("a b/c", QDateTime({2026, 1, 2}, {3, 4, 5}, Qt::UTC)), "a-b-c_2026-01-02T03-04-05");
+    EXPECT_TRUE(wallClock().isValid());
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Record")->isEnabled(); }));
+    click(*panel, "Record");
+    const QString name = QFileInfo(bench().recording().path()).fileName();
+    EXPECT_TRUE(name.startsWith("sim-htm-1_20")) << name.toStdString();
+    EXPECT_TRUE(name.endsWith(".csv"));
+}
+
+TEST_F(RecordPanelTest, anOlderRecordingIsNeverOverwritten) {
+    QFile older(folder.filePath("mine.csv"));
+    ASSERT_TRUE(older.open(QIODevice::WriteOnly));
+    older.write("precious");
+    older.close();
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Record")->isEnabled(); }));
+    type(find<QLineEdit>(*panel, "Name of the recording"), "mine");
+    click(*panel, "Record");
+    EXPECT_EQ(message().severity, widgets::Severity::Error);
+    EXPECT_FALSE(bench().recording().isRecording());
+    ASSERT_TRUE(older.open(QIODevice::ReadOnly));
+    EXPECT_EQ(older.readAll(), "precious");
+}
+
+TEST_F(RecordPanelTest, aDeviceThatGoesAwayCompletesTheFile) {
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Record")->isEnabled(); }));
+    type(find<QLineEdit>(*panel, "Name of the recording"), "short");
+    click(*panel, "Record");
+    ASSERT_TRUE(wait([&] { return figure("Rows written").toInt() > 20; }));
+    session().disconnectDevice();
+    ASSERT_TRUE(wait([&] { return message().severity == widgets::Severity::Success; }));
+    const auto file = devices::readRecordingFile(folder.filePath("short.csv").toStdString());
+    ASSERT_TRUE(file) << file.error().message;
+    EXPECT_GT(file->recording.rows(), 20U);
+}
+
+TEST_F(RecordPanelTest, aFolderThatCannotBeMadeIsSaidInPlace) {
+    QFile file(folder.filePath("file"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.close();
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Record")->isEnabled(); }));
+    type(find<QLineEdit>(*panel, "Folder of recordings"), folder.filePath("file/below"));
+    click(*panel, "Record");
+    ASSERT_TRUE(wait([&] { return message().severity == widgets::Severity::Error; }));
+    EXPECT_TRUE(message().text.contains("below"));
+    EXPECT_TRUE(wait([&] { return find<QPushButton>(*panel, "Record")->isEnabled(); }));
+    EXPECT_EQ(session().state(), SessionState::Connected); // nothing else is disturbed
+}
+
+} // namespace
+} // namespace halbench::app
