@@ -1,0 +1,87 @@
+#include "app/workspaces/display_quantity.h"
+
+#include "control/base/unit_text.h"
+#include "control/base/units.h"
+
+#include <QCoreApplication>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr char Context[] = "halbench::app::DisplayQuantity";
+
+struct Row {
+    const char* symbol;
+    const char* quantity;
+    const char* unit;
+    double factor;
+    int decimals;
+    double typical;
+};
+
+constexpr Row Rows[] = {
+    {"rad", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "angle"), "\u00b0", 180.0 / Pi, 2, 99999.0},
+    {"rad/s", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "speed"),
+     QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "r/min"), 30.0 / Pi, 1, 9999.0},
+    {"A", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "current"), "A", 1.0, 3, 9.0},
+    {"T", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "field"), "mT", 1000.0, 2, 999.0},
+    {"degC", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "temperature"), "\u00b0C", 1.0, 1, 999.0},
+    {"s", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "time"), "s", 1.0, 3, 999.0},
+    {"Hz", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "frequency"), "Hz", 1.0, 2, 999.0},
+    {"A/s", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "current slope"), "A/s", 1.0, 2, 99.0},
+    {"", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "state"), "", 1.0, 0, 9999.0},
+};
+
+struct Words {
+    const char* name;
+    const char* words;
+};
+
+constexpr Words Signals[] = {
+    {"position", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Angle")},
+    {"speed", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Speed")},
+    {"reference", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Reference")},
+    {"current_command", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Current command")},
+    {"current.a", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Current A")},
+    {"current.b", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Current B")},
+    {"hall.a", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Hall A")},
+    {"hall.b", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Hall B")},
+    {"coil_temperature.a", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Coil A")},
+    {"coil_temperature.b", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Coil B")},
+    {"status", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Board state")},
+    {"fault", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Fault code")},
+    {"torn_count", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Torn parameter sets")},
+    {"reference.segment", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Generator segment")},
+    {"reference.running", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Generator running")},
+    {"capture.state", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Capture state")},
+    {"capture.time", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Capture time")},
+    {"truth.position", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "True angle (simulated)")},
+    {"truth.speed", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "True speed (simulated)")},
+};
+
+} // namespace
+
+DisplayQuantity displayQuantity(const std::string& symbol) {
+    for (const Row& row : Rows) {
+        if (symbol == row.symbol) {
+            return {QCoreApplication::translate(Context, row.quantity),
+                    QCoreApplication::translate(Context, row.unit), row.factor, row.decimals, row.typical};
+        }
+    }
+    const std::optional<Unit> unit = findUnit(symbol);
+    const QString quantity =
+        unit ? QString::fromUtf8(unit->quantity.data(), static_cast<int>(unit->quantity.size())) : QString();
+    return {quantity, QString::fromStdString(unitText(symbol)), 1.0, 4, 999.0};
+}
+
+QString signalWords(const std::string& name) {
+    for (const Words& row : Signals) {
+        if (name == row.name) {
+            return QCoreApplication::translate(Context, row.words);
+        }
+    }
+    return QString::fromStdString(name);
+}
+
+} // namespace halbench::app

@@ -1,0 +1,235 @@
+#include "app/workspaces/drive_control.h"
+
+#include <QPointer>
+
+#include <algorithm>
+#include <utility>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr int JogPeriod_ms = 20;
+/// A window that was busy does not catch up in one leap.
+constexpr double LongestJogStep_s = 0.05;
+/// The board ends a jog current that is not renewed.
+constexpr double JogHold_s = 0.3;
+constexpr double ShapeStep = 1.0;
+/// Of the board's excursion window: jogging ends before the board would stop it.
+constexpr double WindowShare_ratio = 0.9;
+
+Result<void> write(devices::Device& device, const std::vector<ParameterValue>& values) {
+    return device.writeParameters(values);
+}
+
+double code(devices::BoardMode mode) {
+    return static_cast<double>(mode);
+}
+
+std::vector<ParameterValue> heldCurrent(double current_A) {
+    return {{"reference.shape", ShapeStep},
+            {"reference.amplitude", current_A},
+            {"reference.base", 0.0},
+            {"reference.duration", JogHold_s},
+            {"reference.start", 1.0}};
+}
+
+} // namespace
+
+DriveControl::DriveControl(Workbench& bench, QObject* parent) : QObject(parent), m_bench(bench) {
+    m_jog.setInterval(JogPeriod_ms);
+    m_jog.setTimerType(Qt::PreciseTimer);
+    connect(&m_jog, &QTimer::timeout, this, &DriveControl::jogStep);
+    DeviceSession& session = m_bench.session();
+    connect(&session, &DeviceSession::reportChanged, this, &DriveControl::onReport);
+    connect(&session, &DeviceSession::stateChanged, this, &DriveControl::onDevice);
+    connect(&session, &DeviceSession::procedureChanged, this, &DriveControl::onReport);
+}
+
+bool DriveControl::isAvailable() const {
+    return m_bench.session().state() == SessionState::Connected && m_bench.session().procedure().isEmpty();
+}
+
+bool DriveControl::isArmed() const {
+    return m_bench.session().state() == SessionState::Connected && m_bench.session().report().board.isArmed;
+}
+
+bool DriveControl::isStopped() const {
+    const devices::DeviceState& board = m_bench.session().report().board;
+    return m_bench.session().state() == SessionState::Connected && (board.isStopLatched || board.fault != 0);
+}
+
+bool DriveControl::needsConsent() const {
+    return !m_bench.session().info().isSimulated && !m_hasConsent;
+}
+
+void DriveControl::onDevice() {
+    m_hasConsent = false;
+    m_origin_rad.reset();
+    m_isJogPending = false;
+    onReport();
+}
+
+void DriveControl::onReport() {
+    const bool isArmedNow = isArmed() && isAvailable();
+    if (m_wasArmed != isArmedNow) {
+        m_wasArmed = isArmedNow;
+        m_setpoint = 0.0; // the board's rule: arming and every end of it zero the set-point
+    }
+    if (!isArmedNow) {
+        m_jog.stop();
+    }
+    Q_EMIT changed();
+}
+
+void DriveControl::run(Action action, std::function<void()> then) {
+    m_bench.session().request(std::move(action),
+                              [self = QPointer(this), then = std::move(then)](const Result<void>& done) {
+                                  if (self) {
+                                      self->finish(done, then);
+                                  }
+                              });
+}
+
+void DriveControl::finish(const Result<void>& done, const std::function<void()>& then) {
+    if (!done) {
+        m_jog.stop();
+        Q_EMIT failed(QString::fromStdString(done.error().message),
+                      QString::fromStdString(done.error().hint));
+    } else if (then) {
+        then();
+    }
+    Q_EMIT changed();
+}
+
+void DriveControl::arm() {
+    if (!isAvailable() || needsConsent()) {
+        return;
+    }
+    run(
+        [mode = m_mode](devices::Device& device) {
+            const Result<void> chosen = write(device, {{"hb.mode", code(mode)}});
+            return chosen ? device.arm() : chosen;
+        },
+        [this] { takeOrigin(); });
+}
+
+void DriveControl::disarm() {
+    m_jog.stop();
+    run([](devices::Device& device) { return device.disarm(); }, {});
+}
+
+void DriveControl::releaseStop() {
+    run([](devices::Device& device) { return device.clearStop(); }, {});
+}
+
+void DriveControl::takeOrigin() {
+    m_setpoint = 0.0;
+    const auto latest = m_bench.history().latest("position");
+    m_origin_rad = latest ? std::optional(latest->value) : std::nullopt;
+}
+
+void DriveControl::setMode(devices::BoardMode mode) {
+    if (mode == m_mode) {
+        return;
+    }
+    m_mode = mode;
+    m_jog.stop();
+    if (isArmed() && isAvailable()) {
+        run(
+            [mode](devices::Device& device) {
+                return write(device, {{"hb.mode", code(mode)}});
+            },
+            [this] { takeOrigin(); });
+    }
+    Q_EMIT changed();
+}
+
+void DriveControl::setSetpoint(double value) {
+    run(
+        [value](devices::Device& device) {
+            return write(device, {{"hb.setpoint", value}});
+        },
+        [this, value] { m_setpoint = value; });
+}
+
+void DriveControl::startJog(double rate) {
+    if (!isArmed() || !isAvailable() || m_mode == devices::BoardMode::Idle || m_jog.isActive()) {
+        return;
+    }
+    m_jogRate = rate;
+    m_sinceJogStep.start();
+    m_jog.start();
+    jogStep();
+}
+
+void DriveControl::jogStep() {
+    if (m_isJogPending) {
+        return;
+    }
+    const double step_s =
+        std::min(static_cast<double>(m_sinceJogStep.nsecsElapsed()) * 1e-9, LongestJogStep_s);
+    std::vector<ParameterValue> values;
+    double next = m_setpoint;
+    if (m_mode == devices::BoardMode::Position) {
+        next += m_jogRate * step_s;
+        if (m_bench.deviceValue("window.position_enabled").value_or(0.0) > 0.5) {
+            const double end_rad = WindowShare_ratio * m_bench.deviceValue("window.position").value_or(0.0);
+            next = std::clamp(next, -end_rad, end_rad);
+        }
+        values = {{"hb.setpoint", next}};
+    } else if (m_sinceJogStep.elapsed() >= static_cast<qint64>(JogHold_s * 500.0) || step_s < 1e-3) {
+        values = heldCurrent(m_jogRate);
+    } else {
+        return; // the hold is still fresh
+    }
+    m_sinceJogStep.restart();
+    m_isJogPending = true;
+    m_bench.session().request([values](devices::Device& device) { return write(device, values); },
+                              [self = QPointer(this), next](const Result<void>& written) {
+                                  if (self) {
+                                      self->m_isJogPending = false;
+                                      self->finish(written, [&] { self->m_setpoint = next; });
+                                  }
+                              });
+}
+
+void DriveControl::stopJog() {
+    if (!m_jog.isActive()) {
+        return;
+    }
+    m_jog.stop();
+    if (m_mode != devices::BoardMode::Position) {
+        stopReference();
+    }
+    Q_EMIT changed();
+}
+
+void DriveControl::startReference(std::vector<ParameterValue> generator) {
+    generator.push_back({"reference.start", 1.0});
+    const devices::BoardMode mode = m_mode;
+    const bool isPosition = mode == devices::BoardMode::Position;
+    run(
+        [generator, mode, isPosition](devices::Device& device) -> Result<void> {
+            if (isPosition) { // entering the mode anew lets the generator count from here
+                for (const devices::BoardMode next : {devices::BoardMode::Idle, mode}) {
+                    if (Result<void> entered = write(device, {{"hb.mode", code(next)}}); !entered) {
+                        return entered;
+                    }
+                }
+            }
+            return write(device, generator);
+        },
+        [this, isPosition] {
+            if (isPosition) {
+                takeOrigin();
+            }
+            m_bench.refreshValues();
+        });
+}
+
+void DriveControl::stopReference() {
+    run([](devices::Device& device) { return write(device, {{"reference.start", 0.0}}); }, {});
+}
+
+} // namespace halbench::app

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "app/workspaces/workbench.h"
+#include "control/base/result.h"
+#include "devices/device.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace halbench::app {
+
+/// Moving the actuator by hand: resources/help/monitor.md, "Drive". Holds what a person decided (mode,
+/// set-point, consent); the board owns the rest. Nothing here waits for the device. Thread: GUI.
+class DriveControl : public QObject {
+    Q_OBJECT
+
+public:
+    explicit DriveControl(Workbench& bench, QObject* parent = nullptr);
+
+    /// A device is connected and no procedure has it.
+    bool isAvailable() const;
+    bool isArmed() const;
+    bool isStopped() const; ///< a stop or a fault is latched
+    /// A device that is not simulated asks once per connection before it is armed the first time.
+    bool needsConsent() const;
+    void giveConsent() { m_hasConsent = true; }
+
+    void arm(); ///< refused without consent
+    void disarm();
+    /// Releases the latched stop; arming is another act.
+    void releaseStop();
+
+    devices::BoardMode mode() const { return m_mode; }
+    /// While armed: at once, with the set-point at zero and the angle counted from where the rotor is.
+    void setMode(devices::BoardMode mode);
+    /// rad from where it was armed, or A, by mode.
+    double setpoint() const { return m_setpoint; }
+    void setSetpoint(double value);
+    /// Angle from which the position mode counts; nothing before it was seen.
+    std::optional<double> origin_rad() const { return m_origin_rad; }
+
+    /// Position: the set-point moves with `rate` rad/s. Current modes: `rate` is a current in A that the
+    /// board itself ends after 0.3 s unless the hold is renewed, so that a window that hangs moves nothing.
+    void startJog(double rate);
+    void stopJog();
+    bool isJogging() const { return m_jog.isActive(); }
+
+    /// Values of the board's generator. In position mode it counts from where the rotor is now.
+    void startReference(std::vector<ParameterValue> generator);
+    void stopReference();
+
+Q_SIGNALS:
+    void changed();
+    void failed(const QString& text, const QString& remedy);
+
+private:
+    using Action = std::function<Result<void>(devices::Device&)>;
+    void run(Action action, std::function<void()> then);
+    void finish(const Result<void>& done, const std::function<void()>& then);
+    void onReport();
+    void onDevice();
+    void jogStep();
+    void takeOrigin();
+
+    Workbench& m_bench;
+    devices::BoardMode m_mode = devices::BoardMode::Position;
+    double m_setpoint = 0.0;
+    std::optional<double> m_origin_rad;
+    bool m_hasConsent = false;
+    bool m_wasArmed = false;
+    bool m_isJogPending = false;
+    double m_jogRate = 0.0;
+    QTimer m_jog;
+    QElapsedTimer m_sinceJogStep;
+};
+
+} // namespace halbench::app

@@ -1,0 +1,149 @@
+#include "app/workspaces/drive_limits.h"
+
+#include "app/workspaces/display_quantity.h"
+#include "app/workspaces/panel_parts.h"
+#include "widgets/number_label.h"
+#include "widgets/theme_style.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPointer>
+#include <QSignalBlocker>
+
+#include <cmath>
+
+namespace halbench::app {
+
+DriveLimits::DriveLimits(Workbench& bench, const DriveControl& control, QWidget* parent)
+    : QWidget(parent), m_bench(bench), m_control(control) {
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(widgets::GridStep_px);
+    grid->setColumnStretch(0, 1);
+    Row current;
+    current.parameter = "limit.current";
+    current.measured = &DriveLimits::current_A;
+    addRow(current, tr("Current"),
+           tr("A larger current is not commanded; asking for one in a current mode stops"));
+    Row temperature;
+    temperature.parameter = "limit.temperature";
+    temperature.measured = &DriveLimits::temperature_degC;
+    addRow(temperature, tr("Hotter coil"), tr("The board stops when a coil is hotter"));
+    Row excursion;
+    excursion.parameter = "window.position";
+    excursion.switchParameter = "window.position_enabled";
+    excursion.measured = &DriveLimits::excursion_rad;
+    addRow(excursion, tr("Excursion"), tr("The board stops when it is farther from where it was armed"));
+    Row speed;
+    speed.parameter = "window.speed";
+    speed.switchParameter = "window.speed_enabled";
+    speed.measured = &DriveLimits::speed_rad_s;
+    addRow(speed, tr("Speed"), tr("The board stops when it turns faster"));
+    connect(&m_bench, &Workbench::valuesChanged, this, &DriveLimits::onValues);
+    onValues();
+}
+
+void DriveLimits::addRow(Row row, const QString& title, const QString& toolTip) {
+    auto* grid = static_cast<QGridLayout*>(layout());
+    const int line = grid->rowCount();
+    if (row.switchParameter.empty()) {
+        grid->addWidget(new QLabel(title, this), line, 0);
+    } else {
+        row.enabled = new QCheckBox(title, this);
+        row.enabled->setToolTip(toolTip + QLatin1Char('\n') + tr("Off: not watched (Space)"));
+        grid->addWidget(row.enabled, line, 0);
+        connect(row.enabled, &QCheckBox::clicked, this,
+                [this, name = row.switchParameter](bool isOn) { write(name, isOn ? 1.0 : 0.0); });
+    }
+    row.live = new widgets::NumberLabel(this);
+    row.live->setAccessibleName(tr("%1 now").arg(title));
+    row.limit = makeNumberField(
+        {tr("Limit of %1").arg(title), toolTip + QLatin1Char('\n') + tr("Enter writes it")}, this);
+    grid->addWidget(row.live, line, 1);
+    grid->addWidget(new QLabel(QStringLiteral("\u2264"), this), line, 2);
+    grid->addWidget(row.limit, line, 3);
+    const std::size_t index = m_rows.size();
+    connect(row.limit, &QDoubleSpinBox::editingFinished, this, [this, index] {
+        const Row& edited = m_rows[index];
+        const std::optional<double> known = m_bench.deviceValue(edited.parameter);
+        const double value = edited.limit->value() / edited.factor;
+        // Leaving the field without a change writes nothing; what is shown is rounded.
+        if (known &&
+            std::fabs(value - *known) * edited.factor > 0.5 * std::pow(10.0, -edited.limit->decimals())) {
+            write(edited.parameter, value);
+        }
+    });
+    m_rows.push_back(row);
+}
+
+void DriveLimits::onValues() {
+    for (Row& row : m_rows) {
+        const ParameterSpec* spec = m_bench.session().catalogue().findParameter(row.parameter);
+        const std::optional<double> value = m_bench.deviceValue(row.parameter);
+        const bool isKnown = spec != nullptr && value;
+        row.limit->setEnabled(isKnown);
+        if (row.enabled != nullptr) {
+            const std::optional<double> isOn = m_bench.deviceValue(row.switchParameter);
+            row.enabled->setEnabled(isOn.has_value());
+            const QSignalBlocker quiet(row.enabled);
+            row.enabled->setChecked(isOn.value_or(0.0) > 0.5);
+        }
+        if (!isKnown || row.limit->hasFocus()) {
+            continue;
+        }
+        const DisplayQuantity shown = displayQuantity(spec->unit);
+        row.factor = shown.factor;
+        const QSignalBlocker quiet(row.limit);
+        dressNumberField(*row.limit,
+                         {row.limit->accessibleName(), row.limit->toolTip(), shown.unit, shown.decimals,
+                          spec->min * shown.factor, spec->max * shown.factor, 1.0});
+        row.limit->setValue(*value * shown.factor);
+        row.live->setFormat({shown.decimals, shown.unit, 0.0, shown.typical});
+    }
+}
+
+void DriveLimits::write(const std::string& parameter, double value) {
+    m_bench.writeValues({{parameter, value}}, [self = QPointer(this)](const Result<void>& written) {
+        if (self && !written) {
+            Q_EMIT self->failed(QString::fromStdString(written.error().message),
+                                QString::fromStdString(written.error().hint));
+        }
+    });
+}
+
+std::optional<double> DriveLimits::magnitude(const char* signal) const {
+    const auto latest = m_bench.history().latest(signal);
+    return latest ? std::optional(std::fabs(latest->value)) : std::nullopt;
+}
+
+std::optional<double> DriveLimits::temperature_degC() const {
+    const auto a = m_bench.history().latest("coil_temperature.a");
+    const auto b = m_bench.history().latest("coil_temperature.b");
+    return a && b ? std::optional(std::fmax(a->value, b->value)) : std::nullopt;
+}
+
+std::optional<double> DriveLimits::excursion_rad() const {
+    const auto latest = m_bench.history().latest("position");
+    const std::optional<double> origin_rad = m_control.origin_rad();
+    if (!latest || !origin_rad || !m_control.isArmed()) {
+        return std::nullopt;
+    }
+    return std::fabs(latest->value - *origin_rad);
+}
+
+void DriveLimits::refreshLive() {
+    const bool isStale = m_bench.session().state() != SessionState::Connected;
+    for (const Row& row : m_rows) {
+        const std::optional<double> value = (this->*row.measured)();
+        if (value) {
+            row.live->setValue(*value * row.factor);
+        } else {
+            row.live->clear();
+        }
+        row.live->setStale(isStale);
+    }
+}
+
+} // namespace halbench::app

@@ -1,0 +1,317 @@
+#include "app/workspaces/drive_panel.h"
+
+#include "app/workspaces/drive_limits.h"
+#include "app/workspaces/fault_words.h"
+#include "app/workspaces/jog_row.h"
+#include "app/workspaces/panel_parts.h"
+#include "app/workspaces/reference_form.h"
+#include "control/base/units.h"
+#include "widgets/message_bar.h"
+#include "widgets/theme_style.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QVBoxLayout>
+
+namespace halbench::app {
+
+namespace {
+
+using devices::BoardMode;
+constexpr int LivePeriod_ms = 100;
+
+/// What the drive shows of the device, whatever the plots show.
+std::vector<std::string> shownSignals() {
+    return {"position",           "speed",
+            "reference",          "current_command",
+            "coil_temperature.a", "coil_temperature.b",
+            "reference.running"};
+}
+
+QString valueText(double value, BoardMode mode) {
+    const bool isAngle = mode == BoardMode::Position;
+    const double shown = isAngle ? radiansToDegrees(value) : value;
+    return QLocale().toString(shown, 'f', isAngle ? 2 : 3) +
+           (isAngle ? QStringLiteral(" \u00b0") : QStringLiteral(" A"));
+}
+
+} // namespace
+
+DrivePanel::DrivePanel(Workbench& bench, QWidget* parent)
+    : QWidget(parent), m_bench(bench), m_control(bench) {
+    QVBoxLayout* column = makeScrollingColumn(this);
+    m_message = new widgets::MessageBar(this);
+    column->addWidget(m_message);
+    buildArm(column);
+    buildSetpoint(column);
+    buildReference(column);
+    buildLimits(column);
+    column->addStretch(1);
+    connect(m_message, &widgets::MessageBar::actionTriggered, this, &DrivePanel::onMessageAction);
+    connect(m_message, &widgets::MessageBar::dismissed, this, [this] { m_asking = Asking::Nothing; });
+    connect(&m_control, &DriveControl::changed, this, &DrivePanel::refresh);
+    connect(&m_control, &DriveControl::failed, this, &DrivePanel::showError);
+    connect(&m_bench, &Workbench::valuesChanged, this, &DrivePanel::describeMotion);
+    connect(&m_frame, &QTimer::timeout, this, &DrivePanel::refreshLive);
+    m_frame.start(LivePeriod_ms);
+    m_bench.liveSignals().want(this, shownSignals());
+    refreshUnits();
+    refresh();
+}
+
+void DrivePanel::buildArm(QVBoxLayout* column) {
+    auto* row = new QHBoxLayout;
+    m_state = new QLabel(this);
+    m_state->setProperty("badge", true);
+    m_state->setToolTip(tr("What the board says of itself"));
+    m_arm = makeButton({{}, {}, QStringLiteral("arm")}, this);
+    row->addWidget(m_state, 1);
+    row->addWidget(m_arm);
+    column->addLayout(row);
+    auto* modeRow = new QHBoxLayout;
+    auto* label = new QLabel(tr("&Mode"), this);
+    m_mode = new QComboBox(this);
+    m_mode->addItems({tr("Idle"), tr("Current"), tr("Position"), tr("D-axis")});
+    m_mode->setCurrentIndex(static_cast<int>(m_control.mode()));
+    m_mode->setAccessibleName(tr("Mode"));
+    m_mode->setToolTip(tr("Idle: no current. Current: torque by hand. Position: holds and follows.\n"
+                          "D-axis: current that holds the rotor without turning it (Alt+M)"));
+    label->setBuddy(m_mode);
+    modeRow->addWidget(label);
+    modeRow->addWidget(m_mode, 1);
+    column->addLayout(modeRow);
+    connect(m_arm, &QPushButton::clicked, this, &DrivePanel::onArm);
+    connect(m_mode, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this](int index) {
+        m_control.setMode(static_cast<BoardMode>(index));
+        refreshUnits();
+    });
+}
+
+void DrivePanel::buildSetpoint(QVBoxLayout* column) {
+    QVBoxLayout* section = addSection(column, tr("Set-point and jog"), this);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(widgets::GridStep_px);
+    m_setpoint = makeNumberField({}, this);
+    m_go = makeButton({tr("Go"), tr("Sends the set-point (Enter in the field)"), {}}, this);
+    m_zero = makeButton({tr("Zero"), tr("Sends the set-point zero"), {}}, this);
+    row->addWidget(m_setpoint, 1);
+    row->addWidget(m_go);
+    row->addWidget(m_zero);
+    section->addLayout(row);
+    m_setpointNow = makeNote(this);
+    section->addWidget(m_setpointNow);
+    m_jog = new JogRow(this);
+    section->addWidget(m_jog);
+    // Only Enter sends: leaving the field must not move anything.
+    connect(m_setpoint->findChild<QLineEdit*>(), &QLineEdit::returnPressed, this, &DrivePanel::onSetpoint);
+    connect(m_go, &QPushButton::clicked, this, &DrivePanel::onSetpoint);
+    connect(m_zero, &QPushButton::clicked, this, [this] {
+        m_setpoint->setValue(0.0);
+        onSetpoint();
+    });
+    connect(m_jog, &JogRow::jogStarted, &m_control, &DriveControl::startJog);
+    connect(m_jog, &JogRow::jogStopped, &m_control, &DriveControl::stopJog);
+}
+
+void DrivePanel::buildReference(QVBoxLayout* column) {
+    QVBoxLayout* section = addSection(column, tr("Reference generator"), this);
+    m_reference = new ReferenceForm(this);
+    section->addWidget(m_reference);
+    m_motion = makeNote(this);
+    section->addWidget(m_motion);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(widgets::GridStep_px);
+    m_start = makeButton({tr("Start"), tr("Starts the reference from where the rotor is (Ctrl+Shift+R)"),
+                          QStringLiteral("play")},
+                         this);
+    m_start->setShortcut(QKeySequence(tr("Ctrl+Shift+R")));
+    m_end = makeButton({tr("End"),
+                        tr("Ends the reference: a position is held, a current goes to zero (Ctrl+Shift+E)"),
+                        QStringLiteral("pause")},
+                       this);
+    m_end->setShortcut(QKeySequence(tr("Ctrl+Shift+E")));
+    row->addWidget(m_start, 1);
+    row->addWidget(m_end, 1);
+    section->addLayout(row);
+    connect(m_reference, &ReferenceForm::changed, this, &DrivePanel::describeMotion);
+    connect(m_start, &QPushButton::clicked, this, &DrivePanel::onStartReference);
+    connect(m_end, &QPushButton::clicked, &m_control, &DriveControl::stopReference);
+}
+
+void DrivePanel::buildLimits(QVBoxLayout* column) {
+    QVBoxLayout* section = addSection(column, tr("Limits of the board"), this);
+    m_limits = new DriveLimits(m_bench, m_control, this);
+    section->addWidget(m_limits);
+    connect(m_limits, &DriveLimits::failed, this, &DrivePanel::showError);
+}
+
+void DrivePanel::onArm() {
+    if (m_control.isArmed()) {
+        m_control.disarm();
+    } else if (m_control.needsConsent()) {
+        m_asking = Asking::Consent;
+        m_message->showMessage({widgets::Severity::Warning, tr("Armed, the actuator can move at any moment."),
+                                tr("Keep hands, hair, cables and loose parts away from it. Esc stops it."),
+                                tr("Arm it")});
+    } else {
+        m_control.arm();
+    }
+}
+
+void DrivePanel::onMessageAction() {
+    const Asking asked = m_asking;
+    m_asking = Asking::Nothing;
+    m_message->clear();
+    if (asked == Asking::Consent) {
+        m_control.giveConsent();
+        m_control.arm();
+    } else if (asked == Asking::Release) {
+        m_control.releaseStop();
+    }
+}
+
+void DrivePanel::onSetpoint() {
+    if (!m_go->isEnabled()) {
+        return;
+    }
+    m_setpoint->interpretText();
+    const double shown = m_setpoint->value();
+    m_control.setSetpoint(m_control.mode() == BoardMode::Position ? degreesToRadians(shown) : shown);
+}
+
+void DrivePanel::onStartReference() {
+    const Result<std::vector<ParameterValue>> values = m_reference->values();
+    if (!values) {
+        showError(QString::fromStdString(values.error().message),
+                  QString::fromStdString(values.error().hint));
+        return;
+    }
+    m_control.startReference(*values);
+}
+
+void DrivePanel::showError(const QString& text, const QString& remedy) {
+    m_asking = Asking::Nothing;
+    m_message->showMessage({widgets::Severity::Error, text, remedy, {}});
+}
+
+void DrivePanel::refresh() {
+    refreshStop();
+    refreshArm();
+    const bool canMove =
+        m_control.isArmed() && m_control.isAvailable() && m_control.mode() != BoardMode::Idle;
+    m_mode->setEnabled(m_control.isAvailable());
+    QWidget* const movers[] = {m_go, m_zero, m_jog, m_start, m_end};
+    for (QWidget* mover : movers) {
+        mover->setEnabled(canMove);
+    }
+    m_setpointNow->setText(canMove ? tr("Now %1").arg(valueText(m_control.setpoint(), m_control.mode()))
+                                   : tr("Arm first; set-points start at zero."));
+    describeMotion();
+}
+
+/// A latched stop stays in view until it is released on purpose.
+void DrivePanel::refreshStop() {
+    const FaultWords words =
+        m_control.isStopped() ? faultWords(m_bench.session().report().board) : FaultWords();
+    if (!words.what.isEmpty()) {
+        if (m_asking != Asking::Release || m_message->message().text != words.what) {
+            m_asking = Asking::Release;
+            m_message->showMessage(
+                {widgets::Severity::Error, words.what, words.remedy, tr("Release the stop")});
+        }
+    } else if (m_asking == Asking::Release || (m_asking == Asking::Consent && !m_control.isAvailable())) {
+        m_asking = Asking::Nothing;
+        m_message->clear();
+    }
+}
+
+void DrivePanel::refreshArm() {
+    const bool isArmed = m_control.isArmed();
+    const bool isConnected = m_bench.session().state() == SessionState::Connected;
+    QString state = tr("No device");
+    widgets::Role role = widgets::Role::Muted;
+    if (m_control.isStopped()) {
+        state = tr("Stopped");
+        role = widgets::Role::Bad;
+    } else if (!m_bench.session().procedure().isEmpty()) {
+        state = tr("%1 is running").arg(m_bench.session().procedure());
+    } else if (isArmed) {
+        state = tr("Armed");
+        role = widgets::Role::Armed;
+    } else if (isConnected) {
+        state = tr("Disarmed");
+    }
+    m_state->setText(state);
+    m_state->setAccessibleName(tr("State: %1").arg(state));
+    showRole(*m_state, role);
+    m_arm->setEnabled(m_control.isAvailable() && !m_control.isStopped());
+    const QString action = isArmed ? tr("Disarm") : tr("Arm");
+    if (m_arm->text() != action) {
+        m_arm->setText(action);
+        m_arm->setToolTip(isArmed ? tr("No current; set-points to zero (Ctrl+Shift+A)")
+                                  : tr("Lets the actuator move; set-points start at zero (Ctrl+Shift+A)"));
+        m_arm->setShortcut(QKeySequence(tr("Ctrl+Shift+A"))); // a new text forgets it
+    }
+    showRole(*m_arm, isArmed ? widgets::Role::Armed : widgets::Role::None);
+}
+
+void DrivePanel::refreshUnits() {
+    const bool isAngle = m_control.mode() == BoardMode::Position;
+    dressNumberField(*m_setpoint, isAngle ? NumberField{tr("Set-point"),
+                                                        tr("Angle from where it was armed (Enter sends it)"),
+                                                        QStringLiteral("\u00b0"), 2, -36000.0, 36000.0, 1.0}
+                                          : NumberField{tr("Set-point"), tr("Current (Enter sends it)"),
+                                                        QStringLiteral("A"), 3, -4.0, 4.0, 0.1});
+    m_setpoint->setValue(0.0);
+    m_jog->setAngular(isAngle);
+    m_reference->setMode(m_control.mode());
+    describeMotion();
+}
+
+/// What starting would do, before it is done.
+void DrivePanel::describeMotion() {
+    const BoardMode mode = m_control.mode();
+    const double peak = m_reference->peak();
+    QString words = mode == BoardMode::Position
+                        ? tr("Moves up to %1 from where it is.").arg(valueText(peak, mode))
+                        : tr("Commands up to %1.").arg(valueText(peak, mode));
+    widgets::Role role = widgets::Role::Muted;
+    const double window_rad = m_bench.deviceValue("window.position").value_or(0.0);
+    const bool isWatched = m_bench.deviceValue("window.position_enabled").value_or(0.0) > 0.5;
+    const std::optional<double> limit_A = m_bench.deviceValue("limit.current");
+    const bool isTooFar = mode == BoardMode::Position && isWatched && peak > window_rad;
+    const bool isTooMuch = mode != BoardMode::Position && limit_A && peak > *limit_A;
+    if (isTooFar || isTooMuch) {
+        words += QLatin1Char(' ') + tr("That is beyond the limit: the board may stop it.");
+        role = widgets::Role::Warn;
+    }
+    m_motion->setText(words);
+    showRole(*m_motion, role);
+}
+
+void DrivePanel::refreshLive() {
+    if (!isVisible()) {
+        return;
+    }
+    m_limits->refreshLive();
+    const auto running = m_bench.history().latest("reference.running");
+    const bool isRunning = m_control.isArmed() && running && running->value > 0.5;
+    m_end->setEnabled(isRunning && m_control.isAvailable());
+    if (m_control.isJogging()) {
+        m_setpointNow->setText(tr("Now %1").arg(valueText(m_control.setpoint(), m_control.mode())));
+    }
+}
+
+void DrivePanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        refresh();
+    }
+}
+
+} // namespace halbench::app

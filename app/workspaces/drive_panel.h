@@ -1,0 +1,76 @@
+#pragma once
+
+#include "app/workspaces/drive_control.h"
+#include "app/workspaces/workbench.h"
+
+#include <QTimer>
+#include <QWidget>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QGroupBox;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace halbench::widgets {
+class MessageBar;
+}
+
+namespace halbench::app {
+
+class DriveLimits;
+class JogRow;
+class ReferenceForm;
+
+/// Moving the actuator by hand: arm, mode, set-point, jog, reference generator, limits, faults in words
+/// (resources/help/monitor.md, "Drive").
+class DrivePanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit DrivePanel(Workbench& bench, QWidget* parent = nullptr);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void buildArm(QVBoxLayout* column);
+    void buildSetpoint(QVBoxLayout* column);
+    void buildReference(QVBoxLayout* column);
+    void buildLimits(QVBoxLayout* column);
+    void onArm();
+    void onMessageAction();
+    void onSetpoint();
+    void onStartReference();
+    void refresh();
+    void refreshStop();
+    void refreshArm();
+    void refreshUnits();
+    void refreshLive();
+    void describeMotion();
+    void showError(const QString& text, const QString& remedy);
+
+    enum class Asking { Nothing, Consent, Release };
+
+    Workbench& m_bench;
+    DriveControl m_control;
+    Asking m_asking = Asking::Nothing;
+    QTimer m_frame; ///< ten times a second
+    widgets::MessageBar* m_message = nullptr;
+    QLabel* m_state = nullptr;
+    QPushButton* m_arm = nullptr;
+    QComboBox* m_mode = nullptr;
+    QDoubleSpinBox* m_setpoint = nullptr;
+    QPushButton* m_go = nullptr;
+    QPushButton* m_zero = nullptr;
+    QLabel* m_setpointNow = nullptr;
+    JogRow* m_jog = nullptr;
+    ReferenceForm* m_reference = nullptr;
+    QLabel* m_motion = nullptr;
+    QPushButton* m_start = nullptr;
+    QPushButton* m_end = nullptr;
+    DriveLimits* m_limits = nullptr;
+};
+
+} // namespace halbench::app

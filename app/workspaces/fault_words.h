@@ -1,0 +1,18 @@
+#pragma once
+
+#include "devices/device.h"
+
+#include <QString>
+
+namespace halbench::app {
+
+/// Why the board does not drive, and what to do about it before it is armed again.
+struct FaultWords {
+    QString what;
+    QString remedy;
+};
+
+/// Words for a latched stop or fault; both empty when there is none. An unknown code keeps the board's words.
+FaultWords faultWords(const devices::DeviceState& board);
+
+} // namespace halbench::app

@@ -1,0 +1,88 @@
+#include "app/workspaces/jog_row.h"
+
+#include "app/workspaces/panel_parts.h"
+#include "control/base/units.h"
+#include "widgets/theme_style.h"
+
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QHBoxLayout>
+
+#include <utility>
+
+namespace halbench::app {
+
+HoldButton::HoldButton(const QString& text, QWidget* parent) : QPushButton(text, parent) {
+    setAutoDefault(false);
+    connect(this, &QPushButton::pressed, this, &HoldButton::begin);
+    connect(this, &QPushButton::released, this, &HoldButton::end);
+}
+
+void HoldButton::begin() {
+    m_isHeld = true;
+    Q_EMIT held();
+}
+
+void HoldButton::end() {
+    if (std::exchange(m_isHeld, false)) {
+        setDown(false);
+        Q_EMIT letGo();
+    }
+}
+
+void HoldButton::focusOutEvent(QFocusEvent* event) {
+    QPushButton::focusOutEvent(event);
+    end();
+}
+
+void HoldButton::hideEvent(QHideEvent* event) {
+    QPushButton::hideEvent(event);
+    end();
+}
+
+void HoldButton::changeEvent(QEvent* event) {
+    QPushButton::changeEvent(event);
+    if ((event->type() == QEvent::EnabledChange && !isEnabled()) ||
+        (event->type() == QEvent::ActivationChange && !isActiveWindow())) {
+        end();
+    }
+}
+
+JogRow::JogRow(QWidget* parent) : QWidget(parent) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(widgets::GridStep_px);
+    row->addWidget(addButton(tr("\u2212 Back"), tr("Moves backward while it is held (hold Space)"), -1.0));
+    m_rate = makeNumberField({}, this);
+    row->addWidget(m_rate, 1);
+    row->addWidget(addButton(tr("Forward +"), tr("Moves forward while it is held (hold Space)"), 1.0));
+    setAngular(true);
+}
+
+HoldButton* JogRow::addButton(const QString& text, const QString& toolTip, double sign) {
+    auto* button = new HoldButton(text, this);
+    button->setToolTip(toolTip);
+    button->setAccessibleDescription(toolTip);
+    connect(button, &HoldButton::held, this, [this, sign] { Q_EMIT jogStarted(sign * rate()); });
+    connect(button, &HoldButton::letGo, this, &JogRow::jogStopped);
+    return button;
+}
+
+void JogRow::setAngular(bool isAngular) {
+    m_isAngular = isAngular;
+    if (isAngular) {
+        dressNumberField(*m_rate, {tr("Jog speed"), tr("How fast it moves while a button is held"),
+                                   QStringLiteral("\u00b0/s"), 1, 0.1, 3600.0, 10.0});
+        m_rate->setValue(45.0);
+    } else {
+        dressNumberField(*m_rate, {tr("Jog current"), tr("The current while a button is held"),
+                                   QStringLiteral("A"), 3, 0.01, 4.0, 0.1});
+        m_rate->setValue(0.5);
+    }
+}
+
+double JogRow::rate() const {
+    return m_isAngular ? degreesToRadians(m_rate->value()) : m_rate->value();
+}
+
+} // namespace halbench::app

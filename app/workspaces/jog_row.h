@@ -1,0 +1,56 @@
+#pragma once
+
+#include <QPushButton>
+#include <QWidget>
+
+class QDoubleSpinBox;
+class QLabel;
+
+namespace halbench::app {
+
+/// A button that acts while it is held and only then: letting go, losing the focus, being hidden or disabled,
+/// and a window that goes to the background all end it.
+class HoldButton : public QPushButton {
+    Q_OBJECT
+
+public:
+    explicit HoldButton(const QString& text, QWidget* parent = nullptr);
+
+Q_SIGNALS:
+    void held();
+    void letGo();
+
+protected:
+    void focusOutEvent(QFocusEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void begin();
+    void end();
+
+    bool m_isHeld = false;
+};
+
+/// Backward and forward while a button is held, at a chosen speed or current.
+class JogRow : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit JogRow(QWidget* parent = nullptr);
+
+    void setAngular(bool isAngular); ///< degrees per second, else ampere
+
+Q_SIGNALS:
+    void jogStarted(double rate); ///< rad/s or A
+    void jogStopped();
+
+private:
+    HoldButton* addButton(const QString& text, const QString& toolTip, double sign);
+    double rate() const;
+
+    bool m_isAngular = true;
+    QDoubleSpinBox* m_rate = nullptr;
+};
+
+} // namespace halbench::app

@@ -1,0 +1,344 @@
+#include "app/workspaces/reference_form.h"
+
+#include "app/workspaces/panel_parts.h"
+#include "control/base/units.h"
+#include "widgets/theme_style.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::app {
+
+namespace {
+
+using Field = ReferenceForm::Field;
+constexpr int Plateaus = 7;
+constexpr std::size_t MostPlateaus = 32;
+
+struct Words {
+    const char* text;
+    const char* help;
+};
+
+struct Range {
+    double min, max, initial, step;
+    int decimals;
+};
+
+struct FieldSpec {
+    Field field;
+    Words words;
+    const char* angleUnit; ///< in position mode
+    const char* currentUnit;
+    Range angle;
+    Range current;
+};
+
+constexpr Range Frequencies{0.001, 200.0, 1.0, 0.1, 3};
+
+/// The board's limits: resources/help/protocol.md 3.15. Angles are shown in degrees.
+constexpr FieldSpec Fields[] = {
+    {Field::Amplitude,
+     {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Amplitude"),
+      QT_TRANSLATE_NOOP(
+          "halbench::app::ReferenceForm",
+          "Height of the step or of one stair, amplitude of sine and chirp, rms of a multisine, "
+          "end of a ramp (0: no end)")},
+     "\u00b0",
+     "A",
+     {-36000.0, 36000.0, 30.0, 1.0, 3},
+     {-4.0, 4.0, 0.5, 0.1, 3}},
+    {Field::Rate,
+     {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Slope"),
+      QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "How fast the ramp rises; negative: backward")},
+     "\u00b0/s",
+     "A/s",
+     {-36000.0, 36000.0, 90.0, 10.0, 2},
+     {-100.0, 100.0, 0.5, 0.1, 3}},
+    {Field::Frequency,
+     {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Frequency"),
+      QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Of the sine; the first one of chirp and multisine")},
+     "Hz",
+     "Hz",
+     Frequencies,
+     Frequencies},
+    {Field::FrequencyEnd,
+     {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Last frequency"),
+      QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Where chirp and multisine end")},
+     "Hz",
+     "Hz",
+     {0.001, 200.0, 10.0, 1.0, 3},
+     {0.001, 200.0, 10.0, 1.0, 3}},
+    {Field::Period,
+     {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Time of a stair"),
+      QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "How long every stair is held")},
+     "s",
+     "s",
+     {0.001, 3600.0, 1.0, 0.1, 3},
+     {0.001, 3600.0, 1.0, 0.1, 3}},
+    {Field::Count,
+     {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Count"),
+      QT_TRANSLATE_NOOP("halbench::app::ReferenceForm",
+                        "Stairs of a staircase, lines of a multisine (at most 32)")},
+     "",
+     "",
+     {1.0, 1000.0, 8.0, 1.0, 0},
+     {1.0, 1000.0, 8.0, 1.0, 0}},
+    {Field::Seed,
+     {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Seed"),
+      QT_TRANSLATE_NOOP("halbench::app::ReferenceForm",
+                        "Phases of the multisine; 0: those that keep its peak low")},
+     "",
+     "",
+     {0.0, 4294967295.0, 0.0, 1.0, 0},
+     {0.0, 4294967295.0, 0.0, 1.0, 0}},
+    {Field::Base,
+     {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Base"),
+      QT_TRANSLATE_NOOP("halbench::app::ReferenceForm",
+                        "Constant motion, or constant current, added to the shape")},
+     "\u00b0/s",
+     "A",
+     {-36000.0, 36000.0, 0.0, 10.0, 2},
+     {-4.0, 4.0, 0.0, 0.1, 3}},
+    {Field::Duration,
+     {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Duration"),
+      QT_TRANSLATE_NOOP("halbench::app::ReferenceForm",
+                        "Then a position is held and a current goes to zero")},
+     "s",
+     "s",
+     {0.01, 3600.0, 5.0, 1.0, 2},
+     {0.01, 3600.0, 5.0, 1.0, 2}},
+    {Field::Dwell,
+     {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Time of a plateau"),
+      QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "How long every current is held")},
+     "s",
+     "s",
+     {0.01, 3600.0, 2.0, 0.5, 2},
+     {0.01, 3600.0, 2.0, 0.5, 2}},
+};
+
+struct Shape {
+    const char* words;
+    std::initializer_list<Field> fields;
+};
+
+/// In the order of the board's codes, from 1.
+const Shape& shapeOf(int code) {
+    static const Shape shapes[] = {
+        {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Step"),
+         {Field::Amplitude, Field::Base, Field::Duration}},
+        {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Ramp"),
+         {Field::Rate, Field::Amplitude, Field::Base, Field::Duration}},
+        {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Sine"),
+         {Field::Amplitude, Field::Frequency, Field::Base, Field::Duration}},
+        {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Staircase"),
+         {Field::Amplitude, Field::Period, Field::Count, Field::Base}},
+        {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Chirp"),
+         {Field::Amplitude, Field::Frequency, Field::FrequencyEnd, Field::Base, Field::Duration}},
+        {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Multisine"),
+         {Field::Amplitude, Field::Frequency, Field::FrequencyEnd, Field::Count, Field::Seed, Field::Base,
+          Field::Duration}},
+        {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Speed plateaus"), {Field::Dwell}},
+    };
+    return shapes[code - 1];
+}
+
+bool has(int shape, Field field) {
+    const auto& fields = shapeOf(shape).fields;
+    return std::find(fields.begin(), fields.end(), field) != fields.end();
+}
+
+bool isAngular(Field field) {
+    return field == Field::Amplitude || field == Field::Rate || field == Field::Base;
+}
+
+} // namespace
+
+ReferenceForm::ReferenceForm(QWidget* parent) : QWidget(parent) {
+    m_rows = new QFormLayout(this);
+    m_rows->setContentsMargins(0, 0, 0, 0);
+    m_rows->setSpacing(widgets::GridStep_px);
+    m_shape = new QComboBox(this);
+    m_shape->setAccessibleName(tr("Shape of the reference"));
+    m_shape->setToolTip(tr("What the board's generator adds to the set-point"));
+    m_rows->addRow(tr("Shape"), m_shape);
+    for (const FieldSpec& spec : Fields) {
+        addNumber(spec.field);
+    }
+    m_currents = new QLineEdit(QStringLiteral("1.6; 2; 2.4; 2.8"), this);
+    m_currents->setAccessibleName(tr("Currents of the plateaus in ampere"));
+    m_currents->setToolTip(
+        tr("Up to 32 currents in A, one after the other, with spaces or semicolons between"));
+    m_rows->addRow(tr("Currents (A)"), m_currents);
+    fillShapes();
+    refresh();
+    connect(m_shape, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ReferenceForm::refresh);
+    connect(m_currents, &QLineEdit::textChanged, this, &ReferenceForm::changed);
+}
+
+void ReferenceForm::addNumber(Field field) {
+    auto* box = makeNumberField({}, this);
+    m_numbers[field] = box;
+    const auto* spec = std::find_if(std::begin(Fields), std::end(Fields),
+                                    [field](const FieldSpec& each) { return each.field == field; });
+    m_rows->addRow(tr(spec->words.text), box);
+    connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &ReferenceForm::changed);
+}
+
+void ReferenceForm::fillShapes() {
+    const QSignalBlocker quiet(m_shape);
+    const int before = m_shape->currentIndex();
+    m_shape->clear();
+    const int shapes = isPosition() ? Plateaus - 1 : Plateaus;
+    for (int code = 1; code <= shapes; ++code) {
+        m_shape->addItem(tr(shapeOf(code).words));
+    }
+    m_shape->setCurrentIndex(std::clamp(before, 0, shapes - 1));
+    for (const FieldSpec& spec : Fields) {
+        const Range& range = isPosition() ? spec.angle : spec.current;
+        QDoubleSpinBox* box = m_numbers.at(spec.field);
+        const QSignalBlocker quietBox(box);
+        dressNumberField(*box, {tr(spec.words.text), tr(spec.words.help),
+                                QString::fromUtf8(isPosition() ? spec.angleUnit : spec.currentUnit),
+                                range.decimals, range.min, range.max, range.step});
+        if (before < 0 || isAngular(spec.field)) {
+            box->setValue(range.initial);
+        }
+    }
+}
+
+void ReferenceForm::setMode(devices::BoardMode mode) {
+    const bool wasPosition = isPosition();
+    m_mode = mode;
+    if (wasPosition != isPosition()) {
+        fillShapes();
+        refresh();
+    }
+}
+
+int ReferenceForm::shape() const {
+    return m_shape->currentIndex() + 1;
+}
+
+void ReferenceForm::refresh() {
+    const auto show = [this](QWidget* field, bool isShown) {
+        field->setVisible(isShown);
+        m_rows->labelForField(field)->setVisible(isShown);
+    };
+    for (const auto& [field, box] : m_numbers) {
+        show(box, has(shape(), field));
+    }
+    show(m_currents, shape() == Plateaus);
+    Q_EMIT changed();
+}
+
+double ReferenceForm::valueOf(Field field) const {
+    if (!has(shape(), field)) {
+        return 0.0;
+    }
+    const double shown = m_numbers.at(field)->value();
+    return isPosition() && isAngular(field) ? degreesToRadians(shown) : shown;
+}
+
+/// In the current modes its angles are currents; the board's generator does not know the difference.
+MoveReference ReferenceForm::reference() const {
+    MoveReference reference;
+    reference.shape = static_cast<MoveReference::Shape>(shape());
+    reference.amplitude_rad = valueOf(Field::Amplitude);
+    reference.rate_rad_s = valueOf(Field::Rate);
+    reference.frequency_Hz = valueOf(Field::Frequency);
+    reference.frequencyEnd_Hz = valueOf(Field::FrequencyEnd);
+    reference.period_s = std::max(valueOf(Field::Period), 0.001);
+    reference.count = std::max(static_cast<int>(valueOf(Field::Count)), 1);
+    reference.base_rad_s = valueOf(Field::Base);
+    reference.seed = static_cast<std::uint32_t>(valueOf(Field::Seed));
+    return reference;
+}
+
+Result<std::vector<double>> ReferenceForm::plateaus_A() const {
+    std::vector<double> currents_A;
+    const QStringList words = m_currents->text()
+                                  .replace(QLatin1Char(';'), QLatin1Char(' '))
+                                  .simplified()
+                                  .split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    for (const QString& word : words) {
+        bool isNumber = false;
+        double current_A = locale().toDouble(word, &isNumber);
+        if (!isNumber) {
+            current_A = QLocale::c().toDouble(word, &isNumber);
+        }
+        if (!isNumber || !std::isfinite(current_A)) {
+            return failure(ErrorCode::InvalidInput, tr("'%1' is not a current.").arg(word).toStdString(),
+                           tr("Write currents in A, e.g. 1.6; 2; 2.4.").toStdString());
+        }
+        currents_A.push_back(current_A);
+    }
+    if (currents_A.empty() || currents_A.size() > MostPlateaus) {
+        return failure(ErrorCode::OutOfRange,
+                       tr("There are %1 plateaus.").arg(static_cast<int>(currents_A.size())).toStdString(),
+                       tr("The board takes 1 to 32.").toStdString());
+    }
+    return currents_A;
+}
+
+Result<std::vector<ParameterValue>> ReferenceForm::plateauValues() const {
+    const Result<std::vector<double>> currents_A = plateaus_A();
+    if (!currents_A) {
+        return failure(currents_A.error());
+    }
+    std::vector<ParameterValue> values{{"reference.shape", Plateaus},
+                                       {"reference.base", 0.0},
+                                       {"plateau.dwell", valueOf(Field::Dwell)},
+                                       {"plateau.count", static_cast<double>(currents_A->size())}};
+    for (std::size_t i = 0; i < currents_A->size(); ++i) {
+        values.push_back({"plateau.current_" + std::to_string(i + 1), (*currents_A)[i]});
+    }
+    return values;
+}
+
+Result<std::vector<ParameterValue>> ReferenceForm::values() const {
+    if (shape() == Plateaus) {
+        return plateauValues();
+    }
+    const MoveReference wanted = reference();
+    if (auto complete = checkMoveReference(wanted); !complete) {
+        return failure(complete.error());
+    }
+    const double duration_s = valueOf(Field::Duration);
+    std::vector<ParameterValue> values = generatorParameters(wanted, duration_s);
+    for (ParameterValue& value : values) {
+        if (value.name == "reference.duration") {
+            value.value = std::max(duration_s, 0.001); // by hand it ends when it says so
+        }
+    }
+    return values;
+}
+
+double ReferenceForm::peak() const {
+    if (shape() == Plateaus) {
+        const Result<std::vector<double>> currents_A = plateaus_A();
+        double peak_A = 0.0;
+        for (const double current_A : currents_A ? *currents_A : std::vector<double>()) {
+            peak_A = std::max(peak_A, std::fabs(current_A));
+        }
+        return peak_A;
+    }
+    const double base = valueOf(Field::Base);
+    MoveReference wanted = reference();
+    if (!isPosition()) {
+        wanted.base_rad_s = 0.0;
+    }
+    const double time_s = shape() == static_cast<int>(MoveReference::Shape::Staircase)
+                              ? wanted.period_s * wanted.count
+                              : valueOf(Field::Duration);
+    return referenceExcursion_rad(wanted, time_s) + (isPosition() ? 0.0 : std::fabs(base));
+}
+
+} // namespace halbench::app

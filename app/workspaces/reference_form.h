@@ -1,0 +1,58 @@
+#pragma once
+
+#include "app/procedures/move_reference.h"
+#include "devices/device.h"
+
+#include <QWidget>
+
+#include <map>
+#include <vector>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+
+namespace halbench::app {
+
+/// The parameters of the board's reference generator, as many as the chosen shape has
+/// (resources/help/monitor.md, "Reference generator").
+class ReferenceForm : public QWidget {
+    Q_OBJECT
+
+public:
+    enum class Field { Amplitude, Rate, Frequency, FrequencyEnd, Period, Count, Base, Seed, Duration, Dwell };
+
+    explicit ReferenceForm(QWidget* parent = nullptr);
+
+    /// Angles in position mode, currents in the others; plateaus belong to the current modes.
+    void setMode(devices::BoardMode mode);
+    /// 1 ... 7, the board's codes; 7 are plateaus.
+    int shape() const;
+    /// What the board needs to know. Errors: InvalidInput, OutOfRange with what is missing.
+    Result<std::vector<ParameterValue>> values() const;
+    /// The largest value the reference can reach: rad or A.
+    double peak() const;
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    void addNumber(Field field);
+    void refresh();
+    void fillShapes();
+    double valueOf(Field field) const; ///< SI
+    MoveReference reference() const;
+    Result<std::vector<double>> plateaus_A() const;
+    Result<std::vector<ParameterValue>> plateauValues() const;
+    bool isPosition() const { return m_mode == devices::BoardMode::Position; }
+
+    devices::BoardMode m_mode = devices::BoardMode::Position;
+    QFormLayout* m_rows = nullptr;
+    QComboBox* m_shape = nullptr;
+    QLineEdit* m_currents = nullptr;
+    std::map<Field, QDoubleSpinBox*> m_numbers;
+};
+
+} // namespace halbench::app

@@ -1,0 +1,225 @@
+#include "app/workspaces/drive_control.h"
+#include "app/workspaces/drive_limits.h"
+#include "app/workspaces/drive_panel.h"
+#include "control/base/units.h"
+#include "devices/serve_device.h"
+#include "tests/app/workspaces/bench_fixture.h"
+#include "widgets/message_bar.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+namespace halbench::app {
+namespace {
+
+class DrivePanelTest : public BenchTest {
+protected:
+    void SetUp() override {
+        BenchTest::SetUp();
+        panel = std::make_unique<DrivePanel>(bench());
+        panel->resize(320, 700);
+        panel->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(panel.get()));
+    }
+    void TearDown() override { panel.reset(); }
+
+    bool isArmed() { return session().report().board.isArmed; }
+    void armByClick() {
+        ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Arm")->isEnabled(); }));
+        click(*panel, "Arm");
+        ASSERT_TRUE(wait([&] { return isArmed(); }));
+        ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Go")->isEnabled() || mode() == 0; }));
+    }
+    int mode() { return find<QComboBox>(*panel, "Mode")->currentIndex(); }
+    void chooseMode(int index) { find<QComboBox>(*panel, "Mode")->setCurrentIndex(index); }
+    QString message() {
+        const auto* bar = panel->findChild<widgets::MessageBar*>();
+        return bar->isVisible() ? bar->message().text : QString();
+    }
+    double latest(const char* signal) {
+        const auto value = bench().history().latest(signal);
+        return value ? value->value : 0.0;
+    }
+
+    std::unique_ptr<DrivePanel> panel;
+};
+
+TEST_F(DrivePanelTest, armsASimulatedMotorAtOnceAndDisarms) {
+    EXPECT_FALSE(find<QPushButton>(*panel, "Arm")->isEnabled()); // no device
+    connectTo("sim:htm", 5.0);
+    armByClick();
+    EXPECT_EQ(parameter("hb.mode"), 2.0);
+    EXPECT_EQ(parameter("hb.setpoint"), 0.0);
+    click(*panel, "Disarm");
+    EXPECT_TRUE(wait([&] { return !isArmed(); }));
+    EXPECT_TRUE(wait([&] { return !find<QPushButton>(*panel, "Go")->isEnabled(); }));
+}
+
+TEST_F(DrivePanelTest, sendsTheSetpointOnEnterAndNotOnLeavingTheField) {
+    connectTo("sim:htm", 5.0);
+    armByClick();
+    auto* field = find<QDoubleSpinBox>(*panel, "Set-point");
+    type(field, "12");
+    QTest::keyClick(field, Qt::Key_Tab);
+    EXPECT_EQ(parameter("hb.setpoint"), 0.0);
+    type(field, "12");
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_NEAR(parameter("hb.setpoint"), degreesToRadians(12.0), 1e-6); // a 4-octet float
+    click(*panel, "Zero");
+    EXPECT_EQ(parameter("hb.setpoint"), 0.0);
+}
+
+TEST_F(DrivePanelTest, aNewModeStartsAtZeroWithItsOwnUnit) {
+    connectTo("sim:htm", 5.0);
+    armByClick();
+    auto* field = find<QDoubleSpinBox>(*panel, "Set-point");
+    type(field, "5");
+    QTest::keyClick(field, Qt::Key_Return);
+    ASSERT_GT(parameter("hb.setpoint"), 0.0);
+    chooseMode(1);
+    EXPECT_EQ(field->suffix(), " A");
+    EXPECT_EQ(field->value(), 0.0);
+    EXPECT_EQ(parameter("hb.mode"), 1.0);
+    EXPECT_EQ(parameter("hb.setpoint"), 0.0);
+}
+
+TEST_F(DrivePanelTest, jogMovesWhileHeldAndEndsWithTheFocus) {
+    connectTo("sim:htm", 5.0);
+    armByClick();
+    auto* forward = find<QPushButton>(*panel, "Forward +");
+    QTest::mousePress(forward, Qt::LeftButton);
+    ASSERT_TRUE(wait([&] { return parameter("hb.setpoint") > 0.05; }));
+    QTest::mouseRelease(forward, Qt::LeftButton);
+    const double after = parameter("hb.setpoint");
+    QTest::qWait(100); // five periods of the jog
+    EXPECT_EQ(parameter("hb.setpoint"), after);
+
+    forward->setFocus();
+    QTest::keyPress(forward, Qt::Key_Space);
+    ASSERT_TRUE(wait([&] { return parameter("hb.setpoint") > after + 0.05; }));
+    find<QPushButton>(*panel, "Go")->setFocus();
+    const double second = parameter("hb.setpoint");
+    QTest::qWait(100);
+    EXPECT_EQ(parameter("hb.setpoint"), second);
+}
+
+TEST_F(DrivePanelTest, jogOfACurrentEndsWhenLetGo) {
+    connectTo("sim:htm", 1.0);
+    armByClick();
+    chooseMode(1);
+    auto* back = find<QPushButton>(*panel, QString::fromUtf8("\u2212 Back"));
+    QTest::mousePress(back, Qt::LeftButton);
+    EXPECT_TRUE(wait([&] { return latest("current_command") == -0.5; }));
+    QTest::mouseRelease(back, Qt::LeftButton);
+    EXPECT_TRUE(wait([&] { return latest("current_command") == 0.0; }));
+}
+
+TEST_F(DrivePanelTest, aStopIsLatchedSaidInWordsAndReleasedOnPurpose) {
+    connectTo("sim:htm", 5.0);
+    armByClick();
+    session().stopActuator();
+    ASSERT_TRUE(wait([&] { return message().startsWith("Stopped"); }));
+    EXPECT_FALSE(find<QPushButton>(*panel, "Arm")->isEnabled());
+    click(*panel, "Release the stop");
+    EXPECT_TRUE(wait([&] { return find<QPushButton>(*panel, "Arm")->isEnabled(); }));
+    EXPECT_FALSE(isArmed()); // releasing does not arm
+    EXPECT_TRUE(message().isEmpty());
+}
+
+TEST_F(DrivePanelTest, aCurrentBeyondTheLimitIsAFaultInWords) {
+    connectTo("sim:htm", 5.0);
+    auto* limit = find<QDoubleSpinBox>(*panel, "Limit of Current");
+    ASSERT_TRUE(wait([&] { return limit->isEnabled(); }));
+    type(limit, "0.3");
+    QTest::keyClick(limit, Qt::Key_Return);
+    ASSERT_TRUE(wait([&] { return bench().deviceValue("limit.current").value_or(0.0) < 0.31; }));
+    chooseMode(1);
+    armByClick();
+    click(*panel, "Start"); // a step of 0.5 A
+    EXPECT_TRUE(wait([&] { return message().contains("More current"); })) << message().toStdString();
+}
+
+TEST_F(DrivePanelTest, theGeneratorRunsFromHereAndEnds) {
+    connectTo("sim:htm", 5.0);
+    armByClick();
+    click(*panel, "Start");
+    ASSERT_TRUE(wait([&] { return latest("reference.running") > 0.5; }));
+    EXPECT_NEAR(parameter("reference.amplitude"), degreesToRadians(30.0), 1e-6);
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "End")->isEnabled(); }));
+    click(*panel, "End");
+    EXPECT_TRUE(wait([&] { return latest("reference.running") < 0.5; }));
+    EXPECT_TRUE(isArmed());
+}
+
+TEST_F(DrivePanelTest, windowsAreSwitchedAndWarnBeforeTheMotion) {
+    connectTo("sim:htm", 5.0);
+    auto* excursion = find<QDoubleSpinBox>(*panel, "Limit of Excursion");
+    ASSERT_TRUE(wait([&] { return excursion->isEnabled(); }));
+    type(excursion, "20");
+    QTest::keyClick(excursion, Qt::Key_Return);
+    auto* isWatched = find<QCheckBox>(*panel, "Excursion");
+    QTest::mouseClick(isWatched, Qt::LeftButton, {}, QPoint(8, isWatched->height() / 2));
+    ASSERT_TRUE(wait([&] { return bench().deviceValue("window.position_enabled").value_or(0.0) == 1.0; }));
+    EXPECT_NEAR(*bench().deviceValue("window.position"), degreesToRadians(20.0), 1e-6);
+    const auto labels = panel->findChildren<QLabel*>();
+    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(),
+                            [](const QLabel* label) { return label->text().contains("beyond the limit"); }));
+}
+
+/// A board behind TCP: nothing tells the program that it is simulated.
+class ServedBoard {
+public:
+    ServedBoard() : m_thread([this] { serve(); }) {}
+    ~ServedBoard() {
+        m_signal = 2;
+        m_thread.join();
+    }
+    QString uri() {
+        const std::lock_guard lock(m_mutex);
+        return QString::fromStdString(m_uri);
+    }
+
+private:
+    void serve() {
+        (void)devices::serveDevice(
+            {"sim:htm", devices::ServedLine::Tcp, "127.0.0.1:0", {}},
+            [this](const std::string& uri) {
+                const std::lock_guard lock(m_mutex);
+                m_uri = uri;
+            },
+            m_signal);
+    }
+
+    std::mutex m_mutex;
+    std::string m_uri;
+    std::atomic<int> m_signal = 0;
+    std::thread m_thread;
+};
+
+TEST_F(DrivePanelTest, aRealDeviceAsksOnceWithWordsAboutMotion) {
+    ServedBoard board;
+    ASSERT_TRUE(wait([&] { return !board.uri().isEmpty(); }));
+    connectTo(board.uri(), 1.0);
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Arm")->isEnabled(); }));
+    click(*panel, "Arm");
+    EXPECT_TRUE(message().contains("can move"));
+    EXPECT_EQ(parameter("hb.arm"), 0.0);
+    click(*panel, "Arm it");
+    ASSERT_TRUE(wait([&] { return isArmed(); }));
+    click(*panel, "Disarm");
+    ASSERT_TRUE(wait([&] { return !isArmed() && find<QPushButton>(*panel, "Arm")->isEnabled(); }));
+    click(*panel, "Arm");
+    EXPECT_TRUE(wait([&] { return isArmed(); })); // asked once per connection
+    session().disconnectDevice();
+}
+
+} // namespace
+} // namespace halbench::app

@@ -1,0 +1,99 @@
+#include "app/workspaces/panel_parts.h"
+#include "app/workspaces/reference_form.h"
+#include "control/base/units.h"
+#include "tests/app/workspaces/bench_fixture.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+
+namespace halbench::app {
+namespace {
+
+class ReferenceFormTest : public BenchTest {
+protected:
+    ReferenceForm& form() {
+        if (!m_form) {
+            m_form = std::make_unique<ReferenceForm>();
+        }
+        return *m_form;
+    }
+    void TearDown() override { m_form.reset(); }
+
+    void choose(int shape) { find<QComboBox>(form(), "Shape of the reference")->setCurrentIndex(shape - 1); }
+    double valueOf(const std::string& name) {
+        const auto values = form().values();
+        EXPECT_TRUE(values) << (values ? "" : values.error().message);
+        for (const ParameterValue& value : values ? *values : std::vector<ParameterValue>()) {
+            if (value.name == name) {
+                return value.value;
+            }
+        }
+        ADD_FAILURE() << name;
+        return 0.0;
+    }
+
+private:
+    std::unique_ptr<ReferenceForm> m_form;
+};
+
+TEST_F(ReferenceFormTest, everyShapeShowsOnlyItsParameters) {
+    const int rows[] = {3, 4, 4, 4, 5, 7, 1}; // resources/help/monitor.md, the generator's table
+    form().setMode(devices::BoardMode::Current);
+    for (int shape = 1; shape <= 7; ++shape) {
+        choose(shape);
+        int shown = 0;
+        for (const auto* box : form().findChildren<QDoubleSpinBox*>()) {
+            shown += box->isHidden() ? 0 : 1;
+        }
+        EXPECT_EQ(shown, rows[shape - 1]) << shape;
+    }
+}
+
+TEST_F(ReferenceFormTest, anglesAreRadiansForTheBoard) {
+    choose(3);
+    find<QDoubleSpinBox>(form(), "Amplitude")->setValue(90.0);
+    find<QDoubleSpinBox>(form(), "Frequency")->setValue(2.0);
+    find<QDoubleSpinBox>(form(), "Duration")->setValue(4.0);
+    EXPECT_EQ(valueOf("reference.shape"), 3.0);
+    EXPECT_NEAR(valueOf("reference.amplitude"), Pi / 2.0, 1e-12);
+    EXPECT_EQ(valueOf("reference.frequency"), 2.0);
+    EXPECT_EQ(valueOf("reference.duration"), 4.0);
+    EXPECT_NEAR(form().peak(), Pi / 2.0, 1e-12);
+}
+
+TEST_F(ReferenceFormTest, currentsStayAmpereAndTheBaseAddsToThePeak) {
+    form().setMode(devices::BoardMode::Current);
+    choose(1);
+    find<QDoubleSpinBox>(form(), "Amplitude")->setValue(-1.5);
+    find<QDoubleSpinBox>(form(), "Base")->setValue(0.25);
+    EXPECT_EQ(valueOf("reference.amplitude"), -1.5);
+    EXPECT_EQ(valueOf("reference.base"), 0.25);
+    EXPECT_NEAR(form().peak(), 1.75, 1e-12);
+}
+
+TEST_F(ReferenceFormTest, plateausBelongToTheCurrentModes) {
+    auto* shapes = find<QComboBox>(form(), "Shape of the reference");
+    EXPECT_EQ(shapes->count(), 6);
+    form().setMode(devices::BoardMode::Current);
+    EXPECT_EQ(shapes->count(), 7);
+    choose(7);
+    find<QLineEdit>(form(), "Currents of the plateaus in ampere")->setText("1; 2.5 -3");
+    EXPECT_EQ(valueOf("plateau.count"), 3.0);
+    EXPECT_EQ(valueOf("plateau.current_2"), 2.5);
+    EXPECT_EQ(valueOf("plateau.current_3"), -3.0);
+    EXPECT_EQ(form().peak(), 3.0);
+    find<QLineEdit>(form(), "Currents of the plateaus in ampere")->setText("1; two");
+    const auto refused = form().values();
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("two"), std::string::npos);
+}
+
+TEST_F(ReferenceFormTest, aStepOfNothingIsRefused) {
+    choose(1);
+    find<QDoubleSpinBox>(form(), "Amplitude")->setValue(0.0);
+    EXPECT_FALSE(form().values());
+}
+
+} // namespace
+} // namespace halbench::app
