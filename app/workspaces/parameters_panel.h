@@ -1,0 +1,61 @@
+#pragma once
+
+#include "app/workspaces/user_presets.h"
+#include "app/workspaces/workbench.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <vector>
+
+class QComboBox;
+class QLineEdit;
+class QPushButton;
+
+namespace halbench::widgets {
+class ParameterTable;
+}
+
+namespace halbench::app {
+
+/// The parameters of the device: write what was changed as one transaction, presets, saving for good
+/// (resources/help/monitor.md, "Parameters"). What the Drive panel commands is not among them.
+class ParametersPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    /// `presetFolder`: of the user's presets.
+    explicit ParametersPanel(Workbench& bench, QWidget* parent = nullptr,
+                             const QString& presetFolder = userPresetFolder());
+
+private:
+    QWidget* buildPresets();
+    void connectTable();
+    void onDevice();
+    void onValues();
+    void write(const std::vector<ParameterValue>& changed);
+    void saveOnDevice();
+    void loadChosen();
+    void saveAs();
+    void fillPresets();
+    void look();
+    void compare(const std::vector<std::string>& names, const std::vector<double>& values);
+    void tell(const Error& error);
+    void tell(const QString& text, const QString& remedy);
+
+    Workbench& m_bench;
+    const QString m_folder;
+    widgets::ParameterTable* m_table = nullptr;
+    QComboBox* m_presets = nullptr;
+    QPushButton* m_load = nullptr;
+    QLineEdit* m_name = nullptr;
+    QPushButton* m_save = nullptr;
+    QPushButton* m_saveOnDevice = nullptr;
+    std::vector<PresetChoice> m_choices;
+    std::vector<std::string> m_shown; ///< names of the parameters in the table
+    std::size_t m_next = 0;           ///< to look at, for changes that others made
+    bool m_isLooking = false;
+    QTimer m_look;
+};
+
+} // namespace halbench::app
