@@ -1,7 +1,11 @@
 #include "app/window/panels.h"
 
 #include "app/workspaces/device_panel.h"
+#include "app/workspaces/drive_panel.h"
 #include "app/workspaces/log_panel.h"
+#include "app/workspaces/monitor_panel.h"
+#include "app/workspaces/parameters_panel.h"
+#include "app/workspaces/record_panel.h"
 
 #include <QCoreApplication>
 
@@ -49,6 +53,30 @@ std::vector<PanelSpec> panelSpecs() {
     return {
         {"devices", words(QT_TRANSLATE_NOOP("Panels", "Devices")), PanelArea::Left, everywhere(),
          "command-line.md", make<DevicePanel>},
+        {"monitor",
+         words(QT_TRANSLATE_NOOP("Panels", "Monitor")),
+         PanelArea::Centre,
+         {Perspective::Monitor, Perspective::Record},
+         "monitor.md",
+         make<MonitorPanel>},
+        {"drive",
+         words(QT_TRANSLATE_NOOP("Panels", "Drive")),
+         PanelArea::Right,
+         {Perspective::Monitor},
+         "monitor.md",
+         make<DrivePanel>},
+        {"parameters",
+         words(QT_TRANSLATE_NOOP("Panels", "Parameters")),
+         PanelArea::Right,
+         {Perspective::Monitor, Perspective::Tune},
+         "monitor.md",
+         make<ParametersPanel>},
+        {"record",
+         words(QT_TRANSLATE_NOOP("Panels", "Record")),
+         PanelArea::Right,
+         {Perspective::Monitor, Perspective::Record},
+         "monitor.md",
+         make<RecordPanel>},
         {"log", words(QT_TRANSLATE_NOOP("Panels", "Log")), PanelArea::Bottom, everywhere(), "index.md",
          make<LogPanel>},
     };

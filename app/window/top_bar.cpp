@@ -1,5 +1,7 @@
 #include "app/window/top_bar.h"
 
+#include "app/workspaces/recording_control.h"
+#include "widgets/icons.h"
 #include "widgets/status_strip.h"
 #include "widgets/stop_button.h"
 #include "widgets/theme_style.h"
@@ -18,6 +20,7 @@ TopBar::TopBar(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(ben
                             widgets::GridStep_px);
     row->setSpacing(widgets::GroupSpacing_px);
     row->addWidget(m_strip, 1);
+    buildRecord();
     buildPerspectives();
     row->addWidget(m_stop);
 
@@ -50,6 +53,41 @@ void TopBar::buildPerspectives() {
     setPerspective(Perspective::Monitor);
 }
 
+void TopBar::buildRecord() {
+    m_record = new QToolButton(this);
+    m_record->setText(tr("Record"));
+    m_record->setIcon(widgets::themedIcon(QStringLiteral("record"), widgets::Role::Bad));
+    static_cast<QToolButton*>(m_record)->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_record->setCheckable(true);
+    m_record->setShortcut(QKeySequence(tr("Ctrl+R")));
+    m_record->setToolTip(tr("Write what is measured to a file, or end that (Ctrl+R)"));
+    layout()->addWidget(m_record);
+    RecordingControl& recording = m_bench.recording();
+    connect(m_record, &QAbstractButton::clicked, this, [this, &recording](bool isWanted) {
+        if (isWanted) {
+            recording.start();
+        } else {
+            recording.stop();
+        }
+        refreshRecording();
+    });
+    connect(&recording, &RecordingControl::changed, this, &TopBar::refreshRecording);
+    connect(&recording, &RecordingControl::failed, this, [this](const QString& text, const QString& remedy) {
+        m_bench.session().message(MessageLevel::Error, tr("recording"), text + QLatin1Char(' ') + remedy);
+    });
+    connect(&recording, &RecordingControl::finished, this, [this](const QString& path) {
+        m_bench.session().message(MessageLevel::Info, tr("recording"), path);
+    });
+    refreshRecording();
+}
+
+void TopBar::refreshRecording() {
+    const RecordingControl& recording = m_bench.recording();
+    m_record->setChecked(recording.isRecording());
+    m_record->setEnabled(recording.isRecording() || m_bench.session().state() == SessionState::Connected);
+    m_strip->setRecording(recording.isRecording(), recording.status().elapsed_s);
+}
+
 void TopBar::setPerspective(Perspective perspective) {
     m_perspectives.value(static_cast<int>(perspective))->setChecked(true);
 }
@@ -73,6 +111,7 @@ void TopBar::rearm() {
 void TopBar::refresh() {
     const DeviceSession& session = m_bench.session();
     const devices::DeviceState& board = session.report().board;
+    refreshRecording();
     const QString fault = QString::fromStdString(board.faultText);
     const bool isConnected = session.state() == SessionState::Connected;
     m_stop->setLatched(isConnected && (board.isStopLatched || board.fault != 0), fault);

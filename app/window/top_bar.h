@@ -29,12 +29,15 @@ Q_SIGNALS:
 
 private:
     void buildPerspectives();
+    void buildRecord();
+    void refreshRecording();
     void refresh();
     void rearm();
 
     Workbench& m_bench;
     widgets::StatusStrip* m_strip = nullptr;
     widgets::StopButton* m_stop = nullptr;
+    QAbstractButton* m_record = nullptr;
     QHash<int, QAbstractButton*> m_perspectives;
 };
 

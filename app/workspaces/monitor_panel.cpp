@@ -1,0 +1,217 @@
+#include "app/workspaces/monitor_panel.h"
+
+#include "app/workspaces/monitor_plots.h"
+#include "app/workspaces/panel_parts.h"
+#include "app/workspaces/signal_tree.h"
+#include "widgets/icons.h"
+#include "widgets/live_plot_stack.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace halbench::app {
+
+namespace {
+
+using Command = widgets::LivePlotStack::Command;
+constexpr int ValuesPeriod_ms = 100;
+
+struct Tool {
+    Command command;
+    const char* icon;
+};
+constexpr Tool Tools[] = {{Command::Pause, "pause"},   {Command::Follow, "follow"},
+                          {Command::Fit, "fit"},       {Command::ShowAll, "zoom"},
+                          {Command::ZoomBack, "undo"}, {Command::Cursors, "cursor"},
+                          {Command::Marker, "note"},   {Command::AddSignals, "add"}};
+
+} // namespace
+
+MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(bench) {
+    m_tree = new SignalTree(this);
+    m_stack = new widgets::LivePlotStack(this);
+    m_stack->setTheme(widgets::currentTheme());
+    m_stack->setHistory(&m_bench.history());
+    auto* splitter = new QSplitter(Qt::Horizontal, this);
+    splitter->addWidget(m_tree);
+    splitter->addWidget(m_stack);
+    splitter->setStretchFactor(1, 1);
+    splitter->setSizes({fontMetrics().averageCharWidth() * 42, 900});
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(buildTools());
+    column->addWidget(splitter, 1);
+    connectStack();
+    connect(m_tree, &SignalTree::plotRequested, this, &MonitorPanel::plot);
+    connect(&m_bench, &Workbench::deviceChanged, this, &MonitorPanel::onDevice);
+    connect(&m_bench, &Workbench::valuesChanged, this, &MonitorPanel::onValues);
+    connect(&m_values, &QTimer::timeout, this, &MonitorPanel::refreshValues);
+    m_values.start(ValuesPeriod_ms);
+    onDevice();
+}
+
+QWidget* MonitorPanel::buildTools() {
+    auto* bar = new QWidget(this);
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(widgets::PanelMargin_px, widgets::GridStep_px, widgets::PanelMargin_px,
+                            widgets::GridStep_px);
+    row->setSpacing(widgets::GridStep_px);
+    for (const Tool& tool : Tools) {
+        QAction* action = m_stack->action(tool.command);
+        action->setIcon(widgets::themedIcon(QLatin1String(tool.icon)));
+        auto* button = new QToolButton(bar);
+        button->setDefaultAction(action);
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        button->setAutoRaise(true);
+        button->setAccessibleName(action->text());
+        row->addWidget(button);
+    }
+    row->addStretch(1);
+    m_stream = new QLabel(bar);
+    m_stream->setToolTip(tr("What the device sends to the plots"));
+    widgets::setRole(*m_stream, widgets::Role::Muted);
+    row->addWidget(m_stream);
+    return bar;
+}
+
+void MonitorPanel::connectStack() {
+    connect(m_stack, &widgets::LivePlotStack::signalsDropped, this,
+            [this](int plot, const QStringList& names) {
+                for (const QString& name : names) {
+                    addTo(plot, name.toStdString());
+                }
+                onPlotsChanged();
+            });
+    connect(m_stack, &widgets::LivePlotStack::plotsChanged, this, &MonitorPanel::onPlotsChanged);
+    connect(m_stack, &widgets::LivePlotStack::markersChanged, this, &MonitorPanel::onMarkers);
+    connect(m_stack, &widgets::LivePlotStack::addSignalsRequested, this,
+            [this] { m_tree->setFocus(Qt::ShortcutFocusReason); });
+}
+
+/// Another device brings its own signals; the same one again keeps its plots.
+void MonitorPanel::onDevice() {
+    const DeviceSession& session = m_bench.session();
+    if (session.state() != SessionState::Connected) {
+        return;
+    }
+    const QString device = QString::fromStdString(session.info().model + session.info().id);
+    if (device != m_device) {
+        m_device = device;
+        m_tree->setSignals(session.catalogue().signals);
+        m_stack->setPlots(defaultPlots(session.catalogue(), temperatureBands(session.catalogue(), {})));
+    }
+    m_stack->setMarkers({});
+    m_stack->setPaused(false);
+    m_stack->setFollowing(true);
+    onPlotsChanged();
+}
+
+/// The limit on the device decides where the bad temperatures begin.
+void MonitorPanel::onValues() {
+    const TemperatureBands bands =
+        temperatureBands(m_bench.session().catalogue(), m_bench.deviceValue("limit.temperature"));
+    std::vector<widgets::PlotSpec> plots = m_stack->plots();
+    for (widgets::PlotSpec& plot : plots) {
+        const SignalSpec* spec = plot.curves.empty()
+                                     ? nullptr
+                                     : m_bench.session().catalogue().findSignal(plot.curves.front().signal);
+        if (spec != nullptr) {
+            plot.bands = plotFor(*spec, bands).bands;
+        }
+    }
+    if (plots != m_stack->plots()) {
+        m_stack->setPlots(std::move(plots));
+    }
+}
+
+void MonitorPanel::plot(const QString& name, bool isPlotted) {
+    const std::string signal = name.toStdString();
+    if (isPlotted) {
+        addTo(-1, signal);
+    } else {
+        for (int i = static_cast<int>(m_stack->plots().size()) - 1; i >= 0; --i) {
+            m_stack->removeCurve(i, signal);
+        }
+    }
+    onPlotsChanged();
+}
+
+/// To the plot asked for if its unit fits, else to the first that fits, else to a new one below.
+void MonitorPanel::addTo(int plot, const std::string& name) {
+    const devices::Catalogue& catalogue = m_bench.session().catalogue();
+    const SignalSpec* spec = catalogue.findSignal(name);
+    if (spec == nullptr) {
+        return;
+    }
+    const widgets::PlotSpec wanted =
+        plotFor(*spec, temperatureBands(catalogue, m_bench.deviceValue("limit.temperature")));
+    std::vector<widgets::PlotSpec> plots = m_stack->plots();
+    const auto fits = [&](const widgets::PlotSpec& each) {
+        return each.curves.empty() || (each.unit == wanted.unit && each.quantity == wanted.quantity);
+    };
+    const bool isAsked =
+        plot >= 0 && plot < static_cast<int>(plots.size()) && fits(plots[static_cast<std::size_t>(plot)]);
+    const auto found = isAsked ? plots.begin() + plot : std::find_if(plots.begin(), plots.end(), fits);
+    if (found != plots.end() && !found->curves.empty()) {
+        m_stack->addCurve(static_cast<int>(found - plots.begin()), wanted.curves.front());
+        return;
+    }
+    if (found != plots.end()) {
+        *found = wanted;
+    } else {
+        plots.push_back(wanted);
+    }
+    m_stack->setPlots(std::move(plots));
+}
+
+void MonitorPanel::onPlotsChanged() {
+    const std::set<std::string> plotted = plottedSignals(m_stack->plots());
+    m_tree->setPlotted(plotted);
+    std::vector<std::string> wanted(plotted.begin(), plotted.end());
+    const auto& defaults = m_bench.session().catalogue().defaultSignals; // for the tree's live values
+    wanted.insert(wanted.end(), defaults.begin(), defaults.end());
+    m_bench.liveSignals().want(this, std::move(wanted));
+}
+
+/// A new marker goes into the recording too.
+void MonitorPanel::onMarkers() {
+    const auto& markers = m_stack->markers();
+    for (std::size_t i = m_markers; i < markers.size(); ++i) {
+        m_bench.recording().addMarker(markers[i].time_s,
+                                      markers[i].text.isEmpty() ? tr("marker") : markers[i].text);
+    }
+    m_markers = markers.size();
+}
+
+void MonitorPanel::refreshValues() {
+    if (!isVisible()) {
+        return;
+    }
+    const LiveSignals& live = m_bench.liveSignals();
+    m_tree->showValues(m_bench.history(), live.streamed());
+    const QLocale locale;
+    m_stream->setText(live.streamed().empty()
+                          ? tr("no signals")
+                          : tr("%1 signals, %2 Hz, %3 rows lost")
+                                .arg(static_cast<int>(live.streamed().size()))
+                                .arg(locale.toString(live.rate_Hz(), 'f', 0),
+                                     locale.toString(static_cast<qulonglong>(m_bench.history().lostRows()))));
+}
+
+void MonitorPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::StyleChange) {
+        m_stack->setTheme(widgets::currentTheme());
+    }
+}
+
+} // namespace halbench::app

@@ -1,0 +1,114 @@
+#include "app/workspaces/monitor_plots.h"
+
+#include "app/workspaces/display_quantity.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr std::size_t FirstSignals = 8;
+
+/// Roles of one plot each, from top to bottom.
+const std::vector<std::vector<std::string>>& defaultRoles() {
+    static const std::vector<std::vector<std::string>> roles = {
+        {"hall.a", "hall.b"},
+        {"position", "reference"},
+        {"speed"},
+        {"current_command", "current.a", "current.b"},
+        {"coil_temperature.a", "coil_temperature.b"},
+    };
+    return roles;
+}
+
+std::optional<double> constant(const devices::Catalogue& catalogue, const char* name) {
+    const auto found = catalogue.knownConstants.find(name);
+    return found == catalogue.knownConstants.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// For a device that no profile knows.
+std::vector<widgets::PlotSpec> firstSignals(const devices::Catalogue& catalogue,
+                                            const TemperatureBands& bands) {
+    std::vector<widgets::PlotSpec> plots;
+    for (std::size_t i = 0; i < std::min(FirstSignals, catalogue.signals.size()); ++i) {
+        const widgets::PlotSpec wanted = plotFor(catalogue.signals[i], bands);
+        const auto same = std::find_if(plots.begin(), plots.end(), [&](const widgets::PlotSpec& plot) {
+            return plot.unit == wanted.unit && plot.quantity == wanted.quantity;
+        });
+        if (same == plots.end()) {
+            plots.push_back(wanted);
+        } else {
+            same->curves.push_back(wanted.curves.front());
+        }
+    }
+    return plots;
+}
+
+} // namespace
+
+TemperatureBands temperatureBands(const devices::Catalogue& catalogue, std::optional<double> limit_degC) {
+    return {constant(catalogue, "T_pause_degC"),
+            limit_degC ? limit_degC : constant(catalogue, "T_limit_degC")};
+}
+
+widgets::PlotCurve curveFor(const SignalSpec& spec) {
+    const DisplayQuantity shown = displayQuantity(spec.unit);
+    return {spec.name, signalWords(spec.name), shown.unit, shown.factor, shown.decimals};
+}
+
+widgets::PlotSpec plotFor(const SignalSpec& spec, const TemperatureBands& bands) {
+    const DisplayQuantity shown = displayQuantity(spec.unit);
+    widgets::PlotSpec plot;
+    plot.quantity = shown.quantity.isEmpty() ? signalWords(spec.name) : shown.quantity;
+    plot.unit = shown.unit;
+    plot.curves.push_back(curveFor(spec));
+    if (spec.unit != "degC") {
+        return plot;
+    }
+    constexpr double Open = std::numeric_limits<double>::infinity();
+    if (bands.warn_degC) {
+        plot.bands.push_back(
+            {*bands.warn_degC, bands.bad_degC.value_or(Open), widgets::LimitBand::Role::Warn});
+    }
+    if (bands.bad_degC) {
+        plot.bands.push_back({*bands.bad_degC, Open, widgets::LimitBand::Role::Bad});
+    }
+    return plot;
+}
+
+std::vector<widgets::PlotSpec> defaultPlots(const devices::Catalogue& catalogue,
+                                            const TemperatureBands& bands) {
+    std::vector<widgets::PlotSpec> plots;
+    for (const std::vector<std::string>& roles : defaultRoles()) {
+        std::optional<widgets::PlotSpec> plot;
+        for (const std::string& role : roles) {
+            const SignalSpec* spec = catalogue.findSignal(catalogue.signalForRole(role));
+            if (spec == nullptr) {
+                continue;
+            }
+            if (plot) {
+                plot->curves.push_back(curveFor(*spec));
+            } else {
+                plot = plotFor(*spec, bands);
+            }
+        }
+        if (plot) {
+            plots.push_back(*plot);
+        }
+    }
+    return plots.empty() ? firstSignals(catalogue, bands) : plots;
+}
+
+std::set<std::string> plottedSignals(const std::vector<widgets::PlotSpec>& plots) {
+    std::set<std::string> names;
+    for (const widgets::PlotSpec& plot : plots) {
+        for (const widgets::PlotCurve& curve : plot.curves) {
+            names.insert(curve.signal);
+        }
+    }
+    return names;
+}
+
+} // namespace halbench::app

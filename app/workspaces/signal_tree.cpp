@@ -1,0 +1,145 @@
+#include "app/workspaces/signal_tree.h"
+
+#include "app/workspaces/display_quantity.h"
+#include "widgets/live_plot_spec.h"
+#include "widgets/theme_style.h"
+
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLocale>
+#include <QMimeData>
+#include <QSignalBlocker>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr int NameRole = Qt::UserRole;
+
+} // namespace
+
+SignalTree::SignalTree(QWidget* parent) : QTreeWidget(parent) {
+    setAccessibleName(tr("Signals of the device"));
+    setToolTip(tr("A tick plots a signal (Enter or Space); drag it onto a plot"));
+    setHeaderLabels({tr("Signal"), tr("Now"), tr("Unit")});
+    setSelectionMode(QAbstractItemView::ExtendedSelection);
+    setDragEnabled(true);
+    setDragDropMode(QAbstractItemView::DragOnly);
+    setUniformRowHeights(true);
+    setAlternatingRowColors(false);
+    header()->setStretchLastSection(false);
+    header()->setSectionResizeMode(NameColumn, QHeaderView::Stretch);
+    header()->setSectionResizeMode(ValueColumn, QHeaderView::Fixed);
+    header()->setSectionResizeMode(UnitColumn, QHeaderView::Fixed);
+    header()->resizeSection(ValueColumn, fontMetrics().horizontalAdvance(QStringLiteral("-00000.000 ")));
+    header()->resizeSection(UnitColumn, fontMetrics().horizontalAdvance(QStringLiteral("r/min   ")));
+    connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
+        const QString name = item->data(NameColumn, NameRole).toString();
+        if (column == NameColumn && !name.isEmpty()) {
+            Q_EMIT plotRequested(name, item->checkState(NameColumn) == Qt::Checked);
+        }
+    });
+}
+
+QTreeWidgetItem* SignalTree::groupFor(const QString& title) {
+    for (int i = 0; i < topLevelItemCount(); ++i) {
+        if (topLevelItem(i)->text(NameColumn) == title) {
+            return topLevelItem(i);
+        }
+    }
+    auto* group = new QTreeWidgetItem(this, {title});
+    group->setFlags(Qt::ItemIsEnabled);
+    group->setExpanded(true);
+    group->setFirstColumnSpanned(true);
+    return group;
+}
+
+void SignalTree::setSignals(const std::vector<SignalSpec>& specs) {
+    const QSignalBlocker quiet(this);
+    clear();
+    m_entries.clear();
+    const QFont digits = widgets::tabularFont(font());
+    for (const SignalSpec& spec : specs) {
+        const DisplayQuantity shown = displayQuantity(spec.unit);
+        QString title = shown.quantity.isEmpty() ? tr("other") : shown.quantity;
+        title[0] = title[0].toUpper();
+        auto* item = new QTreeWidgetItem(groupFor(title));
+        const QString name = QString::fromStdString(spec.name);
+        item->setText(NameColumn, signalWords(spec.name));
+        item->setData(NameColumn, NameRole, name);
+        item->setToolTip(NameColumn, spec.help.empty()
+                                         ? name
+                                         : name + QLatin1Char('\n') + QString::fromStdString(spec.help));
+        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable |
+                       Qt::ItemIsDragEnabled | Qt::ItemNeverHasChildren);
+        item->setCheckState(NameColumn, Qt::Unchecked);
+        item->setText(UnitColumn, shown.unit);
+        item->setTextAlignment(ValueColumn, Qt::AlignRight | Qt::AlignVCenter);
+        item->setFont(ValueColumn, digits);
+        item->setData(UnitColumn, Qt::ForegroundRole, palette().color(QPalette::Disabled, QPalette::Text));
+        m_entries[spec.name] = {item, shown.factor, shown.decimals, spec.choices};
+    }
+}
+
+void SignalTree::setPlotted(const std::set<std::string>& names) {
+    const QSignalBlocker quiet(this);
+    for (const auto& [name, entry] : m_entries) {
+        entry.item->setCheckState(NameColumn, names.count(name) > 0 ? Qt::Checked : Qt::Unchecked);
+    }
+}
+
+QString SignalTree::valueText(const Entry& entry, double value) const {
+    const auto choice = static_cast<std::size_t>(std::max(0.0, value));
+    if (choice < entry.choices.size() && !entry.choices.empty()) {
+        return QString::fromStdString(entry.choices[choice]);
+    }
+    return std::isfinite(value) ? QLocale().toString(value * entry.factor, 'f', entry.decimals)
+                                : QStringLiteral("\u2013");
+}
+
+void SignalTree::showValues(const control::SampleHistory& history, const std::vector<std::string>& streamed) {
+    const QSignalBlocker quiet(this);
+    for (const auto& [name, entry] : m_entries) {
+        const bool isStreamed = std::find(streamed.begin(), streamed.end(), name) != streamed.end();
+        const auto latest = isStreamed ? history.latest(name) : std::nullopt;
+        const QString text = latest ? valueText(entry, latest->value) : QStringLiteral("\u2013");
+        if (entry.item->text(ValueColumn) != text) {
+            entry.item->setText(ValueColumn, text);
+        }
+    }
+    viewport()->update();
+}
+
+void SignalTree::toggle(QTreeWidgetItem* item) {
+    if (item != nullptr && (item->flags() & Qt::ItemIsUserCheckable) != 0) {
+        const bool isChecked = item->checkState(NameColumn) == Qt::Checked;
+        item->setCheckState(NameColumn, isChecked ? Qt::Unchecked : Qt::Checked);
+    }
+}
+
+void SignalTree::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+        toggle(currentItem());
+        return;
+    }
+    QTreeWidget::keyPressEvent(event);
+}
+
+QStringList SignalTree::mimeTypes() const {
+    return {QLatin1String(widgets::SignalsMimeType)};
+}
+
+QMimeData* SignalTree::mimeData(const QList<QTreeWidgetItem*> items) const {
+    QStringList names;
+    for (const QTreeWidgetItem* item : items) {
+        names << item->data(NameColumn, NameRole).toString();
+    }
+    auto* mime = new QMimeData;
+    mime->setData(QLatin1String(widgets::SignalsMimeType), names.join(QLatin1Char('\n')).toUtf8());
+    return mime;
+}
+
+} // namespace halbench::app

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "control/base/parameter_spec.h"
+#include "control/signals/sample_history.h"
+
+#include <QStringList>
+#include <QTreeWidget>
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace halbench::app {
+
+/// The device's signals by quantity with their live values. A tick, or Enter, plots a signal; dragging
+/// carries names to a plot (widgets/live_plot_spec.h).
+class SignalTree : public QTreeWidget {
+    Q_OBJECT
+
+public:
+    enum Column { NameColumn, ValueColumn, UnitColumn };
+
+    explicit SignalTree(QWidget* parent = nullptr);
+
+    void setSignals(const std::vector<SignalSpec>& specs);
+    /// Which are plotted; sends nothing.
+    void setPlotted(const std::set<std::string>& names);
+    /// Live values of the signals that are `streamed`; those of others are not shown, for they are old.
+    void showValues(const control::SampleHistory& history, const std::vector<std::string>& streamed);
+
+Q_SIGNALS:
+    void plotRequested(const QString& name, bool isPlotted);
+
+protected:
+    QStringList mimeTypes() const override;
+    QMimeData* mimeData(const QList<QTreeWidgetItem*> items) const override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    struct Entry {
+        QTreeWidgetItem* item = nullptr;
+        double factor = 1.0;
+        int decimals = 3;
+        std::vector<std::string> choices;
+    };
+
+    QTreeWidgetItem* groupFor(const QString& title);
+    void toggle(QTreeWidgetItem* item);
+    QString valueText(const Entry& entry, double value) const;
+
+    std::map<std::string, Entry> m_entries;
+};
+
+} // namespace halbench::app

@@ -1,0 +1,169 @@
+#include "app/workspaces/display_quantity.h"
+#include "app/workspaces/fault_words.h"
+#include "app/workspaces/live_signals.h"
+#include "app/workspaces/monitor_panel.h"
+#include "app/workspaces/monitor_plots.h"
+#include "app/workspaces/signal_tree.h"
+#include "control/base/units.h"
+#include "tests/app/workspaces/bench_fixture.h"
+#include "widgets/live_plot_stack.h"
+
+#include <QAction>
+#include <QMimeData>
+#include <QToolButton>
+
+#include <cmath>
+
+namespace halbench::app {
+namespace {
+
+class MonitorPanelTest : public BenchTest {
+protected:
+    void SetUp() override {
+        BenchTest::SetUp();
+        panel = std::make_unique<MonitorPanel>(bench());
+        panel->resize(1200, 800);
+        panel->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(panel.get()));
+    }
+    void TearDown() override { panel.reset(); }
+
+    widgets::LivePlotStack& stack() { return *panel->findChild<widgets::LivePlotStack*>(); }
+    SignalTree& tree() { return *panel->findChild<SignalTree*>(); }
+    QTreeWidgetItem* item(const QString& words) {
+        for (QTreeWidgetItem* found : tree().findItems(words, Qt::MatchExactly | Qt::MatchRecursive)) {
+            if (found->parent() != nullptr) { // a group may be called the same
+                return found;
+            }
+        }
+        return nullptr;
+    }
+    bool isPlotted(const char* signal) { return plottedSignals(stack().plots()).count(signal) > 0; }
+
+    std::unique_ptr<MonitorPanel> panel;
+};
+
+TEST_F(MonitorPanelTest, aConnectedMotorIsWatchedAtOnceInItsDefaultPlots) {
+    connectTo("sim:htm", 5.0);
+    ASSERT_EQ(stack().plots().size(), 5U);
+    EXPECT_EQ(stack().plots()[0].unit, "mT");
+    EXPECT_EQ(stack().plots()[1].unit, QString::fromUtf8("\u00b0"));
+    EXPECT_EQ(stack().plots()[2].unit, "r/min");
+    EXPECT_EQ(bench().liveSignals().rate_Hz(), 1000.0);
+    ASSERT_TRUE(wait([&] { return bench().history().latest("hall.a").has_value(); }));
+    ASSERT_TRUE(wait([&] { return item("Hall A")->text(SignalTree::ValueColumn).size() > 1; }));
+    // 0.157 T is the rotor's field; the Hall sensor sees its cosine.
+    EXPECT_LT(std::fabs(QLocale().toDouble(item("Hall A")->text(SignalTree::ValueColumn))), 170.0);
+}
+
+TEST_F(MonitorPanelTest, temperaturesWarnFromTheProfileAndTurnBadAtTheDevicesLimit) {
+    connectTo("sim:htm", 5.0);
+    const auto bands = [&] { return stack().plots()[4].bands; };
+    ASSERT_EQ(bands().size(), 2U);
+    EXPECT_EQ(bands()[0].from, 65.0); // resources/devices/htm.json: T_pause_degC
+    EXPECT_EQ(bands()[1].from, 80.0);
+    bench().writeValues({{"limit.temperature", 75.0}}, [](const Result<void>&) {});
+    EXPECT_TRUE(wait([&] { return bands()[1].from == 75.0; }));
+}
+
+TEST_F(MonitorPanelTest, enterAndTickPlotASignalAndItIsStreamed) {
+    connectTo("sim:htm", 5.0);
+    ASSERT_FALSE(isPlotted("truth.position"));
+    tree().setFocus();
+    tree().setCurrentItem(item("True angle (simulated)"));
+    QTest::keyClick(&tree(), Qt::Key_Return);
+    EXPECT_TRUE(isPlotted("truth.position"));
+    EXPECT_EQ(stack().plots().size(), 5U); // beside the other angles
+    QTest::keyClick(&tree(), Qt::Key_Return);
+    EXPECT_FALSE(isPlotted("truth.position"));
+    item("Capture state")->setCheckState(SignalTree::NameColumn, Qt::Checked);
+    EXPECT_TRUE(isPlotted("capture.state"));
+    EXPECT_EQ(stack().plots().size(), 6U);
+    EXPECT_TRUE(wait([&] { return bench().history().latest("capture.state").has_value(); }));
+}
+
+TEST_F(MonitorPanelTest, aDroppedSignalGoesToThePlotOfItsUnit) {
+    connectTo("sim:htm", 5.0);
+    Q_EMIT stack().signalsDropped(0, {"truth.speed"}); // onto the Hall sensors
+    EXPECT_EQ(stack().plots()[0].curves.size(), 2U);
+    EXPECT_EQ(stack().plots()[2].curves.size(), 2U);
+    EXPECT_EQ(item("True speed (simulated)")->checkState(SignalTree::NameColumn), Qt::Checked);
+}
+
+TEST_F(MonitorPanelTest, pauseKeepsTheDataAndTheTickFollowsTheLegend) {
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(wait([&] { return bench().history().range().has_value(); }));
+    click(*panel, "Pause");
+    EXPECT_TRUE(stack().isPaused());
+    const double before_s = bench().history().range()->end_s;
+    EXPECT_TRUE(wait([&] { return bench().history().range()->end_s > before_s + 0.5; }));
+    EXPECT_TRUE(stack().isPaused());
+    click(*panel, "Pause");
+    EXPECT_FALSE(stack().isPaused());
+    stack().removeCurve(1, "reference");
+    Q_EMIT stack().plotsChanged();
+    EXPECT_EQ(item("Reference")->checkState(SignalTree::NameColumn), Qt::Unchecked);
+}
+
+TEST_F(MonitorPanelTest, plotsStayWhenTheSameDeviceComesBack) {
+    connectTo("sim:htm", 5.0);
+    item("Speed")->setCheckState(SignalTree::NameColumn, Qt::Unchecked);
+    ASSERT_FALSE(isPlotted("speed"));
+    session().disconnectDevice();
+    connectTo("sim:htm", 5.0);
+    EXPECT_FALSE(isPlotted("speed"));
+}
+
+TEST_F(MonitorPanelTest, everyToolSaysItsShortcut) {
+    for (const QToolButton* button : panel->findChildren<QToolButton*>()) {
+        if (button->defaultAction() != nullptr) {
+            EXPECT_TRUE(button->toolTip().contains('(')) << button->text().toStdString();
+            EXPECT_FALSE(button->accessibleName().isEmpty());
+        }
+    }
+}
+
+TEST(DisplayQuantityTest, showsDegreesTurnsMilliteslaAmpereAndCelsius) {
+    EXPECT_NEAR(displayQuantity("rad").factor * Pi, 180.0, 1e-9);
+    EXPECT_NEAR(displayQuantity("rad/s").factor * 2.0 * Pi, 60.0, 1e-9); // one turn a second
+    EXPECT_EQ(displayQuantity("T").factor, 1000.0);
+    EXPECT_EQ(displayQuantity("A").unit, "A");
+    EXPECT_EQ(displayQuantity("degC").unit, QString::fromUtf8("\u00b0C"));
+    EXPECT_EQ(displayQuantity("kg*m^2").factor, 1.0);
+    EXPECT_EQ(signalWords("hall.b"), "Hall B");
+    EXPECT_EQ(signalWords("foreign.name"), "foreign.name");
+}
+
+TEST(MonitorPlotsTest, aDeviceWithoutRolesShowsItsFirstSignalsByUnit) {
+    devices::Catalogue catalogue;
+    for (const char* name : {"x", "y"}) {
+        SignalSpec spec;
+        spec.name = name;
+        spec.unit = "V";
+        catalogue.signals.push_back(spec);
+    }
+    SignalSpec other;
+    other.name = "n";
+    catalogue.signals.push_back(other);
+    const auto plots = defaultPlots(catalogue, {});
+    ASSERT_EQ(plots.size(), 2U);
+    EXPECT_EQ(plots[0].curves.size(), 2U);
+}
+
+TEST(FaultWordsTest, everyFaultHasWordsAndARemedy) {
+    devices::DeviceState board;
+    EXPECT_TRUE(faultWords(board).what.isEmpty());
+    for (board.fault = 1; board.fault <= 8; ++board.fault) { // 8: a code this program does not know
+        board.faultText = "the board's words";
+        EXPECT_FALSE(faultWords(board).what.isEmpty());
+        EXPECT_FALSE(faultWords(board).remedy.isEmpty());
+    }
+    board.fault = 8;
+    EXPECT_EQ(faultWords(board).what, "the board's words");
+    board.fault = 0;
+    board.isStopLatched = true;
+    EXPECT_TRUE(faultWords(board).what.contains("Stopped"));
+}
+
+} // namespace
+} // namespace halbench::app
