@@ -1,6 +1,8 @@
 #pragma once
 
 #include "control/signals/sample_history.h"
+#include "widgets/curve_mask.h"
+#include "widgets/curve_shape.h"
 #include "widgets/live_plot_spec.h"
 
 #include <QColor>
@@ -14,9 +16,9 @@ namespace halbench::widgets {
 /// Pattern of a curve's line: the second eight curves of a plot are dashed, the next dotted, then both.
 enum class LinePattern { Solid, Dash, Dot, DashDot };
 
-/// Draws one signal straight from the history in device pixels: an antialiased line through the samples where
-/// they are sparse, else the extremes of each pixel column, so that a frame costs pixels and not samples.
-/// A sample belongs to the column whose centre is nearest. Gaps and breaks interrupt the line.
+/// Draws one signal straight from the history in device pixels, so that a frame costs pixels and not samples.
+/// On an RGB32 image of the canvas' size, which is what a live plot paints on, it sets the pixels itself; on
+/// anything else (an export) it draws lines.
 class HistoryCurve : public QwtPlotItem {
 public:
     HistoryCurve(PlotCurve curve, LinePattern pattern);
@@ -32,19 +34,16 @@ public:
               const QRectF& canvas) const override;
 
 private:
-    struct Pixels; ///< maps time and value to device pixels of one frame
-    void drawSamples(QPainter* painter, const Pixels& pixels) const;
-    void drawColumns(QPainter* painter, const Pixels& pixels) const;
-    bool isInk(double column, double ratio) const;
+    void rasterise(QImage& image, const PixelMap& map, double ratio) const;
+    void drawVectors(QPainter* painter, const QRectF& canvas, double ratio) const;
 
     PlotCurve m_curve;
     LinePattern m_pattern;
     QColor m_colour;
     const control::SampleHistory* m_history = nullptr;
     control::TimeRange m_drawn;
-    mutable std::vector<control::HistoryColumn> m_columns; ///< kept, so that frames do not allocate
-    mutable std::vector<control::TimedValue> m_samples;
-    mutable std::vector<QRect> m_ink;
+    mutable CurveShape m_shape; ///< kept, so that frames do not allocate
+    mutable CurveMask m_mask;
 };
 
 /// The pen of a curve and of its sample in the legend.

@@ -5,6 +5,8 @@
 #include <QPainter>
 #include <QPixmap>
 
+#include <cmath>
+
 namespace halbench::widgets {
 namespace {
 
@@ -16,9 +18,10 @@ QString numberText(const std::optional<double>& value, int decimals) {
     if (!value) {
         return QStringLiteral("–");
     }
+    const double shown = std::abs(*value) < 0.5 * std::pow(10.0, -decimals) ? 0.0 : *value; // never "-0.0"
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(*value, 'f', decimals);
+    return locale.toString(shown, 'f', decimals);
 }
 
 std::optional<double> difference(const LegendNumbers& numbers) {

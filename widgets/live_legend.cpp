@@ -15,6 +15,7 @@ constexpr int CellPadding = 12;
 LiveLegend::LiveLegend(QWidget* parent) : QTableView(parent) {
     setModel(&m_table);
     setFrameShape(QFrame::NoFrame);
+    setProperty("surface", QStringLiteral("legend")); // part of its plot: no border of its own
     setShowGrid(false);
     setWordWrap(false);
     setTextElideMode(Qt::ElideRight);
@@ -29,7 +30,7 @@ LiveLegend::LiveLegend(QWidget* parent) : QTableView(parent) {
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     horizontalHeader()->setMinimumSectionSize(8);
     horizontalHeader()->setHighlightSections(false);
-    setCursorColumnsShown(false);
+    setCursorColumnsShown(false, false);
     setAccessibleName(tr("Legend with live values"));
     setAccessibleDescription(tr("Space hides or shows the chosen curve, Delete removes it from the plot."));
     connect(this, &QTableView::doubleClicked, this,
@@ -44,11 +45,11 @@ void LiveLegend::setTheme(const Theme& theme) {
     setPalette(colours);
 }
 
-void LiveLegend::setCursorColumnsShown(bool areShown) {
+void LiveLegend::setCursorColumnsShown(bool areShown, bool hasHeader) {
     for (const int column : {LegendTableModel::AtA, LegendTableModel::AtB, LegendTableModel::Difference}) {
         setColumnHidden(column, !areShown);
     }
-    horizontalHeader()->setVisible(areShown); // the numbers need names only when there are several
+    horizontalHeader()->setVisible(areShown && hasHeader);
 }
 
 LiveLegend::Widths LiveLegend::neededWidths() const {

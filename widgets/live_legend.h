@@ -19,8 +19,8 @@ public:
 
     LegendTableModel& table() { return m_table; }
     void setTheme(const Theme& theme);
-    void setCursorColumnsShown(bool areShown);
-    bool hasCursorColumns() const { return !isColumnHidden(LegendTableModel::AtA); }
+    /// `hasHeader`: with names above the columns, which the topmost legend of a stack says for all.
+    void setCursorColumnsShown(bool areShown, bool hasHeader);
     /// What this legend's numbers and units need; the name gets what remains.
     Widths neededWidths() const;
     void setWidths(const Widths& widths, int total_px);

@@ -3,9 +3,9 @@
 #include "widgets/value_scale_draw.h"
 
 #include <QFontMetrics>
+#include <QPainter>
 #include <QResizeEvent>
 #include <qwt_plot_canvas.h>
-#include <qwt_plot_grid.h>
 #include <qwt_plot_layout.h>
 #include <qwt_scale_widget.h>
 
@@ -16,19 +16,33 @@ namespace halbench::widgets {
 namespace {
 
 constexpr int CurveColours = 8;
-/// Height of a labelled tick in lines of text.
-constexpr int LinesPerTick = 2;
+constexpr int Margin = 4;
+/// Height of a labelled tick in lines of text; where that leaves only one label they come closer.
+constexpr double LinesPerTick = 1.6;
+constexpr double FewestLines = 2.5;
 /// A steady signal is not magnified beyond so many units of its last shown digit.
 constexpr double SmallestDigits = 10.0;
 /// Labels are given at least this room, so that the first larger number moves nothing.
 constexpr char UsualLabel[] = "-000.00";
 
+/// Shows the plot's picture and nothing below it: each fill of a large area costs as much as several curves.
+class PictureCanvas : public QwtPlotCanvas {
+public:
+    using QwtPlotCanvas::QwtPlotCanvas;
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        plot()->drawCanvas(&painter);
+    }
+};
+
 QwtPlotCanvas* makeCanvas(QwtPlot* plot) {
-    auto* canvas = new QwtPlotCanvas(plot);
+    auto* canvas = new PictureCanvas(plot);
     canvas->setFrameStyle(QFrame::NoFrame);
     // Everything is drawn anew each frame: a second buffer would only be copied.
     canvas->setPaintAttribute(QwtPlotCanvas::BackingStore, false);
-    canvas->setPaintAttribute(QwtPlotCanvas::Opaque, true);
+    canvas->setAttribute(Qt::WA_OpaquePaintEvent);
     canvas->setFocusPolicy(Qt::NoFocus); // the plot has it
     canvas->setMouseTracking(true);
     return canvas;
@@ -43,10 +57,19 @@ double smallestLength(const PlotSpec& spec) {
     return smallest;
 }
 
+/// Distance of the labelled ticks on an axis with room for so many lines of text.
+double labelStep(const ValueRange& values, double lines) {
+    double step = niceStep(values.length(), static_cast<int>(lines / LinesPerTick));
+    while (lines > FewestLines && ticksOf(values, step).size() < 2) {
+        step = niceStep(0.4 * step, 1); // the next smaller of 5, 2, 1
+    }
+    return step;
+}
+
 } // namespace
 
 LivePlot::LivePlot(QWidget* parent)
-    : QwtPlot(parent), m_grid(new QwtPlotGrid), m_bands(new BandItem), m_overlay(new OverlayItem),
+    : QwtPlot(parent), m_grid(new GridItem), m_bands(new BandItem), m_overlay(new OverlayItem),
       m_valueScale(new ValueScaleDraw) {
     setCanvas(makeCanvas(this));
     canvas()->installEventFilter(this);
@@ -62,6 +85,8 @@ LivePlot::LivePlot(QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setAcceptDrops(true);
     setMinimumHeight(6 * fontMetrics().height());
+    // Half a label of the time axis reaches beyond the right end.
+    setContentsMargins(Margin, Margin, 2 * fontMetrics().averageCharWidth() + Margin, Margin);
 }
 
 LivePlot::~LivePlot() = default;
@@ -82,6 +107,7 @@ void LivePlot::setSpec(const PlotSpec& spec, const control::SampleHistory* histo
         m_curves.push_back(item);
     }
     m_bands->set(m_spec.bands, m_theme);
+    m_grid->setVisible(!m_spec.curves.empty());
     m_overlay->setMessage(m_spec.curves.empty() ? tr("Drag signals here or press Insert") : QString());
     m_autoRange = AutoRange(smallestLength(m_spec));
     m_userRange = m_spec.fixedRange;
@@ -94,7 +120,7 @@ void LivePlot::setSpec(const PlotSpec& spec, const control::SampleHistory* histo
 void LivePlot::setTheme(const Theme& theme) {
     m_theme = theme;
     setCanvasBackground(theme.plotBackground);
-    m_grid->setMajorPen(theme.plotGrid, 1.0);
+    m_grid->setColour(theme.plotGrid);
     m_bands->set(m_spec.bands, theme);
     m_overlay->setTheme(theme);
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
@@ -110,14 +136,27 @@ void LivePlot::setTheme(const Theme& theme) {
 }
 
 void LivePlot::updateTitle() {
-    const QString whole =
-        m_spec.unit.isEmpty() ? m_spec.quantity : QStringLiteral("%1 [%2]").arg(m_spec.quantity, m_spec.unit);
-    QwtText title(fontMetrics().elidedText(whole, Qt::ElideRight, std::max(height() - 8, 40)));
+    const QString unit = m_spec.unit.isEmpty() ? QString() : QStringLiteral(" [%1]").arg(m_spec.unit);
+    const QString whole = m_spec.quantity + unit;
+    const int room = std::max(canvas()->height() - fontMetrics().horizontalAdvance(unit), 0);
+    QwtText title(fontMetrics().elidedText(m_spec.quantity, Qt::ElideRight, room) + unit);
     title.setFont(font());
     title.setColor(m_theme.text.isValid() ? m_theme.text : palette().color(QPalette::Text));
     setAxisFont(yLeft, font());
     setAxisTitle(yLeft, title);
     axisWidget(yLeft)->setToolTip(whole);
+}
+
+void LivePlot::focusInEvent(QFocusEvent* event) {
+    QwtPlot::focusInEvent(event);
+    m_overlay->setFocused(true);
+    replot();
+}
+
+void LivePlot::focusOutEvent(QFocusEvent* event) {
+    QwtPlot::focusOutEvent(event);
+    m_overlay->setFocused(false);
+    replot();
 }
 
 void LivePlot::resizeEvent(QResizeEvent* event) {
@@ -164,12 +203,30 @@ void LivePlot::showFrame(control::TimeRange view, double timeStep_s, control::Ti
         curve->setSource(m_history, drawn);
     }
     const ValueRange values = shownRange();
-    const int lines = std::max(1, canvas()->height() / (LinesPerTick * fontMetrics().height()));
-    const double step = niceStep(values.length(), lines);
+    const double lines = std::max(1.0, static_cast<double>(canvas()->height()) / fontMetrics().height());
+    const double step = labelStep(values, lines);
     m_valueScale->setDecimals(decimalsOf(step));
-    setAxisScaleDiv(yLeft, divisionOf(values.low, values.high, step));
+    const QwtScaleDiv division = divisionOf(values.low, values.high, step);
+    setAxisScaleDiv(yLeft, m_curves.empty() ? QwtScaleDiv(values.low, values.high) : division);
     setAxisScaleDiv(xBottom, divisionOf(view.begin_s, view.end_s, timeStep_s));
     replot();
+}
+
+void LivePlot::drawCanvas(QPainter* painter) {
+    const double ratio = painter->device()->devicePixelRatioF();
+    const QRect place = canvas()->contentsRect();
+    const QSize pixels(static_cast<int>(std::lround(place.width() * ratio)),
+                       static_cast<int>(std::lround(place.height() * ratio)));
+    if (m_image.size() != pixels) {
+        m_image = QImage(pixels, QImage::Format_RGB32);
+    }
+    m_image.setDevicePixelRatio(ratio);
+    m_image.fill(canvasBackground().color());
+    QPainter onImage(&m_image);
+    onImage.setFont(painter->font());
+    QwtPlot::drawCanvas(&onImage);
+    onImage.end();
+    painter->drawImage(place.topLeft(), m_image);
 }
 
 void LivePlot::setCursors(const CursorPair& cursors) {

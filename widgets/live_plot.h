@@ -6,14 +6,13 @@
 #include "widgets/plot_marks.h"
 #include "widgets/theme.h"
 
+#include <QImage>
 #include <QStringList>
 #include <qwt_plot.h>
 
 #include <memory>
 #include <optional>
 #include <vector>
-
-class QwtPlotGrid;
 
 namespace halbench::widgets {
 
@@ -63,9 +62,12 @@ Q_SIGNALS:
     void signalsDropped(QStringList names);
 
 protected:
+    void drawCanvas(QPainter* painter) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
@@ -84,13 +86,14 @@ private:
     const control::SampleHistory* m_history = nullptr;
     Theme m_theme;
     std::vector<HistoryCurve*> m_curves; ///< owned by the plot
-    QwtPlotGrid* m_grid;
+    GridItem* m_grid;
     BandItem* m_bands;
     OverlayItem* m_overlay;
     ValueScaleDraw* m_valueScale; ///< owned by the plot's axis
     AutoRange m_autoRange{0.0};
     std::optional<ValueRange> m_userRange;
     control::TimeRange m_drawn;
+    QImage m_image; ///< what the canvas shows; curves set its pixels
     Drag m_drag = Drag::None;
     int m_draggedCursor = 0;
     QPoint m_pressed;

@@ -3,6 +3,7 @@
 #include "widgets/cursor_bar.h"
 #include "widgets/live_legend.h"
 #include "widgets/live_plot.h"
+#include "widgets/theme_style.h"
 #include "widgets/time_axis_bar.h"
 
 #include <QAction>
@@ -38,6 +39,7 @@ LivePlotStack::LivePlotStack(QWidget* parent)
     createActions();
     connect(m_cursorBar, &CursorBar::cursorTyped, this, &LivePlotStack::setCursor);
     connect(m_timer, &QTimer::timeout, this, &LivePlotStack::refresh);
+    setTheme(currentTheme());
     setPlots({});
     m_timer->start(FramePeriod_ms);
 }
@@ -101,7 +103,7 @@ void LivePlotStack::removeCurve(int plot, const std::string& signal) {
 void LivePlotStack::setTheme(const Theme& theme) {
     m_theme = theme;
     QPalette colours = palette();
-    colours.setColor(QPalette::Window, theme.line); // seen between the plots
+    colours.setColor(QPalette::Window, theme.window); // seen between the plots
     setPalette(colours);
     setAutoFillBackground(true);
     for (const Row& row : m_rows) {
@@ -123,10 +125,8 @@ LivePlotStack::Row LivePlotStack::makeRow() {
     row.legend = new LiveLegend(row.box);
     layout->addWidget(row.plot, 1);
     layout->addWidget(row.legend);
-    if (m_theme.panel.isValid()) {
-        row.plot->setTheme(m_theme);
-        row.legend->setTheme(m_theme);
-    }
+    row.plot->setTheme(m_theme);
+    row.legend->setTheme(m_theme);
     row.plot->canvas()->installEventFilter(this);
     m_splitter->addWidget(row.box);
     return row;
@@ -190,7 +190,7 @@ void LivePlotStack::configureRow(std::size_t index) {
     row.legend->table().setCurves({});
     row.plot->setSpec(m_specs[index], m_history);
     row.legend->table().setCurves(row.plot->curves());
-    row.legend->setCursorColumnsShown(m_cursors.isVisible);
+    row.legend->setCursorColumnsShown(m_cursors.isVisible, index == 0);
     row.legend->setAccessibleName(tr("Live values of %1").arg(row.plot->accessibleName()));
 }
 

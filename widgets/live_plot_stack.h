@@ -67,6 +67,7 @@ public:
     /// Adds to a plot, or as a new plot below when `plot` is none of them. A signal is shown once in a plot.
     void addCurve(int plot, const PlotCurve& curve);
     void removeCurve(int plot, const std::string& signal);
+    /// Wears the application's theme from the start and when it changes; this is for another.
     void setTheme(const Theme& theme);
 
     void setFollowing(bool isFollowing);
@@ -107,6 +108,7 @@ Q_SIGNALS:
 protected:
     void keyPressEvent(QKeyEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
 private:
     struct Row {

@@ -115,7 +115,7 @@ void LivePlotStack::setCursorsVisible(bool areVisible) {
     m_cursorBar->setVisible(areVisible);
     m_actions.at(Command::Cursors)->setChecked(areVisible);
     for (const Row& row : m_rows) {
-        row.legend->setCursorColumnsShown(areVisible);
+        row.legend->setCursorColumnsShown(areVisible, &row == &m_rows.front());
     }
     placeCursors();
 }

@@ -3,6 +3,7 @@
 #include "widgets/live_legend.h"
 #include "widgets/live_plot.h"
 #include "widgets/live_plot_stack.h"
+#include "widgets/theme_style.h"
 #include "widgets/time_axis_bar.h"
 
 #include <QEvent>
@@ -129,7 +130,14 @@ void LivePlotStack::showState() {
         m_timeAxis->setState(tr("Following, %1 s").arg(locale.toString(m_view.range().length_s(), 'g', 4)),
                              false);
     } else {
-        m_timeAxis->setState(tr("Standing still; End follows again"), true);
+        m_timeAxis->setState(tr("Scrolled; press End to follow"), true);
+    }
+}
+
+void LivePlotStack::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::StyleChange && currentTheme().name != m_theme.name) {
+        setTheme(currentTheme());
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <QFontMetricsF>
 #include <QPainter>
+#include <qwt_scale_div.h>
 #include <qwt_scale_map.h>
 
 #include <algorithm>
@@ -20,6 +21,28 @@ QColor withAlpha(QColor colour, int alpha) {
 }
 
 } // namespace
+
+GridItem::GridItem() {
+    setZ(0.0);
+    setItemInterest(QwtPlotItem::ScaleInterest, true);
+}
+
+void GridItem::updateScaleDiv(const QwtScaleDiv& xDivision, const QwtScaleDiv& yDivision) {
+    m_xTicks = xDivision.ticks(QwtScaleDiv::MajorTick);
+    m_yTicks = yDivision.ticks(QwtScaleDiv::MajorTick);
+}
+
+void GridItem::draw(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,
+                    const QRectF& canvas) const {
+    for (const double tick : m_xTicks) {
+        painter->fillRect(QRectF(std::round(xMap.transform(tick)), canvas.top(), 1.0, canvas.height()),
+                          m_colour);
+    }
+    for (const double tick : m_yTicks) {
+        painter->fillRect(QRectF(canvas.left(), std::round(yMap.transform(tick)), canvas.width(), 1.0),
+                          m_colour);
+    }
+}
 
 BandItem::BandItem() {
     setZ(1.0);
@@ -66,6 +89,11 @@ void OverlayItem::draw(QPainter* painter, const QwtScaleMap& xMap, const QwtScal
         painter->setPen(QPen(m_theme.accent, 1.0));
         painter->setBrush(withAlpha(m_theme.accent, BoxAlpha));
         painter->drawRect(*m_box);
+    }
+    if (m_isFocused) {
+        painter->setPen(QPen(m_theme.accent, 1.0));
+        painter->setBrush(Qt::NoBrush);
+        painter->drawRect(canvas.adjusted(0.0, 0.0, -1.0, -1.0));
     }
     if (!m_message.isEmpty()) {
         painter->setPen(m_theme.muted);

@@ -3,6 +3,8 @@
 #include "widgets/live_plot_spec.h"
 #include "widgets/theme.h"
 
+#include <QColor>
+#include <QList>
 #include <QRectF>
 #include <qwt_plot_item.h>
 
@@ -29,6 +31,21 @@ struct CursorPair {
     bool operator==(const CursorPair&) const = default;
 };
 
+/// Lines at the labelled ticks. Filled as rectangles: drawn as lines they would cost more than all curves.
+class GridItem : public QwtPlotItem {
+public:
+    GridItem();
+    void setColour(const QColor& colour) { m_colour = colour; }
+    void updateScaleDiv(const QwtScaleDiv& xDivision, const QwtScaleDiv& yDivision) override;
+    void draw(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,
+              const QRectF& canvas) const override;
+
+private:
+    QColor m_colour;
+    QList<double> m_xTicks;
+    QList<double> m_yTicks;
+};
+
 /// Limit bands behind the curves.
 class BandItem : public QwtPlotItem {
 public:
@@ -50,6 +67,7 @@ public:
     void setTheme(const Theme& theme) { m_theme = theme; }
     void setCursors(const CursorPair& cursors) { m_cursors = cursors; }
     void setMarkers(std::vector<PlotMarker> markers) { m_markers = std::move(markers); }
+    void setFocused(bool isFocused) { m_isFocused = isFocused; }
     void setBox(std::optional<QRectF> box) { m_box = box; }
     void setMessage(const QString& message) { m_message = message; }
     /// Names of cursors and markers are written in the topmost plot only.
@@ -69,6 +87,7 @@ private:
     std::optional<QRectF> m_box;
     QString m_message;
     bool m_areNamesShown = true;
+    bool m_isFocused = false;
 };
 
 } // namespace halbench::widgets

@@ -54,6 +54,8 @@ constexpr const char* Surfaces = R"(
 QAbstractItemView { background: @panel@; alternate-background-color: @alternate@; border: 1px solid @line@;
     gridline-color: @line@; selection-background-color: @selection@; selection-color: @text@; outline: 0; }
 QAbstractItemView:focus { border: 1px solid @accent@; }
+QAbstractItemView[surface="legend"] { border: 1px solid @panel@; }
+QAbstractItemView[surface="legend"]:focus { border: 1px solid @accent@; }
 QTreeView::item, QListView::item, QTableView::item { padding: 0px; min-height: @row@px; }
 QTreeView::item:selected, QListView::item:selected, QTableView::item:selected { background: @selection@;
     color: @text@; }

@@ -19,7 +19,7 @@ void TimeView::update(const std::optional<control::TimeRange>& held, int columns
 }
 
 void TimeView::follow(int columns) {
-    const double length_s = m_range.length_s();
+    const double length_s = m_length_s; // the range's own would drift with rounding
     if (!m_held) {
         m_range = {0.0, length_s};
         return;
@@ -74,6 +74,7 @@ void TimeView::zoom(double factor, double at_s) {
     const double part = (fixed_s - m_range.begin_s) / m_range.length_s();
     m_range.begin_s = fixed_s - part * length_s;
     m_range.end_s = m_range.begin_s + length_s;
+    m_length_s = length_s;
 }
 
 void TimeView::pan(double by_s) {
@@ -92,6 +93,7 @@ void TimeView::show(control::TimeRange range) {
     const double middle_s = 0.5 * (range.begin_s + range.end_s);
     const double length_s = clampedLength(range.length_s());
     m_range = {middle_s - 0.5 * length_s, middle_s + 0.5 * length_s};
+    m_length_s = length_s;
 }
 
 void TimeView::showAll() {

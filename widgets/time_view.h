@@ -10,7 +10,7 @@ namespace halbench::widgets {
 /// is paused. Pausing freezes the view only; data are kept arriving. A value: the zoom history keeps copies.
 class TimeView {
 public:
-    explicit TimeView(double length_s = 10.0) : m_range{0.0, length_s} {}
+    explicit TimeView(double length_s = 10.0) : m_range{0.0, length_s}, m_length_s(length_s) {}
 
     /// Once per frame. `held`: what the history has; `columns`: device pixels across. While following, the
     /// view moves by whole pixel columns, so that a column keeps its samples while it moves.
@@ -43,6 +43,7 @@ private:
     double clampedLength(double length_s) const;
 
     control::TimeRange m_range;
+    double m_length_s;
     std::optional<control::TimeRange> m_held;
     std::optional<double> m_pausedAt_s;
     bool m_isFollowing = true;
