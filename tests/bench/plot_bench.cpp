@@ -1,0 +1,178 @@
+// A frame of live plots against plain Qwt curves with the same samples, drawn into the same kind of widget.
+#include "control/base/random.h"
+#include "control/base/units.h"
+#include "tests/bench/goal.h"
+#include "tests/control/signals/history_blocks.h"
+#include "widgets/live_plot_stack.h"
+#include "widgets/offscreen_application.h"
+
+#include <QApplication>
+#include <qwt_plot.h>
+#include <qwt_plot_curve.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+
+namespace halbench::bench {
+namespace {
+
+using control::SampleHistory;
+using widgets::LivePlotStack;
+
+constexpr int Signals = 12;
+constexpr int SignalsPerPlot = 3;
+constexpr double Period_s = 0.001;
+constexpr double SwingsInView = 4.0; ///< so that pictures of any length look alike
+constexpr QSize Screen(1600, 900);
+constexpr std::size_t Budget_bytes = std::size_t{256} << 20;
+/// Samples that arrive between two frames at 30 frames a second.
+constexpr std::size_t RowsPerFrame = 33;
+
+/// Sines with 2 % noise; `swing_s` is their period.
+class Source {
+public:
+    explicit Source(double swing_s) : m_swing_s(swing_s) {
+        std::vector<std::string> names;
+        for (int i = 0; i < Signals; ++i) {
+            names.push_back("signal." + std::to_string(i));
+        }
+        m_layout = control::layoutOf(names, Period_s);
+        Random random(1);
+        for (double& noise : m_noise) {
+            noise = 0.02 * random.gaussian();
+        }
+    }
+    double at(std::size_t row, std::size_t column) const {
+        const double turns = static_cast<double>(row) * Period_s / m_swing_s;
+        return std::sin(2.0 * Pi * turns + static_cast<double>(column)) +
+               m_noise[(row * 7 + column * 131) % m_noise.size()];
+    }
+    void feed(SampleHistory& history, std::size_t rows) {
+        history.append(control::blockOf(
+            m_layout, m_row, rows, [this](std::size_t row, std::size_t column) { return at(row, column); }));
+        m_row += rows;
+    }
+    const std::vector<StreamLayout::Column>& columns() const { return m_layout->columns; }
+
+private:
+    double m_swing_s;
+    std::shared_ptr<const StreamLayout> m_layout;
+    std::size_t m_row = 0;
+    std::array<double, 9973> m_noise{};
+};
+
+std::vector<widgets::PlotSpec> specs(const Source& source) {
+    std::vector<widgets::PlotSpec> plots;
+    for (std::size_t i = 0; i < source.columns().size(); ++i) {
+        if (i % SignalsPerPlot == 0) {
+            plots.push_back({"field", "T", {}, {}, {}});
+        }
+        const std::string& name = source.columns()[i].name;
+        plots.back().curves.push_back({name, QString::fromStdString(name), "T", 1.0, 3});
+    }
+    return plots;
+}
+
+/// Processor time of a frame: new samples, scrolling, everything drawn anew into the window's buffer.
+double frame_s(SampleHistory& history, Source& source, LivePlotStack& stack) {
+    constexpr int Frames = 20;
+    const auto frames = [&] {
+        for (int i = 0; i < Frames; ++i) {
+            source.feed(history, RowsPerFrame);
+            stack.refresh();
+            QApplication::processEvents();
+        }
+    };
+    frames();
+    return processorTime_s(frames, 7) / Frames;
+}
+
+double liveFrame_s(double history_s, double view_s) {
+    SampleHistory history(Budget_bytes);
+    Source source(view_s / SwingsInView);
+    for (double fed_s = 0.0; fed_s < history_s; fed_s += 1.0) {
+        source.feed(history, 1000);
+    }
+    LivePlotStack stack;
+    stack.setTheme(widgets::loadTheme("dark").value());
+    stack.setHistory(&history);
+    stack.setPlots(specs(source));
+    stack.resize(Screen);
+    stack.setTimeSpan(view_s);
+    stack.show();
+    QApplication::processEvents();
+    return frame_s(history, source, stack);
+}
+
+/// The same curves by QwtPlotCurve as it comes, all samples in view.
+double plainFrame_s(double view_s) {
+    const auto samples = static_cast<std::size_t>(view_s / Period_s);
+    std::vector<std::unique_ptr<QwtPlot>> plots;
+    const Source source(view_s / SwingsInView);
+    for (int i = 0; i < Signals; ++i) {
+        if (i % SignalsPerPlot == 0) {
+            plots.push_back(std::make_unique<QwtPlot>());
+            plots.back()->resize(Screen.width(), Screen.height() / (Signals / SignalsPerPlot));
+            plots.back()->setAxisScale(QwtPlot::xBottom, 0.0, view_s);
+            plots.back()->setAxisScale(QwtPlot::yLeft, -1.2, 1.2);
+        }
+        QVector<QPointF> points;
+        for (std::size_t row = 0; row < samples; ++row) {
+            points << QPointF(static_cast<double>(row) * Period_s,
+                              source.at(row, static_cast<std::size_t>(i)));
+        }
+        auto* curve = new QwtPlotCurve; // the plot owns it
+        curve->setSamples(points);
+        curve->attach(plots.back().get());
+    }
+    for (const auto& plot : plots) {
+        plot->show();
+        QApplication::processEvents();
+    }
+    return processorTime_s(
+        [&] {
+            for (const auto& plot : plots) {
+                plot->replot();
+                QApplication::processEvents();
+            }
+        },
+        3);
+}
+
+void benchFrames(Goals& goals) {
+    const double all_s = liveFrame_s(600.0, 600.0);
+    const double short_s = liveFrame_s(10.0, 10.0);
+    const double near_s = liveFrame_s(600.0, 10.0);
+    const double sparse_s = liveFrame_s(600.0, 1.0);
+    const double plain_s = plainFrame_s(600.0);
+    goals.below("frame, 12 signals at 1 kHz, all 10 minutes in view at 1600x900", 1e3 * all_s, 8.0, "ms");
+    goals.below("frame, the last 10 s of 10 minutes", 1e3 * near_s, 8.0, "ms");
+    goals.below("frame, the last second of 10 minutes (single samples)", 1e3 * sparse_s, 8.0, "ms");
+    // Sixty times the samples: the pyramid is a level deeper, and noise has larger extremes to fill.
+    goals.below("frame with 10 minutes in view against 10 s", all_s / short_s, 1.5, "x");
+    goals.below("frame over 10 minutes of history against 10 s", near_s / short_s, 1.3, "x");
+    goals.atLeast("frame with 10 minutes in view against plain Qwt", plain_s / all_s, 50.0, "x");
+}
+
+void benchIngest(Goals& goals) {
+    const auto layout = control::layoutOf({"a", "b", "c", "d"}, Period_s);
+    const SampleBlock block = control::blockOf(layout, 0, 250'000, [](std::size_t row, std::size_t column) {
+        return std::sin(0.1 * static_cast<double>(row + column));
+    });
+    SampleHistory history(std::size_t{32} << 20);
+    const double seconds = processorTime_s([&] { history.append(block); }, 7);
+    goals.atLeast("ingest into history and extremes", 1e-6 * 4.0 * 250'000.0 / seconds, 40.0,
+                  "million values/s");
+}
+
+} // namespace
+} // namespace halbench::bench
+
+int main() {
+    const auto application = halbench::widgets::OffscreenApplication::ensure();
+    halbench::bench::Goals goals;
+    halbench::bench::benchIngest(goals);
+    halbench::bench::benchFrames(goals);
+    return goals.exitCode();
+}
