@@ -47,6 +47,13 @@ ParameterTable::ParameterTable(QWidget* parent)
     retranslate();
 }
 
+ParameterTable::~ParameterTable() {
+    // The undo stack and the view tell of their own end, when this is no longer a table.
+    m_model->undoStack().disconnect(this);
+    m_view->selectionModel()->disconnect(this);
+    m_model->disconnect(this);
+}
+
 QAction* ParameterTable::addAction(const char* icon, const char* key) {
     auto* action = new QAction(themedIcon(QLatin1String(icon)), QString(), this);
     action->setShortcut(QKeySequence(QLatin1String(key)));

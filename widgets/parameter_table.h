@@ -27,6 +27,7 @@ class ParameterTable : public QWidget {
     Q_OBJECT
 public:
     explicit ParameterTable(QWidget* parent = nullptr);
+    ~ParameterTable() override;
 
     ParameterTableModel& model() { return *m_model; }
     void setSpecs(std::vector<ParameterSpec> specs);
