@@ -2,10 +2,12 @@
 
 #include "widgets/icons.h"
 
-#include <algorithm>
+#include <QLocale>
 
 namespace halbench::widgets {
 namespace {
+
+constexpr int TimeDecimals = 2;
 
 Role roleOfLevel(LogLevel level) {
     switch (level) {
@@ -43,7 +45,7 @@ bool LogTableModel::countRepetition(const LogEntry& entry) {
         return false;
     }
     ++m_rows.back().times;
-    m_rows.back().entry.time = entry.time;
+    m_rows.back().entry.time_s = entry.time_s;
     const int last = static_cast<int>(m_rows.size()) - 1;
     Q_EMIT dataChanged(index(last, 0), index(last, TextColumn));
     return true;
@@ -74,8 +76,8 @@ void LogTableModel::clear() {
 
 QString LogTableModel::lineText(int row) const {
     const Row& line = m_rows[static_cast<std::size_t>(row)];
-    return QStringList{line.entry.time.toString(Qt::ISODateWithMs), levelText(line.entry.level),
-                       line.entry.source, cellText(line, TextColumn)}
+    return QStringList{cellText(line, TimeColumn), levelText(line.entry.level), line.entry.source,
+                       cellText(line, TextColumn)}
         .join(QLatin1Char('\t'));
 }
 
@@ -90,7 +92,7 @@ int LogTableModel::columnCount(const QModelIndex& parent) const {
 QString LogTableModel::cellText(const Row& row, int column) const {
     switch (column) {
     case TimeColumn:
-        return row.entry.time.toString(QStringLiteral("HH:mm:ss.zzz"));
+        return QLocale().toString(row.entry.time_s, 'f', TimeDecimals);
     case LevelColumn:
         return levelText(row.entry.level);
     case SourceColumn:
@@ -109,7 +111,7 @@ QVariant LogTableModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
         return cellText(row, index.column());
     case Qt::ToolTipRole:
-        return row.entry.time.toString(Qt::ISODateWithMs) + QLatin1Char('\n') + cellText(row, TextColumn);
+        return cellText(row, TextColumn);
     case Qt::AccessibleTextRole:
         return cellText(row, index.column());
     case Qt::ForegroundRole:
@@ -118,6 +120,8 @@ QVariant LogTableModel::data(const QModelIndex& index, int role) const {
                    : roleColour(currentTheme(), roleOfLevel(row.entry.level));
     case Qt::FontRole:
         return index.column() == TimeColumn ? QVariant(tabularFont(QFont())) : QVariant();
+    case Qt::TextAlignmentRole:
+        return QVariant((index.column() == TimeColumn ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     case LevelRole:
         return static_cast<int>(row.entry.level);
     default:
@@ -129,7 +133,7 @@ QVariant LogTableModel::headerData(int section, Qt::Orientation orientation, int
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
         return {};
     }
-    return QStringList{tr("Time"), tr("Level"), tr("Source"), tr("Message")}.value(section);
+    return QStringList{tr("Time [s]"), tr("Level"), tr("Source"), tr("Message")}.value(section);
 }
 
 } // namespace halbench::widgets

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QAbstractTableModel>
-#include <QDateTime>
 #include <QString>
 
 #include <deque>
@@ -12,7 +11,7 @@ namespace halbench::widgets {
 enum class LogLevel { Debug, Information, Warning, Error };
 
 struct LogEntry {
-    QDateTime time;
+    double time_s = 0.0; ///< on the clock of whoever says it
     LogLevel level = LogLevel::Information;
     QString source; ///< e.g. "link", "board", "identify"
     QString text;

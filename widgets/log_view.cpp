@@ -62,7 +62,7 @@ void LogView::createView() {
     const auto setWidth = [this, &metrics](int column, const QString& widest) {
         m_view->setColumnWidth(column, metrics.horizontalAdvance(widest) + GroupSpacing_px);
     };
-    setWidth(LogTableModel::TimeColumn, QStringLiteral("00:00:00.000"));
+    setWidth(LogTableModel::TimeColumn, QStringLiteral("000,000.00"));
     setWidth(LogTableModel::LevelColumn, QStringLiteral("information"));
     setWidth(LogTableModel::SourceColumn, QStringLiteral("identification"));
 }
@@ -88,6 +88,14 @@ void LogView::append(const std::vector<LogEntry>& entries) {
     if (isFollowing) {
         m_view->scrollToBottom();
     }
+}
+
+QString LogView::text() const {
+    QStringList lines;
+    for (int row = 0; row < m_model->rowCount(); ++row) {
+        lines << m_model->lineText(row);
+    }
+    return lines.join(QLatin1Char('\n'));
 }
 
 void LogView::copySelected() {

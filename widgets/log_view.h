@@ -21,7 +21,8 @@ public:
     explicit LogView(QWidget* parent = nullptr);
 
     void append(const std::vector<LogEntry>& entries);
-    LogTableModel& model() { return *m_model; }
+    /// All messages, a line each, whatever is filtered.
+    QString text() const;
 
 protected:
     void changeEvent(QEvent* event) override;

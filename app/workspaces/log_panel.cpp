@@ -1,40 +1,43 @@
 #include "app/workspaces/log_panel.h"
 
-#include "widgets/theme_style.h"
+#include "widgets/log_view.h"
 
-#include <QPlainTextEdit>
 #include <QVBoxLayout>
 
 namespace halbench::app {
 
 namespace {
 
-constexpr int MostLines = 2000;
+widgets::LogLevel levelOf(MessageLevel level) {
+    switch (level) {
+    case MessageLevel::Debug:
+        return widgets::LogLevel::Debug;
+    case MessageLevel::Warning:
+        return widgets::LogLevel::Warning;
+    case MessageLevel::Error:
+        return widgets::LogLevel::Error;
+    case MessageLevel::Info:
+        break;
+    }
+    return widgets::LogLevel::Information;
+}
 
 } // namespace
 
-LogPanel::LogPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(bench) {
-    m_text = new QPlainTextEdit(this);
-    m_text->setReadOnly(true);
-    m_text->setMaximumBlockCount(MostLines);
-    m_text->setAccessibleName(tr("Log"));
-    m_text->setToolTip(tr("Messages of board, link and window; Ctrl+C copies the selection"));
-    m_text->setFont(widgets::tabularFont(font()));
+LogPanel::LogPanel(Workbench& bench, QWidget* parent)
+    : QWidget(parent), m_bench(bench), m_view(new widgets::LogView(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(m_text);
+    column->addWidget(m_view);
     connect(&m_bench.session(), &DeviceSession::message, this, &LogPanel::add);
 }
 
 QString LogPanel::text() const {
-    return m_text->toPlainText();
+    return m_view->text();
 }
 
 void LogPanel::add(MessageLevel level, const QString& source, const QString& words) {
-    const QString marks[] = {QString(), QString(), tr("Warning: "), tr("Error: ")};
-    const QString time = QLocale().toString(m_bench.session().report().deviceTime_s, 'f', 2);
-    m_text->appendPlainText(
-        tr("%1 s  %2  %3").arg(time, 9).arg(source, marks[static_cast<int>(level)] + words));
+    m_view->append({{m_bench.session().report().deviceTime_s, levelOf(level), source, words}});
 }
 
 } // namespace halbench::app

@@ -4,7 +4,9 @@
 
 #include <QWidget>
 
-class QPlainTextEdit;
+namespace halbench::widgets {
+class LogView;
+}
 
 namespace halbench::app {
 
@@ -20,7 +22,7 @@ private:
     void add(MessageLevel level, const QString& source, const QString& words);
 
     Workbench& m_bench;
-    QPlainTextEdit* m_text = nullptr;
+    widgets::LogView* m_view = nullptr;
 };
 
 } // namespace halbench::app
