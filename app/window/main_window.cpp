@@ -2,16 +2,21 @@
 
 #include "app/window/dock_layout.h"
 #include "app/window/help_window.h"
+#include "app/window/project_menu.h"
 #include "app/window/stop_guard.h"
 #include "app/window/top_bar.h"
 #include "app/workspaces/device_panel.h"
 #include "app/workspaces/link_panel.h"
+#include "app/workspaces/notes_panel.h"
 #include "widgets/theme_style.h"
 
 #include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDir>
+#include <QFileInfo>
 #include <QMenuBar>
+#include <QStandardPaths>
 #include <QVBoxLayout>
 #include <qtadvanceddocking/DockWidget.h>
 
@@ -22,18 +27,36 @@ namespace halbench::app {
 namespace {
 
 constexpr int FramePeriod_ms = 33;
+constexpr int AutosavePeriod_ms = 5000;
 constexpr QSize FirstSize(1440, 900);
+
+/// Where a project that has no name yet is autosaved.
+std::string unnamedProject() {
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation))
+        .filePath("unnamed.toml")
+        .toStdString();
+}
 
 } // namespace
 
-MainWindow::MainWindow(Preferences preferences) : m_preferences(std::move(preferences)) {
-    setWindowTitle(tr("Halbench"));
+MainWindow::MainWindow(Preferences preferences)
+    : m_preferences(std::move(preferences)), m_project(unnamedProject()) {
     buildCentre();
     createActions();
     auto* guard = new StopGuard(this);
     connect(guard, &StopGuard::stopRequested, &m_bench.session(), &DeviceSession::stopActuator);
     connect(&m_frame, &QTimer::timeout, &m_bench, &Workbench::drainSamples);
     m_frame.start(FramePeriod_ms);
+    connect(&m_project, &ProjectSession::changed, this, &MainWindow::refreshTitle);
+    connect(&m_autosave, &QTimer::timeout, this, [this] {
+        collectProject();
+        if (const Result<void> saved = m_project.autosave(); !saved) {
+            onMessage(widgets::Severity::Warning, QString::fromStdString(saved.error().message),
+                      QString::fromStdString(saved.error().hint));
+        }
+    });
+    m_autosave.start(AutosavePeriod_ms);
+    refreshTitle();
     findChild<DevicePanel*>()->setFocus(); // never STOP first: Enter after the start connects
     resize(FirstSize);
     restoreGeometry(m_preferences.geometry);
@@ -58,7 +81,9 @@ void MainWindow::buildCentre() {
     m_bar = new TopBar(m_bench, centre);
     m_bar->setStopLockOut_ms(m_preferences.stopLockOut_ms);
     m_docks = new DockLayout(m_bench, centre);
+    m_message = new widgets::MessageBar(centre);
     column->addWidget(m_bar);
+    column->addWidget(m_message);
     column->addWidget(m_docks->widget(), 1);
     column->addWidget(new LinkPanel(m_bench, centre));
     setCentralWidget(centre);
@@ -82,6 +107,16 @@ void MainWindow::createActions() {
     QAction* simulated =
         file->addAction(tr("Connect the &simulated motor"), this, [this] { connectDevice("sim:htm"); });
     simulated->setShortcut(QKeySequence("Ctrl+Shift+S"));
+    file->addSeparator();
+    m_projects = new ProjectMenu(m_project, this);
+    m_projects->addTo(*file);
+    connect(m_projects, &ProjectMenu::opened, this, &MainWindow::takeOverProject);
+    connect(m_projects, &ProjectMenu::refused, this, [this](const QString& text, const QString& hint) {
+        onMessage(widgets::Severity::Error, text, hint);
+    });
+    connect(m_projects, &ProjectMenu::recovered, this,
+            [this](const QString& text) { onMessage(widgets::Severity::Information, text, {}); });
+    connect(file, &QMenu::aboutToShow, this, &MainWindow::collectProject);
     file->addSeparator();
     QAction* quit = file->addAction(tr("&Quit"), this, &QWidget::close);
     quit->setShortcut(QKeySequence::Quit);
@@ -131,7 +166,65 @@ void MainWindow::showHelp() {
     window->show();
 }
 
+void MainWindow::onMessage(widgets::Severity severity, const QString& text, const QString& hint) {
+    m_message->showMessage({severity, text, hint, {}});
+}
+
+void MainWindow::openProject(const QString& path) {
+    m_projects->open(path);
+}
+
+void MainWindow::recoverUnnamed() {
+    if (const std::optional<Project> left = m_project.recoverable({})) {
+        m_project.recover({}, *left);
+        takeOverProject();
+        onMessage(widgets::Severity::Information, tr("The project of the last session, which has no name yet, is open again."),
+                  tr("Save it under a name to keep it."));
+    }
+}
+
+/// What the panels show, as a project.
+void MainWindow::collectProject() {
+    Project project = m_project.project();
+    project.device = findChild<DevicePanel*>()->address().toStdString();
+    project.notes = findChild<NotesPanel*>()->notes().toStdString();
+    project.perspective = perspectiveId(m_docks->perspective()).toStdString();
+    const QHash<QString, QByteArray> arrangements = m_docks->arrangements();
+    project.layouts.clear();
+    for (auto entry = arrangements.begin(); entry != arrangements.end(); ++entry) {
+        project.layouts[entry.key().toStdString()] = entry.value().toStdString();
+    }
+    m_project.update(project);
+}
+
+/// Nothing is connected or armed by opening a project: the address waits for Connect.
+void MainWindow::takeOverProject() {
+    const Project& project = m_project.project();
+    if (m_bench.session().state() == SessionState::Disconnected) {
+        findChild<DevicePanel*>()->setAddress(QString::fromStdString(project.device));
+    }
+    findChild<NotesPanel*>()->setNotes(QString::fromStdString(project.notes));
+    QHash<QString, QByteArray> arrangements;
+    for (const auto& [perspective, layout] : project.layouts) {
+        arrangements.insert(QString::fromStdString(perspective), QByteArray::fromStdString(layout));
+    }
+    m_docks->setArrangements(arrangements);
+    refreshTitle();
+}
+
+void MainWindow::refreshTitle() {
+    const QString name = m_project.path().empty()
+                             ? tr("unnamed project")
+                             : QFileInfo(QString::fromStdString(m_project.path())).fileName();
+    setWindowTitle(tr("%1[*] — Halbench").arg(name));
+    setWindowModified(m_project.isChanged());
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
+    collectProject();
+    if (const Result<void> saved = m_project.autosave(); !saved) {
+        std::fprintf(stderr, "halbench: %s\n", saved.error().message.c_str());
+    }
     m_preferences.geometry = saveGeometry();
     m_preferences.lastDevice = QString::fromStdString(m_bench.session().info().uri);
     savePreferences(m_preferences);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "app/window/preferences.h"
+#include "app/window/project_session.h"
 #include "app/workspaces/workbench.h"
+#include "widgets/message_bar.h"
 
 #include <QMainWindow>
 #include <QTimer>
@@ -9,6 +11,7 @@
 namespace halbench::app {
 
 class DockLayout;
+class ProjectMenu;
 class TopBar;
 
 /// The workstation: top bar, docked panels, menus. Everything it does goes through the workbench.
@@ -22,6 +25,11 @@ public:
     Workbench& bench() { return m_bench; }
     DockLayout& docks() { return *m_docks; }
     const Preferences& preferences() const { return m_preferences; }
+
+    ProjectSession& project() { return m_project; }
+    void openProject(const QString& path);
+    /// Opens again what had no name yet when the window was closed or the program was interrupted.
+    void recoverUnnamed();
 
     /// As if the user had written the address and pressed Connect.
     void connectDevice(const QString& uri);
@@ -37,10 +45,18 @@ private:
     void chooseTheme(ThemeChoice choice);
     void showHelp();
     void onPerspective();
+    void onMessage(widgets::Severity severity, const QString& text, const QString& hint);
+    void collectProject();
+    void takeOverProject();
+    void refreshTitle();
 
     Preferences m_preferences;
     Workbench m_bench;
-    QTimer m_frame; ///< one for all that moves
+    ProjectSession m_project;
+    QTimer m_frame;    ///< one for all that moves
+    QTimer m_autosave; ///< at most so much work is lost in a crash
+    widgets::MessageBar* m_message = nullptr;
+    ProjectMenu* m_projects = nullptr;
     TopBar* m_bar = nullptr;
     DockLayout* m_docks = nullptr;
 };

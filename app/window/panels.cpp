@@ -4,6 +4,7 @@
 #include "app/workspaces/drive_panel.h"
 #include "app/workspaces/log_panel.h"
 #include "app/workspaces/monitor_panel.h"
+#include "app/workspaces/notes_panel.h"
 #include "app/workspaces/parameters_panel.h"
 #include "app/workspaces/record_panel.h"
 
@@ -79,6 +80,8 @@ std::vector<PanelSpec> panelSpecs() {
          make<RecordPanel>},
         {"log", words(QT_TRANSLATE_NOOP("Panels", "Log")), PanelArea::Bottom, everywhere(), "index.md",
          make<LogPanel>},
+        {"notes", words(QT_TRANSLATE_NOOP("Panels", "Notes")), PanelArea::Bottom, everywhere(), "index.md",
+         make<NotesPanel>},
     };
 }
 

@@ -83,6 +83,11 @@ int runWindow(const std::vector<std::string>& arguments) {
     dress(application, preferences);
     MainWindow window(preferences);
     window.show();
+    if (call->project) {
+        window.openProject(*call->project);
+    } else {
+        window.recoverUnnamed();
+    }
     if (call->device) {
         window.connectDevice(*call->device);
     }

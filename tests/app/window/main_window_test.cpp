@@ -3,11 +3,14 @@
 #include "app/window/help_window.h"
 #include "app/window/main_window.h"
 #include "app/workspaces/device_panel.h"
+#include "app/workspaces/notes_panel.h"
 #include "tests/app/window/window_test.h"
 #include "widgets/stop_button.h"
 
 #include <QDialog>
+#include <QFile>
 #include <QListWidget>
+#include <QTemporaryDir>
 #include <QTextBrowser>
 #include <qtadvanceddocking/DockWidget.h>
 
@@ -105,6 +108,38 @@ TEST_F(MainWindowTest, aDamagedArrangementIsLeftOutAndThePanelsStay) {
     open();
     window->docks().setArrangements({{"monitor", "not a layout"}});
     EXPECT_FALSE(window->docks().docks().value("devices")->isClosed());
+}
+
+TEST_F(MainWindowTest, aProjectBringsBackDeviceNotesAndArrangement) {
+    QTemporaryDir folder;
+    const QString path = folder.filePath("motor.toml");
+    Project project;
+    project.device = "sim:htm?seed=9";
+    project.notes = "bearing greased";
+    ASSERT_TRUE(saveProject(project, path.toStdString()));
+    open();
+    window->openProject(path);
+    EXPECT_EQ(window->findChild<DevicePanel*>()->address(), "sim:htm?seed=9");
+    EXPECT_EQ(window->findChild<NotesPanel*>()->notes(), "bearing greased");
+    EXPECT_EQ(session().state(), SessionState::Disconnected); // opening a file moves nothing
+    EXPECT_TRUE(window->windowTitle().contains("motor.toml"));
+}
+
+TEST_F(MainWindowTest, aDamagedProjectIsSaidInPlaceAndNothingIsLost) {
+    QTemporaryDir folder;
+    const QString path = folder.filePath("motor.toml");
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("schema = \"halbench.project/9\"");
+    file.close();
+    open();
+    window->findChild<NotesPanel*>()->setNotes("mine");
+    window->openProject(path);
+    EXPECT_EQ(window->findChild<NotesPanel*>()->notes(), "mine");
+    const auto bars = window->findChildren<widgets::MessageBar*>();
+    EXPECT_TRUE(std::any_of(bars.begin(), bars.end(), [](const widgets::MessageBar* bar) {
+        return bar->isVisible() && bar->message().text.contains("newer");
+    }));
 }
 
 TEST_F(MainWindowTest, helpOpensThePageOfThePanelThatHasTheFocus) {

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "control/base/result.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace halbench::app {
+
+/// A result kept in a project under a name: the JSON text of a halbench.identification/1 or halbench.gains/1.
+struct NamedDocument {
+    std::string name;
+    std::string document;
+
+    bool operator==(const NamedDocument&) const = default;
+};
+
+/// `halbench.project/1`: what a user works on, as a text file that can be compared line by line.
+struct Project {
+    std::string device; ///< URI; empty: none
+    std::string notes;
+    std::string perspective;
+    std::map<std::string, std::string> layouts; ///< arrangement by perspective
+    std::vector<NamedDocument> models;
+    std::vector<NamedDocument> designs;
+
+    bool operator==(const Project&) const = default;
+};
+
+/// Equal projects give equal text, keys in a fixed order.
+std::string projectText(const Project& project);
+
+/// `place` names the text in messages, e.g. its file name.
+/// Errors: InvalidInput with line and column for a text that is no project, has a wrong type, an unknown key
+/// or comes from a newer version.
+Result<Project> parseProject(const std::string& text, const std::string& place);
+
+/// Writes beside the file and renames: the old one stays whole until the new one is. Errors: FileSystem.
+Result<void> saveProject(const Project& project, const std::string& path);
+/// Errors: FileSystem, InvalidInput.
+Result<Project> loadProject(const std::string& path);
+
+/// Where an open project is kept between saves; it is removed when the project is saved or given up on
+/// purpose, so that one that is there means work that was not saved.
+std::string autosavePath(const std::string& projectPath);
+
+} // namespace halbench::app

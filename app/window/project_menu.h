@@ -1,0 +1,47 @@
+#pragma once
+
+#include "app/window/project_session.h"
+
+#include <QObject>
+#include <QStringList>
+
+class QMenu;
+class QWidget;
+
+namespace halbench::app {
+
+/// New, open, save and recent projects as a menu; asks for file names and shows what went wrong.
+/// Thread: GUI.
+class ProjectMenu : public QObject {
+    Q_OBJECT
+
+public:
+    ProjectMenu(ProjectSession& session, QWidget* window);
+
+    void addTo(QMenu& menu);
+    /// Opens the file; an autosave of it that is newer work is offered in `recovered()`.
+    void open(const QString& path);
+
+Q_SIGNALS:
+    void opened(); ///< another project is there: the window takes it over
+    void refused(const QString& text, const QString& hint);
+    void recovered(const QString& text);
+
+private:
+    void startNew();
+    void chooseAndOpen();
+    void save();
+    void saveAs();
+    void write(const QString& path);
+    void remember(const QString& path);
+    void fillRecent();
+
+    ProjectSession& m_session;
+    QWidget* m_window;
+    QMenu* m_recent = nullptr;
+};
+
+/// Newest first, at most eight.
+QStringList recentProjects();
+
+} // namespace halbench::app
