@@ -116,7 +116,7 @@ void CurveMask::addLine(PixelPoint from, PixelPoint to, double width) {
     if (dy <= dx) {
         addFlatLine(from, to, 0.5 * width * length / dx);
     } else {
-        addSteepLine(from, to, 0.5 * width * length / dy, 0.25 * width);
+        addSteepLine(from, to, 0.5 * width * length / dy);
     }
 }
 
@@ -139,18 +139,16 @@ void CurveMask::addFlatLine(PixelPoint from, PixelPoint to, double halfHeight) {
     }
 }
 
-void CurveMask::addSteepLine(PixelPoint from, PixelPoint to, double halfWidth, double cap) {
+void CurveMask::addSteepLine(PixelPoint from, PixelPoint to, double halfWidth) {
     if (from.y > to.y) {
         std::swap(from, to);
     }
     const double slope = (to.x - from.x) / (to.y - from.y);
-    const double begin = from.y - cap; // corners are filled
-    const double end = to.y + cap;
-    const int first = std::max(0, static_cast<int>(std::floor(begin)));
-    const int last = std::min(m_rows - 1, static_cast<int>(std::ceil(end)) - 1);
+    const int first = std::max(0, static_cast<int>(std::floor(from.y)));
+    const int last = std::min(m_rows - 1, static_cast<int>(std::ceil(to.y)) - 1);
     for (int row = first; row <= last; ++row) {
-        const double above = std::max(begin, static_cast<double>(row));
-        const double below = std::min(end, row + 1.0);
+        const double above = std::max(from.y, static_cast<double>(row));
+        const double below = std::min(to.y, row + 1.0);
         const double a = from.x + slope * (above - from.y);
         const double b = from.x + slope * (below - from.y);
         const int left = static_cast<int>(std::floor(std::min(a, b) - halfWidth));

@@ -36,7 +36,7 @@ private:
     void add(int column, int row, double coverage);
     void raise(int column, double top, double bottom, double covered);
     void addFlatLine(PixelPoint from, PixelPoint to, double halfHeight);
-    void addSteepLine(PixelPoint from, PixelPoint to, double halfWidth, double cap);
+    void addSteepLine(PixelPoint from, PixelPoint to, double halfWidth);
 
     int m_columns = 0;
     int m_rows = 0;

@@ -57,6 +57,12 @@ double smallestLength(const PlotSpec& spec) {
     return smallest;
 }
 
+/// Doubles next to each other must not be pixels apart.
+bool isShowable(const ValueRange& range) {
+    const double largest = std::max(std::abs(range.low), std::abs(range.high));
+    return range.length() > 1e-9 * largest && range.length() < 1e30;
+}
+
 /// Distance of the labelled ticks on an axis with room for so many lines of text.
 double labelStep(const ValueRange& values, double lines) {
     double step = niceStep(values.length(), static_cast<int>(lines / LinesPerTick));
@@ -184,7 +190,9 @@ ValueRange LivePlot::shownRange() const {
 }
 
 void LivePlot::setUserRange(const std::optional<ValueRange>& range) {
-    m_userRange = range && range->length() > 0.0 && std::isfinite(range->length()) ? range : std::nullopt;
+    if (!range || isShowable(*range)) {
+        m_userRange = range;
+    }
 }
 
 void LivePlot::fitValues() {

@@ -28,6 +28,7 @@ public:
 
     void setSpec(const PlotSpec& spec, const control::SampleHistory* history);
     const PlotSpec& spec() const { return m_spec; }
+    const control::SampleHistory* history() const { return m_history; }
     void setTheme(const Theme& theme);
     const std::vector<HistoryCurve*>& curves() const { return m_curves; }
 
@@ -39,6 +40,7 @@ public:
 
     /// The range the user chose; nothing while the axis follows the data.
     const std::optional<ValueRange>& userRange() const { return m_userRange; }
+    /// Nothing: follow the data. A range too small or too large to show is ignored.
     void setUserRange(const std::optional<ValueRange>& range);
     ValueRange shownRange() const;
     /// Fits the axis to what is drawn, now.

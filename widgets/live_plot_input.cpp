@@ -137,7 +137,7 @@ void LivePlot::wheel(const QWheelEvent& event) {
     Q_EMIT viewAboutToChange();
     const ValueRange values = shownRange();
     const double at = canvasMap(yLeft).invTransform(place.y());
-    m_userRange = ValueRange{at + factor * (values.low - at), at + factor * (values.high - at)};
+    setUserRange(ValueRange{at + factor * (values.low - at), at + factor * (values.high - at)});
     Q_EMIT valuesChanged();
 }
 

@@ -172,7 +172,7 @@ void LivePlotStack::matchRows() {
     }
     while (m_rows.size() > m_specs.size()) {
         m_rows.back().box->hide();
-        m_rows.back().box->setParent(nullptr);
+        m_rows.back().box->setParent(this); // out of the splitter
         m_rows.back().box->deleteLater(); // the request may come from one of its own signals
         m_rows.pop_back();
     }
@@ -187,6 +187,10 @@ void LivePlotStack::configureRow(std::size_t index) {
     row.plot->setNamesShown(index == 0);
     row.plot->setMarkers(m_markers);
     row.plot->setCursors(m_cursors);
+    if (row.isConfigured && row.plot->spec() == m_specs[index] && row.plot->history() == m_history) {
+        return; // keeps its zoom and its hidden curves
+    }
+    row.isConfigured = true;
     row.legend->table().setCurves({});
     row.plot->setSpec(m_specs[index], m_history);
     row.legend->table().setCurves(row.plot->curves());

@@ -115,6 +115,7 @@ private:
         QWidget* box = nullptr;
         LivePlot* plot = nullptr;
         LiveLegend* legend = nullptr;
+        bool isConfigured = false;
     };
     struct Snapshot { ///< an entry of the zoom history
         TimeView view;

@@ -1,0 +1,149 @@
+#include "control/base/random.h"
+#include "tests/control/signals/history_blocks.h"
+#include "widgets/history_curve.h"
+#include "widgets/offscreen_application.h"
+
+#include <QImage>
+#include <QPainter>
+#include <qwt_scale_map.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace halbench::widgets {
+namespace {
+
+using control::SampleHistory;
+
+constexpr int Width = 400;
+constexpr int Height = 120;
+constexpr double Period_s = 0.001;
+
+using Signal = std::function<double(std::size_t row)>;
+
+SampleHistory historyOf(std::size_t rows, const Signal& signal) {
+    SampleHistory history(std::size_t{1} << 26);
+    history.append(control::blockOf(control::layoutOf({"a"}, Period_s), 0, rows,
+                                    [&](std::size_t row, std::size_t) { return signal(row); }));
+    return history;
+}
+
+/// The curve over [0, span] and [-1, 1] in black on white; RGB32 images are drawn pixel by pixel, others by
+/// lines.
+QImage drawn(const SampleHistory& history, double span_s, double ratio, QImage::Format format,
+             LinePattern pattern = LinePattern::Solid) {
+    QImage image(static_cast<int>(std::lround(Width * ratio)), static_cast<int>(std::lround(Height * ratio)),
+                 format);
+    image.setDevicePixelRatio(ratio);
+    image.fill(Qt::white);
+    QwtScaleMap x;
+    x.setScaleInterval(0.0, span_s);
+    x.setPaintInterval(0.0, Width - 1.0);
+    QwtScaleMap y;
+    y.setScaleInterval(-1.0, 1.0);
+    y.setPaintInterval(Height - 1.0, 0.0);
+    HistoryCurve curve({"a", "A", "", 1.0, 3}, pattern);
+    curve.setColour(Qt::black);
+    curve.setSource(&history, {0.0, span_s});
+    QPainter painter(&image);
+    curve.draw(&painter, x, y, QRectF(0.0, 0.0, Width, Height));
+    return image;
+}
+
+double ink(const QImage& image) {
+    double sum = 0.0;
+    for (int row = 0; row < image.height(); ++row) {
+        for (int column = 0; column < image.width(); ++column) {
+            sum += 1.0 - qGray(image.pixel(column, row)) / 255.0;
+        }
+    }
+    return sum;
+}
+
+/// Share of all ink that the pictures do not have in common.
+double difference(const QImage& one, const QImage& other) {
+    double sum = 0.0;
+    for (int row = 0; row < one.height(); ++row) {
+        for (int column = 0; column < one.width(); ++column) {
+            sum += std::abs(qGray(one.pixel(column, row)) - qGray(other.pixel(column, row))) / 255.0;
+        }
+    }
+    return sum / (ink(one) + ink(other));
+}
+
+class HistoryCurveAtRatio : public testing::TestWithParam<double> {
+    Result<OffscreenApplication> application = OffscreenApplication::ensure();
+};
+
+TEST_P(HistoryCurveAtRatio, aLineOfFewSamplesLooksAsQtDrawsIt) {
+    const SampleHistory history =
+        historyOf(200, [](std::size_t row) { return 0.9 * std::sin(0.1 * static_cast<double>(row)); });
+    const QImage own = drawn(history, 0.2, GetParam(), QImage::Format_RGB32);
+    const QImage lines = drawn(history, 0.2, GetParam(), QImage::Format_ARGB32_Premultiplied);
+    // Both antialias, but not alike at the joints of pieces; another line would have nothing in common (1).
+    EXPECT_LT(difference(own, lines), 0.12);
+    EXPECT_NEAR(ink(own) / ink(lines), 1.0, 0.06);
+}
+
+TEST_P(HistoryCurveAtRatio, noSpikeOfOneSampleIsLost) {
+    Random random(5);
+    const double ratio = GetParam();
+    for (int round = 0; round < 20; ++round) {
+        const auto spike = static_cast<std::size_t>(100'000.0 * random.uniform());
+        const double height = 0.3 + 0.6 * random.uniform();
+        const SampleHistory history =
+            historyOf(100'000, [&](std::size_t row) { return row == spike ? height : 0.0; });
+        const QImage image = drawn(history, 100.0, ratio, QImage::Format_RGB32);
+        const double column = static_cast<double>(spike) * Period_s / 100.0 * (Width - 1) * ratio;
+        const int row = static_cast<int>(std::lround((1.0 - height) / 2.0 * (Height - 1) * ratio)) + 2;
+        int darkest = 255;
+        for (int near = -1; near <= 1; ++near) { // an eighth of a column off may be the next one
+            const int place = static_cast<int>(std::lround(column)) + near;
+            if (place >= 0 && place < image.width()) {
+                darkest = std::min(darkest, qGray(image.pixel(place, row)));
+            }
+        }
+        EXPECT_LT(darkest, 30) << "spike at row " << spike << " of height " << height;
+    }
+}
+
+TEST_P(HistoryCurveAtRatio, aDenseCurveCoversWhatAllItsSamplesWould) {
+    Random random(2);
+    const SampleHistory history = historyOf(4000, [&](std::size_t row) {
+        return 0.6 * std::sin(0.005 * static_cast<double>(row)) + 0.05 * random.gaussian();
+    });
+    const QImage image = drawn(history, 4.0, GetParam(), QImage::Format_RGB32);
+    for (std::size_t row = 0; row < 4000; ++row) {
+        const double value = history.valueAt("a", static_cast<double>(row) * Period_s)->value;
+        const int x = static_cast<int>(
+            std::lround(static_cast<double>(row) * Period_s / 4.0 * (Width - 1) * GetParam()));
+        const int y = static_cast<int>(std::lround((1.0 - value) / 2.0 * (Height - 1) * GetParam()));
+        int darkest = 255;
+        for (int near = -1; near <= 1; ++near) {
+            darkest = std::min(darkest, qGray(image.pixel(std::clamp(x + near, 0, image.width() - 1), y)));
+        }
+        ASSERT_LT(darkest, 160) << row;
+    }
+}
+
+TEST_P(HistoryCurveAtRatio, dashesLeaveOutTheirPart) {
+    const SampleHistory history = historyOf(4000, [](std::size_t) { return 0.0; });
+    const double solid = ink(drawn(history, 4.0, GetParam(), QImage::Format_RGB32));
+    const double dashed = ink(drawn(history, 4.0, GetParam(), QImage::Format_RGB32, LinePattern::Dash));
+    // 9 on, 5 off, in whole columns; the ends may cut one.
+    EXPECT_NEAR(dashed / solid, 9.0 / 14.0, 0.05);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ratios, HistoryCurveAtRatio, testing::Values(1.0, 1.5, 2.0));
+
+TEST(HistoryCurve, withoutHistoryNothingIsDrawn) {
+    const auto application = OffscreenApplication::ensure();
+    const SampleHistory empty(std::size_t{1} << 20);
+    EXPECT_EQ(ink(drawn(empty, 1.0, 1.0, QImage::Format_RGB32)), 0.0);
+}
+
+} // namespace
+} // namespace halbench::widgets
