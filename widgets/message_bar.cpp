@@ -56,8 +56,11 @@ MessageBar::MessageBar(QWidget* parent)
     row->setContentsMargins(PanelMargin_px, GridStep_px, GridStep_px, GridStep_px);
     row->setSpacing(PanelMargin_px);
     row->addWidget(m_symbol, 0, Qt::AlignVCenter);
-    row->addWidget(m_words, 1);
-    row->addWidget(m_action);
+    m_body = new QHBoxLayout;
+    m_body->setSpacing(PanelMargin_px);
+    m_body->addWidget(m_words, 1);
+    m_body->addWidget(m_action);
+    row->addLayout(m_body, 1);
     row->addWidget(m_close);
     connect(m_action, &QPushButton::clicked, this, &MessageBar::actionTriggered);
     connect(m_close, &QToolButton::clicked, this, [this] {
@@ -105,6 +108,13 @@ void MessageBar::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange || event->type() == QEvent::StyleChange) {
         refresh();
     }
+}
+
+void MessageBar::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    constexpr int RoomyLine = 70; // characters beside which an action still fits
+    const bool isNarrow = width() < fontMetrics().averageCharWidth() * RoomyLine;
+    m_body->setDirection(isNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 void MessageBar::keyPressEvent(QKeyEvent* event) {

@@ -3,6 +3,7 @@
 #include <QFrame>
 #include <QString>
 
+class QBoxLayout;
 class QLabel;
 class QPushButton;
 class QToolButton;
@@ -35,6 +36,7 @@ Q_SIGNALS:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
@@ -43,6 +45,7 @@ private:
     Message m_message;
     QLabel* m_symbol = nullptr;
     QLabel* m_words = nullptr;
+    QBoxLayout* m_body = nullptr; ///< words and action, side by side where there is room
     QPushButton* m_action = nullptr;
     QToolButton* m_close = nullptr;
 };

@@ -156,9 +156,10 @@ QString styleSheetOf(const Theme& theme, int fontHeight_px) {
     for (const auto& [name, colour] : colours) {
         sheet.replace(QStringLiteral("@%1@").arg(name), colour.name());
     }
-    // Controls are 28 px and rows 26 px high with the font's 17 px; borders and padding take 4 px.
+    // Controls are 28 px and rows 26 px high with the font's 17 px; borders and padding take 4 px, the frame of
+    // a spin box 6.
     sheet.replace(QStringLiteral("@inner@"), QString::number(fontHeight_px + 7));
-    sheet.replace(QStringLiteral("@control@"), QString::number(fontHeight_px + 11));
+    sheet.replace(QStringLiteral("@control@"), QString::number(fontHeight_px + 5));
     sheet.replace(QStringLiteral("@row@"), QString::number(fontHeight_px + 9));
     return sheet;
 }
