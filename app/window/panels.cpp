@@ -2,6 +2,7 @@
 
 #include "app/workspaces/device_panel.h"
 #include "app/workspaces/drive_panel.h"
+#include "app/workspaces/field_panel.h"
 #include "app/workspaces/log_panel.h"
 #include "app/workspaces/monitor_panel.h"
 #include "app/workspaces/notes_panel.h"
@@ -60,6 +61,12 @@ std::vector<PanelSpec> panelSpecs() {
          {Perspective::Monitor, Perspective::Record},
          "monitor.md",
          make<MonitorPanel>},
+        {"field",
+         words(QT_TRANSLATE_NOOP("Panels", "Field")),
+         PanelArea::Centre,
+         {Perspective::Field},
+         "monitor.md",
+         make<FieldPanel>},
         {"drive",
          words(QT_TRANSLATE_NOOP("Panels", "Drive")),
          PanelArea::Right,

@@ -3,10 +3,10 @@
 #include "app/workspaces/display_quantity.h"
 #include "app/workspaces/panel_parts.h"
 #include "widgets/number_label.h"
+#include "widgets/quantity_edit.h"
 #include "widgets/theme_style.h"
 
 #include <QCheckBox>
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPointer>
@@ -22,50 +22,44 @@ DriveLimits::DriveLimits(Workbench& bench, const DriveControl& control, QWidget*
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(widgets::GridStep_px);
     grid->setColumnStretch(0, 1);
-    Row current;
-    current.parameter = "limit.current";
-    current.measured = &DriveLimits::current_A;
-    addRow(current, tr("Current"),
-           tr("A larger current is not commanded; asking for one in a current mode stops"));
-    Row temperature;
-    temperature.parameter = "limit.temperature";
-    temperature.measured = &DriveLimits::temperature_degC;
-    addRow(temperature, tr("Hotter coil"), tr("The board stops when a coil is hotter"));
-    Row excursion;
-    excursion.parameter = "window.position";
-    excursion.switchParameter = "window.position_enabled";
-    excursion.measured = &DriveLimits::excursion_rad;
-    addRow(excursion, tr("Excursion"), tr("The board stops when it is farther from where it was armed"));
-    Row speed;
-    speed.parameter = "window.speed";
-    speed.switchParameter = "window.speed_enabled";
-    speed.measured = &DriveLimits::speed_rad_s;
-    addRow(speed, tr("Speed"), tr("The board stops when it turns faster"));
+    const Row rows[] = {
+        {"limit.current", "", tr("Current"),
+         tr("A larger current is not commanded; asking for one in a current mode stops"),
+         &DriveLimits::current_A},
+        {"limit.temperature", "", tr("Hotter coil"), tr("The board stops when a coil is hotter"),
+         &DriveLimits::temperature_degC},
+        {"window.position", "window.position_enabled", tr("Excursion"),
+         tr("The board stops when it is farther from where it was armed"), &DriveLimits::excursion_rad},
+        {"window.speed", "window.speed_enabled", tr("Speed"), tr("The board stops when it turns faster"),
+         &DriveLimits::speed_rad_s},
+    };
+    for (const Row& row : rows) {
+        addRow(row);
+    }
     connect(&m_bench, &Workbench::valuesChanged, this, &DriveLimits::onValues);
     onValues();
 }
 
-void DriveLimits::addRow(Row row, const QString& title, const QString& toolTip) {
+void DriveLimits::addRow(Row row) {
     auto* grid = static_cast<QGridLayout*>(layout());
     const int line = grid->rowCount();
     if (row.switchParameter.empty()) {
-        grid->addWidget(new QLabel(title, this), line, 0);
+        grid->addWidget(new QLabel(row.title, this), line, 0);
     } else {
-        row.enabled = new QCheckBox(title, this);
-        row.enabled->setToolTip(toolTip + QLatin1Char('\n') + tr("Off: not watched (Space)"));
+        row.enabled = new QCheckBox(row.title, this);
+        row.enabled->setToolTip(row.toolTip + QLatin1Char('\n') + tr("Off: not watched (Space)"));
         grid->addWidget(row.enabled, line, 0);
         connect(row.enabled, &QCheckBox::clicked, this,
                 [this, name = row.switchParameter](bool isOn) { write(name, isOn ? 1.0 : 0.0); });
     }
     row.live = new widgets::NumberLabel(this);
-    row.live->setAccessibleName(tr("%1 now").arg(title));
-    row.limit = makeNumberField(
-        {tr("Limit of %1").arg(title), toolTip + QLatin1Char('\n') + tr("Enter writes it")}, this);
+    row.live->setAccessibleName(tr("%1 now").arg(row.title));
+    row.limit = makeNumberField({tr("Limit of %1").arg(row.title), row.toolTip}, this);
     grid->addWidget(row.live, line, 1);
     grid->addWidget(new QLabel(QStringLiteral("\u2264"), this), line, 2);
     grid->addWidget(row.limit, line, 3);
     const std::size_t index = m_rows.size();
-    connect(row.limit, &QDoubleSpinBox::editingFinished, this, [this, index] {
+    connect(row.limit, &widgets::QuantityEdit::editingFinished, this, [this, index] {
         const Row& edited = m_rows[index];
         const std::optional<double> known = m_bench.deviceValue(edited.parameter);
         const double value = edited.limit->value() / edited.factor;
@@ -97,7 +91,8 @@ void DriveLimits::onValues() {
         row.factor = shown.factor;
         const QSignalBlocker quiet(row.limit);
         dressNumberField(*row.limit,
-                         {row.limit->accessibleName(), row.limit->toolTip(), shown.unit, shown.decimals,
+                         {tr("Limit of %1").arg(row.title),
+                          row.toolTip + QLatin1Char('\n') + tr("Enter writes it"), shown.unit, shown.decimals,
                           spec->min * shown.factor, spec->max * shown.factor, 1.0});
         row.limit->setValue(*value * shown.factor);
         row.live->setFormat({shown.decimals, shown.unit, 0.0, shown.typical});

@@ -8,11 +8,11 @@
 #include <vector>
 
 class QCheckBox;
-class QDoubleSpinBox;
 
 namespace halbench::widgets {
 class NumberLabel;
-}
+class QuantityEdit;
+} // namespace halbench::widgets
 
 namespace halbench::app {
 
@@ -33,14 +33,16 @@ private:
     struct Row {
         std::string parameter;
         std::string switchParameter; ///< empty: always on
-        double factor = 1.0;         ///< shown = factor x SI
+        QString title;
+        QString toolTip;
+        std::optional<double> (DriveLimits::*measured)() const = nullptr; ///< SI
+        double factor = 1.0;                                              ///< shown = factor x SI
         QCheckBox* enabled = nullptr;
-        QDoubleSpinBox* limit = nullptr;
+        widgets::QuantityEdit* limit = nullptr;
         widgets::NumberLabel* live = nullptr;
-        std::optional<double> (DriveLimits::*measured)() const = nullptr;
     };
 
-    void addRow(Row row, const QString& title, const QString& toolTip);
+    void addRow(Row row);
     void onValues();
     void write(const std::string& parameter, double value);
     std::optional<double> magnitude(const char* signal) const;

@@ -6,11 +6,12 @@
 #include "app/workspaces/panel_parts.h"
 #include "app/workspaces/reference_form.h"
 #include "control/base/units.h"
+#include "widgets/icons.h"
 #include "widgets/message_bar.h"
+#include "widgets/quantity_edit.h"
 #include "widgets/theme_style.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -69,7 +70,8 @@ void DrivePanel::buildArm(QVBoxLayout* column) {
     m_state = new QLabel(this);
     m_state->setProperty("badge", true);
     m_state->setToolTip(tr("What the board says of itself"));
-    m_arm = makeButton({{}, {}, QStringLiteral("arm")}, this);
+    m_arm = makeButton({}, this);
+    dressArm();
     row->addWidget(m_state, 1);
     row->addWidget(m_arm);
     column->addLayout(row);
@@ -257,7 +259,19 @@ void DrivePanel::refreshArm() {
                                   : tr("Lets the actuator move; set-points start at zero (Ctrl+Shift+A)"));
         m_arm->setShortcut(QKeySequence(tr("Ctrl+Shift+A"))); // a new text forgets it
     }
-    showRole(*m_arm, isArmed ? widgets::Role::Armed : widgets::Role::None);
+    const widgets::Role armRole = isArmed ? widgets::Role::Armed : widgets::Role::None;
+    if (widgets::roleOf(*m_arm) != armRole) {
+        widgets::setRole(*m_arm, armRole);
+        dressArm();
+    }
+}
+
+/// The icon stands out from the armed colour.
+void DrivePanel::dressArm() {
+    const widgets::Theme theme = widgets::currentTheme();
+    const bool isArmed = widgets::roleOf(*m_arm) == widgets::Role::Armed;
+    m_arm->setIcon(widgets::colouredIcon(QStringLiteral("arm"),
+                                         isArmed ? widgets::readableOn(theme, theme.armed) : theme.text));
 }
 
 void DrivePanel::refreshUnits() {
@@ -311,6 +325,8 @@ void DrivePanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
         refresh();
+    } else if (event->type() == QEvent::StyleChange && m_arm != nullptr) {
+        dressArm();
     }
 }
 

@@ -7,7 +7,6 @@
 #include <QWidget>
 
 class QComboBox;
-class QDoubleSpinBox;
 class QGroupBox;
 class QLabel;
 class QPushButton;
@@ -15,7 +14,8 @@ class QVBoxLayout;
 
 namespace halbench::widgets {
 class MessageBar;
-}
+class QuantityEdit;
+} // namespace halbench::widgets
 
 namespace halbench::app {
 
@@ -46,6 +46,7 @@ private:
     void refresh();
     void refreshStop();
     void refreshArm();
+    void dressArm();
     void refreshUnits();
     void refreshLive();
     void describeMotion();
@@ -61,7 +62,7 @@ private:
     QLabel* m_state = nullptr;
     QPushButton* m_arm = nullptr;
     QComboBox* m_mode = nullptr;
-    QDoubleSpinBox* m_setpoint = nullptr;
+    widgets::QuantityEdit* m_setpoint = nullptr;
     QPushButton* m_go = nullptr;
     QPushButton* m_zero = nullptr;
     QLabel* m_setpointNow = nullptr;

@@ -2,9 +2,9 @@
 
 #include "app/workspaces/panel_parts.h"
 #include "control/base/units.h"
+#include "widgets/quantity_edit.h"
 #include "widgets/theme_style.h"
 
-#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QHBoxLayout>
 
@@ -69,6 +69,9 @@ HoldButton* JogRow::addButton(const QString& text, const QString& toolTip, doubl
 }
 
 void JogRow::setAngular(bool isAngular) {
+    if (isAngular == m_isAngular) {
+        return; // keeps the speed that was chosen
+    }
     m_isAngular = isAngular;
     if (isAngular) {
         dressNumberField(*m_rate, {tr("Jog speed"), tr("How fast it moves while a button is held"),
@@ -82,7 +85,7 @@ void JogRow::setAngular(bool isAngular) {
 }
 
 double JogRow::rate() const {
-    return m_isAngular ? degreesToRadians(m_rate->value()) : m_rate->value();
+    return *m_isAngular ? degreesToRadians(m_rate->value()) : m_rate->value();
 }
 
 } // namespace halbench::app

@@ -3,8 +3,13 @@
 #include <QPushButton>
 #include <QWidget>
 
-class QDoubleSpinBox;
+#include <optional>
+
 class QLabel;
+
+namespace halbench::widgets {
+class QuantityEdit;
+}
 
 namespace halbench::app {
 
@@ -49,8 +54,8 @@ private:
     HoldButton* addButton(const QString& text, const QString& toolTip, double sign);
     double rate() const;
 
-    bool m_isAngular = true;
-    QDoubleSpinBox* m_rate = nullptr;
+    std::optional<bool> m_isAngular;
+    widgets::QuantityEdit* m_rate = nullptr;
 };
 
 } // namespace halbench::app

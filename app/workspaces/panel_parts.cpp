@@ -1,8 +1,8 @@
 #include "app/workspaces/panel_parts.h"
 
 #include "widgets/icons.h"
+#include "widgets/quantity_edit.h"
 
-#include <QDoubleSpinBox>
 #include <QGroupBox>
 #include <QLabel>
 #include <QPushButton>
@@ -11,22 +11,18 @@
 
 namespace halbench::app {
 
-QDoubleSpinBox* makeNumberField(const NumberField& field, QWidget* parent) {
-    auto* box = new QDoubleSpinBox(parent);
-    box->setKeyboardTracking(false);
-    box->setAlignment(Qt::AlignRight);
+widgets::QuantityEdit* makeNumberField(const NumberField& field, QWidget* parent) {
+    auto* box = new widgets::QuantityEdit(parent);
     box->setFont(widgets::tabularFont(box->font()));
     dressNumberField(*box, field);
     return box;
 }
 
-void dressNumberField(QDoubleSpinBox& box, const NumberField& field) {
+void dressNumberField(widgets::QuantityEdit& box, const NumberField& field) {
+    box.setFormat({field.unit, field.min, field.max, field.step, field.decimals});
     box.setAccessibleName(field.name);
-    box.setToolTip(field.toolTip);
-    box.setSuffix(field.unit.isEmpty() ? QString() : QLatin1Char(' ') + field.unit);
-    box.setDecimals(field.decimals);
-    box.setRange(field.min, field.max);
-    box.setSingleStep(field.step);
+    box.setToolTip(field.toolTip.isEmpty() ? box.toolTip()
+                                           : field.toolTip + QLatin1Char('\n') + box.toolTip());
 }
 
 QPushButton* makeButton(const PushAction& action, QWidget* parent) {

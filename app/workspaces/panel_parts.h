@@ -5,11 +5,14 @@
 #include <QString>
 
 class QBoxLayout;
-class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 class QVBoxLayout;
 class QWidget;
+
+namespace halbench::widgets {
+class QuantityEdit;
+}
 
 namespace halbench::app {
 
@@ -24,8 +27,8 @@ struct NumberField {
     double step = 1.0;
 };
 
-QDoubleSpinBox* makeNumberField(const NumberField& field, QWidget* parent);
-void dressNumberField(QDoubleSpinBox& box, const NumberField& field);
+widgets::QuantityEdit* makeNumberField(const NumberField& field, QWidget* parent);
+void dressNumberField(widgets::QuantityEdit& box, const NumberField& field);
 
 struct PushAction {
     QString text;

@@ -33,7 +33,9 @@ bool isSetting(const ParameterSpec& spec) {
 
 ParametersPanel::ParametersPanel(Workbench& bench, QWidget* parent, const QString& presetFolder)
     : QWidget(parent), m_bench(bench), m_folder(presetFolder) {
-    QVBoxLayout* column = makePanelColumn(this);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0); // the table brings its own
+    column->setSpacing(0);
     m_table = new widgets::ParameterTable(this);
     column->addWidget(m_table, 1);
     column->addWidget(buildPresets());
@@ -49,7 +51,7 @@ ParametersPanel::ParametersPanel(Workbench& bench, QWidget* parent, const QStrin
 QWidget* ParametersPanel::buildPresets() {
     auto* box = new QWidget(this);
     auto* column = new QVBoxLayout(box);
-    column->setContentsMargins(0, 0, 0, 0);
+    column->setContentsMargins(widgets::PanelMargin_px, 0, widgets::PanelMargin_px, widgets::PanelMargin_px);
     column->setSpacing(widgets::GridStep_px);
     m_presets = new QComboBox(box);
     m_presets->setAccessibleName(tr("Preset"));

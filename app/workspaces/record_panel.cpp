@@ -62,6 +62,15 @@ void RecordPanel::buildTarget() {
     rows->addRow(tr("Name"), m_name);
     rows->addRow(tr("Rows"), m_rate);
     static_cast<QVBoxLayout*>(layout())->addLayout(rows);
+    // At once, so that the window's Record action goes by them too.
+    RecordingControl& recording = m_bench.recording();
+    connect(m_folder, &QLineEdit::textChanged, this, [&recording](const QString& folder) {
+        recording.setFolder(QDir::fromNativeSeparators(folder.trimmed()));
+    });
+    connect(m_name, &QLineEdit::textChanged, this,
+            [&recording](const QString& name) { recording.setName(name.trimmed()); });
+    connect(m_rate, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+            [this, &recording] { recording.setRate_Hz(m_rate->currentData().toDouble()); });
 }
 
 void RecordPanel::buildState() {
@@ -107,9 +116,6 @@ void RecordPanel::toggle() {
         return;
     }
     m_message->clear();
-    recording.setFolder(QDir::fromNativeSeparators(m_folder->text().trimmed()));
-    recording.setName(m_name->text().trimmed());
-    recording.setRate_Hz(m_rate->currentData().toDouble());
     recording.start();
 }
 

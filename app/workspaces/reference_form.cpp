@@ -2,10 +2,10 @@
 
 #include "app/workspaces/panel_parts.h"
 #include "control/base/units.h"
+#include "widgets/quantity_edit.h"
 #include "widgets/theme_style.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -176,7 +176,7 @@ ReferenceForm::ReferenceForm(QWidget* parent) : QWidget(parent) {
     m_currents->setAccessibleName(tr("Currents of the plateaus in ampere"));
     m_currents->setToolTip(
         tr("Up to 32 currents in A, one after the other, with spaces or semicolons between"));
-    m_rows->addRow(tr("Currents (A)"), m_currents);
+    label(m_currents, tr("Currents (A)"));
     fillShapes();
     refresh();
     connect(m_shape, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ReferenceForm::refresh);
@@ -188,8 +188,8 @@ void ReferenceForm::addNumber(Field field) {
     m_numbers[field] = box;
     const auto* spec = std::find_if(std::begin(Fields), std::end(Fields),
                                     [field](const FieldSpec& each) { return each.field == field; });
-    m_rows->addRow(tr(spec->words.text), box);
-    connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &ReferenceForm::changed);
+    label(box, tr(spec->words.text));
+    connect(box, QOverload<double>::of(&widgets::QuantityEdit::valueChanged), this, &ReferenceForm::changed);
 }
 
 void ReferenceForm::fillShapes() {
@@ -203,7 +203,7 @@ void ReferenceForm::fillShapes() {
     m_shape->setCurrentIndex(std::clamp(before, 0, shapes - 1));
     for (const FieldSpec& spec : Fields) {
         const Range& range = isPosition() ? spec.angle : spec.current;
-        QDoubleSpinBox* box = m_numbers.at(spec.field);
+        widgets::QuantityEdit* box = m_numbers.at(spec.field);
         const QSignalBlocker quietBox(box);
         dressNumberField(*box, {tr(spec.words.text), tr(spec.words.help),
                                 QString::fromUtf8(isPosition() ? spec.angleUnit : spec.currentUnit),
@@ -227,13 +227,27 @@ int ReferenceForm::shape() const {
     return m_shape->currentIndex() + 1;
 }
 
+void ReferenceForm::label(QWidget* field, const QString& title) {
+    m_labels[field] = new QLabel(title, this);
+    m_labels[field]->setBuddy(field);
+}
+
+/// Only the rows of the shape are laid out: a hidden row would leave its gap.
 void ReferenceForm::refresh() {
+    while (m_rows->rowCount() > 1) {
+        const QFormLayout::TakeRowResult row = m_rows->takeRow(1);
+        delete row.labelItem;
+        delete row.fieldItem;
+    }
     const auto show = [this](QWidget* field, bool isShown) {
+        if (isShown) {
+            m_rows->addRow(m_labels.at(field), field);
+        }
         field->setVisible(isShown);
-        m_rows->labelForField(field)->setVisible(isShown);
+        m_labels.at(field)->setVisible(isShown);
     };
-    for (const auto& [field, box] : m_numbers) {
-        show(box, has(shape(), field));
+    for (const FieldSpec& spec : Fields) {
+        show(m_numbers.at(spec.field), has(shape(), spec.field));
     }
     show(m_currents, shape() == Plateaus);
     Q_EMIT changed();

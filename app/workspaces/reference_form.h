@@ -9,10 +9,13 @@
 #include <vector>
 
 class QComboBox;
-class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
 class QLineEdit;
+
+namespace halbench::widgets {
+class QuantityEdit;
+}
 
 namespace halbench::app {
 
@@ -40,6 +43,7 @@ Q_SIGNALS:
 
 private:
     void addNumber(Field field);
+    void label(QWidget* field, const QString& title);
     void refresh();
     void fillShapes();
     double valueOf(Field field) const; ///< SI
@@ -52,7 +56,8 @@ private:
     QFormLayout* m_rows = nullptr;
     QComboBox* m_shape = nullptr;
     QLineEdit* m_currents = nullptr;
-    std::map<Field, QDoubleSpinBox*> m_numbers;
+    std::map<Field, widgets::QuantityEdit*> m_numbers;
+    std::map<QWidget*, QLabel*> m_labels; ///< of the fields
 };
 
 } // namespace halbench::app

@@ -29,12 +29,13 @@ SignalTree::SignalTree(QWidget* parent) : QTreeWidget(parent) {
     setDragEnabled(true);
     setDragDropMode(QAbstractItemView::DragOnly);
     setUniformRowHeights(true);
+    setIndentation(fontMetrics().averageCharWidth() * 2);
     setAlternatingRowColors(false);
     header()->setStretchLastSection(false);
     header()->setSectionResizeMode(NameColumn, QHeaderView::Stretch);
     header()->setSectionResizeMode(ValueColumn, QHeaderView::Fixed);
     header()->setSectionResizeMode(UnitColumn, QHeaderView::Fixed);
-    header()->resizeSection(ValueColumn, fontMetrics().horizontalAdvance(QStringLiteral("-00000.000 ")));
+    header()->resizeSection(ValueColumn, fontMetrics().horizontalAdvance(QStringLiteral("-0000.000 ")));
     header()->resizeSection(UnitColumn, fontMetrics().horizontalAdvance(QStringLiteral("r/min   ")));
     connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
         const QString name = item->data(NameColumn, NameRole).toString();

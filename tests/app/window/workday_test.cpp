@@ -1,0 +1,79 @@
+#include "app/window/dock_layout.h"
+#include "app/workspaces/device_panel.h"
+#include "app/workspaces/drive_panel.h"
+#include "app/workspaces/monitor_panel.h"
+#include "devices/acquisition/recording_file.h"
+#include "tests/app/window/window_test.h"
+
+#include <QAbstractButton>
+#include <QListWidget>
+#include <QTemporaryDir>
+
+#include <algorithm>
+
+namespace halbench::app {
+namespace {
+
+/// The first minutes with a motor, through the real window and its keys.
+class WorkdayTest : public WindowTest {
+protected:
+    void connectByKey() {
+        open();
+        QTest::keyClick(window->findChild<DevicePanel*>()->findChild<QListWidget*>(), Qt::Key_Return);
+        ASSERT_TRUE(wait([&] { return !window->bench().deviceValues().empty(); }));
+    }
+    void key(Qt::Key code, Qt::KeyboardModifiers modifiers) {
+        QTest::keyClick(window.get(), code, modifiers);
+    }
+    bool isArmed() { return session().report().board.isArmed; }
+    double latest(const char* signal) {
+        const auto value = window->bench().history().latest(signal);
+        return value ? value->value : 0.0;
+    }
+};
+
+TEST_F(WorkdayTest, connectsWatchesDrivesRecordsAndStops) {
+    const QTemporaryDir folder;
+    connectByKey();
+    window->bench().recording().setFolder(folder.path());
+    ASSERT_TRUE(wait([&] { return window->bench().history().latest("hall.a").has_value(); })); // watched
+
+    key(Qt::Key_R, Qt::ControlModifier);
+    ASSERT_TRUE(wait([&] { return window->bench().recording().isRecording(); }));
+    key(Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
+    ASSERT_TRUE(wait([&] { return isArmed() && latest("status") > 0.5; }));
+    const auto buttons = window->findChild<DrivePanel*>()->findChildren<QAbstractButton*>();
+    const auto start = std::find_if(buttons.begin(), buttons.end(),
+                                    [](const QAbstractButton* button) { return button->text() == "Start"; });
+    ASSERT_NE(start, buttons.end());
+    ASSERT_TRUE(wait([&] { return (*start)->isEnabled(); }));
+    key(Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+    ASSERT_TRUE(wait([&] { return latest("speed") > 1.0; })); // it moves
+    key(Qt::Key_Escape, Qt::NoModifier);
+    ASSERT_TRUE(wait([&] { return session().report().board.isStopLatched; }));
+    key(Qt::Key_R, Qt::ControlModifier);
+    ASSERT_TRUE(wait([&] { return !window->bench().recording().isRecording(); }));
+
+    const auto file = devices::readRecordingFile(window->bench().recording().path().toStdString());
+    ASSERT_TRUE(file) << file.error().message;
+    const std::vector<double> speed = file->recording.column("speed");
+    EXPECT_GT(*std::max_element(speed.begin(), speed.end()), 1.0); // the motion is in it
+    EXPECT_EQ(file->recording.column("status").back(), 2.0);       // and the stop
+}
+
+TEST_F(WorkdayTest, losingTheDeviceLeavesAWindowThatWorks) {
+    connectByKey();
+    key(Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
+    ASSERT_TRUE(wait([&] { return isArmed(); }));
+    session().disconnectDevice();
+    EXPECT_TRUE(wait([&] { return session().state() == SessionState::Disconnected; }));
+    for (const Perspective perspective : AllPerspectives) {
+        window->docks().setPerspective(perspective);
+        QTest::qWait(0);
+    }
+    connectMotor(1.0);
+    EXPECT_FALSE(isArmed()); // never armed by coming back
+}
+
+} // namespace
+} // namespace halbench::app
