@@ -101,7 +101,9 @@ void ParameterTableModel::announceCount() {
 }
 
 void ParameterTableModel::setStale(bool isStale) {
-    m_isStale = isStale;
+    if (std::exchange(m_isStale, isStale) == isStale) {
+        return;
+    }
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         announce(i);
     }

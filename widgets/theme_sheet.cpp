@@ -50,6 +50,7 @@ QAbstractSpinBox > QLineEdit, QComboBox > QLineEdit, QAbstractItemView QLineEdit
 QAbstractItemView QLineEdit { border: 2px solid @accent@; border-radius: 0px; padding: 0px 2px; }
 )";
 
+// `!important` where the docking library has a sheet of its own for its tabs.
 constexpr const char* Surfaces = R"(
 QAbstractItemView { background: @panel@; alternate-background-color: @alternate@; border: 1px solid @line@;
     gridline-color: @line@; selection-background-color: @selection@; selection-color: @text@; outline: 0; }
@@ -87,6 +88,11 @@ QSplitter::handle { background: @line@; }
 QSplitter::handle:horizontal { width: 1px; } QSplitter::handle:vertical { height: 1px; }
 QToolBar { background: @window@; border: none; border-bottom: 1px solid @line@; spacing: 4px; padding: 4px 8px; }
 QToolBar::separator { background: @line@; width: 1px; margin: 4px; }
+ads--CDockWidgetTab { background: @window@ !important; border: none !important;
+    border-bottom: 2px solid @window@ !important; padding: 2px 0px; }
+ads--CDockWidgetTab[activeTab="true"] { border-bottom: 2px solid @accent@ !important; }
+ads--CDockWidgetTab QLabel { color: @muted@ !important; }
+ads--CDockWidgetTab[activeTab="true"] QLabel { color: @text@ !important; }
 QStatusBar { background: @window@; border-top: 1px solid @line@; } QStatusBar::item { border: none; }
 QScrollBar { background: transparent; border: none; margin: 0px; }
 QScrollBar:vertical { width: 12px; } QScrollBar:horizontal { height: 12px; }
