@@ -1,12 +1,9 @@
 #include "control/base/units.h"
 #include "tests/widgets/gui_fixture.h"
 #include "widgets/rotor_field_lines.h"
-#include "widgets/rotor_panel.h"
 #include "widgets/rotor_view.h"
 
 #include <QImage>
-#include <QPushButton>
-#include <QSignalSpy>
 
 #include <algorithm>
 #include <cmath>
@@ -188,23 +185,6 @@ TEST_F(RotorViewTest, survivesValuesThatAreNone) {
     EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("old")));
     view.clear();
     EXPECT_FALSE(view.grab().isNull());
-}
-
-TEST_F(RotorViewTest, panelChoosesTheLinesByButtonAndKeepsOneDown) {
-    RotorPanel panel;
-    QSignalSpy changes(&panel, &RotorPanel::fieldModelChanged);
-    const auto buttons = panel.findChildren<QPushButton*>();
-    ASSERT_EQ(buttons.size(), 3);
-    buttons[1]->click();
-    EXPECT_EQ(panel.view().fieldModel(), FieldModel::Segmented);
-    EXPECT_EQ(changes.count(), 1);
-    panel.setFieldModel(FieldModel::Measured);
-    EXPECT_FALSE(buttons[1]->isChecked());
-    EXPECT_TRUE(buttons[2]->isChecked());
-    EXPECT_EQ(changes.count(), 1);
-    for (const QPushButton* button : buttons) {
-        EXPECT_TRUE(button->toolTip().contains(QStringLiteral("Alt+")));
-    }
 }
 
 } // namespace
