@@ -2,6 +2,7 @@
 
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QScrollBar>
 
 #include <algorithm>
 
@@ -65,7 +66,8 @@ LiveLegend::Widths LiveLegend::neededWidths() const {
 }
 
 void LiveLegend::setWidths(const Widths& widths, int total_px) {
-    int rest = total_px;
+    int rest = total_px - 2 * frameWidth();
+    rest -= verticalScrollBar()->isVisible() ? verticalScrollBar()->width() : 0;
     for (int column = LegendTableModel::Value; column < LegendTableModel::Columns; ++column) {
         setColumnWidth(column, widths[static_cast<std::size_t>(column)]);
         rest -= isColumnHidden(column) ? 0 : widths[static_cast<std::size_t>(column)];

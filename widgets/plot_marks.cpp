@@ -14,6 +14,7 @@ namespace {
 
 constexpr int BandAlpha = 30; ///< of 255: curves stay the brightest thing
 constexpr int BoxAlpha = 40;
+constexpr double WordMargin = 4.0;
 
 QColor withAlpha(QColor colour, int alpha) {
     colour.setAlpha(alpha);
@@ -66,6 +67,12 @@ void BandItem::draw(QPainter* painter, const QwtScaleMap&, const QwtScaleMap& yM
         const double bottom = yMap.transform(std::max(band.from, low));
         painter->fillRect(QRectF(canvas.left(), top, canvas.width(), bottom - top),
                           withAlpha(colour, BandAlpha));
+        if (bottom - top >= painter->fontMetrics().height()) {
+            const QString word = band.role == LimitBand::Role::Bad ? tr("limit") : tr("warning");
+            painter->setPen(colour);
+            painter->drawText(QRectF(canvas.left(), top, canvas.width() - WordMargin, bottom - top),
+                              Qt::AlignRight | Qt::AlignTop, word);
+        }
         painter->setPen(QPen(colour, 1.0));
         for (const double limit : {band.from, band.to}) {
             if (limit > low && limit < high) {

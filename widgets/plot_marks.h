@@ -4,6 +4,7 @@
 #include "widgets/theme.h"
 
 #include <QColor>
+#include <QCoreApplication>
 #include <QList>
 #include <QRectF>
 #include <qwt_plot_item.h>
@@ -46,8 +47,9 @@ private:
     QList<double> m_yTicks;
 };
 
-/// Limit bands behind the curves.
+/// Limit bands behind the curves, with their meaning in a word: colour alone says nothing to some.
 class BandItem : public QwtPlotItem {
+    Q_DECLARE_TR_FUNCTIONS(halbench::widgets::BandItem)
 public:
     BandItem();
     void set(std::vector<LimitBand> bands, const Theme& theme);

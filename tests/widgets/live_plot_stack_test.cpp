@@ -280,6 +280,23 @@ TEST_F(LivePlotStackTest, noTurningOfTheWheelMakesAnAxisThatCannotBeShown) {
     EXPECT_TRUE(std::isfinite(stack.valueRange(1).length()));
 }
 
+TEST_F(LivePlotStackTest, limitBandsAreSeenWhereTheAxisReachesThem) {
+    std::vector<PlotSpec> specs = motorPlots();
+    specs[4].fixedRange = ValueRange{50.0, 80.0};
+    stack.setPlots(specs);
+    frame();
+    LivePlot* plot = plots()[4];
+    const auto colourAt = [&](double value) {
+        const QImage image = plot->canvas()->grab().toImage();
+        return image.pixelColor(3, static_cast<int>(plot->canvasMap(QwtPlot::yLeft).transform(value)));
+    };
+    const QColor plain = loadTheme("light").value().plotBackground;
+    EXPECT_EQ(colourAt(52.5), plain);
+    EXPECT_NE(colourAt(67.5), plain);
+    EXPECT_NE(colourAt(73.5), plain);
+    EXPECT_NE(colourAt(73.5), colourAt(67.5));
+}
+
 TEST_F(LivePlotStackTest, anEmptyStackSaysWhatItIsFor) {
     stack.setPlots({});
     frame();
