@@ -14,6 +14,10 @@ namespace {
 
 /// Of the arrangement files; raised when panels change so that an old arrangement no longer fits.
 constexpr int ArrangementVersion = 1;
+/// Parts of the width, and of the height.
+constexpr int SideShare = 220;
+constexpr int CentreShare = 760;
+constexpr int BottomShare = 130;
 
 ads::DockWidgetArea dockArea(PanelArea area) {
     switch (area) {
@@ -50,8 +54,12 @@ DockLayout::DockLayout(Workbench& bench, QWidget* container) : QObject(container
     configureDocking();
     m_manager = new ads::CDockManager(container);
     widgets::clearOwnSheet(*m_manager);
-    for (const PanelSpec& spec : m_specs) {
-        addPanel(spec, bench);
+    for (const PanelArea area : {PanelArea::Centre, PanelArea::Left, PanelArea::Right, PanelArea::Bottom}) {
+        for (const PanelSpec& spec : m_specs) {
+            if (spec.area == area) {
+                addPanel(spec, bench);
+            }
+        }
     }
     arrange(m_perspective);
 }
@@ -84,9 +92,26 @@ void DockLayout::arrange(Perspective perspective) {
     for (const PanelSpec& spec : m_specs) {
         m_docks.value(spec.id)->toggleView(isIn(spec, perspective));
     }
+    // Of panels behind each other the first of the list is in front.
+    for (auto spec = m_specs.rbegin(); spec != m_specs.rend(); ++spec) {
+        if (isIn(*spec, perspective)) {
+            m_docks.value(spec->id)->setAsCurrentTab();
+        }
+    }
+    shareSpace();
+}
+
+/// First shares of the window: the data get the most of it.
+void DockLayout::shareSpace() {
     for (const PanelSpec& spec : m_specs) {
-        if (isIn(spec, perspective) && spec.perspectives.size() == 1) {
-            m_docks.value(spec.id)->setAsCurrentTab();
+        ads::CDockWidget* dock = m_docks.value(spec.id);
+        if (dock->isClosed() || dock->dockAreaWidget() == nullptr) {
+            continue;
+        }
+        if (spec.area == PanelArea::Left) {
+            m_manager->setSplitterSizes(dock->dockAreaWidget(), {SideShare, CentreShare, SideShare});
+        } else if (spec.area == PanelArea::Bottom) {
+            m_manager->setSplitterSizes(dock->dockAreaWidget(), {CentreShare, BottomShare});
         }
     }
 }

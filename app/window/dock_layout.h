@@ -40,6 +40,7 @@ Q_SIGNALS:
 private:
     void addPanel(const PanelSpec& spec, Workbench& bench);
     void arrange(Perspective perspective);
+    void shareSpace();
 
     std::vector<PanelSpec> m_specs;
     ads::CDockManager* m_manager = nullptr;
