@@ -226,7 +226,10 @@ void Connection::restartLiveStream(devices::Device& device) {
     if (m_live.signals.empty() || isVirtual() || m_lost) {
         return;
     }
-    (void)device.startStream(m_live, displaySink(device.clock().now_s(), {}));
+    const Result<void> started = device.startStream(m_live, displaySink(device.clock().now_s(), {}));
+    if (!started) {
+        m_events.onStreamRefused(started.error());
+    }
 }
 
 devices::BlockSink Connection::displaySink(double start_s, devices::BlockSink then) {

@@ -37,6 +37,8 @@ struct ConnectionEvents {
     std::function<void(const Error&)> onRefused; ///< could not be opened; nothing follows
     std::function<void(const ConnectionReport&)> onReport;
     std::function<void(SampleBlockPtr)> onBlock; ///< time since the device was opened
+    std::function<void(const Error&)>
+        onStreamRefused; ///< the display's stream, e.g. signals without a common event
 };
 
 /// One open device on a thread of its own (resources/help/architecture.md, threads). The thread serves the

@@ -64,6 +64,12 @@ ConnectionEvents DeviceSession::events() {
     events.onReport = [this, say](const ConnectionReport& report) {
         say([this, report] { reported(report); });
     };
+    events.onStreamRefused = [this, say](const Error& error) {
+        say([this, error] {
+            message(MessageLevel::Warning, tr("samples"),
+                    QString::fromStdString(error.message + ". " + error.hint));
+        });
+    };
     events.onBlock = [this](SampleBlockPtr block) {
         devices::BlockSink sink;
         {

@@ -8,11 +8,10 @@
 
 #include <QAction>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QSplitter>
-#include <QToolButton>
+#include <QToolBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -59,27 +58,23 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     onDevice();
 }
 
+/// A tool bar, so that what does not fit goes into its menu instead of widening the window.
 QWidget* MonitorPanel::buildTools() {
-    auto* bar = new QWidget(this);
-    auto* row = new QHBoxLayout(bar);
-    row->setContentsMargins(widgets::PanelMargin_px, widgets::GridStep_px, widgets::PanelMargin_px,
-                            widgets::GridStep_px);
-    row->setSpacing(widgets::GridStep_px);
+    auto* bar = new QToolBar(tr("Plots"), this);
+    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     for (const Tool& tool : Tools) {
         QAction* action = m_stack->action(tool.command);
         action->setIcon(widgets::themedIcon(QLatin1String(tool.icon)));
-        auto* button = new QToolButton(bar);
-        button->setDefaultAction(action);
-        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-        button->setAutoRaise(true);
-        button->setAccessibleName(action->text());
-        row->addWidget(button);
+        bar->addAction(action);
+        bar->widgetForAction(action)->setAccessibleName(action->text());
     }
-    row->addStretch(1);
+    auto* space = new QWidget(bar);
+    space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    bar->addWidget(space);
     m_stream = new QLabel(bar);
     m_stream->setToolTip(tr("What the device sends to the plots"));
     widgets::setRole(*m_stream, widgets::Role::Muted);
-    row->addWidget(m_stream);
+    bar->addWidget(m_stream);
     return bar;
 }
 
@@ -199,12 +194,18 @@ void MonitorPanel::refreshValues() {
     const LiveSignals& live = m_bench.liveSignals();
     m_tree->showValues(m_bench.history(), live.streamed());
     const QLocale locale;
-    m_stream->setText(live.streamed().empty()
-                          ? tr("no signals")
-                          : tr("%1 signals, %2 Hz, %3 rows lost")
-                                .arg(static_cast<int>(live.streamed().size()))
-                                .arg(locale.toString(live.rate_Hz(), 'f', 0),
-                                     locale.toString(static_cast<qulonglong>(m_bench.history().lostRows()))));
+    const bool isVirtual =
+        m_bench.session().info().isSimulated && m_bench.session().pace().speed_ratio <= 0.0;
+    if (live.streamed().empty()) {
+        m_stream->setText(tr("no signals"));
+    } else if (isVirtual) {
+        m_stream->setText(tr("time passes only while a procedure runs"));
+    } else {
+        m_stream->setText(tr("%1 signals, %2 Hz, %3 rows lost")
+                              .arg(static_cast<int>(live.streamed().size()))
+                              .arg(locale.toString(live.rate_Hz(), 'f', 0),
+                                   locale.toString(static_cast<qulonglong>(m_bench.history().lostRows()))));
+    }
 }
 
 void MonitorPanel::changeEvent(QEvent* event) {

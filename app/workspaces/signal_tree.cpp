@@ -111,7 +111,6 @@ void SignalTree::showValues(const control::SampleHistory& history, const std::ve
             entry.item->setText(ValueColumn, text);
         }
     }
-    viewport()->update();
 }
 
 void SignalTree::toggle(QTreeWidgetItem* item) {

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 namespace halbench::app {
 namespace {
 
@@ -117,6 +119,32 @@ TEST_F(DeviceSessionTest, abortRestoresTheWindowsThatTheMoveHadSet) {
     EXPECT_EQ(result->error().code, ErrorCode::Interrupted);
     EXPECT_EQ(parameter("window.speed"), before);
     EXPECT_FALSE(session.report().board.isArmed);
+}
+
+TEST_F(DeviceSessionTest, aStreamTheDeviceRefusesIsSaidAndTheDeviceStaysConnected) {
+    connectMotor("", 20.0);
+    QString said;
+    QObject::connect(&session, &DeviceSession::message, &session,
+                     [&said](MessageLevel level, const QString&, const QString& text) {
+                         said = level == MessageLevel::Warning ? text : said;
+                     });
+    session.setLiveStream({"position", "no.such.signal"}, 100.0);
+    EXPECT_TRUE(wait([&] { return said.contains("no.such.signal"); }));
+    EXPECT_EQ(session.state(), SessionState::Connected);
+}
+
+TEST_F(DeviceSessionTest, aBlockSinkHearsEveryBlockOnTheWay) {
+    connectMotor("", 20.0);
+    std::atomic<std::size_t> rows = 0;
+    session.setBlockSink([&rows](const SampleBlockPtr& block) { rows += block->rows(); });
+    session.setLiveStream({"position"}, 100.0);
+    ASSERT_TRUE(wait([&] { return rows > 50; }));
+    session.disconnectDevice(); // no call follows
+    std::size_t taken = 0;
+    for (const SampleBlockPtr& block : session.takeBlocks()) {
+        taken += block->rows();
+    }
+    EXPECT_EQ(taken, 0U); // forgotten with the device, not lost for the sink
 }
 
 TEST_F(DeviceSessionTest, displayTimeGoesOnWhileStreamsChange) {
