@@ -34,6 +34,7 @@ LiveLegend::LiveLegend(QWidget* parent) : QTableView(parent) {
     setCursorColumnsShown(false, false);
     setAccessibleName(tr("Legend with live values"));
     setAccessibleDescription(tr("Space hides or shows the chosen curve, Delete removes it from the plot."));
+    setToolTip(accessibleDescription());
     connect(this, &QTableView::doubleClicked, this,
             [this](const QModelIndex& index) { Q_EMIT toggleRequested(index.row()); });
 }
