@@ -1,8 +1,8 @@
 #include "app/report/parameter_units.h"
 #include "app/report/report_blocks.h"
 #include "app/report/step_sections.h"
+#include "app/report/tuning_figures.h"
 #include "control/base/units.h"
-#include "widgets/figures.h"
 
 #include <fmt/format.h>
 
@@ -85,46 +85,12 @@ ReportFacts robustFacts(const control::Robustness& robust) {
               robust.unstable_fraction > 0.0 ? ReportTone::Bad : ReportTone::Plain}}};
 }
 
-ReportPlot bodePlot(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present) {
-    using widgets::CurveStyle;
-    using Direction = widgets::ReferenceLine::Direction;
-    widgets::BodeContent content;
-    content.title = "Open loop";
-    content.responses.push_back({present ? "proposed" : "", predicted.bode.frequency_Hz,
-                                 predicted.bode.magnitude_dB, predicted.bode.phase_deg, CurveStyle::Line});
-    if (present) {
-        content.responses.push_back({"before", present->bode.frequency_Hz, present->bode.magnitude_dB,
-                                     present->bode.phase_deg, CurveStyle::DashedLine});
-    }
-    content.magnitudeLines = {{Direction::Horizontal, 0.0, "0 dB"}};
-    content.phaseLines = {{Direction::Horizontal, -180.0, "\u2212180\u00b0"}};
-    if (predicted.margins.gainCrossover_rad_s) {
-        const double crossover_Hz = *predicted.margins.gainCrossover_rad_s / (2.0 * Pi);
-        content.magnitudeLines.push_back({Direction::Vertical, crossover_Hz, "crossover"});
-        content.phaseLines.push_back({Direction::Vertical, crossover_Hz, {}});
-    }
-    return {widgets::bodeFigure(content), {}};
-}
-
 void appendPredictedStep(ReportSection& section, const AnalysisResult& predicted) {
-    if (predicted.stepCurve.time_s.empty()) {
-        return;
+    if (auto figure = linearStepFigure(predicted)) {
+        section.blocks.emplace_back(
+            ReportPlot{*std::move(figure),
+                       "Without friction and current limit: a measured step differs where these act."});
     }
-    widgets::Panel response;
-    response.y = {"response", "rad", false, {}, {}, {}};
-    response.curves = {
-        {{}, predicted.stepCurve.time_s, predicted.stepCurve.response_rad, widgets::CurveStyle::Line, 0}};
-    response.lines = {{widgets::ReferenceLine::Direction::Horizontal, 1.0, "reference"}};
-    widgets::Panel current;
-    current.y = {"current", "A", false, {}, {}, {}};
-    current.height_px = 120;
-    current.curves = {
-        {{}, predicted.stepCurve.time_s, predicted.stepCurve.current_A, widgets::CurveStyle::Line, 1}};
-    section.blocks.emplace_back(
-        ReportPlot{{"Predicted step of 1 rad, linear loop",
-                    {"time", "s", false, {}, {}, {}},
-                    {std::move(response), std::move(current)}},
-                   "Without friction and current limit: a measured step differs where these act."});
 }
 
 } // namespace
@@ -133,7 +99,7 @@ ReportSection analysisSection(const std::string& heading, const AnalysisResult& 
     ReportSection section{heading, {}};
     section.blocks.emplace_back(ReportQuality{result.quality});
     section.blocks.emplace_back(marginTable(result, std::nullopt));
-    section.blocks.emplace_back(bodePlot(result, std::nullopt));
+    section.blocks.emplace_back(ReportPlot{openLoopFigure(result, std::nullopt), {}});
     appendPredictedStep(section, result);
     return section;
 }
@@ -146,7 +112,7 @@ ReportSection tuningSection(const std::string& heading, const TuneResult& result
     section.blocks.emplace_back(gainTable(result.law));
     section.blocks.emplace_back(marginTable(result.predicted, present));
     section.blocks.emplace_back(robustFacts(result.robust));
-    section.blocks.emplace_back(bodePlot(result.predicted, present));
+    section.blocks.emplace_back(ReportPlot{openLoopFigure(result.predicted, present), {}});
     appendPredictedStep(section, result.predicted);
     return section;
 }

@@ -1,0 +1,63 @@
+#include "app/report/identification_figures.h"
+#include "app/report/tuning_figures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace halbench::app {
+namespace {
+
+control::Estimate identified(double value, double half, const std::string& unit) {
+    return {value, std::pair(value - half, value + half), control::EstimateSource::Identified, unit};
+}
+
+TEST(IdentificationFigures, withoutAbsoluteValuesTheRegionIsThatOfTheRatios) {
+    IdentifyResult result;
+    result.ratios["c_over_phi"] = identified(0.1, 0.003, "A*s/rad");
+    result.ratios["Kf_over_phi"] = identified(1.4, 0.05, "A");
+    result.covarianceNames = {"c_over_phi", "Kf_over_phi"};
+    result.covariance = {{4e-6, -3.2e-5}, {-3.2e-5, 4e-4}};
+    const auto region = jointRegion(result);
+    ASSERT_TRUE(region);
+    EXPECT_EQ(region->figure.panels.at(0).y.unit, "A");
+    EXPECT_NEAR(region->correlation, -3.2e-5 / std::sqrt(4e-6 * 4e-4), 1e-12); // of its definition
+    result.covariance[0][1] = result.covariance[1][0] = -4e-5;                 // singular: no region
+    EXPECT_FALSE(jointRegion(result));
+}
+
+TEST(IdentificationFigures, aLineThatWasNotDecidedIsNotDrawn) {
+    IdentifyResult result;
+    result.points = {{2.0, 5.0, true, 1.0, {}}};
+    EXPECT_FALSE(steadySpeedFigure(result));
+}
+
+bool hasLine(const widgets::Panel& panel, double at, const std::string& part) {
+    return std::any_of(panel.lines.begin(), panel.lines.end(), [&](const widgets::ReferenceLine& line) {
+        return std::abs(line.at - at) < 1e-9 && line.label.find(part) != std::string::npos;
+    });
+}
+
+TEST(TuningFigures, marginsAreWrittenWhereTheyAreReadOff) {
+    AnalysisResult loop;
+    loop.bode = {{1.0, 10.0}, {20.0, -20.0}, {-90.0, -200.0}};
+    loop.margins.gainCrossover_rad_s = 2.0 * M_PI * 3.0;
+    loop.margins.phaseMargin_deg = 37.9;
+    loop.margins.phaseCrossover_rad_s = 2.0 * M_PI * 8.0;
+    loop.margins.gainMargin_ratio = 4.2;
+    const widgets::Figure figure = openLoopFigure(loop, std::nullopt);
+    EXPECT_TRUE(hasLine(figure.panels.at(1), 3.0, "38"));
+    EXPECT_TRUE(hasLine(figure.panels.at(0), 8.0, "4.2"));
+    loop.margins = {}; // no crossing: nothing to mark
+    EXPECT_EQ(openLoopFigure(loop, std::nullopt).panels.at(1).lines.size(), 1U);
+    EXPECT_EQ(openLoopFigure(loop, loop).panels.at(0).curves.size(), 2U);
+}
+
+TEST(TuningFigures, anUnstableLoopHasNoPredictedStep) {
+    EXPECT_FALSE(linearStepFigure(AnalysisResult{}));
+}
+
+} // namespace
+} // namespace halbench::app
