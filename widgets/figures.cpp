@@ -2,6 +2,8 @@
 
 #include "control/base/units.h"
 
+#include <QCoreApplication>
+
 #include <cmath>
 #include <utility>
 
@@ -10,6 +12,10 @@ namespace {
 
 constexpr double PhaseTick_deg = 45.0;
 
+std::string words(const char* text) {
+    return QCoreApplication::translate("halbench::widgets::Figures", text).toStdString();
+}
+
 ReferenceLine zeroLine() {
     return {ReferenceLine::Direction::Horizontal, 0.0, {}};
 }
@@ -17,7 +23,7 @@ ReferenceLine zeroLine() {
 Curve pointsOf(const std::vector<RegressionContent::Point>& points, bool isUsed,
                double RegressionContent::Point::*value) {
     Curve curve;
-    curve.label = isUsed ? "measured" : "left out";
+    curve.label = isUsed ? words("measured") : words("left out");
     curve.style = isUsed ? CurveStyle::Points : CurveStyle::HollowPoints;
     curve.colour = 0;
     for (const RegressionContent::Point& point : points) {
@@ -52,7 +58,7 @@ Figure regressionFigure(const RegressionContent& content) {
     appendPoints(fit, content, &RegressionContent::Point::y);
 
     Panel residuals;
-    residuals.y = {"residual", content.y.unit, false, {}, {}, {}};
+    residuals.y = {words("residual"), content.y.unit, false, {}, {}, {}};
     residuals.height_px = 120;
     residuals.lines = {zeroLine()};
     appendPoints(residuals, content, &RegressionContent::Point::residual);
@@ -61,10 +67,10 @@ Figure regressionFigure(const RegressionContent& content) {
 
 Figure bodeFigure(const BodeContent& content) {
     Panel magnitude;
-    magnitude.y = {"magnitude", "dB", false, {}, {}, {}};
+    magnitude.y = {words("magnitude"), "dB", false, {}, {}, {}};
     magnitude.lines = content.magnitudeLines;
     Panel phase;
-    phase.y = {"phase", "deg", false, {}, {}, PhaseTick_deg};
+    phase.y = {words("phase"), "deg", false, {}, {}, PhaseTick_deg};
     phase.lines = content.phaseLines;
     for (const BodeContent::Response& response : content.responses) {
         magnitude.curves.push_back(
@@ -72,7 +78,9 @@ Figure bodeFigure(const BodeContent& content) {
         phase.curves.push_back(
             {response.label, response.frequency_Hz, response.phase_deg, response.style, {}});
     }
-    return {content.title, {"frequency", "Hz", true, {}, {}, {}}, {std::move(magnitude), std::move(phase)}};
+    return {content.title,
+            {words("frequency"), "Hz", true, {}, {}, {}},
+            {std::move(magnitude), std::move(phase)}};
 }
 
 Figure ellipseFigure(const EllipseContent& content) {
@@ -97,7 +105,8 @@ Figure ellipseFigure(const EllipseContent& content) {
         }
         panel.curves.push_back(std::move(curve));
     }
-    panel.curves.push_back({"estimate", {content.centre[0]}, {content.centre[1]}, CurveStyle::Points, 0});
+    panel.curves.push_back(
+        {words("estimate"), {content.centre[0]}, {content.centre[1]}, CurveStyle::Points, 0});
     for (const Curve& mark : content.marks) {
         panel.curves.push_back(mark);
     }

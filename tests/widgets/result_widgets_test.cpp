@@ -1,0 +1,88 @@
+#include "gui_fixture.h"
+#include "widgets/estimate_table.h"
+#include "widgets/optional_number_edit.h"
+#include "widgets/verdict_view.h"
+
+#include <QClipboard>
+#include <QSignalSpy>
+#include <QtTest/QTest>
+
+namespace halbench::widgets {
+namespace {
+
+class ResultWidgetsTest : public GuiTest {};
+
+TEST_F(ResultWidgetsTest, anEstimateShowsTwoDigitsOfItsInterval) {
+    const auto shown = [](double value, double half) {
+        const EstimateText text = estimateText(value, half);
+        return text.value + "|" + text.half;
+    };
+    EXPECT_EQ(shown(1.4, 0.0213), "1.400|0.021");
+    EXPECT_EQ(shown(1234.5, 21.3), "1235|21"); // half to even is not ours: the C library rounds
+    EXPECT_EQ(shown(5.5e-4, 1.23e-6), "0.0005500|0.0000012");
+    EXPECT_EQ(shown(1.23e-7, 4.5e-9), "1.230e-07|4.5e-09");
+    EXPECT_EQ(estimateText(5.5e-4, std::nullopt).half, "\u2013");
+}
+
+TEST_F(ResultWidgetsTest, aValueThatIsNotIdentifiableHasADashAndItsRemedy) {
+    EstimateTable table;
+    table.setRows({{"damping c", 1.2e-3, 1.1e-3, 1.3e-3, "N\u00b7m\u00b7s/rad", "identified", ""},
+                   {"inertia J", {}, {}, {}, "kg\u00b7m\u00b2", "not identifiable", "give J"}});
+    EXPECT_EQ(table.rowCount(), 2);
+    EXPECT_EQ(table.item(1, 1)->text(), "\u2013");
+    EXPECT_EQ(table.item(1, 0)->toolTip(), "give J");
+    EXPECT_TRUE(table.item(0, 1)->toolTip().contains("0.0011 to 0.0013"));
+    QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
+    EXPECT_EQ(QGuiApplication::clipboard()->text().count('\n'), 2);
+    EXPECT_TRUE(QGuiApplication::clipboard()->text().contains("0.00120\t0.00010"));
+}
+
+TEST_F(ResultWidgetsTest, aVerdictIsSaidWithEveryRemarkAndRemedy) {
+    VerdictView view;
+    view.setVerdict(VerdictLevel::Doubtful, "Doubtful", {{"one point decides", "repeat it"}});
+    EXPECT_EQ(view.text(), "Doubtful\none point decides; repeat it");
+    EXPECT_EQ(view.accessibleDescription(), view.text());
+}
+
+class OptionalNumberTest : public GuiTest {
+protected:
+    OptionalNumberTest() { edit.setLimits({0.0, 10.0, false}); }
+    void type(const char* text) {
+        edit.clear();
+        QTest::keyClicks(&edit, text);
+    }
+    OptionalNumberEdit edit;
+};
+
+TEST_F(OptionalNumberTest, readsANumberOrNothing) {
+    EXPECT_TRUE(edit.isValid());
+    EXPECT_FALSE(edit.value());
+    QSignalSpy changes(&edit, &OptionalNumberEdit::valueChanged);
+    type("5.5e-4");
+    EXPECT_EQ(edit.value(), 5.5e-4);
+    EXPECT_GT(changes.count(), 0);
+}
+
+TEST_F(OptionalNumberTest, neverHasAValueThatIsNotFiniteOrOutOfItsLimits) {
+    edit.setExplanation("the inertia");
+    for (const char* text : {"nan", "inf", "-inf", "1e999", "0", "-1", "10.01", "1,5,3", "abc", "0x10"}) {
+        type(text);
+        EXPECT_FALSE(edit.value()) << text;
+        EXPECT_FALSE(edit.isValid()) << text;
+        EXPECT_EQ(roleOf(edit), Role::Bad) << text;
+        EXPECT_NE(edit.toolTip(), "the inertia") << text;
+    }
+    type("3");
+    EXPECT_EQ(roleOf(edit), Role::None);
+    EXPECT_EQ(edit.toolTip(), "the inertia");
+}
+
+TEST_F(OptionalNumberTest, keepsAllDigitsOfAValueThatWasNotEdited) {
+    edit.setValue(1.0 / 3.0);
+    EXPECT_EQ(edit.value(), 1.0 / 3.0);
+    edit.setValue(std::nullopt);
+    EXPECT_TRUE(edit.text().isEmpty());
+}
+
+} // namespace
+} // namespace halbench::widgets

@@ -1,0 +1,142 @@
+#include "widgets/estimate_table.h"
+
+#include "widgets/display_units.h"
+#include "widgets/theme_style.h"
+
+#include <QClipboard>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QKeyEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::widgets {
+namespace {
+
+enum Column { Name, Value, Half, Unit, Source, Columns };
+
+const QChar Missing(0x2013);
+
+int decade(double value) {
+    return static_cast<int>(std::floor(std::log10(std::abs(value))));
+}
+
+} // namespace
+
+EstimateText estimateText(double value, std::optional<double> half) {
+    constexpr int HalfDigits = 2;
+    if (!std::isfinite(value)) {
+        return {Missing, Missing};
+    }
+    if (!half || !std::isfinite(*half) || *half <= 0.0) {
+        return {numberText(value, 6), Missing};
+    }
+    // As many decimals as the half-width shows; 'f' keeps trailing zeros, which are information here.
+    const int decimals = std::max(0, HalfDigits - 1 - decade(*half));
+    constexpr int MostDecimals = 7;
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    if (decimals <= MostDecimals) {
+        return {locale.toString(value, 'f', decimals), locale.toString(*half, 'f', decimals)};
+    }
+    const int digits =
+        value == 0.0 ? HalfDigits : std::clamp(decade(value) - decade(*half) + HalfDigits, 2, 9);
+    return {locale.toString(value, 'e', digits - 1), locale.toString(*half, 'e', HalfDigits - 1)};
+}
+
+EstimateTable::EstimateTable(QWidget* parent) : QTableWidget(0, Columns, parent) {
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setSelectionBehavior(QAbstractItemView::SelectRows);
+    setTabKeyNavigation(false);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    verticalHeader()->hide();
+    horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    horizontalHeader()->setStretchLastSection(true);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    refreshWords();
+}
+
+void EstimateTable::refreshWords() {
+    setHorizontalHeaderLabels({tr("Quantity"), tr("Value"), tr("\u00b1 (95 %)"), tr("Unit"), tr("Source")});
+    for (const int column : {int(Value), int(Half)}) {
+        horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    }
+    for (const int column : {int(Name), int(Unit), int(Source)}) {
+        horizontalHeaderItem(column)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    }
+}
+
+void EstimateTable::setRows(const std::vector<EstimateRow>& rows) {
+    setRowCount(static_cast<int>(rows.size()));
+    for (int i = 0; i < rowCount(); ++i) {
+        const EstimateRow& row = rows[static_cast<std::size_t>(i)];
+        const auto half = row.low95 && row.high95 ? std::optional(0.5 * (*row.high95 - *row.low95))
+                                                  : std::optional<double>();
+        const EstimateText number =
+            row.value ? estimateText(*row.value, half) : EstimateText{Missing, Missing};
+        const QString interval =
+            row.low95 && row.high95
+                ? tr("95 % interval: %1 to %2").arg(numberText(*row.low95, 5), numberText(*row.high95, 5))
+                : QString();
+        const QString texts[Columns] = {row.name, number.value, number.half, row.unit, row.source};
+        for (int column = 0; column < Columns; ++column) {
+            auto* item = new QTableWidgetItem(texts[column]);
+            const bool isNumber = column == Value || column == Half;
+            item->setTextAlignment((isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+            item->setFont(isNumber ? tabularFont(font()) : font());
+            item->setToolTip(row.remark.isEmpty() ? interval : row.remark);
+            setItem(i, column, item);
+        }
+    }
+    setAccessibleDescription(text());
+    updateGeometry();
+}
+
+QString EstimateTable::text() const {
+    QString lines;
+    for (int column = 0; column < Columns; ++column) {
+        lines += (column > 0 ? QStringLiteral("\t") : QString()) + horizontalHeaderItem(column)->text();
+    }
+    for (int i = 0; i < rowCount(); ++i) {
+        lines += QLatin1Char('\n');
+        for (int column = 0; column < Columns; ++column) {
+            lines += (column > 0 ? QStringLiteral("\t") : QString()) + item(i, column)->text();
+        }
+    }
+    return lines;
+}
+
+QSize EstimateTable::sizeHint() const {
+    int height_px = horizontalHeader()->sizeHint().height() + 2 * frameWidth();
+    for (int i = 0; i < rowCount(); ++i) {
+        height_px += rowHeight(i);
+    }
+    // The bar below appears when the columns are wider than the place there is.
+    return {360, height_px + style()->pixelMetric(QStyle::PM_ScrollBarExtent) + 2};
+}
+
+QSize EstimateTable::minimumSizeHint() const {
+    return {200, sizeHint().height()};
+}
+
+void EstimateTable::keyPressEvent(QKeyEvent* event) {
+    if (event->matches(QKeySequence::Copy)) {
+        QGuiApplication::clipboard()->setText(text());
+    } else if (event->key() == Qt::Key_Escape) {
+        event->ignore(); // Esc stops the motor
+    } else {
+        QTableWidget::keyPressEvent(event);
+    }
+}
+
+void EstimateTable::changeEvent(QEvent* event) {
+    QTableWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        refreshWords();
+    }
+}
+
+} // namespace halbench::widgets

@@ -1,0 +1,255 @@
+#include "widgets/figure_view.h"
+
+#include "widgets/figure_svg.h"
+#include "widgets/icons.h"
+
+#include <QAccessible>
+#include <QAction>
+#include <QClipboard>
+#include <QFontInfo>
+#include <QFontMetricsF>
+#include <QGuiApplication>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QSaveFile>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::widgets {
+namespace {
+
+constexpr double PlainFont_px = 13.0; ///< of the application, at which the figure has its own size
+constexpr int LeastPanel_px = 70;
+constexpr double Reach_px = 14.0;
+constexpr int LeastWidth_px = 260;
+
+int heightOfPanels(const Figure& figure) {
+    int height_px = 0;
+    for (const Panel& panel : figure.panels) {
+        height_px += panel.height_px;
+    }
+    return height_px;
+}
+
+Error notSaved(const QString& path, const QString& why) {
+    return {ErrorCode::FileSystem, QStringLiteral("%1: %2").arg(path, why).toStdString(),
+            "choose another folder or name"};
+}
+
+} // namespace
+
+FigureView::FigureView(QWidget* parent)
+    : QWidget(parent), m_copy(new QAction(this)), m_export(new QAction(this)) {
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setContextMenuPolicy(Qt::ActionsContextMenu);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    m_copy->setIcon(themedIcon(QStringLiteral("copy")));
+    m_copy->setShortcut(QKeySequence::Copy);
+    m_export->setIcon(themedIcon(QStringLiteral("export")));
+    m_export->setShortcut(QKeySequence(QStringLiteral("Ctrl+E")));
+    for (QAction* action : {m_copy, m_export}) {
+        action->setShortcutContext(Qt::WidgetShortcut);
+        addAction(action);
+    }
+    connect(m_copy, &QAction::triggered, this,
+            [this] { QGuiApplication::clipboard()->setImage(image(2.0)); });
+    connect(m_export, &QAction::triggered, this, &FigureView::exportRequested);
+    refreshWords();
+}
+
+void FigureView::setFigure(Figure figure) {
+    m_figure = std::move(figure);
+    m_probe.reset();
+    updateGeometry();
+    refresh();
+    refreshWords();
+}
+
+void FigureView::clear() {
+    setFigure({});
+}
+
+void FigureView::refresh() {
+    m_drawn = {};
+    update();
+}
+
+void FigureView::refreshWords() {
+    m_copy->setText(tr("Copy picture"));
+    m_export->setText(tr("Save picture…"));
+    for (QAction* action : {m_copy, m_export}) {
+        action->setEnabled(!isEmpty());
+    }
+    setAccessibleName(isEmpty() ? tr("Picture") : QString::fromStdString(m_figure.title));
+    const QString summary = isEmpty() ? tr("Nothing to show yet") : figureSummary(m_figure);
+    setAccessibleDescription(m_probe ? probeText() : summary);
+}
+
+double FigureView::scale() const {
+    return std::max(0.5, QFontInfo(font()).pixelSize() / PlainFont_px);
+}
+
+Figure FigureView::stretched() const {
+    Figure figure = m_figure;
+    const double width_px = width() / scale();
+    const FigureLayout natural = layOut(figure, static_cast<int>(width_px));
+    const int panels_px = heightOfPanels(figure);
+    const double room_px = height() / scale() - (natural.size.height() - panels_px);
+    const double stretch = room_px / panels_px;
+    for (Panel& panel : figure.panels) {
+        panel.height_px = std::max(LeastPanel_px, static_cast<int>(std::floor(panel.height_px * stretch)));
+    }
+    return figure;
+}
+
+QImage FigureView::image(double pixelRatio) const {
+    QImage image(size() * pixelRatio, QImage::Format_ARGB32_Premultiplied);
+    image.setDevicePixelRatio(pixelRatio);
+    const Theme theme = currentTheme();
+    image.fill(theme.panel);
+    if (!isEmpty()) {
+        const Figure figure = stretched();
+        QPainter painter(&image);
+        painter.scale(scale(), scale());
+        paintFigure(painter, figure, layOut(figure, static_cast<int>(width() / scale())), theme);
+    }
+    return image;
+}
+
+Result<void> FigureView::save(const QString& path) const {
+    if (isEmpty()) {
+        return failure(ErrorCode::InvalidInput, "there is no picture to save", "");
+    }
+    QByteArray content;
+    QSaveFile file(path);
+    if (path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive)) {
+        const Result<std::string> svg = figureSvg(m_figure, currentTheme());
+        if (!svg) {
+            return failure(svg.error());
+        }
+        content = QByteArray::fromStdString(*svg);
+    }
+    if (!file.open(QIODevice::WriteOnly)) {
+        return failure(notSaved(path, file.errorString()));
+    }
+    const bool isWritten =
+        content.isEmpty() ? image(2.0).save(&file, "PNG") : file.write(content) == content.size();
+    if (!isWritten || !file.commit()) {
+        return failure(notSaved(path, file.errorString()));
+    }
+    return {};
+}
+
+QSize FigureView::sizeHint() const {
+    const FigureLayout layout = layOut(m_figure, 560);
+    return QSizeF(layout.size.width() * scale(), std::max(200, layout.size.height()) * scale()).toSize();
+}
+
+QSize FigureView::minimumSizeHint() const {
+    const int rows_px = layOut(m_figure, LeastWidth_px).size.height() - heightOfPanels(m_figure);
+    const int panels = static_cast<int>(m_figure.panels.size());
+    return QSizeF(LeastWidth_px * scale(), (rows_px + panels * LeastPanel_px) * scale()).toSize();
+}
+
+void FigureView::paintEvent(QPaintEvent*) {
+    if (m_drawn.isNull() || m_drawn.size() != size() * devicePixelRatioF()) {
+        m_drawn = QPixmap::fromImage(image(devicePixelRatioF()));
+    }
+    QPainter painter(this);
+    painter.drawPixmap(0, 0, m_drawn);
+    if (isEmpty()) {
+        return;
+    }
+    const Figure figure = stretched();
+    const FigureLayout layout = layOut(figure, static_cast<int>(width() / scale()));
+    painter.scale(scale(), scale());
+    if (hasFocus()) {
+        painter.setPen(QPen(currentTheme().accent, 2.0));
+        painter.drawRect(QRectF(1.0, 1.0, width() / scale() - 2.0, height() / scale() - 2.0));
+    }
+    drawProbe(painter, figure, layout);
+}
+
+void FigureView::drawProbe(QPainter& painter, const Figure& figure, const FigureLayout& layout) const {
+    const auto place = m_probe ? placeOf(figure, layout, *m_probe) : std::nullopt;
+    if (!place) {
+        return;
+    }
+    const Theme theme = currentTheme();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(theme.text, 1.5));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(*place, 6.0, 6.0);
+    const QFont font = figureFont();
+    const QSizeF words(QFontMetricsF(font).horizontalAdvance(probeText()) + 12.0, 20.0);
+    const double right_px = width() / scale() - words.width() - 4.0;
+    const double left_px = std::clamp(place->x() + 10.0, 4.0, std::max(4.0, right_px));
+    const double above_px = place->y() - words.height() - 10.0;
+    const QRectF box(QPointF(left_px, above_px < 4.0 ? place->y() + 10.0 : above_px), words);
+    painter.setPen(QPen(theme.line, 1.0));
+    painter.setBrush(theme.raised);
+    painter.drawRoundedRect(box, 3.0, 3.0);
+    painter.setFont(font);
+    painter.setPen(theme.text);
+    painter.drawText(box, Qt::AlignCenter, probeText());
+}
+
+QString FigureView::probeText() const {
+    return m_probe ? pointText(m_figure, *m_probe) : QString();
+}
+
+void FigureView::probe(std::optional<FigurePoint> point) {
+    if (point == m_probe) {
+        return;
+    }
+    m_probe = point;
+    refreshWords();
+    update();
+    QAccessibleEvent said(this, QAccessible::DescriptionChanged);
+    QAccessible::updateAccessibility(&said);
+}
+
+void FigureView::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange ||
+        event->type() == QEvent::PaletteChange) {
+        refresh();
+    } else if (event->type() == QEvent::LanguageChange) {
+        refreshWords();
+    }
+}
+
+void FigureView::mouseMoveEvent(QMouseEvent* event) {
+    if (!isEmpty()) {
+        const Figure figure = stretched();
+        const FigureLayout layout = layOut(figure, static_cast<int>(width() / scale()));
+        probe(nearestPoint(figure, layout, QPointF(event->pos()) / scale(), Reach_px));
+    }
+}
+
+void FigureView::leaveEvent(QEvent* event) {
+    QWidget::leaveEvent(event);
+    if (!hasFocus()) {
+        probe(std::nullopt);
+    }
+}
+
+void FigureView::keyPressEvent(QKeyEvent* event) {
+    const bool isForward = event->key() == Qt::Key_Right;
+    if (isEmpty() || (!isForward && event->key() != Qt::Key_Left)) {
+        QWidget::keyPressEvent(event); // Esc stops the motor, it belongs to the window
+        return;
+    }
+    const Figure figure = stretched();
+    const FigureLayout layout = layOut(figure, static_cast<int>(width() / scale()));
+    if (!m_probe) {
+        // The walk begins at the first sample that can be seen.
+        probe(nearestPoint(figure, layout, layout.panels.front().canvas.bottomLeft(), 1e6));
+    } else {
+        probe(neighbour(figure, layout, *m_probe, isForward ? 1 : -1));
+    }
+}
+
+} // namespace halbench::widgets

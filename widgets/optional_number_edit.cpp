@@ -1,0 +1,71 @@
+#include "widgets/optional_number_edit.h"
+
+#include "widgets/display_units.h"
+#include "widgets/theme_style.h"
+
+#include <QEvent>
+
+namespace halbench::widgets {
+
+OptionalNumberEdit::OptionalNumberEdit(QWidget* parent) : QLineEdit(parent) {
+    setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    connect(this, &QLineEdit::textEdited, this, [this] {
+        read();
+        Q_EMIT valueChanged();
+    });
+}
+
+void OptionalNumberEdit::setLimits(const NumberLimits& limits) {
+    m_limits = limits;
+    read();
+}
+
+void OptionalNumberEdit::setValue(std::optional<double> value) {
+    setText(value ? numberText(*value) : QString());
+    read();
+    m_value = m_problem.isEmpty() ? value : std::nullopt; // all digits, not only those shown
+}
+
+void OptionalNumberEdit::setExplanation(const QString& text) {
+    m_explanation = text;
+    refreshWords();
+}
+
+void OptionalNumberEdit::read() {
+    m_value.reset();
+    m_problem.clear();
+    if (!text().trimmed().isEmpty()) {
+        const auto number = parseNumber(text());
+        if (!number) {
+            m_problem = tr("This is not a number");
+        } else if (*number < m_limits.min || (*number == m_limits.min && !m_limits.isMinAllowed)) {
+            m_problem = m_limits.isMinAllowed ? tr("At least %1").arg(numberText(m_limits.min))
+                                              : tr("More than %1").arg(numberText(m_limits.min));
+        } else if (*number > m_limits.max) {
+            m_problem = tr("At most %1").arg(numberText(m_limits.max));
+        } else {
+            m_value = number;
+        }
+    }
+    refreshWords();
+}
+
+void OptionalNumberEdit::refreshWords() {
+    const Role role = m_problem.isEmpty() ? Role::None : Role::Bad;
+    if (roleOf(*this) != role) {
+        setRole(*this, role);
+    }
+    setToolTip(m_problem.isEmpty() ? m_explanation : m_problem);
+    setAccessibleDescription(toolTip());
+}
+
+void OptionalNumberEdit::changeEvent(QEvent* event) {
+    QLineEdit::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        const auto kept = m_value;
+        read();
+        m_value = m_value ? kept : m_value;
+    }
+}
+
+} // namespace halbench::widgets

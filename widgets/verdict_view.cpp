@@ -1,0 +1,84 @@
+#include "widgets/verdict_view.h"
+
+#include "widgets/icons.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+
+namespace halbench::widgets {
+namespace {
+
+Role roleOfLevel(VerdictLevel level) {
+    return level == VerdictLevel::Good       ? Role::Good
+           : level == VerdictLevel::Doubtful ? Role::Warn
+                                             : Role::Bad;
+}
+
+QString iconOfLevel(VerdictLevel level) {
+    return level == VerdictLevel::Good       ? QStringLiteral("ok")
+           : level == VerdictLevel::Doubtful ? QStringLiteral("warning")
+                                             : QStringLiteral("error");
+}
+
+} // namespace
+
+VerdictView::VerdictView(QWidget* parent)
+    : QWidget(parent), m_symbol(new QLabel(this)), m_title(new QLabel(this)), m_words(new QLabel(this)) {
+    m_title->setProperty("heading", true);
+    m_title->setWordWrap(true);
+    m_words->setWordWrap(true);
+    m_words->setTextFormat(Qt::PlainText);
+    m_words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(PanelMargin_px);
+    grid->setVerticalSpacing(GridStep_px);
+    grid->addWidget(m_symbol, 0, 0, Qt::AlignTop);
+    grid->addWidget(m_title, 0, 1);
+    grid->addWidget(m_words, 1, 1);
+    grid->setColumnStretch(1, 1);
+}
+
+void VerdictView::setVerdict(VerdictLevel level, const QString& title, const std::vector<Remark>& remarks) {
+    m_level = level;
+    m_titleText = title;
+    m_remarks = remarks;
+    refresh();
+}
+
+QString VerdictView::text() const {
+    QString lines = m_titleText;
+    for (const Remark& remark : m_remarks) {
+        lines +=
+            QLatin1Char('\n') + remark.message + (remark.hint.isEmpty() ? QString() : "; " + remark.hint);
+    }
+    return lines;
+}
+
+void VerdictView::refresh() {
+    m_symbol->setPixmap(themedIcon(iconOfLevel(m_level), roleOfLevel(m_level)).pixmap(16, 16));
+    m_title->setText(m_titleText);
+    setRole(*m_title, roleOfLevel(m_level));
+    QStringList lines;
+    for (const Remark& remark : m_remarks) {
+        lines << QStringLiteral("\u2022 ") + remark.message;
+        if (!remark.hint.isEmpty()) {
+            lines << QStringLiteral("   \u2192 ") + remark.hint;
+        }
+    }
+    m_words->setText(lines.join(QLatin1Char('\n')));
+    m_words->setAccessibleName(tr("Findings"));
+    m_words->setVisible(!lines.isEmpty());
+    setAccessibleName(m_titleText);
+    setAccessibleDescription(text());
+}
+
+void VerdictView::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange) {
+        refresh();
+    }
+}
+
+} // namespace halbench::widgets
