@@ -4,6 +4,7 @@
 #include "control/analysis/margins.h"
 #include "control/design/position_loop.h"
 #include "control/design/robustness.h"
+#include "models/plants/htm_ideal_loop.h"
 
 #include <map>
 #include <optional>
@@ -42,6 +43,7 @@ struct LoopConditions {
 struct LargeStep {
     double amplitude_rad = 0.0;
     control::StepMetrics metrics;
+    models::IdealTrace trace; ///< 5 s of it
 };
 
 /// Everything predicted for one motor and one law, always on the sampled loop with the device's delay.

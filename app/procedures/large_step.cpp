@@ -1,6 +1,6 @@
 #include "app/procedures/large_step.h"
 
-#include "models/plants/htm_ideal_loop.h"
+#include <utility>
 
 namespace halbench::app {
 
@@ -43,12 +43,12 @@ Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const co
     config.law = boardLaw(converted, conditions);
     config.reference.amplitude_rad = amplitude_rad;
     config.duration_s = 5.0;
-    const models::IdealTrace trace = models::runIdealLoop(config);
+    models::IdealTrace trace = models::runIdealLoop(config);
     const auto metrics = control::measureStep(trace.time_s, trace.angle_rad, 0.0, amplitude_rad);
     if (!metrics) {
         return failure(metrics.error());
     }
-    return LargeStep{amplitude_rad, *metrics};
+    return LargeStep{amplitude_rad, *metrics, std::move(trace)};
 }
 
 } // namespace halbench::app

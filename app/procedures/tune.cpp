@@ -65,7 +65,7 @@ Result<PositionLaw> onBoard(PositionLaw law) {
 
 bool isPreset(const std::string& method) {
     return method == "published" || method == "designed" || method == "micro-step" ||
-           method == "published-degrees";
+           method == "published-degrees" || method == "published-in-degrees";
 }
 
 void addDesignWarnings(TuneResult& result) {
@@ -121,32 +121,16 @@ void judge(TuneResult& result) {
     result.quality.findings = result.warnings;
 }
 
-} // namespace
-
-Result<TuneResult> runTune(const MotorEstimate& estimate, const TuneConfig& config) {
-    const auto uncertain = uncertainPlantFromEstimate(estimate);
-    if (!uncertain) {
-        return failure(uncertain.error());
-    }
-    TuneResult result;
-    result.method = config.method;
-    result.targets = config.targets;
-    result.conditions = config.conditions;
-    result.plant = *plantFromEstimate(estimate);
-    const control::LoopTiming& timing = config.conditions.timing;
-    auto law = control::designLaw(config.method, result.plant, timing, config.targets);
-    law = law ? onBoard(*law) : law;
-    if (!law) {
-        return failure(law.error());
-    }
-    result.law = *law;
+/// The law is there; prediction, robustness and verdict follow.
+Result<TuneResult> judged(TuneResult result, const MotorEstimate& estimate, const TuneConfig& config,
+                          const control::UncertainPlant& uncertain) {
     auto predicted = runAnalysis(estimate, result.law, config.conditions);
     if (!predicted) {
         return failure(predicted.error());
     }
     result.predicted = std::move(*predicted);
-    const auto robust =
-        control::assessRobustness(*uncertain, result.law.gains, timing, config.draws, Random(config.seed));
+    const auto robust = control::assessRobustness(uncertain, result.law.gains, config.conditions.timing,
+                                                  config.draws, Random(config.seed));
     if (!robust) {
         return failure(robust.error());
     }
@@ -156,6 +140,47 @@ Result<TuneResult> runTune(const MotorEstimate& estimate, const TuneConfig& conf
     addRobustnessWarnings(result, estimate);
     judge(result);
     return result;
+}
+
+TuneResult undesigned(const MotorEstimate& estimate, const TuneConfig& config) {
+    TuneResult result;
+    result.method = config.method;
+    result.targets = config.targets;
+    result.conditions = config.conditions;
+    result.plant = *plantFromEstimate(estimate); // uncertainPlantFromEstimate has judged it
+    return result;
+}
+
+} // namespace
+
+Result<TuneResult> judgeLaw(const MotorEstimate& estimate, const control::PositionLaw& law,
+                            const TuneConfig& config) {
+    const auto uncertain = uncertainPlantFromEstimate(estimate);
+    if (!uncertain) {
+        return failure(uncertain.error());
+    }
+    const auto board = onBoard(law);
+    if (!board) {
+        return failure(board.error());
+    }
+    TuneResult result = undesigned(estimate, config);
+    result.law = *board;
+    return judged(std::move(result), estimate, config, *uncertain);
+}
+
+Result<TuneResult> runTune(const MotorEstimate& estimate, const TuneConfig& config) {
+    const auto uncertain = uncertainPlantFromEstimate(estimate);
+    if (!uncertain) {
+        return failure(uncertain.error());
+    }
+    TuneResult result = undesigned(estimate, config);
+    auto law = control::designLaw(config.method, result.plant, config.conditions.timing, config.targets);
+    law = law ? onBoard(*law) : law;
+    if (!law) {
+        return failure(law.error());
+    }
+    result.law = *law;
+    return judged(std::move(result), estimate, config, *uncertain);
 }
 
 std::vector<ParameterValue> lawParameters(const control::PositionLaw& law) {

@@ -36,6 +36,11 @@ struct TuneResult {
 /// when a design produced something that is no number.
 Result<TuneResult> runTune(const MotorEstimate& estimate, const TuneConfig& config);
 
+/// The same judgement of gains that came from elsewhere: edited by hand, a preset, the device. The method of
+/// `config` names them; its targets are not read. Errors: of plantFromEstimate and of the gains.
+Result<TuneResult> judgeLaw(const MotorEstimate& estimate, const control::PositionLaw& law,
+                            const TuneConfig& config);
+
 /// The law as the board's parameters (gain.kp ... stiction.speed), in the order of its table, and back.
 /// `lawFromParameters` takes any map of parameter values; what is missing keeps the default of PositionLaw
 /// except the three gains. Errors: UnknownName (a gain is missing), NotFinite, OutOfRange (negative).

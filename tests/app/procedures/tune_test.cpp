@@ -204,6 +204,30 @@ TEST(Tune, understandsTheLongNamesOfTheResultFile) {
               runTune(published(), method("published"))->robust.gainMargin_ratio_p5);
 }
 
+TEST(Tune, judgesGainsFromElsewhereLikeThoseItDesigns) {
+    const auto designed = runTune(published(), method("recommended"));
+    ASSERT_TRUE(designed);
+    const auto judged = judgeLaw(published(), designed->law, method("edited"));
+    ASSERT_TRUE(judged) << judged.error().message;
+    EXPECT_EQ(judged->method, "edited");
+    EXPECT_EQ(judged->predicted.margins.phaseMargin_deg, designed->predicted.margins.phaseMargin_deg);
+    EXPECT_EQ(judged->robust.phaseMargin_deg_p5, designed->robust.phaseMargin_deg_p5);
+    EXPECT_EQ(judged->quality.verdict, designed->quality.verdict);
+}
+
+TEST(Tune, refusesEditedGainsThatAreUnstableOrNoNumbers) {
+    control::PositionLaw law;
+    law.gains.proportional = 30.0; // above the sampled limit of 17.27 A/rad without K_D (htm-theory.md 3.7)
+    const auto unstable = judgeLaw(published(), law, method("edited"));
+    ASSERT_TRUE(unstable) << unstable.error().message;
+    EXPECT_EQ(unstable->quality.verdict, Verdict::Refused);
+    law.gains.derivative = Nan;
+    EXPECT_FALSE(judgeLaw(published(), law, method("edited")));
+    law.gains.derivative = 0.0;
+    law.coulomb_A = Nan;
+    EXPECT_FALSE(judgeLaw(published(), law, method("edited")));
+}
+
 TEST(Law, goesToTheBoardAndBack) {
     const auto result = runTune(published(), method("recommended"));
     std::map<std::string, double> values;
