@@ -7,8 +7,6 @@
 
 namespace halbench::app {
 
-namespace {
-
 std::string wallTime() {
     const std::time_t now = std::time(nullptr);
     std::tm utc = {};
@@ -17,6 +15,8 @@ std::string wallTime() {
     const std::size_t length = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
     return std::string(text.data(), length);
 }
+
+namespace {
 
 /// --seed wins over ?seed=; default 1.
 std::uint64_t seedOf(const CommandContext& context, const devices::DeviceInfo& device) {

@@ -22,6 +22,9 @@ ResultHeader headerFor(const CommandContext& context, const std::string& schema,
 /// Header of a command that works on files alone.
 ResultHeader headerFor(const CommandContext& context, const std::string& schema);
 
+/// The wall clock's now: ISO 8601, UTC.
+std::string wallTime();
+
 JsonValue toJson(const ResultHeader& header);
 JsonValue toJson(const devices::DeviceInfo& device);
 JsonValue toJson(const DataQuality& quality);
