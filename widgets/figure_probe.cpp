@@ -13,9 +13,10 @@
 namespace halbench::widgets {
 namespace {
 
-QString translated(const char* text) {
-    return QCoreApplication::translate("halbench::widgets::FigureView", text);
-}
+/// The words of this file for the translator.
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(halbench::widgets::FigureProbe)
+};
 
 /// Pixel places of one panel's samples.
 struct PanelMaps {
@@ -68,7 +69,7 @@ QString panelSummary(const Panel& panel) {
     }
     QString text = QString::fromStdString(panel.y.quantity);
     if (low <= high) {
-        text = translated("%1 from %2 to %3").arg(text, amountText(panel.y, low), amountText(panel.y, high));
+        text = Words::tr("%1 from %2 to %3").arg(text, amountText(panel.y, low), amountText(panel.y, high));
     }
     return curves.isEmpty() ? text : text + QStringLiteral(" (") + curves.join(QStringLiteral(", ")) + ')';
 }
@@ -131,7 +132,7 @@ QString figureSummary(const Figure& figure) {
     for (const Panel& panel : figure.panels) {
         parts << panelSummary(panel);
     }
-    return translated("Against %1: %2")
+    return Words::tr("Against %1: %2")
         .arg(QString::fromStdString(figure.x.quantity), parts.join(QStringLiteral("; ")));
 }
 

@@ -12,8 +12,13 @@ namespace {
 
 constexpr double PhaseTick_deg = 45.0;
 
-std::string words(const char* text) {
-    return QCoreApplication::translate("halbench::widgets::Figures", text).toStdString();
+/// The words of this file for the translator.
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(halbench::widgets::Figures)
+};
+
+std::string utf8(const QString& text) {
+    return text.toStdString();
 }
 
 ReferenceLine zeroLine() {
@@ -23,7 +28,7 @@ ReferenceLine zeroLine() {
 Curve pointsOf(const std::vector<RegressionContent::Point>& points, bool isUsed,
                double RegressionContent::Point::*value) {
     Curve curve;
-    curve.label = isUsed ? words("measured") : words("left out");
+    curve.label = isUsed ? utf8(Words::tr("measured")) : utf8(Words::tr("left out"));
     curve.style = isUsed ? CurveStyle::Points : CurveStyle::HollowPoints;
     curve.colour = 0;
     for (const RegressionContent::Point& point : points) {
@@ -58,7 +63,7 @@ Figure regressionFigure(const RegressionContent& content) {
     appendPoints(fit, content, &RegressionContent::Point::y);
 
     Panel residuals;
-    residuals.y = {words("residual"), content.y.unit, false, {}, {}, {}};
+    residuals.y = {utf8(Words::tr("residual")), content.y.unit, false, {}, {}, {}};
     residuals.height_px = 120;
     residuals.lines = {zeroLine()};
     appendPoints(residuals, content, &RegressionContent::Point::residual);
@@ -67,10 +72,10 @@ Figure regressionFigure(const RegressionContent& content) {
 
 Figure bodeFigure(const BodeContent& content) {
     Panel magnitude;
-    magnitude.y = {words("magnitude"), "dB", false, {}, {}, {}};
+    magnitude.y = {utf8(Words::tr("magnitude")), "dB", false, {}, {}, {}};
     magnitude.lines = content.magnitudeLines;
     Panel phase;
-    phase.y = {words("phase"), "deg", false, {}, {}, PhaseTick_deg};
+    phase.y = {utf8(Words::tr("phase")), "deg", false, {}, {}, PhaseTick_deg};
     phase.lines = content.phaseLines;
     for (const BodeContent::Response& response : content.responses) {
         magnitude.curves.push_back(
@@ -79,7 +84,7 @@ Figure bodeFigure(const BodeContent& content) {
             {response.label, response.frequency_Hz, response.phase_deg, response.style, {}});
     }
     return {content.title,
-            {words("frequency"), "Hz", true, {}, {}, {}},
+            {utf8(Words::tr("frequency")), "Hz", true, {}, {}, {}},
             {std::move(magnitude), std::move(phase)}};
 }
 
@@ -106,7 +111,7 @@ Figure ellipseFigure(const EllipseContent& content) {
         panel.curves.push_back(std::move(curve));
     }
     panel.curves.push_back(
-        {words("estimate"), {content.centre[0]}, {content.centre[1]}, CurveStyle::Points, 0});
+        {utf8(Words::tr("estimate")), {content.centre[0]}, {content.centre[1]}, CurveStyle::Points, 0});
     for (const Curve& mark : content.marks) {
         panel.curves.push_back(mark);
     }

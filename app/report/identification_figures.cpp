@@ -14,8 +14,13 @@ namespace {
 
 using control::Estimate;
 
-std::string words(const char* text) {
-    return QCoreApplication::translate("halbench::app::IdentificationFigures", text).toStdString();
+/// The words of this file for the translator.
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(halbench::app::IdentificationFigures)
+};
+
+std::string utf8(const QString& text) {
+    return text.toStdString();
 }
 
 std::optional<double> ratio(const IdentifyResult& result, const std::string& key) {
@@ -46,7 +51,7 @@ std::optional<FitLine> fitLine(const IdentifyResult& result) {
 
 widgets::Curve fitCurve(const IdentifyResult& result, const FitLine& line, bool isForward) {
     widgets::Curve curve;
-    curve.label = isForward ? words("fit forward") : words("fit reverse");
+    curve.label = isForward ? utf8(Words::tr("fit forward")) : utf8(Words::tr("fit reverse"));
     curve.style = isForward ? widgets::CurveStyle::Line : widgets::CurveStyle::DashedLine;
     curve.colour = isForward ? 1 : 2;
     for (const SweepPoint& point : result.points) {
@@ -103,15 +108,14 @@ std::optional<JointRegion> regionOf(const IdentifyResult& result, const EllipseA
     const double freedom = freedomOf(*x.estimate, c[*i][*i]);
     const double quantile = freedom * std::expm1(-2.0 / freedom * std::log(0.05));
     widgets::EllipseContent content;
-    content.title = QCoreApplication::translate("halbench::app::IdentificationFigures",
-                                                "Joint confidence region of %1 and %2")
+    content.title = Words::tr("Joint confidence region of %1 and %2")
                         .arg(QString::fromStdString(x.words), QString::fromStdString(y.words))
                         .toStdString();
     content.x = {x.words, x.estimate->unit, false, {}, {}, {}};
     content.y = {y.words, y.estimate->unit, false, {}, {}, {}};
     content.centre = {*x.estimate->value, *y.estimate->value};
     content.covariance = {{{c[*i][*i], c[*i][*k]}, {c[*i][*k], c[*k][*k]}}};
-    content.levels = {{words("95 % joint region"), quantile}};
+    content.levels = {{utf8(Words::tr("95 % joint region")), quantile}};
     return JointRegion{widgets::ellipseFigure(content), c[*i][*k] / std::sqrt(c[*i][*i] * c[*k][*k])};
 }
 
@@ -123,9 +127,9 @@ std::optional<widgets::Figure> steadySpeedFigure(const IdentifyResult& result) {
         return std::nullopt;
     }
     widgets::RegressionContent content;
-    content.title = words("Steady speed against current amplitude");
-    content.x = {words("current amplitude"), "A", false, {}, {}, {}};
-    content.y = {words("speed"), "rad/s", false, {}, {}, {}};
+    content.title = utf8(Words::tr("Steady speed against current amplitude"));
+    content.x = {utf8(Words::tr("current amplitude")), "A", false, {}, {}, {}};
+    content.y = {utf8(Words::tr("speed")), "rad/s", false, {}, {}, {}};
     for (const SweepPoint& point : result.points) {
         content.points.push_back({point.current_A, point.speed_rad_s,
                                   point.speed_rad_s - line->speed_rad_s(point.current_A), point.isUsed});
@@ -140,8 +144,9 @@ std::optional<widgets::Figure> steadySpeedFigure(const IdentifyResult& result) {
 }
 
 std::optional<JointRegion> jointRegion(const IdentifyResult& result) {
-    const EllipseAxis c{"viscous_damping", words("viscous damping c"), &result.viscousDamping};
-    const EllipseAxis kf{"coulomb_friction", words("Coulomb friction K_f"), &result.coulombFriction};
+    const EllipseAxis c{"viscous_damping", utf8(Words::tr("viscous damping c")), &result.viscousDamping};
+    const EllipseAxis kf{"coulomb_friction", utf8(Words::tr("Coulomb friction K_f")),
+                         &result.coulombFriction};
     auto region = regionOf(result, c, kf);
     region = region ? region : regionOf(result, {"c", c.words, c.estimate}, {"Kf", kf.words, kf.estimate});
     const auto damping = result.ratios.find("c_over_phi");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/procedures/analyse.h"
+#include "control/base/sample_block.h"
 #include "widgets/figure.h"
 
 #include <optional>
@@ -14,5 +15,13 @@ widgets::Figure openLoopFigure(const AnalysisResult& predicted, const std::optio
 
 /// Step of 1 rad of the linear loop with its current; nothing for an unstable loop.
 std::optional<widgets::Figure> linearStepFigure(const AnalysisResult& predicted);
+
+/// The large step with friction and current limit, in degrees, with the band in which friction may hold the
+/// rotor; `present` beside it. Nothing when it was not predicted.
+std::optional<widgets::Figure> largeStepFigure(const AnalysisResult& predicted,
+                                               const std::optional<AnalysisResult>& present);
+
+/// A verifying move: measured over predicted, in degrees from the start, with the current below.
+widgets::Figure verificationFigure(const models::IdealTrace& predicted, const Recording& measured);
 
 } // namespace halbench::app

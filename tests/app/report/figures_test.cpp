@@ -55,6 +55,31 @@ TEST(TuningFigures, marginsAreWrittenWhereTheyAreReadOff) {
     EXPECT_EQ(openLoopFigure(loop, loop).panels.at(0).curves.size(), 2U);
 }
 
+TEST(TuningFigures, theLargeStepIsInDegreesWithItsFrictionBand) {
+    AnalysisResult loop;
+    EXPECT_FALSE(largeStepFigure(loop, std::nullopt));
+    loop.frictionBand_rad = 0.01;
+    loop.largeStep = LargeStep{0.5, {}, {{0.0, 1.0}, {0.0, 0.5}, {}, {}, {4.0, 0.0}}};
+    const auto figure = largeStepFigure(loop, loop);
+    ASSERT_TRUE(figure);
+    EXPECT_NEAR(figure->panels.at(0).curves.at(1).y.back(), 0.5 * 180.0 / M_PI, 1e-12);
+    EXPECT_TRUE(hasLine(figure->panels.at(0), 0.51 * 180.0 / M_PI, "band"));
+    EXPECT_EQ(figure->panels.at(1).curves.size(), 2U);
+}
+
+TEST(TuningFigures, aVerificationCountsTheAngleFromItsStart) {
+    Recording measured;
+    auto layout = std::make_shared<StreamLayout>();
+    layout->columns = {{"position", "rad"}, {"current_command", "A"}};
+    measured.layout = layout;
+    measured.time_s = {0.0, 0.001};
+    measured.values = {3.0, 1.0, 3.5, 2.0};
+    const auto figure = verificationFigure({{0.0}, {0.0}, {0.0}, {0.0}, {0.0}}, measured);
+    EXPECT_EQ(figure.panels.at(0).curves.at(1).y.front(), 0.0);
+    EXPECT_NEAR(figure.panels.at(0).curves.at(1).y.back(), 0.5 * 180.0 / M_PI, 1e-12);
+    EXPECT_EQ(figure.panels.at(1).curves.at(1).y, (std::vector<double>{1.0, 2.0}));
+}
+
 TEST(TuningFigures, anUnstableLoopHasNoPredictedStep) {
     EXPECT_FALSE(linearStepFigure(AnalysisResult{}));
 }
