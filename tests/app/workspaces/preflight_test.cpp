@@ -1,0 +1,48 @@
+#include "app/workspaces/preflight.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace halbench::app {
+namespace {
+
+PreflightFacts ready() {
+    PreflightFacts facts;
+    facts.state = SessionState::Connected;
+    facts.isSimulated = true;
+    facts.temperature_degC = 25.0;
+    facts.forecast_degC = 41.0;
+    return facts;
+}
+
+bool isPassed(const PreflightFacts& facts) {
+    const auto items = preflightItems(facts);
+    return std::all_of(items.begin(), items.end(), [](const PreflightItem& item) { return item.isPassed; });
+}
+
+TEST(Preflight, passesAConnectedCoolFreeSimulatedMotor) {
+    EXPECT_TRUE(isPassed(ready()));
+}
+
+TEST(Preflight, everythingThatForbidsMotionIsSaidWithItsRemedy) {
+    std::vector<PreflightFacts> wrong(7, ready());
+    wrong[0].state = SessionState::Lost;
+    wrong[1].isBusy = true;
+    wrong[2].board.fault = 3;
+    wrong[3].board.isStopLatched = true;
+    wrong[4].board.isArmed = true;
+    wrong[5].forecast_degC = 70.0;
+    wrong[6].isSimulated = false;
+    for (const PreflightFacts& facts : wrong) {
+        EXPECT_FALSE(isPassed(facts));
+        for (const PreflightItem& item : preflightItems(facts)) {
+            EXPECT_EQ(item.remedy.isEmpty(), item.isPassed) << item.text.toStdString();
+        }
+    }
+    wrong[6].hasConsent = true;
+    EXPECT_TRUE(isPassed(wrong[6]));
+}
+
+} // namespace
+} // namespace halbench::app
