@@ -43,7 +43,7 @@ struct LoopConditions {
 struct LargeStep {
     double amplitude_rad = 0.0;
     control::StepMetrics metrics;
-    models::IdealTrace trace; ///< 5 s of it
+    models::IdealTrace trace = {}; ///< 5 s of it
 };
 
 /// Everything predicted for one motor and one law, always on the sampled loop with the device's delay.

@@ -1,3 +1,4 @@
+#include "app/report/calibration_figures.h"
 #include "app/report/parameter_units.h"
 #include "app/report/report_blocks.h"
 #include "app/report/step_sections.h"
@@ -39,25 +40,6 @@ ReportTable proposalTable(const CalibrateResult& result) {
     return changeTable(result.isApplied ? "Applied to the board" : "Proposed, not applied", changes);
 }
 
-ReportPlot staticFrictionPlot(const std::vector<StaticFrictionPoint>& points) {
-    widgets::Panel panel;
-    panel.y = {"current at the first motion", "A", false, {}, {}, {}};
-    widgets::Curve forward{"forward", {}, {}, widgets::CurveStyle::Points, 0};
-    widgets::Curve reverse{"reverse, sign removed", {}, {}, widgets::CurveStyle::HollowPoints, 1};
-    for (const StaticFrictionPoint& point : points) {
-        widgets::Curve& curve = point.current_A < 0.0 ? reverse : forward;
-        const double turns = point.angle_rad / (2.0 * Pi);
-        curve.x.push_back(360.0 * (turns - std::floor(turns))); // the place on the rotor, whatever the turn
-        curve.y.push_back(std::abs(point.current_A));
-    }
-    for (widgets::Curve* curve : {&forward, &reverse}) {
-        if (!curve->x.empty()) {
-            panel.curves.push_back(std::move(*curve));
-        }
-    }
-    return {{"Static friction over the angle", {"angle", "deg", false, {}, {}, {}}, {std::move(panel)}}, {}};
-}
-
 } // namespace
 
 ReportSection calibrationSection(const std::string& heading, const CalibrateResult& result) {
@@ -77,7 +59,7 @@ ReportSection calibrationSection(const std::string& heading, const CalibrateResu
                           fmt::format("{:.3f}\u00b0 rms", radiansToDegrees(result.residualAfter_rad))}}});
     }
     if (!result.staticFriction.empty()) {
-        section.blocks.emplace_back(staticFrictionPlot(result.staticFriction));
+        section.blocks.emplace_back(ReportPlot{staticFrictionFigure(result.staticFriction), {}});
     }
     return section;
 }

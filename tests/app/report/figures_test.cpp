@@ -1,3 +1,4 @@
+#include "app/report/calibration_figures.h"
 #include "app/report/identification_figures.h"
 #include "app/report/tuning_figures.h"
 
@@ -32,6 +33,15 @@ TEST(IdentificationFigures, aLineThatWasNotDecidedIsNotDrawn) {
     IdentifyResult result;
     result.points = {{2.0, 5.0, true, 1.0, {}}};
     EXPECT_FALSE(steadySpeedFigure(result));
+}
+
+TEST(CalibrationFigures, staticFrictionLiesAtThePlaceOnTheRotorWithoutSign) {
+    const auto figure = staticFrictionFigure({{0.5 * M_PI, 1.6}, {-0.5 * M_PI, -1.7}});
+    const auto& curves = figure.panels.at(0).curves;
+    ASSERT_EQ(curves.size(), 2U);
+    EXPECT_NEAR(curves[0].x.front(), 90.0, 1e-9);
+    EXPECT_NEAR(curves[1].x.front(), 270.0, 1e-9); // -90 degrees
+    EXPECT_EQ(curves[1].y.front(), 1.7);
 }
 
 bool hasLine(const widgets::Panel& panel, double at, const std::string& part) {

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "app/procedures/calibrate_procedure.h"
+#include "widgets/figure.h"
+
+#include <vector>
+
+namespace halbench::app {
+
+/// Current at the first motion over the angle of the rotor, both ways; in a report and in the window alike.
+widgets::Figure staticFrictionFigure(const std::vector<StaticFrictionPoint>& points);
+
+} // namespace halbench::app

@@ -1,0 +1,263 @@
+#include "app/wizards/calibrate_panel.h"
+
+#include "app/batch/result_documents.h"
+#include "app/report/calibration_figures.h"
+#include "app/wizards/calibrate_words.h"
+#include "app/wizards/identify_words.h"
+#include "app/workspaces/preflight.h"
+#include "widgets/figure_view.h"
+#include "widgets/icons.h"
+#include "widgets/message_bar.h"
+#include "widgets/progress_row.h"
+#include "widgets/step_list.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace halbench::app {
+namespace {
+
+enum Step { PrepareStep, ExciteStep, ProposeStep, ApplyStep };
+
+constexpr std::array Choices = {Calibration::Hall, Calibration::Stray, Calibration::StaticFriction};
+
+QVBoxLayout* columnOf(QWidget* page) {
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(widgets::GroupSpacing_px);
+    return column;
+}
+
+} // namespace
+
+CalibratePanel::CalibratePanel(Workbench& workbench, QWidget* parent) : WizardPanel(workbench, parent) {
+    addPage(buildPrepare(), true);
+    addPage(buildRun(), false);
+    addPage(buildResult(), true);
+    connect(&bench(), &Workbench::deviceChanged, this, &CalibratePanel::refreshPlan);
+    connect(&bench().session(), &DeviceSession::procedureChanged, this, &CalibratePanel::refreshPlan);
+    connect(&bench().session(), &DeviceSession::procedureStage, this, &CalibratePanel::onStage);
+    connect(&bench().session(), &DeviceSession::procedureProgress, this, [this](double, const QString& text) {
+        if (isMine()) {
+            m_progress->setText(text);
+        }
+    });
+    CalibratePanel::refreshWords();
+}
+
+QWidget* CalibratePanel::buildPrepare() {
+    auto* page = new QWidget;
+    auto* column = columnOf(page);
+    m_intro = new QLabel(page);
+    m_outlook = new QLabel(page);
+    m_preflight = new Preflight(bench(), page);
+    m_start = new QPushButton(page);
+    widgets::setRole(*m_start, widgets::Role::Primary);
+    m_intro->setWordWrap(true);
+    m_outlook->setWordWrap(true);
+    column->addWidget(m_intro);
+    for (QCheckBox*& choice : m_choices) {
+        choice = new QCheckBox(page);
+        choice->setChecked(true);
+        column->addWidget(choice);
+        connect(choice, &QCheckBox::toggled, this, &CalibratePanel::refreshPlan);
+    }
+    column->addWidget(m_outlook);
+    column->addWidget(m_preflight);
+    column->addWidget(m_start, 0, Qt::AlignLeft);
+    column->addStretch(1);
+    connect(m_preflight, &Preflight::changed, this, &CalibratePanel::refreshPlan);
+    connect(m_start, &QPushButton::clicked, this, &CalibratePanel::start);
+    return page;
+}
+
+QWidget* CalibratePanel::buildRun() {
+    auto* page = new QWidget;
+    auto* column = columnOf(page);
+    m_progress = new widgets::ProgressRow(page);
+    column->addWidget(m_progress);
+    column->addStretch(1);
+    connect(m_progress, &widgets::ProgressRow::cancelRequested, &bench().session(),
+            &DeviceSession::abortProcedure);
+    return page;
+}
+
+QWidget* CalibratePanel::buildResult() {
+    auto* page = new QWidget;
+    auto* column = columnOf(page);
+    m_verdict = new widgets::VerdictView(page);
+    m_table = new widgets::EstimateTable(page);
+    m_gain = new QLabel(page);
+    m_figure = new widgets::FigureView(page);
+    m_gain->setWordWrap(true);
+    column->addWidget(m_verdict);
+    column->addWidget(m_table);
+    column->addWidget(m_gain);
+    column->addWidget(m_figure, 1);
+    column->addWidget(buildResultButtons());
+    return page;
+}
+
+QWidget* CalibratePanel::buildResultButtons() {
+    auto* bar = new QWidget;
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(widgets::PanelMargin_px);
+    m_apply = new QPushButton(bar);
+    m_restore = new QPushButton(bar);
+    m_save = new QPushButton(bar);
+    m_again = new QPushButton(bar);
+    widgets::setRole(*m_apply, widgets::Role::Primary);
+    m_restore->setIcon(widgets::themedIcon(QStringLiteral("revert")));
+    m_save->setIcon(widgets::themedIcon(QStringLiteral("save")));
+    for (QPushButton* button : {m_apply, m_restore, m_save, m_again}) {
+        row->addWidget(button);
+    }
+    row->addStretch(1);
+    m_save->hide();
+    connect(m_apply, &QPushButton::clicked, this, [this] { write(m_result->proposed, true); });
+    connect(m_restore, &QPushButton::clicked, this, [this] { write(m_result->before, false); });
+    connect(m_save, &QPushButton::clicked, this, [this] {
+        save({tr("Save calibration"), QStringLiteral("calibration.json"), tr("Calibration (*.json)")},
+             [header = m_header, result = *m_result] { return calibrationDocument(header, result); });
+    });
+    connect(m_again, &QPushButton::clicked, this, [this] {
+        showPage(PreparePage);
+        steps().reset();
+        m_start->setFocus(Qt::OtherFocusReason);
+    });
+    return bar;
+}
+
+void CalibratePanel::onFileChooser() {
+    m_save->setVisible(bool(chooser().save));
+}
+
+void CalibratePanel::refreshWords() {
+    steps().setSteps({tr("Prepare"), tr("Measure"), tr("Propose"), tr("Apply")});
+    m_intro->setText(tr("Finds what the angle sensors and the coils do to the measured angle, and how much "
+                        "current the rotor needs to start."));
+    const std::pair<QString, QString> choices[] = {
+        {tr("&Hall sensors"),
+         tr("Two offsets, gain, right angle and amplitude from the ellipse of the readings")},
+        {tr("&Stray field of the coils"), tr("Without it the recommended gains are unstable")},
+        {tr("Static &friction"), tr("A figure only: it changes no parameter")}};
+    for (std::size_t i = 0; i < m_choices.size(); ++i) {
+        m_choices[i]->setText(choices[i].first);
+        m_choices[i]->setToolTip(choices[i].second);
+        m_choices[i]->setAccessibleDescription(choices[i].second);
+    }
+    sayButton(*m_start, tr("Start calibration"), tr("The rotor moves; Esc stops it"));
+    sayButton(*m_apply, tr("Apply"), tr("Write the proposed values in one transaction and read them back"));
+    sayButton(*m_restore, tr("Restore"), tr("Write the values from before the calibration"));
+    sayButton(*m_save, tr("Save calibration\u2026"), tr("Write the result as a file"));
+    sayButton(*m_again, tr("Calibrate again"), tr("Back to the choice"));
+    refreshPlan();
+    if (m_result) {
+        showResult();
+    }
+}
+
+CalibrateConfig CalibratePanel::config() const {
+    CalibrateConfig config;
+    config.which.clear();
+    for (std::size_t i = 0; i < m_choices.size(); ++i) {
+        if (m_choices[i]->isChecked()) {
+            config.which.push_back(Choices[i]);
+        }
+    }
+    config.seed = seedOf(bench().session().info());
+    return config;
+}
+
+void CalibratePanel::refreshPlan() {
+    m_outlook->setText(calibrationOutlook(config()));
+    m_start->setEnabled(!config().which.empty() && m_preflight->isPassed());
+    const DeviceSession& session = bench().session();
+    const bool isFree = session.state() == SessionState::Connected && session.procedure().isEmpty();
+    const bool isUsable =
+        m_result && !m_result->proposed.empty() && m_result->quality.verdict != Verdict::Refused;
+    m_apply->setEnabled(isFree && isUsable && !m_result->isApplied);
+    m_restore->setEnabled(isFree && isUsable && m_result->isApplied);
+}
+
+void CalibratePanel::start() {
+    const bool hasStarted = runProcedure(
+        tr("Calibrate"),
+        [config = config()](devices::Device& device, const ProcedureObserver& observer) {
+            return runCalibrate(device, config, observer);
+        },
+        [this](const Result<CalibrateResult>& result) { finish(result); });
+    if (!hasStarted) {
+        return;
+    }
+    m_progress->setText(tr("Calibrating"));
+    m_progress->setProgress(std::nullopt);
+    steps().setRunning(PrepareStep);
+    showPage(RunPage);
+}
+
+void CalibratePanel::onStage(ProcedureState stage) {
+    if (isMine() && stage == ProcedureState::Excite) {
+        steps().setRunning(ExciteStep);
+    } else if (isMine() && stage == ProcedureState::Propose) {
+        steps().setRunning(ProposeStep);
+    }
+}
+
+void CalibratePanel::finish(const Result<CalibrateResult>& result) {
+    if (!result) {
+        fail(result.error(), tr("The calibration was cancelled; everything is as it was before."));
+        refreshPlan();
+        m_start->setFocus(Qt::OtherFocusReason);
+        return;
+    }
+    m_result = *result;
+    m_header = headerOf("halbench.calibration/1", config().seed);
+    showResult();
+    steps().setRunning(ApplyStep);
+    steps().setState(ApplyStep, widgets::StepState::Waiting);
+    showPage(ResultPage);
+    (m_apply->isEnabled() ? m_apply : m_again)->setFocus(Qt::OtherFocusReason);
+}
+
+void CalibratePanel::showResult() {
+    m_verdict->setVerdict(verdictLevel(m_result->quality.verdict), verdictTitle(m_result->quality),
+                          remarksOf(m_result->quality.findings));
+    m_table->setRows(calibrationRows(*m_result));
+    m_table->setAccessibleName(tr("Calibrated values"));
+    m_gain->setText(calibrationGain(*m_result));
+    m_gain->setVisible(!m_gain->text().isEmpty());
+    const bool hasFigure = !m_result->staticFriction.empty();
+    m_figure->setFigure(hasFigure ? staticFrictionFigure(m_result->staticFriction) : widgets::Figure{});
+    m_figure->setVisible(hasFigure);
+    refreshPlan();
+}
+
+void CalibratePanel::write(const std::vector<ParameterValue>& values, bool isApplying) {
+    const QPointer<CalibratePanel> self(this);
+    bench().writeValues(values, [self, isApplying](const Result<void>& written) {
+        if (!self) {
+            return;
+        }
+        if (!written) {
+            self->showError(written.error());
+            return;
+        }
+        self->m_result->isApplied = isApplying;
+        self->steps().setState(ApplyStep,
+                               isApplying ? widgets::StepState::Done : widgets::StepState::Waiting);
+        self->messages().showMessage(
+            {widgets::Severity::Success,
+             isApplying ? tr("Applied and read back; it stays until the device is switched off.")
+                        : tr("The values from before are back."),
+             {},
+             {}});
+        self->refreshPlan();
+    });
+}
+
+} // namespace halbench::app

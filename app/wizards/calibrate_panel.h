@@ -1,0 +1,70 @@
+#pragma once
+
+#include "app/procedures/calibrate_procedure.h"
+#include "app/wizards/wizard_panel.h"
+
+#include <array>
+#include <optional>
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+
+namespace halbench::widgets {
+class EstimateTable;
+class FigureView;
+class ProgressRow;
+class VerdictView;
+} // namespace halbench::widgets
+
+namespace halbench::app {
+
+class Preflight;
+
+/// Calibration of the sensors, the stray field and the static friction: what will happen, what was found
+/// beside what the device has, and its application as an act of its own
+/// (resources/help/identification.md section 6). Thread: GUI.
+class CalibratePanel : public WizardPanel {
+    Q_OBJECT
+public:
+    explicit CalibratePanel(Workbench& bench, QWidget* parent = nullptr);
+
+protected:
+    void refreshWords() override;
+    void onFileChooser() override;
+
+private:
+    enum Page { PreparePage, RunPage, ResultPage };
+
+    QWidget* buildPrepare();
+    QWidget* buildRun();
+    QWidget* buildResult();
+    QWidget* buildResultButtons();
+    CalibrateConfig config() const;
+    void refreshPlan();
+    void start();
+    void onStage(ProcedureState stage);
+    void finish(const Result<CalibrateResult>& result);
+    void showResult();
+    void write(const std::vector<ParameterValue>& values, bool isApplying);
+
+    std::optional<CalibrateResult> m_result;
+    ResultHeader m_header;
+
+    QLabel* m_intro = nullptr;
+    std::array<QCheckBox*, 3> m_choices{}; ///< in the order of Calibration
+    QLabel* m_outlook = nullptr;
+    Preflight* m_preflight = nullptr;
+    QPushButton* m_start = nullptr;
+    widgets::ProgressRow* m_progress = nullptr;
+    widgets::VerdictView* m_verdict = nullptr;
+    widgets::EstimateTable* m_table = nullptr;
+    QLabel* m_gain = nullptr;
+    widgets::FigureView* m_figure = nullptr;
+    QPushButton* m_apply = nullptr;
+    QPushButton* m_restore = nullptr;
+    QPushButton* m_save = nullptr;
+    QPushButton* m_again = nullptr;
+};
+
+} // namespace halbench::app

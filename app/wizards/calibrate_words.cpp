@@ -1,0 +1,128 @@
+#include "app/wizards/calibrate_words.h"
+
+#include "control/base/unit_text.h"
+#include "control/base/units.h"
+#include "widgets/display_units.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+#include <algorithm>
+
+namespace halbench::app {
+namespace {
+
+/// The words of this file for the translator.
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(halbench::app::CalibrateWords)
+};
+
+struct Shown {
+    QString unit;
+    double factor;
+};
+
+Shown shownUnit(const std::string& unit) {
+    if (unit == "T") {
+        return {QStringLiteral("mT"), 1e3};
+    }
+    if (unit == "T/A") {
+        return {QStringLiteral("mT/A"), 1e3};
+    }
+    if (unit == "rad") {
+        return {QStringLiteral("\u00b0"), radiansToDegrees(1.0)};
+    }
+    return {QString::fromStdString(unitText(unit)), 1.0};
+}
+
+QString nameOf(const std::string& figure) {
+    const std::pair<const char*, QString> names[] = {
+        {"hall.offset_a", Words::tr("offset of Hall sensor A")},
+        {"hall.offset_b", Words::tr("offset of Hall sensor B")},
+        {"hall.gain_ratio", Words::tr("gain of B over A")},
+        {"hall.quadrature", Words::tr("error of the right angle")},
+        {"hall.amplitude", Words::tr("amplitude of the field")},
+        {"stray.coefficient", Words::tr("stray field of the coils")},
+        {"static_friction.current", Words::tr("breakaway current, static")}};
+    for (const auto& [name, text] : names) {
+        if (figure == name) {
+            return text;
+        }
+    }
+    return QString::fromStdString(figure);
+}
+
+QString currentText(double current_A) {
+    return QLocale().toString(current_A, 'f', 1) + QStringLiteral(" A");
+}
+
+} // namespace
+
+QString calibrationOutlook(const CalibrateConfig& config) {
+    QStringList lines;
+    for (const Calibration which : config.which) {
+        switch (which) {
+        case Calibration::Hall:
+            lines << Words::tr("Hall: the rotor turns slowly both ways at %1.")
+                         .arg(currentText(config.spinCurrent_A));
+            break;
+        case Calibration::Stray:
+            lines << Words::tr("Stray field: the rotor is held at three angles, without torque, at up to %1.")
+                         .arg(currentText(config.strayCurrent_A));
+            break;
+        case Calibration::StaticFriction:
+            lines << Words::tr("Static friction: the current rises to at most %1 until the rotor starts, %2 "
+                               "times each way.")
+                         .arg(currentText(config.frictionCurrent_A))
+                         .arg(config.frictionStarts);
+            break;
+        }
+    }
+    if (lines.isEmpty()) {
+        return Words::tr("Choose at least one calibration.");
+    }
+    lines << Words::tr("The board ends the motion at %1 rad/s. Nothing is changed until you apply it.")
+                 .arg(QLocale().toString(config.speedLimit_rad_s, 'f', 0));
+    return lines.join(QLatin1Char('\n'));
+}
+
+std::vector<widgets::EstimateRow> calibrationRows(const CalibrateResult& result) {
+    std::vector<widgets::EstimateRow> rows;
+    for (const CalibrationFigure& figure : result.figures) {
+        const Shown shown = shownUnit(figure.unit);
+        const auto scaled = [&](double value) { return value * shown.factor; };
+        widgets::EstimateRow row;
+        row.name = nameOf(figure.name);
+        row.unit = shown.unit;
+        if (figure.estimate.value) {
+            row.value = scaled(*figure.estimate.value);
+        }
+        if (figure.estimate.interval95) {
+            row.low95 = scaled(figure.estimate.interval95->first);
+            row.high95 = scaled(figure.estimate.interval95->second);
+        }
+        const auto before =
+            std::find_if(result.before.begin(), result.before.end(),
+                         [&](const ParameterValue& value) { return value.name == figure.name; });
+        row.source = before == result.before.end()
+                         ? Words::tr("a figure only")
+                         : Words::tr("now %1").arg(widgets::numberText(scaled(before->value), 4));
+        row.remark = QString::fromStdString(figure.name);
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+QString calibrationGain(const CalibrateResult& result) {
+    if (!(result.residualBefore_rad > 0.0)) {
+        return {};
+    }
+    const auto degrees = [](double angle_rad) {
+        return QLocale().toString(radiansToDegrees(angle_rad), 'f', 3) + QStringLiteral("\u00b0");
+    };
+    return Words::tr("Angle error (rms): %1 with the present values, %2 with the proposed ones.")
+        .arg(degrees(result.residualBefore_rad), degrees(result.residualAfter_rad));
+}
+
+} // namespace halbench::app

@@ -1,0 +1,324 @@
+#include "app/wizards/identify_panel.h"
+
+#include "app/batch/identification_file.h"
+#include "app/batch/result_documents.h"
+#include "app/wizards/identify_form.h"
+#include "app/wizards/identify_result_view.h"
+#include "app/wizards/identify_words.h"
+#include "app/workspaces/preflight.h"
+#include "widgets/figure_view.h"
+#include "widgets/icons.h"
+#include "widgets/message_bar.h"
+#include "widgets/progress_row.h"
+#include "widgets/step_list.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QShortcut>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace halbench::app {
+namespace {
+
+constexpr int Frame_ms = 100;
+constexpr double AssumedStart_degC = 25.0;
+enum Step { PrepareStep, ExciteStep, FitStep, JudgeStep, ResultStep };
+
+QString words(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+QVBoxLayout* columnOf(QWidget* page, int spacing_px) {
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(spacing_px);
+    return column;
+}
+
+} // namespace
+
+IdentifyPanel::IdentifyPanel(Workbench& workbench, QWidget* parent) : WizardPanel(workbench, parent) {
+    addPage(buildPrepare(), true);
+    addPage(buildRun(), false);
+    addPage(buildResult(), false);
+    m_result->setFileChooser(&chooser());
+    m_frame.setInterval(Frame_ms);
+    connect(&m_frame, &QTimer::timeout, this, &IdentifyPanel::showLive);
+    connect(&bench(), &Workbench::deviceChanged, this, &IdentifyPanel::onDevice);
+    connect(&bench(), &Workbench::valuesChanged, this, &IdentifyPanel::refreshPlan);
+    connect(&bench().session(), &DeviceSession::procedureStage, this, &IdentifyPanel::onStage);
+    IdentifyPanel::refreshWords();
+    onDevice();
+}
+
+void IdentifyPanel::onFileChooser() {
+    m_save->setVisible(bool(chooser().save));
+    m_load->setVisible(bool(chooser().open));
+    m_loadFirst->setVisible(bool(chooser().open));
+}
+
+QWidget* IdentifyPanel::buildPrepare() {
+    auto* page = new QWidget;
+    auto* column = columnOf(page, widgets::GroupSpacing_px);
+    m_intro = new QLabel(page);
+    m_outlook = new QLabel(page);
+    m_form = new IdentifyForm(page);
+    m_preflight = new Preflight(bench(), page);
+    m_start = new QPushButton(page);
+    m_loadFirst = new QPushButton(page);
+    for (QLabel* label : {m_intro, m_outlook}) {
+        label->setWordWrap(true);
+    }
+    m_form->setMaximumWidth(32 * fontMetrics().averageCharWidth() * 2);
+    widgets::setRole(*m_start, widgets::Role::Primary);
+    m_loadFirst->setIcon(widgets::themedIcon(QStringLiteral("open")));
+    m_loadFirst->hide();
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_start);
+    buttons->addWidget(m_loadFirst);
+    buttons->addStretch(1);
+    for (QWidget* part : std::initializer_list<QWidget*>{m_intro, m_form, m_outlook, m_preflight}) {
+        column->addWidget(part);
+    }
+    column->addLayout(buttons);
+    column->addStretch(1);
+    connect(m_form, &IdentifyForm::changed, this, &IdentifyPanel::refreshPlan);
+    connect(m_preflight, &Preflight::changed, this, &IdentifyPanel::refreshPlan);
+    connect(m_start, &QPushButton::clicked, this, &IdentifyPanel::start);
+    auto* shortcut = new QShortcut(QKeySequence(QStringLiteral("Ctrl+Return")), this);
+    shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+    connect(shortcut, &QShortcut::activated, m_start, &QPushButton::click);
+    connect(m_loadFirst, &QPushButton::clicked, this, &IdentifyPanel::load);
+    return page;
+}
+
+QWidget* IdentifyPanel::buildRun() {
+    auto* page = new QWidget;
+    auto* column = columnOf(page, widgets::PanelMargin_px);
+    m_progress = new widgets::ProgressRow(page);
+    m_liveView = new widgets::FigureView(page);
+    column->addWidget(m_progress);
+    column->addWidget(m_liveView, 1);
+    connect(m_progress, &widgets::ProgressRow::cancelRequested, this, [this] {
+        m_isCancelling = true;
+        bench().session().abortProcedure();
+    });
+    return page;
+}
+
+QWidget* IdentifyPanel::buildResult() {
+    auto* page = new QWidget;
+    auto* column = columnOf(page, widgets::PanelMargin_px);
+    m_result = new IdentifyResultView(page);
+    column->addWidget(m_result, 1);
+    column->addWidget(buildResultButtons());
+    connect(m_result, &IdentifyResultView::notSaved, this,
+            [this](const QString& text, const QString& remedy) {
+                messages().showMessage({widgets::Severity::Error, text, remedy, {}});
+            });
+    return page;
+}
+
+QWidget* IdentifyPanel::buildResultButtons() {
+    auto* bar = new QWidget;
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(widgets::PanelMargin_px);
+    m_tune = new QPushButton(bar);
+    m_save = new QPushButton(bar);
+    m_load = new QPushButton(bar);
+    m_again = new QPushButton(bar);
+    widgets::setRole(*m_tune, widgets::Role::Primary);
+    m_save->setIcon(widgets::themedIcon(QStringLiteral("save")));
+    m_load->setIcon(widgets::themedIcon(QStringLiteral("open")));
+    for (QPushButton* button : {m_tune, m_save, m_load, m_again}) {
+        row->addWidget(button);
+    }
+    row->addStretch(1);
+    m_save->hide();
+    m_load->hide();
+    connect(m_tune, &QPushButton::clicked, this, &IdentifyPanel::tuneRequested);
+    connect(m_save, &QPushButton::clicked, this, [this] {
+        save({tr("Save as model"), QStringLiteral("model.json"), tr("Model (*.json)")},
+             [header = m_header, result = bench().identification().value_or(IdentifyResult{})] {
+                 return identificationDocument(header, result);
+             });
+    });
+    connect(m_load, &QPushButton::clicked, this, &IdentifyPanel::load);
+    connect(m_again, &QPushButton::clicked, this, [this] {
+        showPage(PreparePage);
+        steps().reset();
+        m_start->setFocus(Qt::OtherFocusReason);
+    });
+    return bar;
+}
+
+void IdentifyPanel::refreshWords() {
+    steps().setSteps({tr("Prepare"), tr("Excite"), tr("Fit"), tr("Judge"), tr("Result")});
+    m_intro->setText(tr("Finds damping, friction, torque constant and inertia of the motor with their 95 % "
+                        "intervals, by turning it at steady currents and letting it coast."));
+    sayButton(*m_start, tr("Start identification"), tr("The rotor turns (Ctrl+Return); Esc stops it"));
+    sayButton(*m_loadFirst, tr("Load model…"), tr("Show a model that was saved before"));
+    sayButton(*m_tune, tr("Tune with this"), tr("Go on to the gains for this motor"));
+    sayButton(*m_save, tr("Save as model…"), tr("Write the file that the program's tune and analyse read"));
+    sayButton(*m_load, tr("Load model…"), tr("Show a model that was saved before"));
+    sayButton(*m_again, tr("Identify again"),
+              tr("Back to the settings; this result stays until the next one"));
+    m_liveView->setToolTip(tr("Plateaus as they are completed; the fit comes afterwards"));
+    refreshPlan();
+}
+
+void IdentifyPanel::onDevice() {
+    const DeviceSession& session = bench().session();
+    if (session.state() == SessionState::Connected) {
+        m_form->setSeed(seedOf(session.info()));
+        messages().clear();
+    }
+    refreshPlan();
+}
+
+void IdentifyPanel::refreshPlan() {
+    if (const auto limit_A = bench().deviceValue("limit.current")) {
+        m_form->setCurrentLimit_A(*limit_A);
+    }
+    const auto config = m_form->config();
+    if (!config) {
+        m_outlook->setText(words(config.error().message) + QStringLiteral(" \u2192 ") +
+                           words(config.error().hint));
+        widgets::setRole(*m_outlook, widgets::Role::Bad);
+        m_start->setEnabled(false);
+        return;
+    }
+    widgets::setRole(*m_outlook, widgets::Role::None);
+    const double start_degC = m_preflight->temperature_degC().value_or(AssumedStart_degC);
+    m_outlook->setText(outlookText(*config, sweepOutlook(*config, start_degC)));
+    m_preflight->setForecast([config = *config](double now_degC) {
+        return predictIdentify(config, now_degC).highestTemperature_degC;
+    });
+    m_start->setEnabled(m_preflight->isPassed());
+}
+
+void IdentifyPanel::start() {
+    const auto config = m_form->config();
+    if (!config || !m_preflight->isPassed()) {
+        return;
+    }
+    m_running = *config;
+    m_live = std::make_shared<LivePlateaus>();
+    const bool hasStarted = runProcedure(
+        tr("Identify"),
+        [config = *config, live = m_live](devices::Device& device, const ProcedureObserver& session) {
+            ProcedureObserver observer = session;
+            observer.onBlock = [&session, &live](const SampleBlockPtr& block) {
+                live->take(*block);
+                if (session.onBlock) {
+                    session.onBlock(block);
+                }
+            };
+            return runIdentify(device, config, observer);
+        },
+        [this, config = *config](const Result<IdentifyResult>& result) { finish(config, result); });
+    if (!hasStarted) {
+        return;
+    }
+    const SweepOutlook outlook =
+        sweepOutlook(*config, m_preflight->temperature_degC().value_or(AssumedStart_degC));
+    m_predicted_s = outlook.prediction.duration_s;
+    m_drawnPoints = 0;
+    m_isCancelling = false;
+    m_liveView->setFigure(livePlateauFigure({}, config->sweep.to_A, outlook.largestSpeed_rad_s * 1.2));
+    m_progress->setText(tr("Identifying"));
+    m_progress->setProgress(0.0);
+    steps().setRunning(PrepareStep);
+    showPage(RunPage);
+    m_sinceStart.start();
+    m_frame.start();
+}
+
+void IdentifyPanel::showLive() {
+    const auto points = m_live->points();
+    if (points.size() != m_drawnPoints) {
+        m_drawnPoints = points.size();
+        const widgets::Axis& y = m_liveView->figure().panels.front().y;
+        double largest_rad_s = *y.max;
+        for (const LivePlateaus::Point& point : points) {
+            largest_rad_s = std::max(largest_rad_s, 1.2 * std::abs(point.speed_rad_s));
+        }
+        m_liveView->setFigure(livePlateauFigure(points, m_running.sweep.to_A, largest_rad_s));
+    }
+    if (!m_isCancelling && m_predicted_s > 0.0) {
+        // The plan is that of the published motor; another one may take longer.
+        const double done = std::min(0.99, m_live->elapsed_s() / m_predicted_s);
+        const double wall_s = 1e-3 * static_cast<double>(m_sinceStart.elapsed());
+        m_progress->setProgress(done,
+                                done > 0.02 ? std::optional(wall_s * (1.0 - done) / done) : std::nullopt);
+    }
+}
+
+void IdentifyPanel::onStage(ProcedureState stage) {
+    if (!isMine()) {
+        return;
+    }
+    switch (stage) {
+    case ProcedureState::Excite:
+    case ProcedureState::Record:
+        steps().setRunning(ExciteStep);
+        m_progress->setText(tr("The rotor turns: plateaus and coast-downs"));
+        break;
+    case ProcedureState::Fit:
+        steps().setRunning(FitStep);
+        m_progress->setText(tr("Fitting all of the motion"));
+        break;
+    case ProcedureState::Judge:
+        steps().setRunning(JudgeStep);
+        break;
+    default:
+        break;
+    }
+}
+
+void IdentifyPanel::finish(const IdentifyConfig& config, const Result<IdentifyResult>& result) {
+    m_frame.stop();
+    if (!result) {
+        fail(result.error(), tr("The identification was cancelled; everything is as it was before."));
+        refreshPlan();
+        m_start->setFocus(Qt::OtherFocusReason);
+        return;
+    }
+    bench().setIdentification(*result);
+    showResult(*result, headerOf("halbench.identification/1", config.seed));
+}
+
+void IdentifyPanel::showResult(const IdentifyResult& result, const ResultHeader& header) {
+    m_header = header;
+    m_result->setResult(result, header);
+    const bool isUsable = result.quality.verdict != Verdict::Refused;
+    m_tune->setEnabled(isUsable);
+    steps().setRunning(ResultStep);
+    steps().setState(ResultStep, isUsable ? widgets::StepState::Done : widgets::StepState::Failed);
+    showPage(ResultPage);
+    (isUsable ? m_tune : m_again)->setFocus(Qt::OtherFocusReason);
+}
+
+void IdentifyPanel::load() {
+    const QString path =
+        chooser().open ? chooser().open(this, {tr("Load model"), {}, tr("Model (*.json)")}) : QString();
+    if (path.isEmpty()) {
+        return;
+    }
+    files().run([path = path.toStdString()] { return readIdentificationFile(path); },
+                [this](const Result<IdentificationFile>& file) {
+                    if (!file) {
+                        showError(file.error());
+                        return;
+                    }
+                    messages().clear();
+                    bench().setIdentification(file->result);
+                    showResult(file->result, file->header);
+                });
+}
+
+} // namespace halbench::app

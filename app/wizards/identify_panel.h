@@ -1,0 +1,80 @@
+#pragma once
+
+#include "app/wizards/live_plateaus.h"
+#include "app/wizards/wizard_panel.h"
+
+#include <QElapsedTimer>
+#include <QTimer>
+
+#include <memory>
+
+class QLabel;
+class QPushButton;
+
+namespace halbench::widgets {
+class FigureView;
+class ProgressRow;
+} // namespace halbench::widgets
+
+namespace halbench::app {
+
+class IdentifyForm;
+class IdentifyResultView;
+class Preflight;
+
+/// The identification step by step: what will move, the sweep live, the result with its verdict. It drives
+/// the same runIdentify() as the batch program and saves the same file (resources/help/identification.md).
+/// Thread: GUI.
+class IdentifyPanel : public WizardPanel {
+    Q_OBJECT
+public:
+    explicit IdentifyPanel(Workbench& bench, QWidget* parent = nullptr);
+
+Q_SIGNALS:
+    void tuneRequested(); ///< the user wants to go on with the identified motor
+
+protected:
+    void refreshWords() override;
+    void onFileChooser() override;
+
+private:
+    enum Page { PreparePage, RunPage, ResultPage };
+
+    QWidget* buildPrepare();
+    QWidget* buildRun();
+    QWidget* buildResult();
+    QWidget* buildResultButtons();
+    void onDevice();
+    void refreshPlan();
+    void start();
+    void showLive();
+    void onStage(ProcedureState stage);
+    void finish(const IdentifyConfig& config, const Result<IdentifyResult>& result);
+    void load();
+    void showResult(const IdentifyResult& result, const ResultHeader& header);
+
+    std::shared_ptr<LivePlateaus> m_live;
+    IdentifyConfig m_running; ///< of the run that is under way
+    double m_predicted_s = 0.0;
+    std::size_t m_drawnPoints = 0;
+    bool m_isCancelling = false;
+    QElapsedTimer m_sinceStart;
+    QTimer m_frame;
+    ResultHeader m_header; ///< of the result that is shown
+
+    QLabel* m_intro = nullptr;
+    IdentifyForm* m_form = nullptr;
+    QLabel* m_outlook = nullptr;
+    Preflight* m_preflight = nullptr;
+    QPushButton* m_start = nullptr;
+    QPushButton* m_loadFirst = nullptr;
+    widgets::ProgressRow* m_progress = nullptr;
+    widgets::FigureView* m_liveView = nullptr;
+    IdentifyResultView* m_result = nullptr;
+    QPushButton* m_tune = nullptr;
+    QPushButton* m_save = nullptr;
+    QPushButton* m_load = nullptr;
+    QPushButton* m_again = nullptr;
+};
+
+} // namespace halbench::app

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "app/batch/result_header.h"
+#include "app/procedures/identify_procedure.h"
+#include "app/workspaces/file_chooser.h"
+
+#include <QWidget>
+
+class QLabel;
+class QTabWidget;
+
+namespace halbench::widgets {
+class EstimateTable;
+class FigureView;
+class MessageBar;
+class VerdictView;
+} // namespace halbench::widgets
+
+namespace halbench::app {
+
+/// An identification as it is read: verdict and findings, values with their intervals, what would supply
+/// what is missing, provenance; beside them the fit with its residuals and the joint region.
+class IdentifyResultView : public QWidget {
+    Q_OBJECT
+public:
+    explicit IdentifyResultView(QWidget* parent = nullptr);
+
+    void setResult(const IdentifyResult& result, const ResultHeader& header);
+    void setFileChooser(const FileChooser* chooser) { m_chooser = chooser; }
+
+Q_SIGNALS:
+    void notSaved(const QString& message, const QString& remedy);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    QWidget* buildWords();
+    void savePicture(const widgets::FigureView& view);
+    void refresh();
+
+    IdentifyResult m_result;
+    ResultHeader m_header;
+    const FileChooser* m_chooser = nullptr;
+    widgets::VerdictView* m_verdict = nullptr;
+    widgets::EstimateTable* m_table = nullptr;
+    QLabel* m_missing = nullptr;
+    QLabel* m_provenance = nullptr;
+    QTabWidget* m_figures = nullptr;
+    widgets::FigureView* m_fit = nullptr;
+    widgets::FigureView* m_region = nullptr;
+};
+
+} // namespace halbench::app

@@ -1,0 +1,222 @@
+#include "app/wizards/identify_words.h"
+
+#include "app/procedures/identify_plan.h"
+#include "control/base/unit_text.h"
+#include "control/base/units.h"
+#include "widgets/display_units.h"
+#include "widgets/progress_row.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::app {
+namespace {
+
+using control::Estimate;
+using control::EstimateSource;
+
+/// The words of this file for the translator.
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(halbench::app::IdentifyWords)
+};
+
+QString number(double value, int decimals) {
+    return QLocale().toString(value, 'f', decimals);
+}
+
+QString sourceText(EstimateSource source) {
+    switch (source) {
+    case EstimateSource::Identified:
+        return Words::tr("identified");
+    case EstimateSource::Given:
+        return Words::tr("given");
+    case EstimateSource::NotIdentifiable:
+        break;
+    }
+    return Words::tr("not identifiable");
+}
+
+widgets::EstimateRow rowOf(const QString& name, const Estimate& estimate) {
+    widgets::EstimateRow row{name,
+                             estimate.value,
+                             {},
+                             {},
+                             QString::fromStdString(unitText(estimate.unit)),
+                             sourceText(estimate.source),
+                             {}};
+    if (estimate.interval95 && estimate.source == EstimateSource::Identified) {
+        row.low95 = estimate.interval95->first;
+        row.high95 = estimate.interval95->second;
+    }
+    if (estimate.source == EstimateSource::NotIdentifiable) {
+        row.remark = Words::tr("Angle and current alone show only quotients; see below what would supply it");
+    }
+    return row;
+}
+
+QString ratioName(const std::string& key) {
+    const std::pair<const char*, QString> names[] = {
+        {"c_over_J", "c/J"},
+        {"Kf_over_J", "K_f/J"},
+        {"phi_over_J", "\u03c6/J"},
+        {"c_over_phi", "c/\u03c6"},
+        {"Kf_over_phi", Words::tr("K_f/\u03c6, breakaway current")}};
+    for (const auto& [name, text] : names) {
+        if (key == name) {
+            return text;
+        }
+    }
+    return QString::fromStdString(key);
+}
+
+} // namespace
+
+SweepOutlook sweepOutlook(const IdentifyConfig& config, double start_degC) {
+    SweepOutlook outlook;
+    outlook.prediction = predictIdentify(config, start_degC);
+    const auto currents = sweepCurrents_A(config.sweep, 1e3);
+    if (!currents) {
+        return outlook;
+    }
+    const PilotEstimate motor = nominalMotor();
+    double angle_rad = 0.0;
+    for (const PlateauRun& run : planRuns(config, *currents, motor)) {
+        for (const double current_A : run.currents_A) {
+            const double steady_rad_s = std::max(0.0, motor.steadySpeed_rad_s(std::fabs(current_A)));
+            // After the dwell that is left of the settling: what a short run-up does not reach.
+            const double reached = -std::expm1(-motor.damping_per_s * run.dwell_s);
+            outlook.largestSpeed_rad_s = std::max(outlook.largestSpeed_rad_s, reached * steady_rad_s);
+            angle_rad += reached * steady_rad_s * run.dwell_s;
+        }
+    }
+    outlook.largestSpeed_rad_s = std::min(outlook.largestSpeed_rad_s, config.speedLimit_rad_s);
+    outlook.turns = angle_rad / (2.0 * Pi);
+    return outlook;
+}
+
+QString outlookText(const IdentifyConfig& config, const SweepOutlook& outlook) {
+    const QString way = config.directions == SweepDirections::Both      ? Words::tr("both ways")
+                        : config.directions == SweepDirections::Forward ? Words::tr("forward")
+                                                                        : Words::tr("in reverse");
+    const double rpm = radPerSecondToRpm(outlook.largestSpeed_rad_s);
+    QString text =
+        Words::tr(
+            "The rotor will turn %1, about %2 turns in all, at up to %3 rad/s (%4 r/min), for %5 minutes "
+            "of device time.")
+            .arg(way, number(std::round(outlook.turns / 10.0) * 10.0, 0),
+                 number(outlook.largestSpeed_rad_s, 0), number(rpm, 0),
+                 widgets::durationText(outlook.prediction.duration_s));
+    text += QLatin1Char('\n');
+    text +=
+        Words::tr(
+            "Current up to %1 A, coils up to %2 \u00b0C. The board ends the motion at %3 rad/s; gains and "
+            "limits are restored whatever happens.")
+            .arg(number(outlook.prediction.peakCurrent_A, 1),
+                 number(outlook.prediction.highestTemperature_degC, 0), number(config.speedLimit_rad_s, 0));
+    return text;
+}
+
+std::vector<widgets::EstimateRow> estimateRows(const IdentifyResult& result) {
+    std::vector<widgets::EstimateRow> rows = {
+        rowOf(Words::tr("viscous damping c"), result.viscousDamping),
+        rowOf(Words::tr("Coulomb friction K_f"), result.coulombFriction),
+        rowOf(Words::tr("torque constant \u03c6"), result.torqueConstant),
+        rowOf(Words::tr("inertia J"), result.inertia)};
+    for (const auto& [key, ratio] : result.ratios) {
+        rows.push_back(rowOf(ratioName(key), ratio));
+    }
+    if (result.asymmetry) {
+        rows.push_back(rowOf(Words::tr("asymmetry of the friction"), *result.asymmetry));
+    }
+    return rows;
+}
+
+widgets::VerdictLevel verdictLevel(Verdict verdict) {
+    return verdict == Verdict::Good       ? widgets::VerdictLevel::Good
+           : verdict == Verdict::Doubtful ? widgets::VerdictLevel::Doubtful
+                                          : widgets::VerdictLevel::Refused;
+}
+
+QString verdictTitle(const DataQuality& quality) {
+    switch (quality.verdict) {
+    case Verdict::Good:
+        return Words::tr("Good: nothing speaks against the model");
+    case Verdict::Doubtful:
+        return Words::tr("Doubtful: look at the findings before you rely on it");
+    case Verdict::Refused:
+        break;
+    }
+    return Words::tr("Refused: there is no result to rely on");
+}
+
+std::vector<widgets::Remark> remarksOf(const std::vector<Finding>& findings) {
+    std::vector<widgets::Remark> remarks;
+    for (const Finding& finding : findings) {
+        remarks.push_back({QString::fromStdString(finding.message), QString::fromStdString(finding.hint)});
+    }
+    return remarks;
+}
+
+QString missingText(const IdentifyResult& result) {
+    const std::pair<const Estimate*, QString> constants[] = {{&result.inertia, "J"},
+                                                             {&result.torqueConstant, "\u03c6"},
+                                                             {&result.viscousDamping, "c"},
+                                                             {&result.coulombFriction, "K_f"}};
+    QStringList missing;
+    for (const auto& [estimate, symbol] : constants) {
+        if (estimate->source == EstimateSource::NotIdentifiable) {
+            missing << symbol;
+        }
+    }
+    if (missing.isEmpty()) {
+        return {};
+    }
+    QStringList lines = {
+        Words::tr("Not identifiable: %1. Angle and current show quotients only; one of these "
+                  "supplies the scale:")
+            .arg(missing.join(QStringLiteral(", ")))};
+    const bool hasTransients = result.ratios.count("c_over_J") > 0;
+    if (hasTransients) {
+        lines << Words::tr(
+            "\u2022 the inertia J of all that turns (drawing, or weighed): c, K_f and \u03c6 follow");
+        lines << Words::tr("\u2022 the torque constant \u03c6 (data sheet): J, c and K_f follow");
+        lines << Words::tr(
+            "\u2022 no data at all: fix a part of known inertia to the rotor and identify again");
+    } else {
+        lines << Words::tr("\u2022 the torque constant \u03c6 (data sheet): c and K_f follow, J does not");
+        lines << Words::tr(
+            "\u2022 run-ups and coast-downs besides the steady plateaus: then J or \u03c6 is enough");
+    }
+    lines << Words::tr("Tuning works without: it needs the quotients alone.");
+    return lines.join(QLatin1Char('\n'));
+}
+
+QString provenanceText(const ResultHeader& header, const IdentifyResult& result) {
+    QStringList parts;
+    if (header.device) {
+        const devices::DeviceInfo& device = *header.device;
+        parts << Words::tr("Device %1, firmware %2")
+                     .arg(QString::fromStdString(device.id), QString::fromStdString(device.firmware));
+        QStringList overrides;
+        for (const auto& [key, value] : device.overrides) {
+            overrides << QString::fromStdString(key + "=" + value);
+        }
+        if (!overrides.isEmpty()) {
+            parts << Words::tr("overrides %1").arg(overrides.join(QStringLiteral(", ")));
+        }
+    } else {
+        parts << Words::tr("Device not known");
+    }
+    parts << Words::tr("Halbench %1").arg(QStringLiteral(HALBENCH_VERSION));
+    parts << Words::tr("seed %1").arg(header.seed);
+    parts << Words::tr("started %1").arg(QString::fromStdString(header.started));
+    parts << Words::tr("%1 minutes of device time, coils up to %2 \u00b0C")
+                 .arg(widgets::durationText(result.duration_s), number(result.highestTemperature_degC, 1));
+    return parts.join(QStringLiteral(" \u00b7 "));
+}
+
+} // namespace halbench::app

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "app/batch/result_header.h"
+#include "app/procedures/identify_procedure.h"
+#include "widgets/estimate_table.h"
+#include "widgets/verdict_view.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace halbench::app {
+
+/// What the window says of a procedure's result; pure functions of values.
+
+/// What the sweep will do, before anything moves: how far, how fast, how long, how hot.
+struct SweepOutlook {
+    IdentifyPrediction prediction;
+    double largestSpeed_rad_s = 0.0;
+    double turns = 0.0; ///< all directions together, roughly
+};
+/// For the published motor, as long as no other is known.
+SweepOutlook sweepOutlook(const IdentifyConfig& config, double start_degC);
+QString outlookText(const IdentifyConfig& config, const SweepOutlook& outlook);
+
+/// The four constants, then the ratios that need no given constant.
+std::vector<widgets::EstimateRow> estimateRows(const IdentifyResult& result);
+/// "Good: ..." in one line.
+QString verdictTitle(const DataQuality& quality);
+widgets::VerdictLevel verdictLevel(Verdict verdict);
+std::vector<widgets::Remark> remarksOf(const std::vector<Finding>& findings);
+
+/// What would supply the constants that could not be identified (resources/help/identification.md section
+/// 1); empty when nothing is missing.
+QString missingText(const IdentifyResult& result);
+
+/// Device, firmware, overrides, software, seed, start and device time.
+QString provenanceText(const ResultHeader& header, const IdentifyResult& result);
+
+} // namespace halbench::app

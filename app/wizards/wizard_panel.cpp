@@ -1,0 +1,134 @@
+#include "app/wizards/wizard_panel.h"
+
+#include "app/batch/numbers.h"
+#include "app/workspaces/document_files.h"
+#include "widgets/message_bar.h"
+#include "widgets/step_list.h"
+#include "widgets/theme_style.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+namespace halbench::app {
+
+WizardPanel::WizardPanel(Workbench& bench, QWidget* parent)
+    : QWidget(parent), m_bench(bench), m_steps(new widgets::StepList(this)),
+      m_message(new widgets::MessageBar(this)), m_pages(new QStackedWidget(this)) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(widgets::PanelMargin_px, widgets::PanelMargin_px, widgets::PanelMargin_px,
+                            widgets::PanelMargin_px);
+    row->setSpacing(2 * widgets::GroupSpacing_px);
+    row->addWidget(m_steps);
+    auto* right = new QVBoxLayout;
+    right->setSpacing(widgets::PanelMargin_px);
+    right->addWidget(m_message);
+    right->addWidget(m_pages, 1);
+    row->addLayout(right, 1);
+}
+
+void WizardPanel::setFileChooser(FileChooser chooser) {
+    m_chooser = std::move(chooser);
+    onFileChooser();
+}
+
+void WizardPanel::addPage(QWidget* page, bool isScrolled) {
+    if (!isScrolled) {
+        m_pages->addWidget(page);
+        return;
+    }
+    auto* scroll = new QScrollArea(m_pages);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidget(page);
+    m_pages->addWidget(scroll);
+}
+
+void WizardPanel::showPage(int page) {
+    m_pages->setCurrentIndex(page);
+}
+
+bool WizardPanel::couldStart(bool hasStarted) {
+    m_isMine = hasStarted;
+    if (hasStarted) {
+        m_message->clear();
+    } else {
+        m_message->showMessage({widgets::Severity::Error,
+                                tr("It could not start: no device, or it is busy."),
+                                tr("Connect a device, or wait for the end of what runs."),
+                                {}});
+    }
+    return hasStarted;
+}
+
+void WizardPanel::fail(const Error& error, const QString& cancelledText) {
+    for (int step = 0; step < m_steps->count(); ++step) {
+        if (m_steps->state(step) == widgets::StepState::Running) {
+            m_steps->setState(step, widgets::StepState::Failed);
+        }
+    }
+    m_pages->setCurrentIndex(0);
+    if (error.code == ErrorCode::Interrupted) {
+        m_message->showMessage({widgets::Severity::Information, cancelledText, {}, {}});
+    } else {
+        showError(error);
+    }
+}
+
+void WizardPanel::showError(const Error& error) {
+    m_message->showMessage({widgets::Severity::Error,
+                            QString::fromStdString(error.message),
+                            QString::fromStdString(error.hint),
+                            {}});
+}
+
+ResultHeader WizardPanel::headerOf(const char* schema, std::uint64_t seed) const {
+    const DeviceSession& session = m_bench.session();
+    ResultHeader header;
+    header.schema = schema;
+    header.device = session.info();
+    header.seed = seed;
+    const bool isVirtual = session.info().isSimulated && session.pace().speed_ratio <= 0.0;
+    header.started = isVirtual ? header.started : wallTime();
+    return header;
+}
+
+void WizardPanel::save(const FileQuestion& question, std::function<JsonValue()> document) {
+    saveDocument(
+        this, m_chooser, question, m_files, std::move(document),
+        [this](const QString& path, const Result<void>& written) {
+            if (written) {
+                m_message->showMessage({widgets::Severity::Success, tr("Saved as %1").arg(path), {}, {}});
+            } else {
+                showError(written.error());
+            }
+        });
+}
+
+void WizardPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        refreshWords();
+    }
+}
+
+void sayButton(QPushButton& button, const QString& text, const QString& help) {
+    button.setText(text);
+    button.setToolTip(help);
+    button.setAccessibleName(text);
+}
+
+std::uint64_t seedOf(const devices::DeviceInfo& device) {
+    for (const auto& [key, value] : device.overrides) {
+        const auto seed = parseInteger(value);
+        if (key == "seed" && seed && *seed >= 0) {
+            return static_cast<std::uint64_t>(*seed);
+        }
+    }
+    return 1;
+}
+
+} // namespace halbench::app

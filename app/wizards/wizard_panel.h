@@ -1,0 +1,95 @@
+#pragma once
+
+#include "app/batch/json_value.h"
+#include "app/batch/result_header.h"
+#include "app/workspaces/file_chooser.h"
+#include "app/workspaces/latest_task.h"
+#include "app/workspaces/workbench.h"
+
+#include <QPointer>
+#include <QWidget>
+
+#include <functional>
+#include <utility>
+
+class QPushButton;
+class QStackedWidget;
+
+namespace halbench::widgets {
+class MessageBar;
+class StepList;
+} // namespace halbench::widgets
+
+namespace halbench::app {
+
+/// What the panels of procedures share: steps at the left, a message in place, pages; starting the session's
+/// procedure, saying how it ended, saving its document. Thread: GUI.
+class WizardPanel : public QWidget {
+    Q_OBJECT
+public:
+    /// Without a chooser there is nothing to save to or load from, and no button for it.
+    void setFileChooser(FileChooser chooser);
+
+protected:
+    WizardPanel(Workbench& bench, QWidget* parent);
+
+    Workbench& bench() const { return m_bench; }
+    const FileChooser& chooser() const { return m_chooser; }
+    widgets::StepList& steps() { return *m_steps; }
+    widgets::MessageBar& messages() { return *m_message; }
+    LatestTask& files() { return m_files; }
+
+    void addPage(QWidget* page, bool isScrolled);
+    void showPage(int page);
+
+    /// Runs `function(Device&, const ProcedureObserver&) -> Result<T>`; `then(const Result<T>&)` follows
+    /// while this panel lives. False, with a message, when it cannot start.
+    template <typename Function, typename Then>
+    bool runProcedure(const QString& name, Function function, Then then);
+    /// Whether the running procedure is this panel's.
+    bool isMine() const { return m_isMine; }
+
+    /// The step that runs has failed; back to the first page.
+    void fail(const Error& error, const QString& cancelledText);
+    void showError(const Error& error);
+
+    /// Header of a result of the device that is connected now.
+    ResultHeader headerOf(const char* schema, std::uint64_t seed) const;
+    /// Asks for a file and writes the document to it.
+    void save(const FileQuestion& question, std::function<JsonValue()> document);
+
+    virtual void refreshWords() = 0;
+    virtual void onFileChooser() = 0; ///< shows and hides the buttons
+    void changeEvent(QEvent* event) override;
+
+private:
+    bool couldStart(bool hasStarted);
+
+    Workbench& m_bench;
+    FileChooser m_chooser;
+    LatestTask m_files;
+    bool m_isMine = false;
+    widgets::StepList* m_steps = nullptr;
+    widgets::MessageBar* m_message = nullptr;
+    QStackedWidget* m_pages = nullptr;
+};
+
+template <typename Function, typename Then>
+bool WizardPanel::runProcedure(const QString& name, Function function, Then then) {
+    const QPointer<WizardPanel> self(this);
+    return couldStart(m_bench.session().runProcedure(name, std::move(function),
+                                                     [self, then = std::move(then)](const auto& result) {
+                                                         if (self) {
+                                                             self->m_isMine = false;
+                                                             then(result);
+                                                         }
+                                                     }));
+}
+
+/// Text, tooltip and accessible name of a button.
+void sayButton(QPushButton& button, const QString& text, const QString& help);
+
+/// The seed as batch mode takes it: that of the simulated device, else 1.
+std::uint64_t seedOf(const devices::DeviceInfo& device);
+
+} // namespace halbench::app

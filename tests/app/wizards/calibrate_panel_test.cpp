@@ -1,0 +1,82 @@
+#include "app/wizards/calibrate_panel.h"
+#include "app/wizards/calibrate_words.h"
+#include "tests/app/workspaces/panel_fixture.h"
+#include "widgets/estimate_table.h"
+#include "widgets/message_bar.h"
+
+#include <QCheckBox>
+
+namespace halbench::app {
+namespace {
+
+class CalibratePanelTest : public PanelTest {
+protected:
+    void SetUp() override {
+        PanelTest::SetUp();
+        show(panel);
+    }
+    QString message() const { return panel.findChild<widgets::MessageBar*>()->message().text; }
+    bool isResultShown() const { return button(panel, "Calibrate again") != nullptr; }
+
+    CalibratePanel panel{bench};
+};
+
+TEST_F(CalibratePanelTest, proposesAppliesOnPurposeAndRestores) {
+    connectMotor("sim:htm?seed=5", 0.0);
+    const auto before = valuesNow();
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start calibration"); }));
+    click(panel, "Start calibration");
+    ASSERT_TRUE(wait([&] { return isResultShown(); })) << message().toStdString();
+    EXPECT_EQ(valuesNow(), before); // nothing is applied by itself
+    const auto* table = panel.findChild<widgets::EstimateTable*>();
+    ASSERT_GE(table->rowCount(), 6);
+    EXPECT_TRUE(table->text().contains("now "));
+    click(panel, "Apply");
+    ASSERT_TRUE(wait([&] { return message().startsWith("Applied"); })) << message().toStdString();
+    const auto after = valuesNow();
+    EXPECT_NE(after.at("hall.offset_a"), before.at("hall.offset_a"));
+    EXPECT_EQ(after.at("gain.kp"), before.at("gain.kp"));
+    EXPECT_FALSE(isEnabled(panel, "Apply"));
+    click(panel, "Restore");
+    ASSERT_TRUE(wait([&] { return message().contains("before are back"); }));
+    EXPECT_EQ(valuesNow(), before);
+}
+
+TEST_F(CalibratePanelTest, onlyWhatIsChosenIsDone) {
+    connectMotor("sim:htm", 0.0);
+    for (auto* box : panel.findChildren<QCheckBox*>()) {
+        if (box->isVisible() && !box->text().contains("Stray")) {
+            QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
+        }
+    }
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start calibration"); }));
+    click(panel, "Start calibration");
+    ASSERT_TRUE(wait([&] { return isResultShown(); })) << message().toStdString();
+    EXPECT_EQ(panel.findChild<widgets::EstimateTable*>()->rowCount(), 1);
+}
+
+TEST_F(CalibratePanelTest, cancelLeavesEverythingAsItWas) {
+    connectMotor("sim:htm", 5.0);
+    const auto before = valuesNow();
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start calibration"); }));
+    click(panel, "Start calibration");
+    ASSERT_TRUE(wait([&] { return bench.session().report().board.isArmed; }));
+    click(panel, "Cancel");
+    ASSERT_TRUE(wait([&] { return message().contains("cancelled"); })) << message().toStdString();
+    EXPECT_EQ(valuesNow(), before);
+    EXPECT_FALSE(bench.session().report().board.isArmed);
+    EXPECT_TRUE(wait([&] { return isEnabled(panel, "Start calibration"); }));
+}
+
+TEST(CalibrateWords, showsMillitesla) {
+    CalibrateResult result;
+    result.figures = {{"hall.offset_a", "T", {5.6e-3, std::pair(5.5e-3, 5.7e-3), {}, "T"}}};
+    result.before = {{"hall.offset_a", 1e-3}};
+    const auto rows = calibrationRows(result);
+    EXPECT_NEAR(*rows.at(0).value, 5.6, 1e-12);
+    EXPECT_EQ(rows.at(0).unit, "mT");
+    EXPECT_EQ(rows.at(0).source, "now 1");
+}
+
+} // namespace
+} // namespace halbench::app

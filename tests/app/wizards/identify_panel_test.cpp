@@ -1,0 +1,218 @@
+#include "app/wizards/identify_panel.h"
+#include "app/workspaces/preflight.h"
+#include "tests/app/workspaces/panel_fixture.h"
+#include "widgets/estimate_table.h"
+#include "widgets/figure_view.h"
+#include "widgets/message_bar.h"
+#include "widgets/optional_number_edit.h"
+#include "widgets/progress_row.h"
+#include "widgets/step_list.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QLabel>
+#include <QProcess>
+#include <QTemporaryDir>
+
+namespace halbench::app {
+namespace {
+
+class IdentifyPanelTest : public PanelTest {
+protected:
+    void SetUp() override {
+        PanelTest::SetUp();
+        panel.setFileChooser({[this](QWidget*, const FileQuestion&) { return path("panel.json"); },
+                              [this](QWidget*, const FileQuestion&) { return m_toOpen; }});
+        show(panel);
+    }
+
+    QString path(const char* name) const { return m_folder.filePath(name); }
+
+    static QByteArray content(const QString& path) {
+        QFile file(path);
+        EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
+        return file.readAll();
+    }
+
+    template <typename Widget>
+    Widget* child(const QString& name = {}) const {
+        return panel.findChild<Widget*>(name);
+    }
+
+    void give(const char* symbol, const char* value) {
+        auto* edit = child<widgets::OptionalNumberEdit>(symbol);
+        edit->setFocus();
+        QTest::keyClick(edit, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClicks(edit, value);
+    }
+
+    /// From 2 A to 4 A in three steps: enough for a result, a third of the time.
+    void chooseShortSweep() {
+        const char* values[] = {"2", "4", "1"};
+        const auto boxes = panel.findChildren<QDoubleSpinBox*>();
+        for (int i = 0; i < 3; ++i) {
+            boxes[i]->setFocus();
+            QTest::keyClick(boxes[i], Qt::Key_A, Qt::ControlModifier);
+            QTest::keyClicks(boxes[i], values[i]);
+            QTest::keyClick(boxes[i], Qt::Key_Return);
+            ASSERT_EQ(boxes[i]->value(), QString(values[i]).toDouble());
+        }
+    }
+
+    QString message() const { return child<widgets::MessageBar>()->message().text; }
+    bool isResultShown() const { return button(panel, "Identify again") != nullptr; }
+
+    QTemporaryDir m_folder;
+    QString m_toOpen;
+    IdentifyPanel panel{bench};
+};
+
+TEST_F(IdentifyPanelTest, savesTheSameBytesAsTheBatchProgramForTheSameSeed) {
+    // Second route: the headless program, with all imperfections of the motor.
+    QProcess batch;
+    batch.start(HALBENCH_PROGRAM,
+                {"identify", "sim:htm?seed=3", "--given", "J=5.5e-4", "--out", path("batch.json")});
+    connectMotor("sim:htm?seed=3", 0.0);
+    give("J", "5.5e-4");
+    click(panel, "Start identification");
+    EXPECT_FALSE(isResultShown());
+    ASSERT_TRUE(wait([&] { return isResultShown(); })) << message().toStdString();
+    EXPECT_FALSE(child<widgets::EstimateTable>()->item(0, 1)->text().isEmpty());
+    click(panel, "Save as model\u2026");
+    ASSERT_TRUE(wait([&] { return message().startsWith("Saved"); })) << message().toStdString();
+    ASSERT_TRUE(wait([&] { return batch.state() == QProcess::NotRunning; }));
+    ASSERT_EQ(batch.exitCode(), 0) << batch.readAllStandardError().toStdString();
+    EXPECT_EQ(content(path("panel.json")), content(path("batch.json")));
+    ASSERT_TRUE(bench.identification());
+    EXPECT_TRUE(isEnabled(panel, "Tune with this"));
+}
+
+TEST_F(IdentifyPanelTest, saysWhatWillMoveAndNeedsADeviceToMoveIt) {
+    EXPECT_FALSE(isEnabled(panel, "Start identification"));
+    connectMotor("sim:htm", 0.0);
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
+    QString text;
+    for (const auto* label : panel.findChildren<QLabel*>()) {
+        text += label->text() + '\n';
+    }
+    // (phi 4 A - K_f)/c of the published motor: 29.8 rad/s (htm-theory.md section 2)
+    EXPECT_TRUE(text.contains("at up to 30 rad/s (285 r/min)")) << text.toStdString();
+    EXPECT_TRUE(text.contains("Current up to 4.0 A"));
+    EXPECT_TRUE(text.contains("Coils 25 \u00b0C now"));
+    bench.session().disconnectDevice();
+    EXPECT_FALSE(isEnabled(panel, "Start identification"));
+}
+
+TEST_F(IdentifyPanelTest, aNumberThatIsNoneKeepsItFromStarting) {
+    connectMotor("sim:htm", 0.0);
+    for (const char* wrong : {"nan", "inf", "0", "-1", "abc"}) {
+        give("J", wrong);
+        EXPECT_FALSE(isEnabled(panel, "Start identification")) << wrong;
+    }
+    give("J", "5.5e-4");
+    EXPECT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
+}
+
+TEST_F(IdentifyPanelTest, withoutAGivenConstantItSaysWhatWouldSupplyTheScale) {
+    connectMotor("sim:htm", 0.0);
+    chooseShortSweep();
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
+    QTest::keyClick(&panel, Qt::Key_Return, Qt::ControlModifier);
+    ASSERT_TRUE(wait([&] { return isResultShown(); })) << message().toStdString();
+    const auto* table = child<widgets::EstimateTable>();
+    EXPECT_EQ(table->item(3, 4)->text(), "not identifiable");
+    EXPECT_EQ(table->item(3, 1)->text(), "\u2013");
+    bool isSaid = false;
+    for (const auto* label : panel.findChildren<QLabel*>()) {
+        isSaid = isSaid || (label->isVisible() && label->text().contains("Not identifiable: J"));
+    }
+    EXPECT_TRUE(isSaid);
+    EXPECT_TRUE(isEnabled(panel, "Tune with this")); // the quotients are enough
+}
+
+TEST_F(IdentifyPanelTest, showsThePlateausWhileTheyAreMeasured) {
+    connectMotor("sim:htm", 0.0);
+    std::size_t most = 0;
+    widgets::FigureView* live = nullptr;
+    click(panel, "Start identification");
+    ASSERT_TRUE(wait([&] {
+        for (auto* view : panel.findChildren<widgets::FigureView*>()) {
+            live = view->isVisible() ? view : live;
+        }
+        if (!isResultShown() && live != nullptr && !live->isEmpty()) {
+            most = std::max(most, live->figure().panels.at(0).curves.back().x.size());
+        }
+        return isResultShown();
+    }));
+    EXPECT_GT(most, 3U);
+}
+
+TEST_F(IdentifyPanelTest, cancelInEachStageRestoresEverything) {
+    connectMotor("sim:htm", 0.0);
+    chooseShortSweep();
+    const auto before = valuesNow();
+    for (const ProcedureState stage : {ProcedureState::Prepare, ProcedureState::Excite,
+                                       ProcedureState::Record, ProcedureState::Fit, ProcedureState::Judge}) {
+        ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
+        bool isCancelled = false;
+        const auto connection = QObject::connect(
+            &bench.session(), &DeviceSession::procedureStage, &panel, [&](ProcedureState now) {
+                if (now == stage && button(panel, "Cancel") != nullptr) {
+                    QTest::mouseClick(button(panel, "Cancel"), Qt::LeftButton);
+                    isCancelled = true;
+                }
+            });
+        click(panel, "Start identification");
+        ASSERT_TRUE(wait([&] { return bench.session().procedure().isEmpty() && !button(panel, "Cancel"); }));
+        QObject::disconnect(connection);
+        EXPECT_TRUE(isCancelled) << procedureStateName(stage);
+        EXPECT_EQ(valuesNow(), before) << procedureStateName(stage);
+        EXPECT_FALSE(bench.session().report().board.isArmed);
+        if (isResultShown()) { // it was over before the word arrived
+            click(panel, "Identify again");
+        } else {
+            EXPECT_TRUE(message().contains("cancelled")) << message().toStdString();
+        }
+    }
+}
+
+TEST_F(IdentifyPanelTest, aDeviceLostMidWayIsSaidInPlaceAndThePanelStaysUsable) {
+    QProcess board;
+    board.start(HALBENCH_PROGRAM, {"serve", "sim:htm", "--tcp", "127.0.0.1:0"});
+    ASSERT_TRUE(board.waitForReadyRead(Patience_ms));
+    const QString address = QString::fromUtf8(board.readLine()).trimmed().section(' ', 1);
+    connectMotor(address, 1.0);
+    ASSERT_TRUE(wait([&] { return child<Preflight>()->temperature_degC().has_value(); }));
+    if (auto* consent = child<QCheckBox>(); consent->isVisible()) {
+        EXPECT_FALSE(isEnabled(panel, "Start identification")); // a real motor moves only with consent
+        QTest::mouseClick(consent, Qt::LeftButton, {}, {8, consent->height() / 2});
+    }
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
+    click(panel, "Start identification");
+    ASSERT_TRUE(wait([&] { return bench.session().report().board.isArmed; }));
+    board.kill();
+    ASSERT_TRUE(wait([&] { return bench.session().state() == SessionState::Lost && !message().isEmpty(); }));
+    EXPECT_TRUE(bench.session().procedure().isEmpty());
+    EXPECT_FALSE(isEnabled(panel, "Start identification"));
+    EXPECT_NE(button(panel, "Start identification"), nullptr);
+    bench.session().disconnectDevice();
+    connectMotor("sim:htm", 0.0); // another device, and on it goes
+    EXPECT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
+    board.waitForFinished(Patience_ms);
+}
+
+TEST_F(IdentifyPanelTest, aModelThatIsDamagedIsRefusedInPlace) {
+    m_toOpen = path("damaged.json");
+    QFile file(m_toOpen);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("{\"schema\": \"halbench.identification/2\"}");
+    file.close();
+    click(panel, "Load model\u2026");
+    ASSERT_TRUE(wait([&] { return message().contains("damaged.json"); }));
+    EXPECT_FALSE(isResultShown());
+    EXPECT_FALSE(bench.identification());
+}
+
+} // namespace
+} // namespace halbench::app

@@ -1,0 +1,53 @@
+#include "app/wizards/identify_words.h"
+
+#include <gtest/gtest.h>
+
+namespace halbench::app {
+namespace {
+
+TEST(IdentifyWords, theOutlookIsThatOfThePublishedMotor) {
+    const IdentifyConfig config;
+    const SweepOutlook outlook = sweepOutlook(config, 25.0);
+    EXPECT_NEAR(outlook.largestSpeed_rad_s, (26.0 * 4.0 - 37.2727) / 2.236364, 0.01); // htm-theory.md 2
+    EXPECT_EQ(outlook.prediction.peakCurrent_A, 4.0);
+    // Half of the dwell at the middle current of 2.8 A, 15.9 rad/s: the right order, no more.
+    EXPECT_GT(outlook.turns, 100.0);
+    EXPECT_LT(outlook.turns, 1500.0);
+    IdentifyConfig forward = config;
+    forward.directions = SweepDirections::Forward;
+    EXPECT_NEAR(sweepOutlook(forward, 25.0).turns, 0.5 * outlook.turns, 1e-9);
+    EXPECT_TRUE(outlookText(forward, sweepOutlook(forward, 25.0)).contains("forward"));
+}
+
+TEST(IdentifyWords, saysWhatSuppliesEachMissingConstant) {
+    IdentifyResult result; // nothing identified, steady plateaus only
+    EXPECT_TRUE(missingText(result).contains("run-ups and coast-downs"));
+    result.ratios["c_over_J"].value = 2.2;
+    EXPECT_TRUE(missingText(result).contains("part of known inertia"));
+    const control::Estimate known{1.0, {}, control::EstimateSource::Given, ""};
+    result.inertia = result.viscousDamping = result.coulombFriction = result.torqueConstant = known;
+    EXPECT_TRUE(missingText(result).isEmpty());
+}
+
+TEST(IdentifyWords, aGivenConstantHasNoInterval) {
+    IdentifyResult result;
+    result.inertia = {5.5e-4, std::pair(5.5e-4, 5.5e-4), control::EstimateSource::Given, "kg*m^2"};
+    const auto rows = estimateRows(result);
+    EXPECT_FALSE(rows.at(3).low95);
+    EXPECT_EQ(rows.at(3).unit, "kg\u00b7m\u00b2");
+    EXPECT_FALSE(rows.at(0).value);
+    EXPECT_FALSE(rows.at(0).remark.isEmpty());
+}
+
+TEST(IdentifyWords, provenanceNamesDeviceOverridesAndSeed) {
+    ResultHeader header;
+    header.device = devices::DeviceInfo{"", "htm", "sim-htm-7", "FW1", "", true, {{"c", "0.002"}}};
+    header.seed = 7;
+    const QString text = provenanceText(header, {});
+    for (const char* part : {"sim-htm-7", "FW1", "c=0.002", "seed 7", HALBENCH_VERSION}) {
+        EXPECT_TRUE(text.contains(part)) << part;
+    }
+}
+
+} // namespace
+} // namespace halbench::app
