@@ -1,0 +1,59 @@
+#pragma once
+
+#include "app/procedures/tune.h"
+
+#include <QWidget>
+
+#include <array>
+#include <map>
+#include <optional>
+
+class QComboBox;
+class QLabel;
+
+namespace halbench::widgets {
+class OptionalNumberEdit;
+}
+
+namespace halbench::app {
+
+/// Where the gains come from: a method with its targets, a shipped preset, the device, the user's edits.
+class TuneForm : public QWidget {
+    Q_OBJECT
+public:
+    explicit TuneForm(QWidget* parent = nullptr);
+
+    enum class Origin { Method, Preset, Device, Edited };
+    Origin origin() const;
+    /// Name of method or preset; "device" or "edited".
+    std::string method() const;
+    /// Only those the method reads. Errors: InvalidInput naming the field.
+    Result<control::DesignTargets> targets() const;
+    void setEdited(); ///< says so, without chosen()
+
+Q_SIGNALS:
+    void chosen(); ///< origin or a target
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void addOrigin(Origin origin, const std::string& id);
+    void refreshWords();
+    void refreshTargets();
+
+    QLabel* m_label = nullptr;
+    QComboBox* m_origin = nullptr;
+    QLabel* m_help = nullptr;
+    struct Target {
+        QLabel* name;
+        widgets::OptionalNumberEdit* edit;
+        QLabel* unit;
+    };
+    std::array<Target, 4> m_targets{}; ///< zeta, omega, bandwidth, phase margin
+};
+
+/// The law of a shipped preset of this model. Errors: of findPreset and lawFromParameters.
+Result<control::PositionLaw> presetLaw(const std::string& model, const std::string& name);
+
+} // namespace halbench::app

@@ -1,0 +1,294 @@
+#include "app/workspaces/tune_panel.h"
+
+#include "app/batch/loop_conditions.h"
+#include "app/workspaces/gain_editor.h"
+#include "app/workspaces/preflight.h"
+#include "app/workspaces/tune_form.h"
+#include "app/workspaces/tune_numbers.h"
+#include "widgets/empty_state.h"
+#include "widgets/estimate_table.h"
+#include "widgets/figure_view.h"
+#include "widgets/icons.h"
+#include "widgets/message_bar.h"
+#include "widgets/progress_row.h"
+#include "widgets/verdict_view.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPointer>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+namespace halbench::app {
+namespace {
+
+enum Page { EmptyPage, WorkPage };
+
+/// Whose presets and surroundings count while no device is connected.
+constexpr const char* DefaultModel = "htm";
+
+QScrollArea* scrolled(QWidget* page) {
+    auto* scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidget(page);
+    return scroll;
+}
+
+void say(QPushButton& button, const QString& text, const QString& help) {
+    button.setText(text);
+    button.setToolTip(help);
+    button.setAccessibleName(text);
+}
+
+} // namespace
+
+TunePanel::TunePanel(Workbench& bench, QWidget* parent)
+    : QWidget(parent), m_bench(bench), m_pages(new QStackedWidget(this)),
+      m_empty(new widgets::EmptyState(m_pages)), m_message(new widgets::MessageBar(this)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(widgets::PanelMargin_px, widgets::PanelMargin_px, widgets::PanelMargin_px,
+                               widgets::PanelMargin_px);
+    column->setSpacing(widgets::PanelMargin_px);
+    column->addWidget(m_message);
+    column->addWidget(m_pages, 1);
+    auto* splitter = new QSplitter(Qt::Horizontal, m_pages);
+    splitter->setChildrenCollapsible(false);
+    QScrollArea* settings = scrolled(buildSettings());
+    settings->setMinimumWidth(46 * fontMetrics().averageCharWidth());
+    splitter->addWidget(settings);
+    splitter->addWidget(buildFigures());
+    splitter->setStretchFactor(1, 1);
+    m_pages->addWidget(m_empty);
+    m_pages->addWidget(splitter);
+    connectParts();
+    refreshWords();
+    readConditions();
+    refreshModel();
+}
+
+QWidget* TunePanel::buildSettings() {
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, widgets::PanelMargin_px, 0);
+    column->setSpacing(widgets::GroupSpacing_px);
+    m_model = new QLabel(page);
+    m_model->setWordWrap(true);
+    m_form = new TuneForm(page);
+    m_gains = new GainEditor(page);
+    m_verdict = new widgets::VerdictView(page);
+    m_preflight = new Preflight(m_bench, page);
+    m_progress = new widgets::ProgressRow(page);
+    m_progress->hide();
+    for (QWidget* part : std::initializer_list<QWidget*>{m_model, m_form, m_gains, m_verdict, m_preflight,
+                                                         m_progress, buildButtons()}) {
+        column->addWidget(part);
+    }
+    column->addStretch(1);
+    return page;
+}
+
+QWidget* TunePanel::buildButtons() {
+    auto* bar = new QWidget;
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(widgets::PanelMargin_px);
+    m_apply = new QPushButton(bar);
+    m_keep = new QPushButton(bar);
+    m_restore = new QPushButton(bar);
+    m_save = new QPushButton(bar);
+    widgets::setRole(*m_apply, widgets::Role::Primary);
+    m_restore->setIcon(widgets::themedIcon(QStringLiteral("revert")));
+    m_save->setIcon(widgets::themedIcon(QStringLiteral("save")));
+    for (QPushButton* button : {m_apply, m_keep, m_restore, m_save}) {
+        row->addWidget(button);
+    }
+    row->addStretch(1);
+    m_save->hide();
+    return bar;
+}
+
+QWidget* TunePanel::buildFigures() {
+    auto* splitter = new QSplitter(Qt::Vertical);
+    splitter->setChildrenCollapsible(false);
+    m_bode = new widgets::FigureView(splitter);
+    m_steps = new QTabWidget(splitter);
+    m_large = new widgets::FigureView(m_steps);
+    m_linear = new widgets::FigureView(m_steps);
+    m_numbers = new TuneNumbers(m_steps);
+    m_verification = new widgets::FigureView(m_steps);
+    for (QWidget* page : std::initializer_list<QWidget*>{m_large, m_linear, m_numbers, m_verification}) {
+        m_steps->addTab(page, {});
+    }
+    m_steps->setTabEnabled(m_steps->indexOf(m_verification), false);
+    splitter->addWidget(m_bode);
+    splitter->addWidget(m_steps);
+    for (widgets::FigureView* view : {m_bode, m_large, m_linear, m_verification}) {
+        connect(view, &widgets::FigureView::exportRequested, this, [this, view] { savePicture(*view); });
+    }
+    return splitter;
+}
+
+void TunePanel::connectParts() {
+    connect(m_empty, &widgets::EmptyState::actionTriggered, this, &TunePanel::identifyRequested);
+    connect(m_form, &TuneForm::chosen, this, &TunePanel::ask);
+    connect(m_gains, &GainEditor::edited, this, [this] {
+        m_form->setEdited();
+        ask();
+    });
+    connect(m_preflight, &Preflight::changed, this, &TunePanel::refreshButtons);
+    connect(m_apply, &QPushButton::clicked, this, &TunePanel::apply);
+    connect(m_keep, &QPushButton::clicked, this, [this] {
+        m_before.clear();
+        m_message->clear();
+        refreshButtons();
+    });
+    connect(m_restore, &QPushButton::clicked, this, &TunePanel::restore);
+    connect(m_save, &QPushButton::clicked, this, &TunePanel::saveGains);
+    connect(m_progress, &widgets::ProgressRow::cancelRequested, &m_bench.session(),
+            &DeviceSession::abortProcedure);
+    connect(&m_bench, &Workbench::identificationChanged, this, &TunePanel::refreshModel);
+    connect(&m_bench, &Workbench::valuesChanged, this, &TunePanel::readConditions);
+    connect(&m_bench, &Workbench::deviceChanged, this, [this] {
+        m_before.clear(); // another device: nothing of it was replaced
+        readConditions();
+    });
+    connect(&m_bench.session(), &DeviceSession::procedureChanged, this, &TunePanel::refreshButtons);
+    connect(&m_bench.session(), &DeviceSession::procedureProgress, this,
+            [this](double fraction, const QString& text) {
+                if (m_isApplying) {
+                    m_progress->setText(tr("Verification: %1").arg(text));
+                    m_progress->setProgress(fraction);
+                }
+            });
+}
+
+void TunePanel::refreshWords() {
+    m_empty->setWords(tr("No motor to tune yet"),
+                      tr("Gains are designed for an identified motor, with everything that is predicted of "
+                         "them, and proved by a move before they stay."),
+                      tr("Identify the motor"));
+    m_empty->setIconName(QStringLiteral("settings"));
+    say(*m_apply, tr("Apply and verify"),
+        tr("One transaction, then a step of 29\u00b0 that must go as predicted; Esc stops it"));
+    say(*m_keep, tr("Keep"), tr("The new gains stay until the device is switched off"));
+    say(*m_restore, tr("Restore"), tr("The gains from before run again"));
+    say(*m_save, tr("Save gains\u2026"), tr("Write the file that the program's analyse reads"));
+    const std::pair<QWidget*, QString> tabs[] = {{m_large, tr("Step of 100\u00b0")},
+                                                 {m_linear, tr("Small step")},
+                                                 {m_numbers, tr("Numbers")},
+                                                 {m_verification, tr("Verification")}};
+    for (const auto& [page, title] : tabs) {
+        m_steps->setTabText(m_steps->indexOf(page), title);
+    }
+    m_steps->setAccessibleName(tr("Predictions"));
+    refreshModel();
+}
+
+void TunePanel::refreshModel() {
+    const auto& identification = m_bench.identification();
+    m_pages->setCurrentIndex(identification ? WorkPage : EmptyPage);
+    if (!identification) {
+        m_shown.reset();
+        refreshButtons();
+        return;
+    }
+    const auto words = [&](const char* ratio, const QString& symbol) {
+        const auto found = identification->ratios.find(ratio);
+        if (found == identification->ratios.end() || !found->second.value) {
+            return QString();
+        }
+        const auto& interval = found->second.interval95;
+        const auto half = interval ? std::optional(0.5 * (interval->second - interval->first)) : std::nullopt;
+        const widgets::EstimateText text = widgets::estimateText(*found->second.value, half);
+        return QStringLiteral("%1 = %2 \u00b1 %3").arg(symbol, text.value, text.half);
+    };
+    QStringList parts = {words("c_over_J", "c/J"), words("phi_over_J", "\u03c6/J"),
+                         words("Kf_over_phi", "K_f/\u03c6")};
+    parts.removeAll({});
+    m_model->setText(tr("Identified motor (SI, 95 %): %1").arg(parts.join(QStringLiteral(", "))));
+    ask();
+}
+
+void TunePanel::readConditions() {
+    DeviceSession& session = m_bench.session();
+    if (session.state() != SessionState::Connected) {
+        if (const auto conditions = loopConditionsOf(DefaultModel)) {
+            m_conditions = *conditions;
+        }
+        ask();
+        return;
+    }
+    const QPointer<TunePanel> self(this);
+    session.request([](devices::Device& device) { return loopConditionsOf(device); },
+                    [self](const Result<LoopConditions>& conditions) {
+                        if (self && conditions) {
+                            self->m_conditions = *conditions;
+                            self->ask();
+                        }
+                    });
+}
+
+std::optional<TuneQuestion> TunePanel::question() {
+    TuneQuestion question;
+    question.motor = motorEstimate(*m_bench.identification());
+    question.config.method = m_form->method();
+    question.config.conditions = m_conditions;
+    const auto targets = m_form->targets();
+    if (!targets) {
+        showProblem(targets.error());
+        return std::nullopt;
+    }
+    question.config.targets = *targets;
+    if (const auto present = lawFromParameters(m_bench.deviceValues())) {
+        question.present = *present;
+    }
+    Result<control::PositionLaw> law = failure(ErrorCode::InvalidInput, "", "");
+    switch (m_form->origin()) {
+    case TuneForm::Origin::Method:
+        return question;
+    case TuneForm::Origin::Preset:
+        law = presetLaw(DefaultModel, question.config.method);
+        break;
+    case TuneForm::Origin::Device:
+        law = lawFromParameters(m_bench.deviceValues());
+        break;
+    case TuneForm::Origin::Edited:
+        law = m_gains->law();
+        break;
+    }
+    if (!law) {
+        showProblem(law.error());
+        return std::nullopt;
+    }
+    question.law = *law;
+    return question;
+}
+
+void TunePanel::ask() {
+    if (!m_bench.identification()) {
+        return;
+    }
+    m_shown.reset(); // nothing is applied that its prediction has not caught up with
+    if (const auto asked = question()) {
+        m_sketching.run([asked = *asked] { return sketchTuning(asked); },
+                        [this](const Result<TuneSketch>& sketch) { showSketch(sketch); });
+        m_judging.run([asked = *asked] { return answerTuning(asked); },
+                      [this](const Result<TuneResult>& answer) { showAnswer(answer); });
+    }
+    refreshButtons();
+}
+
+void TunePanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        refreshWords();
+    }
+}
+
+} // namespace halbench::app

@@ -1,0 +1,104 @@
+#pragma once
+
+#include "app/procedures/apply_procedure.h"
+#include "app/workspaces/file_chooser.h"
+#include "app/workspaces/latest_task.h"
+#include "app/workspaces/tune_question.h"
+#include "app/workspaces/workbench.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+class QTabWidget;
+
+namespace halbench::widgets {
+class EmptyState;
+class FigureView;
+class MessageBar;
+class ProgressRow;
+class VerdictView;
+} // namespace halbench::widgets
+
+namespace halbench::app {
+
+class GainEditor;
+class Preflight;
+class TuneForm;
+class TuneNumbers;
+
+/// Gains for the identified motor: by a method, a preset or by hand, with everything that is predicted of
+/// them; applied as one transaction with a verification move, kept or taken back
+/// (resources/help/tuning.md). Predictions come from a worker. Thread: GUI.
+class TunePanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit TunePanel(Workbench& bench, QWidget* parent = nullptr);
+
+    void setFileChooser(FileChooser chooser);
+
+Q_SIGNALS:
+    void identifyRequested(); ///< there is no motor to tune yet
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    QWidget* buildSettings();
+    QWidget* buildFigures();
+    QWidget* buildButtons();
+    void connectParts();
+    void refreshWords();
+    void refreshModel();
+    void readConditions();
+    void ask();
+    std::optional<TuneQuestion> question();
+    void showSketch(const Result<TuneSketch>& sketch);
+    void showAnswer(const Result<TuneResult>& answer);
+    void showProblem(const Error& error);
+    void refreshButtons();
+    void apply();
+    void finishApply(const TuneResult& applied, const Result<ApplyResult>& result);
+    void drawVerification(const TuneResult& applied, const ApplyResult& result);
+    void restore();
+    void saveGains();
+    void savePicture(const widgets::FigureView& view);
+    void showError(const Error& error);
+
+    Workbench& m_bench;
+    FileChooser m_chooser;
+    LatestTask m_sketching; ///< what can be drawn at once
+    LatestTask m_judging;   ///< the rest
+    LatestTask m_drawing;   ///< the verification; predictions must not overtake it
+    LatestTask m_files;
+    LoopConditions m_conditions;
+    std::optional<AnalysisResult> m_present; ///< of the gains on the device
+    std::optional<TuneResult> m_shown;       ///< what the numbers say, and what would be applied
+    std::vector<ParameterValue> m_before; ///< what an apply replaced; empty when there is nothing to restore
+    bool m_isApplying = false;
+
+    QStackedWidget* m_pages = nullptr;
+    widgets::EmptyState* m_empty = nullptr;
+    widgets::MessageBar* m_message = nullptr;
+    QLabel* m_model = nullptr;
+    TuneForm* m_form = nullptr;
+    GainEditor* m_gains = nullptr;
+    Preflight* m_preflight = nullptr;
+    QPushButton* m_apply = nullptr;
+    QPushButton* m_keep = nullptr;
+    QPushButton* m_restore = nullptr;
+    QPushButton* m_save = nullptr;
+    widgets::ProgressRow* m_progress = nullptr;
+    widgets::FigureView* m_bode = nullptr;
+    QTabWidget* m_steps = nullptr;
+    widgets::FigureView* m_large = nullptr;
+    widgets::FigureView* m_linear = nullptr;
+    widgets::FigureView* m_verification = nullptr;
+    TuneNumbers* m_numbers = nullptr;
+    widgets::VerdictView* m_verdict = nullptr;
+};
+
+} // namespace halbench::app

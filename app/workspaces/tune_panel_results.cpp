@@ -1,0 +1,243 @@
+// What the Tune panel shows of an answer and does with it.
+#include "app/batch/result_documents.h"
+#include "app/procedures/large_step.h"
+#include "app/report/tuning_figures.h"
+#include "app/workspaces/document_files.h"
+#include "app/workspaces/gain_editor.h"
+#include "app/workspaces/preflight.h"
+#include "app/workspaces/tune_form.h"
+#include "app/workspaces/tune_numbers.h"
+#include "app/workspaces/tune_panel.h"
+#include "widgets/figure_view.h"
+#include "widgets/message_bar.h"
+#include "widgets/progress_row.h"
+#include "widgets/verdict_view.h"
+
+#include <QPointer>
+#include <QPushButton>
+#include <QTabWidget>
+
+namespace halbench::app {
+namespace {
+
+constexpr double VerificationStep_rad = 0.5; ///< as `tune --apply` takes it
+
+widgets::VerdictLevel levelOf(Verdict verdict) {
+    return verdict == Verdict::Good       ? widgets::VerdictLevel::Good
+           : verdict == Verdict::Doubtful ? widgets::VerdictLevel::Doubtful
+                                          : widgets::VerdictLevel::Refused;
+}
+
+std::vector<widgets::Remark> remarksOf(const std::vector<Finding>& findings) {
+    std::vector<widgets::Remark> remarks;
+    for (const Finding& finding : findings) {
+        remarks.push_back({QString::fromStdString(finding.message), QString::fromStdString(finding.hint)});
+    }
+    return remarks;
+}
+
+QString firstFinding(const DataQuality& quality) {
+    return quality.findings.empty() ? QString() : QString::fromStdString(quality.findings.front().message);
+}
+
+} // namespace
+
+void TunePanel::showSketch(const Result<TuneSketch>& sketch) {
+    if (!sketch) {
+        showProblem(sketch.error());
+        return;
+    }
+    if (m_form->origin() != TuneForm::Origin::Edited) {
+        m_gains->setLaw(sketch->law);
+    }
+    m_present = sketch->present;
+    m_bode->setFigure(openLoopFigure(sketch->predicted, m_present));
+    m_linear->setFigure(linearStepFigure(sketch->predicted).value_or(widgets::Figure{}));
+    m_large->setFigure(largeStepFigure(sketch->predicted, m_present).value_or(widgets::Figure{}));
+}
+
+void TunePanel::showAnswer(const Result<TuneResult>& answer) {
+    if (!answer) {
+        showProblem(answer.error());
+        return;
+    }
+    const TuneResult& proposed = *answer;
+    m_shown = proposed;
+    m_numbers->setNumbers(tuneNumbers(proposed, m_present));
+    const QString title = proposed.quality.verdict == Verdict::Good ? tr("Good: robustly stable")
+                          : proposed.quality.verdict == Verdict::Doubtful
+                              ? tr("Doubtful: read the warnings before you apply it")
+                              : tr("Refused: this loop is unstable");
+    m_verdict->setVerdict(levelOf(proposed.quality.verdict), title, remarksOf(proposed.warnings));
+    m_bench.setDesign(proposed);
+    refreshButtons();
+}
+
+void TunePanel::showProblem(const Error& error) {
+    m_shown.reset();
+    m_verdict->setVerdict(widgets::VerdictLevel::Refused, QString::fromStdString(error.message),
+                          {{QString::fromStdString(error.hint), {}}});
+    refreshButtons();
+}
+
+void TunePanel::refreshButtons() {
+    const bool isUsable = m_shown && m_shown->quality.verdict != Verdict::Refused;
+    m_apply->setEnabled(isUsable && m_preflight->isPassed() && !m_isApplying);
+    m_save->setEnabled(m_shown.has_value());
+    m_keep->setVisible(!m_before.empty());
+    m_restore->setVisible(!m_before.empty());
+    m_restore->setEnabled(m_bench.session().state() == SessionState::Connected &&
+                          m_bench.session().procedure().isEmpty());
+}
+
+void TunePanel::apply() {
+    const auto values = lawForDevice(m_shown->law, m_bench.session().catalogue());
+    if (!values) {
+        showError(values.error());
+        return;
+    }
+    ApplyConfig config;
+    config.values = *values;
+    ApplyVerification verification;
+    verification.motor = motorEstimate(*m_bench.identification());
+    verification.reference.shape = MoveReference::Shape::Step;
+    verification.reference.amplitude_rad = VerificationStep_rad;
+    config.verification = verification;
+    const QPointer<TunePanel> self(this);
+    m_isApplying = m_bench.session().runProcedure(
+        tr("Apply"),
+        [config](devices::Device& device, const ProcedureObserver& observer) {
+            return runApply(device, config, observer);
+        },
+        [self, applied = *m_shown](const Result<ApplyResult>& result) {
+            if (self) {
+                self->finishApply(applied, result);
+            }
+        });
+    m_message->clear();
+    m_progress->setText(tr("Writing the gains"));
+    m_progress->setProgress(0.0);
+    m_progress->setVisible(m_isApplying);
+    refreshButtons();
+}
+
+void TunePanel::finishApply(const TuneResult& applied, const Result<ApplyResult>& result) {
+    m_isApplying = false;
+    m_progress->hide();
+    if (!result) {
+        if (result.error().code == ErrorCode::Interrupted) {
+            m_message->showMessage(
+                {widgets::Severity::Information, tr("Cancelled; the gains from before run again."), {}, {}});
+        } else {
+            showError(result.error());
+        }
+        refreshButtons();
+        return;
+    }
+    if (result->verification) {
+        drawVerification(applied, *result);
+    }
+    if (result->isKept) {
+        m_before = result->before;
+        m_message->showMessage({widgets::Severity::Success,
+                                tr("Applied, and the verification move went as predicted."),
+                                tr("Keep the new gains, or restore those from before."),
+                                {}});
+    } else {
+        m_message->showMessage(
+            {widgets::Severity::Warning,
+             tr("Not kept, the gains from before run again: %1").arg(firstFinding(result->quality)),
+             result->quality.findings.empty() ? QString()
+                                              : QString::fromStdString(result->quality.findings.front().hint),
+             {}});
+    }
+    refreshButtons();
+    (m_before.empty() ? m_apply : m_keep)->setFocus(Qt::OtherFocusReason);
+}
+
+void TunePanel::drawVerification(const TuneResult& applied, const ApplyResult& result) {
+    m_drawing.run(
+        [applied, recording = result.verification->recording] {
+            // The prediction that runApply() judged by: the ideal loop of the identified motor.
+            auto step =
+                predictLargeStep(applied.plant, applied.law, applied.conditions, VerificationStep_rad);
+            models::IdealTrace trace = step ? std::move(step->trace) : models::IdealTrace{};
+            while (!trace.time_s.empty() && trace.time_s.back() > recording.time_s.back()) {
+                trace.time_s.pop_back();
+                trace.angle_rad.pop_back();
+                trace.current_A.pop_back();
+            }
+            return verificationFigure(trace, recording);
+        },
+        [this](widgets::Figure figure) {
+            m_verification->setFigure(std::move(figure));
+            m_steps->setTabEnabled(m_steps->indexOf(m_verification), true);
+            m_steps->setCurrentWidget(m_verification);
+        });
+}
+
+void TunePanel::restore() {
+    const QPointer<TunePanel> self(this);
+    m_bench.writeValues(m_before, [self](const Result<void>& written) {
+        if (!self) {
+            return;
+        }
+        if (!written) {
+            self->showError(written.error());
+            return;
+        }
+        self->m_before.clear();
+        self->m_message->showMessage(
+            {widgets::Severity::Success, tr("The gains from before run again."), {}, {}});
+        self->refreshButtons();
+        self->m_apply->setFocus(Qt::OtherFocusReason);
+    });
+}
+
+void TunePanel::saveGains() {
+    if (!m_shown) {
+        return;
+    }
+    ResultHeader header;
+    header.schema = "halbench.gains/1";
+    if (m_bench.session().state() == SessionState::Connected) {
+        header.device = m_bench.session().info();
+    }
+    saveDocument(
+        this, m_chooser, {tr("Save gains"), QStringLiteral("gains.json"), tr("Gains (*.json)")}, m_files,
+        [header, result = *m_shown] { return gainsDocument(header, result); },
+        [this](const QString& path, const Result<void>& written) {
+            if (written) {
+                m_message->showMessage({widgets::Severity::Success, tr("Saved as %1").arg(path), {}, {}});
+            } else {
+                showError(written.error());
+            }
+        });
+}
+
+void TunePanel::savePicture(const widgets::FigureView& view) {
+    const QString path = m_chooser.save
+                             ? m_chooser.save(this, {tr("Save picture"), QStringLiteral("tuning.svg"),
+                                                     tr("Picture (*.svg *.png)")})
+                             : QString();
+    if (path.isEmpty()) {
+        return;
+    }
+    if (const auto saved = view.save(path); !saved) {
+        showError(saved.error());
+    }
+}
+
+void TunePanel::setFileChooser(FileChooser chooser) {
+    m_chooser = std::move(chooser);
+    m_save->setVisible(bool(m_chooser.save));
+}
+
+void TunePanel::showError(const Error& error) {
+    m_message->showMessage({widgets::Severity::Error,
+                            QString::fromStdString(error.message),
+                            QString::fromStdString(error.hint),
+                            {}});
+}
+
+} // namespace halbench::app

@@ -1,0 +1,55 @@
+#include "app/workspaces/tune_question.h"
+
+#include <map>
+
+namespace halbench::app {
+
+namespace {
+
+Result<control::PositionLaw> lawOf(const TuneQuestion& question) {
+    if (question.law) {
+        return *question.law;
+    }
+    const auto plant = plantFromEstimate(question.motor);
+    if (!plant) {
+        return failure(plant.error());
+    }
+    const auto law = control::designLaw(question.config.method, *plant, question.config.conditions.timing,
+                                        question.config.targets);
+    if (!law) {
+        return failure(law.error());
+    }
+    std::map<std::string, double> values; // in the board's notation
+    for (const ParameterValue& value : lawParameters(*law)) {
+        values[value.name] = value.value;
+    }
+    return lawFromParameters(values);
+}
+
+} // namespace
+
+Result<TuneSketch> sketchTuning(const TuneQuestion& question) {
+    const auto law = lawOf(question);
+    if (!law) {
+        return failure(law.error());
+    }
+    auto predicted = runAnalysis(question.motor, *law, question.config.conditions);
+    if (!predicted) {
+        return failure(predicted.error());
+    }
+    TuneSketch sketch{*law, std::move(*predicted), {}};
+    if (question.present) {
+        auto present = runAnalysis(question.motor, *question.present, question.config.conditions);
+        if (present) {
+            sketch.present = std::move(*present);
+        }
+    }
+    return sketch;
+}
+
+Result<TuneResult> answerTuning(const TuneQuestion& question) {
+    return question.law ? judgeLaw(question.motor, *question.law, question.config)
+                        : runTune(question.motor, question.config);
+}
+
+} // namespace halbench::app

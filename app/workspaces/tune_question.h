@@ -1,0 +1,31 @@
+#pragma once
+
+#include "app/procedures/tune.h"
+
+#include <optional>
+
+namespace halbench::app {
+
+/// Everything a prediction depends on; asked from the window, answered by a worker.
+struct TuneQuestion {
+    MotorEstimate motor;
+    TuneConfig config;                           ///< its method names the gains when `law` is given
+    std::optional<control::PositionLaw> law;     ///< gains to judge; none: the method designs them
+    std::optional<control::PositionLaw> present; ///< gains on the device, drawn beside them
+};
+
+/// What can be drawn at once: some milliseconds.
+struct TuneSketch {
+    control::PositionLaw law; ///< parallel form, A/rad
+    AnalysisResult predicted;
+    std::optional<AnalysisResult> present;
+};
+/// A pure function. What the device's present gains make unjudgeable is left out. Errors: as of
+/// answerTuning.
+Result<TuneSketch> sketchTuning(const TuneQuestion& question);
+
+/// The whole judgement, with a thousand motors drawn from the uncertainty: some tenths of a second. Errors:
+/// of runTune and judgeLaw.
+Result<TuneResult> answerTuning(const TuneQuestion& question);
+
+} // namespace halbench::app

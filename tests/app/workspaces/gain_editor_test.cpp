@@ -1,0 +1,77 @@
+#include "app/workspaces/document_files.h"
+#include "app/workspaces/gain_editor.h"
+#include "app/workspaces/tune_question.h"
+#include "published_motor.h"
+#include "tests/widgets/gui_fixture.h"
+#include "widgets/optional_number_edit.h"
+
+#include <QTemporaryDir>
+#include <QtTest/QTest>
+
+namespace halbench::app {
+namespace {
+
+class GainEditorTest : public widgets::GuiTest {
+protected:
+    GainEditor editor;
+};
+
+TEST_F(GainEditorTest, whatWasSetComesBackToTheLastDigit) {
+    control::PositionLaw law;
+    law.gains.proportional = 1.0 / 3.0;
+    law.gains.derivative = 0.1 + 0.2;
+    law.coulomb_A = 1.29;
+    editor.setLaw(law);
+    const auto found = editor.law();
+    ASSERT_TRUE(found) << found.error().message;
+    EXPECT_EQ(found->gains.proportional, law.gains.proportional);
+    EXPECT_EQ(found->gains.derivative, law.gains.derivative);
+    EXPECT_EQ(found->coulomb_A, law.coulomb_A);
+}
+
+TEST_F(GainEditorTest, aMissingNumberIsNamed) {
+    auto* edit = editor.findChild<widgets::OptionalNumberEdit*>("gain.ki");
+    edit->setFocus();
+    QTest::keyClick(edit, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClick(edit, Qt::Key_Delete);
+    const auto found = editor.law();
+    ASSERT_FALSE(found);
+    EXPECT_NE(found.error().message.find("K_I"), std::string::npos);
+}
+
+TEST(TuneQuestion, judgesTheGainsOnTheDeviceBesideTheProposedOnes) {
+    TuneQuestion question;
+    question.motor = motorEstimate(publishedMotor());
+    question.present = control::PositionLaw{};
+    question.present->gains.proportional = 10.0;
+    const auto sketch = sketchTuning(question);
+    ASSERT_TRUE(sketch) << sketch.error().message;
+    ASSERT_TRUE(sketch->present);
+    // i_f/K_P of 1.434 A and 10 A/rad (htm-theory.md 6.7: 8.21 degrees)
+    EXPECT_NEAR(sketch->present->frictionBand_rad * 180.0 / M_PI, 8.21, 0.02);
+    // The sketch is the judgement without its draws.
+    const auto answer = answerTuning(question);
+    ASSERT_TRUE(answer) << answer.error().message;
+    EXPECT_EQ(answer->law.gains.proportional, sketch->law.gains.proportional);
+    EXPECT_EQ(answer->predicted.margins.phaseMargin_deg, sketch->predicted.margins.phaseMargin_deg);
+    question.law = question.present;
+    EXPECT_EQ(answerTuning(question)->law.gains.proportional, 10.0);
+}
+
+TEST_F(GainEditorTest, aDocumentIsWrittenWhereTheUserSays) {
+    const QTemporaryDir folder;
+    LatestTask task;
+    std::optional<bool> isWritten;
+    const auto then = [&](const QString&, const Result<void>& written) { isWritten = written.has_value(); };
+    const auto document = [] { return JsonValue::object(); };
+    saveDocument(nullptr, {}, {}, task, document, then); // nobody to ask: nothing happens
+    EXPECT_FALSE(task.isBusy());
+    const FileChooser chooser{[&](QWidget*, const FileQuestion&) { return folder.filePath("a.json"); }, {}};
+    saveDocument(nullptr, chooser, {}, task, document, then);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return isWritten.has_value(); }));
+    EXPECT_TRUE(*isWritten);
+    EXPECT_TRUE(QFile::exists(folder.filePath("a.json")));
+}
+
+} // namespace
+} // namespace halbench::app

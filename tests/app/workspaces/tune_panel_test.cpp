@@ -1,0 +1,254 @@
+#include "app/batch/model_file.h"
+#include "app/workspaces/preflight.h"
+#include "app/workspaces/tune_form.h"
+#include "app/workspaces/tune_numbers.h"
+#include "app/workspaces/tune_panel.h"
+#include "panel_fixture.h"
+#include "published_motor.h"
+#include "widgets/figure_view.h"
+#include "widgets/message_bar.h"
+#include "widgets/optional_number_edit.h"
+#include "widgets/verdict_view.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QProcess>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+namespace halbench::app {
+namespace {
+
+class TunePanelTest : public PanelTest {
+protected:
+    void SetUp() override {
+        PanelTest::SetUp();
+        panel.setFileChooser({[this](QWidget*, const FileQuestion&) { return gainsPath(); }, {}});
+        show(panel);
+    }
+
+    QString gainsPath() const { return m_folder.filePath("gains.json"); }
+    widgets::OptionalNumberEdit* edit(const char* name) const {
+        return panel.findChild<widgets::OptionalNumberEdit*>(name);
+    }
+    double shown(const char* name) const { return edit(name)->value().value_or(-1.0); }
+    QString message() const { return panel.findChild<widgets::MessageBar*>()->message().text; }
+    QString verdict() const { return panel.findChild<widgets::VerdictView*>()->text(); }
+    bool canApply() const { return isEnabled(panel, "Apply and verify"); }
+
+    void type(const char* name, const char* text) {
+        edit(name)->setFocus();
+        QTest::keyClick(edit(name), Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClicks(edit(name), text);
+    }
+
+    void choose(const QString& accessibleName, const QString& text) {
+        for (auto* box : panel.findChildren<QComboBox*>()) {
+            if (box->accessibleName() == accessibleName) {
+                ASSERT_GE(box->findText(text), 0) << text.toStdString();
+                box->setFocus();
+                QTest::keyClick(box, Qt::Key_Home);
+                for (int i = 0; i < box->findText(text); ++i) {
+                    QTest::keyClick(box, Qt::Key_Down);
+                }
+                ASSERT_EQ(box->currentText(), text);
+                return;
+            }
+        }
+        FAIL() << accessibleName.toStdString();
+    }
+
+    /// A motor that is known and a device that could take the recommended gains.
+    void prepare(const QString& uri = "sim:htm?seed=4", double speed_ratio = 0.0) {
+        connectMotor(uri, speed_ratio);
+        bench.setIdentification(publishedMotor());
+        ASSERT_TRUE(wait([&] { return canApply(); })) << verdict().toStdString();
+    }
+
+    QTemporaryDir m_folder;
+    TunePanel panel{bench};
+};
+
+TEST_F(TunePanelTest, withoutAMotorItOffersToIdentifyOne) {
+    QSignalSpy asked(&panel, &TunePanel::identifyRequested);
+    click(panel, "Identify the motor");
+    EXPECT_EQ(asked.count(), 1);
+    EXPECT_EQ(button(panel, "Apply and verify"), nullptr);
+}
+
+TEST_F(TunePanelTest, recommendsThePresetOfThePublishedMotorAndSavesIt) {
+    bench.setIdentification(publishedMotor());
+    ASSERT_TRUE(wait([&] { return bench.design().has_value(); }));
+    EXPECT_NEAR(shown("gain.kp"), 40.0, 1e-4); // htm-theory.md 8.4
+    EXPECT_NEAR(shown("gain.ki"), 60.0, 1e-4);
+    EXPECT_NEAR(shown("gain.kd"), 1.4, 1e-4);
+    EXPECT_FALSE(canApply()); // no device
+    click(panel, "Save gains\u2026");
+    ASSERT_TRUE(wait([&] { return message().startsWith("Saved"); })) << message().toStdString();
+    const auto file = readGainsFile(gainsPath().toStdString());
+    ASSERT_TRUE(file) << file.error().message;
+    EXPECT_EQ(file->law.gains.proportional, bench.design()->law.gains.proportional);
+}
+
+TEST_F(TunePanelTest, gainsPerDegreeAreThoseOfTheBoardOver57) {
+    bench.setIdentification(publishedMotor());
+    ASSERT_TRUE(wait([&] { return bench.design().has_value(); }));
+    choose("Unit of the gains", "A/\u00b0");
+    EXPECT_NEAR(shown("gain.kp"), 40.0 / 57.29578, 1e-4);
+    type("gain.kp", "0.5");
+    ASSERT_TRUE(
+        wait([&] { return std::abs(bench.design()->law.gains.proportional - 0.5 * 57.29578) < 1e-4; }));
+}
+
+TEST_F(TunePanelTest, anEditIsPredictedAndMarkedAsOne) {
+    bench.setIdentification(publishedMotor());
+    ASSERT_TRUE(wait([&] { return bench.design().has_value(); }));
+    const auto before = panel.findChild<widgets::FigureView*>()->figure().panels.at(0).curves.at(0).y;
+    type("gain.kp", "20");
+    ASSERT_TRUE(wait([&] { return bench.design()->law.gains.proportional == 20.0; }));
+    EXPECT_EQ(bench.design()->method, "edited");
+    EXPECT_EQ(panel.findChild<TuneForm*>()->origin(), TuneForm::Origin::Edited);
+    EXPECT_NE(panel.findChild<widgets::FigureView*>()->figure().panels.at(0).curves.at(0).y, before);
+    choose("Where the gains come from", "Preset: published");
+    ASSERT_TRUE(wait([&] { return bench.design()->law.gains.proportional == 10.0; }));
+    EXPECT_NEAR(shown("gain.ki"), 0.1, 1e-12);
+}
+
+TEST_F(TunePanelTest, targetsAreThoseOfTheMethod) {
+    bench.setIdentification(publishedMotor());
+    EXPECT_FALSE(edit("bandwidth-hz")->isVisible());
+    choose("Where the gains come from", "Method: bandwidth");
+    ASSERT_TRUE(edit("bandwidth-hz")->isVisible());
+    type("bandwidth-hz", "6");
+    ASSERT_TRUE(wait([&] { return bench.design() && bench.design()->targets.bandwidth_Hz == 6.0; }));
+    type("bandwidth-hz", "1000"); // not with this sampling: says what is possible
+    EXPECT_TRUE(wait([&] { return verdict().contains("between 0 and 50"); })) << verdict().toStdString();
+}
+
+TEST_F(TunePanelTest, noNumberThatIsNoneReachesAGain) {
+    prepare();
+    const auto before = valuesNow();
+    for (const char* gain : {"gain.kp", "gain.ki", "gain.kd"}) {
+        for (const char* text : {"nan", "inf", "1e999", "-1", "", "abc"}) {
+            type(gain, "1");
+            ASSERT_TRUE(wait([&] { return !verdict().contains("number"); }));
+            type(gain, text);
+            if (*text == '\0') {
+                QTest::keyClick(edit(gain), Qt::Key_Backspace);
+            }
+            EXPECT_FALSE(canApply()) << gain << " " << text;
+        }
+        choose("Where the gains come from", "Method: recommended");
+        ASSERT_TRUE(wait([&] { return canApply(); }));
+    }
+    EXPECT_EQ(valuesNow(), before);
+}
+
+TEST_F(TunePanelTest, anUnstableEditCannotBeApplied) {
+    prepare();
+    type("gain.kd", "0");
+    type("gain.kp", "30"); // above 17.27 A/rad (htm-theory.md 3.7)
+    ASSERT_TRUE(wait([&] { return bench.design()->law.gains.proportional == 30.0; }));
+    EXPECT_TRUE(verdict().startsWith("Refused")) << verdict().toStdString();
+    EXPECT_FALSE(canApply());
+}
+
+TEST_F(TunePanelTest, appliesVerifiesDrawsAndRestores) {
+    prepare();
+    const auto before = valuesNow();
+    click(panel, "Apply and verify");
+    ASSERT_TRUE(wait([&] { return !message().isEmpty(); }));
+    ASSERT_TRUE(message().startsWith("Applied")) << message().toStdString();
+    const auto after = valuesNow();
+    EXPECT_NEAR(after.at("gain.kp"), 40.0, 1e-4);
+    EXPECT_EQ(after.at("window.speed"), before.at("window.speed")); // the windows of the move are gone
+    EXPECT_FALSE(bench.session().report().board.isArmed);
+    const widgets::FigureView* verification = nullptr;
+    ASSERT_TRUE(wait([&] {
+        for (auto* view : panel.findChildren<widgets::FigureView*>()) {
+            verification = view->accessibleName().startsWith("Verification") ? view : verification;
+        }
+        return verification != nullptr && verification->isVisible();
+    }));
+    EXPECT_EQ(verification->figure().panels.at(0).curves.size(), 2U);
+    click(panel, "Restore");
+    ASSERT_TRUE(wait([&] { return message().contains("before run again"); }));
+    EXPECT_EQ(valuesNow(), before);
+    EXPECT_EQ(button(panel, "Restore"), nullptr);
+}
+
+TEST_F(TunePanelTest, keepLetsTheNewGainsStay) {
+    prepare();
+    click(panel, "Apply and verify");
+    ASSERT_TRUE(wait([&] { return button(panel, "Keep") != nullptr; })) << message().toStdString();
+    click(panel, "Keep");
+    EXPECT_EQ(button(panel, "Restore"), nullptr);
+    EXPECT_NEAR(valuesNow().at("gain.kp"), 40.0, 1e-4);
+}
+
+TEST_F(TunePanelTest, cancelInEachStageRestoresTheGainsAndDisarms) {
+    prepare();
+    const auto before = valuesNow();
+    for (const ProcedureState stage :
+         {ProcedureState::Prepare, ProcedureState::Propose, ProcedureState::Apply, ProcedureState::Verify}) {
+        ASSERT_TRUE(wait([&] { return canApply(); }));
+        // At this pace the move lasts longer than the word needs.
+        bench.session().setPace({stage == ProcedureState::Verify ? 1.0 : 0.0});
+        const auto connection = QObject::connect(
+            &bench.session(), &DeviceSession::procedureStage, &panel, [&](ProcedureState now) {
+                if (now == stage && button(panel, "Cancel") != nullptr) {
+                    QTest::mouseClick(button(panel, "Cancel"), Qt::LeftButton);
+                }
+            });
+        click(panel, "Apply and verify");
+        ASSERT_TRUE(wait([&] { return bench.session().procedure().isEmpty() && !button(panel, "Cancel"); }));
+        QObject::disconnect(connection);
+        bench.session().setPace({0.0});
+        if (button(panel, "Restore") != nullptr) { // it was over before the word arrived
+            EXPECT_NE(stage, ProcedureState::Verify);
+            click(panel, "Restore");
+            ASSERT_TRUE(wait([&] { return button(panel, "Restore") == nullptr; }));
+        }
+        EXPECT_EQ(valuesNow(), before) << procedureStateName(stage);
+        EXPECT_FALSE(bench.session().report().board.isArmed);
+    }
+}
+
+TEST_F(TunePanelTest, aDeviceLostInTheVerificationIsSaidInPlace) {
+    QProcess board;
+    board.start(HALBENCH_PROGRAM, {"serve", "sim:htm", "--tcp", "127.0.0.1:0"});
+    ASSERT_TRUE(board.waitForReadyRead(Patience_ms));
+    connectMotor(QString::fromUtf8(board.readLine()).trimmed().section(' ', 1), 1.0);
+    bench.setIdentification(publishedMotor());
+    ASSERT_TRUE(wait([&] { return bench.design().has_value(); }));
+    if (auto* consent = panel.findChild<QCheckBox*>(); consent->isVisible()) {
+        EXPECT_FALSE(canApply()); // a real motor moves only with consent
+        QTest::mouseClick(consent, Qt::LeftButton, {}, {8, consent->height() / 2});
+    }
+    ASSERT_TRUE(wait([&] { return canApply(); })) << verdict().toStdString();
+    click(panel, "Apply and verify");
+    ASSERT_TRUE(wait([&] { return bench.session().report().board.isArmed; }));
+    board.kill();
+    ASSERT_TRUE(wait([&] { return bench.session().procedure().isEmpty(); }));
+    EXPECT_FALSE(message().isEmpty());
+    EXPECT_FALSE(canApply());
+    type("gain.kp", "20"); // it still computes
+    EXPECT_TRUE(wait([&] { return bench.design()->law.gains.proportional == 20.0; }));
+    bench.session().disconnectDevice();
+    board.waitForFinished(Patience_ms);
+}
+
+TEST_F(TunePanelTest, theNumbersHaveTheirUnits) {
+    bench.setIdentification(publishedMotor());
+    ASSERT_TRUE(wait([&] { return bench.design().has_value(); }));
+    const auto numbers = tuneNumbers(*bench.design(), std::nullopt);
+    const auto found = std::find_if(numbers.begin(), numbers.end(),
+                                    [](const TuneNumber& number) { return number.name.contains("band"); });
+    ASSERT_NE(found, numbers.end());
+    // i_f/K_P = 1.434 A/(40 A/rad) = 2.05 degrees, of which the assist takes 90 %: what the analysis says
+    EXPECT_TRUE(found->proposed.startsWith("\u00b1") && found->proposed.endsWith("\u00b0"));
+    EXPECT_EQ(panel.findChild<TuneNumbers*>()->rowCount(), static_cast<int>(numbers.size()));
+}
+
+} // namespace
+} // namespace halbench::app
