@@ -4,6 +4,7 @@
 #include "app/window/help_window.h"
 #include "app/window/project_menu.h"
 #include "app/window/stop_guard.h"
+#include "app/window/task_flow.h"
 #include "app/window/top_bar.h"
 #include "app/workspaces/device_panel.h"
 #include "app/workspaces/link_panel.h"
@@ -82,6 +83,7 @@ void MainWindow::buildCentre() {
     m_bar->setStopLockOut_ms(m_preferences.stopLockOut_ms);
     m_docks = new DockLayout(m_bench, centre);
     m_message = new widgets::MessageBar(centre);
+    connectTaskFlow(*m_docks, m_bench);
     column->addWidget(m_bar);
     column->addWidget(m_message);
     column->addWidget(m_docks->widget(), 1);

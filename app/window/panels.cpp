@@ -1,5 +1,7 @@
 #include "app/window/panels.h"
 
+#include "app/wizards/calibrate_panel.h"
+#include "app/wizards/identify_panel.h"
 #include "app/workspaces/device_panel.h"
 #include "app/workspaces/drive_panel.h"
 #include "app/workspaces/field_panel.h"
@@ -8,6 +10,7 @@
 #include "app/workspaces/notes_panel.h"
 #include "app/workspaces/parameters_panel.h"
 #include "app/workspaces/record_panel.h"
+#include "app/workspaces/tune_panel.h"
 
 #include <QCoreApplication>
 
@@ -85,6 +88,24 @@ std::vector<PanelSpec> panelSpecs() {
          {Perspective::Monitor, Perspective::Record},
          "monitor.md",
          make<RecordPanel>},
+        {"calibrate",
+         words(QT_TRANSLATE_NOOP("Panels", "Calibrate")),
+         PanelArea::Centre,
+         {Perspective::Identify},
+         "identification.md",
+         make<CalibratePanel>},
+        {"identify",
+         words(QT_TRANSLATE_NOOP("Panels", "Identify")),
+         PanelArea::Centre,
+         {Perspective::Identify},
+         "identification.md",
+         make<IdentifyPanel>},
+        {"tune",
+         words(QT_TRANSLATE_NOOP("Panels", "Tune")),
+         PanelArea::Centre,
+         {Perspective::Tune},
+         "tuning.md",
+         make<TunePanel>},
         {"log", words(QT_TRANSLATE_NOOP("Panels", "Log")), PanelArea::Bottom, everywhere(), "index.md",
          make<LogPanel>},
         {"notes", words(QT_TRANSLATE_NOOP("Panels", "Notes")), PanelArea::Bottom, everywhere(), "index.md",
