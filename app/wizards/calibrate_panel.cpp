@@ -126,7 +126,7 @@ QWidget* CalibratePanel::buildResultButtons() {
     });
     connect(m_again, &QPushButton::clicked, this, [this] {
         showPage(PreparePage);
-        steps().reset();
+        resetSteps();
         m_start->setFocus(Qt::OtherFocusReason);
     });
     return bar;
@@ -137,7 +137,7 @@ void CalibratePanel::onFileChooser() {
 }
 
 void CalibratePanel::refreshWords() {
-    steps().setSteps({tr("Prepare"), tr("Measure"), tr("Propose"), tr("Apply")});
+    setSteps({tr("Prepare"), tr("Measure"), tr("Propose"), tr("Apply")});
     m_intro->setText(tr("Finds what the angle sensors and the coils do to the measured angle, and how much "
                         "current the rotor needs to start."));
     const std::pair<QString, QString> choices[] = {
@@ -196,15 +196,15 @@ void CalibratePanel::start() {
     }
     m_progress->setText(tr("Calibrating"));
     m_progress->setProgress(std::nullopt);
-    steps().setRunning(PrepareStep);
+    runStep(PrepareStep);
     showPage(RunPage);
 }
 
 void CalibratePanel::onStage(ProcedureState stage) {
     if (isMine() && stage == ProcedureState::Excite) {
-        steps().setRunning(ExciteStep);
+        runStep(ExciteStep);
     } else if (isMine() && stage == ProcedureState::Propose) {
-        steps().setRunning(ProposeStep);
+        runStep(ProposeStep);
     }
 }
 
@@ -218,8 +218,8 @@ void CalibratePanel::finish(const Result<CalibrateResult>& result) {
     m_result = *result;
     m_header = headerOf("halbench.calibration/1", config().seed);
     showResult();
-    steps().setRunning(ApplyStep);
-    steps().setState(ApplyStep, widgets::StepState::Waiting);
+    runStep(ApplyStep);
+    endStep(ApplyStep, widgets::StepState::Waiting);
     showPage(ResultPage);
     (m_apply->isEnabled() ? m_apply : m_again)->setFocus(Qt::OtherFocusReason);
 }
@@ -248,8 +248,7 @@ void CalibratePanel::write(const std::vector<ParameterValue>& values, bool isApp
             return;
         }
         self->m_result->isApplied = isApplying;
-        self->steps().setState(ApplyStep,
-                               isApplying ? widgets::StepState::Done : widgets::StepState::Waiting);
+        self->endStep(ApplyStep, isApplying ? widgets::StepState::Done : widgets::StepState::Waiting);
         self->messages().showMessage(
             {widgets::Severity::Success,
              isApplying ? tr("Applied and read back; it stays until the device is switched off.")

@@ -150,14 +150,14 @@ QWidget* IdentifyPanel::buildResultButtons() {
     connect(m_load, &QPushButton::clicked, this, &IdentifyPanel::load);
     connect(m_again, &QPushButton::clicked, this, [this] {
         showPage(PreparePage);
-        steps().reset();
+        resetSteps();
         m_start->setFocus(Qt::OtherFocusReason);
     });
     return bar;
 }
 
 void IdentifyPanel::refreshWords() {
-    steps().setSteps({tr("Prepare"), tr("Excite"), tr("Fit"), tr("Judge"), tr("Result")});
+    setSteps({tr("Prepare"), tr("Excite"), tr("Fit"), tr("Judge"), tr("Result")});
     m_intro->setText(tr("Finds damping, friction, torque constant and inertia of the motor with their 95 % "
                         "intervals, by turning it at steady currents and letting it coast."));
     sayButton(*m_start, tr("Start identification"), tr("The rotor turns (Ctrl+Return); Esc stops it"));
@@ -232,7 +232,7 @@ void IdentifyPanel::start() {
     m_liveView->setFigure(livePlateauFigure({}, config->sweep.to_A, outlook.largestSpeed_rad_s * 1.2));
     m_progress->setText(tr("Identifying"));
     m_progress->setProgress(0.0);
-    steps().setRunning(PrepareStep);
+    runStep(PrepareStep);
     showPage(RunPage);
     m_sinceStart.start();
     m_frame.start();
@@ -265,15 +265,15 @@ void IdentifyPanel::onStage(ProcedureState stage) {
     switch (stage) {
     case ProcedureState::Excite:
     case ProcedureState::Record:
-        steps().setRunning(ExciteStep);
+        runStep(ExciteStep);
         m_progress->setText(tr("The rotor turns: plateaus and coast-downs"));
         break;
     case ProcedureState::Fit:
-        steps().setRunning(FitStep);
+        runStep(FitStep);
         m_progress->setText(tr("Fitting all of the motion"));
         break;
     case ProcedureState::Judge:
-        steps().setRunning(JudgeStep);
+        runStep(JudgeStep);
         break;
     default:
         break;
@@ -297,8 +297,8 @@ void IdentifyPanel::showResult(const IdentifyResult& result, const ResultHeader&
     m_result->setResult(result, header);
     const bool isUsable = result.quality.verdict != Verdict::Refused;
     m_tune->setEnabled(isUsable);
-    steps().setRunning(ResultStep);
-    steps().setState(ResultStep, isUsable ? widgets::StepState::Done : widgets::StepState::Failed);
+    runStep(ResultStep);
+    endStep(ResultStep, isUsable ? widgets::StepState::Done : widgets::StepState::Failed);
     showPage(ResultPage);
     (isUsable ? m_tune : m_again)->setFocus(Qt::OtherFocusReason);
 }

@@ -22,6 +22,8 @@ WizardPanel::WizardPanel(Workbench& bench, QWidget* parent)
     row->setContentsMargins(widgets::PanelMargin_px, widgets::PanelMargin_px, widgets::PanelMargin_px,
                             widgets::PanelMargin_px);
     row->setSpacing(2 * widgets::GroupSpacing_px);
+    m_steps->setFocusPolicy(Qt::NoFocus); // it tells; nothing in it is chosen
+    m_steps->setFrameShape(QFrame::NoFrame);
     row->addWidget(m_steps);
     auto* right = new QVBoxLayout;
     right->setSpacing(widgets::PanelMargin_px);
@@ -51,6 +53,39 @@ void WizardPanel::showPage(int page) {
     m_pages->setCurrentIndex(page);
 }
 
+void WizardPanel::setSteps(const QStringList& names) {
+    std::vector<widgets::StepState> states;
+    for (int step = 0; step < m_steps->count(); ++step) {
+        states.push_back(m_steps->stepState(step));
+    }
+    m_steps->setSteps(names);
+    for (int step = 0; step < m_steps->count(); ++step) {
+        const auto index = static_cast<std::size_t>(step);
+        endStep(step, index < states.size() ? states[index] : widgets::StepState::Waiting);
+    }
+}
+
+void WizardPanel::runStep(int step) {
+    for (int other = 0; other < m_steps->count(); ++other) {
+        endStep(other, other < step    ? widgets::StepState::Done
+                       : other == step ? widgets::StepState::Running
+                                       : widgets::StepState::Waiting);
+    }
+    m_steps->setCurrentStep(step);
+}
+
+void WizardPanel::endStep(int step, widgets::StepState state) {
+    m_steps->setStepState(step, state);
+    m_steps->setReachable(step, false); // the procedure goes through them, not the user
+}
+
+void WizardPanel::resetSteps() {
+    for (int step = 0; step < m_steps->count(); ++step) {
+        endStep(step, widgets::StepState::Waiting);
+    }
+    m_steps->setCurrentStep(-1);
+}
+
 bool WizardPanel::couldStart(bool hasStarted) {
     m_isMine = hasStarted;
     if (hasStarted) {
@@ -66,8 +101,8 @@ bool WizardPanel::couldStart(bool hasStarted) {
 
 void WizardPanel::fail(const Error& error, const QString& cancelledText) {
     for (int step = 0; step < m_steps->count(); ++step) {
-        if (m_steps->state(step) == widgets::StepState::Running) {
-            m_steps->setState(step, widgets::StepState::Failed);
+        if (m_steps->stepState(step) == widgets::StepState::Running) {
+            endStep(step, widgets::StepState::Failed);
         }
     }
     m_pages->setCurrentIndex(0);

@@ -18,6 +18,7 @@ class QStackedWidget;
 namespace halbench::widgets {
 class MessageBar;
 class StepList;
+enum class StepState;
 } // namespace halbench::widgets
 
 namespace halbench::app {
@@ -35,9 +36,15 @@ protected:
 
     Workbench& bench() const { return m_bench; }
     const FileChooser& chooser() const { return m_chooser; }
-    widgets::StepList& steps() { return *m_steps; }
     widgets::MessageBar& messages() { return *m_message; }
     LatestTask& files() { return m_files; }
+
+    /// Names of the steps; what they are at stays when the language changes.
+    void setSteps(const QStringList& names);
+    /// Everything before is done, this one runs, everything after waits.
+    void runStep(int step);
+    void endStep(int step, widgets::StepState state);
+    void resetSteps(); ///< all wait
 
     void addPage(QWidget* page, bool isScrolled);
     void showPage(int page);
