@@ -1,3 +1,4 @@
+#include "app/procedures/move_procedure.h"
 #include "app/workspaces/record_panel.h"
 #include "app/workspaces/recording_control.h"
 #include "app/workspaces/wall_clock.h"
@@ -11,6 +12,8 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTemporaryDir>
+
+#include <algorithm>
 
 namespace halbench::app {
 namespace {
@@ -106,6 +109,40 @@ TEST_F(RecordPanelTest, aDeviceThatGoesAwayCompletesTheFile) {
     const auto file = devices::readRecordingFile(folder.filePath("short.csv").toStdString());
     ASSERT_TRUE(file) << file.error().message;
     EXPECT_GT(file->recording.rows(), 20U);
+}
+
+TEST_F(RecordPanelTest, aProcedureIsRecordedThroughItsOwnStream) {
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Record")->isEnabled(); }));
+    type(find<QLineEdit>(*panel, "Name of the recording"), "move");
+    click(*panel, "Record");
+    ASSERT_TRUE(wait([&] { return figure("Rows written").toInt() > 20; }));
+    bool hasMoved = false;
+    session().runProcedure(
+        "move",
+        [](devices::Device& device, const ProcedureObserver& observer) {
+            MoveConfig config;
+            config.reference = *parseMoveReference("step,amplitude_deg=100");
+            config.duration_s = 1.0;
+            return runMove(device, config, observer);
+        },
+        [&hasMoved](const Result<MoveResult>& moved) { hasMoved = moved.has_value(); });
+    ASSERT_TRUE(wait([&] { return hasMoved; }));
+    const int before = figure("Rows written").toInt();
+    ASSERT_TRUE(
+        wait([&] { return figure("Rows written").toInt() > before + 50; })); // the panels' stream again
+    click(*panel, "End the recording");
+    ASSERT_TRUE(wait([&] { return message().severity == widgets::Severity::Success; }));
+    const auto file = devices::readRecordingFile(folder.filePath("move.csv").toStdString());
+    ASSERT_TRUE(file) << file.error().message;
+    const std::vector<double> position = file->recording.column("position");
+    const auto [least, most] = std::minmax_element(position.begin(), position.end());
+    EXPECT_GT(*most - *least, 1.5); // rad, of a step of 100 degrees = 1.75
+    std::uint64_t lost = 0;
+    for (const auto& gap : file->meta.gaps) {
+        lost += gap.lostRows;
+    }
+    EXPECT_EQ(lost, file->recording.lostRows); // what is missing is marked, no more and no less
 }
 
 TEST_F(RecordPanelTest, aFolderThatCannotBeMadeIsSaidInPlace) {
