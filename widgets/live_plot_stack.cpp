@@ -173,7 +173,7 @@ void LivePlotStack::matchRows() {
     while (m_rows.size() > m_specs.size()) {
         m_rows.back().box->hide();
         m_rows.back().box->setParent(this); // out of the splitter
-        m_rows.back().box->deleteLater(); // the request may come from one of its own signals
+        m_rows.back().box->deleteLater();   // the request may come from one of its own signals
         m_rows.pop_back();
     }
     for (std::size_t i = 0; i < m_rows.size(); ++i) {

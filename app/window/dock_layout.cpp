@@ -1,10 +1,12 @@
 #include "app/window/dock_layout.h"
 
+#include "widgets/icons.h"
 #include "widgets/theme_style.h"
 
 #include <qtadvanceddocking/DockAreaWidget.h>
 #include <qtadvanceddocking/DockManager.h>
 #include <qtadvanceddocking/DockWidget.h>
+#include <qtadvanceddocking/IconProvider.h>
 
 #include <algorithm>
 
@@ -41,6 +43,8 @@ void configureDocking() {
     Manager::setConfigFlag(Manager::DockAreaHasCloseButton, false);
     Manager::setConfigFlag(Manager::FocusHighlighting, true);
     Manager::setConfigFlag(Manager::XmlCompressionEnabled, false); // layouts that can be compared
+    Manager::iconProvider().registerCustomIcon(ads::DockAreaMenuIcon, widgets::themedIcon("chevron-down"));
+    Manager::iconProvider().registerCustomIcon(ads::DockAreaUndockIcon, widgets::themedIcon("export"));
 }
 
 bool isIn(const PanelSpec& spec, Perspective perspective) {

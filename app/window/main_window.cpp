@@ -180,7 +180,8 @@ void MainWindow::recoverUnnamed() {
     if (const std::optional<Project> left = m_project.recoverable({})) {
         m_project.recover({}, *left);
         takeOverProject();
-        onMessage(widgets::Severity::Information, tr("The project of the last session, which has no name yet, is open again."),
+        onMessage(widgets::Severity::Information,
+                  tr("The project of the last session, which has no name yet, is open again."),
                   tr("Save it under a name to keep it."));
     }
 }
