@@ -129,7 +129,7 @@ void ParameterTable::layOut() {
     auto* bottom = new QHBoxLayout;
     bottom->addWidget(m_writeButton);
     for (QAction* action : {m_read, m_revert, m_defaults}) {
-        bottom->addWidget(new ActionButton(*action, ActionButton::Shape::IconAndText, this));
+        bottom->addWidget(new ActionButton(*action, ActionButton::Shape::IconOnly, this));
     }
     bottom->addStretch(1);
     bottom->addWidget(new ActionButton(*m_undo, ActionButton::Shape::IconOnly, this));

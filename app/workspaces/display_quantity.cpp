@@ -56,8 +56,8 @@ constexpr Words Signals[] = {
     {"reference.running", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Generator running")},
     {"capture.state", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Capture state")},
     {"capture.time", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Capture time")},
-    {"truth.position", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "True angle (simulated)")},
-    {"truth.speed", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "True speed (simulated)")},
+    {"truth.position", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "True angle")},
+    {"truth.speed", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "True speed")},
 };
 
 } // namespace

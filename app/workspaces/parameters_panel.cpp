@@ -54,6 +54,8 @@ QWidget* ParametersPanel::buildPresets() {
     column->setContentsMargins(widgets::PanelMargin_px, 0, widgets::PanelMargin_px, widgets::PanelMargin_px);
     column->setSpacing(widgets::GridStep_px);
     m_presets = new QComboBox(box);
+    m_presets->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // titles may be long
+    m_presets->setMinimumContentsLength(12);
     m_presets->setAccessibleName(tr("Preset"));
     m_presets->setToolTip(tr("A named set of parameters, shipped or your own"));
     m_load = makeButton(

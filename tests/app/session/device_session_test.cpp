@@ -124,7 +124,8 @@ TEST_F(DeviceSessionTest, abortRestoresTheWindowsThatTheMoveHadSet) {
 TEST_F(DeviceSessionTest, aStreamTheDeviceRefusesIsSaidAndTheDeviceStaysConnected) {
     connectMotor("", 20.0);
     QString said;
-    QObject::connect(&session, &DeviceSession::message, &session,
+    const QObject listener; // goes before what it writes to
+    QObject::connect(&session, &DeviceSession::message, &listener,
                      [&said](MessageLevel level, const QString&, const QString& text) {
                          said = level == MessageLevel::Warning ? text : said;
                      });

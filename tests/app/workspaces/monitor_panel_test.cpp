@@ -70,7 +70,7 @@ TEST_F(MonitorPanelTest, enterAndTickPlotASignalAndItIsStreamed) {
     connectTo("sim:htm", 5.0);
     ASSERT_FALSE(isPlotted("truth.position"));
     tree().setFocus();
-    tree().setCurrentItem(item("True angle (simulated)"));
+    tree().setCurrentItem(item("True angle"));
     QTest::keyClick(&tree(), Qt::Key_Return);
     EXPECT_TRUE(isPlotted("truth.position"));
     EXPECT_EQ(stack().plots().size(), 5U); // beside the other angles
@@ -87,7 +87,7 @@ TEST_F(MonitorPanelTest, aDroppedSignalGoesToThePlotOfItsUnit) {
     Q_EMIT stack().signalsDropped(0, {"truth.speed"}); // onto the Hall sensors
     EXPECT_EQ(stack().plots()[0].curves.size(), 2U);
     EXPECT_EQ(stack().plots()[2].curves.size(), 2U);
-    EXPECT_EQ(item("True speed (simulated)")->checkState(SignalTree::NameColumn), Qt::Checked);
+    EXPECT_EQ(item("True speed")->checkState(SignalTree::NameColumn), Qt::Checked);
 }
 
 TEST_F(MonitorPanelTest, pauseKeepsTheDataAndTheTickFollowsTheLegend) {
