@@ -68,6 +68,10 @@ DockLayout::DockLayout(Workbench& bench, QWidget* container) : QObject(container
     arrange(m_perspective);
 }
 
+QWidget* DockLayout::panel(const QString& id) const {
+    return m_docks.value(id)->widget();
+}
+
 QWidget* DockLayout::widget() const {
     return m_manager;
 }

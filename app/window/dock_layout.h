@@ -22,6 +22,8 @@ public:
     DockLayout(Workbench& bench, QWidget* container);
 
     QWidget* widget() const;
+    /// The panel with this id. One behind another tab has no parent: the window's findChild() misses it.
+    QWidget* panel(const QString& id) const;
     Perspective perspective() const { return m_perspective; }
     void setPerspective(Perspective perspective);
     void reset();

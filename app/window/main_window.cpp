@@ -190,7 +190,7 @@ void MainWindow::recoverUnnamed() {
 void MainWindow::collectProject() {
     Project project = m_project.project();
     project.device = findChild<DevicePanel*>()->address().toStdString();
-    project.notes = findChild<NotesPanel*>()->notes().toStdString();
+    project.notes = static_cast<NotesPanel*>(m_docks->panel("notes"))->notes().toStdString();
     project.perspective = perspectiveId(m_docks->perspective()).toStdString();
     const QHash<QString, QByteArray> arrangements = m_docks->arrangements();
     project.layouts.clear();
@@ -206,7 +206,7 @@ void MainWindow::takeOverProject() {
     if (m_bench.session().state() == SessionState::Disconnected) {
         findChild<DevicePanel*>()->setAddress(QString::fromStdString(project.device));
     }
-    findChild<NotesPanel*>()->setNotes(QString::fromStdString(project.notes));
+    static_cast<NotesPanel*>(m_docks->panel("notes"))->setNotes(QString::fromStdString(project.notes));
     QHash<QString, QByteArray> arrangements;
     for (const auto& [perspective, layout] : project.layouts) {
         arrangements.insert(QString::fromStdString(perspective), QByteArray::fromStdString(layout));

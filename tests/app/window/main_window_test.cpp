@@ -120,7 +120,7 @@ TEST_F(MainWindowTest, aProjectBringsBackDeviceNotesAndArrangement) {
     open();
     window->openProject(path);
     EXPECT_EQ(window->findChild<DevicePanel*>()->address(), "sim:htm?seed=9");
-    EXPECT_EQ(window->findChild<NotesPanel*>()->notes(), "bearing greased");
+    EXPECT_EQ(static_cast<NotesPanel*>(window->docks().panel("notes"))->notes(), "bearing greased");
     EXPECT_EQ(session().state(), SessionState::Disconnected); // opening a file moves nothing
     EXPECT_TRUE(window->windowTitle().contains("motor.toml"));
 }
@@ -133,9 +133,9 @@ TEST_F(MainWindowTest, aDamagedProjectIsSaidInPlaceAndNothingIsLost) {
     file.write("schema = \"halbench.project/9\"");
     file.close();
     open();
-    window->findChild<NotesPanel*>()->setNotes("mine");
+    static_cast<NotesPanel*>(window->docks().panel("notes"))->setNotes("mine");
     window->openProject(path);
-    EXPECT_EQ(window->findChild<NotesPanel*>()->notes(), "mine");
+    EXPECT_EQ(static_cast<NotesPanel*>(window->docks().panel("notes"))->notes(), "mine");
     const auto bars = window->findChildren<widgets::MessageBar*>();
     EXPECT_TRUE(std::any_of(bars.begin(), bars.end(), [](const widgets::MessageBar* bar) {
         return bar->isVisible() && bar->message().text.contains("newer");
