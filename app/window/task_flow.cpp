@@ -7,15 +7,12 @@
 #include "app/workspaces/tune_panel.h"
 #include "control/base/assert.h"
 
-#include <qtadvanceddocking/DockWidget.h>
-
 namespace halbench::app {
 namespace {
 
 template <typename Panel>
 Panel* panelOf(DockLayout& docks, const char* id) {
-    ads::CDockWidget* dock = docks.docks().value(QString::fromLatin1(id));
-    return dock != nullptr ? qobject_cast<Panel*>(dock->widget()) : nullptr;
+    return qobject_cast<Panel*>(docks.panel(QString::fromLatin1(id)));
 }
 
 } // namespace
