@@ -33,7 +33,7 @@ widgets::BodeContent::Response responseOf(const AnalysisResult& loop, const std:
 void markMargins(widgets::BodeContent& content, const control::StabilityMargins& margins) {
     if (margins.gainCrossover_rad_s) {
         const double crossover_Hz = *margins.gainCrossover_rad_s / (2.0 * Pi);
-        content.magnitudeLines.push_back({Direction::Vertical, crossover_Hz, utf8(Words::tr("crossover"))});
+        content.magnitudeLines.push_back({Direction::Vertical, crossover_Hz, {}});
         content.phaseLines.push_back(
             {Direction::Vertical, crossover_Hz,
              fmt::format("{} {:.0f}\u00b0", utf8(Words::tr("phase margin")), margins.phaseMargin_deg)});

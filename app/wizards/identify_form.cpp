@@ -120,7 +120,7 @@ void IdentifyForm::refreshWords() {
                              tr("Given inertia &J"),
                              tr("Given damping &c"),
                              tr("Given friction &K_f"),
-                             tr("Given torque constant p&hi"),
+                             tr("Given torque constant \u03c6"),
                              tr("&Seed")};
     const QString helps[] = {
         tr("First steady current of the sweep; well above the breakaway current"),

@@ -31,6 +31,7 @@ IdentifyResultView::IdentifyResultView(QWidget* parent)
     splitter->addWidget(m_figures);
     splitter->setStretchFactor(0, 1);
     splitter->setStretchFactor(1, 1);
+    splitter->setSizes({1100, 1000}); // the table shows its intervals without scrolling where there is room
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(splitter);

@@ -111,12 +111,18 @@ QString outlookText(const IdentifyConfig& config, const SweepOutlook& outlook) {
                  number(outlook.largestSpeed_rad_s, 0), number(rpm, 0),
                  widgets::durationText(outlook.prediction.duration_s));
     text += QLatin1Char('\n');
+    const double warmest_degC = outlook.prediction.highestTemperature_degC;
+    const QString current_A = number(outlook.prediction.peakCurrent_A, 1);
     text +=
-        Words::tr(
-            "Current up to %1 A, coils up to %2 \u00b0C. The board ends the motion at %3 rad/s; gains and "
-            "limits are restored whatever happens.")
-            .arg(number(outlook.prediction.peakCurrent_A, 1),
-                 number(outlook.prediction.highestTemperature_degC, 0), number(config.speedLimit_rad_s, 0));
+        warmest_degC < config.refuseTemperature_degC
+            ? Words::tr("Current up to %1 A, coils up to %2 \u00b0C.").arg(current_A, number(warmest_degC, 0))
+            : Words::tr(
+                  "Current up to %1 A; it waits for the coils to cool where they would come near %2 \u00b0C.")
+                  .arg(current_A, number(config.refuseTemperature_degC, 0));
+    text += QLatin1Char(' ');
+    text +=
+        Words::tr("The board ends the motion at %1 rad/s; gains and limits are restored whatever happens.")
+            .arg(number(config.speedLimit_rad_s, 0));
     return text;
 }
 

@@ -22,7 +22,9 @@ WizardPanel::WizardPanel(Workbench& bench, QWidget* parent)
     row->setContentsMargins(widgets::PanelMargin_px, widgets::PanelMargin_px, widgets::PanelMargin_px,
                             widgets::PanelMargin_px);
     row->setSpacing(2 * widgets::GroupSpacing_px);
-    m_steps->setFocusPolicy(Qt::NoFocus); // it tells; nothing in it is chosen
+    // The procedure goes through the steps, not the user: the list only tells.
+    m_steps->setFocusPolicy(Qt::NoFocus);
+    m_steps->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_steps->setFrameShape(QFrame::NoFrame);
     row->addWidget(m_steps);
     auto* right = new QVBoxLayout;
@@ -76,7 +78,6 @@ void WizardPanel::runStep(int step) {
 
 void WizardPanel::endStep(int step, widgets::StepState state) {
     m_steps->setStepState(step, state);
-    m_steps->setReachable(step, false); // the procedure goes through them, not the user
 }
 
 void WizardPanel::resetSteps() {

@@ -17,6 +17,7 @@ namespace halbench::app {
 namespace {
 
 constexpr int Refresh_ms = 2000;
+constexpr double Cold_degC = 25.0; ///< where a run begins that waited long enough
 
 /// The words of this file for the translator.
 struct Words {
@@ -59,11 +60,19 @@ PreflightItem temperatureItem(const PreflightFacts& facts) {
     const double warmest_degC = facts.forecast_degC.value_or(*facts.temperature_degC);
     const QString both =
         facts.forecast_degC ? Words::tr("%1, at most %2 by forecast").arg(now, degrees(warmest_degC)) : now;
-    const bool isCool = warmest_degC < facts.refuse_degC;
-    return {isCool, both,
-            isCool ? QString()
-                   : Words::tr("Let the coils cool or use less current; %1 must not be reached")
-                         .arg(degrees(facts.refuse_degC))};
+    if (warmest_degC < facts.refuse_degC) {
+        return {true, both, {}};
+    }
+    if (facts.coldForecast_degC.value_or(warmest_degC) < facts.refuse_degC) {
+        // Procedures wait before each part that would become too warm.
+        return {
+            true,
+            Words::tr("%1; the run waits where they would come near %2").arg(now, degrees(facts.refuse_degC)),
+            {}};
+    }
+    return {
+        false, both,
+        Words::tr("Use less current or fewer steps; %1 must not be reached").arg(degrees(facts.refuse_degC))};
 }
 
 PreflightItem motionItem(const PreflightFacts& facts) {
@@ -136,6 +145,7 @@ PreflightFacts Preflight::facts() const {
     facts.temperature_degC = m_temperature_degC;
     if (m_temperature_degC && m_forecast) {
         facts.forecast_degC = m_forecast(*m_temperature_degC);
+        facts.coldForecast_degC = m_forecast(Cold_degC);
     }
     return facts;
 }

@@ -21,9 +21,10 @@ struct PreflightFacts {
     devices::DeviceState board;
     bool isBusy = false; ///< another procedure runs
     bool isSimulated = false;
-    bool hasConsent = false;                ///< the user says that the rotor is free to turn
-    std::optional<double> temperature_degC; ///< warmest coil
-    std::optional<double> forecast_degC;    ///< warmest during the run, where it can be said
+    bool hasConsent = false;                 ///< the user says that the rotor is free to turn
+    std::optional<double> temperature_degC;  ///< warmest coil
+    std::optional<double> forecast_degC;     ///< warmest during the run, where it can be said
+    std::optional<double> coldForecast_degC; ///< the same after the coils have cooled down
     double refuse_degC = 70.0;
 };
 

@@ -14,7 +14,7 @@
 #include "widgets/verdict_view.h"
 
 #include <QEvent>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QPointer>
 #include <QPushButton>
@@ -95,9 +95,9 @@ QWidget* TunePanel::buildSettings() {
 
 QWidget* TunePanel::buildButtons() {
     auto* bar = new QWidget;
-    auto* row = new QHBoxLayout(bar);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(widgets::PanelMargin_px);
+    auto* grid = new QGridLayout(bar);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(widgets::PanelMargin_px);
     m_apply = new QPushButton(bar);
     m_keep = new QPushButton(bar);
     m_restore = new QPushButton(bar);
@@ -105,10 +105,11 @@ QWidget* TunePanel::buildButtons() {
     widgets::setRole(*m_apply, widgets::Role::Primary);
     m_restore->setIcon(widgets::themedIcon(QStringLiteral("revert")));
     m_save->setIcon(widgets::themedIcon(QStringLiteral("save")));
-    for (QPushButton* button : {m_apply, m_keep, m_restore, m_save}) {
-        row->addWidget(button);
-    }
-    row->addStretch(1);
+    grid->addWidget(m_apply, 0, 0);
+    grid->addWidget(m_save, 0, 1);
+    grid->addWidget(m_keep, 1, 0);
+    grid->addWidget(m_restore, 1, 1);
+    grid->setColumnStretch(2, 1);
     m_save->hide();
     return bar;
 }

@@ -25,6 +25,16 @@ TEST(Preflight, passesAConnectedCoolFreeSimulatedMotor) {
     EXPECT_TRUE(isPassed(ready()));
 }
 
+TEST(Preflight, warmCoilsOnlyForbidWhatWouldBeTooWarmFromTheColdToo) {
+    PreflightFacts facts = ready();
+    facts.temperature_degC = 63.0;
+    facts.forecast_degC = 96.0;
+    facts.coldForecast_degC = 62.0; // the procedure waits for that
+    EXPECT_TRUE(isPassed(facts));
+    facts.coldForecast_degC = 75.0;
+    EXPECT_FALSE(isPassed(facts));
+}
+
 TEST(Preflight, everythingThatForbidsMotionIsSaidWithItsRemedy) {
     std::vector<PreflightFacts> wrong(7, ready());
     wrong[0].state = SessionState::Lost;
