@@ -43,16 +43,17 @@ Notation notationFor(double largest, int place) {
     return {isPlain ? 0 : exponent, place};
 }
 
-QString translated(const char* text) {
-    return QCoreApplication::translate("halbench::widgets::IntervalText", text);
-}
+/// The words of this file for the translator.
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(halbench::widgets::IntervalText)
+};
 
 } // namespace
 
 QString intervalText(const IntervalWords& words) {
     if (!words.interval || !std::isfinite(words.value) || !std::isfinite(words.interval->first) ||
         !std::isfinite(words.interval->second)) {
-        return translated("not identified");
+        return Words::tr("not identified");
     }
     const double below = words.value - words.interval->first;
     const double above = words.interval->second - words.value;
@@ -66,11 +67,11 @@ QString intervalText(const IntervalWords& words) {
     const bool isLopsided = std::abs(above - below) > 0.2 * halfWidth;
     const QString unit = words.unit.isEmpty() ? QString() : QChar(QChar::Nbsp) + words.unit;
     const QString value = number(words.value, notation);
-    const QString numbers = isLopsided ? translated("%1 (%2 to %3)")
+    const QString numbers = isLopsided ? Words::tr("%1 (%2 to %3)")
                                              .arg(value, number(words.interval->first, notation),
                                                   number(words.interval->second, notation))
                                        : QStringLiteral("%1 ± %2").arg(value, number(halfWidth, notation));
-    return translated("%1%2 (%3 %)").arg(numbers, unit).arg(words.level_percent);
+    return Words::tr("%1%2 (%3 %)").arg(numbers, unit).arg(words.level_percent);
 }
 
 } // namespace halbench::widgets

@@ -21,7 +21,7 @@ struct RecorderConfig {
     std::string path;                 ///< of the CSV file; its sidecar lies beside it
     StreamLayout layout;              ///< the columns; the distance of rows
     devices::RecordingMeta meta;      ///< device, parameters, start
-    std::size_t queue_rows = 120'000; ///< what may wait for the disk: two minutes at 1 kHz
+    std::size_t queue_rows = 120000; ///< what may wait for the disk: two minutes at 1 kHz
 };
 
 struct RecorderStatus {

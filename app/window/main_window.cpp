@@ -2,6 +2,7 @@
 
 #include "app/window/dock_layout.h"
 #include "app/window/help_window.h"
+#include "app/window/language.h"
 #include "app/window/project_menu.h"
 #include "app/window/stop_guard.h"
 #include "app/window/task_flow.h"
@@ -145,6 +146,21 @@ void MainWindow::createViewMenu() {
         action->setChecked(choice == m_preferences.theme);
         group->addAction(action);
     }
+    createLanguageMenu(*view->addMenu(tr("Lan&guage")));
+}
+
+void MainWindow::createLanguageMenu(QMenu& menu) {
+    auto* group = new QActionGroup(this);
+    const auto add = [&](const QString& title, const QString& id) {
+        QAction* action = menu.addAction(title, this, [this, id] { chooseLanguage(id); });
+        action->setCheckable(true);
+        action->setChecked(id == m_preferences.language);
+        group->addAction(action);
+    };
+    add(tr("&System"), {});
+    for (const Language& language : languages()) {
+        add(language.name, language.id);
+    }
 }
 
 void MainWindow::createHelpMenu() {
@@ -159,6 +175,12 @@ void MainWindow::chooseTheme(ThemeChoice choice) {
         widgets::applyTheme(*qApp, *theme, {QLocale(), widgets::Dress().fontSize_pt});
     }
     savePreferences(m_preferences);
+}
+
+void MainWindow::chooseLanguage(const QString& id) {
+    m_preferences.language = id;
+    savePreferences(m_preferences);
+    onMessage(widgets::Severity::Information, tr("The language changes at the next start."), {});
 }
 
 void MainWindow::showHelp() {

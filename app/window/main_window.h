@@ -41,8 +41,10 @@ private:
     void buildCentre();
     void createActions();
     void createViewMenu();
+    void createLanguageMenu(QMenu& menu);
     void createHelpMenu();
     void chooseTheme(ThemeChoice choice);
+    void chooseLanguage(const QString& id);
     void showHelp();
     void onPerspective();
     void onMessage(widgets::Severity severity, const QString& text, const QString& hint);

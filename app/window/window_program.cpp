@@ -1,5 +1,6 @@
 #include "app/window/window_program.h"
 
+#include "app/window/language.h"
 #include "app/window/main_window.h"
 #include "widgets/theme_style.h"
 
@@ -80,6 +81,7 @@ int runWindow(const std::vector<std::string>& arguments) {
     QApplication application(count, words);
     std::setlocale(LC_NUMERIC, "C"); // files; the screen asks QLocale
     const Preferences preferences = loadPreferences();
+    speak(application, chosenLanguage(preferences.language, QLocale::system().uiLanguages()));
     dress(application, preferences);
     MainWindow window(preferences);
     window.show();

@@ -115,9 +115,9 @@ QString outlookText(const IdentifyConfig& config, const SweepOutlook& outlook) {
     const QString current_A = number(outlook.prediction.peakCurrent_A, 1);
     text +=
         warmest_degC < config.refuseTemperature_degC
-            ? Words::tr("Current up to %1 A, coils up to %2 \u00b0C.").arg(current_A, number(warmest_degC, 0))
+            ? Words::tr("Current up to %1 A, coils up to %2 °C.").arg(current_A, number(warmest_degC, 0))
             : Words::tr(
-                  "Current up to %1 A; it waits for the coils to cool where they would come near %2 \u00b0C.")
+                  "Current up to %1 A; it waits for the coils to cool where they would come near %2 °C.")
                   .arg(current_A, number(config.refuseTemperature_degC, 0));
     text += QLatin1Char(' ');
     text +=
@@ -220,7 +220,7 @@ QString provenanceText(const ResultHeader& header, const IdentifyResult& result)
     parts << Words::tr("Halbench %1").arg(QStringLiteral(HALBENCH_VERSION));
     parts << Words::tr("seed %1").arg(header.seed);
     parts << Words::tr("started %1").arg(QString::fromStdString(header.started));
-    parts << Words::tr("%1 minutes of device time, coils up to %2 \u00b0C")
+    parts << Words::tr("%1 minutes of device time, coils up to %2 °C")
                  .arg(widgets::durationText(result.duration_s), number(result.highestTemperature_degC, 1));
     return parts.join(QStringLiteral(" \u00b7 "));
 }
