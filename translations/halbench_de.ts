@@ -484,12 +484,12 @@ Firmware %2</translation>
         <translation>Zeit der Aufnahme</translation>
     </message>
     <message>
-        <source>True angle (simulated)</source>
-        <translation>Wahrer Winkel (simuliert)</translation>
+        <source>True angle</source>
+        <translation>Wahrer Winkel</translation>
     </message>
     <message>
-        <source>True speed (simulated)</source>
-        <translation>Wahre Drehzahl (simuliert)</translation>
+        <source>True speed</source>
+        <translation>Wahre Drehzahl</translation>
     </message>
 </context>
 <context>

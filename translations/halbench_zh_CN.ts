@@ -484,12 +484,12 @@ Firmware %2</source>
         <translation>捕获时间</translation>
     </message>
     <message>
-        <source>True angle (simulated)</source>
-        <translation>真实角度（仿真）</translation>
+        <source>True angle</source>
+        <translation>真实角度</translation>
     </message>
     <message>
-        <source>True speed (simulated)</source>
-        <translation>真实转速（仿真）</translation>
+        <source>True speed</source>
+        <translation>真实转速</translation>
     </message>
 </context>
 <context>
