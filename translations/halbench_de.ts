@@ -931,8 +931,8 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <translation>Gerade rückwärts</translation>
     </message>
     <message>
-        <source>Joint confidence region of %1 and %2</source>
-        <translation>Gemeinsamer Vertrauensbereich von %1 und %2</translation>
+        <source>Joint 95 % region of damping and friction</source>
+        <translation>Gemeinsamer 95-%-Bereich von Dämpfung und Reibung</translation>
     </message>
     <message>
         <source>95 % joint region</source>
@@ -990,8 +990,8 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <translation>Bekannte Reibung &amp;K_f</translation>
     </message>
     <message>
-        <source>Given torque constant p&amp;hi</source>
-        <translation>Bekannte Drehmomentkonstante p&amp;hi</translation>
+        <source>Given torque constant φ</source>
+        <translation>Bekannte Drehmomentkonstante φ</translation>
     </message>
     <message>
         <source>&amp;Seed</source>
@@ -1247,8 +1247,16 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <translation>Der Rotor dreht sich %1, insgesamt etwa %2 Umdrehungen, mit bis zu %3 rad/s (%4 1/min), %5 Minuten Gerätezeit lang.</translation>
     </message>
     <message>
-        <source>Current up to %1 A, coils up to %2 °C. The board ends the motion at %3 rad/s; gains and limits are restored whatever happens.</source>
-        <translation>Strom bis %1 A, Spulen bis %2 °C. Das Steuergerät beendet die Bewegung bei %3 rad/s; Reglerparameter und Grenzwerte werden in jedem Fall wiederhergestellt.</translation>
+        <source>Current up to %1 A, coils up to %2 °C.</source>
+        <translation>Strom bis %1 A, Spulen bis %2 °C.</translation>
+    </message>
+    <message>
+        <source>Current up to %1 A; it waits for the coils to cool where they would come near %2 °C.</source>
+        <translation>Strom bis %1 A; wo die Spulen nahe %2 °C kämen, wird gewartet, bis sie abkühlen.</translation>
+    </message>
+    <message>
+        <source>The board ends the motion at %1 rad/s; gains and limits are restored whatever happens.</source>
+        <translation>Das Steuergerät beendet die Bewegung bei %1 rad/s; Reglerparameter und Grenzwerte werden in jedem Fall wiederhergestellt.</translation>
     </message>
     <message>
         <source>viscous damping c</source>
@@ -1721,8 +1729,12 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <translation>%1, nach Vorhersage höchstens %2</translation>
     </message>
     <message>
-        <source>Let the coils cool or use less current; %1 must not be reached</source>
-        <translation>Lassen Sie die Spulen abkühlen, oder verwenden Sie weniger Strom; %1 darf nicht erreicht werden</translation>
+        <source>%1; the run waits where they would come near %2</source>
+        <translation>%1; der Ablauf wartet, wo sie nahe %2 kämen</translation>
+    </message>
+    <message>
+        <source>Use less current or fewer steps; %1 must not be reached</source>
+        <translation>Verwenden Sie weniger Strom oder weniger Schritte; %1 darf nicht erreicht werden</translation>
     </message>
     <message>
         <source>Simulated: nothing can be hit</source>
@@ -2477,10 +2489,6 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
 </context>
 <context>
     <name>halbench::app::TuningFigures</name>
-    <message>
-        <source>crossover</source>
-        <translation>Durchtritt</translation>
-    </message>
     <message>
         <source>phase margin</source>
         <translation>Phasenreserve</translation>

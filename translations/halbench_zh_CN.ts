@@ -931,8 +931,8 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <translation>反向拟合</translation>
     </message>
     <message>
-        <source>Joint confidence region of %1 and %2</source>
-        <translation>%1与%2的联合置信域</translation>
+        <source>Joint 95 % region of damping and friction</source>
+        <translation>阻尼与摩擦的 95 % 联合区域</translation>
     </message>
     <message>
         <source>95 % joint region</source>
@@ -990,8 +990,8 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <translation>已知摩擦 &amp;K_f</translation>
     </message>
     <message>
-        <source>Given torque constant p&amp;hi</source>
-        <translation>已知转矩常数 p&amp;hi</translation>
+        <source>Given torque constant φ</source>
+        <translation>已知转矩常数 φ</translation>
     </message>
     <message>
         <source>&amp;Seed</source>
@@ -1247,8 +1247,16 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <translation>转子将%1转动，共约 %2 圈，最高 %3 rad/s（%4 r/min），历时 %5 分钟设备时间。</translation>
     </message>
     <message>
-        <source>Current up to %1 A, coils up to %2 °C. The board ends the motion at %3 rad/s; gains and limits are restored whatever happens.</source>
-        <translation>电流最大 %1 A，线圈最高 %2 °C。转速达到 %3 rad/s 时控制板结束运动；无论如何都会恢复增益和限值。</translation>
+        <source>Current up to %1 A, coils up to %2 °C.</source>
+        <translation>电流最大 %1 A，线圈最高 %2 °C。</translation>
+    </message>
+    <message>
+        <source>Current up to %1 A; it waits for the coils to cool where they would come near %2 °C.</source>
+        <translation>电流最大 %1 A；线圈将接近 %2 °C 时等待冷却。</translation>
+    </message>
+    <message>
+        <source>The board ends the motion at %1 rad/s; gains and limits are restored whatever happens.</source>
+        <translation>转速达到 %1 rad/s 时控制板结束运动；无论如何都会恢复增益和限值。</translation>
     </message>
     <message>
         <source>viscous damping c</source>
@@ -1720,8 +1728,12 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <translation>%1，预测最高 %2</translation>
     </message>
     <message>
-        <source>Let the coils cool or use less current; %1 must not be reached</source>
-        <translation>请让线圈冷却或减小电流；不得达到 %1</translation>
+        <source>%1; the run waits where they would come near %2</source>
+        <translation>%1；将接近 %2 时运行会等待</translation>
+    </message>
+    <message>
+        <source>Use less current or fewer steps; %1 must not be reached</source>
+        <translation>请减小电流或减少步数；不得达到 %1</translation>
     </message>
     <message>
         <source>Simulated: nothing can be hit</source>
@@ -2476,10 +2488,6 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
 </context>
 <context>
     <name>halbench::app::TuningFigures</name>
-    <message>
-        <source>crossover</source>
-        <translation>穿越</translation>
-    </message>
     <message>
         <source>phase margin</source>
         <translation>相位裕度</translation>
