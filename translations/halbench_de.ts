@@ -5,7 +5,7 @@
     <name>Panels</name>
     <message>
         <source>Monitor</source>
-        <translation>Überwachen</translation>
+        <translation>Monitor</translation>
     </message>
     <message>
         <source>Identify</source>
@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>Record</source>
-        <translation>Aufzeichnen</translation>
+        <translation>Aufnahme</translation>
     </message>
     <message>
         <source>Field &amp;&amp; Pose</source>
@@ -1455,7 +1455,7 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <translation>&amp;Datei</translation>
     </message>
     <message>
-        <source>Connect the &amp;simulated motor</source>
+        <source>Connect the s&amp;imulated motor</source>
         <translation>Den s&amp;imulierten Motor verbinden</translation>
     </message>
     <message>
@@ -1524,6 +1524,10 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>Plots</source>
         <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>More tools</source>
+        <translation>Weitere Werkzeuge</translation>
     </message>
     <message>
         <source>What the device sends to the plots</source>

@@ -1455,7 +1455,7 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <translation>文件(&amp;F)</translation>
     </message>
     <message>
-        <source>Connect the &amp;simulated motor</source>
+        <source>Connect the s&amp;imulated motor</source>
         <translation>连接仿真电机(&amp;I)</translation>
     </message>
     <message>
@@ -1524,6 +1524,10 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>Plots</source>
         <translation>曲线图</translation>
+    </message>
+    <message>
+        <source>More tools</source>
+        <translation>更多工具</translation>
     </message>
     <message>
         <source>What the device sends to the plots</source>

@@ -108,7 +108,7 @@ void MainWindow::connectDevice(const QString& uri) {
 void MainWindow::createActions() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
     QAction* simulated =
-        file->addAction(tr("Connect the &simulated motor"), this, [this] { connectDevice("sim:htm"); });
+        file->addAction(tr("Connect the s&imulated motor"), this, [this] { connectDevice("sim:htm"); });
     simulated->setShortcut(QKeySequence("Ctrl+Shift+S"));
     file->addSeparator();
     m_projects = new ProjectMenu(m_project, this);

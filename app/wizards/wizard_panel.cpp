@@ -47,6 +47,7 @@ void WizardPanel::addPage(QWidget* page, bool isScrolled) {
     auto* scroll = new QScrollArea(m_pages);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus); // it follows the focus of its controls
     scroll->setWidget(page);
     m_pages->addWidget(scroll);
 }

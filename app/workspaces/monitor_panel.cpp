@@ -12,6 +12,7 @@
 #include <QLocale>
 #include <QSplitter>
 #include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -61,6 +62,7 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
 /// A tool bar, so that what does not fit goes into its menu instead of widening the window.
 QWidget* MonitorPanel::buildTools() {
     auto* bar = new QToolBar(tr("Plots"), this);
+    bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"))->setToolTip(tr("More tools"));
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     for (const Tool& tool : Tools) {
         QAction* action = m_stack->action(tool.command);

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <QHash>
+#include <QStringList>
+
+class QMenu;
+class QWidget;
+
+namespace halbench::gui {
+
+/// Every English text of a translation file that reads differently in that language. Empty for English.
+QHash<QString, QString> phrasesOf(const QString& language);
+
+/// What a picky user would find in the visible widgets below `root`: words wider than their widget, controls
+/// without a name or a tooltip, English words in another language, contrast under 4.5. One line each, with
+/// the widget's path.
+QStringList inspect(const QWidget& root, const QHash<QString, QString>& phrases);
+
+/// Access keys that a menu has twice, and English words in it.
+QStringList inspectMenu(const QMenu& menu, const QHash<QString, QString>& phrases);
+
+} // namespace halbench::gui

@@ -1,0 +1,100 @@
+#include "tests/gui/inspection.h"
+
+#include <QApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPalette>
+#include <QPushButton>
+#include <QtTest/QTest>
+
+#include <gtest/gtest.h>
+
+namespace halbench::gui {
+namespace {
+
+/// The walk is worth as much as what it finds: each of its rules is shown something wrong.
+class InspectionTest : public testing::Test {
+protected:
+    struct Platform {
+        Platform() { qputenv("QT_QPA_PLATFORM", "offscreen"); }
+    };
+
+    template <typename Widget>
+    Widget* make(const QString& text) {
+        auto* widget = new Widget(&root);
+        widget->setText(text);
+        widget->setToolTip(QStringLiteral("what it does"));
+        widget->setAccessibleName(QStringLiteral("name"));
+        widget->resize(300, 40);
+        return widget;
+    }
+
+    QString found(const QHash<QString, QString>& phrases = {}) {
+        root.resize(400, 60);
+        root.show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&root));
+        return inspect(root, phrases).join('\n');
+    }
+
+    Platform platform;
+    int argumentCount = 1;
+    char name[5] = "test";
+    char* arguments[2] = {name, nullptr};
+    QApplication application{argumentCount, arguments};
+    QWidget root;
+};
+
+TEST_F(InspectionTest, findsNothingInAGoodButton) {
+    make<QPushButton>("Go");
+    EXPECT_EQ(found(), "");
+}
+
+TEST_F(InspectionTest, findsWordsWiderThanTheirButtonUnlessATooltipGivesThem) {
+    auto* button = make<QPushButton>("Write the changed values");
+    button->resize(50, 30);
+    EXPECT_TRUE(found().contains("px, has"));
+    button->setToolTip("Write the changed values to the device");
+    EXPECT_EQ(found(), "");
+}
+
+TEST_F(InspectionTest, findsALabelThatIsTooLowForItsLines) {
+    auto* label = make<QLabel>(QString("many words ").repeated(40));
+    label->setWordWrap(true);
+    label->resize(200, 20);
+    EXPECT_TRUE(found().contains("px of height"));
+}
+
+TEST_F(InspectionTest, findsAMissingTooltipAndName) {
+    make<QLineEdit>("")->setToolTip({});
+    EXPECT_TRUE(found().contains("no tooltip"));
+    root.findChild<QLineEdit*>()->setAccessibleName({});
+    EXPECT_TRUE(found().contains("no accessible name"));
+}
+
+TEST_F(InspectionTest, findsAnEnglishWordInAnotherLanguage) {
+    make<QPushButton>("&Save");
+    EXPECT_TRUE(found({{"Save", "Sichern"}}).contains("not translated"));
+}
+
+TEST_F(InspectionTest, findsGreyWordsOnGrey) {
+    auto* label = make<QLabel>("pale");
+    QPalette pale = root.palette();
+    pale.setColor(QPalette::Window, Qt::white);
+    pale.setColor(QPalette::WindowText, QColor(170, 170, 170)); // 2.3 on white
+    root.setPalette(pale);
+    label->setPalette(pale);
+    EXPECT_TRUE(found().contains("contrast of 2."));
+}
+
+TEST_F(InspectionTest, findsAnAccessKeyThatAMenuHasTwice) {
+    QMenu menu;
+    menu.addAction("&Save");
+    menu.addAction("Con&nect");
+    EXPECT_TRUE(inspectMenu(menu, {}).isEmpty());
+    menu.addAction("&Send");
+    EXPECT_EQ(inspectMenu(menu, {}).size(), 1);
+}
+
+} // namespace
+} // namespace halbench::gui
