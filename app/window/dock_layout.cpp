@@ -17,8 +17,9 @@ namespace {
 /// Of the arrangement files; raised when panels change so that an old arrangement no longer fits.
 constexpr int ArrangementVersion = 1;
 /// Parts of the width, and of the height.
-constexpr int SideShare = 220;
-constexpr int CentreShare = 760;
+constexpr int LeftShare = 150;
+constexpr int RightShare = 220;
+constexpr int CentreShare = 830;
 constexpr int BottomShare = 130;
 
 ads::DockWidgetArea dockArea(PanelArea area) {
@@ -117,7 +118,7 @@ void DockLayout::shareSpace() {
             continue;
         }
         if (spec.area == PanelArea::Left) {
-            m_manager->setSplitterSizes(dock->dockAreaWidget(), {SideShare, CentreShare, SideShare});
+            m_manager->setSplitterSizes(dock->dockAreaWidget(), {LeftShare, CentreShare, RightShare});
         } else if (spec.area == PanelArea::Bottom) {
             m_manager->setSplitterSizes(dock->dockAreaWidget(), {CentreShare, BottomShare});
         }

@@ -36,7 +36,8 @@ SignalTree::SignalTree(QWidget* parent) : QTreeWidget(parent) {
     header()->setSectionResizeMode(ValueColumn, QHeaderView::Fixed);
     header()->setSectionResizeMode(UnitColumn, QHeaderView::Fixed);
     header()->resizeSection(ValueColumn, fontMetrics().horizontalAdvance(QStringLiteral("-0000.000 ")));
-    header()->resizeSection(UnitColumn, fontMetrics().horizontalAdvance(QStringLiteral("r/min   ")));
+    header()->resizeSection(UnitColumn, std::max(fontMetrics().horizontalAdvance(QStringLiteral("r/min   ")),
+                                                 header()->sectionSizeHint(UnitColumn)));
     connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
         const QString name = item->data(NameColumn, NameRole).toString();
         if (column == NameColumn && !name.isEmpty()) {

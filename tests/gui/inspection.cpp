@@ -134,7 +134,7 @@ QStringList narrowSections(const QHeaderView& header) {
         const QString text = header.model()->headerData(section, header.orientation()).toString();
         const QString told =
             header.model()->headerData(section, header.orientation(), Qt::ToolTipRole).toString();
-        const int needed_px = wordWidth_px(header, text);
+        const int needed_px = wordWidth_px(header, text) + 2 * widgets::GridStep_px;
         if (header.orientation() == Qt::Horizontal && !header.isSectionHidden(section) &&
             !told.contains(text) && needed_px > header.sectionSize(section)) {
             found << QStringLiteral("header '%1' needs %2 px, has %3")

@@ -18,7 +18,7 @@ namespace {
 
 constexpr QSize ScreenSize(1600, 900);
 constexpr int Patience_ms = 20000;
-constexpr int DataTime_ms = 4000;
+constexpr int DataTime_ms = 9500;
 constexpr int Settling_ms = 400;
 
 /// A motor that follows a sine for longer than the pictures take.
