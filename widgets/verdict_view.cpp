@@ -6,6 +6,8 @@
 #include <QGridLayout>
 #include <QLabel>
 
+#include <algorithm>
+
 namespace halbench::widgets {
 namespace {
 
@@ -72,6 +74,19 @@ void VerdictView::refresh() {
     m_words->setVisible(!lines.isEmpty());
     setAccessibleName(m_titleText);
     setAccessibleDescription(text());
+    keepLinesWhole();
+}
+
+void VerdictView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    keepLinesWhole();
+}
+
+/// A scroll area asks for smallest sizes, and a label's does not know into how many lines its words break.
+void VerdictView::keepLinesWhole() {
+    for (QLabel* label : {m_title, m_words}) {
+        label->setMinimumHeight(std::max(0, label->heightForWidth(label->width())));
+    }
 }
 
 void VerdictView::changeEvent(QEvent* event) {

@@ -30,9 +30,11 @@ public:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void refresh();
+    void keepLinesWhole();
 
     VerdictLevel m_level = VerdictLevel::Good;
     QString m_titleText;

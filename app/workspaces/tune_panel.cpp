@@ -36,6 +36,7 @@ QScrollArea* scrolled(QWidget* page) {
     auto* scroll = new QScrollArea;
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus); // it follows the focus of its controls
     scroll->setWidget(page);
     return scroll;
 }

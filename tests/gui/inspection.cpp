@@ -16,6 +16,7 @@
 #include <QRegularExpression>
 #include <QStyleOptionComboBox>
 #include <QStyleOptionToolButton>
+#include <QTabBar>
 #include <QTextDocument>
 #include <QToolButton>
 #include <QXmlStreamReader>
@@ -148,7 +149,8 @@ QStringList narrowSections(const QHeaderView& header) {
 
 bool isControl(const QWidget& widget) {
     const bool isPart = qobject_cast<const QAbstractSpinBox*>(widget.parentWidget()) != nullptr ||
-                        qobject_cast<const QComboBox*>(widget.parentWidget()) != nullptr;
+                        qobject_cast<const QComboBox*>(widget.parentWidget()) != nullptr ||
+                        qobject_cast<const QTabBar*>(widget.parentWidget()) != nullptr; // its arrows
     return !isPart && (qobject_cast<const QAbstractButton*>(&widget) != nullptr ||
                        qobject_cast<const QComboBox*>(&widget) != nullptr ||
                        qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr ||

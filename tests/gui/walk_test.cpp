@@ -6,7 +6,11 @@
 #include "widgets/stop_button.h"
 
 #include <QMenuBar>
+#include <QPushButton>
+#include <QTabWidget>
 #include <qtadvanceddocking/DockWidget.h>
+
+#include <algorithm>
 
 namespace halbench::gui {
 namespace {
@@ -38,7 +42,15 @@ protected:
 
     void look(const QString& place) {
         QTest::qWait(50); // one frame of the window
-        for (const QString& finding : inspect(*window, phrases)) {
+        QStringList found = inspect(*window, phrases);
+        if (!found.isEmpty()) { // what changes just now gets its room with the next frame
+            QTest::qWait(300);
+            const QStringList still = inspect(*window, phrases);
+            found.erase(std::remove_if(found.begin(), found.end(),
+                                       [&](const QString& one) { return !still.contains(one); }),
+                        found.end());
+        }
+        for (const QString& finding : found) {
             note(place, finding);
         }
         const auto* stop = window->findChild<widgets::StopButton*>();
@@ -55,6 +67,17 @@ protected:
         }
     }
 
+    QPushButton* button(const char* panel, const char* context, const char* text) {
+        const QString words = QCoreApplication::translate(context, text);
+        for (auto* found : window->docks().panel(panel)->findChildren<QPushButton*>()) {
+            if (found->text() == words) {
+                return found;
+            }
+        }
+        return nullptr;
+    }
+
+    static constexpr int Fit_ms = 120000;
     static constexpr QSize SmallScreen{1366, 768};
     QHash<QString, QString> phrases;
     QStringList findings;
@@ -90,6 +113,31 @@ TEST_P(WalkTest, findsNothingWrongInMenusAndHelp) {
     for (const QString& finding : inspect(help, phrases)) {
         note("help", finding);
     }
+}
+
+TEST_P(WalkTest, findsNothingWrongInResultsNorWhenStopped) {
+    openDressed();
+    connectMotor(0.0); // as fast as possible
+    window->docks().setPerspective(Perspective::Identify);
+    QPushButton* start = button("identify", "halbench::app::IdentifyPanel", "Start identification");
+    ASSERT_NE(start, nullptr);
+    ASSERT_TRUE(wait([&] { return start->isEnabled(); }));
+    QTest::mouseClick(start, Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->bench().identification().has_value(); }, Fit_ms));
+    session().setPace({1.0});
+    for (auto* tabs : window->docks().panel("identify")->findChildren<QTabWidget*>()) {
+        for (int page = 0; page < tabs->count(); ++page) {
+            tabs->setCurrentIndex(page);
+            look(QStringLiteral("identify/result %1").arg(page));
+        }
+    }
+    window->docks().setPerspective(Perspective::Tune);
+    look("tune/design");
+    session().stopActuator();
+    ASSERT_TRUE(wait([&] { return session().report().board.isStopLatched; }));
+    look("tune/stopped");
+    window->docks().setPerspective(Perspective::Monitor);
+    look("monitor/stopped");
 }
 
 INSTANTIATE_TEST_SUITE_P(
