@@ -85,7 +85,8 @@ void EstimateTable::setRows(const std::vector<EstimateRow>& rows) {
         for (int column = 0; column < Columns; ++column) {
             auto* item = new QTableWidgetItem(texts[column]);
             const bool isNumber = column == Value || column == Half;
-            item->setTextAlignment((isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+            item->setTextAlignment(
+                static_cast<int>((isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
             item->setFont(isNumber ? tabularFont(font()) : font());
             item->setToolTip(row.remark.isEmpty() ? interval : row.remark);
             setItem(i, column, item);

@@ -47,8 +47,8 @@ public:
 
     /// Errors: UnknownName and those of checkParameterValue; then `editRefused` was sent too.
     Result<void> edit(const std::string& name, double value);
-    void revert();         ///< edits become what the device holds; undoable in one step
-    void editToDefaults(); ///< every writable value, undoable in one step
+    void revert() override; ///< edits become what the device holds; undoable in one step
+    void editToDefaults();  ///< every writable value, undoable in one step
     void acknowledgeOutsideChanges();
     QUndoStack& undoStack() { return m_undo; }
 

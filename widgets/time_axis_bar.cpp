@@ -63,7 +63,8 @@ void TimeAxisBar::paintEvent(QPaintEvent*) {
     const QString title = tr("time [s]");
     const int titleWidth = fontMetrics().horizontalAdvance(title);
     const bool isRoomy = m_width > 2 * fontMetrics().horizontalAdvance(m_state) + titleWidth + 16;
-    painter.drawText(line, isRoomy ? Qt::AlignCenter : Qt::AlignRight | Qt::AlignVCenter, title);
+    painter.drawText(line, static_cast<int>(isRoomy ? Qt::AlignCenter : Qt::AlignRight | Qt::AlignVCenter),
+                     title);
 }
 
 } // namespace halbench::widgets
