@@ -2699,68 +2699,6 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     </message>
 </context>
 <context>
-    <name>halbench::widgets::GainEditor</name>
-    <message>
-        <source>new</source>
-        <translation>neu</translation>
-    </message>
-    <message>
-        <source>Parallel form: u = K&lt;sub&gt;P&lt;/sub&gt; e + K&lt;sub&gt;I&lt;/sub&gt; ∫e dt + K&lt;sub&gt;D&lt;/sub&gt; de/dt</source>
-        <translation>Parallele Form: u = K&lt;sub&gt;P&lt;/sub&gt; e + K&lt;sub&gt;I&lt;/sub&gt; ∫e dt + K&lt;sub&gt;D&lt;/sub&gt; de/dt</translation>
-    </message>
-    <message>
-        <source>Edited</source>
-        <translation>Bearbeitet</translation>
-    </message>
-    <message>
-        <source>Device</source>
-        <translation>Gerät</translation>
-    </message>
-    <message>
-        <source>A/rad</source>
-        <translation>A/rad</translation>
-    </message>
-    <message>
-        <source>A/deg</source>
-        <translation>A/°</translation>
-    </message>
-    <message>
-        <source>Angle unit of the gains shown here; 10 A/deg = 573 A/rad</source>
-        <translation>Winkeleinheit der Reglerparameter hier; 10 A/° = 573 A/rad</translation>
-    </message>
-    <message>
-        <source>Angle unit of the gains</source>
-        <translation>Winkeleinheit der Reglerparameter</translation>
-    </message>
-    <message>
-        <source>Proportional gain</source>
-        <translation>Proportionalbeiwert</translation>
-    </message>
-    <message>
-        <source>Integral gain</source>
-        <translation>Integrierbeiwert</translation>
-    </message>
-    <message>
-        <source>Derivative gain</source>
-        <translation>Differenzierbeiwert</translation>
-    </message>
-</context>
-<context>
-    <name>halbench::widgets::IntervalText</name>
-    <message>
-        <source>not identified</source>
-        <translation>nicht identifiziert</translation>
-    </message>
-    <message>
-        <source>%1 (%2 to %3)</source>
-        <translation>%1 (%2 bis %3)</translation>
-    </message>
-    <message>
-        <source>%1%2 (%3 %)</source>
-        <translation>%1%2 (%3 %)</translation>
-    </message>
-</context>
-<context>
     <name>halbench::widgets::LegendTableModel</name>
     <message>
         <source>, not updated any more</source>

@@ -2698,68 +2698,6 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     </message>
 </context>
 <context>
-    <name>halbench::widgets::GainEditor</name>
-    <message>
-        <source>new</source>
-        <translation>新值</translation>
-    </message>
-    <message>
-        <source>Parallel form: u = K&lt;sub&gt;P&lt;/sub&gt; e + K&lt;sub&gt;I&lt;/sub&gt; ∫e dt + K&lt;sub&gt;D&lt;/sub&gt; de/dt</source>
-        <translation>并联形式：u = K&lt;sub&gt;P&lt;/sub&gt; e + K&lt;sub&gt;I&lt;/sub&gt; ∫e dt + K&lt;sub&gt;D&lt;/sub&gt; de/dt</translation>
-    </message>
-    <message>
-        <source>Edited</source>
-        <translation>编辑值</translation>
-    </message>
-    <message>
-        <source>Device</source>
-        <translation>设备</translation>
-    </message>
-    <message>
-        <source>A/rad</source>
-        <translation>A/rad</translation>
-    </message>
-    <message>
-        <source>A/deg</source>
-        <translation>A/deg</translation>
-    </message>
-    <message>
-        <source>Angle unit of the gains shown here; 10 A/deg = 573 A/rad</source>
-        <translation>此处增益的角度单位；10 A/deg = 573 A/rad</translation>
-    </message>
-    <message>
-        <source>Angle unit of the gains</source>
-        <translation>增益的角度单位</translation>
-    </message>
-    <message>
-        <source>Proportional gain</source>
-        <translation>比例增益</translation>
-    </message>
-    <message>
-        <source>Integral gain</source>
-        <translation>积分增益</translation>
-    </message>
-    <message>
-        <source>Derivative gain</source>
-        <translation>微分增益</translation>
-    </message>
-</context>
-<context>
-    <name>halbench::widgets::IntervalText</name>
-    <message>
-        <source>not identified</source>
-        <translation>未辨识</translation>
-    </message>
-    <message>
-        <source>%1 (%2 to %3)</source>
-        <translation>%1（%2 至 %3）</translation>
-    </message>
-    <message>
-        <source>%1%2 (%3 %)</source>
-        <translation>%1%2（%3 %）</translation>
-    </message>
-</context>
-<context>
     <name>halbench::widgets::LegendTableModel</name>
     <message>
         <source>, not updated any more</source>
