@@ -372,6 +372,14 @@ Firmware %2</translation>
         <source>connected %1, firmware %2</source>
         <translation>%1 verbunden, Firmware %2</translation>
     </message>
+    <message>
+        <source>stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>the window did not answer while the actuator was armed, so it was stopped</source>
+        <translation>Das Fenster antwortete nicht, während der Aktor scharf war; deshalb wurde er gestoppt</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DisplayQuantity</name>

@@ -372,6 +372,14 @@ Firmware %2</source>
         <source>connected %1, firmware %2</source>
         <translation>已连接 %1，固件 %2</translation>
     </message>
+    <message>
+        <source>stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>the window did not answer while the actuator was armed, so it was stopped</source>
+        <translation>执行器处于使能状态时窗口没有响应，因此已将其停止</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DisplayQuantity</name>

@@ -38,9 +38,9 @@ bool isDifferent(const devices::DeviceState& one, const devices::DeviceState& ot
 
 } // namespace
 
-Connection::Connection(Opener open, Pace pace, ConnectionEvents events)
-    : m_open(std::move(open)), m_events(std::move(events)), m_speed_ratio(pace.speed_ratio),
-      m_thread([this] { run(); }) {}
+Connection::Connection(Opener open, Pace pace, ConnectionEvents events, double patience_s)
+    : m_open(std::move(open)), m_events(std::move(events)), m_patience_s(patience_s),
+      m_lastAlive(Clock::now()), m_speed_ratio(pace.speed_ratio), m_thread([this] { run(); }) {}
 
 Connection::~Connection() {
     {
@@ -62,6 +62,10 @@ void Connection::post(Job job) {
 void Connection::stop() noexcept {
     m_isStopWanted = true;
     m_wake.notify_all();
+}
+
+void Connection::confirmAlive() noexcept {
+    m_lastAlive = Clock::now();
 }
 
 void Connection::setPace(Pace pace) {
@@ -106,6 +110,7 @@ void Connection::serve(devices::Device& device) {
             device.stop();
             report(device, true);
         }
+        stopIfSilent(device);
         runJobs(device);
         {
             const std::lock_guard lock(m_mutex);
@@ -117,6 +122,16 @@ void Connection::serve(devices::Device& device) {
             advance(device);
         }
     }
+}
+
+void Connection::stopIfSilent(devices::Device& device) {
+    const bool isSilent = seconds(Clock::now() - m_lastAlive.load()) > m_patience_s;
+    if (!isSilent || isVirtual() || !device.state().isArmed) {
+        return;
+    }
+    device.stop();
+    m_isStoppedForSilence = true;
+    report(device, true);
 }
 
 /// One job at a time, so that a stop never waits for more than one.
@@ -249,7 +264,7 @@ void Connection::report(devices::Device& device, bool isForced) {
     }
     m_lastReport = wall;
     m_reported = board;
-    m_events.onReport({board, device.statistics(), device.clock().now_s(), m_lost});
+    m_events.onReport({board, device.statistics(), device.clock().now_s(), m_lost, m_isStoppedForSilence});
 }
 
 } // namespace halbench::app

@@ -28,7 +28,8 @@ struct ConnectionReport {
     devices::DeviceState board;
     devices::LinkStatistics statistics;
     double deviceTime_s = 0.0;
-    std::optional<Error> lost; ///< why the link is gone
+    std::optional<Error> lost;        ///< why the link is gone
+    bool isStoppedForSilence = false; ///< the window did not answer while the actuator was armed
 };
 
 /// Called on the connection thread; they must return soon and not call the connection back.
@@ -50,7 +51,9 @@ public:
     using Opener = std::function<Result<std::unique_ptr<devices::Device>>()>;
     using Job = std::function<void(devices::Device&)>;
 
-    Connection(Opener open, Pace pace, ConnectionEvents events);
+    static constexpr double UsualPatience_s = 2.0;
+
+    Connection(Opener open, Pace pace, ConnectionEvents events, double patience_s = UsualPatience_s);
     /// Runs what was posted, disarms, closes the device. No event follows.
     ~Connection();
     Connection(const Connection&) = delete;
@@ -60,6 +63,10 @@ public:
     void post(Job job);
     /// Emergency stop; returns at once.
     void stop() noexcept;
+    /// The window says that it could still stop. The board's watchdog does not see a window that hangs,
+    /// because this thread goes on feeding it; so an armed actuator is stopped once nothing was said for the
+    /// patience. Not in virtual time, in which nothing moves by itself.
+    void confirmAlive() noexcept;
     void setPace(Pace pace);
 
     /// What the display wants to see whenever no procedure streams; no signals: nothing.
@@ -82,6 +89,7 @@ private:
 
     void run();
     void serve(devices::Device& device);
+    void stopIfSilent(devices::Device& device);
     void runJobs(devices::Device& device);
     void advance(devices::Device& device);
     bool isVirtual() const { return m_isSimulated && m_speed_ratio <= 0.0; }
@@ -95,12 +103,14 @@ private:
 
     const Opener m_open;
     const ConnectionEvents m_events;
+    const double m_patience_s;
 
     std::mutex m_mutex; ///< guards the two below
     std::condition_variable m_wake;
     std::deque<Job> m_jobs;
     bool m_isClosing = false;
     std::atomic<bool> m_isStopWanted = false;
+    std::atomic<std::chrono::steady_clock::time_point> m_lastAlive;
 
     // Used by the connection thread alone.
     double m_speed_ratio;
@@ -113,6 +123,7 @@ private:
     devices::DeviceState m_reported;
     double m_debt_s = 0.0; ///< device time that the wall clock asks for
     bool m_isSimulated = false;
+    bool m_isStoppedForSilence = false;
 
     std::thread m_thread; ///< last: starts when everything else is there
 };

@@ -4,7 +4,20 @@
 
 namespace halbench::app {
 
-DeviceSession::DeviceSession(QObject* parent) : QObject(parent) {}
+namespace {
+
+constexpr int HeartbeatPeriod_ms = 100;
+
+} // namespace
+
+DeviceSession::DeviceSession(QObject* parent) : QObject(parent) {
+    connect(&m_heartbeat, &QTimer::timeout, this, [this] {
+        if (m_connection) {
+            m_connection->confirmAlive();
+        }
+    });
+    m_heartbeat.start(HeartbeatPeriod_ms);
+}
 
 DeviceSession::~DeviceSession() {
     disconnectDevice();
@@ -105,10 +118,15 @@ void DeviceSession::refused(const Error& error) {
 
 void DeviceSession::reported(const ConnectionReport& report) {
     const bool isNewlyLost = report.lost && !m_report.lost;
+    const bool isNewlySilent = report.isStoppedForSilence && !m_report.isStoppedForSilence;
     m_report = report;
     if (isNewlyLost) {
         setState(SessionState::Lost);
         message(MessageLevel::Error, tr("connection"), QString::fromStdString(report.lost->message));
+    }
+    if (isNewlySilent) {
+        message(MessageLevel::Error, tr("stop"),
+                tr("the window did not answer while the actuator was armed, so it was stopped"));
     }
     reportChanged();
 }

@@ -7,6 +7,7 @@
 
 #include <QtCore/QObject>
 #include <QtCore/QString>
+#include <QtCore/QTimer>
 
 #include <atomic>
 #include <memory>
@@ -107,6 +108,7 @@ private:
 
     std::mutex m_connectionMutex; ///< guards the pointer against stopActuator() from another thread
     std::unique_ptr<Connection> m_connection;
+    QTimer m_heartbeat; ///< tells the connection that this thread still turns its events
     std::unique_ptr<SharedDevice> m_procedureDevice;
     std::thread m_procedureThread;
 };

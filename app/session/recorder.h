@@ -18,9 +18,9 @@ namespace halbench::app {
 
 /// What is written where.
 struct RecorderConfig {
-    std::string path;                 ///< of the CSV file; its sidecar lies beside it
-    StreamLayout layout;              ///< the columns; the distance of rows
-    devices::RecordingMeta meta;      ///< device, parameters, start
+    std::string path;                ///< of the CSV file; its sidecar lies beside it
+    StreamLayout layout;             ///< the columns; the distance of rows
+    devices::RecordingMeta meta;     ///< device, parameters, start
     std::size_t queue_rows = 120000; ///< what may wait for the disk: two minutes at 1 kHz
 };
 
