@@ -378,7 +378,7 @@ Firmware %2</translation>
     </message>
     <message>
         <source>the window did not answer while the actuator was armed, so it was stopped</source>
-        <translation>Das Fenster antwortete nicht, während der Aktor scharf war; deshalb wurde er gestoppt</translation>
+        <translation>Das Fenster antwortete nicht, während der Aktor freigegeben war; deshalb wurde er gestoppt</translation>
     </message>
 </context>
 <context>
