@@ -1,6 +1,5 @@
 #include "app/procedures/calibrate_runs.h"
-#include "app/procedures/excitation_limits.h"
-#include "app/procedures/spin_drive.h"
+#include "app/procedures/spin_recording.h"
 #include "control/base/units.h"
 #include "control/identify/distributions.h"
 #include "control/identify/ellipse_fit.h"
@@ -108,30 +107,12 @@ Result<void> calibrateHall(devices::Device& device, const CalibrateConfig& confi
     if (!stray || !before) {
         return failure(stray ? before.error() : stray.error());
     }
-    SpeedWatch watch("speed");
-    ProcedureObserver listening = observer;
-    listening.onBlock = [&](const SampleBlockPtr& block) {
-        watch.take(*block);
-        if (observer.onBlock) {
-            observer.onBlock(block);
-        }
-    };
-    StreamRecorder recorder(device, listening);
-    recorder.guardBy(excitationLimits(device.catalogue(), config.speedLimit_rad_s));
-    const std::vector<std::string> signals = withWatchedSignals(
-        device.catalogue(), {"position", "speed", "hall.a", "hall.b", "current.a", "current.b"});
-    if (auto started = recorder.start(signals, 100.0); !started) {
-        return started;
+    const auto recording = recordSpin(device, observer, hallRuns(config), config.speedLimit_rad_s,
+                                      {"position", "speed", "hall.a", "hall.b", "current.a", "current.b"});
+    if (!recording) {
+        return failure(recording.error());
     }
-    for (const PlateauRun& run : hallRuns(config)) {
-        if (auto done = runPlateaus(device, listening, run, {}, watch); !done) {
-            return failure(recorder.causeOf(done.error()));
-        }
-    }
-    if (auto checked = recorder.check(); !checked) {
-        return checked;
-    }
-    const HallReadings readings = movingReadings(recorder.finish(), *stray);
+    const HallReadings readings = movingReadings(*recording, *stray);
     const auto fit = control::fitHallEllipse(readings.a_T, readings.b_T);
     if (!fit) {
         result.quality.verdict = std::max(result.quality.verdict, Verdict::Refused);

@@ -1,7 +1,6 @@
 #include "app/procedures/calibrate_runs.h"
-#include "app/procedures/excitation_limits.h"
 #include "app/procedures/identify_estimate.h"
-#include "app/procedures/spin_drive.h"
+#include "app/procedures/spin_recording.h"
 #include "control/identify/distributions.h"
 
 #include <fmt/format.h>
@@ -27,28 +26,12 @@ Result<std::vector<Recording>> spinBothWays(devices::Device& device, const Calib
                                             const ProcedureObserver& observer) {
     std::vector<Recording> recordings;
     for (const PlateauRun& run : angleMapRuns(config)) {
-        SpeedWatch watch("speed");
-        ProcedureObserver listening = observer;
-        listening.onBlock = [&](const SampleBlockPtr& block) {
-            watch.take(*block);
-            if (observer.onBlock) {
-                observer.onBlock(block);
-            }
-        };
-        StreamRecorder recorder(device, listening);
-        recorder.guardBy(excitationLimits(device.catalogue(), config.speedLimit_rad_s));
-        const std::vector<std::string> signals = withWatchedSignals(
-            device.catalogue(), {"position", "speed", "current_command", "reference.segment"});
-        if (auto started = recorder.start(signals, 100.0); !started) {
-            return failure(started.error());
+        auto recording = recordSpin(device, observer, {&run, 1}, config.speedLimit_rad_s,
+                                    {"position", "speed", "current_command", "reference.segment"});
+        if (!recording) {
+            return failure(recording.error());
         }
-        if (auto done = runPlateaus(device, listening, run, {}, watch); !done) {
-            return failure(recorder.causeOf(done.error()));
-        }
-        if (auto checked = recorder.check(); !checked) {
-            return failure(checked.error());
-        }
-        recordings.push_back(recorder.finish());
+        recordings.push_back(std::move(*recording));
     }
     return recordings;
 }
