@@ -71,3 +71,17 @@ function(halbench_test name)
   gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
     PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
 endfunction()
+
+# halbench_resources(presets /presets ROOT files...): compiles files in as :PREFIX/<path below ROOT>; the caller gets
+# the generated sources as ${<name>_sources}.
+function(halbench_resources name prefix root)
+  set(entries "")
+  foreach(file ${ARGN})
+    file(RELATIVE_PATH alias ${root} ${file})
+    string(APPEND entries "  <file alias=\"${alias}\">${file}</file>\n")
+  endforeach()
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${name}.qrc CONTENT
+    "<RCC><qresource prefix=\"${prefix}\">\n${entries}</qresource></RCC>\n" @ONLY)
+  qt5_add_resources(generated ${CMAKE_CURRENT_BINARY_DIR}/${name}.qrc)
+  set(${name}_sources ${generated} PARENT_SCOPE)
+endfunction()
