@@ -9,6 +9,11 @@ namespace {
 
 constexpr int Full = 255;
 
+// No value here is below zero, where this would be wrong; std::lround would be a call per pixel.
+int rounded(double value) {
+    return static_cast<int>(value + 0.5); // NOLINT(bugprone-incorrect-roundings)
+}
+
 /// Integral of clamp(s, 0, 1) from 0 to t.
 double rampIntegral(double t) {
     return t <= 0.0 ? 0.0 : t < 1.0 ? 0.5 * t * t : t - 0.5;
@@ -68,7 +73,7 @@ void CurveMask::add(int column, int row, double coverage) {
         return;
     }
     std::uint8_t& pixel = pixelsOf(column)[row];
-    pixel = static_cast<std::uint8_t>(std::min(Full, pixel + static_cast<int>(Full * coverage + 0.5)));
+    pixel = static_cast<std::uint8_t>(std::min(Full, pixel + rounded(Full * coverage)));
     touch(column, row, row + 1);
 }
 
@@ -92,7 +97,7 @@ void CurveMask::raise(int column, double top, double bottom, double covered) {
     const int last = static_cast<int>(std::ceil(bottom)) - 1;
     std::uint8_t* pixels = pixelsOf(column);
     const auto raiseTo = [](std::uint8_t& pixel, double coverage) {
-        pixel = std::max(pixel, static_cast<std::uint8_t>(Full * coverage + 0.5));
+        pixel = std::max(pixel, static_cast<std::uint8_t>(rounded(Full * coverage)));
     };
     if (first == last) {
         raiseTo(pixels[first], covered * (bottom - top));

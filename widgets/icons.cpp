@@ -25,7 +25,7 @@ constexpr double Grid_px = 24.0;
 
 class MaskEngine : public QIconEngine {
 public:
-    MaskEngine(QString name, QByteArray mask, Role role, std::optional<QColor> colour)
+    MaskEngine(QString name, QByteArray mask, Role role, const std::optional<QColor>& colour)
         : m_name(std::move(name)), m_mask(std::move(mask)), m_role(role), m_colour(colour) {}
 
     void paint(QPainter* painter, const QRect& box, QIcon::Mode mode, QIcon::State) override {
@@ -89,7 +89,7 @@ private:
     std::optional<QColor> m_colour;
 };
 
-QIcon iconOf(const QString& name, Role role, std::optional<QColor> colour) {
+QIcon iconOf(const QString& name, Role role, const std::optional<QColor>& colour) {
     registerIcons();
     QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
     if (!file.open(QIODevice::ReadOnly)) {
