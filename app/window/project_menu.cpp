@@ -1,6 +1,5 @@
 #include "app/window/project_menu.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 #include <QSettings>
@@ -18,8 +17,8 @@ QStringList recentProjects() {
     return QSettings().value(RecentKey).toStringList().mid(0, MostRecent);
 }
 
-ProjectMenu::ProjectMenu(ProjectSession& session, QWidget* window)
-    : QObject(window), m_session(session), m_window(window) {}
+ProjectMenu::ProjectMenu(ProjectSession& session, FileChooser files, QWidget* window)
+    : QObject(window), m_session(session), m_files(std::move(files)), m_window(window) {}
 
 void ProjectMenu::addTo(QMenu& menu) {
     menu.addAction(tr("&New project"), this, &ProjectMenu::startNew)->setShortcut(QKeySequence::New);
@@ -36,8 +35,7 @@ void ProjectMenu::startNew() {
 }
 
 void ProjectMenu::chooseAndOpen() {
-    const QString path =
-        QFileDialog::getOpenFileName(m_window, tr("Open project"), {}, tr("Halbench project (*.toml)"));
+    const QString path = m_files.open(m_window, {tr("Open project"), {}, tr("Halbench project (*.toml)")});
     if (!path.isEmpty()) {
         open(path);
     }
@@ -68,8 +66,8 @@ void ProjectMenu::save() {
 }
 
 void ProjectMenu::saveAs() {
-    const QString path = QFileDialog::getSaveFileName(m_window, tr("Save project as"), "motor.toml",
-                                                      tr("Halbench project (*.toml)"));
+    const QString path = m_files.save(
+        m_window, {tr("Save project as"), QStringLiteral("motor.toml"), tr("Halbench project (*.toml)")});
     if (!path.isEmpty()) {
         write(path);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/window/project_session.h"
+#include "app/workspaces/file_chooser.h"
 
 #include <QObject>
 #include <QStringList>
@@ -16,7 +17,7 @@ class ProjectMenu : public QObject {
     Q_OBJECT
 
 public:
-    ProjectMenu(ProjectSession& session, QWidget* window);
+    ProjectMenu(ProjectSession& session, FileChooser files, QWidget* window);
 
     void addTo(QMenu& menu);
     /// Opens the file; an autosave of it that is newer work is offered in `recovered()`.
@@ -37,6 +38,7 @@ private:
     void fillRecent();
 
     ProjectSession& m_session;
+    FileChooser m_files;
     QWidget* m_window;
     QMenu* m_recent = nullptr;
 };

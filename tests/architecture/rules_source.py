@@ -112,6 +112,7 @@ def function_sizes(files):
 FORBIDDEN = (
     (r"\bconnect\s*\([^;]*\b(SIGNAL|SLOT)\s*\(", (), "connect with pointers to members"),
     (r"\bsetStyleSheet\s*\(", ("widgets/theme",), "setStyleSheet only in the theme"),
+    (r"\bQFileDialog::(get\w+|save\w+)\s*\(", (), "file dialogs carry a STOP: app/window/file_dialogs"),
     (r"\bsleep_for\b|\bsleep_until\b|\busleep\s*\(|\bnanosleep\s*\(|\bQThread::m?sleep", ("devices/transport/",
      "devices/simulated/loopback_transport"), "no sleeping: time is the Clock's"),   # wall-clock pacing
     (r"\bDISABLED_\w+|\bGTEST_SKIP\b|\bQSKIP\b", (), "a test is run or removed"),
