@@ -927,6 +927,14 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <source>There is no help page &apos;%1&apos; in this program.</source>
         <translation>In diesem Programm gibt es keine Hilfeseite „%1“.</translation>
     </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>The page before (Alt+Left)</source>
+        <translation>Die vorige Seite (Alt+Links)</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::IdentificationFigures</name>

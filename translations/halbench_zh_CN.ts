@@ -927,6 +927,14 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <source>There is no help page &apos;%1&apos; in this program.</source>
         <translation>本程序中没有帮助页面“%1”。</translation>
     </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>The page before (Alt+Left)</source>
+        <translation>上一页 (Alt+Left)</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::IdentificationFigures</name>

@@ -1,11 +1,15 @@
 #include "app/window/dock_layout.h"
 
 #include "widgets/icons.h"
+#include "widgets/stop_button.h"
 #include "widgets/theme_style.h"
 
+#include <QGridLayout>
 #include <qtadvanceddocking/DockAreaWidget.h>
+#include <qtadvanceddocking/DockContainerWidget.h>
 #include <qtadvanceddocking/DockManager.h>
 #include <qtadvanceddocking/DockWidget.h>
+#include <qtadvanceddocking/FloatingDockContainer.h>
 #include <qtadvanceddocking/IconProvider.h>
 
 #include <algorithm>
@@ -66,7 +70,19 @@ DockLayout::DockLayout(Workbench& bench, QWidget* container) : QObject(container
             }
         }
     }
+    m_first = m_manager->saveState(ArrangementVersion);
     arrange(m_perspective);
+    connect(m_manager, &ads::CDockManager::floatingWidgetCreated, this,
+            [this](ads::CFloatingDockContainer* window) { addStop(*window); });
+}
+
+/// Below the panels, so that it never covers one; it goes with the floating window.
+void DockLayout::addStop(ads::CFloatingDockContainer& window) {
+    ads::CDockContainerWidget* panels = window.dockContainer();
+    auto* stop = new widgets::StopButton(widgets::StopButton::Variant::Compact, panels);
+    connect(stop, &widgets::StopButton::stopRequested, this, &DockLayout::stopRequested);
+    auto* grid = static_cast<QGridLayout*>(panels->layout());
+    grid->addWidget(stop, grid->rowCount(), 0, 1, grid->columnCount(), Qt::AlignRight);
 }
 
 QWidget* DockLayout::panel(const QString& id) const {
@@ -140,6 +156,7 @@ void DockLayout::setPerspective(Perspective perspective) {
 
 void DockLayout::reset() {
     m_arrangements.clear();
+    m_manager->restoreState(m_first, ArrangementVersion);
     arrange(m_perspective);
 }
 

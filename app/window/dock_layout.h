@@ -9,6 +9,7 @@
 namespace ads {
 class CDockManager;
 class CDockWidget;
+class CFloatingDockContainer;
 } // namespace ads
 
 namespace halbench::app {
@@ -38,16 +39,19 @@ public:
 
 Q_SIGNALS:
     void perspectiveChanged();
+    void stopRequested(); ///< by the small STOP that every floating dock carries
 
 private:
     void addPanel(const PanelSpec& spec, Workbench& bench);
     void arrange(Perspective perspective);
     void shareSpace();
+    void addStop(ads::CFloatingDockContainer& window);
 
     std::vector<PanelSpec> m_specs;
     ads::CDockManager* m_manager = nullptr;
     QHash<QString, ads::CDockWidget*> m_docks;
     QHash<QString, QByteArray> m_arrangements;
+    QByteArray m_first; ///< every panel at its first place
     Perspective m_perspective = Perspective::Monitor;
 };
 

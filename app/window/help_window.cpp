@@ -1,7 +1,13 @@
 #include "app/window/help_window.h"
 
+#include "widgets/stop_button.h"
+#include "widgets/theme_style.h"
+
+#include <QAction>
 #include <QFile>
+#include <QHBoxLayout>
 #include <QTextBrowser>
+#include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -20,13 +26,15 @@ QString helpText(const QString& page) {
 
 HelpWindow::HelpWindow(const QString& page, QWidget* parent) : QWidget(parent, Qt::Window) {
     setWindowTitle(tr("Halbench help"));
+    new QVBoxLayout(this);
+    layout()->setContentsMargins(0, 0, 0, 0);
+    layout()->setSpacing(0);
+    buildBar();
     m_text = new QTextBrowser(this);
     m_text->setOpenLinks(false);
     m_text->setAccessibleName(tr("Help page"));
     m_text->setToolTip(tr("Alt+Left goes back"));
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(m_text);
+    layout()->addWidget(m_text);
     connect(m_text, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) {
         if (link.isRelative() && !link.path().isEmpty()) {
             openPage(link.path());
@@ -39,7 +47,38 @@ HelpWindow::HelpWindow(const QString& page, QWidget* parent) : QWidget(parent, Q
     openPage(page);
 }
 
+void HelpWindow::buildBar() {
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(widgets::PanelMargin_px, widgets::GridStep_px, widgets::PanelMargin_px,
+                            widgets::GridStep_px);
+    m_back = new QAction(tr("Back"), this);
+    m_back->setShortcut(QKeySequence("Alt+Left"));
+    m_back->setToolTip(tr("The page before (Alt+Left)"));
+    m_back->setEnabled(false);
+    addAction(m_back);
+    connect(m_back, &QAction::triggered, this, &HelpWindow::goBack);
+    auto* back = new QToolButton(this);
+    back->setDefaultAction(m_back);
+    auto* stop = new widgets::StopButton(widgets::StopButton::Variant::Compact, this);
+    connect(stop, &widgets::StopButton::stopRequested, this, &HelpWindow::stopRequested);
+    row->addWidget(back);
+    row->addStretch(1);
+    row->addWidget(stop);
+    static_cast<QVBoxLayout*>(layout())->addLayout(row);
+}
+
 void HelpWindow::openPage(const QString& page) {
+    m_visited << page;
+    showPage(page);
+}
+
+void HelpWindow::goBack() {
+    m_visited.removeLast();
+    showPage(m_visited.last());
+}
+
+void HelpWindow::showPage(const QString& page) {
+    m_back->setEnabled(m_visited.size() > 1);
     const QString text = helpText(page);
     if (text.isEmpty()) {
         m_text->setPlainText(tr("There is no help page '%1' in this program.").arg(page));

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 
+class QAction;
 class QTextBrowser;
 
 namespace halbench::app {
@@ -9,7 +11,8 @@ namespace halbench::app {
 /// Text of a page of resources/help; empty when there is none of that name.
 QString helpText(const QString& page);
 
-/// The pages of resources/help, compiled in; links lead from page to page.
+/// The pages of resources/help, compiled in; links lead from page to page, Back returns. Carries a small
+/// STOP.
 class HelpWindow : public QWidget {
     Q_OBJECT
 
@@ -17,8 +20,17 @@ public:
     explicit HelpWindow(const QString& page, QWidget* parent = nullptr);
     void openPage(const QString& page);
 
+Q_SIGNALS:
+    void stopRequested();
+
 private:
+    void buildBar();
+    void showPage(const QString& page);
+    void goBack();
+
     QTextBrowser* m_text = nullptr;
+    QAction* m_back = nullptr;
+    QStringList m_visited; ///< the last one is shown
 };
 
 } // namespace halbench::app

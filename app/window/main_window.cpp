@@ -1,6 +1,7 @@
 #include "app/window/main_window.h"
 
 #include "app/window/dock_layout.h"
+#include "app/window/file_dialogs.h"
 #include "app/window/help_window.h"
 #include "app/window/language.h"
 #include "app/window/project_menu.h"
@@ -59,7 +60,7 @@ MainWindow::MainWindow(Preferences preferences)
     });
     m_autosave.start(AutosavePeriod_ms);
     refreshTitle();
-    findChild<DevicePanel*>()->setFocus(); // never STOP first: Enter after the start connects
+    m_devices->setFocus(); // never STOP first: Enter after the start connects
     resize(FirstSize);
     restoreGeometry(m_preferences.geometry);
     const auto kept =
@@ -83,6 +84,8 @@ void MainWindow::buildCentre() {
     m_bar = new TopBar(m_bench, centre);
     m_bar->setStopLockOut_ms(m_preferences.stopLockOut_ms);
     m_docks = new DockLayout(m_bench, centre);
+    m_devices = static_cast<DevicePanel*>(m_docks->panel("devices"));
+    m_notes = static_cast<NotesPanel*>(m_docks->panel("notes"));
     m_message = new widgets::MessageBar(centre);
     connectTaskFlow(*m_docks, m_bench);
     column->addWidget(m_bar);
@@ -91,6 +94,7 @@ void MainWindow::buildCentre() {
     column->addWidget(new LinkPanel(m_bench, centre));
     setCentralWidget(centre);
     connect(m_bar, &TopBar::perspectiveChosen, m_docks, &DockLayout::setPerspective);
+    connect(m_docks, &DockLayout::stopRequested, &m_bench.session(), &DeviceSession::stopActuator);
     connect(m_docks, &DockLayout::perspectiveChanged, this, &MainWindow::onPerspective);
 }
 
@@ -100,18 +104,21 @@ void MainWindow::onPerspective() {
 }
 
 void MainWindow::connectDevice(const QString& uri) {
-    auto* panel = findChild<DevicePanel*>();
-    panel->setAddress(uri);
-    panel->connectAddress();
+    m_devices->setAddress(uri);
+    m_devices->connectAddress();
 }
 
 void MainWindow::createActions() {
     QMenu* file = menuBar()->addMenu(tr("&File"));
     QAction* simulated =
         file->addAction(tr("Connect the s&imulated motor"), this, [this] { connectDevice("sim:htm"); });
-    simulated->setShortcut(QKeySequence("Ctrl+Shift+S"));
+    simulated->setShortcut(QKeySequence("Ctrl+Shift+M"));
+    const auto allow = [this, simulated] { // a device in use is left by Disconnect only
+        simulated->setEnabled(m_bench.session().state() == SessionState::Disconnected);
+    };
+    connect(&m_bench.session(), &DeviceSession::stateChanged, simulated, allow);
     file->addSeparator();
-    m_projects = new ProjectMenu(m_project, this);
+    m_projects = new ProjectMenu(m_project, fileDialogs(m_bench), this);
     m_projects->addTo(*file);
     connect(m_projects, &ProjectMenu::opened, this, &MainWindow::takeOverProject);
     connect(m_projects, &ProjectMenu::refused, this, [this](const QString& text, const QString& hint) {
@@ -187,6 +194,7 @@ void MainWindow::showHelp() {
     const QString page = m_docks->helpPageOf(QApplication::focusWidget());
     auto* window = new HelpWindow(page.isEmpty() ? QString("index.md") : page, this);
     window->setAttribute(Qt::WA_DeleteOnClose);
+    connect(window, &HelpWindow::stopRequested, &m_bench.session(), &DeviceSession::stopActuator);
     window->show();
 }
 
@@ -211,8 +219,8 @@ void MainWindow::recoverUnnamed() {
 /// What the panels show, as a project.
 void MainWindow::collectProject() {
     Project project = m_project.project();
-    project.device = findChild<DevicePanel*>()->address().toStdString();
-    project.notes = static_cast<NotesPanel*>(m_docks->panel("notes"))->notes().toStdString();
+    project.device = m_devices->address().toStdString();
+    project.notes = m_notes->notes().toStdString();
     project.perspective = perspectiveId(m_docks->perspective()).toStdString();
     const QHash<QString, QByteArray> arrangements = m_docks->arrangements();
     project.layouts.clear();
@@ -226,9 +234,9 @@ void MainWindow::collectProject() {
 void MainWindow::takeOverProject() {
     const Project& project = m_project.project();
     if (m_bench.session().state() == SessionState::Disconnected) {
-        findChild<DevicePanel*>()->setAddress(QString::fromStdString(project.device));
+        m_devices->setAddress(QString::fromStdString(project.device));
     }
-    static_cast<NotesPanel*>(m_docks->panel("notes"))->setNotes(QString::fromStdString(project.notes));
+    m_notes->setNotes(QString::fromStdString(project.notes));
     QHash<QString, QByteArray> arrangements;
     for (const auto& [perspective, layout] : project.layouts) {
         arrangements.insert(QString::fromStdString(perspective), QByteArray::fromStdString(layout));

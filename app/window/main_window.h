@@ -10,7 +10,9 @@
 
 namespace halbench::app {
 
+class DevicePanel;
 class DockLayout;
+class NotesPanel;
 class ProjectMenu;
 class TopBar;
 
@@ -61,6 +63,8 @@ private:
     ProjectMenu* m_projects = nullptr;
     TopBar* m_bar = nullptr;
     DockLayout* m_docks = nullptr;
+    DevicePanel* m_devices = nullptr; ///< kept: a panel behind another tab is nobody's child
+    NotesPanel* m_notes = nullptr;
 };
 
 } // namespace halbench::app

@@ -11,7 +11,6 @@
 #include <QFile>
 #include <QListWidget>
 #include <QTemporaryDir>
-#include <QTextBrowser>
 #include <qtadvanceddocking/DockWidget.h>
 
 namespace halbench::app {
@@ -140,13 +139,6 @@ TEST_F(MainWindowTest, aDamagedProjectIsSaidInPlaceAndNothingIsLost) {
     EXPECT_TRUE(std::any_of(bars.begin(), bars.end(), [](const widgets::MessageBar* bar) {
         return bar->isVisible() && bar->message().text.contains("newer");
     }));
-}
-
-TEST_F(MainWindowTest, helpOpensThePageOfThePanelThatHasTheFocus) {
-    open();
-    EXPECT_EQ(window->docks().helpPageOf(window->findChild<DevicePanel*>()), "command-line.md");
-    const HelpWindow help("command-line.md");
-    EXPECT_TRUE(help.findChild<QTextBrowser*>()->toPlainText().contains("halbench"));
 }
 
 TEST_F(MainWindowTest, everyPanelNamesAHelpPageThatExists) {

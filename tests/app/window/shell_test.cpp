@@ -1,0 +1,123 @@
+#include "app/window/dock_layout.h"
+#include "app/window/help_window.h"
+#include "app/workspaces/device_panel.h"
+#include "tests/app/window/window_test.h"
+#include "widgets/stop_button.h"
+
+#include <QListWidget>
+#include <QMenuBar>
+#include <QTextBrowser>
+#include <qtadvanceddocking/DockAreaWidget.h>
+#include <qtadvanceddocking/DockManager.h>
+#include <qtadvanceddocking/DockWidget.h>
+#include <qtadvanceddocking/FloatingDockContainer.h>
+
+// Docks, help and menus around the panels.
+
+namespace halbench::app {
+namespace {
+
+class ShellTest : public WindowTest {
+protected:
+    ads::CDockWidget& dock(const QString& id) { return *window->docks().docks().value(id); }
+
+    QAction* action(const QKeySequence& shortcut) {
+        for (QAction* one : window->findChildren<QAction*>()) {
+            if (one->shortcut() == shortcut) {
+                return one;
+            }
+        }
+        return nullptr;
+    }
+
+    HelpWindow* help() { return window->findChild<HelpWindow*>(); }
+    QString helpWords() { return help()->findChild<QTextBrowser*>()->toPlainText(); }
+};
+
+TEST_F(ShellTest, devicesBehindAnotherTabAreStillCollectedAndConnected) {
+    open();
+    dock("devices").dockManager()->addDockWidget(ads::CenterDockWidgetArea, &dock("devices"),
+                                                 dock("log").dockAreaWidget());
+    dock("log").setAsCurrentTab();
+    ASSERT_EQ(window->findChild<DevicePanel*>(), nullptr); // that is what makes it a case
+    window->connectDevice("sim:htm");
+    EXPECT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
+    EXPECT_TRUE(window->close());
+    EXPECT_EQ(window->project().project().device, "sim:htm");
+}
+
+TEST_F(ShellTest, aFloatingDockCarriesAStopOfItsOwn) {
+    open();
+    connectMotor(1.0);
+    dock("parameters").setFloating();
+    auto* floating = dock("parameters").floatingDockContainer();
+    ASSERT_NE(floating, nullptr);
+    auto* stop = floating->findChild<widgets::StopButton*>();
+    ASSERT_NE(stop, nullptr);
+    EXPECT_TRUE(wait([&] { return stop->isVisible(); }));
+    EXPECT_FALSE(session().report().board.isStopLatched);
+    QTest::mousePress(stop, Qt::LeftButton);
+    EXPECT_TRUE(wait([&] { return session().report().board.isStopLatched; }));
+}
+
+TEST_F(ShellTest, resettingBringsMovedAndFloatingPanelsBack) {
+    open();
+    const QPoint logPlace = dock("log").mapTo(window.get(), QPoint());
+    const QPoint devicesPlace = dock("devices").mapTo(window.get(), QPoint());
+    dock("parameters").setFloating();
+    dock("devices").dockManager()->addDockWidget(ads::CenterDockWidgetArea, &dock("devices"),
+                                                 dock("log").dockAreaWidget());
+    window->docks().reset();
+    EXPECT_FALSE(dock("parameters").isFloating());
+    EXPECT_TRUE(wait([&] { return dock("log").mapTo(window.get(), QPoint()) == logPlace; }));
+    EXPECT_EQ(dock("devices").mapTo(window.get(), QPoint()), devicesPlace);
+}
+
+TEST_F(ShellTest, helpOpensThePageOfThePanelThatHasTheFocus) {
+    open();
+    auto* list = window->findChild<DevicePanel*>()->findChild<QListWidget*>();
+    window->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    list->setFocus();
+    ASSERT_TRUE(wait([&] { return QApplication::focusWidget() == list; }));
+    action(QKeySequence::HelpContents)
+        ->trigger(); // what F1 does; offscreen has no active window for a shortcut
+    ASSERT_NE(help(), nullptr);
+    QTextBrowser page;
+    page.setMarkdown(helpText("command-line.md"));
+    EXPECT_EQ(helpWords(), page.toPlainText());
+}
+
+TEST_F(ShellTest, theHelpGoesBackToThePageBefore) {
+    open();
+    action(QKeySequence::HelpContents)->trigger();
+    ASSERT_NE(help(), nullptr);
+    const QString first = helpWords();
+    help()->openPage("tuning.md");
+    EXPECT_NE(helpWords(), first);
+    QApplication::setActiveWindow(help()); // the platform without a screen gives no window the focus
+    QTest::keyClick(help()->findChild<QTextBrowser*>(), Qt::Key_Left, Qt::AltModifier);
+    EXPECT_EQ(helpWords(), first);
+    QTest::keyClick(help()->findChild<QTextBrowser*>(), Qt::Key_Left, Qt::AltModifier); // there is no page before
+    EXPECT_EQ(helpWords(), first);
+}
+
+TEST_F(ShellTest, theHelpCarriesAStop) {
+    open();
+    connectMotor(1.0);
+    action(QKeySequence::HelpContents)->trigger();
+    QTest::mousePress(help()->findChild<widgets::StopButton*>(), Qt::LeftButton);
+    EXPECT_TRUE(wait([&] { return session().report().board.isStopLatched; }));
+}
+
+TEST_F(ShellTest, aDeviceInUseIsNotLeftByTheShortcutOfTheSimulatedMotor) {
+    open();
+    QAction* simulated = action(QKeySequence("Ctrl+Shift+M"));
+    ASSERT_NE(simulated, nullptr);
+    EXPECT_TRUE(simulated->isEnabled());
+    connectMotor(1.0);
+    EXPECT_FALSE(simulated->isEnabled());
+}
+
+} // namespace
+} // namespace halbench::app
