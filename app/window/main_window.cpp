@@ -53,10 +53,12 @@ MainWindow::MainWindow(Preferences preferences)
     connect(&m_project, &ProjectSession::changed, this, &MainWindow::refreshTitle);
     connect(&m_autosave, &QTimer::timeout, this, [this] {
         collectProject();
-        if (const Result<void> saved = m_project.autosave(); !saved) {
-            onMessage(widgets::Severity::Warning, QString::fromStdString(saved.error().message),
-                      QString::fromStdString(saved.error().hint));
-        }
+        m_project.autosave([this](const Result<void>& saved) {
+            if (!saved) {
+                onMessage(widgets::Severity::Warning, QString::fromStdString(saved.error().message),
+                          QString::fromStdString(saved.error().hint));
+            }
+        });
     });
     m_autosave.start(AutosavePeriod_ms);
     refreshTitle();
@@ -255,7 +257,7 @@ void MainWindow::refreshTitle() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     collectProject();
-    if (const Result<void> saved = m_project.autosave(); !saved) {
+    if (const Result<void> saved = m_project.autosaveNow(); !saved) {
         std::fprintf(stderr, "halbench: %s\n", saved.error().message.c_str());
     }
     m_preferences.geometry = saveGeometry();

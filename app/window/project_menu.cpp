@@ -2,6 +2,7 @@
 
 #include <QFileInfo>
 #include <QMenu>
+#include <QPointer>
 #include <QSettings>
 
 namespace halbench::app {
@@ -74,12 +75,17 @@ void ProjectMenu::saveAs() {
 }
 
 void ProjectMenu::write(const QString& path) {
-    if (const Result<void> written = m_session.save(path.toStdString()); !written) {
-        refused(QString::fromStdString(written.error().message),
-                QString::fromStdString(written.error().hint));
-        return;
-    }
-    remember(path);
+    m_session.save(path.toStdString(), [self = QPointer(this), path](const Result<void>& written) {
+        if (!self) {
+            return;
+        }
+        if (written) {
+            self->remember(path);
+        } else {
+            self->refused(QString::fromStdString(written.error().message),
+                          QString::fromStdString(written.error().hint));
+        }
+    });
 }
 
 void ProjectMenu::remember(const QString& path) {

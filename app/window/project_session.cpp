@@ -9,6 +9,43 @@ namespace halbench::app {
 ProjectSession::ProjectSession(std::string unnamedPath, QObject* parent)
     : QObject(parent), m_unnamedPath(std::move(unnamedPath)) {}
 
+ProjectSession::~ProjectSession() {
+    finishWriting();
+}
+
+void ProjectSession::write(Write next) {
+    if (m_isWriting) {
+        m_next = std::move(next);
+        return;
+    }
+    finishWriting();
+    m_isWriting = true;
+    m_writer = std::thread([this, next = std::move(next)] {
+        const Result<void> written = saveProject(next.project, next.path);
+        QMetaObject::invokeMethod(
+            this,
+            [this, written, then = next.then] {
+                m_isWriting = false;
+                if (m_next) {
+                    write(*std::exchange(m_next, std::nullopt));
+                }
+                then(written);
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+/// Waits for the writer and writes what waited behind it.
+void ProjectSession::finishWriting() {
+    if (m_writer.joinable()) {
+        m_writer.join();
+    }
+    if (m_next) {
+        const Write last = *std::exchange(m_next, std::nullopt);
+        last.then(saveProject(last.project, last.path));
+    }
+}
+
 std::string ProjectSession::autosaveFile() const {
     return autosavePath(m_path.empty() ? m_unnamedPath : m_path);
 }
@@ -21,6 +58,7 @@ void ProjectSession::update(const Project& project) {
 }
 
 void ProjectSession::startNew() {
+    ++m_opened;
     discardAutosave();
     m_path.clear();
     m_project = m_saved = m_autosaved = {};
@@ -32,24 +70,45 @@ Result<void> ProjectSession::open(const std::string& path) {
     if (!read) {
         return failure(read.error());
     }
+    ++m_opened;
     m_path = path;
     m_project = m_saved = m_autosaved = *std::move(read);
     changed();
     return {};
 }
 
-Result<void> ProjectSession::save(const std::string& path) {
-    if (Result<void> written = saveProject(m_project, path); !written) {
-        return written;
-    }
-    discardAutosave();
-    m_path = path;
-    m_saved = m_autosaved = m_project;
-    changed();
-    return {};
+void ProjectSession::save(const std::string& path, Written then) {
+    write({m_project, path,
+           [this, path, project = m_project, opened = m_opened,
+            then = std::move(then)](const Result<void>& written) {
+               if (written && opened == m_opened) {
+                   discardAutosave();
+                   m_path = path;
+                   m_saved = m_autosaved = project;
+                   changed();
+               }
+               then(written);
+           }});
 }
 
-Result<void> ProjectSession::autosave() {
+void ProjectSession::autosave(Written then) {
+    if (m_project == m_autosaved || m_isWriting) { // the timer comes again
+        return;
+    }
+    write({m_project, autosaveFile(),
+           [this, path = autosaveFile(), project = m_project, opened = m_opened,
+            then = std::move(then)](const Result<void>& written) {
+               if (opened != m_opened) {
+                   QFile::remove(QString::fromStdString(path)); // of a project that was left meanwhile
+               } else if (written) {
+                   m_autosaved = project;
+               }
+               then(written);
+           }});
+}
+
+Result<void> ProjectSession::autosaveNow() {
+    finishWriting();
     if (m_project == m_autosaved) {
         return {};
     }
@@ -66,6 +125,7 @@ std::optional<Project> ProjectSession::recoverable(const std::string& path) cons
 }
 
 void ProjectSession::recover(const std::string& path, const Project& project) {
+    ++m_opened;
     m_path = path;
     const Result<Project> saved = path.empty() ? Project() : loadProject(path);
     m_saved = saved.value_or(Project());

@@ -1,7 +1,9 @@
 #include "app/window/project_session.h"
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QTemporaryDir>
+#include <QtTest/QTest>
 
 #include <gtest/gtest.h>
 
@@ -18,15 +20,25 @@ protected:
         return project;
     }
 
+    bool saved(ProjectSession& session, const char* name) {
+        std::optional<bool> answer;
+        session.save(file(name), [&](const Result<void>& written) { answer = written.has_value(); });
+        return QTest::qWaitFor([&] { return answer.has_value(); }, 20000) && *answer;
+    }
+
+    int argumentCount = 1;
+    char programName[5] = "test";
+    char* arguments[2] = {programName, nullptr};
+    QCoreApplication application{argumentCount, arguments};
     QTemporaryDir folder;
 };
 
 TEST_F(ProjectSessionTest, aCrashLosesNothingThatWasAutosaved) {
     {
         ProjectSession before(file("unnamed.toml"));
-        ASSERT_TRUE(before.save(file("motor.toml")));
+        ASSERT_TRUE(saved(before, "motor.toml"));
         before.update(withNotes("unsaved"));
-        ASSERT_TRUE(before.autosave());
+        ASSERT_TRUE(before.autosaveNow());
     } // the program dies here: nothing is saved or discarded
     ProjectSession after(file("unnamed.toml"));
     const auto left = after.recoverable(file("motor.toml"));
@@ -39,18 +51,51 @@ TEST_F(ProjectSessionTest, aCrashLosesNothingThatWasAutosaved) {
 TEST_F(ProjectSessionTest, aProjectWithoutANameIsRecoveredToo) {
     ProjectSession before(file("unnamed.toml"));
     before.update(withNotes("never named"));
-    ASSERT_TRUE(before.autosave());
+    ASSERT_TRUE(before.autosaveNow());
     EXPECT_EQ(ProjectSession(file("unnamed.toml")).recoverable("")->notes, "never named");
 }
 
 TEST_F(ProjectSessionTest, savingRemovesTheAutosave) {
     ProjectSession session(file("unnamed.toml"));
     session.update(withNotes("kept"));
-    ASSERT_TRUE(session.autosave());
-    ASSERT_TRUE(session.save(file("motor.toml")));
+    ASSERT_TRUE(session.autosaveNow());
+    ASSERT_TRUE(saved(session, "motor.toml"));
     EXPECT_FALSE(session.isChanged());
     EXPECT_FALSE(session.recoverable(file("motor.toml")));
     EXPECT_FALSE(session.recoverable(""));
+}
+
+TEST_F(ProjectSessionTest, aSaveThatHasNotAnsweredYetIsCompleteWhenTheSessionEnds) {
+    {
+        ProjectSession session(file("unnamed.toml"));
+        session.update(withNotes("first"));
+        session.autosave([](const Result<void>&) {}); // is being written
+        session.update(withNotes("second"));
+        session.save(file("motor.toml"), [](const Result<void>&) {}); // waits behind it
+    }
+    EXPECT_EQ(loadProject(file("motor.toml"))->notes, "second");
+}
+
+TEST_F(ProjectSessionTest, anAutosaveOfAProjectThatWasLeftMeanwhileIsNotOfferedLater) {
+    ProjectSession session(file("unnamed.toml"));
+    session.update(withNotes("left"));
+    bool isWritten = false;
+    session.autosave([&](const Result<void>&) { isWritten = true; });
+    session.startNew();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return isWritten; }, 20000));
+    EXPECT_FALSE(session.recoverable(""));
+    EXPECT_EQ(session.project(), Project());
+}
+
+TEST_F(ProjectSessionTest, whatChangedDuringASaveIsStillToBeSaved) {
+    ProjectSession session(file("unnamed.toml"));
+    session.update(withNotes("saved"));
+    bool isWritten = false;
+    session.save(file("motor.toml"), [&](const Result<void>& written) { isWritten = written.has_value(); });
+    session.update(withNotes("typed meanwhile"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return isWritten; }, 20000));
+    EXPECT_TRUE(session.isChanged());
+    EXPECT_EQ(loadProject(file("motor.toml"))->notes, "saved");
 }
 
 TEST_F(ProjectSessionTest, aDamagedFileLeavesTheOpenProjectAsItIs) {
