@@ -125,6 +125,7 @@ void DeviceSession::request(Function function, Then then) {
         then(Answer(failure(ErrorCode::DeviceLost, "no device is connected", "connect one first")));
         return;
     }
+    m_connection->confirmAlive(); // who asks, lives: arming first thing after a pause is not stopped for it
     m_connection->post([this, function, then](devices::Device& device) {
         auto answer = std::make_shared<Answer>(function(device));
         onGui([answer, then] { then(std::move(*answer)); });
