@@ -14,6 +14,13 @@ LatestTask::~LatestTask() {
     m_thread.join();
 }
 
+void LatestTask::cancel() {
+    ++m_newest;
+    m_isBusy = false;
+    const std::lock_guard lock(m_mutex);
+    m_waiting.reset();
+}
+
 void LatestTask::start(std::function<void()> job) {
     {
         const std::lock_guard lock(m_mutex);

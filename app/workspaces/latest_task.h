@@ -25,6 +25,9 @@ public:
     template <typename Work, typename Then>
     void run(Work work, Then then);
 
+    /// Nothing that was asked so far is answered any more.
+    void cancel();
+
     /// Whether an answer is still to come.
     bool isBusy() const { return m_isBusy; }
 

@@ -197,6 +197,8 @@ void TunePanel::refreshModel() {
     m_pages->setCurrentIndex(identification ? WorkPage : EmptyPage);
     if (!identification) {
         m_shown.reset();
+        m_sketching.cancel();
+        m_judging.cancel();
         refreshButtons();
         return;
     }
@@ -277,6 +279,8 @@ void TunePanel::ask() {
         return;
     }
     m_shown.reset(); // nothing is applied that its prediction has not caught up with
+    m_sketching.cancel();
+    m_judging.cancel(); // answers to older numbers must not come after a number that is none
     if (const auto asked = question()) {
         m_sketching.run([asked = *asked] { return sketchTuning(asked); },
                         [this](const Result<TuneSketch>& sketch) { showSketch(sketch); });

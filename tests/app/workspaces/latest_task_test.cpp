@@ -65,6 +65,29 @@ TEST_F(LatestTaskTest, onlyTheNewestQuestionIsAnswered) {
     EXPECT_EQ(computed, 1);
 }
 
+TEST_F(LatestTaskTest, aCancelledQuestionIsNotAnsweredAndTheNextOneIs) {
+    LatestTask task;
+    std::promise<void> begun;
+    std::promise<void> release;
+    std::vector<int> answers;
+    const auto keep = [&](int answer) { answers.push_back(answer); };
+    task.run(
+        [&] {
+            begun.set_value();
+            release.get_future().wait();
+            return 1;
+        },
+        keep);
+    begun.get_future().wait();
+    task.run([] { return 2; }, keep); // waits behind it
+    task.cancel();
+    EXPECT_FALSE(task.isBusy());
+    release.set_value();
+    task.run([] { return 3; }, keep);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !task.isBusy(); }));
+    EXPECT_EQ(answers, std::vector<int>{3});
+}
+
 TEST_F(LatestTaskTest, aWaitingQuestionDiesWithItsTask) {
     std::atomic<bool> isAnswered = false;
     {

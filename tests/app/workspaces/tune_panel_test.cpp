@@ -12,6 +12,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QElapsedTimer>
 #include <QProcess>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -142,6 +143,21 @@ TEST_F(TunePanelTest, noNumberThatIsNoneReachesAGain) {
         ASSERT_TRUE(wait([&] { return canApply(); }));
     }
     EXPECT_EQ(valuesNow(), before);
+}
+
+TEST_F(TunePanelTest, anInvalidNumberIsNotOvertakenByTheAnswerToAnOlderOne) {
+    prepare();
+    QElapsedTimer clock;
+    clock.start();
+    type("gain.kp", "39");
+    ASSERT_TRUE(wait([&] { return canApply(); }));
+    const qint64 answer_ms = clock.elapsed();
+    type("gain.kp", "38");  // its worker runs
+    type("gain.kp", "-38"); // back to back: nothing was delivered in between
+    EXPECT_FALSE(canApply());
+    // Three times what the answer before needed, so that the worker has certainly finished.
+    EXPECT_FALSE(QTest::qWaitFor([&] { return canApply(); }, static_cast<int>(3 * answer_ms) + 200));
+    EXPECT_TRUE(verdict().contains("Proportional")) << verdict().toStdString();
 }
 
 TEST_F(TunePanelTest, anUnstableEditCannotBeApplied) {
