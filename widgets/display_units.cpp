@@ -4,6 +4,7 @@
 #include "control/base/units.h"
 
 #include <QLocale>
+#include <QRegularExpression>
 
 #include <cmath>
 
@@ -21,6 +22,19 @@ DisplayUnit displayUnit(const std::string& symbol, AngleUnit angleUnit) {
     return {shown(inDegrees), isBelowTheLine ? degreesToRadians(1.0) : radiansToDegrees(1.0)};
 }
 
+namespace {
+
+/// Whether the user's notation would read a point between thousands, as "1.500" in German: what else it could
+/// mean differs by a factor of 1000. No thousands begin with a zero.
+bool isGrouped(const QString& number) {
+    bool isNumber = false;
+    QLocale().toDouble(number, &isNumber);
+    const int first = number.indexOf(QRegularExpression(QStringLiteral("[0-9]")));
+    return isNumber && first >= 0 && number.at(first) != QLatin1Char('0');
+}
+
+} // namespace
+
 QString numberText(double value, int significantDigits) {
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
@@ -34,14 +48,16 @@ std::optional<double> parseNumber(const QString& text, const QString& unitText) 
         number = number.trimmed();
     }
     number.replace(QChar(0x2212), QLatin1Char('-')); // the minus sign of typography
-    bool isNumber = false;
-    QLocale locale;
-    locale.setNumberOptions(QLocale::RejectGroupSeparator);
-    double value = locale.toDouble(number, &isNumber);
-    if (!isNumber) {
-        value = QLocale::c().toDouble(number, &isNumber);
+    const auto read = [&number](QLocale locale) {
+        locale.setNumberOptions(QLocale::RejectGroupSeparator);
+        bool isNumber = false;
+        const double value = locale.toDouble(number, &isNumber);
+        return isNumber && std::isfinite(value) ? std::optional(value) : std::nullopt;
+    };
+    if (const auto value = read(QLocale())) {
+        return value;
     }
-    return isNumber && std::isfinite(value) ? std::optional(value) : std::nullopt;
+    return isGrouped(number) ? std::nullopt : read(QLocale::c());
 }
 
 bool areSameOnBoard(double one, double other) {

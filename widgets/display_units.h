@@ -21,7 +21,8 @@ DisplayUnit displayUnit(const std::string& symbol, AngleUnit angleUnit);
 /// At most that many significant digits in the user's notation, without group separators.
 QString numberText(double value, int significantDigits = 7);
 
-/// A finite number in the user's notation or in the C one; the unit may stand behind it.
+/// A finite number in the user's notation or in the C one; the unit may stand behind it. Nothing is read as
+/// thousands, and what could be meant as such is refused: "1,500" in English, "1.500" in German.
 std::optional<double> parseNumber(const QString& text, const QString& unitText = {});
 
 /// Whether a board with single-precision numbers holds the same in both cases: 2^-23 relative.

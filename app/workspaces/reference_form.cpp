@@ -2,6 +2,7 @@
 
 #include "app/workspaces/panel_parts.h"
 #include "control/base/units.h"
+#include "widgets/display_units.h"
 #include "widgets/quantity_edit.h"
 #include "widgets/theme_style.h"
 
@@ -283,16 +284,12 @@ Result<std::vector<double>> ReferenceForm::plateaus_A() const {
                                   .simplified()
                                   .split(QLatin1Char(' '), Qt::SkipEmptyParts);
     for (const QString& word : words) {
-        bool isNumber = false;
-        double current_A = locale().toDouble(word, &isNumber);
-        if (!isNumber) {
-            current_A = QLocale::c().toDouble(word, &isNumber);
-        }
-        if (!isNumber || !std::isfinite(current_A)) {
+        const std::optional<double> current_A = widgets::parseNumber(word);
+        if (!current_A) {
             return failure(ErrorCode::InvalidInput, tr("'%1' is not a current.").arg(word).toStdString(),
                            tr("Write currents in A, e.g. 1.6; 2; 2.4.").toStdString());
         }
-        currents_A.push_back(current_A);
+        currents_A.push_back(*current_A);
     }
     if (currents_A.empty() || currents_A.size() > MostPlateaus) {
         return failure(ErrorCode::OutOfRange,

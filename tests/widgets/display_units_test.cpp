@@ -32,6 +32,32 @@ TEST(DisplayUnits, numbersAreReadInTheUsersNotationAndTheProgrammers) {
     QLocale::setDefault(before);
 }
 
+TEST(DisplayUnits, aNumberIsReadRightOrRefusedAndNeverOffByThousands) {
+    struct Case {
+        const char* text;
+        std::optional<double> english, german, chinese;
+    };
+    const Case cases[] = {
+        {"1,500", {}, 1.5, {}},    {"1.500", 1.5, {}, 1.5},    {"0,500", {}, 0.5, {}},
+        {"0.500", 0.5, 0.5, 0.5},  {"0,5", {}, 0.5, {}},       {"1.5", 1.5, 1.5, 1.5},
+        {"-1,500", {}, -1.5, {}},  {"-1.500", -1.5, {}, -1.5}, {"1,500.25", {}, {}, {}},
+        {"1.500,25", {}, {}, {}},  {"1e-3", 1e-3, 1e-3, 1e-3}, {"1.6e-3", 1.6e-3, 1.6e-3, 1.6e-3},
+        {"1,500,000", {}, {}, {}}, {"1.500.000", {}, {}, {}},  {"1500", 1500.0, 1500.0, 1500.0}};
+    const QLocale before;
+    const std::pair<QLocale, std::optional<double> Case::*> languages[] = {
+        {QLocale(QLocale::English, QLocale::UnitedStates), &Case::english},
+        {QLocale(QLocale::German, QLocale::Germany), &Case::german},
+        {QLocale(QLocale::Chinese, QLocale::China), &Case::chinese}};
+    for (const auto& [locale, expected] : languages) {
+        QLocale::setDefault(locale);
+        for (const Case& each : cases) {
+            EXPECT_EQ(parseNumber(QLatin1String(each.text)), each.*expected)
+                << each.text << " in " << locale.name().toStdString();
+        }
+    }
+    QLocale::setDefault(before);
+}
+
 TEST(DisplayUnits, whatIsNoFiniteNumberIsRefused) {
     for (const char* text : {"", "abc", "nan", "inf", "-inf", "1e999", "1 2", "0x10"}) {
         EXPECT_FALSE(parseNumber(QLatin1String(text)).has_value()) << text;

@@ -87,6 +87,8 @@ TEST_F(ReferenceFormTest, plateausBelongToTheCurrentModes) {
     const auto refused = form().values();
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().message.find("two"), std::string::npos);
+    find<QLineEdit>(form(), "Currents of the plateaus in ampere")->setText("0,500"); // not 500 A
+    EXPECT_FALSE(form().values());
 }
 
 TEST_F(ReferenceFormTest, aStepOfNothingIsRefused) {
