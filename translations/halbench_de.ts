@@ -1188,6 +1188,10 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <source>Load model</source>
         <translation>Modell laden</translation>
     </message>
+    <message>
+        <source>Identify again when the motor has changed since.</source>
+        <translation>Identifizieren Sie neu, wenn sich der Motor seither verändert hat.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::IdentifyResultView</name>
@@ -1362,6 +1366,18 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <source>%1 minutes of device time, coils up to %2 °C</source>
         <translation>%1 Minuten Gerätezeit, Spulen bis %2 °C</translation>
     </message>
+    <message>
+        <source>device not known</source>
+        <translation>Gerät nicht bekannt</translation>
+    </message>
+    <message>
+        <source>From the project: identified in virtual time, device %1.</source>
+        <translation>Aus dem Projekt: in virtueller Zeit identifiziert, Gerät %1.</translation>
+    </message>
+    <message>
+        <source>From the project: identified %1, device %2.</source>
+        <translation>Aus dem Projekt: identifiziert %1, Gerät %2.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::JogRow</name>
@@ -1533,6 +1549,14 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>%1[*] — Halbench</source>
         <translation>%1[*] — Halbench</translation>
+    </message>
+    <message>
+        <source>Not everything of the project could be read: %1</source>
+        <translation>Nicht alles aus dem Projekt war lesbar: %1</translation>
+    </message>
+    <message>
+        <source>It stays in the file as it is; the rest is open.</source>
+        <translation>Es bleibt in der Datei, wie es ist; der Rest ist geöffnet.</translation>
     </message>
 </context>
 <context>
@@ -1810,6 +1834,17 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>No project was opened yet</source>
         <translation>Es wurde noch kein Projekt geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::ProjectWork</name>
+    <message>
+        <source>model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>gains</source>
+        <translation>Reglerwerte</translation>
     </message>
 </context>
 <context>
@@ -2505,6 +2540,14 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>Picture (*.svg *.png)</source>
         <translation>Bild (*.svg *.png)</translation>
+    </message>
+    <message>
+        <source>From the project: gains by %1.</source>
+        <translation>Aus dem Projekt: Reglerwerte nach %1.</translation>
+    </message>
+    <message>
+        <source>Choose a method to design anew for the motor as it is now.</source>
+        <translation>Wählen Sie ein Verfahren, um sie für den Motor von heute neu zu entwerfen.</translation>
     </message>
 </context>
 <context>

@@ -1188,6 +1188,10 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <source>Load model</source>
         <translation>载入模型</translation>
     </message>
+    <message>
+        <source>Identify again when the motor has changed since.</source>
+        <translation>如果电机此后有变化，请重新辨识。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::IdentifyResultView</name>
@@ -1362,6 +1366,18 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <source>%1 minutes of device time, coils up to %2 °C</source>
         <translation>%1 分钟设备时间，线圈最高 %2 °C</translation>
     </message>
+    <message>
+        <source>device not known</source>
+        <translation>设备未知</translation>
+    </message>
+    <message>
+        <source>From the project: identified in virtual time, device %1.</source>
+        <translation>来自项目：在虚拟时间内辨识，设备 %1。</translation>
+    </message>
+    <message>
+        <source>From the project: identified %1, device %2.</source>
+        <translation>来自项目：辨识时间 %1，设备 %2。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::JogRow</name>
@@ -1533,6 +1549,14 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>%1[*] — Halbench</source>
         <translation>%1[*] — Halbench</translation>
+    </message>
+    <message>
+        <source>Not everything of the project could be read: %1</source>
+        <translation>项目中有内容无法读取：%1</translation>
+    </message>
+    <message>
+        <source>It stays in the file as it is; the rest is open.</source>
+        <translation>它在文件中保持原样；其余内容已打开。</translation>
     </message>
 </context>
 <context>
@@ -1809,6 +1833,17 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>No project was opened yet</source>
         <translation>尚未打开过项目</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::ProjectWork</name>
+    <message>
+        <source>model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>gains</source>
+        <translation>增益</translation>
     </message>
 </context>
 <context>
@@ -2504,6 +2539,14 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>Picture (*.svg *.png)</source>
         <translation>图片 (*.svg *.png)</translation>
+    </message>
+    <message>
+        <source>From the project: gains by %1.</source>
+        <translation>来自项目：由 %1 得到的增益。</translation>
+    </message>
+    <message>
+        <source>Choose a method to design anew for the motor as it is now.</source>
+        <translation>选择一种方法，即可针对电机的当前状态重新设计。</translation>
     </message>
 </context>
 <context>

@@ -1,98 +1,24 @@
 #include "app/batch/identification_file.h"
 
+#include "app/batch/document_parts.h"
 #include "app/batch/model_file.h"
-#include "app/batch/numbers.h"
 #include "app/batch/output_file.h"
-
-#include <array>
 
 namespace halbench::app {
 
 namespace {
 
-// parseModel() has judged schema and numbers; what is absent here only stays empty.
-const JsonValue* member(const JsonValue* object, const char* key) {
-    return object == nullptr ? nullptr : object->find(key);
-}
-
-std::optional<double> numberIn(const JsonValue* object, const char* key) {
-    const JsonValue* value = member(object, key);
-    return value != nullptr && value->isNumber() ? std::optional(value->number()) : std::nullopt;
-}
-
-std::string textIn(const JsonValue* object, const char* key) {
-    const JsonValue* value = member(object, key);
-    return value != nullptr && value->isText() ? value->text() : std::string();
-}
-
-const JsonValue::Array& itemsIn(const JsonValue* object, const char* key, const JsonValue::Array& none) {
-    const JsonValue* value = member(object, key);
-    return value != nullptr && value->isArray() ? value->items() : none;
-}
-
-control::EstimateSource sourceNamed(const std::string& name) {
-    using control::EstimateSource;
-    for (const EstimateSource source : {EstimateSource::Identified, EstimateSource::Given}) {
-        if (name == control::estimateSourceName(source)) {
-            return source;
-        }
-    }
-    return EstimateSource::NotIdentifiable;
-}
-
-control::Estimate estimateOf(const JsonValue* value) {
-    control::Estimate estimate;
-    estimate.value = numberIn(value, "value");
-    estimate.unit = textIn(value, "unit");
-    estimate.source = sourceNamed(textIn(value, "source"));
-    const JsonValue::Array none;
-    const JsonValue::Array& interval = itemsIn(value, "ci95", none);
-    if (interval.size() == 2 && interval[0].isNumber() && interval[1].isNumber()) {
-        estimate.interval95 = std::pair(interval[0].number(), interval[1].number());
-    }
-    return estimate;
-}
-
-DataQuality qualityOf(const JsonValue* value) {
-    DataQuality quality;
-    quality.verdict =
-        textIn(value, "verdict") == verdictName(Verdict::Good) ? Verdict::Good : Verdict::Doubtful;
-    const JsonValue::Array none;
-    for (const JsonValue& finding : itemsIn(value, "findings", none)) {
-        quality.findings.push_back(
-            {textIn(&finding, "code"), textIn(&finding, "message"), textIn(&finding, "hint")});
-    }
-    return quality;
-}
-
 std::vector<SweepPoint> pointsOf(const JsonValue& root) {
     std::vector<SweepPoint> points;
-    const JsonValue::Array none;
-    for (const JsonValue& entry : itemsIn(&root, "points", none)) {
-        const JsonValue* used = member(&entry, "used");
+    for (const JsonValue& entry : itemsIn(&root, "points")) {
         const auto current = numberIn(&entry, "current_A");
         const auto speed = numberIn(&entry, "speed_rad_s");
         if (current && speed) {
-            points.push_back({*current, *speed, used != nullptr && used->isBoolean() && used->boolean(),
+            points.push_back({*current, *speed, isTrueIn(&entry, "used"),
                               numberIn(&entry, "weight").value_or(0.0), textIn(&entry, "note")});
         }
     }
     return points;
-}
-
-/// Also the overrides of a simulated device, which a model for tuning does not need.
-void addOverrides(devices::DeviceInfo& device, const JsonValue& root) {
-    const JsonValue* overrides = member(member(&root, "device"), "overrides");
-    if (overrides == nullptr || !overrides->isObject()) {
-        return;
-    }
-    for (const JsonMember& entry : overrides->members()) {
-        if (entry.value.isNumber()) {
-            device.overrides.emplace_back(entry.key, formatNumber(entry.value.number()));
-        } else if (entry.value.isText()) {
-            device.overrides.emplace_back(entry.key, entry.value.text());
-        }
-    }
 }
 
 IdentifyResult resultOf(const JsonValue& root) {
@@ -142,14 +68,7 @@ Result<IdentificationFile> parseIdentification(const std::string& text, const st
     file.result = resultOf(*root);
     file.result.covarianceNames = model->estimate.covarianceNames;
     file.result.covariance = model->estimate.covariance;
-    file.header.schema = textIn(&*root, "schema");
-    file.header.device = model->device;
-    if (file.header.device) {
-        addOverrides(*file.header.device, *root);
-    }
-    file.header.started = textIn(&*root, "started");
-    file.header.seed = model->seed;
-    file.header.quality = file.result.quality;
+    file.header = headerOf(*root);
     return file;
 }
 

@@ -1,5 +1,6 @@
 #include "app/batch/model_file.h"
 
+#include "app/batch/document_parts.h"
 #include "app/batch/output_file.h"
 
 #include <fmt/format.h>
@@ -161,6 +162,11 @@ std::optional<devices::DeviceInfo> readDevice(DocumentReader& reader) {
     return info;
 }
 
+control::DesignTargets targetsOf(const JsonValue* targets) {
+    return {numberIn(targets, "zeta"), numberIn(targets, "omega_rad_s"), numberIn(targets, "bandwidth_hz"),
+            numberIn(targets, "phase_margin_deg")};
+}
+
 } // namespace
 
 Result<ModelFile> parseModel(const std::string& text, const std::string& origin) {
@@ -223,6 +229,8 @@ Result<GainsFile> parseGains(const std::string& text, const std::string& origin)
     if (reader.optionalNumber("delay_samples")) {
         file.timing.delay_samples = static_cast<int>(reader.wholeNumber("delay_samples", 2.0));
     }
+    file.method = textIn(&*root, "method");
+    file.targets = targetsOf(member(&*root, "targets"));
     if (reader.error()) {
         return failure(*reader.error());
     }

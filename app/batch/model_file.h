@@ -2,6 +2,7 @@
 
 #include "app/batch/json_value.h"
 #include "app/procedures/analyse.h"
+#include "control/design/design_methods.h"
 #include "control/design/position_loop.h"
 #include "devices/device.h"
 
@@ -22,6 +23,8 @@ struct ModelFile {
 struct GainsFile {
     control::PositionLaw law;
     control::LoopTiming timing;
+    std::string method; ///< how they were found; empty: not said
+    control::DesignTargets targets;
 };
 
 /// What tuning needs of CAL.json as `calibrate --out` wrote it.

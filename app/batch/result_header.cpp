@@ -82,7 +82,7 @@ JsonValue toJson(const DataQuality& quality) {
 
 JsonValue toJson(const ResultHeader& header) {
     JsonValue result = JsonValue::object();
-    result.set("schema", header.schema).set("halbench", HALBENCH_VERSION);
+    result.set("schema", header.schema).set("halbench", header.software);
     result.set("device", header.device ? toJson(*header.device) : JsonValue());
     result.set("started", header.started).set("seed", header.seed);
     result.set("data_quality", toJson(header.quality));

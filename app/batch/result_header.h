@@ -13,6 +13,7 @@ struct ResultHeader {
     std::string started = "1970-01-01T00:00:00Z";
     std::uint64_t seed = 1;
     DataQuality quality;
+    std::string software = HALBENCH_VERSION; ///< version that made the result
 };
 
 /// Header of a command that works on a device: virtual time begins at 1970-01-01T00:00:00Z, any other at the

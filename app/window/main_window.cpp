@@ -5,12 +5,14 @@
 #include "app/window/help_window.h"
 #include "app/window/language.h"
 #include "app/window/project_menu.h"
+#include "app/window/project_work.h"
 #include "app/window/stop_guard.h"
 #include "app/window/task_flow.h"
 #include "app/window/top_bar.h"
 #include "app/workspaces/device_panel.h"
 #include "app/workspaces/link_panel.h"
 #include "app/workspaces/notes_panel.h"
+#include "app/workspaces/tune_panel.h"
 #include "widgets/theme_style.h"
 
 #include <QActionGroup>
@@ -90,6 +92,7 @@ void MainWindow::buildCentre() {
     m_notes = static_cast<NotesPanel*>(m_docks->panel("notes"));
     m_message = new widgets::MessageBar(centre);
     connectTaskFlow(*m_docks, m_bench);
+    m_work = new ProjectWork(m_bench, *static_cast<TunePanel*>(m_docks->panel("tune")), this);
     column->addWidget(m_bar);
     column->addWidget(m_message);
     column->addWidget(m_docks->widget(), 1);
@@ -229,6 +232,7 @@ void MainWindow::collectProject() {
     for (auto entry = arrangements.begin(); entry != arrangements.end(); ++entry) {
         project.layouts[entry.key().toStdString()] = entry.value().toStdString();
     }
+    m_work->fill(project);
     m_project.update(project);
 }
 
@@ -244,6 +248,11 @@ void MainWindow::takeOverProject() {
         arrangements.insert(QString::fromStdString(perspective), QByteArray::fromStdString(layout));
     }
     m_docks->setArrangements(arrangements);
+    if (const QStringList lost = m_work->restore(project); !lost.isEmpty()) {
+        onMessage(widgets::Severity::Warning,
+                  tr("Not everything of the project could be read: %1").arg(lost.join("; ")),
+                  tr("It stays in the file as it is; the rest is open."));
+    }
     refreshTitle();
 }
 

@@ -14,6 +14,7 @@ class DevicePanel;
 class DockLayout;
 class NotesPanel;
 class ProjectMenu;
+class ProjectWork;
 class TopBar;
 
 /// The workstation: top bar, docked panels, menus. Everything it does goes through the workbench.
@@ -61,6 +62,7 @@ private:
     QTimer m_autosave; ///< at most so much work is lost in a crash
     widgets::MessageBar* m_message = nullptr;
     ProjectMenu* m_projects = nullptr;
+    ProjectWork* m_work = nullptr;
     TopBar* m_bar = nullptr;
     DockLayout* m_docks = nullptr;
     DevicePanel* m_devices = nullptr; ///< kept: a panel behind another tab is nobody's child

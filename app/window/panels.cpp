@@ -108,7 +108,7 @@ std::vector<PanelSpec> panelSpecs() {
          make<TunePanel>},
         {"log", words(QT_TRANSLATE_NOOP("Panels", "Log")), PanelArea::Bottom, everywhere(), "index.md",
          make<LogPanel>},
-        {"notes", words(QT_TRANSLATE_NOOP("Panels", "Notes")), PanelArea::Bottom, everywhere(), "index.md",
+        {"notes", words(QT_TRANSLATE_NOOP("Panels", "Notes")), PanelArea::Bottom, everywhere(), "projects.md",
          make<NotesPanel>},
     };
 }

@@ -49,6 +49,7 @@ IdentifyPanel::IdentifyPanel(Workbench& workbench, QWidget* parent) : WizardPane
     connect(&m_frame, &QTimer::timeout, this, &IdentifyPanel::showLive);
     connect(&bench(), &Workbench::deviceChanged, this, &IdentifyPanel::onDevice);
     connect(&bench(), &Workbench::valuesChanged, this, &IdentifyPanel::refreshPlan);
+    connect(&bench(), &Workbench::identificationChanged, this, &IdentifyPanel::onIdentification);
     connect(&bench().session(), &DeviceSession::procedureStage, this, &IdentifyPanel::onStage);
     IdentifyPanel::refreshWords();
     onDevice();
@@ -143,7 +144,8 @@ QWidget* IdentifyPanel::buildResultButtons() {
     connect(m_tune, &QPushButton::clicked, this, &IdentifyPanel::tuneRequested);
     connect(m_save, &QPushButton::clicked, this, [this] {
         save({tr("Save as model"), QStringLiteral("model.json"), tr("Model (*.json)")},
-             [header = m_header, result = bench().identification().value_or(IdentifyResult{})] {
+             [header = bench().provenance().header,
+              result = bench().identification().value_or(IdentifyResult{})] {
                  return identificationDocument(header, result);
              });
     });
@@ -288,19 +290,38 @@ void IdentifyPanel::finish(const IdentifyConfig& config, const Result<IdentifyRe
         m_start->setFocus(Qt::OtherFocusReason);
         return;
     }
-    bench().setIdentification(*result);
-    showResult(*result, headerOf("halbench.identification/1", config.seed));
+    bench().setIdentification(*result,
+                              {headerOf("halbench.identification/1", config.seed), ResultOrigin::Measured});
 }
 
-void IdentifyPanel::showResult(const IdentifyResult& result, const ResultHeader& header) {
-    m_header = header;
-    m_result->setResult(result, header);
+/// Another one is there: measured, loaded, or come with the project. A sweep that runs keeps its page.
+void IdentifyPanel::onIdentification() {
+    if (isMine()) {
+        return;
+    }
+    messages().clear();
+    if (!bench().identification()) {
+        showPage(PreparePage);
+        resetSteps();
+        return;
+    }
+    const IdentifyResult& result = *bench().identification();
+    const Provenance& provenance = bench().provenance();
+    m_result->setResult(result, provenance.header);
+    if (provenance.origin == ResultOrigin::Project) {
+        messages().showMessage({widgets::Severity::Information,
+                                projectModelText(provenance.header),
+                                tr("Identify again when the motor has changed since."),
+                                {}});
+    }
     const bool isUsable = result.quality.verdict != Verdict::Refused;
     m_tune->setEnabled(isUsable);
     runStep(ResultStep);
     endStep(ResultStep, isUsable ? widgets::StepState::Done : widgets::StepState::Failed);
     showPage(ResultPage);
-    (isUsable ? m_tune : m_again)->setFocus(Qt::OtherFocusReason);
+    if (provenance.origin != ResultOrigin::Project) {
+        (isUsable ? m_tune : m_again)->setFocus(Qt::OtherFocusReason);
+    }
 }
 
 void IdentifyPanel::load() {
@@ -315,9 +336,7 @@ void IdentifyPanel::load() {
                         showError(file.error());
                         return;
                     }
-                    messages().clear();
-                    bench().setIdentification(file->result);
-                    showResult(file->result, file->header);
+                    bench().setIdentification(file->result, {file->header, ResultOrigin::File});
                 });
 }
 

@@ -51,7 +51,7 @@ private:
     void onStage(ProcedureState stage);
     void finish(const IdentifyConfig& config, const Result<IdentifyResult>& result);
     void load();
-    void showResult(const IdentifyResult& result, const ResultHeader& header);
+    void onIdentification();
 
     std::shared_ptr<LivePlateaus> m_live;
     IdentifyConfig m_running; ///< of the run that is under way
@@ -60,7 +60,6 @@ private:
     bool m_isCancelling = false;
     QElapsedTimer m_sinceStart;
     QTimer m_frame;
-    ResultHeader m_header; ///< of the result that is shown
 
     QLabel* m_intro = nullptr;
     IdentifyForm* m_form = nullptr;

@@ -113,12 +113,11 @@ QString outlookText(const IdentifyConfig& config, const SweepOutlook& outlook) {
     text += QLatin1Char('\n');
     const double warmest_degC = outlook.prediction.highestTemperature_degC;
     const QString current_A = number(outlook.prediction.peakCurrent_A, 1);
-    text +=
-        warmest_degC < config.refuseTemperature_degC
-            ? Words::tr("Current up to %1 A, coils up to %2 °C.").arg(current_A, number(warmest_degC, 0))
-            : Words::tr(
-                  "Current up to %1 A; it waits for the coils to cool where they would come near %2 °C.")
-                  .arg(current_A, number(config.refuseTemperature_degC, 0));
+    text += warmest_degC < config.refuseTemperature_degC
+                ? Words::tr("Current up to %1 A, coils up to %2 °C.").arg(current_A, number(warmest_degC, 0))
+                : Words::tr(
+                      "Current up to %1 A; it waits for the coils to cool where they would come near %2 °C.")
+                      .arg(current_A, number(config.refuseTemperature_degC, 0));
     text += QLatin1Char(' ');
     text +=
         Words::tr("The board ends the motion at %1 rad/s; gains and limits are restored whatever happens.")
@@ -217,12 +216,21 @@ QString provenanceText(const ResultHeader& header, const IdentifyResult& result)
     } else {
         parts << Words::tr("Device not known");
     }
-    parts << Words::tr("Halbench %1").arg(QStringLiteral(HALBENCH_VERSION));
+    parts << Words::tr("Halbench %1").arg(QString::fromStdString(header.software));
     parts << Words::tr("seed %1").arg(header.seed);
     parts << Words::tr("started %1").arg(QString::fromStdString(header.started));
     parts << Words::tr("%1 minutes of device time, coils up to %2 °C")
                  .arg(widgets::durationText(result.duration_s), number(result.highestTemperature_degC, 1));
     return parts.join(QStringLiteral(" \u00b7 "));
+}
+
+QString projectModelText(const ResultHeader& header) {
+    const QString device =
+        header.device ? QString::fromStdString(header.device->id) : Words::tr("device not known");
+    const bool isVirtual = header.started == ResultHeader().started; // virtual time begins there
+    return isVirtual ? Words::tr("From the project: identified in virtual time, device %1.").arg(device)
+                     : Words::tr("From the project: identified %1, device %2.")
+                           .arg(QString::fromStdString(header.started), device);
 }
 
 } // namespace halbench::app

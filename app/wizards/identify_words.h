@@ -36,5 +36,7 @@ QString missingText(const IdentifyResult& result);
 
 /// Device, firmware, overrides, software, seed, start and device time.
 QString provenanceText(const ResultHeader& header, const IdentifyResult& result);
+/// That it came with the project: when it was identified, and on which device.
+QString projectModelText(const ResultHeader& header);
 
 } // namespace halbench::app

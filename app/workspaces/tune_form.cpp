@@ -129,6 +129,16 @@ void TuneForm::setEdited() {
     refreshTargets();
 }
 
+void TuneForm::showChoice(const std::string& id, const control::DesignTargets& targets) {
+    const QSignalBlocker quiet(this);
+    const int found = m_origin->findData(QString::fromStdString(id), IdRole);
+    m_origin->setCurrentIndex(found >= 0 ? found : m_origin->count() - 1);
+    for (std::size_t i = 0; i < m_targets.size(); ++i) {
+        m_targets[i].edit->setValue(targets.*TargetFields[i].place);
+    }
+    refreshTargets();
+}
+
 void TuneForm::refreshTargets() {
     const control::DesignMethod* method = origin() == Origin::Method ? methodNamed(this->method()) : nullptr;
     for (std::size_t i = 0; i < m_targets.size(); ++i) {

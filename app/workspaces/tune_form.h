@@ -30,6 +30,9 @@ public:
     /// Only those the method reads. Errors: InvalidInput naming the field.
     Result<control::DesignTargets> targets() const;
     void setEdited(); ///< says so, without chosen()
+    /// The same for a method, preset or other origin by its id, with its targets; an id that this version
+    /// does not know counts as edited.
+    void showChoice(const std::string& id, const control::DesignTargets& targets);
 
 Q_SIGNALS:
     void chosen(); ///< origin or a target

@@ -138,8 +138,12 @@ QWidget* TunePanel::buildFigures() {
 
 void TunePanel::connectParts() {
     connect(m_empty, &widgets::EmptyState::actionTriggered, this, &TunePanel::identifyRequested);
-    connect(m_form, &TuneForm::chosen, this, &TunePanel::ask);
+    connect(m_form, &TuneForm::chosen, this, [this] {
+        forgetRestored();
+        ask();
+    });
     connect(m_gains, &GainEditor::edited, this, [this] {
+        forgetRestored();
         m_form->setEdited();
         ask();
     });
@@ -195,6 +199,9 @@ void TunePanel::refreshWords() {
 void TunePanel::refreshModel() {
     const auto& identification = m_bench.identification();
     m_pages->setCurrentIndex(identification ? WorkPage : EmptyPage);
+    if (m_bench.provenance().origin != ResultOrigin::Project) {
+        forgetRestored(); // they were for another motor
+    }
     if (!identification) {
         m_shown.reset();
         m_sketching.cancel();
@@ -243,15 +250,21 @@ std::optional<TuneQuestion> TunePanel::question() {
     question.motor = motorEstimate(*m_bench.identification());
     question.config.method = m_form->method();
     question.config.conditions = m_conditions;
+    if (const auto present = lawFromParameters(m_bench.deviceValues())) {
+        question.present = *present;
+    }
+    if (m_restored) {
+        question.config.method = m_restored->method;
+        question.config.targets = m_restored->targets;
+        question.law = m_restored->law;
+        return question;
+    }
     const auto targets = m_form->targets();
     if (!targets) {
         showProblem(targets.error());
         return std::nullopt;
     }
     question.config.targets = *targets;
-    if (const auto present = lawFromParameters(m_bench.deviceValues())) {
-        question.present = *present;
-    }
     Result<control::PositionLaw> law = failure(ErrorCode::InvalidInput, "", "");
     switch (m_form->origin()) {
     case TuneForm::Origin::Method:
@@ -288,6 +301,29 @@ void TunePanel::ask() {
                       [this](const Result<TuneResult>& answer) { showAnswer(answer); });
     }
     refreshButtons();
+}
+
+void TunePanel::restoreDesign(std::optional<GainsFile> gains) {
+    forgetRestored();
+    m_restored = std::move(gains);
+    const GainsFile shown = m_restored.value_or(GainsFile{});
+    m_form->showChoice(m_restored ? shown.method : TuneConfig().method, shown.targets);
+    if (m_restored) {
+        m_gains->setLaw(shown.law);
+        m_message->showMessage(
+            {widgets::Severity::Information,
+             tr("From the project: gains by %1.").arg(QString::fromStdString(shown.method)),
+             tr("Choose a method to design anew for the motor as it is now."),
+             {}});
+    }
+    ask();
+}
+
+void TunePanel::forgetRestored() {
+    if (m_restored) {
+        m_restored.reset();
+        m_message->clear();
+    }
 }
 
 void TunePanel::changeEvent(QEvent* event) {

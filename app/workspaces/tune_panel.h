@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/batch/model_file.h"
 #include "app/procedures/apply_procedure.h"
 #include "app/workspaces/file_chooser.h"
 #include "app/workspaces/latest_task.h"
@@ -39,6 +40,9 @@ public:
     explicit TunePanel(Workbench& bench, QWidget* parent = nullptr);
 
     void setFileChooser(FileChooser chooser);
+    /// Shows the project's gains as they are, until others are chosen: their method is named, not run again.
+    /// None: the first method.
+    void restoreDesign(std::optional<GainsFile> gains);
 
 Q_SIGNALS:
     void identifyRequested(); ///< there is no motor to tune yet
@@ -53,6 +57,7 @@ private:
     void connectParts();
     void refreshWords();
     void refreshModel();
+    void forgetRestored();
     void readConditions();
     void ask();
     std::optional<TuneQuestion> question();
@@ -75,6 +80,7 @@ private:
     LatestTask m_drawing;   ///< the verification; predictions must not overtake it
     LatestTask m_files;
     LoopConditions m_conditions;
+    std::optional<GainsFile> m_restored;     ///< of the project; until others are chosen
     std::optional<AnalysisResult> m_present; ///< of the gains on the device
     std::optional<TuneResult> m_shown;       ///< what the numbers say, and what would be applied
     std::vector<ParameterValue> m_before; ///< what an apply replaced; empty when there is nothing to restore

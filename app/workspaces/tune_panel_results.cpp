@@ -61,6 +61,9 @@ void TunePanel::showAnswer(const Result<TuneResult>& answer) {
         showProblem(answer.error());
         return;
     }
+    if (!m_bench.identification()) {
+        return; // the project was closed meanwhile
+    }
     const TuneResult& proposed = *answer;
     m_shown = proposed;
     m_numbers->setNumbers(tuneNumbers(proposed, m_present));
@@ -69,7 +72,7 @@ void TunePanel::showAnswer(const Result<TuneResult>& answer) {
                               ? tr("Doubtful: read the warnings before you apply it")
                               : tr("Refused: this loop is unstable");
     m_verdict->setVerdict(levelOf(proposed.quality.verdict), title, remarksOf(proposed.warnings));
-    m_bench.setDesign(proposed);
+    m_bench.setDesign(proposed, m_restored.has_value());
     refreshButtons();
 }
 

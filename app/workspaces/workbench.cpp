@@ -109,13 +109,19 @@ void Workbench::writeValues(std::vector<ParameterValue> values, std::function<vo
         });
 }
 
-void Workbench::setIdentification(std::optional<IdentifyResult> result) {
+void Workbench::setIdentification(std::optional<IdentifyResult> result, Provenance provenance) {
     m_identification = std::move(result);
+    m_provenance = std::move(provenance);
+    if (!m_identification) {
+        m_design.reset();
+        m_isDesignFromProject = false;
+    }
     identificationChanged();
 }
 
-void Workbench::setDesign(std::optional<TuneResult> design) {
+void Workbench::setDesign(std::optional<TuneResult> design, bool isFromProject) {
     m_design = std::move(design);
+    m_isDesignFromProject = isFromProject;
     designChanged();
 }
 

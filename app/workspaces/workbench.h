@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/batch/result_header.h"
 #include "app/procedures/identify_procedure.h"
 #include "app/procedures/tune.h"
 #include "app/session/device_session.h"
@@ -16,6 +17,15 @@
 #include <vector>
 
 namespace halbench::app {
+
+/// Where a result came into the window from.
+enum class ResultOrigin { Measured, File, Project };
+
+/// What is said beside a result: device, firmware, time, software version; and where it came from.
+struct Provenance {
+    ResultHeader header;
+    ResultOrigin origin = ResultOrigin::Measured;
+};
 
 /// What all panels of the window share: the device, its samples and values, the identified motor, the design.
 /// Thread: GUI.
@@ -48,9 +58,14 @@ public:
     void writeValues(std::vector<ParameterValue> values, std::function<void(Result<void>)> then);
 
     const std::optional<IdentifyResult>& identification() const { return m_identification; }
-    void setIdentification(std::optional<IdentifyResult> result);
+    /// Of the identification; it stays beside it.
+    const Provenance& provenance() const { return m_provenance; }
+    /// Without a motor there is no design either.
+    void setIdentification(std::optional<IdentifyResult> result, Provenance provenance = {});
     const std::optional<TuneResult>& design() const { return m_design; }
-    void setDesign(std::optional<TuneResult> design);
+    /// Gains that came with the project, until others are chosen.
+    bool isDesignFromProject() const { return m_isDesignFromProject; }
+    void setDesign(std::optional<TuneResult> design, bool isFromProject = false);
 
 Q_SIGNALS:
     void deviceChanged(); ///< connected, lost or gone
@@ -71,7 +86,9 @@ private:
     std::map<std::string, double> m_values;
     bool m_areValuesOurs = false;
     std::optional<IdentifyResult> m_identification;
+    Provenance m_provenance;
     std::optional<TuneResult> m_design;
+    bool m_isDesignFromProject = false;
 };
 
 } // namespace halbench::app

@@ -1,0 +1,133 @@
+#include "app/window/project_work.h"
+
+#include "app/batch/identification_file.h"
+#include "app/batch/result_documents.h"
+#include "app/workspaces/tune_panel.h"
+#include "control/base/assert.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace halbench::app {
+
+namespace {
+
+/// Of the design that the Tune panel shows; others of the list were chosen earlier.
+constexpr const char* DesignInUse = "in use";
+
+std::string textOf(const JsonValue& document) {
+    const Result<std::string> text = toJsonText(document);
+    HB_ASSERT(text.has_value()); // a result holds finite numbers only
+    return *text;
+}
+
+bool hasName(const std::vector<NamedDocument>& list, const std::string& name) {
+    return std::any_of(list.begin(), list.end(),
+                       [&](const NamedDocument& entry) { return entry.name == name; });
+}
+
+/// "htm 1", "htm 2" ...
+std::string freeName(const std::vector<NamedDocument>& list, const std::string& stem) {
+    for (std::size_t number = 1;; ++number) {
+        const std::string name = fmt::format("{} {}", stem, number);
+        if (!hasName(list, name)) {
+            return name;
+        }
+    }
+}
+
+/// To the end of the list, where the one in use is; under its old name if it is there already.
+void use(std::vector<NamedDocument>& list, std::string document, const std::string& stem) {
+    const auto same = std::find_if(list.begin(), list.end(),
+                                   [&](const NamedDocument& entry) { return entry.document == document; });
+    if (same != list.end()) {
+        std::rotate(same, same + 1, list.end());
+    } else {
+        list.push_back({freeName(list, stem), std::move(document)});
+    }
+}
+
+QString complaint(const QString& what, const Error& error) {
+    return what + QStringLiteral(": ") + QString::fromStdString(error.message);
+}
+
+} // namespace
+
+ProjectWork::ProjectWork(Workbench& bench, TunePanel& tune, QObject* parent)
+    : QObject(parent), m_bench(bench), m_tune(tune) {
+    connect(&m_bench, &Workbench::identificationChanged, this, &ProjectWork::takeIdentification);
+    connect(&m_bench, &Workbench::designChanged, this, &ProjectWork::takeDesign);
+}
+
+void ProjectWork::fill(Project& project) const {
+    project.models = m_models;
+    project.designs = m_designs;
+}
+
+void ProjectWork::takeIdentification() {
+    const auto& result = m_bench.identification();
+    const Provenance& provenance = m_bench.provenance();
+    if (!result || provenance.origin == ResultOrigin::Project ||
+        result->quality.verdict == Verdict::Refused) {
+        return;
+    }
+    ResultHeader header = provenance.header;
+    header.schema = "halbench.identification/1";
+    use(m_models, textOf(identificationDocument(header, *result)),
+        header.device ? header.device->model : "motor");
+}
+
+void ProjectWork::takeDesign() {
+    if (!m_bench.design() || m_bench.isDesignFromProject()) {
+        return; // as the project has it, to the byte
+    }
+    ResultHeader header;
+    header.schema = "halbench.gains/1";
+    header.device = m_bench.provenance().header.device; // whose motor they are for
+    m_designs.erase(std::remove_if(m_designs.begin(), m_designs.end(),
+                                   [](const NamedDocument& entry) { return entry.name == DesignInUse; }),
+                    m_designs.end());
+    m_designs.push_back({DesignInUse, textOf(gainsDocument(header, *m_bench.design()))});
+}
+
+QStringList ProjectWork::restore(const Project& project) {
+    m_models = project.models;
+    m_designs = project.designs;
+    QStringList complaints = {restoreModel(), restoreDesign()};
+    complaints.removeAll({});
+    return complaints;
+}
+
+QString ProjectWork::restoreModel() {
+    if (m_models.empty()) {
+        m_bench.setIdentification(std::nullopt);
+        return {};
+    }
+    const NamedDocument& last = m_models.back();
+    const Result<IdentificationFile> model = parseIdentification(last.document, last.name);
+    if (!model) {
+        m_bench.setIdentification(std::nullopt);
+        return complaint(tr("model"), model.error());
+    }
+    m_bench.setIdentification(model->result, {model->header, ResultOrigin::Project});
+    return {};
+}
+
+QString ProjectWork::restoreDesign() {
+    if (m_designs.empty()) {
+        m_tune.restoreDesign(std::nullopt);
+        return {};
+    }
+    const NamedDocument& last = m_designs.back();
+    Result<GainsFile> gains = parseGains(last.document, last.name);
+    if (!gains) {
+        m_tune.restoreDesign(std::nullopt);
+        return complaint(tr("gains"), gains.error());
+    }
+    m_tune.restoreDesign(*std::move(gains));
+    return {};
+}
+
+} // namespace halbench::app

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "app/window/project_file.h"
+#include "app/workspaces/workbench.h"
+
+#include <QObject>
+#include <QStringList>
+
+#include <string>
+#include <vector>
+
+namespace halbench::app {
+
+class TunePanel;
+
+/// The results of the work in a project: what was identified and designed goes in as it comes up, what a
+/// project holds comes back to where it is used. Of each list the last entry is the one in use; a document
+/// that cannot be read stays in the project as it is (resources/help/projects.md). Thread: GUI.
+class ProjectWork : public QObject {
+    Q_OBJECT
+
+public:
+    ProjectWork(Workbench& bench, TunePanel& tune, QObject* parent);
+
+    void fill(Project& project) const;
+    /// Says what could not be brought back, and why; empty when all was.
+    QStringList restore(const Project& project);
+
+private:
+    void takeIdentification();
+    void takeDesign();
+    QString restoreModel();
+    QString restoreDesign();
+
+    Workbench& m_bench;
+    TunePanel& m_tune;
+    std::vector<NamedDocument> m_models;
+    std::vector<NamedDocument> m_designs;
+};
+
+} // namespace halbench::app
