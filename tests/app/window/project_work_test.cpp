@@ -42,7 +42,10 @@ protected:
     void saveAs(const QString& path) {
         QTest::qWait(0);
         window->close(); // collects the project
-        ASSERT_TRUE(window->project().save(path.toStdString()));
+        bool isSaved = false;
+        window->project().save(path.toStdString(),
+                               [&](const Result<void>& written) { isSaved = written.has_value(); });
+        ASSERT_TRUE(wait([&] { return isSaved; }));
     }
 
     QByteArray content(const QString& path) const {
