@@ -550,6 +550,14 @@ Firmware %2</translation>
         <source>Enter writes it</source>
         <translation>Die Eingabetaste schreibt ihn</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; is not a limit, nothing was written.</source>
+        <translation>„%1“ ist keine Grenze; es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>Allowed: %1.</source>
+        <translation>Erlaubt: %1.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DrivePanel</name>
@@ -730,6 +738,14 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>That is beyond the limit: the board may stop it.</source>
         <translation>Das liegt jenseits des Grenzwerts: das Steuergerät kann stoppen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a set-point, nothing was sent.</source>
+        <translation>„%1“ ist kein Sollwert; es wurde nichts gesendet.</translation>
+    </message>
+    <message>
+        <source>Allowed: %1.</source>
+        <translation>Erlaubt: %1.</translation>
     </message>
 </context>
 <context>

@@ -550,6 +550,14 @@ Firmware %2</source>
         <source>Enter writes it</source>
         <translation>按回车键写入</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; is not a limit, nothing was written.</source>
+        <translation>“%1”不是限值，未写入任何内容。</translation>
+    </message>
+    <message>
+        <source>Allowed: %1.</source>
+        <translation>允许：%1。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DrivePanel</name>
@@ -730,6 +738,14 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>That is beyond the limit: the board may stop it.</source>
         <translation>超出限值：控制板可能会停止。</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a set-point, nothing was sent.</source>
+        <translation>“%1”不是设定值，未发送任何内容。</translation>
+    </message>
+    <message>
+        <source>Allowed: %1.</source>
+        <translation>允许：%1。</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,8 @@
 #include "widgets/display_units.h"
 
 #include <QEvent>
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QSignalBlocker>
 
 #include <cmath>
@@ -61,11 +63,37 @@ QString QuantityEdit::textFromValue(double value) const {
     return locale.toString(value, 'f', decimals());
 }
 
+QString QuantityEdit::rangeText() const {
+    return tr("%1 to %2 %3").arg(textFromValue(minimum()), textFromValue(maximum()), m_format.unit).trimmed();
+}
+
 void QuantityEdit::describe() {
-    const auto shown = [this](double value) { return textFromValue(value); };
-    const QString range = tr("%1 to %2 %3").arg(shown(minimum()), shown(maximum()), m_format.unit).trimmed();
-    setToolTip(tr("Allowed: %1 (arrow keys: one step, Page Up and Page Down: ten)").arg(range));
-    setAccessibleDescription(range);
+    setToolTip(tr("Allowed: %1 (arrow keys: one step, Page Up and Page Down: ten)").arg(rangeText()));
+    setAccessibleDescription(rangeText());
+}
+
+/// The base class would fall back to the number before and then say that Enter was pressed.
+void QuantityEdit::keyPressEvent(QKeyEvent* event) {
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (isEnter && !hasAcceptableInput()) {
+        event->accept();
+        Q_EMIT refused(lineEdit()->text());
+        selectAll();
+        return;
+    }
+    QDoubleSpinBox::keyPressEvent(event);
+    if (isEnter) {
+        Q_EMIT entered();
+    }
+}
+
+void QuantityEdit::focusOutEvent(QFocusEvent* event) {
+    const QString text = lineEdit()->text();
+    const bool isRefused = !hasAcceptableInput();
+    QDoubleSpinBox::focusOutEvent(event);
+    if (isRefused) {
+        Q_EMIT refused(text);
+    }
 }
 
 void QuantityEdit::changeEvent(QEvent* event) {

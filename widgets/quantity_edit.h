@@ -26,14 +26,23 @@ public:
     /// From the program: does not send `edited`. Not finite is our own mistake.
     void setQuantity(double value);
 
+    /// The limits in words.
+    QString rangeText() const;
+
     QValidator::State validate(QString& text, int& position) const override;
     double valueFromText(const QString& text) const override;
     QString textFromValue(double value) const override;
 
 Q_SIGNALS:
     void edited(double value); ///< by the user
+    void entered();            ///< Enter, with a number that may be
+    /// Enter, or leaving the field, with this text that is no number inside the limits. While the focus stays
+    /// the text does too; afterwards the field shows the number before.
+    void refused(const QString& text);
 
 protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:

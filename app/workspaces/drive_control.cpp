@@ -26,6 +26,13 @@ double code(devices::BoardMode mode) {
     return static_cast<double>(mode);
 }
 
+/// The mode goes with every motion: a number of one mode must not act in another. The board takes its own
+/// mode as nothing new.
+std::vector<ParameterValue> inMode(devices::BoardMode mode, std::vector<ParameterValue> motion) {
+    motion.insert(motion.begin(), {"hb.mode", code(mode)});
+    return motion;
+}
+
 std::vector<ParameterValue> heldCurrent(double current_A) {
     return {{"reference.shape", ShapeStep},
             {"reference.amplitude", current_A},
@@ -63,10 +70,15 @@ bool DriveControl::needsConsent() const {
     return !m_bench.session().info().isSimulated && !m_hasConsent;
 }
 
+bool DriveControl::canMove() const {
+    return isArmed() && isAvailable() && !isPending() && m_mode != devices::BoardMode::Idle;
+}
+
 void DriveControl::onDevice() {
     m_hasConsent = false;
     m_origin_rad.reset();
     m_isJogPending = false;
+    m_pending = 0;
     onReport();
 }
 
@@ -91,6 +103,20 @@ void DriveControl::run(Action action, std::function<void()> then) {
                               });
 }
 
+void DriveControl::change(Action action, std::function<void()> then) {
+    const std::uint64_t number = ++m_changes;
+    m_pending = number;
+    m_jog.stop();
+    m_bench.session().request(
+        std::move(action), [self = QPointer(this), number, then = std::move(then)](const Result<void>& done) {
+            if (self) {
+                self->m_pending = self->m_pending == number ? 0 : self->m_pending;
+                self->finish(done, then);
+            }
+        });
+    Q_EMIT changed();
+}
+
 void DriveControl::finish(const Result<void>& done, const std::function<void()>& then) {
     if (!done) {
         m_jog.stop();
@@ -103,10 +129,10 @@ void DriveControl::finish(const Result<void>& done, const std::function<void()>&
 }
 
 void DriveControl::arm() {
-    if (!isAvailable() || needsConsent()) {
+    if (!isAvailable() || needsConsent() || isPending()) {
         return;
     }
-    run(
+    change(
         [mode = m_mode](devices::Device& device) {
             const Result<void> chosen = write(device, {{"hb.mode", code(mode)}});
             return chosen ? device.arm() : chosen;
@@ -130,31 +156,33 @@ void DriveControl::takeOrigin() {
 }
 
 void DriveControl::setMode(devices::BoardMode mode) {
-    if (mode == m_mode) {
-        return;
-    }
-    m_mode = mode;
-    m_jog.stop();
-    if (isArmed() && isAvailable()) {
-        run(
+    if (!isAvailable()) {
+        m_mode = mode;
+        Q_EMIT changed();
+    } else if (mode != m_mode || isPending()) {
+        // Also while disarmed: an arm that is on its way may come first.
+        change(
             [mode](devices::Device& device) {
                 return write(device, {{"hb.mode", code(mode)}});
             },
-            [this] { takeOrigin(); });
+            [this, mode] {
+                m_mode = mode;
+                takeOrigin();
+            });
     }
-    Q_EMIT changed();
 }
 
 void DriveControl::setSetpoint(double value) {
-    run(
-        [value](devices::Device& device) {
-            return write(device, {{"hb.setpoint", value}});
-        },
+    if (!canMove()) {
+        return;
+    }
+    run([values = inMode(m_mode, {{"hb.setpoint", value}})](
+            devices::Device& device) { return write(device, values); },
         [this, value] { m_setpoint = value; });
 }
 
 void DriveControl::startJog(double rate) {
-    if (!isArmed() || !isAvailable() || m_mode == devices::BoardMode::Idle || m_jog.isActive()) {
+    if (!canMove() || m_jog.isActive()) {
         return;
     }
     m_jogRate = rate;
@@ -177,9 +205,9 @@ void DriveControl::jogStep() {
             const double end_rad = WindowShare_ratio * m_bench.deviceValue("window.position").value_or(0.0);
             next = std::clamp(next, -end_rad, end_rad);
         }
-        values = {{"hb.setpoint", next}};
+        values = inMode(m_mode, {{"hb.setpoint", next}});
     } else if (m_sinceJogStep.elapsed() >= static_cast<qint64>(JogHold_s * 500.0) || step_s < 1e-3) {
-        values = heldCurrent(m_jogRate);
+        values = inMode(m_mode, heldCurrent(m_jogRate));
     } else {
         return; // the hold is still fresh
     }
@@ -206,11 +234,15 @@ void DriveControl::stopJog() {
 }
 
 void DriveControl::startReference(std::vector<ParameterValue> generator) {
+    if (!canMove()) {
+        return;
+    }
     generator.push_back({"reference.start", 1.0});
     const devices::BoardMode mode = m_mode;
     const bool isPosition = mode == devices::BoardMode::Position;
     run(
-        [generator, mode, isPosition](devices::Device& device) -> Result<void> {
+        [motion = inMode(mode, std::move(generator)), mode,
+         isPosition](devices::Device& device) -> Result<void> {
             if (isPosition) { // entering the mode anew lets the generator count from here
                 for (const devices::BoardMode next : {devices::BoardMode::Idle, mode}) {
                     if (Result<void> entered = write(device, {{"hb.mode", code(next)}}); !entered) {
@@ -218,7 +250,7 @@ void DriveControl::startReference(std::vector<ParameterValue> generator) {
                     }
                 }
             }
-            return write(device, generator);
+            return write(device, motion);
         },
         [this, isPosition] {
             if (isPosition) {

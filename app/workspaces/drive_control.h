@@ -8,6 +8,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -26,6 +27,9 @@ public:
     bool isAvailable() const;
     bool isArmed() const;
     bool isStopped() const; ///< a stop or a fault is latched
+    /// Armed, free, in a mode that drives, and neither an arm nor a mode is still on its way to the board.
+    bool canMove() const;
+    bool isPending() const { return m_pending != 0; }
     /// A device that is not simulated asks once per connection before it is armed the first time.
     bool needsConsent() const;
     void giveConsent() { m_hasConsent = true; }
@@ -35,8 +39,9 @@ public:
     /// Releases the latched stop; arming is another act.
     void releaseStop();
 
+    /// What the board was told last; it stays when it cannot be told another.
     devices::BoardMode mode() const { return m_mode; }
-    /// While armed: at once, with the set-point at zero and the angle counted from where the rotor is.
+    /// At once; while armed with the set-point at zero and the angle counted from where the rotor is.
     void setMode(devices::BoardMode mode);
     /// rad from where it was armed, or A, by mode.
     double setpoint() const { return m_setpoint; }
@@ -61,6 +66,8 @@ Q_SIGNALS:
 private:
     using Action = std::function<Result<void>(devices::Device&)>;
     void run(Action action, std::function<void()> then);
+    /// The same for what decides how a motion acts: until the board has answered nothing moves from here.
+    void change(Action action, std::function<void()> then);
     void finish(const Result<void>& done, const std::function<void()>& then);
     void onReport();
     void onDevice();
@@ -74,6 +81,8 @@ private:
     bool m_hasConsent = false;
     bool m_wasArmed = false;
     bool m_isJogPending = false;
+    std::uint64_t m_changes = 0;
+    std::uint64_t m_pending = 0; ///< the newest change without an answer; they are answered in order
     double m_jogRate = 0.0;
     QTimer m_jog;
     QElapsedTimer m_sinceJogStep;

@@ -37,6 +37,7 @@ DriveLimits::DriveLimits(Workbench& bench, const DriveControl& control, QWidget*
         addRow(row);
     }
     connect(&m_bench, &Workbench::valuesChanged, this, &DriveLimits::onValues);
+    connect(&m_control, &DriveControl::changed, this, &DriveLimits::refreshEnabled);
     onValues();
 }
 
@@ -59,44 +60,69 @@ void DriveLimits::addRow(Row row) {
     grid->addWidget(new QLabel(QStringLiteral("\u2264"), this), line, 2);
     grid->addWidget(row.limit, line, 3);
     const std::size_t index = m_rows.size();
+    // Only Enter writes: leaving the field must not move a limit, it takes the text back.
+    connect(row.limit, &widgets::QuantityEdit::entered, this, [this, index] { onEntered(m_rows[index]); });
     connect(row.limit, &widgets::QuantityEdit::editingFinished, this, [this, index] {
-        const Row& edited = m_rows[index];
-        const std::optional<double> known = m_bench.deviceValue(edited.parameter);
-        const double value = edited.limit->value() / edited.factor;
-        // Leaving the field without a change writes nothing; what is shown is rounded.
-        if (known &&
-            std::fabs(value - *known) * edited.factor > 0.5 * std::pow(10.0, -edited.limit->decimals())) {
-            write(edited.parameter, value);
+        if (!m_rows[index].limit->hasFocus()) {
+            showValue(m_rows[index]);
         }
+    });
+    connect(row.limit, &widgets::QuantityEdit::refused, this, [this, index](const QString& text) {
+        Q_EMIT failed(tr("'%1' is not a limit, nothing was written.").arg(text.trimmed()),
+                      tr("Allowed: %1.").arg(m_rows[index].limit->rangeText()));
     });
     m_rows.push_back(row);
 }
 
-void DriveLimits::onValues() {
-    for (Row& row : m_rows) {
-        const ParameterSpec* spec = m_bench.session().catalogue().findParameter(row.parameter);
-        const std::optional<double> value = m_bench.deviceValue(row.parameter);
-        const bool isKnown = spec != nullptr && value;
-        row.limit->setEnabled(isKnown);
-        if (row.enabled != nullptr) {
-            const std::optional<double> isOn = m_bench.deviceValue(row.switchParameter);
-            row.enabled->setEnabled(isOn.has_value());
-            const QSignalBlocker quiet(row.enabled);
-            row.enabled->setChecked(isOn.value_or(0.0) > 0.5);
-        }
-        if (!isKnown || row.limit->hasFocus()) {
-            continue;
-        }
-        const DisplayQuantity shown = displayQuantity(spec->unit);
-        row.factor = shown.factor;
-        const QSignalBlocker quiet(row.limit);
-        dressNumberField(*row.limit,
-                         {tr("Limit of %1").arg(row.title),
-                          row.toolTip + QLatin1Char('\n') + tr("Enter writes it"), shown.unit, shown.decimals,
-                          spec->min * shown.factor, spec->max * shown.factor, 1.0});
-        row.limit->setValue(*value * shown.factor);
-        row.live->setFormat({shown.decimals, shown.unit, 0.0, shown.typical});
+void DriveLimits::onEntered(const Row& row) {
+    const std::optional<double> known = m_bench.deviceValue(row.parameter);
+    const double value = row.limit->value() / row.factor;
+    // Enter without a change writes nothing; what is shown is rounded.
+    if (known && std::fabs(value - *known) * row.factor > 0.5 * std::pow(10.0, -row.limit->decimals())) {
+        write(row.parameter, value);
     }
+}
+
+/// A procedure has windows of its own and puts back those it found: nobody changes them under it.
+void DriveLimits::refreshEnabled() {
+    const bool isFree = m_control.isAvailable();
+    for (const Row& row : m_rows) {
+        const bool isKnown = m_bench.session().catalogue().findParameter(row.parameter) != nullptr &&
+                             m_bench.deviceValue(row.parameter);
+        row.limit->setEnabled(isKnown && isFree);
+        if (row.enabled != nullptr) {
+            row.enabled->setEnabled(m_bench.deviceValue(row.switchParameter).has_value() && isFree);
+        }
+    }
+}
+
+void DriveLimits::onValues() {
+    refreshEnabled();
+    for (Row& row : m_rows) {
+        if (row.enabled != nullptr) {
+            const QSignalBlocker quiet(row.enabled);
+            row.enabled->setChecked(m_bench.deviceValue(row.switchParameter).value_or(0.0) > 0.5);
+        }
+        if (!row.limit->hasFocus()) {
+            showValue(row);
+        }
+    }
+}
+
+void DriveLimits::showValue(Row& row) {
+    const ParameterSpec* spec = m_bench.session().catalogue().findParameter(row.parameter);
+    const std::optional<double> value = m_bench.deviceValue(row.parameter);
+    if (spec == nullptr || !value) {
+        return;
+    }
+    const DisplayQuantity shown = displayQuantity(spec->unit);
+    row.factor = shown.factor;
+    const QSignalBlocker quiet(row.limit);
+    dressNumberField(*row.limit, {tr("Limit of %1").arg(row.title),
+                                  row.toolTip + QLatin1Char('\n') + tr("Enter writes it"), shown.unit,
+                                  shown.decimals, spec->min * shown.factor, spec->max * shown.factor, 1.0});
+    row.limit->setValue(*value * shown.factor);
+    row.live->setFormat({shown.decimals, shown.unit, 0.0, shown.typical});
 }
 
 void DriveLimits::write(const std::string& parameter, double value) {

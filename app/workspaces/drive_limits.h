@@ -44,6 +44,9 @@ private:
 
     void addRow(Row row);
     void onValues();
+    void onEntered(const Row& row);
+    void showValue(Row& row);
+    void refreshEnabled();
     void write(const std::string& parameter, double value);
     std::optional<double> magnitude(const char* signal) const;
     std::optional<double> current_A() const { return magnitude("current_command"); }

@@ -15,9 +15,11 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QLocale>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace halbench::app {
 
@@ -44,7 +46,7 @@ QString valueText(double value, BoardMode mode) {
 } // namespace
 
 DrivePanel::DrivePanel(Workbench& bench, QWidget* parent)
-    : QWidget(parent), m_bench(bench), m_control(bench) {
+    : QWidget(parent), m_bench(bench), m_control(bench), m_shownMode(m_control.mode()) {
     QVBoxLayout* column = makeScrollingColumn(this);
     m_message = new widgets::MessageBar(this);
     column->addWidget(m_message);
@@ -88,10 +90,8 @@ void DrivePanel::buildArm(QVBoxLayout* column) {
     modeRow->addWidget(m_mode, 1);
     column->addLayout(modeRow);
     connect(m_arm, &QPushButton::clicked, this, &DrivePanel::onArm);
-    connect(m_mode, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this](int index) {
-        m_control.setMode(static_cast<BoardMode>(index));
-        refreshUnits();
-    });
+    connect(m_mode, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+            [this](int index) { m_control.setMode(static_cast<BoardMode>(index)); });
 }
 
 void DrivePanel::buildSetpoint(QVBoxLayout* column) {
@@ -110,7 +110,8 @@ void DrivePanel::buildSetpoint(QVBoxLayout* column) {
     m_jog = new JogRow(this);
     section->addWidget(m_jog);
     // Only Enter sends: leaving the field must not move anything.
-    connect(m_setpoint->findChild<QLineEdit*>(), &QLineEdit::returnPressed, this, &DrivePanel::onSetpoint);
+    connect(m_setpoint, &widgets::QuantityEdit::entered, this, &DrivePanel::onSetpoint);
+    connect(m_setpoint, &widgets::QuantityEdit::refused, this, &DrivePanel::onSetpointRefused);
     connect(m_go, &QPushButton::clicked, this, &DrivePanel::onSetpoint);
     connect(m_zero, &QPushButton::clicked, this, [this] {
         m_setpoint->setValue(0.0);
@@ -181,9 +182,23 @@ void DrivePanel::onSetpoint() {
     if (!m_go->isEnabled()) {
         return;
     }
+    if (!m_setpoint->hasAcceptableInput()) { // Go without leaving the field
+        onSetpointRefused(m_setpoint->text());
+        return;
+    }
     m_setpoint->interpretText();
     const double shown = m_setpoint->value();
     m_control.setSetpoint(m_control.mode() == BoardMode::Position ? degreesToRadians(shown) : shown);
+}
+
+/// Nothing is sent; a field that was left shows what holds, so that a Go behind it moves nothing either.
+void DrivePanel::onSetpointRefused(const QString& text) {
+    if (!m_setpoint->hasFocus()) {
+        const double now = m_control.setpoint();
+        m_setpoint->setValue(m_control.mode() == BoardMode::Position ? radiansToDegrees(now) : now);
+    }
+    showError(tr("'%1' is not a set-point, nothing was sent.").arg(text.trimmed()),
+              tr("Allowed: %1.").arg(m_setpoint->rangeText()));
 }
 
 void DrivePanel::onStartReference() {
@@ -204,9 +219,11 @@ void DrivePanel::showError(const QString& text, const QString& remedy) {
 void DrivePanel::refresh() {
     refreshStop();
     refreshArm();
-    const bool canMove =
-        m_control.isArmed() && m_control.isAvailable() && m_control.mode() != BoardMode::Idle;
-    m_mode->setEnabled(m_control.isAvailable());
+    refreshMode();
+    if (!std::exchange(m_wasArmed, m_control.isArmed()) && m_wasArmed) {
+        m_setpoint->setValue(0.0); // what was typed before is no set-point of this arming
+    }
+    const bool canMove = m_control.canMove();
     QWidget* const movers[] = {m_go, m_zero, m_jog, m_start, m_end};
     for (QWidget* mover : movers) {
         mover->setEnabled(canMove);
@@ -214,6 +231,20 @@ void DrivePanel::refresh() {
     m_setpointNow->setText(canMove ? tr("Now %1").arg(valueText(m_control.setpoint(), m_control.mode()))
                                    : tr("Arm first; set-points start at zero."));
     describeMotion();
+}
+
+/// What the board was told, also when it could not be told another mode. While an answer is awaited the box
+/// keeps what was chosen, and stays enabled: who goes through the modes with the arrow keys keeps the focus.
+void DrivePanel::refreshMode() {
+    m_mode->setEnabled(m_control.isAvailable());
+    if (m_control.isPending()) {
+        return;
+    }
+    const QSignalBlocker quiet(m_mode);
+    m_mode->setCurrentIndex(static_cast<int>(m_control.mode()));
+    if (std::exchange(m_shownMode, m_control.mode()) != m_control.mode()) {
+        refreshUnits();
+    }
 }
 
 /// A latched stop stays in view until it is released on purpose.
@@ -251,7 +282,7 @@ void DrivePanel::refreshArm() {
     m_state->setText(state);
     m_state->setAccessibleName(tr("State: %1").arg(state));
     showRole(*m_state, role);
-    m_arm->setEnabled(m_control.isAvailable() && !m_control.isStopped());
+    m_arm->setEnabled(m_control.isAvailable() && !m_control.isStopped() && !m_control.isPending());
     const QString action = isArmed ? tr("Disarm") : tr("Arm");
     if (m_arm->text() != action) {
         m_arm->setText(action);

@@ -42,9 +42,11 @@ private:
     void onArm();
     void onMessageAction();
     void onSetpoint();
+    void onSetpointRefused(const QString& text);
     void onStartReference();
     void refresh();
     void refreshStop();
+    void refreshMode();
     void refreshArm();
     void dressArm();
     void refreshUnits();
@@ -57,7 +59,9 @@ private:
     Workbench& m_bench;
     DriveControl m_control;
     Asking m_asking = Asking::Nothing;
-    QTimer m_frame; ///< ten times a second
+    bool m_wasArmed = false;
+    devices::BoardMode m_shownMode; ///< whose units the fields have
+    QTimer m_frame;                 ///< ten times a second
     widgets::MessageBar* m_message = nullptr;
     QLabel* m_state = nullptr;
     QPushButton* m_arm = nullptr;

@@ -14,6 +14,7 @@
 #include <QPushButton>
 
 #include <atomic>
+#include <future>
 #include <mutex>
 #include <thread>
 
@@ -77,6 +78,51 @@ TEST_F(DrivePanelTest, sendsTheSetpointOnEnterAndNotOnLeavingTheField) {
     EXPECT_EQ(parameter("hb.setpoint"), 0.0);
 }
 
+TEST_F(DrivePanelTest, aTextThatIsNoSetpointSendsNothing) {
+    connectTo("sim:htm", 5.0);
+    armByClick();
+    auto* field = find<QDoubleSpinBox>(*panel, "Set-point");
+    type(field, "90");
+    QTest::keyClick(field, Qt::Key_Tab); // not sent, but the field's last number
+    for (const char* text : {"400000", "1e", ""}) {
+        type(field, text);
+        if (*text == '\0') {
+            QTest::keyClick(field, Qt::Key_Backspace);
+        }
+        QTest::keyClick(field, Qt::Key_Return);
+        EXPECT_EQ(parameter("hb.setpoint"), 0.0) << text;
+        EXPECT_TRUE(message().contains("not a set-point")) << message().toStdString();
+    }
+    type(field, "400000");
+    QTest::keyClick(field, Qt::Key_Tab);
+    EXPECT_EQ(field->value(), 0.0); // what holds now
+    click(*panel, "Go");
+    EXPECT_EQ(parameter("hb.setpoint"), 0.0);
+}
+
+TEST_F(DrivePanelTest, armingForgetsWhatWasTypedBefore) {
+    connectTo("sim:htm", 5.0);
+    auto* field = find<QDoubleSpinBox>(*panel, "Set-point");
+    type(field, "90");
+    QTest::keyClick(field, Qt::Key_Tab);
+    ASSERT_EQ(field->value(), 90.0);
+    armByClick();
+    EXPECT_EQ(field->value(), 0.0);
+    click(*panel, "Go");
+    EXPECT_EQ(parameter("hb.setpoint"), 0.0);
+}
+
+TEST_F(DrivePanelTest, aModeThatIsChosenWhileAnArmIsOnItsWayIsWritten) {
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Arm")->isEnabled(); }));
+    click(*panel, "Arm");
+    chooseMode(1);
+    EXPECT_FALSE(find<QPushButton>(*panel, "Forward +")->isEnabled()); // nothing is known of the mode yet
+    ASSERT_TRUE(wait([&] { return isArmed() && find<QPushButton>(*panel, "Go")->isEnabled(); }));
+    EXPECT_EQ(parameter("hb.mode"), 1.0);
+    EXPECT_EQ(mode(), 1);
+}
+
 TEST_F(DrivePanelTest, aNewModeStartsAtZeroWithItsOwnUnit) {
     connectTo("sim:htm", 5.0);
     armByClick();
@@ -85,7 +131,7 @@ TEST_F(DrivePanelTest, aNewModeStartsAtZeroWithItsOwnUnit) {
     QTest::keyClick(field, Qt::Key_Return);
     ASSERT_GT(parameter("hb.setpoint"), 0.0);
     chooseMode(1);
-    EXPECT_TRUE(field->suffix().endsWith("A"));
+    ASSERT_TRUE(wait([&] { return field->suffix().endsWith("A"); }));
     EXPECT_EQ(field->value(), 0.0);
     EXPECT_EQ(parameter("hb.mode"), 1.0);
     EXPECT_EQ(parameter("hb.setpoint"), 0.0);
@@ -115,6 +161,7 @@ TEST_F(DrivePanelTest, jogOfACurrentEndsWhenLetGo) {
     connectTo("sim:htm", 1.0);
     armByClick();
     chooseMode(1);
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Go")->isEnabled(); }));
     auto* back = find<QPushButton>(*panel, QString::fromUtf8("\u2212 Back"));
     QTest::mousePress(back, Qt::LeftButton);
     EXPECT_TRUE(wait([&] { return latest("current_command") == -0.5; }));
@@ -157,6 +204,31 @@ TEST_F(DrivePanelTest, theGeneratorRunsFromHereAndEnds) {
     click(*panel, "End");
     EXPECT_TRUE(wait([&] { return latest("reference.running") < 0.5; }));
     EXPECT_TRUE(isArmed());
+}
+
+TEST_F(DrivePanelTest, aLimitIsWrittenByEnterOnlyAndNotUnderAProcedure) {
+    connectTo("sim:htm", 5.0);
+    auto* limit = find<QDoubleSpinBox>(*panel, "Limit of Current");
+    ASSERT_TRUE(wait([&] { return limit->isEnabled(); }));
+    const double before = limit->value();
+    const double onBoard_A = parameter("limit.current");
+    type(limit, "0.3");
+    QTest::keyClick(limit, Qt::Key_Tab);
+    EXPECT_EQ(parameter("limit.current"), onBoard_A);
+    EXPECT_EQ(limit->value(), before); // the text was taken back
+
+    std::promise<void> end;
+    ASSERT_TRUE(session().runProcedure(
+        "Identify",
+        [&end](devices::Device&, const ProcedureObserver&) -> Result<void> {
+            end.get_future().wait();
+            return {};
+        },
+        [](const Result<void>&) {}));
+    EXPECT_FALSE(limit->isEnabled());
+    EXPECT_FALSE(find<QCheckBox>(*panel, "Excursion")->isEnabled());
+    end.set_value();
+    EXPECT_TRUE(wait([&] { return limit->isEnabled(); }));
 }
 
 TEST_F(DrivePanelTest, windowsAreSwitchedAndWarnBeforeTheMotion) {
@@ -203,6 +275,20 @@ private:
     std::atomic<int> m_signal = 0;
     std::thread m_thread;
 };
+
+TEST_F(DrivePanelTest, aModeThatCouldNotBeWrittenIsNotShown) {
+    {
+        ServedBoard board;
+        ASSERT_TRUE(wait([&] { return !board.uri().isEmpty(); }));
+        connectTo(board.uri(), 1.0);
+        ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Arm")->isEnabled(); }));
+    }
+    chooseMode(1); // nobody answers any more
+    ASSERT_TRUE(wait([&] { return session().state() != SessionState::Connected; }));
+    EXPECT_EQ(mode(), 2);
+    EXPECT_FALSE(find<QDoubleSpinBox>(*panel, "Set-point")->suffix().endsWith("A"));
+    session().disconnectDevice();
+}
 
 TEST_F(DrivePanelTest, aRealDeviceAsksOnceWithWordsAboutMotion) {
     ServedBoard board;
