@@ -2,7 +2,7 @@
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)
-find_package(Qt5 5.15 REQUIRED COMPONENTS Core Network Gui Widgets Svg Test LinguistTools)
+find_package(Qt5 5.15 REQUIRED COMPONENTS Core Network SerialPort Gui Widgets Svg Test LinguistTools)
 find_package(qtadvanceddocking 3.8 REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(tomlplusplus REQUIRED)

@@ -2,6 +2,7 @@
 
 #include "devices/acquisition/replay_device.h"
 #include "devices/device_uri.h"
+#include "devices/port_address.h"
 #include "devices/simulated/simulated_device.h"
 #include "devices/transport/tcp_transport.h"
 #include "devices/transport/udp_transport.h"
@@ -15,14 +16,7 @@ namespace halbench::devices {
 
 namespace {
 
-std::unique_ptr<Transport> networkTransport(const std::string& scheme, const NetworkAddress& address) {
-    if (scheme == "udp") {
-        return std::make_unique<UdpTransport>(address);
-    }
-    return std::make_unique<TcpTransport>(address);
-}
-
-Result<std::unique_ptr<Device>> openNetworkDevice(const DeviceUri& uri, const OpenOptions& options) {
+Result<std::unique_ptr<Transport>> networkTransport(const DeviceUri& uri) {
     const Result<NetworkAddress> address = parseNetworkAddress(uri.address);
     if (!address) {
         return failure(address.error());
@@ -32,6 +26,24 @@ Result<std::unique_ptr<Device>> openNetworkDevice(const DeviceUri& uri, const Op
                        fmt::format("device '{}': unknown option '{}'", uri.text, uri.options.front().first),
                        fmt::format("a {}: address has no options", uri.scheme));
     }
+    if (uri.scheme == "udp") {
+        return std::make_unique<UdpTransport>(*address);
+    }
+    return std::make_unique<TcpTransport>(*address);
+}
+
+Result<std::unique_ptr<Transport>> makeTransport(const DeviceUri& uri) {
+    if (uri.scheme == "serial") {
+        return makeSerialTransport(uri);
+    }
+    return networkTransport(uri);
+}
+
+Result<std::unique_ptr<Device>> openBoard(const DeviceUri& uri, const OpenOptions& options) {
+    Result<std::unique_ptr<Transport>> transport = makeTransport(uri);
+    if (!transport) {
+        return failure(transport.error());
+    }
     XcpDeviceOptions device;
     device.identity.uri = uri.text;
     device.identity.transport = uri.scheme;
@@ -39,7 +51,7 @@ Result<std::unique_ptr<Device>> openNetworkDevice(const DeviceUri& uri, const Op
     device.onMessage = options.onMessage;
     device.cacheFolder = options.cacheFolder;
     device.measuresClock = true;
-    return openXcpDevice(networkTransport(uri.scheme, *address), std::move(device));
+    return openXcpDevice(*std::move(transport), std::move(device));
 }
 
 } // namespace
@@ -57,15 +69,15 @@ Result<std::unique_ptr<Device>> openDevice(const std::string& text, const OpenOp
     if (uri->scheme == "sim") {
         return openSimulatedDevice(*uri, options);
     }
-    if (uri->scheme == "tcp" || uri->scheme == "udp") {
-        return openNetworkDevice(*uri, options);
+    if (uri->scheme == "tcp" || uri->scheme == "udp" || uri->scheme == "serial") {
+        return openBoard(*uri, options);
     }
     if (uri->scheme == "replay") {
         return openReplayDevice(uri->text, uri->address);
     }
     return failure(ErrorCode::UnknownName,
                    fmt::format("device '{}': '{}:' is not built in this version", text, uri->scheme),
-                   "known are sim:htm, tcp:HOST:PORT, udp:HOST:PORT and replay:FILE");
+                   "known are sim:htm, serial:DEVICE, tcp:HOST:PORT, udp:HOST:PORT and replay:FILE");
 }
 
 std::vector<DeviceListing> listDevices() {

@@ -39,6 +39,8 @@ public:
     double now_s() const override { return m_transport->now_s(); }
     TransportStatistics statistics() const override { return m_transport->statistics(); }
     std::string description() const override { return m_transport->description(); }
+    double connectPatience_s() const override { return m_transport->connectPatience_s(); }
+    void noteUnansweredConnect() override { m_transport->noteUnansweredConnect(); }
 
 private:
     bool isUnplugged();

@@ -15,6 +15,7 @@ struct TransportStatistics {
     std::uint64_t packetsSent = 0;
     std::uint64_t packetsLost = 0;    ///< gaps of the message counter
     std::uint64_t packetsDamaged = 0; ///< bad length, bad checksum
+    std::uint64_t octetsReceived = 0; ///< whatever they were; 0 where only whole packets are seen
 };
 
 /// Moves whole XCP packets and owns the time they are stamped with: the host's steady clock on hardware, the
@@ -36,6 +37,11 @@ public:
     virtual TransportStatistics statistics() const = 0;
     /// "loopback", "tcp:127.0.0.1:5555" ...
     virtual std::string description() const = 0;
+
+    /// How long a board may take to answer its first CONNECT.
+    virtual double connectPatience_s() const { return 1.8; }
+    /// A line that has several ways to frame packets tries the next one.
+    virtual void noteUnansweredConnect() {}
 };
 
 } // namespace halbench::devices

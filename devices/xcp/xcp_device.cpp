@@ -24,7 +24,6 @@ namespace halbench::devices::xcp {
 
 namespace {
 
-constexpr double ConnectPatience_s = 1.8;
 /// GET_DAQ_CLOCK tells 32 bits; a clock with fewer in its time stamps turns over earlier.
 constexpr std::size_t ClockOctets = 4;
 constexpr double MinTimeout_s = 0.1;
@@ -36,6 +35,18 @@ bool isModelName(const std::string& name) {
     return !name.empty() && name.size() <= MaxModelName && std::all_of(name.begin(), name.end(), [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
     });
+}
+
+/// A line that carries something, only not this protocol, is not a silent one.
+Error withWhatWasHeard(Error error, const Transport& transport) {
+    const TransportStatistics heard = transport.statistics();
+    if (error.code == ErrorCode::DeviceLost && heard.octetsReceived > 0) {
+        return {ErrorCode::Protocol,
+                fmt::format("{} sends something ({} octets), but not in this protocol",
+                            transport.description(), heard.octetsReceived),
+                "check that it is the right device, and on a serial line its baud rate and framing"};
+    }
+    return error;
 }
 
 } // namespace
@@ -79,8 +90,9 @@ Result<void> XcpDevice::open() {
         return opened;
     }
     m_opened_s = now_s();
-    if (Result<void> connected = m_master.connect(ConnectPatience_s); !connected) {
-        return connected;
+    const Transport& transport = m_link.transport();
+    if (Result<void> connected = m_master.connect(transport.connectPatience_s()); !connected) {
+        return failure(m_link.lost() ? connected.error() : withWhatWasHeard(connected.error(), transport));
     }
     using Step = Result<void> (XcpDevice::*)();
     for (const Step step : {&XcpDevice::readIdentity, &XcpDevice::readDescription, &XcpDevice::readDefaults,

@@ -12,6 +12,7 @@ constexpr double DefaultTimeout_s = 0.5;
 /// A command with all its repetitions is given up after this time: nobody waits longer than 2 s for a dead
 /// board.
 constexpr double MaxSilence_s = 1.8;
+constexpr double MaxDrain_s = 0.05;
 constexpr int MaxRepeats = 2;
 constexpr int MaxWaits = 50;
 constexpr double BusyWait_s = 0.02;
@@ -47,7 +48,9 @@ Reply<bool> XcpLink::receive(double timeout_s) {
 
 Reply<Packet> XcpLink::exchange(const Packet& command, double timeout_s) {
     // Answers that nobody waits for any more must not be taken for the next command's.
-    for (;;) {
+    // Nor does a flood of packets hold a command up.
+    const double drained_s = m_transport->now_s() + MaxDrain_s;
+    while (m_transport->now_s() <= drained_s) {
         const Reply<bool> received = receive(0.0);
         if (!received) {
             return tl::unexpected(received.error());

@@ -81,6 +81,7 @@ Result<void> XcpMaster::connect(double patience_s) {
         if (isHopeless || next_s >= end_s) {
             return failure(trouble.error);
         }
+        m_link->transport().noteUnansweredConnect();
         if (Result<void> waited = m_link->pumpUntil(next_s); !waited) {
             return waited;
         }

@@ -22,7 +22,7 @@ HOUSE = {
     "models/thermal": (["control/base/", "models/thermal/"], []),
     "models/estimators": (["control/", "models/fields/", "models/estimators/"], []),
     "devices/firmware": (["devices/firmware/"], []),
-    "devices/transport": (["control/base/", "devices/transport/"], []),
+    "devices/transport": (["control/base/", "devices/transport/"], ["QtCore", "QtSerialPort"]),
     "devices/xcp": (["control/base/", "devices/xcp/", "devices/transport/transport.h", EVERY_DEVICE_HEADER], []),
     "devices/simulated": (["control/", "models/", "devices/"], []),
     "devices/acquisition": (["control/base/", "devices/acquisition/", EVERY_DEVICE_HEADER], ["QtCore"]),

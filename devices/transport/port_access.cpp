@@ -1,0 +1,99 @@
+#include "devices/transport/port_access.h"
+
+#include <fmt/format.h>
+#include <grp.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+namespace halbench::devices {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "process 1234" with its name; from /proc, which tells other users' processes to root only.
+std::string processName(const fs::path& process) {
+    std::ifstream file(process / "comm");
+    std::string name;
+    std::getline(file, name);
+    return fmt::format("{} (process {})", name.empty() ? "a program" : name, process.filename().string());
+}
+
+bool holds(const fs::path& process, const std::string& node) {
+    std::error_code error;
+    for (fs::directory_iterator entry(process / "fd", error), end; !error && entry != end;
+         entry.increment(error)) {
+        std::error_code unreadable;
+        if (fs::read_symlink(entry->path(), unreadable).string() == node) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::string groupOf(const struct stat& status) {
+    std::array<char, 1024> storage{};
+    group entry{};
+    group* found = nullptr;
+    const bool isKnown = ::getgrgid_r(status.st_gid, &entry, storage.data(), storage.size(), &found) == 0;
+    return isKnown && found != nullptr ? entry.gr_name : std::string();
+}
+
+} // namespace
+
+std::optional<std::string> holderOf(const std::string& node) {
+    std::error_code error;
+    const std::string real = fs::weakly_canonical(node, error).string();
+    const std::string own = std::to_string(::getpid());
+    for (fs::directory_iterator entry("/proc", error), end; !error && entry != end; entry.increment(error)) {
+        const std::string number = entry->path().filename().string();
+        const bool isProcess = !number.empty() && number.find_first_not_of("0123456789") == std::string::npos;
+        if (isProcess && holds(entry->path(), real)) {
+            return number == own ? "this program" : processName(entry->path());
+        }
+    }
+    return std::nullopt;
+}
+
+PortTrouble permissionTrouble(const std::string& node) {
+    struct stat status {};
+    const bool isKnown = ::stat(node.c_str(), &status) == 0;
+    const std::string group = isKnown && (status.st_mode & S_IRGRP) != 0 ? groupOf(status) : std::string();
+    std::string hint =
+        "install the rules that 'halbench devices --udev-rules' prints, then plug the device in again";
+    if (!group.empty() && group != "root") {
+        hint += fmt::format(", or join the group with 'sudo usermod -aG {} $USER' and log in again", group);
+    }
+    return {fmt::format("no permission to use {}", node), hint};
+}
+
+PortTrouble busyTrouble(const std::string& node) {
+    const std::optional<std::string> holder = holderOf(node);
+    return {fmt::format("{} is in use by {}", node, holder.value_or("another program")),
+            holder == "this program"
+                ? "disconnect it first"
+                : "close that program (ModemManager lets go of a new port after some seconds)"};
+}
+
+std::optional<PortTrouble> troubleOf(const std::string& node) {
+    if (::access(node.c_str(), F_OK) != 0) {
+        return PortTrouble{fmt::format("{} is not there", node),
+                           "plug the device in and see 'halbench devices' for its address"};
+    }
+    if (::access(node.c_str(), R_OK | W_OK) != 0) {
+        return permissionTrouble(node);
+    }
+    return std::nullopt;
+}
+
+Error portError(const std::string& description, const PortTrouble& trouble) {
+    return {ErrorCode::DeviceLost, fmt::format("{}: {}", description, trouble.reason), trouble.hint};
+}
+
+} // namespace halbench::devices

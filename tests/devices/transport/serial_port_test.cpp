@@ -1,0 +1,158 @@
+#include "devices/transport/serial_port.h"
+#include "tests/devices/transport/pty_line.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <termios.h>
+
+namespace halbench::devices {
+namespace {
+
+using Octets = std::vector<std::uint8_t>;
+
+SerialSettings at(const std::string& device) {
+    SerialSettings settings;
+    settings.device = device;
+    return settings;
+}
+
+/// Everything that arrives until there are so many octets, or 2 s.
+Octets received(OctetInbox& inbox, std::size_t count) {
+    Octets all;
+    Octets part;
+    while (all.size() < count && inbox.take(part, 2.0).value_or(false)) {
+        all.insert(all.end(), part.begin(), part.end());
+    }
+    return all;
+}
+
+double processorTime_s() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+           1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+}
+
+TEST(SerialPort, carriesEveryOctetBothWaysUnchanged) {
+    PtyLine line;
+    OctetInbox inbox;
+    SerialPort port(at(line.path()));
+    ASSERT_TRUE(port.open(inbox));
+    Octets all(1024);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        all[i] = static_cast<std::uint8_t>(i);
+    }
+    line.deliver(all);
+    EXPECT_EQ(received(inbox, all.size()), all) << "no line ends, no control characters, no echo";
+    ASSERT_TRUE(port.write(all));
+    EXPECT_EQ(line.taken(all.size()), all);
+}
+
+TEST(SerialPort, setsTheSpeedOfTheLine) {
+    PtyLine line;
+    OctetInbox inbox;
+    SerialSettings settings = at(line.path());
+    settings.baud = 230400;
+    settings.isDtrOn = false; // a pseudo terminal has no such line: the port opens all the same
+    SerialPort port(settings);
+    ASSERT_TRUE(port.open(inbox));
+    termios state{};
+    ASSERT_EQ(::tcgetattr(line.number(), &state), 0);
+    EXPECT_EQ(::cfgetospeed(&state), static_cast<speed_t>(B230400));
+}
+
+TEST(SerialPort, unpluggingIsToldOnceAndKeepsTheProcessorQuiet) {
+    PtyLine line;
+    OctetInbox inbox;
+    SerialPort port(at(line.path()));
+    ASSERT_TRUE(port.open(inbox));
+    line.deliver(Octets{1, 2, 3});
+    EXPECT_EQ(received(inbox, 3).size(), 3U);
+    const double before_s = processorTime_s();
+    line.unplug();
+    Octets octets;
+    Result<bool> taken = inbox.take(octets, 2.0);
+    ASSERT_FALSE(taken);
+    EXPECT_EQ(taken.error().code, ErrorCode::DeviceLost);
+    EXPECT_NE(taken.error().message.find("unplugged"), std::string::npos);
+    const auto written = port.write(Octets{1});
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.error().message, taken.error().message);
+    // An open hung-up port signals its error some 100 000 times a second (60 % of a processor and more).
+    OctetInbox waiting;
+    (void)waiting.take(octets, 0.5);
+    EXPECT_LT(processorTime_s() - before_s, 0.2);
+    port.close();
+    const auto reopened = port.open(inbox);
+    ASSERT_FALSE(reopened);
+    EXPECT_NE(reopened.error().message.find("not there"), std::string::npos) << reopened.error().message;
+}
+
+TEST(SerialPort, whatArrivedBeforeTheUnplugIsDelivered) {
+    PtyLine line;
+    OctetInbox inbox;
+    SerialPort port(at(line.path()));
+    ASSERT_TRUE(port.open(inbox));
+    line.deliver(Octets(100, 0x42));
+    EXPECT_EQ(received(inbox, 100).size(), 100U);
+    line.unplug();
+    Octets octets;
+    EXPECT_FALSE(inbox.take(octets, 2.0));
+}
+
+TEST(SerialPort, secondOpenIsRefusedAndNamesTheHolder) {
+    PtyLine line;
+    OctetInbox inbox;
+    SerialPort first(at(line.path()));
+    ASSERT_TRUE(first.open(inbox));
+    SerialPort second(at(line.path()));
+    OctetInbox other;
+    const auto opened = second.open(other);
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().code, ErrorCode::DeviceLost);
+    EXPECT_NE(opened.error().message.find("in use by this program"), std::string::npos)
+        << opened.error().message;
+    first.close();
+    EXPECT_TRUE(second.open(other));
+}
+
+TEST(SerialPort, aBoardThatTakesNothingIsGivenUp) {
+    PtyLine line;
+    OctetInbox inbox;
+    SerialPort port(at(line.path()));
+    ASSERT_TRUE(port.open(inbox));
+    Result<void> written;
+    for (int i = 0; i < 100 && written; ++i) {
+        written = port.write(Octets(4096, 0x55));
+    }
+    ASSERT_FALSE(written);
+    EXPECT_NE(written.error().message.find("takes no more"), std::string::npos);
+}
+
+TEST(SerialPort, closesWhileOctetsPourIn) {
+    PtyLine line;
+    for (int i = 0; i < 20; ++i) {
+        OctetInbox inbox;
+        SerialPort port(at(line.path()));
+        ASSERT_TRUE(port.open(inbox));
+        line.deliver(Octets(2000, 0x11));
+        port.close();
+        port.close();
+        EXPECT_FALSE(port.write(Octets{1}));
+    }
+}
+
+TEST(SerialPort, whatIsNoSerialPortIsRefusedInItsOwnWords) {
+    OctetInbox inbox;
+    SerialPort missing(at("/dev/no-such-port"));
+    const auto none = missing.open(inbox);
+    ASSERT_FALSE(none);
+    EXPECT_NE(none.error().message.find("is not there"), std::string::npos);
+    SerialPort file(at("/dev/null"));
+    const auto wrong = file.open(inbox);
+    ASSERT_FALSE(wrong);
+    EXPECT_EQ(wrong.error().code, ErrorCode::DeviceLost);
+}
+
+} // namespace
+} // namespace halbench::devices
