@@ -53,6 +53,3477 @@
     </message>
 </context>
 <context>
+    <name>Phrases</name>
+    <message>
+        <source>Rotor angle, unwrapped</source>
+        <translation>Rotorwinkel, über Umdrehungen fortgezählt</translation>
+    </message>
+    <message>
+        <source>Rotor speed, slope over 32 ms</source>
+        <translation>Rotordrehzahl, Steigung über 32 ms</translation>
+    </message>
+    <message>
+        <source>Reference: rad in mode position, else A</source>
+        <translation>Führungsgröße: rad in der Betriebsart Lage, sonst A</translation>
+    </message>
+    <message>
+        <source>Current amplitude commanded</source>
+        <translation>Vorgegebene Stromamplitude</translation>
+    </message>
+    <message>
+        <source>Current commanded into phase {}</source>
+        <translation>Vorgegebener Strom in Phase {}</translation>
+    </message>
+    <message>
+        <source>Field at Hall sensor {}, not corrected</source>
+        <translation>Feld am Hall-Sensor {}, nicht korrigiert</translation>
+    </message>
+    <message>
+        <source>Coil {}</source>
+        <translation>Spule {}</translation>
+    </message>
+    <message>
+        <source>State of the board</source>
+        <translation>Zustand des Steuergeräts</translation>
+    </message>
+    <message>
+        <source>Latched fault</source>
+        <translation>Gespeicherte Störung</translation>
+    </message>
+    <message>
+        <source>Control cycles that saw a mixed parameter set</source>
+        <translation>Regelzyklen mit gemischtem Parametersatz</translation>
+    </message>
+    <message>
+        <source>Step or plateau, 0 = not running</source>
+        <translation>Stufe oder Plateau, 0 = läuft nicht</translation>
+    </message>
+    <message>
+        <source>1 while the generator runs</source>
+        <translation>1, solange der Generator läuft</translation>
+    </message>
+    <message>
+        <source>State of the capture</source>
+        <translation>Zustand der Erfassung</translation>
+    </message>
+    <message>
+        <source>Device time of the trigger sample</source>
+        <translation>Gerätezeit des Trigger-Abtastwerts</translation>
+    </message>
+    <message>
+        <source>Proportional gain</source>
+        <translation>Proportionalverstärkung</translation>
+    </message>
+    <message>
+        <source>Integral gain</source>
+        <translation>Integralverstärkung</translation>
+    </message>
+    <message>
+        <source>Derivative gain on the measured angle</source>
+        <translation>Differentialverstärkung auf den gemessenen Winkel</translation>
+    </message>
+    <message>
+        <source>0.9 K_f/phi, with the reference speed</source>
+        <translation>0,9 K_f/phi, mit der Führungsdrehzahl</translation>
+    </message>
+    <message>
+        <source>Reference speed of full Coulomb feed-forward</source>
+        <translation>Führungsdrehzahl mit voller Coulomb-Vorsteuerung</translation>
+    </message>
+    <message>
+        <source>Friction help at rest, 0.9 K_f/phi</source>
+        <translation>Reibungshilfe im Stillstand, 0,9 K_f/phi</translation>
+    </message>
+    <message>
+        <source>Error above which the friction help acts (0.16 degrees)</source>
+        <translation>Fehler, über dem die Reibungshilfe wirkt (0,16 Grad)</translation>
+    </message>
+    <message>
+        <source>Reference speed below which the friction help acts</source>
+        <translation>Führungsdrehzahl, unter der die Reibungshilfe wirkt</translation>
+    </message>
+    <message>
+        <source>Form of the control law</source>
+        <translation>Form des Regelgesetzes</translation>
+    </message>
+    <message>
+        <source>Largest current amplitude</source>
+        <translation>Größte Stromamplitude</translation>
+    </message>
+    <message>
+        <source>Coil temperature that trips</source>
+        <translation>Spulentemperatur, die abschaltet</translation>
+    </message>
+    <message>
+        <source>Largest excursion from the position at arming</source>
+        <translation>Größte Auslenkung von der Lage bei der Freigabe</translation>
+    </message>
+    <message>
+        <source>Position window</source>
+        <translation>Lagefenster</translation>
+    </message>
+    <message>
+        <source>Largest speed while armed</source>
+        <translation>Größte Drehzahl, solange freigegeben</translation>
+    </message>
+    <message>
+        <source>Speed window</source>
+        <translation>Drehzahlfenster</translation>
+    </message>
+    <message>
+        <source>Subtract the field of the phase currents</source>
+        <translation>Das Feld der Phasenströme abziehen</translation>
+    </message>
+    <message>
+        <source>Field of a phase current at its own sensor</source>
+        <translation>Feld eines Phasenstroms am eigenen Sensor</translation>
+    </message>
+    <message>
+        <source>Angle from the two fields</source>
+        <translation>Winkel aus den beiden Feldern</translation>
+    </message>
+    <message>
+        <source>Delay of the position loop in its samples</source>
+        <translation>Totzeit des Lageregelkreises in Abtastwerten</translation>
+    </message>
+    <message>
+        <source>Commutate every n-th millisecond</source>
+        <translation>Jede n-te Millisekunde kommutieren</translation>
+    </message>
+    <message>
+        <source>Commutation angle ahead by speed times this</source>
+        <translation>Kommutierungswinkel voreilend um Drehzahl mal diesen Wert</translation>
+    </message>
+    <message>
+        <source>Offset of channel {}</source>
+        <translation>Offset von Kanal {}</translation>
+    </message>
+    <message>
+        <source>Amplitude of channel B over channel A</source>
+        <translation>Amplitude von Kanal B durch die von Kanal A</translation>
+    </message>
+    <message>
+        <source>Channel B sees sin(angle + quadrature)</source>
+        <translation>Kanal B sieht sin(Winkel + Quadraturfehler)</translation>
+    </message>
+    <message>
+        <source>Field amplitude at the sensors</source>
+        <translation>Feldamplitude an den Sensoren</translation>
+    </message>
+    <message>
+        <source>Angle error map</source>
+        <translation>Winkelfehlerkarte</translation>
+    </message>
+    <message>
+        <source>Angle error map, cosine of order {}</source>
+        <translation>Winkelfehlerkarte, Kosinus der Ordnung {}</translation>
+    </message>
+    <message>
+        <source>Angle error map, sine of order {}</source>
+        <translation>Winkelfehlerkarte, Sinus der Ordnung {}</translation>
+    </message>
+    <message>
+        <source>Arm the outputs</source>
+        <translation>Die Ausgänge freigeben</translation>
+    </message>
+    <message>
+        <source>What the set-point means</source>
+        <translation>Was der Sollwert bedeutet</translation>
+    </message>
+    <message>
+        <source>A, or rad from the position at arming</source>
+        <translation>A, oder rad ab der Lage bei der Freigabe</translation>
+    </message>
+    <message>
+        <source>Silence of the host that stops the board</source>
+        <translation>Schweigen des Rechners, das das Steuergerät stoppt</translation>
+    </message>
+    <message>
+        <source>Write 1 to stop and latch</source>
+        <translation>1 schreiben stoppt und bleibt gespeichert</translation>
+    </message>
+    <message>
+        <source>A lost master brings this calibration back</source>
+        <translation>Geht der Rechner verloren, kommt dieser Parametersatz zurück</translation>
+    </message>
+    <message>
+        <source>Shape of the reference</source>
+        <translation>Form des Verlaufs</translation>
+    </message>
+    <message>
+        <source>rad or A; height of one step of the staircase, end of the ramp</source>
+        <translation>rad oder A; Höhe einer Treppenstufe, Ende der Rampe</translation>
+    </message>
+    <message>
+        <source>Slope of the ramp, rad/s or A/s</source>
+        <translation>Steigung der Rampe, rad/s oder A/s</translation>
+    </message>
+    <message>
+        <source>Frequency of sine; first of chirp and multisine</source>
+        <translation>Frequenz des Sinus; erste von Chirp und Multisinus</translation>
+    </message>
+    <message>
+        <source>Last frequency of chirp and multisine</source>
+        <translation>Letzte Frequenz von Chirp und Multisinus</translation>
+    </message>
+    <message>
+        <source>Time of one step of the staircase</source>
+        <translation>Zeit einer Treppenstufe</translation>
+    </message>
+    <message>
+        <source>Steps of the staircase, lines of the multisine</source>
+        <translation>Stufen der Treppe, Linien des Multisinus</translation>
+    </message>
+    <message>
+        <source>Time until the generator ends</source>
+        <translation>Zeit bis zum Ende des Generators</translation>
+    </message>
+    <message>
+        <source>Constant motion added: rad/s in mode position, else A</source>
+        <translation>Zugefügte gleichförmige Bewegung: rad/s in der Betriebsart Lage, sonst A</translation>
+    </message>
+    <message>
+        <source>Phases of the multisine; 0 = Schroeder</source>
+        <translation>Phasen des Multisinus; 0 = Schroeder</translation>
+    </message>
+    <message>
+        <source>1 starts, 0 stops the generator</source>
+        <translation>1 startet, 0 stoppt den Generator</translation>
+    </message>
+    <message>
+        <source>Number of plateaus</source>
+        <translation>Zahl der Plateaus</translation>
+    </message>
+    <message>
+        <source>Time of one plateau</source>
+        <translation>Zeit eines Plateaus</translation>
+    </message>
+    <message>
+        <source>Current of plateau {}</source>
+        <translation>Strom von Plateau {}</translation>
+    </message>
+    <message>
+        <source>Signal of channel {} as handle (address/8), 255 = none</source>
+        <translation>Signal von Kanal {} als Nummer (Adresse/8), 255 = keines</translation>
+    </message>
+    <message>
+        <source>What starts the capture</source>
+        <translation>Was die Erfassung startet</translation>
+    </message>
+    <message>
+        <source>Handle of the signal compared with the level</source>
+        <translation>Nummer des Signals, das mit dem Pegel verglichen wird</translation>
+    </message>
+    <message>
+        <source>Level of the trigger</source>
+        <translation>Pegel des Triggers</translation>
+    </message>
+    <message>
+        <source>Direction of the crossing</source>
+        <translation>Richtung des Durchgangs</translation>
+    </message>
+    <message>
+        <source>Samples before the trigger</source>
+        <translation>Abtastwerte vor dem Trigger</translation>
+    </message>
+    <message>
+        <source>Milliseconds per sample</source>
+        <translation>Millisekunden je Abtastwert</translation>
+    </message>
+    <message>
+        <source>1 starts, 0 stops the capture</source>
+        <translation>1 startet, 0 stoppt die Erfassung</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>feedforward</source>
+        <translation>Vorsteuerung</translation>
+    </message>
+    <message>
+        <source>stiction</source>
+        <translation>Reibungshilfe</translation>
+    </message>
+    <message>
+        <source>control</source>
+        <translation>Regelung</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>Grenzwerte</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>stray</source>
+        <translation>Streufeld</translation>
+    </message>
+    <message>
+        <source>decode</source>
+        <translation>Winkelberechnung</translation>
+    </message>
+    <message>
+        <source>delay</source>
+        <translation>Totzeit</translation>
+    </message>
+    <message>
+        <source>commutation</source>
+        <translation>Kommutierung</translation>
+    </message>
+    <message>
+        <source>hall</source>
+        <translation>Hall-Sensoren</translation>
+    </message>
+    <message>
+        <source>errormap</source>
+        <translation>Winkelfehlerkarte</translation>
+    </message>
+    <message>
+        <source>hb</source>
+        <translation>Steuergerät</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Sollwertgenerator</translation>
+    </message>
+    <message>
+        <source>plateau</source>
+        <translation>Plateaus</translation>
+    </message>
+    <message>
+        <source>capture</source>
+        <translation>Erfassung</translation>
+    </message>
+    <message>
+        <source>idle</source>
+        <translation>in Ruhe</translation>
+    </message>
+    <message>
+        <source>armed</source>
+        <translation>freigegeben</translation>
+    </message>
+    <message>
+        <source>disarmed</source>
+        <translation>gesperrt</translation>
+    </message>
+    <message>
+        <source>arm</source>
+        <translation>freigeben</translation>
+    </message>
+    <message>
+        <source>disarm</source>
+        <translation>sperren</translation>
+    </message>
+    <message>
+        <source>stopped by command</source>
+        <translation>durch Befehl gestoppt</translation>
+    </message>
+    <message>
+        <source>stopped by watchdog</source>
+        <translation>durch Überwachungszeit gestoppt</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>coil temperature above its limit</source>
+        <translation>Spulentemperatur über ihrem Grenzwert</translation>
+    </message>
+    <message>
+        <source>current above its limit</source>
+        <translation>Strom über seinem Grenzwert</translation>
+    </message>
+    <message>
+        <source>speed above its window</source>
+        <translation>Drehzahl über ihrem Fenster</translation>
+    </message>
+    <message>
+        <source>position left its window</source>
+        <translation>Lage außerhalb ihres Fensters</translation>
+    </message>
+    <message>
+        <source>angle jumped (ambiguous decode)</source>
+        <translation>Winkel sprang (Dekodierung mehrdeutig)</translation>
+    </message>
+    <message>
+        <source>sensor out of range</source>
+        <translation>Sensor außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>value not finite</source>
+        <translation>Wert nicht endlich</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>positional</source>
+        <translation>Stellungsform</translation>
+    </message>
+    <message>
+        <source>literal difference equation</source>
+        <translation>Differenzengleichung wörtlich</translation>
+    </message>
+    <message>
+        <source>literal with clamped memory</source>
+        <translation>wörtlich, mit begrenztem Speicher</translation>
+    </message>
+    <message>
+        <source>arctangent</source>
+        <translation>Arkustangens</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linear</translation>
+    </message>
+    <message>
+        <source>one sample</source>
+        <translation>ein Abtastwert</translation>
+    </message>
+    <message>
+        <source>two samples</source>
+        <translation>zwei Abtastwerte</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>d-axis</source>
+        <translation>d-Achse</translation>
+    </message>
+    <message>
+        <source>run</source>
+        <translation>Betrieb</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>Rampe</translation>
+    </message>
+    <message>
+        <source>sine</source>
+        <translation>Sinus</translation>
+    </message>
+    <message>
+        <source>staircase</source>
+        <translation>Treppe</translation>
+    </message>
+    <message>
+        <source>chirp</source>
+        <translation>Chirp</translation>
+    </message>
+    <message>
+        <source>multisine</source>
+        <translation>Multisinus</translation>
+    </message>
+    <message>
+        <source>plateaus</source>
+        <translation>Plateaus</translation>
+    </message>
+    <message>
+        <source>filling</source>
+        <translation>füllt sich</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>full</source>
+        <translation>voll</translation>
+    </message>
+    <message>
+        <source>immediate</source>
+        <translation>sofort</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>Pegel</translation>
+    </message>
+    <message>
+        <source>reference start</source>
+        <translation>Start des Verlaufs</translation>
+    </message>
+    <message>
+        <source>rising</source>
+        <translation>steigend</translation>
+    </message>
+    <message>
+        <source>falling</source>
+        <translation>fallend</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>voltage</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>transconductance</source>
+        <translation>Steilheit</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>Drehmoment</translation>
+    </message>
+    <message>
+        <source>inertia</source>
+        <translation>Trägheitsmoment</translation>
+    </message>
+    <message>
+        <source>rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>resistance</source>
+        <translation>Widerstand</translation>
+    </message>
+    <message>
+        <source>inductance</source>
+        <translation>Induktivität</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>overshoot</source>
+        <translation>Überschwingen</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>deg</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>its</source>
+        <translation>sein</translation>
+    </message>
+    <message>
+        <source>their</source>
+        <translation>ihr</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>unterbrochen</translation>
+    </message>
+    <message>
+        <source>Designed: damping 0.06 at 15 rad/s, computed correctly</source>
+        <translation>Entworfen: Dämpfung 0,06 bei 15 rad/s, richtig berechnet</translation>
+    </message>
+    <message>
+        <source>Micro-step: error in degrees, 5 A/deg, 0.05 A/(deg s)</source>
+        <translation>Mikroschritt: Fehler in Grad, 5 A/Grad, 0,05 A/(Grad s)</translation>
+    </message>
+    <message>
+        <source>Published gains read in degrees: 10 A/deg, 0.1 A/(deg s)</source>
+        <translation>Veröffentlichte Werte in Grad gelesen: 10 A/Grad, 0,1 A/(Grad s)</translation>
+    </message>
+    <message>
+        <source>Published: 10 A/rad, 0.1 A/(rad s)</source>
+        <translation>Veröffentlicht: 10 A/rad, 0,1 A/(rad s)</translation>
+    </message>
+    <message>
+        <source>Recommended: feed-forward and micro-step assist</source>
+        <translation>Empfohlen: Vorsteuerung und Mikroschritthilfe</translation>
+    </message>
+    <message>
+        <source>Two-phase Halbach-cylinder motor</source>
+        <translation>Zweiphasiger Halbach-Zylinder-Motor</translation>
+    </message>
+    <message>
+        <source>the feedback closes an algebraic loop with 1 + L = 0</source>
+        <translation>die Rückführung schließt eine algebraische Schleife mit 1 + L = 0</translation>
+    </message>
+    <message>
+        <source>a step response needs at least two samples, each with its time</source>
+        <translation>eine Sprungantwort braucht mindestens zwei Abtastwerte, jeder mit seiner Zeit</translation>
+    </message>
+    <message>
+        <source>the step response holds a value that is not finite</source>
+        <translation>die Sprungantwort enthält einen Wert, der nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>the step has no height</source>
+        <translation>der Sprung hat keine Höhe</translation>
+    </message>
+    <message>
+        <source>the times of the step response are not ascending</source>
+        <translation>die Zeiten der Sprungantwort steigen nicht an</translation>
+    </message>
+    <message>
+        <source>parameter &apos;{}&apos; is read only</source>
+        <translation>der Parameter „{}“ ist nur lesbar</translation>
+    </message>
+    <message>
+        <source>leave it out</source>
+        <translation>lassen Sie ihn weg</translation>
+    </message>
+    <message>
+        <source>parameter &apos;{}&apos; needs a finite number</source>
+        <translation>der Parameter „{}“ braucht eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>give a value from {} to {} {}</source>
+        <translation>geben Sie einen Wert von {} bis {} {} an</translation>
+    </message>
+    <message>
+        <source>parameter &apos;{}&apos; = {} {} is out of range</source>
+        <translation>der Parameter „{}“ = {} {} ist außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>allowed is {} to {} {}</source>
+        <translation>erlaubt ist {} bis {} {}</translation>
+    </message>
+    <message>
+        <source>parameter &apos;{}&apos; = {} needs a whole number</source>
+        <translation>der Parameter „{}“ = {} muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>allowed is {} to {}</source>
+        <translation>erlaubt ist {} bis {}</translation>
+    </message>
+    <message>
+        <source>count or state</source>
+        <translation>Anzahl oder Zustand</translation>
+    </message>
+    <message>
+        <source>angular speed</source>
+        <translation>Winkelgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>angular acceleration</source>
+        <translation>Winkelbeschleunigung</translation>
+    </message>
+    <message>
+        <source>flux density</source>
+        <translation>Flussdichte</translation>
+    </message>
+    <message>
+        <source>stray field per current</source>
+        <translation>Streufeld je Strom</translation>
+    </message>
+    <message>
+        <source>temperature difference</source>
+        <translation>Temperaturdifferenz</translation>
+    </message>
+    <message>
+        <source>torque constant</source>
+        <translation>Drehmomentkonstante</translation>
+    </message>
+    <message>
+        <source>viscous damping</source>
+        <translation>viskose Dämpfung</translation>
+    </message>
+    <message>
+        <source>acceleration per current</source>
+        <translation>Beschleunigung je Strom</translation>
+    </message>
+    <message>
+        <source>proportional gain</source>
+        <translation>Proportionalverstärkung</translation>
+    </message>
+    <message>
+        <source>integral gain</source>
+        <translation>Integralverstärkung</translation>
+    </message>
+    <message>
+        <source>derivative gain</source>
+        <translation>Differentialverstärkung</translation>
+    </message>
+    <message>
+        <source>acceleration feed-forward</source>
+        <translation>Beschleunigungsvorsteuerung</translation>
+    </message>
+    <message>
+        <source>current slope</source>
+        <translation>Stromänderungsrate</translation>
+    </message>
+    <message>
+        <source>zeta = {} at {} rad/s is out of reach of a PI position loop on this motor: zeta &lt;= c/(2 J omega) = {}</source>
+        <translation>zeta = {} bei {} rad/s ist für einen PI-Lageregler an diesem Motor unerreichbar: zeta &lt;= c/(2 J omega) = {}</translation>
+    </message>
+    <message>
+        <source>lower zeta or omega, or use method bandwidth or phase-margin, which add derivative action</source>
+        <translation>verringern Sie zeta oder omega, oder verwenden Sie das Verfahren bandwidth oder phase-margin, die einen D-Anteil hinzufügen</translation>
+    </message>
+    <message>
+        <source>method bandwidth needs a target bandwidth</source>
+        <translation>das Verfahren bandwidth braucht eine Zielbandbreite</translation>
+    </message>
+    <message>
+        <source>add --bandwidth-hz HZ</source>
+        <translation>ergänzen Sie --bandwidth-hz HZ</translation>
+    </message>
+    <message>
+        <source>a bandwidth of {} Hz is not possible with this motor at {} Hz sampling and {} samples of delay</source>
+        <translation>eine Bandbreite von {} Hz ist mit diesem Motor bei {} Hz Abtastung und {} Abtastwerten Totzeit nicht möglich</translation>
+    </message>
+    <message>
+        <source>choose {} to {} Hz</source>
+        <translation>wählen Sie {} bis {} Hz</translation>
+    </message>
+    <message>
+        <source>method phase-margin needs a target margin</source>
+        <translation>das Verfahren phase-margin braucht eine Zielreserve</translation>
+    </message>
+    <message>
+        <source>add --phase-margin-deg DEG</source>
+        <translation>ergänzen Sie --phase-margin-deg GRAD</translation>
+    </message>
+    <message>
+        <source>no position loop on this motor has a phase margin of {} deg and a gain margin of 2{}</source>
+        <translation>kein Lageregelkreis an diesem Motor hat eine Phasenreserve von {} Grad und eine Amplitudenreserve von 2{}</translation>
+    </message>
+    <message>
+        <source> at {} rad/s</source>
+        <translation> bei {} rad/s</translation>
+    </message>
+    <message>
+        <source>ask for 30 to 60 deg, or leave the crossover to the program</source>
+        <translation>verlangen Sie 30 bis 60 Grad, oder überlassen Sie die Durchtrittsfrequenz dem Programm</translation>
+    </message>
+    <message>
+        <source>the target {} is not a finite number</source>
+        <translation>das Ziel {} ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>method {} does not read the target {}</source>
+        <translation>das Verfahren {} verwendet das Ziel {} nicht</translation>
+    </message>
+    <message>
+        <source>leave it out, or choose the method that reads it</source>
+        <translation>lassen Sie es weg, oder wählen Sie das Verfahren, das es verwendet</translation>
+    </message>
+    <message>
+        <source>the target {} = {} is not between 0 and {}</source>
+        <translation>das Ziel {} = {} liegt nicht zwischen 0 und {}</translation>
+    </message>
+    <message>
+        <source>there is no design method &apos;{}&apos;</source>
+        <translation>ein Entwurfsverfahren „{}“ gibt es nicht</translation>
+    </message>
+    <message>
+        <source>choose one of: {}</source>
+        <translation>wählen Sie eines von: {}</translation>
+    </message>
+    <message>
+        <source>the product&apos;s own loop, scaled to the identified motor</source>
+        <translation>der Regelkreis dieses Programms, an den identifizierten Motor angepasst</translation>
+    </message>
+    <message>
+        <source>PI with the asked dominant pair, as far as the motor damps</source>
+        <translation>PI mit dem verlangten dominanten Polpaar, soweit der Motor dämpft</translation>
+    </message>
+    <message>
+        <source>the recommended shape at the asked closed-loop bandwidth</source>
+        <translation>die empfohlene Form mit der verlangten Bandbreite des geschlossenen Kreises</translation>
+    </message>
+    <message>
+        <source>the stiffest loop with the asked phase margin</source>
+        <translation>der steifste Regelkreis mit der verlangten Phasenreserve</translation>
+    </message>
+    <message>
+        <source>10 A/rad and 0.1 A/(rad s), as printed</source>
+        <translation>10 A/rad und 0,1 A/(rad s), wie gedruckt</translation>
+    </message>
+    <message>
+        <source>zeta = 0.06 at 15 rad/s, as the source meant it</source>
+        <translation>zeta = 0,06 bei 15 rad/s, wie es die Quelle meinte</translation>
+    </message>
+    <message>
+        <source>5 A/deg and 0.05 A/(deg s), for steps of a few tenths of a degree</source>
+        <translation>5 A/Grad und 0,05 A/(Grad s), für Sprünge von einigen Zehntelgrad</translation>
+    </message>
+    <message>
+        <source>the printed numbers read per degree; large steps end in a limit cycle</source>
+        <translation>die gedruckten Zahlen je Grad gelesen; große Sprünge enden in einem Grenzzyklus</translation>
+    </message>
+    <message>
+        <source>a step needs a finite height that is not zero</source>
+        <translation>ein Sprung braucht eine endliche Höhe, die nicht null ist</translation>
+    </message>
+    <message>
+        <source>a step response of {} s is not possible</source>
+        <translation>eine Sprungantwort von {} s ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>the step response of this unstable loop grows beyond all numbers</source>
+        <translation>die Sprungantwort dieses instabilen Regelkreises wächst über alle Zahlen</translation>
+    </message>
+    <message>
+        <source>an integral time of zero is an infinite integral gain</source>
+        <translation>eine Nachstellzeit von null ist eine unendliche Integralverstärkung</translation>
+    </message>
+    <message>
+        <source>no integral action is an infinite integral time</source>
+        <translation>kein I-Anteil ist eine unendliche Nachstellzeit</translation>
+    </message>
+    <message>
+        <source>a controller without proportional gain cannot be written with times</source>
+        <translation>ein Regler ohne P-Anteil lässt sich nicht mit Zeiten schreiben</translation>
+    </message>
+    <message>
+        <source>keep the parallel form</source>
+        <translation>behalten Sie die Parallelform</translation>
+    </message>
+    <message>
+        <source>the series form has real zeros only, these gains have complex ones (T_i &lt; 4 T_d)</source>
+        <translation>die Reihenform hat nur reelle Nullstellen, diese Verstärkungen haben komplexe (T_i &lt; 4 T_d)</translation>
+    </message>
+    <message>
+        <source>keep the parallel or the standard form</source>
+        <translation>behalten Sie die Parallel- oder die Standardform</translation>
+    </message>
+    <message>
+        <source>a gain is not a finite number</source>
+        <translation>eine Verstärkung ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>a constant of the motor model is not a finite number</source>
+        <translation>eine Konstante des Motormodells ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>phi/J = {}, c/J = {}, K_f/phi = {} is no motor: torque per ampere must be positive, damping and friction not negative</source>
+        <translation>phi/J = {}, c/J = {}, K_f/phi = {} sind kein Motor: das Drehmoment je Ampere muss positiv sein, Dämpfung und Reibung nicht negativ</translation>
+    </message>
+    <message>
+        <source>identify the motor again, or correct the model file</source>
+        <translation>identifizieren Sie den Motor neu, oder berichtigen Sie die Modelldatei</translation>
+    </message>
+    <message>
+        <source>a delay of {} samples is not between 0 and {}</source>
+        <translation>eine Totzeit von {} Abtastwerten liegt nicht zwischen 0 und {}</translation>
+    </message>
+    <message>
+        <source>the covariance of the model is not a covariance</source>
+        <translation>die Kovarianz des Modells ist keine Kovarianz</translation>
+    </message>
+    <message>
+        <source>it must be symmetric and positive semi-definite: identify the motor again</source>
+        <translation>sie muss symmetrisch und positiv semidefinit sein: identifizieren Sie den Motor neu</translation>
+    </message>
+    <message>
+        <source>{} draws are not between {} and {}</source>
+        <translation>{} Stichproben liegen nicht zwischen {} und {}</translation>
+    </message>
+    <message>
+        <source>the covariance does not have the size of the parameters</source>
+        <translation>die Kovarianz hat nicht die Größe der Parameter</translation>
+    </message>
+    <message>
+        <source>the model or its covariance holds a value that is not finite</source>
+        <translation>das Modell oder seine Kovarianz enthält einen Wert, der nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>the added inertia must be more than zero</source>
+        <translation>die zugefügte Trägheit muss größer als null sein</translation>
+    </message>
+    <message>
+        <source>give it in kg*m^2, e.g. 2e-4</source>
+        <translation>geben Sie sie in kg*m^2 an, z. B. 2e-4</translation>
+    </message>
+    <message>
+        <source>the added inertia does not show above the errors of both runs</source>
+        <translation>die zugefügte Trägheit hebt sich nicht von den Fehlern beider Läufe ab</translation>
+    </message>
+    <message>
+        <source>fix a larger known inertia to the rotor, about as large as the rotor&apos;s own, and check that the first run was made without it</source>
+        <translation>befestigen Sie eine größere bekannte Trägheit am Rotor, etwa so groß wie die des Rotors, und prüfen Sie, dass der erste Lauf ohne sie gemacht wurde</translation>
+    </message>
+    <message>
+        <source>no repeated points to judge the model by</source>
+        <translation>keine wiederholten Punkte, um das Modell zu beurteilen</translation>
+    </message>
+    <message>
+        <source>visit some currents twice</source>
+        <translation>fahren Sie einige Ströme zweimal an</translation>
+    </message>
+    <message>
+        <source>all motion that could be used was under one current (coast-downs are missing or too short): torque and friction cannot be told apart</source>
+        <translation>alle brauchbare Bewegung geschah unter einem einzigen Strom (Ausläufe fehlen oder sind zu kurz): Drehmoment und Reibung lassen sich nicht trennen</translation>
+    </message>
+    <message>
+        <source>spin faster before the coast-down, or add a second current</source>
+        <translation>drehen Sie vor dem Auslauf schneller, oder fügen Sie einen zweiten Strom hinzu</translation>
+    </message>
+    <message>
+        <source>the d-axis current does not change</source>
+        <translation>der Strom der d-Achse ändert sich nicht</translation>
+    </message>
+    <message>
+        <source>step it to both signs</source>
+        <translation>lassen Sie ihn in beide Vorzeichen springen</translation>
+    </message>
+    <message>
+        <source>the ramp is too short</source>
+        <translation>die Rampe ist zu kurz</translation>
+    </message>
+    <message>
+        <source>record it from its start</source>
+        <translation>zeichnen Sie sie von ihrem Anfang an auf</translation>
+    </message>
+    <message>
+        <source>the rotor did not break loose during the ramp</source>
+        <translation>der Rotor riss sich während der Rampe nicht los</translation>
+    </message>
+    <message>
+        <source>ramp to a higher current, from rest</source>
+        <translation>steigern Sie aus dem Stillstand bis zu einem größeren Strom</translation>
+    </message>
+    <message>
+        <source>turn the rotor through several whole turns</source>
+        <translation>drehen Sie den Rotor mehrere ganze Umdrehungen</translation>
+    </message>
+    <message>
+        <source>the Hall readings do not change</source>
+        <translation>die Hall-Messwerte ändern sich nicht</translation>
+    </message>
+    <message>
+        <source>the Hall readings do not lie on an ellipse</source>
+        <translation>die Hall-Messwerte liegen nicht auf einer Ellipse</translation>
+    </message>
+    <message>
+        <source>too few Hall readings for an ellipse</source>
+        <translation>zu wenige Hall-Messwerte für eine Ellipse</translation>
+    </message>
+    <message>
+        <source>record longer</source>
+        <translation>zeichnen Sie länger auf</translation>
+    </message>
+    <message>
+        <source>parts of the record do not go round</source>
+        <translation>Teile der Aufzeichnung gehen nicht rundum</translation>
+    </message>
+    <message>
+        <source>a plateau stands still or turns against its current</source>
+        <translation>ein Plateau steht still oder dreht gegen seinen Strom</translation>
+    </message>
+    <message>
+        <source>leave plateaus that stop out of the fit</source>
+        <translation>lassen Sie Plateaus, die stehen bleiben, aus der Anpassung weg</translation>
+    </message>
+    <message>
+        <source>no usable plateau</source>
+        <translation>kein brauchbares Plateau</translation>
+    </message>
+    <message>
+        <source>use currents above the breakaway current</source>
+        <translation>verwenden Sie Ströme über dem Losbrechstrom</translation>
+    </message>
+    <message>
+        <source>too few plateaus to know their scatter</source>
+        <translation>zu wenige Plateaus, um ihre Streuung zu kennen</translation>
+    </message>
+    <message>
+        <source>visit at least three currents in one direction, four in both</source>
+        <translation>fahren Sie mindestens drei Ströme in einer Richtung an, vier bei beiden</translation>
+    </message>
+    <message>
+        <source>the speed does not grow with the current</source>
+        <translation>die Drehzahl wächst nicht mit dem Strom</translation>
+    </message>
+    <message>
+        <source>check the sign of the current and that the plateaus are steady</source>
+        <translation>prüfen Sie das Vorzeichen des Stroms, und dass die Plateaus stationär sind</translation>
+    </message>
+    <message>
+        <source>not identifiable</source>
+        <translation>nicht identifizierbar</translation>
+    </message>
+    <message>
+        <source>a value of the fit is not a finite number</source>
+        <translation>ein Wert der Anpassung ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>look for gaps or faults in the recording</source>
+        <translation>suchen Sie Lücken oder Fehler in der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>{} usable points cannot decide {} coefficients</source>
+        <translation>{} brauchbare Punkte können {} Koeffizienten nicht bestimmen</translation>
+    </message>
+    <message>
+        <source>measure more points</source>
+        <translation>messen Sie mehr Punkte</translation>
+    </message>
+    <message>
+        <source>the points do not tell the coefficients apart</source>
+        <translation>die Punkte trennen die Koeffizienten nicht</translation>
+    </message>
+    <message>
+        <source>visit more different currents, speeds or directions</source>
+        <translation>fahren Sie mehr verschiedene Ströme, Drehzahlen oder Richtungen an</translation>
+    </message>
+    <message>
+        <source>the recording holds no stretch of motion under constant current</source>
+        <translation>die Aufzeichnung enthält keinen Bewegungsabschnitt unter konstantem Strom</translation>
+    </message>
+    <message>
+        <source>hold each current for a second or more, well above the breakaway current</source>
+        <translation>halten Sie jeden Strom eine Sekunde oder länger, deutlich über dem Losbrechstrom</translation>
+    </message>
+    <message>
+        <source>a stretch of motion has too few samples</source>
+        <translation>ein Bewegungsabschnitt hat zu wenige Abtastwerte</translation>
+    </message>
+    <message>
+        <source>record faster</source>
+        <translation>zeichnen Sie schneller auf</translation>
+    </message>
+    <message>
+        <source>an angle of the recording is not a number</source>
+        <translation>ein Winkel der Aufzeichnung ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>cut the damaged rows out</source>
+        <translation>schneiden Sie die beschädigten Zeilen heraus</translation>
+    </message>
+    <message>
+        <source>the damping of the motion cannot be decided</source>
+        <translation>die Dämpfung der Bewegung lässt sich nicht bestimmen</translation>
+    </message>
+    <message>
+        <source>record run-ups and coast-downs over a wider range of speed</source>
+        <translation>zeichnen Sie Hochläufe und Ausläufe über einen weiteren Drehzahlbereich auf</translation>
+    </message>
+    <message>
+        <source>the segments do not bend: the damping is undecided</source>
+        <translation>die Abschnitte krümmen sich nicht: die Dämpfung bleibt unbestimmt</translation>
+    </message>
+    <message>
+        <source>record run-ups and coast-downs, not only steady motion</source>
+        <translation>zeichnen Sie Hochläufe und Ausläufe auf, nicht nur stationäre Bewegung</translation>
+    </message>
+    <message>
+        <source>the columns of the recording differ in length</source>
+        <translation>die Spalten der Aufzeichnung sind verschieden lang</translation>
+    </message>
+    <message>
+        <source>the recording holds a value that is not a number</source>
+        <translation>die Aufzeichnung enthält einen Wert, der keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>the time of the recording does not increase</source>
+        <translation>die Zeit der Aufzeichnung nimmt nicht zu</translation>
+    </message>
+    <message>
+        <source>sort the rows and remove doubles</source>
+        <translation>sortieren Sie die Zeilen und entfernen Sie doppelte</translation>
+    </message>
+    <message>
+        <source>a plateau has fewer than three samples</source>
+        <translation>ein Plateau hat weniger als drei Abtastwerte</translation>
+    </message>
+    <message>
+        <source>dwell longer</source>
+        <translation>verweilen Sie länger</translation>
+    </message>
+    <message>
+        <source>a sample of a plateau is not a finite number</source>
+        <translation>ein Abtastwert eines Plateaus ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>look for faults in the recording</source>
+        <translation>suchen Sie Fehler in der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>a plateau is shorter than two windows of the steadiness test</source>
+        <translation>ein Plateau ist kürzer als zwei Fenster der Stationaritätsprüfung</translation>
+    </message>
+    <message>
+        <source>the fit hangs on single points</source>
+        <translation>die Anpassung hängt an einzelnen Punkten</translation>
+    </message>
+    <message>
+        <source>a record has too few samples</source>
+        <translation>eine Aufzeichnung hat zu wenige Abtastwerte</translation>
+    </message>
+    <message>
+        <source>record faster or longer</source>
+        <translation>zeichnen Sie schneller oder länger auf</translation>
+    </message>
+    <message>
+        <source>no run-up and no coast-down</source>
+        <translation>kein Hochlauf und kein Auslauf</translation>
+    </message>
+    <message>
+        <source>record some</source>
+        <translation>zeichnen Sie welche auf</translation>
+    </message>
+    <message>
+        <source>an angle is not a number</source>
+        <translation>ein Winkel ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>the records do not tell torque, friction and damping apart</source>
+        <translation>die Aufzeichnungen trennen Drehmoment, Reibung und Dämpfung nicht</translation>
+    </message>
+    <message>
+        <source>add a coast-down or a run-up at a second current</source>
+        <translation>fügen Sie einen Auslauf oder einen Hochlauf mit einem zweiten Strom hinzu</translation>
+    </message>
+    <message>
+        <source>the pre-warp frequency of {} rad/s is not between 0 and the Nyquist frequency of {} rad/s</source>
+        <translation>die Vorverzerrungsfrequenz von {} rad/s liegt nicht zwischen 0 und der Nyquist-Frequenz von {} rad/s</translation>
+    </message>
+    <message>
+        <source>the system is already sampled</source>
+        <translation>das System ist bereits abgetastet</translation>
+    </message>
+    <message>
+        <source>the bilinear rule has no solution: a pole lies at 2/T</source>
+        <translation>die bilineare Regel hat keine Lösung: ein Pol liegt bei 2/T</translation>
+    </message>
+    <message>
+        <source>choose a shorter period</source>
+        <translation>wählen Sie eine kürzere Periode</translation>
+    </message>
+    <message>
+        <source>the transfer function is already sampled</source>
+        <translation>die Übertragungsfunktion ist bereits abgetastet</translation>
+    </message>
+    <message>
+        <source>{} rad/s lies outside the frequency range of the system</source>
+        <translation>{} rad/s liegt außerhalb des Frequenzbereichs des Systems</translation>
+    </message>
+    <message>
+        <source>a step response of {} s in steps of {} s is not possible</source>
+        <translation>eine Sprungantwort von {} s in Schritten von {} s ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>state space matrices do not fit: A {}x{}, B {}x{}, C {}x{}, D {}x{}</source>
+        <translation>die Zustandsraummatrizen passen nicht zusammen: A {}x{}, B {}x{}, C {}x{}, D {}x{}</translation>
+    </message>
+    <message>
+        <source>a state space matrix holds a value that is not finite</source>
+        <translation>eine Zustandsraummatrix enthält einen Wert, der nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>there is no path from input {} to output {}</source>
+        <translation>es gibt keinen Pfad vom Eingang {} zum Ausgang {}</translation>
+    </message>
+    <message>
+        <source>the sample period is not a finite number</source>
+        <translation>die Abtastperiode ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>a sample period of {} s is not possible</source>
+        <translation>eine Abtastperiode von {} s ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>give a positive period in seconds</source>
+        <translation>geben Sie eine positive Periode in Sekunden an</translation>
+    </message>
+    <message>
+        <source>sampled at {} s</source>
+        <translation>mit {} s abgetastet</translation>
+    </message>
+    <message>
+        <source>a system that is {} cannot be combined with one that is {}</source>
+        <translation>ein System, das {} ist, lässt sich nicht mit einem verbinden, das {} ist</translation>
+    </message>
+    <message>
+        <source>discretize one of them first</source>
+        <translation>diskretisieren Sie zuerst eines davon</translation>
+    </message>
+    <message>
+        <source>a coefficient of the transfer function is not a finite number</source>
+        <translation>ein Koeffizient der Übertragungsfunktion ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the denominator of the transfer function is zero</source>
+        <translation>der Nenner der Übertragungsfunktion ist null</translation>
+    </message>
+    <message>
+        <source>the transfer function has more zeros than poles</source>
+        <translation>die Übertragungsfunktion hat mehr Nullstellen als Pole</translation>
+    </message>
+    <message>
+        <source>add the filter or the actuator that every real system has</source>
+        <translation>fügen Sie das Filter oder den Aktor hinzu, den jedes wirkliche System hat</translation>
+    </message>
+    <message>
+        <source>one of the two systems needs a delay</source>
+        <translation>eines der beiden Systeme braucht eine Totzeit</translation>
+    </message>
+    <message>
+        <source>period or duration of the excitation is not a finite number</source>
+        <translation>Periode oder Dauer der Anregung ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>an excitation of {} s in steps of {} s is not possible</source>
+        <translation>eine Anregung von {} s in Schritten von {} s ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>a frequency of the excitation is not a finite number</source>
+        <translation>eine Frequenz der Anregung ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>{} to {} Hz does not lie between 0 and the Nyquist frequency of {} Hz</source>
+        <translation>{} bis {} Hz liegt nicht zwischen 0 und der Nyquist-Frequenz von {} Hz</translation>
+    </message>
+    <message>
+        <source>{} to {} Hz does not hold {} lines {} Hz apart</source>
+        <translation>{} bis {} Hz enthält keine {} Linien im Abstand von {} Hz</translation>
+    </message>
+    <message>
+        <source>excite longer, widen the band or ask for fewer lines</source>
+        <translation>regen Sie länger an, verbreitern Sie das Band, oder verlangen Sie weniger Linien</translation>
+    </message>
+    <message>
+        <source>a binary sequence of {} stages held for {} samples is not possible</source>
+        <translation>eine Binärfolge von {} Stufen, gehalten für {} Abtastwerte, ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>2 to 16 stages, 1 to 10000 samples</source>
+        <translation>2 bis 16 Stufen, 1 bis 10000 Abtastwerte</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is of no format that can be read</source>
+        <translation>„{}“ hat kein lesbares Format</translation>
+    </message>
+    <message>
+        <source>this version reads .csv and .csv.partial (an interrupted recording)</source>
+        <translation>diese Version liest .csv und .csv.partial (eine unterbrochene Aufzeichnung)</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is of no format that can be written</source>
+        <translation>„{}“ hat kein schreibbares Format</translation>
+    </message>
+    <message>
+        <source>this version writes .csv</source>
+        <translation>diese Version schreibt .csv</translation>
+    </message>
+    <message>
+        <source>the recording has no signal &apos;{}&apos;</source>
+        <translation>die Aufzeichnung hat kein Signal „{}“</translation>
+    </message>
+    <message>
+        <source>it has {}</source>
+        <translation>sie hat {}</translation>
+    </message>
+    <message>
+        <source>the interval needs numbers</source>
+        <translation>das Intervall braucht Zahlen</translation>
+    </message>
+    <message>
+        <source>give seconds, e.g. --from 1.5</source>
+        <translation>geben Sie Sekunden an, z. B. --from 1.5</translation>
+    </message>
+    <message>
+        <source>the recording has no rows in this interval</source>
+        <translation>die Aufzeichnung hat in diesem Intervall keine Zeilen</translation>
+    </message>
+    <message>
+        <source>it has no rows at all</source>
+        <translation>sie hat gar keine Zeilen</translation>
+    </message>
+    <message>
+        <source>it reaches from {} s to {} s</source>
+        <translation>sie reicht von {} s bis {} s</translation>
+    </message>
+    <message>
+        <source>{} {} and outside {} to {} {}</source>
+        <translation>{} {} und außerhalb von {} bis {} {}</translation>
+    </message>
+    <message>
+        <source>not a number</source>
+        <translation>keine Zahl</translation>
+    </message>
+    <message>
+        <source>stopped from here: {} was {} at {} s</source>
+        <translation>von hier gestoppt: {} war {} bei {} s</translation>
+    </message>
+    <message>
+        <source>find the cause, then clear the stop before arming again</source>
+        <translation>finden Sie die Ursache, dann heben Sie den Stopp auf, bevor Sie wieder freigeben</translation>
+    </message>
+    <message>
+        <source>a recording begins with the line time_s,SIGNAL_UNIT,...</source>
+        <translation>eine Aufzeichnung beginnt mit der Zeile time_s,SIGNAL_EINHEIT,...</translation>
+    </message>
+    <message>
+        <source>the first column is not time_s</source>
+        <translation>die erste Spalte ist nicht time_s</translation>
+    </message>
+    <message>
+        <source>{} columns</source>
+        <translation>{} Spalten</translation>
+    </message>
+    <message>
+        <source>at most {} are read</source>
+        <translation>höchstens {} werden gelesen</translation>
+    </message>
+    <message>
+        <source>a column has no name</source>
+        <translation>eine Spalte hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>column &apos;{}&apos; is there twice</source>
+        <translation>die Spalte „{}“ kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>{} fields where the header has {}</source>
+        <translation>{} Felder, wo der Kopf {} hat</translation>
+    </message>
+    <message>
+        <source>the file may be cut off or damaged</source>
+        <translation>die Datei ist vielleicht abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a number</source>
+        <translation>„{}“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>numbers are written like -1.5e-3, with a point</source>
+        <translation>Zahlen werden wie -1.5e-3 geschrieben, mit Punkt</translation>
+    </message>
+    <message>
+        <source>the time does not increase</source>
+        <translation>die Zeit nimmt nicht zu</translation>
+    </message>
+    <message>
+        <source>sort the rows by time_s</source>
+        <translation>sortieren Sie die Zeilen nach time_s</translation>
+    </message>
+    <message>
+        <source>{}: {} octets</source>
+        <translation>{}: {} Byte</translation>
+    </message>
+    <message>
+        <source>at most {} are read; cut the file into pieces that each begin with its first line</source>
+        <translation>höchstens {} werden gelesen; teilen Sie die Datei in Stücke, die jeweils mit ihrer ersten Zeile beginnen</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>a recording begins with the line time_s,...</source>
+        <translation>eine Aufzeichnung beginnt mit der Zeile time_s,...</translation>
+    </message>
+    <message>
+        <source>cannot read &apos;{}&apos;: {}</source>
+        <translation>„{}“ kann nicht gelesen werden: {}</translation>
+    </message>
+    <message>
+        <source>check the path</source>
+        <translation>prüfen Sie den Pfad</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has {} octets</source>
+        <translation>„{}“ hat {} Byte</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; was changed since it was recorded (SHA-256)</source>
+        <translation>„{}“ wurde seit der Aufzeichnung geändert (SHA-256)</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; holds no whole row</source>
+        <translation>„{}“ enthält keine ganze Zeile</translation>
+    </message>
+    <message>
+        <source>nothing was recorded before the interruption; the file can be removed</source>
+        <translation>vor der Unterbrechung wurde nichts aufgezeichnet; die Datei kann gelöscht werden</translation>
+    </message>
+    <message>
+        <source>recording interrupted</source>
+        <translation>Aufzeichnung unterbrochen</translation>
+    </message>
+    <message>
+        <source>{}: octet {}: {}</source>
+        <translation>{}: Byte {}: {}</translation>
+    </message>
+    <message>
+        <source>remove the sidecar to read the data without it</source>
+        <translation>entfernen Sie die Begleitdatei, um die Daten ohne sie zu lesen</translation>
+    </message>
+    <message>
+        <source>{}: &quot;schema&quot; is not &quot;{}&quot;</source>
+        <translation>{}: „schema“ ist nicht „{}“</translation>
+    </message>
+    <message>
+        <source>cannot write &apos;{}&apos;: {}</source>
+        <translation>„{}“ kann nicht geschrieben werden: {}</translation>
+    </message>
+    <message>
+        <source>check that the folder can be written and the disk has room</source>
+        <translation>prüfen Sie, dass der Ordner beschreibbar ist und der Datenträger Platz hat</translation>
+    </message>
+    <message>
+        <source>cannot rename &apos;{}&apos; to &apos;{}&apos;: {}</source>
+        <translation>„{}“ kann nicht in „{}“ umbenannt werden: {}</translation>
+    </message>
+    <message>
+        <source>check that the folder can be written</source>
+        <translation>prüfen Sie, dass der Ordner beschreibbar ist</translation>
+    </message>
+    <message>
+        <source>cannot create the folder &apos;{}&apos;</source>
+        <translation>der Ordner „{}“ kann nicht angelegt werden</translation>
+    </message>
+    <message>
+        <source>give a folder that can be written</source>
+        <translation>geben Sie einen beschreibbaren Ordner an</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is a folder</source>
+        <translation>„{}“ ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>give the name of a file</source>
+        <translation>geben Sie den Namen einer Datei an</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is being written by another program</source>
+        <translation>„{}“ wird von einem anderen Programm geschrieben</translation>
+    </message>
+    <message>
+        <source>wait for its end or give another name</source>
+        <translation>warten Sie dessen Ende ab oder geben Sie einen anderen Namen an</translation>
+    </message>
+    <message>
+        <source>a recording cannot be changed, armed or stopped</source>
+        <translation>eine Aufzeichnung kann nicht geändert, freigegeben oder gestoppt werden</translation>
+    </message>
+    <message>
+        <source>use a real or simulated device</source>
+        <translation>verwenden Sie ein wirkliches oder simuliertes Gerät</translation>
+    </message>
+    <message>
+        <source>the recording has no parameter &apos;{}&apos;</source>
+        <translation>die Aufzeichnung hat keinen Parameter „{}“</translation>
+    </message>
+    <message>
+        <source>list the names with: halbench describe replay:FILE</source>
+        <translation>die Namen listet: halbench describe replay:DATEI</translation>
+    </message>
+    <message>
+        <source>the recording of {} Hz cannot be played at {} Hz</source>
+        <translation>die Aufzeichnung mit {} Hz kann nicht mit {} Hz abgespielt werden</translation>
+    </message>
+    <message>
+        <source>give a rate that divides {} Hz</source>
+        <translation>geben Sie eine Rate an, die {} Hz teilt</translation>
+    </message>
+    <message>
+        <source>the recording ends at {} s</source>
+        <translation>die Aufzeichnung endet bei {} s</translation>
+    </message>
+    <message>
+        <source>ask for a shorter time</source>
+        <translation>verlangen Sie eine kürzere Zeit</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has fewer than two rows</source>
+        <translation>„{}“ hat weniger als zwei Zeilen</translation>
+    </message>
+    <message>
+        <source>give a recording with data</source>
+        <translation>geben Sie eine Aufzeichnung mit Daten an</translation>
+    </message>
+    <message>
+        <source>device address &apos;{}&apos;: {} at character {}</source>
+        <translation>Geräteadresse „{}“: {} bei Zeichen {}</translation>
+    </message>
+    <message>
+        <source>the device address has {} characters</source>
+        <translation>die Geräteadresse hat {} Zeichen</translation>
+    </message>
+    <message>
+        <source>at most {} are allowed</source>
+        <translation>höchstens {} sind erlaubt</translation>
+    </message>
+    <message>
+        <source>the device address has a control character at character {}</source>
+        <translation>die Geräteadresse hat ein Steuerzeichen bei Zeichen {}</translation>
+    </message>
+    <message>
+        <source>write it like sim:htm?seed=7</source>
+        <translation>schreiben Sie sie wie sim:htm?seed=7</translation>
+    </message>
+    <message>
+        <source>a scheme and &apos;:&apos; are missing</source>
+        <translation>Schema und „:“ fehlen</translation>
+    </message>
+    <message>
+        <source>write it like sim:htm, tcp:HOST:PORT or replay:FILE</source>
+        <translation>schreiben Sie sie wie sim:htm, tcp:HOST:PORT oder replay:DATEI</translation>
+    </message>
+    <message>
+        <source>device address &apos;{}&apos;: unknown scheme &apos;{}&apos;</source>
+        <translation>Geräteadresse „{}“: unbekanntes Schema „{}“</translation>
+    </message>
+    <message>
+        <source>known are {}</source>
+        <translation>bekannt sind {}</translation>
+    </message>
+    <message>
+        <source>a key has letters, digits and &apos;_&apos; only</source>
+        <translation>ein Schlüssel hat nur Buchstaben, Ziffern und „_“</translation>
+    </message>
+    <message>
+        <source>write options as KEY=VALUE</source>
+        <translation>schreiben Sie Optionen als SCHLÜSSEL=WERT</translation>
+    </message>
+    <message>
+        <source>a key is missing</source>
+        <translation>ein Schlüssel fehlt</translation>
+    </message>
+    <message>
+        <source>write options as KEY=VALUE, joined by &apos;&amp;&apos;</source>
+        <translation>schreiben Sie Optionen als SCHLÜSSEL=WERT, verbunden mit „&amp;“</translation>
+    </message>
+    <message>
+        <source>&apos;=&apos; is missing</source>
+        <translation>„=“ fehlt</translation>
+    </message>
+    <message>
+        <source>a value is missing</source>
+        <translation>ein Wert fehlt</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is given twice</source>
+        <translation>„{}“ ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>give each key once</source>
+        <translation>geben Sie jeden Schlüssel einmal an</translation>
+    </message>
+    <message>
+        <source>the address is missing</source>
+        <translation>die Adresse fehlt</translation>
+    </message>
+    <message>
+        <source>write it like sim:htm or tcp:HOST:PORT</source>
+        <translation>schreiben Sie sie wie sim:htm oder tcp:HOST:PORT</translation>
+    </message>
+    <message>
+        <source>device &apos;{}&apos;: unknown option &apos;{}&apos;</source>
+        <translation>Gerät „{}“: unbekannte Option „{}“</translation>
+    </message>
+    <message>
+        <source>a {}: address has no options</source>
+        <translation>eine Adresse mit {}: hat keine Optionen</translation>
+    </message>
+    <message>
+        <source>device &apos;{}&apos;: &apos;{}:&apos; is not built in this version</source>
+        <translation>Gerät „{}“: „{}:“ ist in dieser Version nicht enthalten</translation>
+    </message>
+    <message>
+        <source>known are sim:htm, tcp:HOST:PORT, udp:HOST:PORT and replay:FILE</source>
+        <translation>bekannt sind sim:htm, tcp:HOST:PORT, udp:HOST:PORT und replay:DATEI</translation>
+    </message>
+    <message>
+        <source>must be &quot;{}&quot;</source>
+        <translation>muss „{}“ sein</translation>
+    </message>
+    <message>
+        <source>must name the model</source>
+        <translation>muss das Modell nennen</translation>
+    </message>
+    <message>
+        <source>compare with resources/devices/htm.json</source>
+        <translation>vergleichen Sie mit resources/devices/htm.json</translation>
+    </message>
+    <message>
+        <source>is not a key of a profile</source>
+        <translation>ist kein Schlüssel eines Profils</translation>
+    </message>
+    <message>
+        <source>must be a text</source>
+        <translation>muss ein Text sein</translation>
+    </message>
+    <message>
+        <source>must be a number</source>
+        <translation>muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>must be a list of texts</source>
+        <translation>muss eine Liste von Texten sein</translation>
+    </message>
+    <message>
+        <source>must be an object</source>
+        <translation>muss ein Objekt sein</translation>
+    </message>
+    <message>
+        <source>correct the JSON</source>
+        <translation>berichtigen Sie das JSON</translation>
+    </message>
+    <message>
+        <source>{}: a profile is one JSON object</source>
+        <translation>{}: ein Profil ist ein einziges JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>the device was unplugged</source>
+        <translation>das Gerät wurde abgezogen</translation>
+    </message>
+    <message>
+        <source>Connect it and open it again.</source>
+        <translation>Schließen Sie es an und öffnen Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>the loopback to the simulated board is closed</source>
+        <translation>die Verbindung zum simulierten Steuergerät ist geschlossen</translation>
+    </message>
+    <message>
+        <source>Open the device again.</source>
+        <translation>Öffnen Sie das Gerät erneut.</translation>
+    </message>
+    <message>
+        <source>True rotor angle, known to the simulation only</source>
+        <translation>Wahrer Rotorwinkel, nur der Simulation bekannt</translation>
+    </message>
+    <message>
+        <source>True rotor speed, known to the simulation only</source>
+        <translation>Wahre Rotordrehzahl, nur der Simulation bekannt</translation>
+    </message>
+    <message>
+        <source>Known keys: {}</source>
+        <translation>Bekannte Schlüssel: {}</translation>
+    </message>
+    <message>
+        <source>the simulator &apos;sim:{}&apos; is not built in this version</source>
+        <translation>der Simulator „sim:{}“ ist in dieser Version nicht enthalten</translation>
+    </message>
+    <message>
+        <source>there is no simulator &apos;sim:{}&apos;</source>
+        <translation>einen Simulator „sim:{}“ gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Built simulators: sim:htm.</source>
+        <translation>Enthaltene Simulatoren: sim:htm.</translation>
+    </message>
+    <message>
+        <source>{}={} is out of range</source>
+        <translation>{}={} ist außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>{}={} is not a number</source>
+        <translation>{}={} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>Write numbers like 2e-3. {}</source>
+        <translation>Schreiben Sie Zahlen wie 2e-3. {}</translation>
+    </message>
+    <message>
+        <source>seed={} is not a whole number</source>
+        <translation>seed={} ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>A seed is a whole number from 0 to 18446744073709551615. {}</source>
+        <translation>Ein Startwert ist eine ganze Zahl von 0 bis 18446744073709551615. {}</translation>
+    </message>
+    <message>
+        <source>{}={} is unknown</source>
+        <translation>{}={} ist unbekannt</translation>
+    </message>
+    <message>
+        <source>Allowed: {}={} and {}={}. {}</source>
+        <translation>Erlaubt: {}={} und {}={}. {}</translation>
+    </message>
+    <message>
+        <source>sim:htm has no override &apos;{}&apos;</source>
+        <translation>sim:htm hat keine Einstellung „{}“</translation>
+    </message>
+    <message>
+        <source>a message of {} octets was announced, 1 to {} are possible</source>
+        <translation>eine Nachricht von {} Byte wurde angekündigt, 1 bis {} sind möglich</translation>
+    </message>
+    <message>
+        <source>the other side does not speak this protocol</source>
+        <translation>die Gegenseite spricht dieses Protokoll nicht</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not HOST:PORT</source>
+        <translation>„{}“ ist nicht HOST:PORT</translation>
+    </message>
+    <message>
+        <source>write it like 127.0.0.1:5555 or [::1]:5555, port 0 to 65535</source>
+        <translation>schreiben Sie sie wie 127.0.0.1:5555 oder [::1]:5555, Port 0 bis 65535</translation>
+    </message>
+    <message>
+        <source>check that the board is on and the address is right</source>
+        <translation>prüfen Sie, dass das Steuergerät eingeschaltet und die Adresse richtig ist</translation>
+    </message>
+    <message>
+        <source>cannot listen on {}: {}</source>
+        <translation>auf {} kann nicht gehorcht werden: {}</translation>
+    </message>
+    <message>
+        <source>give an address of this machine and a free port, or port 0</source>
+        <translation>geben Sie eine Adresse dieses Rechners und einen freien Port an, oder Port 0</translation>
+    </message>
+    <message>
+        <source>check that the board is on and no other program uses it, then connect again</source>
+        <translation>prüfen Sie, dass das Steuergerät eingeschaltet ist und kein anderes Programm es verwendet, dann verbinden Sie erneut</translation>
+    </message>
+    <message>
+        <source>the board takes no more commands</source>
+        <translation>das Steuergerät nimmt keine Befehle mehr an</translation>
+    </message>
+    <message>
+        <source>the connection is closed</source>
+        <translation>die Verbindung ist geschlossen</translation>
+    </message>
+    <message>
+        <source>the board closed the connection (another program may have taken it)</source>
+        <translation>das Steuergerät hat die Verbindung geschlossen (vielleicht hat ein anderes Programm sie übernommen)</translation>
+    </message>
+    <message>
+        <source>{} octets are more than the allowed {}</source>
+        <translation>{} Byte sind mehr als die erlaubten {}</translation>
+    </message>
+    <message>
+        <source>the board&apos;s description, octet {}: {}</source>
+        <translation>die Beschreibung des Steuergeräts, Byte {}: {}</translation>
+    </message>
+    <message>
+        <source>update the board&apos;s firmware or report the description to its maker</source>
+        <translation>aktualisieren Sie die Firmware des Steuergeräts, oder melden Sie die Beschreibung dem Hersteller</translation>
+    </message>
+    <message>
+        <source>a comment does not end</source>
+        <translation>ein Kommentar endet nicht</translation>
+    </message>
+    <message>
+        <source>a text is too long</source>
+        <translation>ein Text ist zu lang</translation>
+    </message>
+    <message>
+        <source>a text does not end</source>
+        <translation>ein Text endet nicht</translation>
+    </message>
+    <message>
+        <source>a word is too long</source>
+        <translation>ein Wort ist zu lang</translation>
+    </message>
+    <message>
+        <source>the name of a block is missing</source>
+        <translation>der Name eines Blocks fehlt</translation>
+    </message>
+    <message>
+        <source>{} is missing</source>
+        <translation>{} fehlt</translation>
+    </message>
+    <message>
+        <source>{} is missing (a text in quotes)</source>
+        <translation>{} fehlt (ein Text in Anführungszeichen)</translation>
+    </message>
+    <message>
+        <source>{}: &apos;{}&apos; is not a number</source>
+        <translation>{}: „{}“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>{}: {} is not a whole number from 0 to {}</source>
+        <translation>{}: {} ist keine ganze Zahl von 0 bis {}</translation>
+    </message>
+    <message>
+        <source>block {} does not end</source>
+        <translation>der Block {} endet nicht</translation>
+    </message>
+    <message>
+        <source>blocks are nested deeper than {}</source>
+        <translation>Blöcke sind tiefer als {} verschachtelt</translation>
+    </message>
+    <message>
+        <source>/end {} where /end {} is due</source>
+        <translation>/end {}, wo /end {} fällig ist</translation>
+    </message>
+    <message>
+        <source>its type &apos;{}&apos; is not known</source>
+        <translation>sein Typ „{}“ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>its conversion &apos;{}&apos; is {}</source>
+        <translation>seine Umrechnung „{}“ ist {}</translation>
+    </message>
+    <message>
+        <source>not of a supported kind</source>
+        <translation>von keiner unterstützten Art</translation>
+    </message>
+    <message>
+        <source>its lower limit is above the upper one; the type&apos;s limits are used</source>
+        <translation>seine untere Grenze liegt über der oberen; es gelten die Grenzen des Typs</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; (octet {} of the description): {}</source>
+        <translation>„{}“ (Byte {} der Beschreibung): {}</translation>
+    </message>
+    <message>
+        <source>this board cannot capture by itself</source>
+        <translation>dieses Steuergerät kann nicht selbst erfassen</translation>
+    </message>
+    <message>
+        <source>record a stream instead</source>
+        <translation>zeichnen Sie stattdessen einen Datenstrom auf</translation>
+    </message>
+    <message>
+        <source>signal {} has {} octets; the board samples values of up to {} octets in steps of {}</source>
+        <translation>Signal {} hat {} Byte; das Steuergerät tastet Werte bis {} Byte in Schritten von {} ab</translation>
+    </message>
+    <message>
+        <source>leave this signal out</source>
+        <translation>lassen Sie dieses Signal weg</translation>
+    </message>
+    <message>
+        <source>{} signals do not fit into one sample of this board</source>
+        <translation>{} Signale passen nicht in einen Abtastwert dieses Steuergeräts</translation>
+    </message>
+    <message>
+        <source>ask for fewer signals</source>
+        <translation>verlangen Sie weniger Signale</translation>
+    </message>
+    <message>
+        <source>cannot write &apos;{}&apos;</source>
+        <translation>„{}“ kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>make room or make the folder writable</source>
+        <translation>schaffen Sie Platz, oder machen Sie den Ordner beschreibbar</translation>
+    </message>
+    <message>
+        <source>cannot rename &apos;{}&apos;</source>
+        <translation>„{}“ kann nicht umbenannt werden</translation>
+    </message>
+    <message>
+        <source>make the folder writable</source>
+        <translation>machen Sie den Ordner beschreibbar</translation>
+    </message>
+    <message>
+        <source>the command queue was cleared</source>
+        <translation>die Befehlswarteschlange wurde geleert</translation>
+    </message>
+    <message>
+        <source>the board is busy</source>
+        <translation>das Steuergerät ist beschäftigt</translation>
+    </message>
+    <message>
+        <source>not possible while samples are streaming</source>
+        <translation>nicht möglich, solange Abtastwerte strömen</translation>
+    </message>
+    <message>
+        <source>not possible while the board is being programmed</source>
+        <translation>nicht möglich, solange das Steuergerät programmiert wird</translation>
+    </message>
+    <message>
+        <source>the board does not know the command</source>
+        <translation>das Steuergerät kennt den Befehl nicht</translation>
+    </message>
+    <message>
+        <source>the board found the command malformed</source>
+        <translation>das Steuergerät hält den Befehl für fehlerhaft</translation>
+    </message>
+    <message>
+        <source>the value is out of range</source>
+        <translation>der Wert ist außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>the memory is write protected</source>
+        <translation>der Speicher ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>access is denied</source>
+        <translation>der Zugriff ist verweigert</translation>
+    </message>
+    <message>
+        <source>access is locked</source>
+        <translation>der Zugriff ist gesperrt</translation>
+    </message>
+    <message>
+        <source>the page does not exist</source>
+        <translation>die Seite gibt es nicht</translation>
+    </message>
+    <message>
+        <source>the mode does not exist</source>
+        <translation>die Betriebsart gibt es nicht</translation>
+    </message>
+    <message>
+        <source>the segment does not exist</source>
+        <translation>das Segment gibt es nicht</translation>
+    </message>
+    <message>
+        <source>the commands came in the wrong order</source>
+        <translation>die Befehle kamen in falscher Reihenfolge</translation>
+    </message>
+    <message>
+        <source>the list of samples is not valid</source>
+        <translation>die Abtastliste ist nicht gültig</translation>
+    </message>
+    <message>
+        <source>the board has no memory left</source>
+        <translation>das Steuergerät hat keinen Speicher mehr</translation>
+    </message>
+    <message>
+        <source>the board refuses</source>
+        <translation>das Steuergerät lehnt ab</translation>
+    </message>
+    <message>
+        <source>verification failed</source>
+        <translation>die Prüfung ist gescheitert</translation>
+    </message>
+    <message>
+        <source>the resource is not accessible now</source>
+        <translation>die Ressource ist jetzt nicht zugänglich</translation>
+    </message>
+    <message>
+        <source>the answer to {} has {} octets ({}), {} are needed</source>
+        <translation>die Antwort auf {} hat {} Byte ({}), {} sind nötig</translation>
+    </message>
+    <message>
+        <source>update the board&apos;s firmware or check the line</source>
+        <translation>aktualisieren Sie die Firmware des Steuergeräts, oder prüfen Sie die Leitung</translation>
+    </message>
+    <message>
+        <source>command {}</source>
+        <translation>Befehl {}</translation>
+    </message>
+    <message>
+        <source>unknown error {}</source>
+        <translation>unbekannter Fehler {}</translation>
+    </message>
+    <message>
+        <source>the board counts addresses in words, not octets</source>
+        <translation>das Steuergerät zählt Adressen in Wörtern, nicht in Byte</translation>
+    </message>
+    <message>
+        <source>only octet granularity is supported</source>
+        <translation>nur byteweise Adressierung wird unterstützt</translation>
+    </message>
+    <message>
+        <source>the board announces packets of {} and {} octets, at least 8 are needed</source>
+        <translation>das Steuergerät kündigt Pakete von {} und {} Byte an, mindestens 8 sind nötig</translation>
+    </message>
+    <message>
+        <source>this is not a board of a protocol known here</source>
+        <translation>dies ist kein Steuergerät eines hier bekannten Protokolls</translation>
+    </message>
+    <message>
+        <source>the answer to GET_ID promises {} octets and holds {}</source>
+        <translation>die Antwort auf GET_ID verspricht {} Byte und enthält {}</translation>
+    </message>
+    <message>
+        <source>the sampling resolution makes no sense ({})</source>
+        <translation>die Abtastauflösung ergibt keinen Sinn ({})</translation>
+    </message>
+    <message>
+        <source>update the board&apos;s firmware</source>
+        <translation>aktualisieren Sie die Firmware des Steuergeräts</translation>
+    </message>
+    <message>
+        <source>time unit {} does not exist</source>
+        <translation>die Zeiteinheit {} gibt es nicht</translation>
+    </message>
+    <message>
+        <source>the board runs on page {} of a segment of {} octets</source>
+        <translation>das Steuergerät läuft auf Seite {} eines Segments von {} Byte</translation>
+    </message>
+    <message>
+        <source>only pages 0 and 1 are known here; update the board&apos;s firmware</source>
+        <translation>nur die Seiten 0 und 1 sind hier bekannt; aktualisieren Sie die Firmware des Steuergeräts</translation>
+    </message>
+    <message>
+        <source>the board does not free its idle parameter page</source>
+        <translation>das Steuergerät gibt seine ruhende Parameterseite nicht frei</translation>
+    </message>
+    <message>
+        <source>check that the board&apos;s control loop runs; the old values stay</source>
+        <translation>prüfen Sie, dass der Regelkreis des Steuergeräts läuft; die alten Werte bleiben</translation>
+    </message>
+    <message>
+        <source>the board did not take the new set of parameters</source>
+        <translation>das Steuergerät hat den neuen Parametersatz nicht übernommen</translation>
+    </message>
+    <message>
+        <source>check the board&apos;s state; the old values stay</source>
+        <translation>prüfen Sie den Zustand des Steuergeräts; die alten Werte bleiben</translation>
+    </message>
+    <message>
+        <source>the board keeps other values than those sent</source>
+        <translation>das Steuergerät behält andere Werte als die gesendeten</translation>
+    </message>
+    <message>
+        <source>the old values stay; check the limits of the board</source>
+        <translation>die alten Werte bleiben; prüfen Sie die Grenzwerte des Steuergeräts</translation>
+    </message>
+    <message>
+        <source>the nearest possible rates are {} Hz and {} Hz</source>
+        <translation>die nächsten möglichen Raten sind {} Hz und {} Hz</translation>
+    </message>
+    <message>
+        <source>the nearest possible rate is {} Hz</source>
+        <translation>die nächste mögliche Rate ist {} Hz</translation>
+    </message>
+    <message>
+        <source>these signals have no periodic event</source>
+        <translation>diese Signale haben kein periodisches Ereignis</translation>
+    </message>
+    <message>
+        <source>the board samples &apos;{}&apos; ({}) at another event than &apos;{}&apos; ({})</source>
+        <translation>das Steuergerät tastet „{}“ ({}) mit einem anderen Ereignis ab als „{}“ ({})</translation>
+    </message>
+    <message>
+        <source>stream signals of one event together, the others in a stream of their own</source>
+        <translation>lesen Sie Signale desselben Ereignisses zusammen, die anderen in einem eigenen Datenstrom</translation>
+    </message>
+    <message>
+        <source>the device has no signal &apos;{}&apos;</source>
+        <translation>das Gerät hat kein Signal „{}“</translation>
+    </message>
+    <message>
+        <source>list the signals with: halbench describe DEVICE</source>
+        <translation>die Signale listet: halbench describe GERÄT</translation>
+    </message>
+    <message>
+        <source>a stream needs at least one signal</source>
+        <translation>ein Datenstrom braucht mindestens ein Signal</translation>
+    </message>
+    <message>
+        <source>name a signal</source>
+        <translation>nennen Sie ein Signal</translation>
+    </message>
+    <message>
+        <source>the device cannot send these signals at {} Hz</source>
+        <translation>das Gerät kann diese Signale nicht mit {} Hz senden</translation>
+    </message>
+    <message>
+        <source>the board&apos;s parameters are locked</source>
+        <translation>die Parameter des Steuergeräts sind gesperrt</translation>
+    </message>
+    <message>
+        <source>description of &apos;{}&apos; taken from the cache</source>
+        <translation>Beschreibung von „{}“ aus dem Zwischenspeicher genommen</translation>
+    </message>
+    <message>
+        <source>description read from the board, {} octets</source>
+        <translation>Beschreibung vom Steuergerät gelesen, {} Byte</translation>
+    </message>
+    <message>
+        <source>the description is not kept: {}</source>
+        <translation>die Beschreibung wird nicht behalten: {}</translation>
+    </message>
+    <message>
+        <source>the board could not send all samples in time</source>
+        <translation>das Steuergerät konnte nicht alle Abtastwerte rechtzeitig senden</translation>
+    </message>
+    <message>
+        <source>the board stopped</source>
+        <translation>das Steuergerät hat gestoppt</translation>
+    </message>
+    <message>
+        <source>the board stopped the actuator: {}</source>
+        <translation>das Steuergerät hat den Aktor gestoppt: {}</translation>
+    </message>
+    <message>
+        <source>this board has no &apos;{}&apos; and cannot be armed from here</source>
+        <translation>dieses Steuergerät hat kein „{}“ und kann von hier nicht freigegeben werden</translation>
+    </message>
+    <message>
+        <source>use the maker&apos;s own program to arm it</source>
+        <translation>verwenden Sie zum Freigeben das Programm des Herstellers</translation>
+    </message>
+    <message>
+        <source>the board cannot be armed: {}</source>
+        <translation>das Steuergerät kann nicht freigegeben werden: {}</translation>
+    </message>
+    <message>
+        <source>find the cause, then clear the stop</source>
+        <translation>finden Sie die Ursache, dann heben Sie den Stopp auf</translation>
+    </message>
+    <message>
+        <source>the board does not {}</source>
+        <translation>das Steuergerät führt „{}“ nicht aus</translation>
+    </message>
+    <message>
+        <source>use the stop at the actuator and check the board</source>
+        <translation>verwenden Sie den Halt am Aktor und prüfen Sie das Steuergerät</translation>
+    </message>
+    <message>
+        <source>the board keeps its stop: {}</source>
+        <translation>das Steuergerät behält seinen Stopp: {}</translation>
+    </message>
+    <message>
+        <source>remove the cause first</source>
+        <translation>beseitigen Sie zuerst die Ursache</translation>
+    </message>
+    <message>
+        <source>this device cannot stream signals</source>
+        <translation>dieses Gerät kann keine Signale als Datenstrom senden</translation>
+    </message>
+    <message>
+        <source>read single values instead</source>
+        <translation>lesen Sie stattdessen einzelne Werte</translation>
+    </message>
+    <message>
+        <source>link: {} packets, {} lost, {} damaged, {} commands repeated, round trip {} ms, at worst {} ms</source>
+        <translation>Verbindung: {} Pakete, {} verloren, {} beschädigt, {} Befehle wiederholt, Umlaufzeit {} ms, höchstens {} ms</translation>
+    </message>
+    <message>
+        <source>, the board&apos;s clock gains {} +- {} ppm</source>
+        <translation>, die Uhr des Steuergeräts geht {} +- {} ppm vor</translation>
+    </message>
+    <message>
+        <source>{} sends no samples any more</source>
+        <translation>{} sendet keine Abtastwerte mehr</translation>
+    </message>
+    <message>
+        <source>the board or another program ended the stream; connect again</source>
+        <translation>das Steuergerät oder ein anderes Programm hat den Datenstrom beendet; verbinden Sie erneut</translation>
+    </message>
+    <message>
+        <source>list the names with: halbench describe DEVICE</source>
+        <translation>die Namen listet: halbench describe GERÄT</translation>
+    </message>
+    <message>
+        <source>the device has no parameter &apos;{}&apos;</source>
+        <translation>das Gerät hat keinen Parameter „{}“</translation>
+    </message>
+    <message>
+        <source>the board keeps another value of &apos;{}&apos; than the one sent</source>
+        <translation>das Steuergerät behält für „{}“ einen anderen Wert als den gesendeten</translation>
+    </message>
+    <message>
+        <source>the old values stay; give values inside the board&apos;s limits</source>
+        <translation>die alten Werte bleiben; geben Sie Werte innerhalb der Grenzen des Steuergeräts an</translation>
+    </message>
+    <message>
+        <source>this board cannot change a set at once: values change one by one</source>
+        <translation>dieses Steuergerät kann einen Satz nicht auf einmal ändern: die Werte ändern sich einzeln</translation>
+    </message>
+    <message>
+        <source>parameter &apos;{}&apos;: {}</source>
+        <translation>Parameter „{}“: {}</translation>
+    </message>
+    <message>
+        <source>the board keeps &apos;{}&apos; = {} {} instead of {}</source>
+        <translation>das Steuergerät behält „{}“ = {} {} statt {}</translation>
+    </message>
+    <message>
+        <source>check the board&apos;s state and limits</source>
+        <translation>prüfen Sie Zustand und Grenzwerte des Steuergeräts</translation>
+    </message>
+    <message>
+        <source>check cable, power and address, then connect again</source>
+        <translation>prüfen Sie Kabel, Stromversorgung und Adresse, dann verbinden Sie erneut</translation>
+    </message>
+    <message>
+        <source>{} does not answer {}</source>
+        <translation>{} antwortet nicht auf {}</translation>
+    </message>
+    <message>
+        <source>the board refused {}: {}</source>
+        <translation>das Steuergerät hat {} abgelehnt: {}</translation>
+    </message>
+    <message>
+        <source>check the value and the board&apos;s state</source>
+        <translation>prüfen Sie den Wert und den Zustand des Steuergeräts</translation>
+    </message>
+    <message>
+        <source>{} ended the session (its watchdog ran out or another program connected)</source>
+        <translation>{} hat die Sitzung beendet (die Überwachungszeit lief ab, oder ein anderes Programm hat verbunden)</translation>
+    </message>
+    <message>
+        <source>make sure that no other program uses the board, then connect again</source>
+        <translation>stellen Sie sicher, dass kein anderes Programm das Steuergerät verwendet, dann verbinden Sie erneut</translation>
+    </message>
+    <message>
+        <source>{} does not answer any more</source>
+        <translation>{} antwortet nicht mehr</translation>
+    </message>
+    <message>
+        <source>the board did not store its parameters within {} s</source>
+        <translation>das Steuergerät hat seine Parameter nicht innerhalb von {} s gespeichert</translation>
+    </message>
+    <message>
+        <source>try again, then read the values back</source>
+        <translation>versuchen Sie es erneut, dann lesen Sie die Werte zurück</translation>
+    </message>
+    <message>
+        <source>the board holds no description of itself</source>
+        <translation>das Steuergerät enthält keine Beschreibung seiner selbst</translation>
+    </message>
+    <message>
+        <source>only boards that deliver their description (GET_ID 4) can be used</source>
+        <translation>nur Steuergeräte, die ihre Beschreibung liefern (GET_ID 4), können verwendet werden</translation>
+    </message>
+    <message>
+        <source>the board&apos;s description has {} octets</source>
+        <translation>die Beschreibung des Steuergeräts hat {} Byte</translation>
+    </message>
+    <message>
+        <source>the board needed more than {} s for its description</source>
+        <translation>das Steuergerät brauchte mehr als {} s für seine Beschreibung</translation>
+    </message>
+    <message>
+        <source>use a faster connection</source>
+        <translation>verwenden Sie eine schnellere Verbindung</translation>
+    </message>
+    <message>
+        <source>Every amplifier part must be positive and finite.</source>
+        <translation>Jedes Bauteil des Verstärkers muss positiv und endlich sein.</translation>
+    </message>
+    <message>
+        <source>Check resistors, capacitors and the coil&apos;s resistance and inductance.</source>
+        <translation>Prüfen Sie Widerstände, Kondensatoren und Widerstand und Induktivität der Spule.</translation>
+    </message>
+    <message>
+        <source>The decoded angle jumped by more than 90 degrees between two samples.</source>
+        <translation>Der dekodierte Winkel sprang zwischen zwei Abtastwerten um mehr als 90 Grad.</translation>
+    </message>
+    <message>
+        <source>The direction of such a jump is a guess; check the sensors or turn slower.</source>
+        <translation>Die Richtung eines solchen Sprungs ist geraten; prüfen Sie die Sensoren, oder drehen Sie langsamer.</translation>
+    </message>
+    <message>
+        <source>Allowed: {} to {}{}{}{}. Known keys: {}.</source>
+        <translation>Erlaubt: {} bis {}{}{}{}. Bekannte Schlüssel: {}.</translation>
+    </message>
+    <message>
+        <source>{} is not a finite number</source>
+        <translation>{} ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>{} = {} is out of range</source>
+        <translation>{} = {} ist außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>the motor has no parameter &apos;{}&apos;</source>
+        <translation>der Motor hat keinen Parameter „{}“</translation>
+    </message>
+    <message>
+        <source>Known keys: {}.</source>
+        <translation>Bekannte Schlüssel: {}.</translation>
+    </message>
+    <message>
+        <source>A Hall sensor setting is not a finite number.</source>
+        <translation>Eine Einstellung eines Hall-Sensors ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>A Hall sensor needs a positive sensitivity, noise of at least zero and a lower clip voltage below the upper one.</source>
+        <translation>Ein Hall-Sensor braucht eine positive Empfindlichkeit, ein Rauschen von mindestens null und eine untere Begrenzungsspannung unter der oberen.</translation>
+    </message>
+    <message>
+        <source>A field harmonic needs an order of at least 1 and finite amplitudes.</source>
+        <translation>Eine Feldoberschwingung braucht eine Ordnung von mindestens 1 und endliche Amplituden.</translation>
+    </message>
+    <message>
+        <source>A constant belongs into the offset.</source>
+        <translation>Eine Konstante gehört in den Offset.</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>wahr oder falsch</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>a table</source>
+        <translation>eine Tabelle</translation>
+    </message>
+    <message>
+        <source>a date or time</source>
+        <translation>Datum oder Uhrzeit</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>ein Wert</translation>
+    </message>
+    <message>
+        <source>{}: is not PATH=VALUE</source>
+        <translation>{}: ist nicht PFAD=WERT</translation>
+    </message>
+    <message>
+        <source>write step.sweep.given.J=6e-4</source>
+        <translation>schreiben Sie step.sweep.given.J=6e-4</translation>
+    </message>
+    <message>
+        <source>{}: there is no such step</source>
+        <translation>{}: diesen Schritt gibt es nicht</translation>
+    </message>
+    <message>
+        <source>write step.NAME.KEY=VALUE with the name of a step of the file</source>
+        <translation>schreiben Sie step.NAME.SCHLÜSSEL=WERT mit dem Namen eines Schritts der Datei</translation>
+    </message>
+    <message>
+        <source>{}:{}:{}: not valid JSON: {}</source>
+        <translation>{}:{}:{}: kein gültiges JSON: {}</translation>
+    </message>
+    <message>
+        <source>correct the file or write it again with --out</source>
+        <translation>berichtigen Sie die Datei oder schreiben Sie sie neu mit --out</translation>
+    </message>
+    <message>
+        <source>the result holds a value that is not a finite number at &apos;{}&apos;</source>
+        <translation>das Ergebnis enthält bei „{}“ einen Wert, der keine endliche Zahl ist</translation>
+    </message>
+    <message>
+        <source>report this with the command line that led to it</source>
+        <translation>melden Sie dies mit dem Befehl, der dazu führte</translation>
+    </message>
+    <message>
+        <source>is &quot;{}&quot;, this version reads &quot;{}&quot;</source>
+        <translation>ist „{}“, diese Version liest „{}“</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>is &quot;{}&quot;, not &quot;{}&quot;</source>
+        <translation>ist „{}“, nicht „{}“</translation>
+    </message>
+    <message>
+        <source>must be a finite number</source>
+        <translation>muss eine endliche Zahl sein</translation>
+    </message>
+    <message>
+        <source>must be a whole number from 0 to {}</source>
+        <translation>muss eine ganze Zahl von 0 bis {} sein</translation>
+    </message>
+    <message>
+        <source>write the file again with &apos;halbench {} --out&apos;</source>
+        <translation>schreiben Sie die Datei neu mit „halbench {} --out“</translation>
+    </message>
+    <message>
+        <source>must be a list of lists of numbers</source>
+        <translation>muss eine Liste von Zahlenlisten sein</translation>
+    </message>
+    <message>
+        <source>must hold finite numbers</source>
+        <translation>muss endliche Zahlen enthalten</translation>
+    </message>
+    <message>
+        <source>needs as many rows as names</source>
+        <translation>braucht so viele Zeilen wie Namen</translation>
+    </message>
+    <message>
+        <source>must be square</source>
+        <translation>muss quadratisch sein</translation>
+    </message>
+    <message>
+        <source>{}: this estimate was refused</source>
+        <translation>{}: diese Schätzung wurde verweigert</translation>
+    </message>
+    <message>
+        <source>see its findings, then identify again</source>
+        <translation>lesen Sie die Befunde, dann identifizieren Sie neu</translation>
+    </message>
+    <message>
+        <source>must be &quot;parallel&quot;</source>
+        <translation>muss „parallel“ sein</translation>
+    </message>
+    <message>
+        <source>needs a value and the two ends of its interval</source>
+        <translation>braucht einen Wert und die beiden Enden seines Intervalls</translation>
+    </message>
+    <message>
+        <source>{}: cannot write: {}</source>
+        <translation>{}: kann nicht geschrieben werden: {}</translation>
+    </message>
+    <message>
+        <source>free space on the disk</source>
+        <translation>schaffen Sie Platz auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>choose another path or change its permissions</source>
+        <translation>wählen Sie einen anderen Pfad oder ändern Sie seine Rechte</translation>
+    </message>
+    <message>
+        <source>{}: is a folder</source>
+        <translation>{}: ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>name a file</source>
+        <translation>nennen Sie eine Datei</translation>
+    </message>
+    <message>
+        <source>{}: cannot read: {}</source>
+        <translation>{}: kann nicht gelesen werden: {}</translation>
+    </message>
+    <message>
+        <source>{}: larger than 256 MB</source>
+        <translation>{}: größer als 256 MB</translation>
+    </message>
+    <message>
+        <source>give a smaller file</source>
+        <translation>geben Sie eine kleinere Datei an</translation>
+    </message>
+    <message>
+        <source>there is no preset &apos;{}&apos; for a device of model &apos;{}&apos;</source>
+        <translation>für ein Gerät des Modells „{1}“ gibt es keine Voreinstellung „{0}“</translation>
+    </message>
+    <message>
+        <source>htm has {}</source>
+        <translation>htm hat {}</translation>
+    </message>
+    <message>
+        <source>compare with resources/presets/htm/published.json</source>
+        <translation>vergleichen Sie mit resources/presets/htm/published.json</translation>
+    </message>
+    <message>
+        <source>must be &quot;halbench.preset/1&quot;</source>
+        <translation>muss „halbench.preset/1“ sein</translation>
+    </message>
+    <message>
+        <source>must be an object of numbers</source>
+        <translation>muss ein Objekt aus Zahlen sein</translation>
+    </message>
+    <message>
+        <source>{}:{}:{}: not valid TOML: {}</source>
+        <translation>{}:{}:{}: kein gültiges TOML: {}</translation>
+    </message>
+    <message>
+        <source>correct the line; the form is in resources/help/command-line.md</source>
+        <translation>berichtigen Sie die Zeile; die Form steht in resources/help/command-line.md</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be a text</source>
+        <translation>„{}“ muss ein Text sein</translation>
+    </message>
+    <message>
+        <source>&apos;layout&apos; must be a table</source>
+        <translation>„layout“ muss eine Tabelle sein</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be a list of tables, [[{}]]</source>
+        <translation>„{}“ muss eine Liste von Tabellen sein, [[{}]]</translation>
+    </message>
+    <message>
+        <source>the file is left as it is; open another project or mend this line</source>
+        <translation>die Datei bleibt, wie sie ist; öffnen Sie ein anderes Projekt oder berichtigen Sie diese Zeile</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; a [[{}]] has name and document</source>
+        <translation>unbekannter Schlüssel „{}“; ein [[{}]] hat name und document</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, model, design</source>
+        <translation>unbekannter Schlüssel „{}“; bekannt sind schema, device, notes, perspective, layout, model, design</translation>
+    </message>
+    <message>
+        <source>{}: is a &apos;{}&apos;, made by a newer version</source>
+        <translation>{}: ist ein „{}“ einer neueren Version</translation>
+    </message>
+    <message>
+        <source>this version reads {}; the file is left as it is</source>
+        <translation>diese Version liest {}; die Datei bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>{}: is not a Halbench project</source>
+        <translation>{}: ist kein Halbench-Projekt</translation>
+    </message>
+    <message>
+        <source>a project begins with schema = &quot;{}&quot;</source>
+        <translation>ein Projekt beginnt mit schema = &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>choose another preset</source>
+        <translation>wählen Sie eine andere Voreinstellung</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is too large for a preset</source>
+        <translation>„{}“ ist zu groß für eine Voreinstellung</translation>
+    </message>
+    <message>
+        <source>choose a preset file</source>
+        <translation>wählen Sie eine Voreinstellungsdatei</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; was written by a newer Halbench ({})</source>
+        <translation>„{}“ wurde von einem neueren Halbench geschrieben ({})</translation>
+    </message>
+    <message>
+        <source>open it there, or install that version</source>
+        <translation>öffnen Sie sie dort, oder installieren Sie jene Version</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is for a device of model &apos;{}&apos;</source>
+        <translation>„{}“ ist für ein Gerät des Modells „{}“</translation>
+    </message>
+    <message>
+        <source>this device is of model &apos;{}&apos;</source>
+        <translation>dieses Gerät ist vom Modell „{}“</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; cannot be the name of a preset</source>
+        <translation>„{}“ kann kein Name einer Voreinstellung sein</translation>
+    </message>
+    <message>
+        <source>use letters, digits, spaces, points and hyphens</source>
+        <translation>verwenden Sie Buchstaben, Ziffern, Leerzeichen, Punkte und Bindestriche</translation>
+    </message>
+    <message>
+        <source>check the folder and the space on the disk</source>
+        <translation>prüfen Sie den Ordner und den Platz auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>choose another folder or name</source>
+        <translation>wählen Sie einen anderen Ordner oder Namen</translation>
+    </message>
+    <message>
+        <source>there is no picture to save</source>
+        <translation>es gibt kein Bild zu sichern</translation>
+    </message>
+    <message>
+        <source>K_P = {}, K_I = {}, K_D = {} is no position loop</source>
+        <translation>K_P = {}, K_I = {}, K_D = {} ergeben keinen Lageregelkreis</translation>
+    </message>
+    <message>
+        <source>K_P must be positive, K_I and K_D not negative</source>
+        <translation>K_P muss positiv sein, K_I und K_D nicht negativ</translation>
+    </message>
+    <message>
+        <source>a current limit of {} A is not possible</source>
+        <translation>eine Stromgrenze von {} A ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>the stray field of the coils is not described by finite numbers</source>
+        <translation>das Streufeld der Spulen ist nicht durch endliche Zahlen beschrieben</translation>
+    </message>
+    <message>
+        <source>the sampled loop is unstable: pole radius {}</source>
+        <translation>der abgetastete Regelkreis ist instabil: Polradius {}</translation>
+    </message>
+    <message>
+        <source>only friction and the current limit bound it; lower K_P or use method recommended</source>
+        <translation>nur Reibung und Stromgrenze beschränken die Bewegung; verringern Sie K_P oder verwenden Sie das Verfahren recommended</translation>
+    </message>
+    <message>
+        <source>K_P = {} A/rad is {} times the limit of {} A/rad at this sampling and delay</source>
+        <translation>K_P = {} A/rad ist das {}-Fache der Grenze von {} A/rad bei dieser Abtastung und Totzeit</translation>
+    </message>
+    <message>
+        <source>the rotor rests and makes small steps at best; large steps end in a limit cycle</source>
+        <translation>der Rotor ruht und macht allenfalls kleine Sprünge; große Sprünge enden in einem Grenzzyklus</translation>
+    </message>
+    <message>
+        <source>the loop is nearly undamped (zeta = {} at {} rad/s): only friction damps it</source>
+        <translation>der Regelkreis ist fast ungedämpft (zeta = {} bei {} rad/s): nur Reibung dämpft ihn</translation>
+    </message>
+    <message>
+        <source>a PI loop cannot do better on this motor; derivative action can: method recommended</source>
+        <translation>besser kann es ein PI-Regler an diesem Motor nicht; ein D-Anteil kann es: Verfahren recommended</translation>
+    </message>
+    <message>
+        <source>small margins: {} deg of phase, a factor {} of gain</source>
+        <translation>kleine Reserven: {} Grad Phase, Faktor {} Verstärkung</translation>
+    </message>
+    <message>
+        <source>the usual least are 30 deg and a factor 2</source>
+        <translation>üblich sind mindestens 30 Grad und Faktor 2</translation>
+    </message>
+    <message>
+        <source>friction holds the rotor within +-{} deg of the reference</source>
+        <translation>Reibung hält den Rotor innerhalb von +-{} Grad um die Führungsgröße fest</translation>
+    </message>
+    <message>
+        <source>only the integral removes the rest, slowly; the micro-step assist or a larger K_P narrows the band</source>
+        <translation>nur der I-Anteil beseitigt den Rest, langsam; die Mikroschritthilfe oder ein größeres K_P verengt das Band</translation>
+    </message>
+    <message>
+        <source>the micro-step assist or a larger K_P narrows the band</source>
+        <translation>die Mikroschritthilfe oder ein größeres K_P verengt das Band</translation>
+    </message>
+    <message>
+        <source>the stray field of the coils is not compensated and feeds the current back into the angle: this gain can make it alternate every sample</source>
+        <translation>das Streufeld der Spulen ist nicht kompensiert und führt den Strom auf den Winkel zurück: mit dieser Verstärkung kann er bei jedem Abtastwert wechseln</translation>
+    </message>
+    <message>
+        <source>switch the compensation on (stray.enabled)</source>
+        <translation>schalten Sie die Kompensation ein (stray.enabled)</translation>
+    </message>
+    <message>
+        <source>this gain needs the stray coefficient to better than {} %, and its error is not known</source>
+        <translation>diese Verstärkung braucht den Streufeldkoeffizienten genauer als {} %, und sein Fehler ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>calibrate the stray field first</source>
+        <translation>kalibrieren Sie zuerst das Streufeld</translation>
+    </message>
+    <message>
+        <source>the stray coefficient is known to {} %, this gain needs better than {} %</source>
+        <translation>der Streufeldkoeffizient ist auf {} % bekannt, diese Verstärkung braucht ihn genauer als {} %</translation>
+    </message>
+    <message>
+        <source>calibrate the stray field again, or lower the gains</source>
+        <translation>kalibrieren Sie das Streufeld neu, oder verringern Sie die Verstärkungen</translation>
+    </message>
+    <message>
+        <source>steps above {} deg reach the current limit of {} A; with it and with friction a step of {} deg overshoots by {} %</source>
+        <translation>Sprünge über {} Grad erreichen die Stromgrenze von {} A; mit ihr und mit Reibung überschwingt ein Sprung von {} Grad um {} %</translation>
+    </message>
+    <message>
+        <source>lead large moves along a ramp, or choose a slower loop</source>
+        <translation>führen Sie große Bewegungen über eine Rampe, oder wählen Sie einen langsameren Regelkreis</translation>
+    </message>
+    <message>
+        <source>`halbench describe` lists the parameters.</source>
+        <translation>„halbench describe“ listet die Parameter.</translation>
+    </message>
+    <message>
+        <source>{} reads {} after writing {}</source>
+        <translation>{} liest sich als {}, nachdem {} geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>The old values run again; check the device&apos;s limits.</source>
+        <translation>Die alten Werte gelten wieder; prüfen Sie die Grenzwerte des Geräts.</translation>
+    </message>
+    <message>
+        <source>a {} has no prediction to verify against</source>
+        <translation>für „{}“ gibt es keine Vorhersage, an der nachgewiesen werden kann</translation>
+    </message>
+    <message>
+        <source>Verify with a step, ramp, sine or staircase.</source>
+        <translation>Weisen Sie mit einem Sprung, einer Rampe, einem Sinus oder einer Treppe nach.</translation>
+    </message>
+    <message>
+        <source>{} was {} {}, the prediction allows {} {}</source>
+        <translation>{} war {} {}, die Vorhersage erlaubt {} {}</translation>
+    </message>
+    <message>
+        <source>The old values run again. Identify the motor anew, or choose calmer gains.</source>
+        <translation>Die alten Werte gelten wieder. Identifizieren Sie den Motor neu, oder wählen Sie ruhigere Verstärkungen.</translation>
+    </message>
+    <message>
+        <source>final error</source>
+        <translation>bleibender Fehler</translation>
+    </message>
+    <message>
+        <source>rms error</source>
+        <translation>Fehler (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>the readings lie {} % of the amplitude away from their ellipse</source>
+        <translation>die Messwerte liegen um {} % der Amplitude neben ihrer Ellipse</translation>
+    </message>
+    <message>
+        <source>look for saturated sensors or a loose magnet</source>
+        <translation>achten Sie auf übersteuerte Sensoren oder einen losen Magneten</translation>
+    </message>
+    <message>
+        <source>spins slowly for the Hall sensors</source>
+        <translation>dreht langsam für die Hall-Sensoren</translation>
+    </message>
+    <message>
+        <source>use a spin current above the breakaway current</source>
+        <translation>verwenden Sie einen Drehstrom über dem Losbrechstrom</translation>
+    </message>
+    <message>
+        <source>the angle error of {} degrees rms that the ellipse leaves is not known well enough ({} degrees: ripple of the speed and scatter)</source>
+        <translation>der Winkelfehler von {} Grad (Effektivwert), den die Ellipse übrig lässt, ist nicht genau genug bekannt ({} Grad: Welligkeit der Drehzahl und Streuung)</translation>
+    </message>
+    <message>
+        <source>the ellipse alone is as good</source>
+        <translation>die Ellipse allein ist ebenso gut</translation>
+    </message>
+    <message>
+        <source>the rotor did not turn fast and long enough to show the angle error that the ellipse leaves</source>
+        <translation>der Rotor drehte nicht schnell und lange genug, um den Winkelfehler zu zeigen, den die Ellipse übrig lässt</translation>
+    </message>
+    <message>
+        <source>allow a higher current or speed</source>
+        <translation>erlauben Sie mehr Strom oder eine höhere Drehzahl</translation>
+    </message>
+    <message>
+        <source>spins fast for the angle error</source>
+        <translation>dreht schnell für den Winkelfehler</translation>
+    </message>
+    <message>
+        <source>no calibration was chosen</source>
+        <translation>es wurde keine Kalibrierung gewählt</translation>
+    </message>
+    <message>
+        <source>choose hall, stray, static-friction or all</source>
+        <translation>wählen Sie hall, stray, static-friction oder all</translation>
+    </message>
+    <message>
+        <source>the currents of a calibration must lie in (0, 4] A</source>
+        <translation>die Ströme einer Kalibrierung müssen in (0, 4] A liegen</translation>
+    </message>
+    <message>
+        <source>2 to 50 starts in each direction are possible</source>
+        <translation>2 bis 50 Anläufe in jeder Richtung sind möglich</translation>
+    </message>
+    <message>
+        <source>turns to another angle</source>
+        <translation>dreht in einen anderen Winkel</translation>
+    </message>
+    <message>
+        <source>d-axis current at rest</source>
+        <translation>Strom der d-Achse im Stillstand</translation>
+    </message>
+    <message>
+        <source>ramps the current from rest</source>
+        <translation>steigert den Strom aus dem Stillstand</translation>
+    </message>
+    <message>
+        <source>the rotor broke loose in too few of the ramps</source>
+        <translation>der Rotor riss sich bei zu wenigen der Rampen los</translation>
+    </message>
+    <message>
+        <source>ramp to a higher current</source>
+        <translation>steigern Sie bis zu einem größeren Strom</translation>
+    </message>
+    <message>
+        <source>the rate must be more than zero</source>
+        <translation>die Rate muss größer als null sein</translation>
+    </message>
+    <message>
+        <source>Give e.g. --rate 1000.</source>
+        <translation>Geben Sie z. B. --rate 1000 an.</translation>
+    </message>
+    <message>
+        <source>a capture at {} Hz is not possible</source>
+        <translation>eine Erfassung mit {} Hz ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>the rate must divide that of the loop, {} Hz; the nearest is {} Hz</source>
+        <translation>die Rate muss die des Regelkreises, {} Hz, teilen; die nächste ist {} Hz</translation>
+    </message>
+    <message>
+        <source>the share of rows before the trigger lies from 0 to below 1</source>
+        <translation>der Anteil der Zeilen vor dem Trigger liegt von 0 bis unter 1</translation>
+    </message>
+    <message>
+        <source>Give e.g. --pre-trigger 0.25.</source>
+        <translation>Geben Sie z. B. --pre-trigger 0.25 an.</translation>
+    </message>
+    <message>
+        <source>the wait for the trigger must be more than zero seconds</source>
+        <translation>die Wartezeit auf den Trigger muss größer als null Sekunden sein</translation>
+    </message>
+    <message>
+        <source>Give e.g. --wait 10.</source>
+        <translation>Geben Sie z. B. --wait 10 an.</translation>
+    </message>
+    <message>
+        <source>a capture takes 1 to {} signals</source>
+        <translation>eine Erfassung nimmt 1 bis {} Signale auf</translation>
+    </message>
+    <message>
+        <source>record a stream for more</source>
+        <translation>zeichnen Sie für mehr einen Datenstrom auf</translation>
+    </message>
+    <message>
+        <source>`halbench describe` lists the signals.</source>
+        <translation>„halbench describe“ listet die Signale.</translation>
+    </message>
+    <message>
+        <source>the signal &apos;{}&apos; is named twice</source>
+        <translation>das Signal „{}“ ist zweimal genannt</translation>
+    </message>
+    <message>
+        <source>Name every signal once.</source>
+        <translation>Nennen Sie jedes Signal einmal.</translation>
+    </message>
+    <message>
+        <source>the trigger did not come within {} s</source>
+        <translation>der Trigger kam nicht innerhalb von {} s</translation>
+    </message>
+    <message>
+        <source>wait longer with --wait, or choose another --trigger</source>
+        <translation>warten Sie länger mit --wait, oder wählen Sie einen anderen --trigger</translation>
+    </message>
+    <message>
+        <source>waits for the trigger</source>
+        <translation>wartet auf den Trigger</translation>
+    </message>
+    <message>
+        <source>the board captured other signals than it was asked for</source>
+        <translation>das Steuergerät erfasste andere Signale als verlangt</translation>
+    </message>
+    <message>
+        <source>another program may be using its capture; try again</source>
+        <translation>ein anderes Programm verwendet vielleicht seine Erfassung; versuchen Sie es erneut</translation>
+    </message>
+    <message>
+        <source>a captured value is not a number</source>
+        <translation>ein erfasster Wert ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>The board or the link delivers damaged values; nothing was kept of them.</source>
+        <translation>Das Steuergerät oder die Verbindung liefert beschädigte Werte; nichts davon wurde behalten.</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no trigger</source>
+        <translation>„{}“ ist kein Trigger</translation>
+    </message>
+    <message>
+        <source>use now, reference, SIGNAL&gt;LEVEL (rising) or SIGNAL&lt;LEVEL (falling)</source>
+        <translation>verwenden Sie now, reference, SIGNAL&gt;PEGEL (steigend) oder SIGNAL&lt;PEGEL (fallend)</translation>
+    </message>
+    <message>
+        <source>the level of a trigger is not finite</source>
+        <translation>der Pegel eines Triggers ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>give a number</source>
+        <translation>geben Sie eine Zahl an</translation>
+    </message>
+    <message>
+        <source>a coil is at {} degC and does not cool below {} degC</source>
+        <translation>eine Spule hat {} °C und kühlt nicht unter {} °C ab</translation>
+    </message>
+    <message>
+        <source>Cool the motor&apos;s surroundings and try again.</source>
+        <translation>Kühlen Sie die Umgebung des Motors und versuchen Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>waits for the coils to cool: {} degC</source>
+        <translation>wartet, bis die Spulen abkühlen: {} °C</translation>
+    </message>
+    <message>
+        <source>a coil temperature is not a number</source>
+        <translation>eine Spulentemperatur ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>Nothing is armed without it; check the temperature sensors.</source>
+        <translation>Ohne sie wird nichts freigegeben; prüfen Sie die Temperatursensoren.</translation>
+    </message>
+    <message>
+        <source>the coils would reach {} degC, more than {} degC</source>
+        <translation>die Spulen würden {} °C erreichen, mehr als {} °C</translation>
+    </message>
+    <message>
+        <source>Shorten it, use less current, or let the motor cool first. Nothing was armed.</source>
+        <translation>Kürzen Sie die Bewegung, verwenden Sie weniger Strom, oder lassen Sie den Motor erst abkühlen. Nichts wurde freigegeben.</translation>
+    </message>
+    <message>
+        <source>give it in SI units, e.g. J=5.5e-4</source>
+        <translation>geben Sie sie in SI-Einheiten an, z. B. J=5.5e-4</translation>
+    </message>
+    <message>
+        <source>{} = {} is not possible</source>
+        <translation>{} = {} ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>it cannot be negative</source>
+        <translation>sie kann nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>it must be more than zero</source>
+        <translation>sie muss größer als null sein</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no constant of the motor</source>
+        <translation>„{}“ ist keine Konstante des Motors</translation>
+    </message>
+    <message>
+        <source>use J, c, Kf or phi</source>
+        <translation>verwenden Sie J, c, Kf oder phi</translation>
+    </message>
+    <message>
+        <source>the currents of the sweep are not finite numbers</source>
+        <translation>die Ströme der Messreihe sind keine endlichen Zahlen</translation>
+    </message>
+    <message>
+        <source>write e.g. 1.6:4:0.2</source>
+        <translation>schreiben Sie z. B. 1.6:4:0.2</translation>
+    </message>
+    <message>
+        <source>the sweep needs 0 &lt; FROM &lt;= TO and STEP &gt; 0</source>
+        <translation>die Messreihe braucht 0 &lt; VON &lt;= BIS und SCHRITT &gt; 0</translation>
+    </message>
+    <message>
+        <source>{} A is beyond the device&apos;s limit of {} A</source>
+        <translation>{} A liegt jenseits der Grenze des Geräts von {} A</translation>
+    </message>
+    <message>
+        <source>end the sweep at or below limit.current</source>
+        <translation>beenden Sie die Messreihe bei höchstens limit.current</translation>
+    </message>
+    <message>
+        <source>a sweep of more than 29 currents does not fit the board</source>
+        <translation>eine Messreihe mit mehr als 29 Strömen passt nicht in das Steuergerät</translation>
+    </message>
+    <message>
+        <source>use a larger step</source>
+        <translation>verwenden Sie eine größere Schrittweite</translation>
+    </message>
+    <message>
+        <source>the recording holds hardly any rows</source>
+        <translation>die Aufzeichnung enthält kaum Zeilen</translation>
+    </message>
+    <message>
+        <source>record at least some seconds of motion</source>
+        <translation>zeichnen Sie mindestens einige Sekunden Bewegung auf</translation>
+    </message>
+    <message>
+        <source>the recording lacks position or current_command</source>
+        <translation>der Aufzeichnung fehlt position oder current_command</translation>
+    </message>
+    <message>
+        <source>it needs the columns time_s, position_rad and current_command_A</source>
+        <translation>sie braucht die Spalten time_s, position_rad und current_command_A</translation>
+    </message>
+    <message>
+        <source>the recording has {} rows a second, less than 100</source>
+        <translation>die Aufzeichnung hat {} Zeilen je Sekunde, weniger als 100</translation>
+    </message>
+    <message>
+        <source>record at 100 Hz or more</source>
+        <translation>zeichnen Sie mit 100 Hz oder mehr auf</translation>
+    </message>
+    <message>
+        <source>the rotor stopped</source>
+        <translation>der Rotor blieb stehen</translation>
+    </message>
+    <message>
+        <source>slower than {} rad/s</source>
+        <translation>langsamer als {} rad/s</translation>
+    </message>
+    <message>
+        <source>not steady at its end</source>
+        <translation>am Ende nicht stationär</translation>
+    </message>
+    <message>
+        <source>the motion does not bend enough to show c/J</source>
+        <translation>die Bewegung krümmt sich nicht genug, um c/J zu zeigen</translation>
+    </message>
+    <message>
+        <source>friction differs between the directions by {} % of its mean</source>
+        <translation>die Reibung unterscheidet sich zwischen den Richtungen um {} % ihres Mittels</translation>
+    </message>
+    <message>
+        <source>the mean of both directions is reported</source>
+        <translation>angegeben ist das Mittel beider Richtungen</translation>
+    </message>
+    <message>
+        <source>{} plateaus came to rest and were left out</source>
+        <translation>{} Plateaus kamen zum Stillstand und wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>start the sweep further above the breakaway current</source>
+        <translation>beginnen Sie die Messreihe weiter über dem Losbrechstrom</translation>
+    </message>
+    <message>
+        <source>{} not steady at {} end and left out</source>
+        <translation>{0} am Ende nicht stationär und ausgelassen</translation>
+    </message>
+    <message>
+        <source>one plateau was</source>
+        <translation>ein Plateau war</translation>
+    </message>
+    <message>
+        <source>{} plateaus were</source>
+        <translation>{} Plateaus waren</translation>
+    </message>
+    <message>
+        <source>dwell longer at each current</source>
+        <translation>halten Sie jeden Strom länger</translation>
+    </message>
+    <message>
+        <source>{} rows of the recording were lost</source>
+        <translation>{} Zeilen der Aufzeichnung gingen verloren</translation>
+    </message>
+    <message>
+        <source>check the link</source>
+        <translation>prüfen Sie die Verbindung</translation>
+    </message>
+    <message>
+        <source>run-ups and coast-downs could not be used: {}</source>
+        <translation>Hochläufe und Ausläufe waren nicht zu verwenden: {}</translation>
+    </message>
+    <message>
+        <source>record run-ups and coast-downs at 100 Hz or more</source>
+        <translation>zeichnen Sie Hochläufe und Ausläufe mit 100 Hz oder mehr auf</translation>
+    </message>
+    <message>
+        <source>use a higher current, so that the coast-down above 3 rad/s lasts longer than 0.12 s, or a second current</source>
+        <translation>verwenden Sie mehr Strom, damit der Auslauf über 3 rad/s länger als 0,12 s dauert, oder einen zweiten Strom</translation>
+    </message>
+    <message>
+        <source>model inadequate: one stretch of motion lies {} times further off the model than most</source>
+        <translation>Modell unzureichend: ein Bewegungsabschnitt liegt {}-mal weiter neben dem Modell als die meisten</translation>
+    </message>
+    <message>
+        <source>friction may depend on speed: the intervals do not hold that error; use faster currents only</source>
+        <translation>die Reibung hängt vielleicht von der Drehzahl ab: die Intervalle enthalten diesen Fehler nicht; verwenden Sie nur größere Ströme</translation>
+    </message>
+    <message>
+        <source>ordinary and robust regression of the sweep differ by more than one standard error</source>
+        <translation>gewöhnliche und robuste Regression der Messreihe unterscheiden sich um mehr als einen Standardfehler</translation>
+    </message>
+    <message>
+        <source>look at the plateaus of low weight; repeat the sweep</source>
+        <translation>sehen Sie sich die Plateaus mit kleinem Gewicht an; wiederholen Sie die Messreihe</translation>
+    </message>
+    <message>
+        <source>the sweep is not a straight line (lack of fit, p = {})</source>
+        <translation>die Messreihe ist keine Gerade (Anpassungsmangel, p = {})</translation>
+    </message>
+    <message>
+        <source>friction may depend on speed; use only the range of speeds that matters</source>
+        <translation>die Reibung hängt vielleicht von der Drehzahl ab; verwenden Sie nur den Drehzahlbereich, auf den es ankommt</translation>
+    </message>
+    <message>
+        <source>residuals keep their sign over neighbouring speeds (runs test, p = {})</source>
+        <translation>die Residuen behalten über benachbarte Drehzahlen ihr Vorzeichen (Runs-Test, p = {})</translation>
+    </message>
+    <message>
+        <source>friction may depend on speed; look at the residuals</source>
+        <translation>die Reibung hängt vielleicht von der Drehzahl ab; sehen Sie sich die Residuen an</translation>
+    </message>
+    <message>
+        <source>leaving out one plateau moves the steady line by {} standard errors</source>
+        <translation>ohne ein einzelnes Plateau verschiebt sich die stationäre Gerade um {} Standardfehler</translation>
+    </message>
+    <message>
+        <source>add plateaus near it or repeat it</source>
+        <translation>fügen Sie Plateaus in seiner Nähe hinzu, oder wiederholen Sie es</translation>
+    </message>
+    <message>
+        <source>c/phi is {} A*s/rad from plateaus and {} from all motion (p = {})</source>
+        <translation>c/phi ist {} A*s/rad aus den Plateaus und {} aus der ganzen Bewegung (p = {})</translation>
+    </message>
+    <message>
+        <source>friction may depend on speed</source>
+        <translation>die Reibung hängt vielleicht von der Drehzahl ab</translation>
+    </message>
+    <message>
+        <source>the given constants contradict the data (p = {})</source>
+        <translation>die vorgegebenen Konstanten widersprechen den Daten (p = {})</translation>
+    </message>
+    <message>
+        <source>give only the constant that is known best</source>
+        <translation>geben Sie nur die am besten bekannte Konstante vor</translation>
+    </message>
+    <message>
+        <source>only ratios of the constants can be known from angle and current</source>
+        <translation>aus Winkel und Strom sind nur Verhältnisse der Konstanten bestimmbar</translation>
+    </message>
+    <message>
+        <source>give the inertia (--given J=...) or the torque constant (--given phi=...), or repeat with a known inertia fixed to the rotor (--bare, --added-inertia)</source>
+        <translation>geben Sie das Trägheitsmoment (--given J=...) oder die Drehmomentkonstante (--given phi=...) vor, oder wiederholen Sie mit einer bekannten Trägheit am Rotor (--bare, --added-inertia)</translation>
+    </message>
+    <message>
+        <source>the data and the given constants do not decide all four constants</source>
+        <translation>die Daten und die vorgegebenen Konstanten bestimmen nicht alle vier Konstanten</translation>
+    </message>
+    <message>
+        <source>add what is missing: transients (run-up and coast-down), or another given constant</source>
+        <translation>ergänzen Sie, was fehlt: Übergänge (Hochlauf und Auslauf) oder eine weitere vorgegebene Konstante</translation>
+    </message>
+    <message>
+        <source>both runs must decide c/J, K_f/J and phi/J with their covariance, and be made without given constants</source>
+        <translation>beide Läufe müssen c/J, K_f/J und phi/J mit ihrer Kovarianz bestimmen und ohne vorgegebene Konstanten gemacht sein</translation>
+    </message>
+    <message>
+        <source>identify the bare motor again without --given</source>
+        <translation>identifizieren Sie den bloßen Motor neu ohne --given</translation>
+    </message>
+    <message>
+        <source>damping tells another inertia ({} standard errors): the added part changed the friction</source>
+        <translation>die Dämpfung ergibt ein anderes Trägheitsmoment ({} Standardfehler): das zugefügte Teil hat die Reibung verändert</translation>
+    </message>
+    <message>
+        <source>only the torque constant was used</source>
+        <translation>nur die Drehmomentkonstante wurde verwendet</translation>
+    </message>
+    <message>
+        <source>neither transients nor plateaus could be used: {}; {}</source>
+        <translation>weder Übergänge noch Plateaus waren zu verwenden: {}; {}</translation>
+    </message>
+    <message>
+        <source>use currents well above the breakaway current and hold each for some seconds</source>
+        <translation>verwenden Sie Ströme deutlich über dem Losbrechstrom, und halten Sie jeden einige Sekunden</translation>
+    </message>
+    <message>
+        <source>sweep forward</source>
+        <translation>Messreihe vorwärts</translation>
+    </message>
+    <message>
+        <source>sweep reverse</source>
+        <translation>Messreihe rückwärts</translation>
+    </message>
+    <message>
+        <source>coast-downs forward</source>
+        <translation>Ausläufe vorwärts</translation>
+    </message>
+    <message>
+        <source>coast-downs reverse</source>
+        <translation>Ausläufe rückwärts</translation>
+    </message>
+    <message>
+        <source>the speed limit leaves no usable speed</source>
+        <translation>die Drehzahlgrenze lässt keine brauchbare Drehzahl übrig</translation>
+    </message>
+    <message>
+        <source>allow e.g. 40 rad/s</source>
+        <translation>erlauben Sie z. B. 40 rad/s</translation>
+    </message>
+    <message>
+        <source>0 to 16 coast-downs in each direction are possible</source>
+        <translation>0 bis 16 Ausläufe in jeder Richtung sind möglich</translation>
+    </message>
+    <message>
+        <source>first motion</source>
+        <translation>erste Bewegung</translation>
+    </message>
+    <message>
+        <source>the model does not hold {}, which decides the loop</source>
+        <translation>das Modell enthält {} nicht, das den Regelkreis bestimmt</translation>
+    </message>
+    <message>
+        <source>steady speeds alone do not show the inertia: identify with run-ups and coast-downs, or give the constant that is known (--given J=...)</source>
+        <translation>stationäre Drehzahlen allein zeigen das Trägheitsmoment nicht: identifizieren Sie mit Hochläufen und Ausläufen, oder geben Sie die bekannte Konstante vor (--given J=...)</translation>
+    </message>
+    <message>
+        <source>{} of the model is not a finite number</source>
+        <translation>{} des Modells ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the covariance of the model names {} values but is not {} x {}</source>
+        <translation>die Kovarianz des Modells nennt {} Werte, ist aber nicht {} x {}</translation>
+    </message>
+    <message>
+        <source>the covariance of the model holds a value that is not finite</source>
+        <translation>die Kovarianz des Modells enthält einen Wert, der nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>the covariance names &apos;{}&apos;, of which the model has no value</source>
+        <translation>die Kovarianz nennt „{}“, wofür das Modell keinen Wert hat</translation>
+    </message>
+    <message>
+        <source>the response has too few samples to be measured</source>
+        <translation>die Antwort hat zu wenige Abtastwerte, um gemessen zu werden</translation>
+    </message>
+    <message>
+        <source>Record longer or at a higher rate.</source>
+        <translation>Zeichnen Sie länger oder mit höherer Rate auf.</translation>
+    </message>
+    <message>
+        <source>the response holds a value that is not a number</source>
+        <translation>die Antwort enthält einen Wert, der keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>Repeat the move.</source>
+        <translation>Wiederholen Sie die Bewegung.</translation>
+    </message>
+    <message>
+        <source>a move of {} s is out of range</source>
+        <translation>eine Bewegung von {} s ist außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>Allowed: 0.05 to 3600 s.</source>
+        <translation>Erlaubt: 0,05 bis 3600 s.</translation>
+    </message>
+    <message>
+        <source>the board did not start its reference</source>
+        <translation>das Steuergerät hat seinen Verlauf nicht gestartet</translation>
+    </message>
+    <message>
+        <source>Try again; check the link.</source>
+        <translation>Versuchen Sie es erneut; prüfen Sie die Verbindung.</translation>
+    </message>
+    <message>
+        <source>{} of {} samples arrived</source>
+        <translation>{} von {} Abtastwerten kamen an</translation>
+    </message>
+    <message>
+        <source>The link is too slow for this rate; record at a lower one.</source>
+        <translation>Die Verbindung ist zu langsam für diese Rate; zeichnen Sie mit einer kleineren auf.</translation>
+    </message>
+    <message>
+        <source>waits for standstill</source>
+        <translation>wartet auf Stillstand</translation>
+    </message>
+    <message>
+        <source>a {} needs {}</source>
+        <translation>„{}“ braucht {}</translation>
+    </message>
+    <message>
+        <source>Add {}=... to the reference.</source>
+        <translation>Ergänzen Sie {}=... beim Verlauf.</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not KEY=VALUE</source>
+        <translation>„{}“ ist nicht SCHLÜSSEL=WERT</translation>
+    </message>
+    <message>
+        <source>Write a reference like step,amplitude_deg=100. Known keys: {}.</source>
+        <translation>Schreiben Sie einen Verlauf wie step,amplitude_deg=100. Bekannte Schlüssel: {}.</translation>
+    </message>
+    <message>
+        <source>Write {}=1.5.</source>
+        <translation>Schreiben Sie {}=1.5.</translation>
+    </message>
+    <message>
+        <source>there is no reference shape &apos;{}&apos;</source>
+        <translation>die Form „{}“ gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Known shapes: {}.</source>
+        <translation>Bekannte Formen: {}.</translation>
+    </message>
+    <message>
+        <source>a reference has no key &apos;{}&apos;</source>
+        <translation>ein Verlauf hat keinen Schlüssel „{}“</translation>
+    </message>
+    <message>
+        <source>Allowed: {} to {}.</source>
+        <translation>Erlaubt: {} bis {}.</translation>
+    </message>
+    <message>
+        <source>Allowed: {} to {}{}.</source>
+        <translation>Erlaubt: {} bis {}{}.</translation>
+    </message>
+    <message>
+        <source>reference: &apos;{}&apos; is given twice</source>
+        <translation>Verlauf: „{}“ ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>{} is not a number at {} s</source>
+        <translation>{} ist bei {} s keine Zahl</translation>
+    </message>
+    <message>
+        <source>The board or the link delivers damaged values; nothing was concluded from them.</source>
+        <translation>Das Steuergerät oder die Verbindung liefert beschädigte Werte; daraus wurde nichts gefolgert.</translation>
+    </message>
+    <message>
+        <source>the duration must be more than zero seconds</source>
+        <translation>die Dauer muss größer als null Sekunden sein</translation>
+    </message>
+    <message>
+        <source>Give e.g. --duration 10.</source>
+        <translation>Geben Sie z. B. --duration 10 an.</translation>
+    </message>
+    <message>
+        <source>Give e.g. --rate 100.</source>
+        <translation>Geben Sie z. B. --rate 100 an.</translation>
+    </message>
+    <message>
+        <source>a duration of {} s at {} Hz is more than {} rows</source>
+        <translation>eine Dauer von {} s bei {} Hz ergibt mehr als {} Zeilen</translation>
+    </message>
+    <message>
+        <source>Record in pieces or at a lower rate.</source>
+        <translation>Zeichnen Sie in Teilen oder mit kleinerer Rate auf.</translation>
+    </message>
+    <message>
+        <source>only {} of {} samples arrived</source>
+        <translation>nur {} von {} Abtastwerten kamen an</translation>
+    </message>
+    <message>
+        <source>check the link; record fewer signals or at a lower rate</source>
+        <translation>prüfen Sie die Verbindung; zeichnen Sie weniger Signale oder mit kleinerer Rate auf</translation>
+    </message>
+    <message>
+        <source>{} of {} rows are missing</source>
+        <translation>{} von {} Zeilen fehlen</translation>
+    </message>
+    <message>
+        <source>Record fewer signals or at a lower rate.</source>
+        <translation>Zeichnen Sie weniger Signale oder mit kleinerer Rate auf.</translation>
+    </message>
+    <message>
+        <source>nothing was written</source>
+        <translation>nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>the source&apos;s own targets (zeta 0.06 at 15 rad/s) give {} A/rad and {} A/(rad s) on this motor, not the printed 10 and 0.1</source>
+        <translation>die eigenen Ziele der Quelle (zeta 0,06 bei 15 rad/s) ergeben an diesem Motor {} A/rad und {} A/(rad s), nicht die gedruckten 10 und 0,1</translation>
+    </message>
+    <message>
+        <source>method designed has those gains</source>
+        <translation>das Verfahren designed hat diese Verstärkungen</translation>
+    </message>
+    <message>
+        <source>the motor damps more than the loop asks for: K_D is zero</source>
+        <translation>der Motor dämpft mehr, als der Regelkreis verlangt: K_D ist null</translation>
+    </message>
+    <message>
+        <source>a faster loop may be possible: method bandwidth or phase-margin</source>
+        <translation>ein schnellerer Regelkreis ist vielleicht möglich: Verfahren bandwidth oder phase-margin</translation>
+    </message>
+    <message>
+        <source>the model has no covariance: robustness is that of an exactly known motor</source>
+        <translation>das Modell hat keine Kovarianz: die Robustheit ist die eines genau bekannten Motors</translation>
+    </message>
+    <message>
+        <source>identify the motor to get its uncertainty</source>
+        <translation>identifizieren Sie den Motor, um seine Unsicherheit zu erhalten</translation>
+    </message>
+    <message>
+        <source>{} % of the motors that the data allow make this loop unstable</source>
+        <translation>{} % der Motoren, die die Daten zulassen, machen diesen Regelkreis instabil</translation>
+    </message>
+    <message>
+        <source>identify more precisely, or choose a slower loop</source>
+        <translation>identifizieren Sie genauer, oder wählen Sie einen langsameren Regelkreis</translation>
+    </message>
+    <message>
+        <source>the set of gains lacks {}</source>
+        <translation>dem Parametersatz fehlt {}</translation>
+    </message>
+    <message>
+        <source>{} = {} is negative</source>
+        <translation>{} = {} ist negativ</translation>
+    </message>
+    <message>
+        <source>the device has no parameter {}, which this set of gains needs</source>
+        <translation>das Gerät hat keinen Parameter {}, den dieser Parametersatz braucht</translation>
+    </message>
+    <message>
+        <source>choose a method without it: pole-placement or a preset</source>
+        <translation>wählen Sie ein Verfahren ohne ihn: pole-placement oder eine Voreinstellung</translation>
+    </message>
+    <message>
+        <source>ended by the user</source>
+        <translation>vom Benutzer beendet</translation>
+    </message>
+    <message>
+        <source>the old gains run again</source>
+        <translation>die alten Verstärkungen gelten wieder</translation>
+    </message>
+    <message>
+        <source>no device is connected</source>
+        <translation>kein Gerät ist verbunden</translation>
+    </message>
+    <message>
+        <source>connect one first</source>
+        <translation>verbinden Sie zuerst eines</translation>
+    </message>
+    <message>
+        <source>Connection refused</source>
+        <translation>Verbindung abgelehnt</translation>
+    </message>
+    <message>
+        <source>Connection timed out</source>
+        <translation>Zeitüberschreitung der Verbindung</translation>
+    </message>
+    <message>
+        <source>Connection reset by peer</source>
+        <translation>Verbindung von der Gegenseite abgebrochen</translation>
+    </message>
+    <message>
+        <source>Network is unreachable</source>
+        <translation>Netz nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>No route to host</source>
+        <translation>kein Weg zum Rechner</translation>
+    </message>
+    <message>
+        <source>Name or service not known</source>
+        <translation>Name oder Dienst nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Temporary failure in name resolution</source>
+        <translation>vorübergehender Fehler der Namensauflösung</translation>
+    </message>
+    <message>
+        <source>Address already in use</source>
+        <translation>Adresse wird bereits verwendet</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>kein Platz auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation>Datei gibt es schon</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>Datei zu groß</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Dateisystem nur lesbar</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>zu viele offene Dateien</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Ein-/Ausgabefehler</translation>
+    </message>
+    <message>
+        <source>Unknown error</source>
+        <translation>unbekannter Fehler</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::CalibratePanel</name>
     <message>
         <source>Save calibration</source>

@@ -53,6 +53,3477 @@
     </message>
 </context>
 <context>
+    <name>Phrases</name>
+    <message>
+        <source>Rotor angle, unwrapped</source>
+        <translation>转子角度，跨圈累计</translation>
+    </message>
+    <message>
+        <source>Rotor speed, slope over 32 ms</source>
+        <translation>转子转速，32 ms 内的斜率</translation>
+    </message>
+    <message>
+        <source>Reference: rad in mode position, else A</source>
+        <translation>参考值：位置模式下为 rad，否则为 A</translation>
+    </message>
+    <message>
+        <source>Current amplitude commanded</source>
+        <translation>电流幅值指令</translation>
+    </message>
+    <message>
+        <source>Current commanded into phase {}</source>
+        <translation>{} 相电流指令</translation>
+    </message>
+    <message>
+        <source>Field at Hall sensor {}, not corrected</source>
+        <translation>霍尔传感器 {} 处的磁场，未校正</translation>
+    </message>
+    <message>
+        <source>Coil {}</source>
+        <translation>线圈 {}</translation>
+    </message>
+    <message>
+        <source>State of the board</source>
+        <translation>控制板状态</translation>
+    </message>
+    <message>
+        <source>Latched fault</source>
+        <translation>已锁存的故障</translation>
+    </message>
+    <message>
+        <source>Control cycles that saw a mixed parameter set</source>
+        <translation>遇到混合参数组的控制周期数</translation>
+    </message>
+    <message>
+        <source>Step or plateau, 0 = not running</source>
+        <translation>阶梯或平台序号，0 = 未运行</translation>
+    </message>
+    <message>
+        <source>1 while the generator runs</source>
+        <translation>发生器运行时为 1</translation>
+    </message>
+    <message>
+        <source>State of the capture</source>
+        <translation>捕获状态</translation>
+    </message>
+    <message>
+        <source>Device time of the trigger sample</source>
+        <translation>触发样本的设备时间</translation>
+    </message>
+    <message>
+        <source>Proportional gain</source>
+        <translation>比例增益</translation>
+    </message>
+    <message>
+        <source>Integral gain</source>
+        <translation>积分增益</translation>
+    </message>
+    <message>
+        <source>Derivative gain on the measured angle</source>
+        <translation>作用于测得角度的微分增益</translation>
+    </message>
+    <message>
+        <source>0.9 K_f/phi, with the reference speed</source>
+        <translation>0.9 K_f/phi，随参考转速的方向</translation>
+    </message>
+    <message>
+        <source>Reference speed of full Coulomb feed-forward</source>
+        <translation>库仑摩擦前馈达到满值的参考转速</translation>
+    </message>
+    <message>
+        <source>Friction help at rest, 0.9 K_f/phi</source>
+        <translation>静止时的摩擦补偿，0.9 K_f/phi</translation>
+    </message>
+    <message>
+        <source>Error above which the friction help acts (0.16 degrees)</source>
+        <translation>误差超过此值时摩擦补偿起作用（0.16 度）</translation>
+    </message>
+    <message>
+        <source>Reference speed below which the friction help acts</source>
+        <translation>参考转速低于此值时摩擦补偿起作用</translation>
+    </message>
+    <message>
+        <source>Form of the control law</source>
+        <translation>控制律形式</translation>
+    </message>
+    <message>
+        <source>Largest current amplitude</source>
+        <translation>最大电流幅值</translation>
+    </message>
+    <message>
+        <source>Coil temperature that trips</source>
+        <translation>触发保护的线圈温度</translation>
+    </message>
+    <message>
+        <source>Largest excursion from the position at arming</source>
+        <translation>相对使能时位置的最大偏移</translation>
+    </message>
+    <message>
+        <source>Position window</source>
+        <translation>位置窗口</translation>
+    </message>
+    <message>
+        <source>Largest speed while armed</source>
+        <translation>使能时的最大转速</translation>
+    </message>
+    <message>
+        <source>Speed window</source>
+        <translation>转速窗口</translation>
+    </message>
+    <message>
+        <source>Subtract the field of the phase currents</source>
+        <translation>减去相电流产生的磁场</translation>
+    </message>
+    <message>
+        <source>Field of a phase current at its own sensor</source>
+        <translation>相电流在其自身传感器处的磁场</translation>
+    </message>
+    <message>
+        <source>Angle from the two fields</source>
+        <translation>由两个磁场求角度</translation>
+    </message>
+    <message>
+        <source>Delay of the position loop in its samples</source>
+        <translation>位置回路的时延（样本数）</translation>
+    </message>
+    <message>
+        <source>Commutate every n-th millisecond</source>
+        <translation>每 n 毫秒换相一次</translation>
+    </message>
+    <message>
+        <source>Commutation angle ahead by speed times this</source>
+        <translation>换相角超前量 = 转速乘以此值</translation>
+    </message>
+    <message>
+        <source>Offset of channel {}</source>
+        <translation>通道 {} 的偏置</translation>
+    </message>
+    <message>
+        <source>Amplitude of channel B over channel A</source>
+        <translation>通道 B 与通道 A 的幅值比</translation>
+    </message>
+    <message>
+        <source>Channel B sees sin(angle + quadrature)</source>
+        <translation>通道 B 测得 sin(角度 + 正交误差)</translation>
+    </message>
+    <message>
+        <source>Field amplitude at the sensors</source>
+        <translation>传感器处的磁场幅值</translation>
+    </message>
+    <message>
+        <source>Angle error map</source>
+        <translation>角度误差表</translation>
+    </message>
+    <message>
+        <source>Angle error map, cosine of order {}</source>
+        <translation>角度误差表，{} 阶余弦</translation>
+    </message>
+    <message>
+        <source>Angle error map, sine of order {}</source>
+        <translation>角度误差表，{} 阶正弦</translation>
+    </message>
+    <message>
+        <source>Arm the outputs</source>
+        <translation>使能输出</translation>
+    </message>
+    <message>
+        <source>What the set-point means</source>
+        <translation>设定值的含义</translation>
+    </message>
+    <message>
+        <source>A, or rad from the position at arming</source>
+        <translation>A，或相对使能时位置的 rad</translation>
+    </message>
+    <message>
+        <source>Silence of the host that stops the board</source>
+        <translation>主机静默超过此时间则控制板停止</translation>
+    </message>
+    <message>
+        <source>Write 1 to stop and latch</source>
+        <translation>写入 1 停止并锁存</translation>
+    </message>
+    <message>
+        <source>A lost master brings this calibration back</source>
+        <translation>主机失联时恢复此参数组</translation>
+    </message>
+    <message>
+        <source>Shape of the reference</source>
+        <translation>参考信号波形</translation>
+    </message>
+    <message>
+        <source>rad or A; height of one step of the staircase, end of the ramp</source>
+        <translation>rad 或 A；阶梯一级的高度，斜坡的终值</translation>
+    </message>
+    <message>
+        <source>Slope of the ramp, rad/s or A/s</source>
+        <translation>斜坡斜率，rad/s 或 A/s</translation>
+    </message>
+    <message>
+        <source>Frequency of sine; first of chirp and multisine</source>
+        <translation>正弦频率；扫频和多正弦的起始频率</translation>
+    </message>
+    <message>
+        <source>Last frequency of chirp and multisine</source>
+        <translation>扫频和多正弦的终止频率</translation>
+    </message>
+    <message>
+        <source>Time of one step of the staircase</source>
+        <translation>阶梯每级的时间</translation>
+    </message>
+    <message>
+        <source>Steps of the staircase, lines of the multisine</source>
+        <translation>阶梯级数，多正弦谱线数</translation>
+    </message>
+    <message>
+        <source>Time until the generator ends</source>
+        <translation>发生器运行的时间</translation>
+    </message>
+    <message>
+        <source>Constant motion added: rad/s in mode position, else A</source>
+        <translation>叠加的恒定运动：位置模式下为 rad/s，否则为 A</translation>
+    </message>
+    <message>
+        <source>Phases of the multisine; 0 = Schroeder</source>
+        <translation>多正弦相位；0 = Schroeder 相位</translation>
+    </message>
+    <message>
+        <source>1 starts, 0 stops the generator</source>
+        <translation>1 启动、0 停止发生器</translation>
+    </message>
+    <message>
+        <source>Number of plateaus</source>
+        <translation>平台数</translation>
+    </message>
+    <message>
+        <source>Time of one plateau</source>
+        <translation>每个平台的时间</translation>
+    </message>
+    <message>
+        <source>Current of plateau {}</source>
+        <translation>平台 {} 的电流</translation>
+    </message>
+    <message>
+        <source>Signal of channel {} as handle (address/8), 255 = none</source>
+        <translation>通道 {} 的信号编号（地址/8），255 = 无</translation>
+    </message>
+    <message>
+        <source>What starts the capture</source>
+        <translation>捕获的触发方式</translation>
+    </message>
+    <message>
+        <source>Handle of the signal compared with the level</source>
+        <translation>与电平比较的信号编号</translation>
+    </message>
+    <message>
+        <source>Level of the trigger</source>
+        <translation>触发电平</translation>
+    </message>
+    <message>
+        <source>Direction of the crossing</source>
+        <translation>穿越方向</translation>
+    </message>
+    <message>
+        <source>Samples before the trigger</source>
+        <translation>触发前的样本数</translation>
+    </message>
+    <message>
+        <source>Milliseconds per sample</source>
+        <translation>每个样本的毫秒数</translation>
+    </message>
+    <message>
+        <source>1 starts, 0 stops the capture</source>
+        <translation>1 启动、0 停止捕获</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>增益</translation>
+    </message>
+    <message>
+        <source>feedforward</source>
+        <translation>前馈</translation>
+    </message>
+    <message>
+        <source>stiction</source>
+        <translation>摩擦补偿</translation>
+    </message>
+    <message>
+        <source>control</source>
+        <translation>控制</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>限值</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>窗口</translation>
+    </message>
+    <message>
+        <source>stray</source>
+        <translation>杂散磁场</translation>
+    </message>
+    <message>
+        <source>decode</source>
+        <translation>角度解码</translation>
+    </message>
+    <message>
+        <source>delay</source>
+        <translation>时延</translation>
+    </message>
+    <message>
+        <source>commutation</source>
+        <translation>换相</translation>
+    </message>
+    <message>
+        <source>hall</source>
+        <translation>霍尔传感器</translation>
+    </message>
+    <message>
+        <source>errormap</source>
+        <translation>角度误差表</translation>
+    </message>
+    <message>
+        <source>hb</source>
+        <translation>控制板</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>参考信号发生器</translation>
+    </message>
+    <message>
+        <source>plateau</source>
+        <translation>平台</translation>
+    </message>
+    <message>
+        <source>capture</source>
+        <translation>捕获</translation>
+    </message>
+    <message>
+        <source>idle</source>
+        <translation>空闲</translation>
+    </message>
+    <message>
+        <source>armed</source>
+        <translation>已使能</translation>
+    </message>
+    <message>
+        <source>disarmed</source>
+        <translation>未使能</translation>
+    </message>
+    <message>
+        <source>arm</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>disarm</source>
+        <translation>禁用</translation>
+    </message>
+    <message>
+        <source>stopped by command</source>
+        <translation>由命令停止</translation>
+    </message>
+    <message>
+        <source>stopped by watchdog</source>
+        <translation>由看门狗停止</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>coil temperature above its limit</source>
+        <translation>线圈温度超过限值</translation>
+    </message>
+    <message>
+        <source>current above its limit</source>
+        <translation>电流超过限值</translation>
+    </message>
+    <message>
+        <source>speed above its window</source>
+        <translation>转速超出窗口</translation>
+    </message>
+    <message>
+        <source>position left its window</source>
+        <translation>位置超出窗口</translation>
+    </message>
+    <message>
+        <source>angle jumped (ambiguous decode)</source>
+        <translation>角度跳变（解码不唯一）</translation>
+    </message>
+    <message>
+        <source>sensor out of range</source>
+        <translation>传感器超出范围</translation>
+    </message>
+    <message>
+        <source>value not finite</source>
+        <translation>数值不是有限数</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>positional</source>
+        <translation>位置式</translation>
+    </message>
+    <message>
+        <source>literal difference equation</source>
+        <translation>原文差分方程</translation>
+    </message>
+    <message>
+        <source>literal with clamped memory</source>
+        <translation>原文差分方程，限幅记忆</translation>
+    </message>
+    <message>
+        <source>arctangent</source>
+        <translation>反正切</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>线性</translation>
+    </message>
+    <message>
+        <source>one sample</source>
+        <translation>一个样本</translation>
+    </message>
+    <message>
+        <source>two samples</source>
+        <translation>两个样本</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>电流</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>d-axis</source>
+        <translation>d 轴</translation>
+    </message>
+    <message>
+        <source>run</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>阶跃</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>斜坡</translation>
+    </message>
+    <message>
+        <source>sine</source>
+        <translation>正弦</translation>
+    </message>
+    <message>
+        <source>staircase</source>
+        <translation>阶梯</translation>
+    </message>
+    <message>
+        <source>chirp</source>
+        <translation>扫频</translation>
+    </message>
+    <message>
+        <source>multisine</source>
+        <translation>多正弦</translation>
+    </message>
+    <message>
+        <source>plateaus</source>
+        <translation>平台</translation>
+    </message>
+    <message>
+        <source>filling</source>
+        <translation>填充中</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>等待中</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>运行中</translation>
+    </message>
+    <message>
+        <source>full</source>
+        <translation>已满</translation>
+    </message>
+    <message>
+        <source>immediate</source>
+        <translation>立即</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>电平</translation>
+    </message>
+    <message>
+        <source>reference start</source>
+        <translation>参考信号启动</translation>
+    </message>
+    <message>
+        <source>rising</source>
+        <translation>上升</translation>
+    </message>
+    <message>
+        <source>falling</source>
+        <translation>下降</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>frequency</source>
+        <translation>频率</translation>
+    </message>
+    <message>
+        <source>voltage</source>
+        <translation>电压</translation>
+    </message>
+    <message>
+        <source>transconductance</source>
+        <translation>跨导</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>温度</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>转矩</translation>
+    </message>
+    <message>
+        <source>inertia</source>
+        <translation>转动惯量</translation>
+    </message>
+    <message>
+        <source>rate</source>
+        <translation>速率</translation>
+    </message>
+    <message>
+        <source>resistance</source>
+        <translation>电阻</translation>
+    </message>
+    <message>
+        <source>inductance</source>
+        <translation>电感</translation>
+    </message>
+    <message>
+        <source>ratio</source>
+        <translation>比值</translation>
+    </message>
+    <message>
+        <source>overshoot</source>
+        <translation>超调</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>度</translation>
+    </message>
+    <message>
+        <source>deg</source>
+        <translation>度</translation>
+    </message>
+    <message>
+        <source>its</source>
+        <translation>其</translation>
+    </message>
+    <message>
+        <source>their</source>
+        <translation>其</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>已中断</translation>
+    </message>
+    <message>
+        <source>Designed: damping 0.06 at 15 rad/s, computed correctly</source>
+        <translation>设计值：阻尼 0.06，15 rad/s，正确计算</translation>
+    </message>
+    <message>
+        <source>Micro-step: error in degrees, 5 A/deg, 0.05 A/(deg s)</source>
+        <translation>微步：误差以度计，5 A/度，0.05 A/(度 s)</translation>
+    </message>
+    <message>
+        <source>Published gains read in degrees: 10 A/deg, 0.1 A/(deg s)</source>
+        <translation>已发表的增益按度理解：10 A/度，0.1 A/(度 s)</translation>
+    </message>
+    <message>
+        <source>Published: 10 A/rad, 0.1 A/(rad s)</source>
+        <translation>已发表：10 A/rad，0.1 A/(rad s)</translation>
+    </message>
+    <message>
+        <source>Recommended: feed-forward and micro-step assist</source>
+        <translation>推荐：前馈和微步辅助</translation>
+    </message>
+    <message>
+        <source>Two-phase Halbach-cylinder motor</source>
+        <translation>两相 Halbach 圆筒电机</translation>
+    </message>
+    <message>
+        <source>the feedback closes an algebraic loop with 1 + L = 0</source>
+        <translation>反馈形成 1 + L = 0 的代数环</translation>
+    </message>
+    <message>
+        <source>a step response needs at least two samples, each with its time</source>
+        <translation>阶跃响应至少需要两个带时间的样本</translation>
+    </message>
+    <message>
+        <source>the step response holds a value that is not finite</source>
+        <translation>阶跃响应含有非有限值</translation>
+    </message>
+    <message>
+        <source>the step has no height</source>
+        <translation>阶跃没有高度</translation>
+    </message>
+    <message>
+        <source>the times of the step response are not ascending</source>
+        <translation>阶跃响应的时间没有递增</translation>
+    </message>
+    <message>
+        <source>parameter &apos;{}&apos; is read only</source>
+        <translation>参数“{}”只读</translation>
+    </message>
+    <message>
+        <source>leave it out</source>
+        <translation>请去掉它</translation>
+    </message>
+    <message>
+        <source>parameter &apos;{}&apos; needs a finite number</source>
+        <translation>参数“{}”需要有限数</translation>
+    </message>
+    <message>
+        <source>give a value from {} to {} {}</source>
+        <translation>请给出 {} 到 {} {} 的值</translation>
+    </message>
+    <message>
+        <source>parameter &apos;{}&apos; = {} {} is out of range</source>
+        <translation>参数“{}”= {} {} 超出范围</translation>
+    </message>
+    <message>
+        <source>allowed is {} to {} {}</source>
+        <translation>允许 {} 到 {} {}</translation>
+    </message>
+    <message>
+        <source>parameter &apos;{}&apos; = {} needs a whole number</source>
+        <translation>参数“{}”= {} 需要整数</translation>
+    </message>
+    <message>
+        <source>allowed is {} to {}</source>
+        <translation>允许 {} 到 {}</translation>
+    </message>
+    <message>
+        <source>count or state</source>
+        <translation>计数或状态</translation>
+    </message>
+    <message>
+        <source>angular speed</source>
+        <translation>角速度</translation>
+    </message>
+    <message>
+        <source>angular acceleration</source>
+        <translation>角加速度</translation>
+    </message>
+    <message>
+        <source>flux density</source>
+        <translation>磁通密度</translation>
+    </message>
+    <message>
+        <source>stray field per current</source>
+        <translation>单位电流杂散磁场</translation>
+    </message>
+    <message>
+        <source>temperature difference</source>
+        <translation>温差</translation>
+    </message>
+    <message>
+        <source>torque constant</source>
+        <translation>转矩常数</translation>
+    </message>
+    <message>
+        <source>viscous damping</source>
+        <translation>粘性阻尼</translation>
+    </message>
+    <message>
+        <source>acceleration per current</source>
+        <translation>单位电流加速度</translation>
+    </message>
+    <message>
+        <source>proportional gain</source>
+        <translation>比例增益</translation>
+    </message>
+    <message>
+        <source>integral gain</source>
+        <translation>积分增益</translation>
+    </message>
+    <message>
+        <source>derivative gain</source>
+        <translation>微分增益</translation>
+    </message>
+    <message>
+        <source>acceleration feed-forward</source>
+        <translation>加速度前馈</translation>
+    </message>
+    <message>
+        <source>current slope</source>
+        <translation>电流变化率</translation>
+    </message>
+    <message>
+        <source>zeta = {} at {} rad/s is out of reach of a PI position loop on this motor: zeta &lt;= c/(2 J omega) = {}</source>
+        <translation>此电机的 PI 位置回路无法达到 zeta = {}（{} rad/s）：zeta &lt;= c/(2 J omega) = {}</translation>
+    </message>
+    <message>
+        <source>lower zeta or omega, or use method bandwidth or phase-margin, which add derivative action</source>
+        <translation>请降低 zeta 或 omega，或使用带微分作用的方法 bandwidth 或 phase-margin</translation>
+    </message>
+    <message>
+        <source>method bandwidth needs a target bandwidth</source>
+        <translation>方法 bandwidth 需要目标带宽</translation>
+    </message>
+    <message>
+        <source>add --bandwidth-hz HZ</source>
+        <translation>请加上 --bandwidth-hz HZ</translation>
+    </message>
+    <message>
+        <source>a bandwidth of {} Hz is not possible with this motor at {} Hz sampling and {} samples of delay</source>
+        <translation>在 {1} Hz 采样、{2} 个样本时延下，此电机无法达到 {0} Hz 带宽</translation>
+    </message>
+    <message>
+        <source>choose {} to {} Hz</source>
+        <translation>请选择 {} 到 {} Hz</translation>
+    </message>
+    <message>
+        <source>method phase-margin needs a target margin</source>
+        <translation>方法 phase-margin 需要目标裕度</translation>
+    </message>
+    <message>
+        <source>add --phase-margin-deg DEG</source>
+        <translation>请加上 --phase-margin-deg DEG</translation>
+    </message>
+    <message>
+        <source>no position loop on this motor has a phase margin of {} deg and a gain margin of 2{}</source>
+        <translation>此电机的任何位置回路都不能达到 {} 度的相位裕度和 2 倍的幅值裕度{}</translation>
+    </message>
+    <message>
+        <source> at {} rad/s</source>
+        <translation>（在 {} rad/s）</translation>
+    </message>
+    <message>
+        <source>ask for 30 to 60 deg, or leave the crossover to the program</source>
+        <translation>请要求 30 到 60 度，或由程序选择穿越频率</translation>
+    </message>
+    <message>
+        <source>the target {} is not a finite number</source>
+        <translation>目标 {} 不是有限数</translation>
+    </message>
+    <message>
+        <source>method {} does not read the target {}</source>
+        <translation>方法 {} 不使用目标 {}</translation>
+    </message>
+    <message>
+        <source>leave it out, or choose the method that reads it</source>
+        <translation>请去掉它，或选择使用它的方法</translation>
+    </message>
+    <message>
+        <source>the target {} = {} is not between 0 and {}</source>
+        <translation>目标 {} = {} 不在 0 和 {} 之间</translation>
+    </message>
+    <message>
+        <source>there is no design method &apos;{}&apos;</source>
+        <translation>没有设计方法“{}”</translation>
+    </message>
+    <message>
+        <source>choose one of: {}</source>
+        <translation>请选择其一：{}</translation>
+    </message>
+    <message>
+        <source>the product&apos;s own loop, scaled to the identified motor</source>
+        <translation>本程序自己的回路，按辨识的电机缩放</translation>
+    </message>
+    <message>
+        <source>PI with the asked dominant pair, as far as the motor damps</source>
+        <translation>具有所要求主导极点对的 PI，以电机阻尼所及为限</translation>
+    </message>
+    <message>
+        <source>the recommended shape at the asked closed-loop bandwidth</source>
+        <translation>具有所要求闭环带宽的推荐结构</translation>
+    </message>
+    <message>
+        <source>the stiffest loop with the asked phase margin</source>
+        <translation>具有所要求相位裕度的最硬回路</translation>
+    </message>
+    <message>
+        <source>10 A/rad and 0.1 A/(rad s), as printed</source>
+        <translation>10 A/rad 和 0.1 A/(rad s)，按所印</translation>
+    </message>
+    <message>
+        <source>zeta = 0.06 at 15 rad/s, as the source meant it</source>
+        <translation>zeta = 0.06，15 rad/s，按文献原意</translation>
+    </message>
+    <message>
+        <source>5 A/deg and 0.05 A/(deg s), for steps of a few tenths of a degree</source>
+        <translation>5 A/度和 0.05 A/(度 s)，用于零点几度的阶跃</translation>
+    </message>
+    <message>
+        <source>the printed numbers read per degree; large steps end in a limit cycle</source>
+        <translation>所印数值按每度理解；大阶跃将陷入极限环</translation>
+    </message>
+    <message>
+        <source>a step needs a finite height that is not zero</source>
+        <translation>阶跃需要非零的有限高度</translation>
+    </message>
+    <message>
+        <source>a step response of {} s is not possible</source>
+        <translation>{} s 的阶跃响应不可行</translation>
+    </message>
+    <message>
+        <source>the step response of this unstable loop grows beyond all numbers</source>
+        <translation>此不稳定回路的阶跃响应无限增长</translation>
+    </message>
+    <message>
+        <source>an integral time of zero is an infinite integral gain</source>
+        <translation>积分时间为零意味着积分增益无穷大</translation>
+    </message>
+    <message>
+        <source>no integral action is an infinite integral time</source>
+        <translation>无积分作用即积分时间无穷大</translation>
+    </message>
+    <message>
+        <source>a controller without proportional gain cannot be written with times</source>
+        <translation>没有比例增益的控制器不能写成时间形式</translation>
+    </message>
+    <message>
+        <source>keep the parallel form</source>
+        <translation>请保持并联形式</translation>
+    </message>
+    <message>
+        <source>the series form has real zeros only, these gains have complex ones (T_i &lt; 4 T_d)</source>
+        <translation>串联形式只有实零点，而这些增益有复零点（T_i &lt; 4 T_d）</translation>
+    </message>
+    <message>
+        <source>keep the parallel or the standard form</source>
+        <translation>请保持并联或标准形式</translation>
+    </message>
+    <message>
+        <source>a gain is not a finite number</source>
+        <translation>某个增益不是有限数</translation>
+    </message>
+    <message>
+        <source>a constant of the motor model is not a finite number</source>
+        <translation>电机模型的某个常数不是有限数</translation>
+    </message>
+    <message>
+        <source>phi/J = {}, c/J = {}, K_f/phi = {} is no motor: torque per ampere must be positive, damping and friction not negative</source>
+        <translation>phi/J = {}、c/J = {}、K_f/phi = {} 不是电机：单位电流转矩必须为正，阻尼和摩擦不能为负</translation>
+    </message>
+    <message>
+        <source>identify the motor again, or correct the model file</source>
+        <translation>请重新辨识电机，或改正模型文件</translation>
+    </message>
+    <message>
+        <source>a delay of {} samples is not between 0 and {}</source>
+        <translation>{} 个样本的时延不在 0 和 {} 之间</translation>
+    </message>
+    <message>
+        <source>the covariance of the model is not a covariance</source>
+        <translation>模型的协方差不是合法的协方差</translation>
+    </message>
+    <message>
+        <source>it must be symmetric and positive semi-definite: identify the motor again</source>
+        <translation>它必须对称且半正定：请重新辨识电机</translation>
+    </message>
+    <message>
+        <source>{} draws are not between {} and {}</source>
+        <translation>{} 次抽样不在 {} 和 {} 之间</translation>
+    </message>
+    <message>
+        <source>the covariance does not have the size of the parameters</source>
+        <translation>协方差的大小与参数不符</translation>
+    </message>
+    <message>
+        <source>the model or its covariance holds a value that is not finite</source>
+        <translation>模型或其协方差含有非有限值</translation>
+    </message>
+    <message>
+        <source>the added inertia must be more than zero</source>
+        <translation>附加惯量必须大于零</translation>
+    </message>
+    <message>
+        <source>give it in kg*m^2, e.g. 2e-4</source>
+        <translation>请以 kg*m^2 给出，例如 2e-4</translation>
+    </message>
+    <message>
+        <source>the added inertia does not show above the errors of both runs</source>
+        <translation>附加惯量的影响未超过两次测量的误差</translation>
+    </message>
+    <message>
+        <source>fix a larger known inertia to the rotor, about as large as the rotor&apos;s own, and check that the first run was made without it</source>
+        <translation>请在转子上固定更大的已知惯量，约与转子自身相当，并确认第一次测量时没有装它</translation>
+    </message>
+    <message>
+        <source>no repeated points to judge the model by</source>
+        <translation>没有可用来评判模型的重复点</translation>
+    </message>
+    <message>
+        <source>visit some currents twice</source>
+        <translation>请对某些电流测两次</translation>
+    </message>
+    <message>
+        <source>all motion that could be used was under one current (coast-downs are missing or too short): torque and friction cannot be told apart</source>
+        <translation>所有可用的运动都在同一电流下（缺少自由减速或太短）：无法区分转矩与摩擦</translation>
+    </message>
+    <message>
+        <source>spin faster before the coast-down, or add a second current</source>
+        <translation>请在自由减速前转得更快，或增加第二个电流</translation>
+    </message>
+    <message>
+        <source>the d-axis current does not change</source>
+        <translation>d 轴电流没有变化</translation>
+    </message>
+    <message>
+        <source>step it to both signs</source>
+        <translation>请使其正负阶跃</translation>
+    </message>
+    <message>
+        <source>the ramp is too short</source>
+        <translation>斜坡太短</translation>
+    </message>
+    <message>
+        <source>record it from its start</source>
+        <translation>请从其开始记录</translation>
+    </message>
+    <message>
+        <source>the rotor did not break loose during the ramp</source>
+        <translation>转子在斜坡期间没有起动</translation>
+    </message>
+    <message>
+        <source>ramp to a higher current, from rest</source>
+        <translation>请从静止升到更大的电流</translation>
+    </message>
+    <message>
+        <source>turn the rotor through several whole turns</source>
+        <translation>请将转子转动数整圈</translation>
+    </message>
+    <message>
+        <source>the Hall readings do not change</source>
+        <translation>霍尔读数没有变化</translation>
+    </message>
+    <message>
+        <source>the Hall readings do not lie on an ellipse</source>
+        <translation>霍尔读数不在椭圆上</translation>
+    </message>
+    <message>
+        <source>too few Hall readings for an ellipse</source>
+        <translation>霍尔读数太少，不足以拟合椭圆</translation>
+    </message>
+    <message>
+        <source>record longer</source>
+        <translation>请记录更久</translation>
+    </message>
+    <message>
+        <source>parts of the record do not go round</source>
+        <translation>部分记录没有转满一圈</translation>
+    </message>
+    <message>
+        <source>a plateau stands still or turns against its current</source>
+        <translation>某个平台静止或逆电流方向转动</translation>
+    </message>
+    <message>
+        <source>leave plateaus that stop out of the fit</source>
+        <translation>请将停住的平台排除在拟合之外</translation>
+    </message>
+    <message>
+        <source>no usable plateau</source>
+        <translation>没有可用的平台</translation>
+    </message>
+    <message>
+        <source>use currents above the breakaway current</source>
+        <translation>请使用大于起动电流的电流</translation>
+    </message>
+    <message>
+        <source>too few plateaus to know their scatter</source>
+        <translation>平台太少，无法得知其离散程度</translation>
+    </message>
+    <message>
+        <source>visit at least three currents in one direction, four in both</source>
+        <translation>单向至少测三个电流，双向至少四个</translation>
+    </message>
+    <message>
+        <source>the speed does not grow with the current</source>
+        <translation>转速没有随电流增大</translation>
+    </message>
+    <message>
+        <source>check the sign of the current and that the plateaus are steady</source>
+        <translation>请检查电流的符号以及平台是否稳态</translation>
+    </message>
+    <message>
+        <source>not identifiable</source>
+        <translation>不可辨识</translation>
+    </message>
+    <message>
+        <source>a value of the fit is not a finite number</source>
+        <translation>拟合中的某个值不是有限数</translation>
+    </message>
+    <message>
+        <source>look for gaps or faults in the recording</source>
+        <translation>请查找记录中的缺口或错误</translation>
+    </message>
+    <message>
+        <source>{} usable points cannot decide {} coefficients</source>
+        <translation>{} 个可用点无法确定 {} 个系数</translation>
+    </message>
+    <message>
+        <source>measure more points</source>
+        <translation>请测量更多的点</translation>
+    </message>
+    <message>
+        <source>the points do not tell the coefficients apart</source>
+        <translation>这些点无法区分各系数</translation>
+    </message>
+    <message>
+        <source>visit more different currents, speeds or directions</source>
+        <translation>请测量更多不同的电流、转速或方向</translation>
+    </message>
+    <message>
+        <source>the recording holds no stretch of motion under constant current</source>
+        <translation>记录中没有恒定电流下的运动段</translation>
+    </message>
+    <message>
+        <source>hold each current for a second or more, well above the breakaway current</source>
+        <translation>每个电流请保持一秒以上，并明显高于起动电流</translation>
+    </message>
+    <message>
+        <source>a stretch of motion has too few samples</source>
+        <translation>有一段运动的样本太少</translation>
+    </message>
+    <message>
+        <source>record faster</source>
+        <translation>请提高采样率</translation>
+    </message>
+    <message>
+        <source>an angle of the recording is not a number</source>
+        <translation>记录中有一个角度不是数字</translation>
+    </message>
+    <message>
+        <source>cut the damaged rows out</source>
+        <translation>请去掉损坏的行</translation>
+    </message>
+    <message>
+        <source>the damping of the motion cannot be decided</source>
+        <translation>无法确定运动的阻尼</translation>
+    </message>
+    <message>
+        <source>record run-ups and coast-downs over a wider range of speed</source>
+        <translation>请在更宽的转速范围记录升速和自由减速</translation>
+    </message>
+    <message>
+        <source>the segments do not bend: the damping is undecided</source>
+        <translation>各段没有弯曲：阻尼无法确定</translation>
+    </message>
+    <message>
+        <source>record run-ups and coast-downs, not only steady motion</source>
+        <translation>请记录升速和自由减速，而不仅是稳态运动</translation>
+    </message>
+    <message>
+        <source>the columns of the recording differ in length</source>
+        <translation>记录各列的长度不同</translation>
+    </message>
+    <message>
+        <source>the recording holds a value that is not a number</source>
+        <translation>记录中有一个值不是数字</translation>
+    </message>
+    <message>
+        <source>the time of the recording does not increase</source>
+        <translation>记录的时间没有递增</translation>
+    </message>
+    <message>
+        <source>sort the rows and remove doubles</source>
+        <translation>请对各行排序并去掉重复</translation>
+    </message>
+    <message>
+        <source>a plateau has fewer than three samples</source>
+        <translation>某个平台少于三个样本</translation>
+    </message>
+    <message>
+        <source>dwell longer</source>
+        <translation>请停留更久</translation>
+    </message>
+    <message>
+        <source>a sample of a plateau is not a finite number</source>
+        <translation>平台的某个样本不是有限数</translation>
+    </message>
+    <message>
+        <source>look for faults in the recording</source>
+        <translation>请查找记录中的错误</translation>
+    </message>
+    <message>
+        <source>a plateau is shorter than two windows of the steadiness test</source>
+        <translation>某个平台短于稳态检验的两个窗口</translation>
+    </message>
+    <message>
+        <source>the fit hangs on single points</source>
+        <translation>拟合取决于个别点</translation>
+    </message>
+    <message>
+        <source>a record has too few samples</source>
+        <translation>某段记录的样本太少</translation>
+    </message>
+    <message>
+        <source>record faster or longer</source>
+        <translation>请提高采样率或记录更久</translation>
+    </message>
+    <message>
+        <source>no run-up and no coast-down</source>
+        <translation>没有升速也没有自由减速</translation>
+    </message>
+    <message>
+        <source>record some</source>
+        <translation>请记录一些</translation>
+    </message>
+    <message>
+        <source>an angle is not a number</source>
+        <translation>有一个角度不是数字</translation>
+    </message>
+    <message>
+        <source>the records do not tell torque, friction and damping apart</source>
+        <translation>这些记录无法区分转矩、摩擦和阻尼</translation>
+    </message>
+    <message>
+        <source>add a coast-down or a run-up at a second current</source>
+        <translation>请增加一次自由减速或以第二个电流升速</translation>
+    </message>
+    <message>
+        <source>the pre-warp frequency of {} rad/s is not between 0 and the Nyquist frequency of {} rad/s</source>
+        <translation>预畸变频率 {} rad/s 不在 0 和奈奎斯特频率 {} rad/s 之间</translation>
+    </message>
+    <message>
+        <source>the system is already sampled</source>
+        <translation>系统已离散化</translation>
+    </message>
+    <message>
+        <source>the bilinear rule has no solution: a pole lies at 2/T</source>
+        <translation>双线性法无解：有极点位于 2/T</translation>
+    </message>
+    <message>
+        <source>choose a shorter period</source>
+        <translation>请选择更短的周期</translation>
+    </message>
+    <message>
+        <source>the transfer function is already sampled</source>
+        <translation>传递函数已离散化</translation>
+    </message>
+    <message>
+        <source>{} rad/s lies outside the frequency range of the system</source>
+        <translation>{} rad/s 超出系统的频率范围</translation>
+    </message>
+    <message>
+        <source>a step response of {} s in steps of {} s is not possible</source>
+        <translation>{} s、步长 {} s 的阶跃响应不可行</translation>
+    </message>
+    <message>
+        <source>state space matrices do not fit: A {}x{}, B {}x{}, C {}x{}, D {}x{}</source>
+        <translation>状态空间矩阵不匹配：A {}x{}、B {}x{}、C {}x{}、D {}x{}</translation>
+    </message>
+    <message>
+        <source>a state space matrix holds a value that is not finite</source>
+        <translation>状态空间矩阵含有非有限值</translation>
+    </message>
+    <message>
+        <source>there is no path from input {} to output {}</source>
+        <translation>从输入 {} 到输出 {} 没有通路</translation>
+    </message>
+    <message>
+        <source>the sample period is not a finite number</source>
+        <translation>采样周期不是有限数</translation>
+    </message>
+    <message>
+        <source>a sample period of {} s is not possible</source>
+        <translation>{} s 的采样周期不可行</translation>
+    </message>
+    <message>
+        <source>give a positive period in seconds</source>
+        <translation>请给出以秒为单位的正周期</translation>
+    </message>
+    <message>
+        <source>sampled at {} s</source>
+        <translation>以 {} s 采样</translation>
+    </message>
+    <message>
+        <source>a system that is {} cannot be combined with one that is {}</source>
+        <translation>{} 的系统不能与 {} 的系统组合</translation>
+    </message>
+    <message>
+        <source>discretize one of them first</source>
+        <translation>请先将其中之一离散化</translation>
+    </message>
+    <message>
+        <source>a coefficient of the transfer function is not a finite number</source>
+        <translation>传递函数的某个系数不是有限数</translation>
+    </message>
+    <message>
+        <source>the denominator of the transfer function is zero</source>
+        <translation>传递函数的分母为零</translation>
+    </message>
+    <message>
+        <source>the transfer function has more zeros than poles</source>
+        <translation>传递函数的零点多于极点</translation>
+    </message>
+    <message>
+        <source>add the filter or the actuator that every real system has</source>
+        <translation>请加上任何实际系统都有的滤波器或执行器</translation>
+    </message>
+    <message>
+        <source>one of the two systems needs a delay</source>
+        <translation>两个系统之一需要时延</translation>
+    </message>
+    <message>
+        <source>period or duration of the excitation is not a finite number</source>
+        <translation>激励的周期或持续时间不是有限数</translation>
+    </message>
+    <message>
+        <source>an excitation of {} s in steps of {} s is not possible</source>
+        <translation>{} s、步长 {} s 的激励不可行</translation>
+    </message>
+    <message>
+        <source>a frequency of the excitation is not a finite number</source>
+        <translation>激励的某个频率不是有限数</translation>
+    </message>
+    <message>
+        <source>{} to {} Hz does not lie between 0 and the Nyquist frequency of {} Hz</source>
+        <translation>{} 到 {} Hz 不在 0 和奈奎斯特频率 {} Hz 之间</translation>
+    </message>
+    <message>
+        <source>{} to {} Hz does not hold {} lines {} Hz apart</source>
+        <translation>{} 到 {} Hz 容不下 {} 条间隔 {} Hz 的谱线</translation>
+    </message>
+    <message>
+        <source>excite longer, widen the band or ask for fewer lines</source>
+        <translation>请延长激励、加宽频带或减少谱线</translation>
+    </message>
+    <message>
+        <source>a binary sequence of {} stages held for {} samples is not possible</source>
+        <translation>{} 级、每级保持 {} 个样本的二进制序列不可行</translation>
+    </message>
+    <message>
+        <source>2 to 16 stages, 1 to 10000 samples</source>
+        <translation>2 到 16 级，1 到 10000 个样本</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is of no format that can be read</source>
+        <translation>“{}”的格式无法读取</translation>
+    </message>
+    <message>
+        <source>this version reads .csv and .csv.partial (an interrupted recording)</source>
+        <translation>此版本读取 .csv 和 .csv.partial（中断的记录）</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is of no format that can be written</source>
+        <translation>“{}”的格式无法写入</translation>
+    </message>
+    <message>
+        <source>this version writes .csv</source>
+        <translation>此版本写入 .csv</translation>
+    </message>
+    <message>
+        <source>the recording has no signal &apos;{}&apos;</source>
+        <translation>记录中没有信号“{}”</translation>
+    </message>
+    <message>
+        <source>it has {}</source>
+        <translation>它有 {}</translation>
+    </message>
+    <message>
+        <source>the interval needs numbers</source>
+        <translation>区间需要数字</translation>
+    </message>
+    <message>
+        <source>give seconds, e.g. --from 1.5</source>
+        <translation>请给出秒数，例如 --from 1.5</translation>
+    </message>
+    <message>
+        <source>the recording has no rows in this interval</source>
+        <translation>记录在此区间内没有数据行</translation>
+    </message>
+    <message>
+        <source>it has no rows at all</source>
+        <translation>它没有任何数据行</translation>
+    </message>
+    <message>
+        <source>it reaches from {} s to {} s</source>
+        <translation>其范围为 {} s 到 {} s</translation>
+    </message>
+    <message>
+        <source>{} {} and outside {} to {} {}</source>
+        <translation>{} {}，超出 {} 到 {} {}</translation>
+    </message>
+    <message>
+        <source>not a number</source>
+        <translation>不是数字</translation>
+    </message>
+    <message>
+        <source>stopped from here: {} was {} at {} s</source>
+        <translation>由本机停止：{} 为 {}，时刻 {} s</translation>
+    </message>
+    <message>
+        <source>find the cause, then clear the stop before arming again</source>
+        <translation>请找出原因，再解除停止，然后重新使能</translation>
+    </message>
+    <message>
+        <source>a recording begins with the line time_s,SIGNAL_UNIT,...</source>
+        <translation>记录以 time_s,SIGNAL_UNIT,... 这一行开头</translation>
+    </message>
+    <message>
+        <source>the first column is not time_s</source>
+        <translation>第一列不是 time_s</translation>
+    </message>
+    <message>
+        <source>{} columns</source>
+        <translation>{} 列</translation>
+    </message>
+    <message>
+        <source>at most {} are read</source>
+        <translation>最多读取 {} 个</translation>
+    </message>
+    <message>
+        <source>a column has no name</source>
+        <translation>有一列没有名称</translation>
+    </message>
+    <message>
+        <source>column &apos;{}&apos; is there twice</source>
+        <translation>列“{}”出现两次</translation>
+    </message>
+    <message>
+        <source>{} fields where the header has {}</source>
+        <translation>有 {} 个字段，而表头有 {} 个</translation>
+    </message>
+    <message>
+        <source>the file may be cut off or damaged</source>
+        <translation>文件可能被截断或已损坏</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a number</source>
+        <translation>“{}”不是数字</translation>
+    </message>
+    <message>
+        <source>numbers are written like -1.5e-3, with a point</source>
+        <translation>数字写法如 -1.5e-3，使用小数点</translation>
+    </message>
+    <message>
+        <source>the time does not increase</source>
+        <translation>时间没有递增</translation>
+    </message>
+    <message>
+        <source>sort the rows by time_s</source>
+        <translation>请按 time_s 对各行排序</translation>
+    </message>
+    <message>
+        <source>{}: {} octets</source>
+        <translation>{}：{} 字节</translation>
+    </message>
+    <message>
+        <source>at most {} are read; cut the file into pieces that each begin with its first line</source>
+        <translation>最多读取 {}；请把文件分成几段，每段都以原文件的首行开头</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>文件为空</translation>
+    </message>
+    <message>
+        <source>a recording begins with the line time_s,...</source>
+        <translation>记录以 time_s,... 这一行开头</translation>
+    </message>
+    <message>
+        <source>cannot read &apos;{}&apos;: {}</source>
+        <translation>无法读取“{}”：{}</translation>
+    </message>
+    <message>
+        <source>check the path</source>
+        <translation>请检查路径</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has {} octets</source>
+        <translation>“{}”有 {} 字节</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; was changed since it was recorded (SHA-256)</source>
+        <translation>“{}”在记录之后被更改（SHA-256）</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; holds no whole row</source>
+        <translation>“{}”中没有完整的数据行</translation>
+    </message>
+    <message>
+        <source>nothing was recorded before the interruption; the file can be removed</source>
+        <translation>中断前没有记录任何内容；可删除该文件</translation>
+    </message>
+    <message>
+        <source>recording interrupted</source>
+        <translation>记录中断</translation>
+    </message>
+    <message>
+        <source>{}: octet {}: {}</source>
+        <translation>{}：第 {} 字节：{}</translation>
+    </message>
+    <message>
+        <source>remove the sidecar to read the data without it</source>
+        <translation>删除附属文件即可不依赖它读取数据</translation>
+    </message>
+    <message>
+        <source>{}: &quot;schema&quot; is not &quot;{}&quot;</source>
+        <translation>{}：“schema”不是“{}”</translation>
+    </message>
+    <message>
+        <source>cannot write &apos;{}&apos;: {}</source>
+        <translation>无法写入“{}”：{}</translation>
+    </message>
+    <message>
+        <source>check that the folder can be written and the disk has room</source>
+        <translation>请检查文件夹可写且磁盘有空间</translation>
+    </message>
+    <message>
+        <source>cannot rename &apos;{}&apos; to &apos;{}&apos;: {}</source>
+        <translation>无法将“{}”重命名为“{}”：{}</translation>
+    </message>
+    <message>
+        <source>check that the folder can be written</source>
+        <translation>请检查文件夹可写</translation>
+    </message>
+    <message>
+        <source>cannot create the folder &apos;{}&apos;</source>
+        <translation>无法创建文件夹“{}”</translation>
+    </message>
+    <message>
+        <source>give a folder that can be written</source>
+        <translation>请给出可写的文件夹</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is a folder</source>
+        <translation>“{}”是文件夹</translation>
+    </message>
+    <message>
+        <source>give the name of a file</source>
+        <translation>请给出文件名</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is being written by another program</source>
+        <translation>“{}”正由其他程序写入</translation>
+    </message>
+    <message>
+        <source>wait for its end or give another name</source>
+        <translation>请等待其结束或给出其他名称</translation>
+    </message>
+    <message>
+        <source>a recording cannot be changed, armed or stopped</source>
+        <translation>记录不能更改、使能或停止</translation>
+    </message>
+    <message>
+        <source>use a real or simulated device</source>
+        <translation>请使用真实或仿真设备</translation>
+    </message>
+    <message>
+        <source>the recording has no parameter &apos;{}&apos;</source>
+        <translation>记录中没有参数“{}”</translation>
+    </message>
+    <message>
+        <source>list the names with: halbench describe replay:FILE</source>
+        <translation>可用 halbench describe replay:FILE 列出名称</translation>
+    </message>
+    <message>
+        <source>the recording of {} Hz cannot be played at {} Hz</source>
+        <translation>{} Hz 的记录不能以 {} Hz 回放</translation>
+    </message>
+    <message>
+        <source>give a rate that divides {} Hz</source>
+        <translation>请给出能整除 {} Hz 的采样率</translation>
+    </message>
+    <message>
+        <source>the recording ends at {} s</source>
+        <translation>记录在 {} s 处结束</translation>
+    </message>
+    <message>
+        <source>ask for a shorter time</source>
+        <translation>请要求较短的时间</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has fewer than two rows</source>
+        <translation>“{}”少于两行</translation>
+    </message>
+    <message>
+        <source>give a recording with data</source>
+        <translation>请给出含数据的记录</translation>
+    </message>
+    <message>
+        <source>device address &apos;{}&apos;: {} at character {}</source>
+        <translation>设备地址“{}”：{}（第 {} 个字符）</translation>
+    </message>
+    <message>
+        <source>the device address has {} characters</source>
+        <translation>设备地址有 {} 个字符</translation>
+    </message>
+    <message>
+        <source>at most {} are allowed</source>
+        <translation>最多允许 {} 个</translation>
+    </message>
+    <message>
+        <source>the device address has a control character at character {}</source>
+        <translation>设备地址第 {} 个字符是控制字符</translation>
+    </message>
+    <message>
+        <source>write it like sim:htm?seed=7</source>
+        <translation>写法如 sim:htm?seed=7</translation>
+    </message>
+    <message>
+        <source>a scheme and &apos;:&apos; are missing</source>
+        <translation>缺少协议名和“:”</translation>
+    </message>
+    <message>
+        <source>write it like sim:htm, tcp:HOST:PORT or replay:FILE</source>
+        <translation>写法如 sim:htm、tcp:HOST:PORT 或 replay:FILE</translation>
+    </message>
+    <message>
+        <source>device address &apos;{}&apos;: unknown scheme &apos;{}&apos;</source>
+        <translation>设备地址“{}”：未知的协议“{}”</translation>
+    </message>
+    <message>
+        <source>known are {}</source>
+        <translation>已知的有 {}</translation>
+    </message>
+    <message>
+        <source>a key has letters, digits and &apos;_&apos; only</source>
+        <translation>键只能含字母、数字和“_”</translation>
+    </message>
+    <message>
+        <source>write options as KEY=VALUE</source>
+        <translation>选项写成 KEY=VALUE</translation>
+    </message>
+    <message>
+        <source>a key is missing</source>
+        <translation>缺少键</translation>
+    </message>
+    <message>
+        <source>write options as KEY=VALUE, joined by &apos;&amp;&apos;</source>
+        <translation>选项写成 KEY=VALUE，用“&amp;”连接</translation>
+    </message>
+    <message>
+        <source>&apos;=&apos; is missing</source>
+        <translation>缺少“=”</translation>
+    </message>
+    <message>
+        <source>a value is missing</source>
+        <translation>缺少值</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is given twice</source>
+        <translation>“{}”给出了两次</translation>
+    </message>
+    <message>
+        <source>give each key once</source>
+        <translation>每个键只给出一次</translation>
+    </message>
+    <message>
+        <source>the address is missing</source>
+        <translation>缺少地址</translation>
+    </message>
+    <message>
+        <source>write it like sim:htm or tcp:HOST:PORT</source>
+        <translation>写法如 sim:htm 或 tcp:HOST:PORT</translation>
+    </message>
+    <message>
+        <source>device &apos;{}&apos;: unknown option &apos;{}&apos;</source>
+        <translation>设备“{}”：未知的选项“{}”</translation>
+    </message>
+    <message>
+        <source>a {}: address has no options</source>
+        <translation>{}: 地址没有选项</translation>
+    </message>
+    <message>
+        <source>device &apos;{}&apos;: &apos;{}:&apos; is not built in this version</source>
+        <translation>设备“{}”：此版本不包含“{}:”</translation>
+    </message>
+    <message>
+        <source>known are sim:htm, tcp:HOST:PORT, udp:HOST:PORT and replay:FILE</source>
+        <translation>已知的有 sim:htm、tcp:HOST:PORT、udp:HOST:PORT 和 replay:FILE</translation>
+    </message>
+    <message>
+        <source>must be &quot;{}&quot;</source>
+        <translation>必须是“{}”</translation>
+    </message>
+    <message>
+        <source>must name the model</source>
+        <translation>必须指明型号</translation>
+    </message>
+    <message>
+        <source>compare with resources/devices/htm.json</source>
+        <translation>请与 resources/devices/htm.json 比较</translation>
+    </message>
+    <message>
+        <source>is not a key of a profile</source>
+        <translation>不是配置文件的键</translation>
+    </message>
+    <message>
+        <source>must be a text</source>
+        <translation>必须是文本</translation>
+    </message>
+    <message>
+        <source>must be a number</source>
+        <translation>必须是数字</translation>
+    </message>
+    <message>
+        <source>must be a list of texts</source>
+        <translation>必须是文本列表</translation>
+    </message>
+    <message>
+        <source>must be an object</source>
+        <translation>必须是对象</translation>
+    </message>
+    <message>
+        <source>correct the JSON</source>
+        <translation>请改正该 JSON</translation>
+    </message>
+    <message>
+        <source>{}: a profile is one JSON object</source>
+        <translation>{}：配置文件是一个 JSON 对象</translation>
+    </message>
+    <message>
+        <source>the device was unplugged</source>
+        <translation>设备已被拔出</translation>
+    </message>
+    <message>
+        <source>Connect it and open it again.</source>
+        <translation>请连接后重新打开。</translation>
+    </message>
+    <message>
+        <source>the loopback to the simulated board is closed</source>
+        <translation>与仿真控制板的连接已关闭</translation>
+    </message>
+    <message>
+        <source>Open the device again.</source>
+        <translation>请重新打开设备。</translation>
+    </message>
+    <message>
+        <source>True rotor angle, known to the simulation only</source>
+        <translation>转子的真实角度，仅仿真可知</translation>
+    </message>
+    <message>
+        <source>True rotor speed, known to the simulation only</source>
+        <translation>转子的真实转速，仅仿真可知</translation>
+    </message>
+    <message>
+        <source>Known keys: {}</source>
+        <translation>已知的键：{}</translation>
+    </message>
+    <message>
+        <source>the simulator &apos;sim:{}&apos; is not built in this version</source>
+        <translation>此版本不包含仿真器“sim:{}”</translation>
+    </message>
+    <message>
+        <source>there is no simulator &apos;sim:{}&apos;</source>
+        <translation>没有仿真器“sim:{}”</translation>
+    </message>
+    <message>
+        <source>Built simulators: sim:htm.</source>
+        <translation>已包含的仿真器：sim:htm。</translation>
+    </message>
+    <message>
+        <source>{}={} is out of range</source>
+        <translation>{}={} 超出范围</translation>
+    </message>
+    <message>
+        <source>{}={} is not a number</source>
+        <translation>{}={} 不是数字</translation>
+    </message>
+    <message>
+        <source>Write numbers like 2e-3. {}</source>
+        <translation>数字写法如 2e-3。{}</translation>
+    </message>
+    <message>
+        <source>seed={} is not a whole number</source>
+        <translation>seed={} 不是整数</translation>
+    </message>
+    <message>
+        <source>A seed is a whole number from 0 to 18446744073709551615. {}</source>
+        <translation>种子是 0 到 18446744073709551615 的整数。{}</translation>
+    </message>
+    <message>
+        <source>{}={} is unknown</source>
+        <translation>{}={} 未知</translation>
+    </message>
+    <message>
+        <source>Allowed: {}={} and {}={}. {}</source>
+        <translation>允许：{}={} 和 {}={}。{}</translation>
+    </message>
+    <message>
+        <source>sim:htm has no override &apos;{}&apos;</source>
+        <translation>sim:htm 没有设置项“{}”</translation>
+    </message>
+    <message>
+        <source>a message of {} octets was announced, 1 to {} are possible</source>
+        <translation>通告了 {} 字节的消息，可能的范围是 1 到 {}</translation>
+    </message>
+    <message>
+        <source>the other side does not speak this protocol</source>
+        <translation>对方不使用此协议</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not HOST:PORT</source>
+        <translation>“{}”不是 HOST:PORT 的形式</translation>
+    </message>
+    <message>
+        <source>write it like 127.0.0.1:5555 or [::1]:5555, port 0 to 65535</source>
+        <translation>写法如 127.0.0.1:5555 或 [::1]:5555，端口 0 到 65535</translation>
+    </message>
+    <message>
+        <source>check that the board is on and the address is right</source>
+        <translation>请检查控制板已通电且地址正确</translation>
+    </message>
+    <message>
+        <source>cannot listen on {}: {}</source>
+        <translation>无法监听 {}：{}</translation>
+    </message>
+    <message>
+        <source>give an address of this machine and a free port, or port 0</source>
+        <translation>请给出本机的地址和空闲端口，或端口 0</translation>
+    </message>
+    <message>
+        <source>check that the board is on and no other program uses it, then connect again</source>
+        <translation>请检查控制板已通电且没有被其他程序使用，然后重新连接</translation>
+    </message>
+    <message>
+        <source>the board takes no more commands</source>
+        <translation>控制板不再接受命令</translation>
+    </message>
+    <message>
+        <source>the connection is closed</source>
+        <translation>连接已关闭</translation>
+    </message>
+    <message>
+        <source>the board closed the connection (another program may have taken it)</source>
+        <translation>控制板关闭了连接（可能已被其他程序占用）</translation>
+    </message>
+    <message>
+        <source>{} octets are more than the allowed {}</source>
+        <translation>{} 字节超过允许的 {} 字节</translation>
+    </message>
+    <message>
+        <source>the board&apos;s description, octet {}: {}</source>
+        <translation>控制板的描述，第 {} 字节：{}</translation>
+    </message>
+    <message>
+        <source>update the board&apos;s firmware or report the description to its maker</source>
+        <translation>请更新控制板固件，或将此描述报告给制造商</translation>
+    </message>
+    <message>
+        <source>a comment does not end</source>
+        <translation>注释没有结束</translation>
+    </message>
+    <message>
+        <source>a text is too long</source>
+        <translation>文本太长</translation>
+    </message>
+    <message>
+        <source>a text does not end</source>
+        <translation>文本没有结束</translation>
+    </message>
+    <message>
+        <source>a word is too long</source>
+        <translation>单词太长</translation>
+    </message>
+    <message>
+        <source>the name of a block is missing</source>
+        <translation>缺少块的名称</translation>
+    </message>
+    <message>
+        <source>{} is missing</source>
+        <translation>缺少 {}</translation>
+    </message>
+    <message>
+        <source>{} is missing (a text in quotes)</source>
+        <translation>缺少 {}（引号中的文本）</translation>
+    </message>
+    <message>
+        <source>{}: &apos;{}&apos; is not a number</source>
+        <translation>{}：“{}”不是数字</translation>
+    </message>
+    <message>
+        <source>{}: {} is not a whole number from 0 to {}</source>
+        <translation>{}：{} 不是 0 到 {} 的整数</translation>
+    </message>
+    <message>
+        <source>block {} does not end</source>
+        <translation>块 {} 没有结束</translation>
+    </message>
+    <message>
+        <source>blocks are nested deeper than {}</source>
+        <translation>块的嵌套超过 {} 层</translation>
+    </message>
+    <message>
+        <source>/end {} where /end {} is due</source>
+        <translation>应为 /end {1}，却是 /end {0}</translation>
+    </message>
+    <message>
+        <source>its type &apos;{}&apos; is not known</source>
+        <translation>其类型“{}”未知</translation>
+    </message>
+    <message>
+        <source>its conversion &apos;{}&apos; is {}</source>
+        <translation>其换算“{}”{}</translation>
+    </message>
+    <message>
+        <source>not of a supported kind</source>
+        <translation>不是支持的种类</translation>
+    </message>
+    <message>
+        <source>its lower limit is above the upper one; the type&apos;s limits are used</source>
+        <translation>其下限高于上限；改用类型的限值</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; (octet {} of the description): {}</source>
+        <translation>“{}”（描述的第 {} 字节）：{}</translation>
+    </message>
+    <message>
+        <source>this board cannot capture by itself</source>
+        <translation>此控制板不能自行捕获</translation>
+    </message>
+    <message>
+        <source>record a stream instead</source>
+        <translation>请改为记录数据流</translation>
+    </message>
+    <message>
+        <source>signal {} has {} octets; the board samples values of up to {} octets in steps of {}</source>
+        <translation>信号 {} 有 {} 字节；控制板采样的值最多 {} 字节，步长 {}</translation>
+    </message>
+    <message>
+        <source>leave this signal out</source>
+        <translation>请去掉此信号</translation>
+    </message>
+    <message>
+        <source>{} signals do not fit into one sample of this board</source>
+        <translation>{} 个信号无法放入此控制板的一次采样</translation>
+    </message>
+    <message>
+        <source>ask for fewer signals</source>
+        <translation>请减少信号</translation>
+    </message>
+    <message>
+        <source>cannot write &apos;{}&apos;</source>
+        <translation>无法写入“{}”</translation>
+    </message>
+    <message>
+        <source>make room or make the folder writable</source>
+        <translation>请腾出空间或使文件夹可写</translation>
+    </message>
+    <message>
+        <source>cannot rename &apos;{}&apos;</source>
+        <translation>无法重命名“{}”</translation>
+    </message>
+    <message>
+        <source>make the folder writable</source>
+        <translation>请使文件夹可写</translation>
+    </message>
+    <message>
+        <source>the command queue was cleared</source>
+        <translation>命令队列已清空</translation>
+    </message>
+    <message>
+        <source>the board is busy</source>
+        <translation>控制板忙</translation>
+    </message>
+    <message>
+        <source>not possible while samples are streaming</source>
+        <translation>数据流传输期间无法进行</translation>
+    </message>
+    <message>
+        <source>not possible while the board is being programmed</source>
+        <translation>控制板编程期间无法进行</translation>
+    </message>
+    <message>
+        <source>the board does not know the command</source>
+        <translation>控制板不认识该命令</translation>
+    </message>
+    <message>
+        <source>the board found the command malformed</source>
+        <translation>控制板认为命令格式错误</translation>
+    </message>
+    <message>
+        <source>the value is out of range</source>
+        <translation>数值超出范围</translation>
+    </message>
+    <message>
+        <source>the memory is write protected</source>
+        <translation>存储器有写保护</translation>
+    </message>
+    <message>
+        <source>access is denied</source>
+        <translation>访问被拒绝</translation>
+    </message>
+    <message>
+        <source>access is locked</source>
+        <translation>访问已锁定</translation>
+    </message>
+    <message>
+        <source>the page does not exist</source>
+        <translation>页不存在</translation>
+    </message>
+    <message>
+        <source>the mode does not exist</source>
+        <translation>模式不存在</translation>
+    </message>
+    <message>
+        <source>the segment does not exist</source>
+        <translation>段不存在</translation>
+    </message>
+    <message>
+        <source>the commands came in the wrong order</source>
+        <translation>命令顺序错误</translation>
+    </message>
+    <message>
+        <source>the list of samples is not valid</source>
+        <translation>采样列表无效</translation>
+    </message>
+    <message>
+        <source>the board has no memory left</source>
+        <translation>控制板内存不足</translation>
+    </message>
+    <message>
+        <source>the board refuses</source>
+        <translation>控制板拒绝</translation>
+    </message>
+    <message>
+        <source>verification failed</source>
+        <translation>校验失败</translation>
+    </message>
+    <message>
+        <source>the resource is not accessible now</source>
+        <translation>资源当前不可访问</translation>
+    </message>
+    <message>
+        <source>the answer to {} has {} octets ({}), {} are needed</source>
+        <translation>对 {} 的应答有 {} 字节（{}），需要 {} 字节</translation>
+    </message>
+    <message>
+        <source>update the board&apos;s firmware or check the line</source>
+        <translation>请更新控制板固件或检查线路</translation>
+    </message>
+    <message>
+        <source>command {}</source>
+        <translation>命令 {}</translation>
+    </message>
+    <message>
+        <source>unknown error {}</source>
+        <translation>未知错误 {}</translation>
+    </message>
+    <message>
+        <source>the board counts addresses in words, not octets</source>
+        <translation>控制板按字而不是按字节计地址</translation>
+    </message>
+    <message>
+        <source>only octet granularity is supported</source>
+        <translation>只支持按字节寻址</translation>
+    </message>
+    <message>
+        <source>the board announces packets of {} and {} octets, at least 8 are needed</source>
+        <translation>控制板通告的数据包为 {} 和 {} 字节，至少需要 8 字节</translation>
+    </message>
+    <message>
+        <source>this is not a board of a protocol known here</source>
+        <translation>这不是使用已知协议的控制板</translation>
+    </message>
+    <message>
+        <source>the answer to GET_ID promises {} octets and holds {}</source>
+        <translation>对 GET_ID 的应答声明 {} 字节，实有 {} 字节</translation>
+    </message>
+    <message>
+        <source>the sampling resolution makes no sense ({})</source>
+        <translation>采样分辨率没有意义（{}）</translation>
+    </message>
+    <message>
+        <source>update the board&apos;s firmware</source>
+        <translation>请更新控制板固件</translation>
+    </message>
+    <message>
+        <source>time unit {} does not exist</source>
+        <translation>时间单位 {} 不存在</translation>
+    </message>
+    <message>
+        <source>the board runs on page {} of a segment of {} octets</source>
+        <translation>控制板运行在第 {} 页，段长 {} 字节</translation>
+    </message>
+    <message>
+        <source>only pages 0 and 1 are known here; update the board&apos;s firmware</source>
+        <translation>只支持第 0 页和第 1 页；请更新控制板固件</translation>
+    </message>
+    <message>
+        <source>the board does not free its idle parameter page</source>
+        <translation>控制板没有释放其空闲参数页</translation>
+    </message>
+    <message>
+        <source>check that the board&apos;s control loop runs; the old values stay</source>
+        <translation>请检查控制板的控制回路是否运行；原值保持不变</translation>
+    </message>
+    <message>
+        <source>the board did not take the new set of parameters</source>
+        <translation>控制板没有接受新的参数组</translation>
+    </message>
+    <message>
+        <source>check the board&apos;s state; the old values stay</source>
+        <translation>请检查控制板的状态；原值保持不变</translation>
+    </message>
+    <message>
+        <source>the board keeps other values than those sent</source>
+        <translation>控制板保留的值与发送的不同</translation>
+    </message>
+    <message>
+        <source>the old values stay; check the limits of the board</source>
+        <translation>原值保持不变；请检查控制板的限值</translation>
+    </message>
+    <message>
+        <source>the nearest possible rates are {} Hz and {} Hz</source>
+        <translation>最接近的可用采样率为 {} Hz 和 {} Hz</translation>
+    </message>
+    <message>
+        <source>the nearest possible rate is {} Hz</source>
+        <translation>最接近的可用采样率为 {} Hz</translation>
+    </message>
+    <message>
+        <source>these signals have no periodic event</source>
+        <translation>这些信号没有周期事件</translation>
+    </message>
+    <message>
+        <source>the board samples &apos;{}&apos; ({}) at another event than &apos;{}&apos; ({})</source>
+        <translation>控制板对“{}”（{}）和“{}”（{}）使用不同的采样事件</translation>
+    </message>
+    <message>
+        <source>stream signals of one event together, the others in a stream of their own</source>
+        <translation>请把同一事件的信号放在一个数据流中，其他信号另用数据流</translation>
+    </message>
+    <message>
+        <source>the device has no signal &apos;{}&apos;</source>
+        <translation>设备没有信号“{}”</translation>
+    </message>
+    <message>
+        <source>list the signals with: halbench describe DEVICE</source>
+        <translation>可用 halbench describe DEVICE 列出信号</translation>
+    </message>
+    <message>
+        <source>a stream needs at least one signal</source>
+        <translation>数据流至少需要一个信号</translation>
+    </message>
+    <message>
+        <source>name a signal</source>
+        <translation>请指定一个信号</translation>
+    </message>
+    <message>
+        <source>the device cannot send these signals at {} Hz</source>
+        <translation>设备无法以 {} Hz 发送这些信号</translation>
+    </message>
+    <message>
+        <source>the board&apos;s parameters are locked</source>
+        <translation>控制板的参数已锁定</translation>
+    </message>
+    <message>
+        <source>description of &apos;{}&apos; taken from the cache</source>
+        <translation>“{}”的描述取自缓存</translation>
+    </message>
+    <message>
+        <source>description read from the board, {} octets</source>
+        <translation>已从控制板读取描述，{} 字节</translation>
+    </message>
+    <message>
+        <source>the description is not kept: {}</source>
+        <translation>未保存描述：{}</translation>
+    </message>
+    <message>
+        <source>the board could not send all samples in time</source>
+        <translation>控制板未能及时发送所有样本</translation>
+    </message>
+    <message>
+        <source>the board stopped</source>
+        <translation>控制板已停止</translation>
+    </message>
+    <message>
+        <source>the board stopped the actuator: {}</source>
+        <translation>控制板停止了执行器：{}</translation>
+    </message>
+    <message>
+        <source>this board has no &apos;{}&apos; and cannot be armed from here</source>
+        <translation>此控制板没有“{}”，无法在此使能</translation>
+    </message>
+    <message>
+        <source>use the maker&apos;s own program to arm it</source>
+        <translation>请用制造商的程序使能</translation>
+    </message>
+    <message>
+        <source>the board cannot be armed: {}</source>
+        <translation>控制板无法使能：{}</translation>
+    </message>
+    <message>
+        <source>find the cause, then clear the stop</source>
+        <translation>请找出原因，然后解除停止</translation>
+    </message>
+    <message>
+        <source>the board does not {}</source>
+        <translation>控制板没有执行“{}”</translation>
+    </message>
+    <message>
+        <source>use the stop at the actuator and check the board</source>
+        <translation>请使用执行器处的急停，并检查控制板</translation>
+    </message>
+    <message>
+        <source>the board keeps its stop: {}</source>
+        <translation>控制板保持停止：{}</translation>
+    </message>
+    <message>
+        <source>remove the cause first</source>
+        <translation>请先排除原因</translation>
+    </message>
+    <message>
+        <source>this device cannot stream signals</source>
+        <translation>此设备不能发送信号数据流</translation>
+    </message>
+    <message>
+        <source>read single values instead</source>
+        <translation>请改为读取单个值</translation>
+    </message>
+    <message>
+        <source>link: {} packets, {} lost, {} damaged, {} commands repeated, round trip {} ms, at worst {} ms</source>
+        <translation>链路：{} 个数据包，丢失 {}，损坏 {}，重发命令 {}，往返时间 {} ms，最长 {} ms</translation>
+    </message>
+    <message>
+        <source>, the board&apos;s clock gains {} +- {} ppm</source>
+        <translation>，控制板时钟快 {} +- {} ppm</translation>
+    </message>
+    <message>
+        <source>{} sends no samples any more</source>
+        <translation>{} 不再发送样本</translation>
+    </message>
+    <message>
+        <source>the board or another program ended the stream; connect again</source>
+        <translation>控制板或其他程序结束了数据流；请重新连接</translation>
+    </message>
+    <message>
+        <source>list the names with: halbench describe DEVICE</source>
+        <translation>可用 halbench describe DEVICE 列出名称</translation>
+    </message>
+    <message>
+        <source>the device has no parameter &apos;{}&apos;</source>
+        <translation>设备没有参数“{}”</translation>
+    </message>
+    <message>
+        <source>the board keeps another value of &apos;{}&apos; than the one sent</source>
+        <translation>控制板保留的“{}”与发送的值不同</translation>
+    </message>
+    <message>
+        <source>the old values stay; give values inside the board&apos;s limits</source>
+        <translation>原值保持不变；请给出控制板限值内的值</translation>
+    </message>
+    <message>
+        <source>this board cannot change a set at once: values change one by one</source>
+        <translation>此控制板不能一次更改整组参数：各值逐个更改</translation>
+    </message>
+    <message>
+        <source>parameter &apos;{}&apos;: {}</source>
+        <translation>参数“{}”：{}</translation>
+    </message>
+    <message>
+        <source>the board keeps &apos;{}&apos; = {} {} instead of {}</source>
+        <translation>控制板保留“{}”= {} {}，而不是 {}</translation>
+    </message>
+    <message>
+        <source>check the board&apos;s state and limits</source>
+        <translation>请检查控制板的状态和限值</translation>
+    </message>
+    <message>
+        <source>check cable, power and address, then connect again</source>
+        <translation>请检查电缆、电源和地址，然后重新连接</translation>
+    </message>
+    <message>
+        <source>{} does not answer {}</source>
+        <translation>{} 对 {} 没有应答</translation>
+    </message>
+    <message>
+        <source>the board refused {}: {}</source>
+        <translation>控制板拒绝了 {}：{}</translation>
+    </message>
+    <message>
+        <source>check the value and the board&apos;s state</source>
+        <translation>请检查该值和控制板的状态</translation>
+    </message>
+    <message>
+        <source>{} ended the session (its watchdog ran out or another program connected)</source>
+        <translation>{} 结束了会话（看门狗超时或其他程序已连接）</translation>
+    </message>
+    <message>
+        <source>make sure that no other program uses the board, then connect again</source>
+        <translation>请确认没有其他程序使用该控制板，然后重新连接</translation>
+    </message>
+    <message>
+        <source>{} does not answer any more</source>
+        <translation>{} 不再应答</translation>
+    </message>
+    <message>
+        <source>the board did not store its parameters within {} s</source>
+        <translation>控制板在 {} s 内没有保存参数</translation>
+    </message>
+    <message>
+        <source>try again, then read the values back</source>
+        <translation>请重试，然后读回数值</translation>
+    </message>
+    <message>
+        <source>the board holds no description of itself</source>
+        <translation>控制板不含自身的描述</translation>
+    </message>
+    <message>
+        <source>only boards that deliver their description (GET_ID 4) can be used</source>
+        <translation>只能使用可提供自身描述（GET_ID 4）的控制板</translation>
+    </message>
+    <message>
+        <source>the board&apos;s description has {} octets</source>
+        <translation>控制板的描述有 {} 字节</translation>
+    </message>
+    <message>
+        <source>the board needed more than {} s for its description</source>
+        <translation>控制板传送描述用时超过 {} s</translation>
+    </message>
+    <message>
+        <source>use a faster connection</source>
+        <translation>请使用更快的连接</translation>
+    </message>
+    <message>
+        <source>Every amplifier part must be positive and finite.</source>
+        <translation>放大器的每个元件值都必须为有限正数。</translation>
+    </message>
+    <message>
+        <source>Check resistors, capacitors and the coil&apos;s resistance and inductance.</source>
+        <translation>请检查电阻、电容以及线圈的电阻和电感。</translation>
+    </message>
+    <message>
+        <source>The decoded angle jumped by more than 90 degrees between two samples.</source>
+        <translation>解码的角度在两个样本之间跳变超过 90 度。</translation>
+    </message>
+    <message>
+        <source>The direction of such a jump is a guess; check the sensors or turn slower.</source>
+        <translation>这种跳变的方向只能猜测；请检查传感器或降低转速。</translation>
+    </message>
+    <message>
+        <source>Allowed: {} to {}{}{}{}. Known keys: {}.</source>
+        <translation>允许：{} 到 {}{}{}{}。已知的键：{}。</translation>
+    </message>
+    <message>
+        <source>{} is not a finite number</source>
+        <translation>{} 不是有限数</translation>
+    </message>
+    <message>
+        <source>{} = {} is out of range</source>
+        <translation>{} = {} 超出范围</translation>
+    </message>
+    <message>
+        <source>the motor has no parameter &apos;{}&apos;</source>
+        <translation>电机没有参数“{}”</translation>
+    </message>
+    <message>
+        <source>Known keys: {}.</source>
+        <translation>已知的键：{}。</translation>
+    </message>
+    <message>
+        <source>A Hall sensor setting is not a finite number.</source>
+        <translation>某个霍尔传感器设置不是有限数。</translation>
+    </message>
+    <message>
+        <source>A Hall sensor needs a positive sensitivity, noise of at least zero and a lower clip voltage below the upper one.</source>
+        <translation>霍尔传感器需要正的灵敏度、不小于零的噪声，且下限幅电压低于上限幅电压。</translation>
+    </message>
+    <message>
+        <source>A field harmonic needs an order of at least 1 and finite amplitudes.</source>
+        <translation>磁场谐波的阶次至少为 1，幅值必须有限。</translation>
+    </message>
+    <message>
+        <source>A constant belongs into the offset.</source>
+        <translation>常数应归入偏置。</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>数字</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true 或 false</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>列表</translation>
+    </message>
+    <message>
+        <source>a table</source>
+        <translation>表</translation>
+    </message>
+    <message>
+        <source>a date or time</source>
+        <translation>日期或时间</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>{}: is not PATH=VALUE</source>
+        <translation>{}：不是“路径=值”的形式</translation>
+    </message>
+    <message>
+        <source>write step.sweep.given.J=6e-4</source>
+        <translation>请写成 step.sweep.given.J=6e-4</translation>
+    </message>
+    <message>
+        <source>{}: there is no such step</source>
+        <translation>{}：没有这个步骤</translation>
+    </message>
+    <message>
+        <source>write step.NAME.KEY=VALUE with the name of a step of the file</source>
+        <translation>请写成 step.NAME.KEY=VALUE，NAME 为文件中某个步骤的名称</translation>
+    </message>
+    <message>
+        <source>{}:{}:{}: not valid JSON: {}</source>
+        <translation>{}:{}:{}：不是有效的 JSON：{}</translation>
+    </message>
+    <message>
+        <source>correct the file or write it again with --out</source>
+        <translation>请改正该文件，或用 --out 重新写出</translation>
+    </message>
+    <message>
+        <source>the result holds a value that is not a finite number at &apos;{}&apos;</source>
+        <translation>结果在“{}”处含有非有限数</translation>
+    </message>
+    <message>
+        <source>report this with the command line that led to it</source>
+        <translation>请连同所用的命令一起报告此问题</translation>
+    </message>
+    <message>
+        <source>is &quot;{}&quot;, this version reads &quot;{}&quot;</source>
+        <translation>为“{}”，此版本读取“{}”</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>is &quot;{}&quot;, not &quot;{}&quot;</source>
+        <translation>为“{}”，而不是“{}”</translation>
+    </message>
+    <message>
+        <source>must be a finite number</source>
+        <translation>必须是有限数</translation>
+    </message>
+    <message>
+        <source>must be a whole number from 0 to {}</source>
+        <translation>必须是 0 到 {} 的整数</translation>
+    </message>
+    <message>
+        <source>write the file again with &apos;halbench {} --out&apos;</source>
+        <translation>请用“halbench {} --out”重新写出该文件</translation>
+    </message>
+    <message>
+        <source>must be a list of lists of numbers</source>
+        <translation>必须是数字列表的列表</translation>
+    </message>
+    <message>
+        <source>must hold finite numbers</source>
+        <translation>必须只含有限数</translation>
+    </message>
+    <message>
+        <source>needs as many rows as names</source>
+        <translation>行数必须与名称数相同</translation>
+    </message>
+    <message>
+        <source>must be square</source>
+        <translation>必须是方阵</translation>
+    </message>
+    <message>
+        <source>{}: this estimate was refused</source>
+        <translation>{}：此估计已被拒绝</translation>
+    </message>
+    <message>
+        <source>see its findings, then identify again</source>
+        <translation>请查看其评估说明，然后重新辨识</translation>
+    </message>
+    <message>
+        <source>must be &quot;parallel&quot;</source>
+        <translation>必须是“parallel”</translation>
+    </message>
+    <message>
+        <source>needs a value and the two ends of its interval</source>
+        <translation>需要一个值及其区间的两端</translation>
+    </message>
+    <message>
+        <source>{}: cannot write: {}</source>
+        <translation>{}：无法写入：{}</translation>
+    </message>
+    <message>
+        <source>free space on the disk</source>
+        <translation>请释放磁盘空间</translation>
+    </message>
+    <message>
+        <source>choose another path or change its permissions</source>
+        <translation>请选择其他路径或更改其权限</translation>
+    </message>
+    <message>
+        <source>{}: is a folder</source>
+        <translation>{}：是文件夹</translation>
+    </message>
+    <message>
+        <source>name a file</source>
+        <translation>请指定一个文件</translation>
+    </message>
+    <message>
+        <source>{}: cannot read: {}</source>
+        <translation>{}：无法读取：{}</translation>
+    </message>
+    <message>
+        <source>{}: larger than 256 MB</source>
+        <translation>{}：大于 256 MB</translation>
+    </message>
+    <message>
+        <source>give a smaller file</source>
+        <translation>请提供较小的文件</translation>
+    </message>
+    <message>
+        <source>there is no preset &apos;{}&apos; for a device of model &apos;{}&apos;</source>
+        <translation>型号为“{1}”的设备没有预设“{0}”</translation>
+    </message>
+    <message>
+        <source>htm has {}</source>
+        <translation>htm 有 {}</translation>
+    </message>
+    <message>
+        <source>compare with resources/presets/htm/published.json</source>
+        <translation>请与 resources/presets/htm/published.json 比较</translation>
+    </message>
+    <message>
+        <source>must be &quot;halbench.preset/1&quot;</source>
+        <translation>必须是“halbench.preset/1”</translation>
+    </message>
+    <message>
+        <source>must be an object of numbers</source>
+        <translation>必须是数字组成的对象</translation>
+    </message>
+    <message>
+        <source>{}:{}:{}: not valid TOML: {}</source>
+        <translation>{}:{}:{}：不是有效的 TOML：{}</translation>
+    </message>
+    <message>
+        <source>correct the line; the form is in resources/help/command-line.md</source>
+        <translation>请改正该行；格式见 resources/help/command-line.md</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be a text</source>
+        <translation>“{}”必须是文本</translation>
+    </message>
+    <message>
+        <source>&apos;layout&apos; must be a table</source>
+        <translation>“layout”必须是表</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be a list of tables, [[{}]]</source>
+        <translation>“{}”必须是表的列表，[[{}]]</translation>
+    </message>
+    <message>
+        <source>the file is left as it is; open another project or mend this line</source>
+        <translation>文件保持原样；请打开其他项目或改正该行</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; a [[{}]] has name and document</source>
+        <translation>未知的键“{}”；[[{}]] 只有 name 和 document</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, model, design</source>
+        <translation>未知的键“{}”；已知的键有 schema、device、notes、perspective、layout、model、design</translation>
+    </message>
+    <message>
+        <source>{}: is a &apos;{}&apos;, made by a newer version</source>
+        <translation>{}：是由较新版本生成的“{}”</translation>
+    </message>
+    <message>
+        <source>this version reads {}; the file is left as it is</source>
+        <translation>此版本读取 {}；文件保持原样</translation>
+    </message>
+    <message>
+        <source>{}: is not a Halbench project</source>
+        <translation>{}：不是 Halbench 项目</translation>
+    </message>
+    <message>
+        <source>a project begins with schema = &quot;{}&quot;</source>
+        <translation>项目文件以 schema = &quot;{}&quot; 开头</translation>
+    </message>
+    <message>
+        <source>choose another preset</source>
+        <translation>请选择其他预设</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is too large for a preset</source>
+        <translation>“{}”太大，不是预设文件</translation>
+    </message>
+    <message>
+        <source>choose a preset file</source>
+        <translation>请选择预设文件</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; was written by a newer Halbench ({})</source>
+        <translation>“{}”由较新的 Halbench 写成（{}）</translation>
+    </message>
+    <message>
+        <source>open it there, or install that version</source>
+        <translation>请在那个版本中打开，或安装该版本</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is for a device of model &apos;{}&apos;</source>
+        <translation>“{}”适用于型号为“{}”的设备</translation>
+    </message>
+    <message>
+        <source>this device is of model &apos;{}&apos;</source>
+        <translation>此设备的型号为“{}”</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; cannot be the name of a preset</source>
+        <translation>“{}”不能用作预设名称</translation>
+    </message>
+    <message>
+        <source>use letters, digits, spaces, points and hyphens</source>
+        <translation>请使用字母、数字、空格、点和连字符</translation>
+    </message>
+    <message>
+        <source>check the folder and the space on the disk</source>
+        <translation>请检查文件夹和磁盘空间</translation>
+    </message>
+    <message>
+        <source>choose another folder or name</source>
+        <translation>请选择其他文件夹或名称</translation>
+    </message>
+    <message>
+        <source>there is no picture to save</source>
+        <translation>没有可保存的图片</translation>
+    </message>
+    <message>
+        <source>K_P = {}, K_I = {}, K_D = {} is no position loop</source>
+        <translation>K_P = {}、K_I = {}、K_D = {} 不能构成位置回路</translation>
+    </message>
+    <message>
+        <source>K_P must be positive, K_I and K_D not negative</source>
+        <translation>K_P 必须为正，K_I 和 K_D 不能为负</translation>
+    </message>
+    <message>
+        <source>a current limit of {} A is not possible</source>
+        <translation>电流限值 {} A 不可行</translation>
+    </message>
+    <message>
+        <source>the stray field of the coils is not described by finite numbers</source>
+        <translation>线圈杂散磁场的描述含有非有限数</translation>
+    </message>
+    <message>
+        <source>the sampled loop is unstable: pole radius {}</source>
+        <translation>采样回路不稳定：极点半径 {}</translation>
+    </message>
+    <message>
+        <source>only friction and the current limit bound it; lower K_P or use method recommended</source>
+        <translation>只有摩擦和电流限值约束其运动；请降低 K_P 或使用方法 recommended</translation>
+    </message>
+    <message>
+        <source>K_P = {} A/rad is {} times the limit of {} A/rad at this sampling and delay</source>
+        <translation>K_P = {} A/rad 是在此采样和时延下极限值的 {} 倍（极限 {} A/rad）</translation>
+    </message>
+    <message>
+        <source>the rotor rests and makes small steps at best; large steps end in a limit cycle</source>
+        <translation>转子静止时最多只能做小阶跃；大阶跃将陷入极限环</translation>
+    </message>
+    <message>
+        <source>the loop is nearly undamped (zeta = {} at {} rad/s): only friction damps it</source>
+        <translation>回路几乎无阻尼（zeta = {}，{} rad/s）：只有摩擦提供阻尼</translation>
+    </message>
+    <message>
+        <source>a PI loop cannot do better on this motor; derivative action can: method recommended</source>
+        <translation>PI 回路在此电机上无法更好；微分作用可以：方法 recommended</translation>
+    </message>
+    <message>
+        <source>small margins: {} deg of phase, a factor {} of gain</source>
+        <translation>裕度偏小：相位 {} 度，幅值 {} 倍</translation>
+    </message>
+    <message>
+        <source>the usual least are 30 deg and a factor 2</source>
+        <translation>通常至少为 30 度和 2 倍</translation>
+    </message>
+    <message>
+        <source>friction holds the rotor within +-{} deg of the reference</source>
+        <translation>摩擦使转子停在参考值 +-{} 度范围内</translation>
+    </message>
+    <message>
+        <source>only the integral removes the rest, slowly; the micro-step assist or a larger K_P narrows the band</source>
+        <translation>剩余误差只靠积分缓慢消除；微步辅助或更大的 K_P 可缩小该带</translation>
+    </message>
+    <message>
+        <source>the micro-step assist or a larger K_P narrows the band</source>
+        <translation>微步辅助或更大的 K_P 可缩小该带</translation>
+    </message>
+    <message>
+        <source>the stray field of the coils is not compensated and feeds the current back into the angle: this gain can make it alternate every sample</source>
+        <translation>线圈杂散磁场未补偿，电流会反馈到角度：此增益可能使电流每个采样都交替变号</translation>
+    </message>
+    <message>
+        <source>switch the compensation on (stray.enabled)</source>
+        <translation>请打开补偿（stray.enabled）</translation>
+    </message>
+    <message>
+        <source>this gain needs the stray coefficient to better than {} %, and its error is not known</source>
+        <translation>此增益要求杂散磁场系数误差小于 {} %，而其误差未知</translation>
+    </message>
+    <message>
+        <source>calibrate the stray field first</source>
+        <translation>请先标定杂散磁场</translation>
+    </message>
+    <message>
+        <source>the stray coefficient is known to {} %, this gain needs better than {} %</source>
+        <translation>杂散磁场系数的误差为 {} %，此增益要求小于 {} %</translation>
+    </message>
+    <message>
+        <source>calibrate the stray field again, or lower the gains</source>
+        <translation>请重新标定杂散磁场，或降低增益</translation>
+    </message>
+    <message>
+        <source>steps above {} deg reach the current limit of {} A; with it and with friction a step of {} deg overshoots by {} %</source>
+        <translation>大于 {} 度的阶跃会达到电流限值 {} A；计入该限值和摩擦，{} 度阶跃的超调为 {} %</translation>
+    </message>
+    <message>
+        <source>lead large moves along a ramp, or choose a slower loop</source>
+        <translation>大幅运动请用斜坡引导，或选择较慢的回路</translation>
+    </message>
+    <message>
+        <source>`halbench describe` lists the parameters.</source>
+        <translation>“halbench describe”会列出参数。</translation>
+    </message>
+    <message>
+        <source>{} reads {} after writing {}</source>
+        <translation>{} 读回为 {}，而写入的是 {}</translation>
+    </message>
+    <message>
+        <source>The old values run again; check the device&apos;s limits.</source>
+        <translation>已恢复原值；请检查设备的限值。</translation>
+    </message>
+    <message>
+        <source>a {} has no prediction to verify against</source>
+        <translation>“{}”没有可供验证的预测</translation>
+    </message>
+    <message>
+        <source>Verify with a step, ramp, sine or staircase.</source>
+        <translation>请用阶跃、斜坡、正弦或阶梯来验证。</translation>
+    </message>
+    <message>
+        <source>{} was {} {}, the prediction allows {} {}</source>
+        <translation>{}为 {} {}，预测允许 {} {}</translation>
+    </message>
+    <message>
+        <source>The old values run again. Identify the motor anew, or choose calmer gains.</source>
+        <translation>已恢复原值。请重新辨识电机，或选择较缓和的增益。</translation>
+    </message>
+    <message>
+        <source>final error</source>
+        <translation>终值误差</translation>
+    </message>
+    <message>
+        <source>rms error</source>
+        <translation>均方根误差</translation>
+    </message>
+    <message>
+        <source>the readings lie {} % of the amplitude away from their ellipse</source>
+        <translation>读数偏离其椭圆达幅值的 {} %</translation>
+    </message>
+    <message>
+        <source>look for saturated sensors or a loose magnet</source>
+        <translation>请检查传感器是否饱和或磁体是否松动</translation>
+    </message>
+    <message>
+        <source>spins slowly for the Hall sensors</source>
+        <translation>为标定霍尔传感器而慢速旋转</translation>
+    </message>
+    <message>
+        <source>use a spin current above the breakaway current</source>
+        <translation>请使用大于起动电流的旋转电流</translation>
+    </message>
+    <message>
+        <source>the angle error of {} degrees rms that the ellipse leaves is not known well enough ({} degrees: ripple of the speed and scatter)</source>
+        <translation>椭圆剩余的角度误差 {} 度（均方根）了解得不够准确（{} 度：转速波动和离散）</translation>
+    </message>
+    <message>
+        <source>the ellipse alone is as good</source>
+        <translation>仅用椭圆同样好</translation>
+    </message>
+    <message>
+        <source>the rotor did not turn fast and long enough to show the angle error that the ellipse leaves</source>
+        <translation>转子转得不够快、不够久，无法显示椭圆剩余的角度误差</translation>
+    </message>
+    <message>
+        <source>allow a higher current or speed</source>
+        <translation>请允许更大的电流或转速</translation>
+    </message>
+    <message>
+        <source>spins fast for the angle error</source>
+        <translation>为测角度误差而快速旋转</translation>
+    </message>
+    <message>
+        <source>no calibration was chosen</source>
+        <translation>未选择任何标定</translation>
+    </message>
+    <message>
+        <source>choose hall, stray, static-friction or all</source>
+        <translation>请选择 hall、stray、static-friction 或 all</translation>
+    </message>
+    <message>
+        <source>the currents of a calibration must lie in (0, 4] A</source>
+        <translation>标定电流必须在 (0, 4] A 范围内</translation>
+    </message>
+    <message>
+        <source>2 to 50 starts in each direction are possible</source>
+        <translation>每个方向可起动 2 到 50 次</translation>
+    </message>
+    <message>
+        <source>turns to another angle</source>
+        <translation>转到另一角度</translation>
+    </message>
+    <message>
+        <source>d-axis current at rest</source>
+        <translation>静止时的 d 轴电流</translation>
+    </message>
+    <message>
+        <source>ramps the current from rest</source>
+        <translation>从静止逐渐增大电流</translation>
+    </message>
+    <message>
+        <source>the rotor broke loose in too few of the ramps</source>
+        <translation>转子在太少的斜坡中起动</translation>
+    </message>
+    <message>
+        <source>ramp to a higher current</source>
+        <translation>请升到更大的电流</translation>
+    </message>
+    <message>
+        <source>the rate must be more than zero</source>
+        <translation>采样率必须大于零</translation>
+    </message>
+    <message>
+        <source>Give e.g. --rate 1000.</source>
+        <translation>例如给出 --rate 1000。</translation>
+    </message>
+    <message>
+        <source>a capture at {} Hz is not possible</source>
+        <translation>无法以 {} Hz 捕获</translation>
+    </message>
+    <message>
+        <source>the rate must divide that of the loop, {} Hz; the nearest is {} Hz</source>
+        <translation>采样率必须能整除回路频率 {} Hz；最接近的是 {} Hz</translation>
+    </message>
+    <message>
+        <source>the share of rows before the trigger lies from 0 to below 1</source>
+        <translation>触发前的数据比例必须从 0 到小于 1</translation>
+    </message>
+    <message>
+        <source>Give e.g. --pre-trigger 0.25.</source>
+        <translation>例如给出 --pre-trigger 0.25。</translation>
+    </message>
+    <message>
+        <source>the wait for the trigger must be more than zero seconds</source>
+        <translation>等待触发的时间必须大于零秒</translation>
+    </message>
+    <message>
+        <source>Give e.g. --wait 10.</source>
+        <translation>例如给出 --wait 10。</translation>
+    </message>
+    <message>
+        <source>a capture takes 1 to {} signals</source>
+        <translation>一次捕获可含 1 到 {} 个信号</translation>
+    </message>
+    <message>
+        <source>record a stream for more</source>
+        <translation>如需更多，请记录数据流</translation>
+    </message>
+    <message>
+        <source>`halbench describe` lists the signals.</source>
+        <translation>“halbench describe”会列出信号。</translation>
+    </message>
+    <message>
+        <source>the signal &apos;{}&apos; is named twice</source>
+        <translation>信号“{}”被指定了两次</translation>
+    </message>
+    <message>
+        <source>Name every signal once.</source>
+        <translation>每个信号只指定一次。</translation>
+    </message>
+    <message>
+        <source>the trigger did not come within {} s</source>
+        <translation>触发在 {} s 内没有到来</translation>
+    </message>
+    <message>
+        <source>wait longer with --wait, or choose another --trigger</source>
+        <translation>请用 --wait 等待更久，或选择其他 --trigger</translation>
+    </message>
+    <message>
+        <source>waits for the trigger</source>
+        <translation>等待触发</translation>
+    </message>
+    <message>
+        <source>the board captured other signals than it was asked for</source>
+        <translation>控制板捕获的信号与要求的不同</translation>
+    </message>
+    <message>
+        <source>another program may be using its capture; try again</source>
+        <translation>可能有其他程序正在使用其捕获功能；请重试</translation>
+    </message>
+    <message>
+        <source>a captured value is not a number</source>
+        <translation>捕获的某个值不是数字</translation>
+    </message>
+    <message>
+        <source>The board or the link delivers damaged values; nothing was kept of them.</source>
+        <translation>控制板或链路传来损坏的数值；未保留任何数值。</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no trigger</source>
+        <translation>“{}”不是触发条件</translation>
+    </message>
+    <message>
+        <source>use now, reference, SIGNAL&gt;LEVEL (rising) or SIGNAL&lt;LEVEL (falling)</source>
+        <translation>请使用 now、reference、SIGNAL&gt;LEVEL（上升）或 SIGNAL&lt;LEVEL（下降）</translation>
+    </message>
+    <message>
+        <source>the level of a trigger is not finite</source>
+        <translation>触发电平不是有限数</translation>
+    </message>
+    <message>
+        <source>give a number</source>
+        <translation>请给出一个数字</translation>
+    </message>
+    <message>
+        <source>a coil is at {} degC and does not cool below {} degC</source>
+        <translation>有一个线圈为 {} °C，且无法冷却到 {} °C 以下</translation>
+    </message>
+    <message>
+        <source>Cool the motor&apos;s surroundings and try again.</source>
+        <translation>请降低电机周围的温度后重试。</translation>
+    </message>
+    <message>
+        <source>waits for the coils to cool: {} degC</source>
+        <translation>等待线圈冷却：{} °C</translation>
+    </message>
+    <message>
+        <source>a coil temperature is not a number</source>
+        <translation>有一个线圈温度不是数字</translation>
+    </message>
+    <message>
+        <source>Nothing is armed without it; check the temperature sensors.</source>
+        <translation>没有它就不会使能；请检查温度传感器。</translation>
+    </message>
+    <message>
+        <source>the coils would reach {} degC, more than {} degC</source>
+        <translation>线圈将达到 {} °C，超过 {} °C</translation>
+    </message>
+    <message>
+        <source>Shorten it, use less current, or let the motor cool first. Nothing was armed.</source>
+        <translation>请缩短时间、减小电流，或先让电机冷却。尚未使能。</translation>
+    </message>
+    <message>
+        <source>give it in SI units, e.g. J=5.5e-4</source>
+        <translation>请用 SI 单位给出，例如 J=5.5e-4</translation>
+    </message>
+    <message>
+        <source>{} = {} is not possible</source>
+        <translation>{} = {} 不可行</translation>
+    </message>
+    <message>
+        <source>it cannot be negative</source>
+        <translation>不能为负</translation>
+    </message>
+    <message>
+        <source>it must be more than zero</source>
+        <translation>必须大于零</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no constant of the motor</source>
+        <translation>“{}”不是电机常数</translation>
+    </message>
+    <message>
+        <source>use J, c, Kf or phi</source>
+        <translation>请使用 J、c、Kf 或 phi</translation>
+    </message>
+    <message>
+        <source>the currents of the sweep are not finite numbers</source>
+        <translation>扫描电流含有非有限数</translation>
+    </message>
+    <message>
+        <source>write e.g. 1.6:4:0.2</source>
+        <translation>例如写成 1.6:4:0.2</translation>
+    </message>
+    <message>
+        <source>the sweep needs 0 &lt; FROM &lt;= TO and STEP &gt; 0</source>
+        <translation>扫描要求 0 &lt; 起始 &lt;= 终止，且步长 &gt; 0</translation>
+    </message>
+    <message>
+        <source>{} A is beyond the device&apos;s limit of {} A</source>
+        <translation>{} A 超出设备限值 {} A</translation>
+    </message>
+    <message>
+        <source>end the sweep at or below limit.current</source>
+        <translation>扫描终止电流不要超过 limit.current</translation>
+    </message>
+    <message>
+        <source>a sweep of more than 29 currents does not fit the board</source>
+        <translation>超过 29 个电流的扫描无法装入控制板</translation>
+    </message>
+    <message>
+        <source>use a larger step</source>
+        <translation>请使用更大的步长</translation>
+    </message>
+    <message>
+        <source>the recording holds hardly any rows</source>
+        <translation>记录几乎没有数据行</translation>
+    </message>
+    <message>
+        <source>record at least some seconds of motion</source>
+        <translation>请至少记录几秒钟的运动</translation>
+    </message>
+    <message>
+        <source>the recording lacks position or current_command</source>
+        <translation>记录缺少 position 或 current_command</translation>
+    </message>
+    <message>
+        <source>it needs the columns time_s, position_rad and current_command_A</source>
+        <translation>需要 time_s、position_rad 和 current_command_A 列</translation>
+    </message>
+    <message>
+        <source>the recording has {} rows a second, less than 100</source>
+        <translation>记录每秒 {} 行，少于 100 行</translation>
+    </message>
+    <message>
+        <source>record at 100 Hz or more</source>
+        <translation>请以 100 Hz 或更高的采样率记录</translation>
+    </message>
+    <message>
+        <source>the rotor stopped</source>
+        <translation>转子停住</translation>
+    </message>
+    <message>
+        <source>slower than {} rad/s</source>
+        <translation>低于 {} rad/s</translation>
+    </message>
+    <message>
+        <source>not steady at its end</source>
+        <translation>结束时未达稳态</translation>
+    </message>
+    <message>
+        <source>the motion does not bend enough to show c/J</source>
+        <translation>运动曲线弯曲不足，无法显示 c/J</translation>
+    </message>
+    <message>
+        <source>friction differs between the directions by {} % of its mean</source>
+        <translation>两个方向的摩擦相差平均值的 {} %</translation>
+    </message>
+    <message>
+        <source>the mean of both directions is reported</source>
+        <translation>给出的是两个方向的平均值</translation>
+    </message>
+    <message>
+        <source>{} plateaus came to rest and were left out</source>
+        <translation>{} 个平台中转子停住，已剔除</translation>
+    </message>
+    <message>
+        <source>start the sweep further above the breakaway current</source>
+        <translation>请让扫描从更高于起动电流处开始</translation>
+    </message>
+    <message>
+        <source>{} not steady at {} end and left out</source>
+        <translation>{0}在结束时未达稳态，已剔除</translation>
+    </message>
+    <message>
+        <source>one plateau was</source>
+        <translation>一个平台</translation>
+    </message>
+    <message>
+        <source>{} plateaus were</source>
+        <translation>{} 个平台</translation>
+    </message>
+    <message>
+        <source>dwell longer at each current</source>
+        <translation>每个电流请保持更久</translation>
+    </message>
+    <message>
+        <source>{} rows of the recording were lost</source>
+        <translation>记录丢失了 {} 行</translation>
+    </message>
+    <message>
+        <source>check the link</source>
+        <translation>请检查链路</translation>
+    </message>
+    <message>
+        <source>run-ups and coast-downs could not be used: {}</source>
+        <translation>升速和自由减速数据无法使用：{}</translation>
+    </message>
+    <message>
+        <source>record run-ups and coast-downs at 100 Hz or more</source>
+        <translation>请以 100 Hz 或更高的采样率记录升速和自由减速</translation>
+    </message>
+    <message>
+        <source>use a higher current, so that the coast-down above 3 rad/s lasts longer than 0.12 s, or a second current</source>
+        <translation>请用更大的电流，使 3 rad/s 以上的自由减速超过 0.12 s，或增加第二个电流</translation>
+    </message>
+    <message>
+        <source>model inadequate: one stretch of motion lies {} times further off the model than most</source>
+        <translation>模型不充分：有一段运动偏离模型的程度是多数的 {} 倍</translation>
+    </message>
+    <message>
+        <source>friction may depend on speed: the intervals do not hold that error; use faster currents only</source>
+        <translation>摩擦可能与转速有关：区间未包含此误差；请只用较大的电流</translation>
+    </message>
+    <message>
+        <source>ordinary and robust regression of the sweep differ by more than one standard error</source>
+        <translation>扫描的普通回归与稳健回归相差超过一个标准误差</translation>
+    </message>
+    <message>
+        <source>look at the plateaus of low weight; repeat the sweep</source>
+        <translation>请查看权重低的平台；重新扫描</translation>
+    </message>
+    <message>
+        <source>the sweep is not a straight line (lack of fit, p = {})</source>
+        <translation>扫描结果不是直线（失拟，p = {}）</translation>
+    </message>
+    <message>
+        <source>friction may depend on speed; use only the range of speeds that matters</source>
+        <translation>摩擦可能与转速有关；请只用所关心的转速范围</translation>
+    </message>
+    <message>
+        <source>residuals keep their sign over neighbouring speeds (runs test, p = {})</source>
+        <translation>相邻转速的残差符号相同（游程检验，p = {}）</translation>
+    </message>
+    <message>
+        <source>friction may depend on speed; look at the residuals</source>
+        <translation>摩擦可能与转速有关；请查看残差</translation>
+    </message>
+    <message>
+        <source>leaving out one plateau moves the steady line by {} standard errors</source>
+        <translation>去掉一个平台会使稳态直线移动 {} 个标准误差</translation>
+    </message>
+    <message>
+        <source>add plateaus near it or repeat it</source>
+        <translation>请在其附近增加平台或重测</translation>
+    </message>
+    <message>
+        <source>c/phi is {} A*s/rad from plateaus and {} from all motion (p = {})</source>
+        <translation>c/phi 由平台得 {} A*s/rad，由全部运动得 {}（p = {}）</translation>
+    </message>
+    <message>
+        <source>friction may depend on speed</source>
+        <translation>摩擦可能与转速有关</translation>
+    </message>
+    <message>
+        <source>the given constants contradict the data (p = {})</source>
+        <translation>给定的常数与数据矛盾（p = {}）</translation>
+    </message>
+    <message>
+        <source>give only the constant that is known best</source>
+        <translation>只给出最有把握的常数</translation>
+    </message>
+    <message>
+        <source>only ratios of the constants can be known from angle and current</source>
+        <translation>由角度和电流只能得到常数之间的比值</translation>
+    </message>
+    <message>
+        <source>give the inertia (--given J=...) or the torque constant (--given phi=...), or repeat with a known inertia fixed to the rotor (--bare, --added-inertia)</source>
+        <translation>请给出转动惯量（--given J=...）或转矩常数（--given phi=...），或在转子上固定已知惯量后重测（--bare, --added-inertia）</translation>
+    </message>
+    <message>
+        <source>the data and the given constants do not decide all four constants</source>
+        <translation>数据和给定的常数不足以确定全部四个常数</translation>
+    </message>
+    <message>
+        <source>add what is missing: transients (run-up and coast-down), or another given constant</source>
+        <translation>请补上所缺的：过渡过程（升速和自由减速）或另一个给定常数</translation>
+    </message>
+    <message>
+        <source>both runs must decide c/J, K_f/J and phi/J with their covariance, and be made without given constants</source>
+        <translation>两次测量都必须确定 c/J、K_f/J 和 phi/J 及其协方差，且不使用给定常数</translation>
+    </message>
+    <message>
+        <source>identify the bare motor again without --given</source>
+        <translation>请不用 --given 重新辨识裸电机</translation>
+    </message>
+    <message>
+        <source>damping tells another inertia ({} standard errors): the added part changed the friction</source>
+        <translation>由阻尼得到不同的惯量（相差 {} 个标准误差）：附加件改变了摩擦</translation>
+    </message>
+    <message>
+        <source>only the torque constant was used</source>
+        <translation>只使用了转矩常数</translation>
+    </message>
+    <message>
+        <source>neither transients nor plateaus could be used: {}; {}</source>
+        <translation>过渡过程和平台数据都无法使用：{}；{}</translation>
+    </message>
+    <message>
+        <source>use currents well above the breakaway current and hold each for some seconds</source>
+        <translation>请使用明显高于起动电流的电流，每个保持数秒</translation>
+    </message>
+    <message>
+        <source>sweep forward</source>
+        <translation>正向扫描</translation>
+    </message>
+    <message>
+        <source>sweep reverse</source>
+        <translation>反向扫描</translation>
+    </message>
+    <message>
+        <source>coast-downs forward</source>
+        <translation>正向自由减速</translation>
+    </message>
+    <message>
+        <source>coast-downs reverse</source>
+        <translation>反向自由减速</translation>
+    </message>
+    <message>
+        <source>the speed limit leaves no usable speed</source>
+        <translation>转速限值下没有可用的转速</translation>
+    </message>
+    <message>
+        <source>allow e.g. 40 rad/s</source>
+        <translation>例如允许 40 rad/s</translation>
+    </message>
+    <message>
+        <source>0 to 16 coast-downs in each direction are possible</source>
+        <translation>每个方向可自由减速 0 到 16 次</translation>
+    </message>
+    <message>
+        <source>first motion</source>
+        <translation>首次运动</translation>
+    </message>
+    <message>
+        <source>the model does not hold {}, which decides the loop</source>
+        <translation>模型中没有决定回路的 {}</translation>
+    </message>
+    <message>
+        <source>steady speeds alone do not show the inertia: identify with run-ups and coast-downs, or give the constant that is known (--given J=...)</source>
+        <translation>仅有稳态转速无法显示惯量：请用升速和自由减速辨识，或给出已知常数（--given J=...）</translation>
+    </message>
+    <message>
+        <source>{} of the model is not a finite number</source>
+        <translation>模型的 {} 不是有限数</translation>
+    </message>
+    <message>
+        <source>the covariance of the model names {} values but is not {} x {}</source>
+        <translation>模型的协方差列出 {} 个值，但不是 {} x {} 矩阵</translation>
+    </message>
+    <message>
+        <source>the covariance of the model holds a value that is not finite</source>
+        <translation>模型的协方差含有非有限值</translation>
+    </message>
+    <message>
+        <source>the covariance names &apos;{}&apos;, of which the model has no value</source>
+        <translation>协方差列出了“{}”，而模型没有该值</translation>
+    </message>
+    <message>
+        <source>the response has too few samples to be measured</source>
+        <translation>响应的样本太少，无法测量</translation>
+    </message>
+    <message>
+        <source>Record longer or at a higher rate.</source>
+        <translation>请记录更久或使用更高的采样率。</translation>
+    </message>
+    <message>
+        <source>the response holds a value that is not a number</source>
+        <translation>响应中有一个值不是数字</translation>
+    </message>
+    <message>
+        <source>Repeat the move.</source>
+        <translation>请重复该运动。</translation>
+    </message>
+    <message>
+        <source>a move of {} s is out of range</source>
+        <translation>运动时间 {} s 超出范围</translation>
+    </message>
+    <message>
+        <source>Allowed: 0.05 to 3600 s.</source>
+        <translation>允许：0.05 到 3600 s。</translation>
+    </message>
+    <message>
+        <source>the board did not start its reference</source>
+        <translation>控制板没有启动参考信号</translation>
+    </message>
+    <message>
+        <source>Try again; check the link.</source>
+        <translation>请重试；检查链路。</translation>
+    </message>
+    <message>
+        <source>{} of {} samples arrived</source>
+        <translation>收到 {} 个样本，应为 {} 个</translation>
+    </message>
+    <message>
+        <source>The link is too slow for this rate; record at a lower one.</source>
+        <translation>链路对此采样率太慢；请用较低的采样率记录。</translation>
+    </message>
+    <message>
+        <source>waits for standstill</source>
+        <translation>等待静止</translation>
+    </message>
+    <message>
+        <source>a {} needs {}</source>
+        <translation>“{}”需要 {}</translation>
+    </message>
+    <message>
+        <source>Add {}=... to the reference.</source>
+        <translation>请在参考信号中加上 {}=...。</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not KEY=VALUE</source>
+        <translation>“{}”不是 KEY=VALUE 的形式</translation>
+    </message>
+    <message>
+        <source>Write a reference like step,amplitude_deg=100. Known keys: {}.</source>
+        <translation>参考信号写法如 step,amplitude_deg=100。已知的键：{}。</translation>
+    </message>
+    <message>
+        <source>Write {}=1.5.</source>
+        <translation>请写成 {}=1.5。</translation>
+    </message>
+    <message>
+        <source>there is no reference shape &apos;{}&apos;</source>
+        <translation>没有参考波形“{}”</translation>
+    </message>
+    <message>
+        <source>Known shapes: {}.</source>
+        <translation>已知波形：{}。</translation>
+    </message>
+    <message>
+        <source>a reference has no key &apos;{}&apos;</source>
+        <translation>参考信号没有键“{}”</translation>
+    </message>
+    <message>
+        <source>Allowed: {} to {}.</source>
+        <translation>允许：{} 到 {}。</translation>
+    </message>
+    <message>
+        <source>Allowed: {} to {}{}.</source>
+        <translation>允许：{} 到 {}{}。</translation>
+    </message>
+    <message>
+        <source>reference: &apos;{}&apos; is given twice</source>
+        <translation>参考信号：“{}”给出了两次</translation>
+    </message>
+    <message>
+        <source>{} is not a number at {} s</source>
+        <translation>{} 在 {} s 处不是数字</translation>
+    </message>
+    <message>
+        <source>The board or the link delivers damaged values; nothing was concluded from them.</source>
+        <translation>控制板或链路传来损坏的数值；未据此得出任何结论。</translation>
+    </message>
+    <message>
+        <source>the duration must be more than zero seconds</source>
+        <translation>持续时间必须大于零秒</translation>
+    </message>
+    <message>
+        <source>Give e.g. --duration 10.</source>
+        <translation>例如给出 --duration 10。</translation>
+    </message>
+    <message>
+        <source>Give e.g. --rate 100.</source>
+        <translation>例如给出 --rate 100。</translation>
+    </message>
+    <message>
+        <source>a duration of {} s at {} Hz is more than {} rows</source>
+        <translation>{} s、{} Hz 超过 {} 行</translation>
+    </message>
+    <message>
+        <source>Record in pieces or at a lower rate.</source>
+        <translation>请分段记录或使用较低的采样率。</translation>
+    </message>
+    <message>
+        <source>only {} of {} samples arrived</source>
+        <translation>只收到 {} 个样本，应为 {} 个</translation>
+    </message>
+    <message>
+        <source>check the link; record fewer signals or at a lower rate</source>
+        <translation>请检查链路；减少信号或降低采样率</translation>
+    </message>
+    <message>
+        <source>{} of {} rows are missing</source>
+        <translation>缺少 {} 行，共 {} 行</translation>
+    </message>
+    <message>
+        <source>Record fewer signals or at a lower rate.</source>
+        <translation>请减少信号或降低采样率。</translation>
+    </message>
+    <message>
+        <source>nothing was written</source>
+        <translation>没有写入任何内容</translation>
+    </message>
+    <message>
+        <source>the source&apos;s own targets (zeta 0.06 at 15 rad/s) give {} A/rad and {} A/(rad s) on this motor, not the printed 10 and 0.1</source>
+        <translation>文献自己的目标（zeta 0.06，15 rad/s）在此电机上得到 {} A/rad 和 {} A/(rad s)，而不是所印的 10 和 0.1</translation>
+    </message>
+    <message>
+        <source>method designed has those gains</source>
+        <translation>方法 designed 即采用这些增益</translation>
+    </message>
+    <message>
+        <source>the motor damps more than the loop asks for: K_D is zero</source>
+        <translation>电机本身的阻尼超过回路要求：K_D 为零</translation>
+    </message>
+    <message>
+        <source>a faster loop may be possible: method bandwidth or phase-margin</source>
+        <translation>也许可以用更快的回路：方法 bandwidth 或 phase-margin</translation>
+    </message>
+    <message>
+        <source>the model has no covariance: robustness is that of an exactly known motor</source>
+        <translation>模型没有协方差：鲁棒性按精确已知的电机计算</translation>
+    </message>
+    <message>
+        <source>identify the motor to get its uncertainty</source>
+        <translation>请辨识电机以得到其不确定度</translation>
+    </message>
+    <message>
+        <source>{} % of the motors that the data allow make this loop unstable</source>
+        <translation>在数据允许的电机中，{} % 会使此回路不稳定</translation>
+    </message>
+    <message>
+        <source>identify more precisely, or choose a slower loop</source>
+        <translation>请更精确地辨识，或选择较慢的回路</translation>
+    </message>
+    <message>
+        <source>the set of gains lacks {}</source>
+        <translation>增益组缺少 {}</translation>
+    </message>
+    <message>
+        <source>{} = {} is negative</source>
+        <translation>{} = {} 为负</translation>
+    </message>
+    <message>
+        <source>the device has no parameter {}, which this set of gains needs</source>
+        <translation>设备没有此增益组需要的参数 {}</translation>
+    </message>
+    <message>
+        <source>choose a method without it: pole-placement or a preset</source>
+        <translation>请选择不需要它的方法：pole-placement 或某个预设</translation>
+    </message>
+    <message>
+        <source>ended by the user</source>
+        <translation>由用户结束</translation>
+    </message>
+    <message>
+        <source>the old gains run again</source>
+        <translation>已恢复原增益</translation>
+    </message>
+    <message>
+        <source>no device is connected</source>
+        <translation>没有连接设备</translation>
+    </message>
+    <message>
+        <source>connect one first</source>
+        <translation>请先连接设备</translation>
+    </message>
+    <message>
+        <source>Connection refused</source>
+        <translation>连接被拒绝</translation>
+    </message>
+    <message>
+        <source>Connection timed out</source>
+        <translation>连接超时</translation>
+    </message>
+    <message>
+        <source>Connection reset by peer</source>
+        <translation>连接被对方重置</translation>
+    </message>
+    <message>
+        <source>Network is unreachable</source>
+        <translation>网络不可达</translation>
+    </message>
+    <message>
+        <source>No route to host</source>
+        <translation>没有到主机的路由</translation>
+    </message>
+    <message>
+        <source>Name or service not known</source>
+        <translation>名称或服务未知</translation>
+    </message>
+    <message>
+        <source>Temporary failure in name resolution</source>
+        <translation>域名解析暂时失败</translation>
+    </message>
+    <message>
+        <source>Address already in use</source>
+        <translation>地址已被使用</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>没有该文件或文件夹</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>权限不够</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>磁盘空间不足</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>是文件夹</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>不是文件夹</translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation>文件已存在</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>文件太大</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>只读文件系统</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>打开的文件过多</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>输入输出错误</translation>
+    </message>
+    <message>
+        <source>Unknown error</source>
+        <translation>未知错误</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::CalibratePanel</name>
     <message>
         <source>Save calibration</source>

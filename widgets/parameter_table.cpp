@@ -5,10 +5,10 @@
 #include "widgets/message_bar.h"
 #include "widgets/parameter_delegate.h"
 #include "widgets/parameter_filter_model.h"
+#include "widgets/phrasebook.h"
 
 #include <QAction>
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -233,8 +233,7 @@ QString ParameterTable::helpText(const ParameterSpec& spec) const {
         facts << tr("can only be read");
     }
     return QStringLiteral("%1\n%2\n%3")
-        .arg(QString::fromStdString(spec.name), QCoreApplication::translate("Catalogue", spec.help.c_str()),
-             facts.join(QStringLiteral(" · ")));
+        .arg(QString::fromStdString(spec.name), inWords(spec.help), facts.join(QStringLiteral(" · ")));
 }
 
 void ParameterTable::showHelp() {

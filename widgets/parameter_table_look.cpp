@@ -1,8 +1,7 @@
 // What the cells of the parameter table say and look like.
 #include "widgets/icons.h"
 #include "widgets/parameter_table_model.h"
-
-#include <QCoreApplication>
+#include "widgets/phrasebook.h"
 
 namespace halbench::widgets {
 
@@ -53,7 +52,7 @@ QString ParameterTableModel::toolTip(const Row& row, int column) const {
     if (column == EditedColumn && row.spec.access == ParameterAccess::ReadOnly) {
         return tr("This value can only be read");
     }
-    return QCoreApplication::translate("Catalogue", row.spec.help.c_str());
+    return inWords(row.spec.help);
 }
 
 QVariant ParameterTableModel::look(const Row& row, int column, int role) const {

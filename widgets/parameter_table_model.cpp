@@ -1,6 +1,6 @@
 #include "widgets/parameter_table_model.h"
 
-#include <QCoreApplication>
+#include "widgets/phrasebook.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ private:
 QStringList choicesOf(const ParameterSpec& spec) {
     QStringList words;
     for (const std::string& choice : spec.choices) {
-        words << QCoreApplication::translate("Catalogue", choice.c_str());
+        words << inWords(choice);
     }
     if (words.isEmpty() && spec.isInteger && spec.min == 0.0 && spec.max == 1.0) {
         words << ParameterTableModel::tr("off") << ParameterTableModel::tr("on");
@@ -50,8 +50,7 @@ void ParameterTableModel::setSpecs(std::vector<ParameterSpec> specs) {
     m_rows.clear();
     m_groups.clear();
     for (ParameterSpec& spec : specs) {
-        const QString title =
-            spec.group.empty() ? tr("Other") : QCoreApplication::translate("Catalogue", spec.group.c_str());
+        const QString title = spec.group.empty() ? tr("Other") : inWords(spec.group);
         auto group = std::find_if(m_groups.begin(), m_groups.end(),
                                   [&title](const Group& known) { return known.title == title; });
         if (group == m_groups.end()) {

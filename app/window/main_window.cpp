@@ -13,6 +13,7 @@
 #include "app/workspaces/link_panel.h"
 #include "app/workspaces/notes_panel.h"
 #include "app/workspaces/tune_panel.h"
+#include "widgets/phrasebook.h"
 #include "widgets/theme_style.h"
 
 #include <QActionGroup>
@@ -57,8 +58,8 @@ MainWindow::MainWindow(Preferences preferences)
         collectProject();
         m_project.autosave([this](const Result<void>& saved) {
             if (!saved) {
-                onMessage(widgets::Severity::Warning, QString::fromStdString(saved.error().message),
-                          QString::fromStdString(saved.error().hint));
+                onMessage(widgets::Severity::Warning, widgets::inWords(saved.error().message),
+                          widgets::inWords(saved.error().hint));
             }
         });
     });

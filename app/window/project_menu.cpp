@@ -1,5 +1,7 @@
 #include "app/window/project_menu.h"
 
+#include "widgets/phrasebook.h"
+
 #include <QFileInfo>
 #include <QMenu>
 #include <QPointer>
@@ -45,7 +47,7 @@ void ProjectMenu::chooseAndOpen() {
 void ProjectMenu::open(const QString& path) {
     const std::string file = path.toStdString();
     if (const Result<void> read = m_session.open(file); !read) {
-        refused(QString::fromStdString(read.error().message), QString::fromStdString(read.error().hint));
+        refused(widgets::inWords(read.error().message), widgets::inWords(read.error().hint));
         return;
     }
     remember(path);
@@ -82,8 +84,7 @@ void ProjectMenu::write(const QString& path) {
         if (written) {
             self->remember(path);
         } else {
-            self->refused(QString::fromStdString(written.error().message),
-                          QString::fromStdString(written.error().hint));
+            self->refused(widgets::inWords(written.error().message), widgets::inWords(written.error().hint));
         }
     });
 }

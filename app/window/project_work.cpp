@@ -4,6 +4,7 @@
 #include "app/batch/result_documents.h"
 #include "app/workspaces/tune_panel.h"
 #include "control/base/assert.h"
+#include "widgets/phrasebook.h"
 
 #include <fmt/format.h>
 
@@ -50,7 +51,7 @@ void use(std::vector<NamedDocument>& list, std::string document, const std::stri
 }
 
 QString complaint(const QString& what, const Error& error) {
-    return what + QStringLiteral(": ") + QString::fromStdString(error.message);
+    return what + QStringLiteral(": ") + widgets::inWords(error.message);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "app/workspaces/recording_control.h"
 #include "widgets/icons.h"
+#include "widgets/phrasebook.h"
 #include "widgets/status_strip.h"
 #include "widgets/stop_button.h"
 #include "widgets/theme_style.h"
@@ -103,7 +104,7 @@ void TopBar::rearm() {
                     [&session](Result<void> cleared) {
                         if (!cleared) {
                             session.message(MessageLevel::Error, tr("stop"),
-                                            QString::fromStdString(cleared.error().message));
+                                            widgets::inWords(cleared.error().message));
                         }
                     });
 }
@@ -112,7 +113,7 @@ void TopBar::refresh() {
     const DeviceSession& session = m_bench.session();
     const devices::DeviceState& board = session.report().board;
     refreshRecording();
-    const QString fault = QString::fromStdString(board.faultText);
+    const QString fault = widgets::inWords(board.faultText);
     const bool isConnected = session.state() == SessionState::Connected;
     m_stop->setLatched(isConnected && (board.isStopLatched || board.fault != 0), fault);
     if (isConnected) {

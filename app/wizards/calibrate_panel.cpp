@@ -8,6 +8,7 @@
 #include "widgets/figure_view.h"
 #include "widgets/icons.h"
 #include "widgets/message_bar.h"
+#include "widgets/phrasebook.h"
 #include "widgets/progress_row.h"
 #include "widgets/step_list.h"
 
@@ -42,7 +43,7 @@ CalibratePanel::CalibratePanel(Workbench& workbench, QWidget* parent) : WizardPa
     connect(&bench().session(), &DeviceSession::procedureStage, this, &CalibratePanel::onStage);
     connect(&bench().session(), &DeviceSession::procedureProgress, this, [this](double, const QString& text) {
         if (isMine()) {
-            m_progress->setText(text);
+            m_progress->setText(widgets::inWords(text));
         }
     });
     CalibratePanel::refreshWords();

@@ -9,6 +9,7 @@
 #include "widgets/figure_view.h"
 #include "widgets/icons.h"
 #include "widgets/message_bar.h"
+#include "widgets/phrasebook.h"
 #include "widgets/progress_row.h"
 #include "widgets/step_list.h"
 
@@ -26,10 +27,6 @@ namespace {
 constexpr int Frame_ms = 100;
 constexpr double AssumedStart_degC = 25.0;
 enum Step { PrepareStep, ExciteStep, FitStep, JudgeStep, ResultStep };
-
-QString words(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 QVBoxLayout* columnOf(QWidget* page, int spacing_px) {
     auto* column = new QVBoxLayout(page);
@@ -188,8 +185,8 @@ void IdentifyPanel::refreshPlan() {
     }
     const auto config = m_form->config();
     if (!config) {
-        m_outlook->setText(words(config.error().message) + QStringLiteral(" \u2192 ") +
-                           words(config.error().hint));
+        m_outlook->setText(widgets::inWords(config.error().message) + QStringLiteral(" \u2192 ") +
+                           widgets::inWords(config.error().hint));
         widgets::setRole(*m_outlook, widgets::Role::Bad);
         m_start->setEnabled(false);
         return;

@@ -4,6 +4,7 @@
 #include "app/wizards/identify_words.h"
 #include "widgets/estimate_table.h"
 #include "widgets/figure_view.h"
+#include "widgets/phrasebook.h"
 #include "widgets/theme_style.h"
 #include "widgets/verdict_view.h"
 
@@ -100,8 +101,7 @@ void IdentifyResultView::savePicture(const widgets::FigureView& view) {
         return;
     }
     if (const auto saved = view.save(path); !saved) {
-        Q_EMIT notSaved(QString::fromStdString(saved.error().message),
-                        QString::fromStdString(saved.error().hint));
+        Q_EMIT notSaved(widgets::inWords(saved.error().message), widgets::inWords(saved.error().hint));
     }
 }
 

@@ -4,6 +4,7 @@
 #include "control/base/unit_text.h"
 #include "control/base/units.h"
 #include "widgets/display_units.h"
+#include "widgets/phrasebook.h"
 #include "widgets/progress_row.h"
 
 #include <QCoreApplication>
@@ -161,7 +162,7 @@ QString verdictTitle(const DataQuality& quality) {
 std::vector<widgets::Remark> remarksOf(const std::vector<Finding>& findings) {
     std::vector<widgets::Remark> remarks;
     for (const Finding& finding : findings) {
-        remarks.push_back({QString::fromStdString(finding.message), QString::fromStdString(finding.hint)});
+        remarks.push_back({widgets::inWords(finding.message), widgets::inWords(finding.hint)});
     }
     return remarks;
 }

@@ -3,6 +3,7 @@
 #include "app/batch/numbers.h"
 #include "app/workspaces/document_files.h"
 #include "widgets/message_bar.h"
+#include "widgets/phrasebook.h"
 #include "widgets/step_list.h"
 #include "widgets/theme_style.h"
 
@@ -116,10 +117,8 @@ void WizardPanel::fail(const Error& error, const QString& cancelledText) {
 }
 
 void WizardPanel::showError(const Error& error) {
-    m_message->showMessage({widgets::Severity::Error,
-                            QString::fromStdString(error.message),
-                            QString::fromStdString(error.hint),
-                            {}});
+    m_message->showMessage(
+        {widgets::Severity::Error, widgets::inWords(error.message), widgets::inWords(error.hint), {}});
 }
 
 ResultHeader WizardPanel::headerOf(const char* schema, std::uint64_t seed) const {

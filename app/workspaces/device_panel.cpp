@@ -3,6 +3,7 @@
 #include "devices/open_device.h"
 #include "widgets/icons.h"
 #include "widgets/message_bar.h"
+#include "widgets/phrasebook.h"
 #include "widgets/theme_style.h"
 
 #include <QComboBox>
@@ -102,7 +103,7 @@ void DevicePanel::refreshList() {
     for (const devices::DeviceListing& listing : devices::listDevices()) {
         auto* item = new QListWidgetItem(words(listing.uri), m_list);
         item->setToolTip(listing.isAvailable ? words(listing.id)
-                                             : words(listing.reason + ". " + listing.hint));
+                                             : widgets::inWords(listing.reason + ". " + listing.hint));
     }
     m_list->setCurrentRow(0);
 }
@@ -129,7 +130,7 @@ void DevicePanel::connectAddress() {
 }
 
 void DevicePanel::onFailed(const QString& text, const QString& hint) {
-    m_message->showMessage({widgets::Severity::Error, text, hint, {}});
+    m_message->showMessage({widgets::Severity::Error, widgets::inWords(text), widgets::inWords(hint), {}});
 }
 
 void DevicePanel::refresh() {
@@ -145,7 +146,8 @@ void DevicePanel::refresh() {
     m_speed->setEnabled(isSimulated && session.procedure().isEmpty());
     m_speedLabel->setEnabled(m_speed->isEnabled());
     if (session.state() == SessionState::Lost && session.report().lost) {
-        onFailed(words(session.report().lost->message), words(session.report().lost->hint));
+        onFailed(widgets::inWords(session.report().lost->message),
+                 widgets::inWords(session.report().lost->hint));
     }
     m_identity->setText(
         session.state() == SessionState::Connected

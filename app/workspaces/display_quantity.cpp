@@ -2,6 +2,7 @@
 
 #include "control/base/unit_text.h"
 #include "control/base/units.h"
+#include "widgets/phrasebook.h"
 
 #include <QCoreApplication>
 
@@ -70,8 +71,7 @@ DisplayQuantity displayQuantity(const std::string& symbol) {
         }
     }
     const std::optional<Unit> unit = findUnit(symbol);
-    const QString quantity =
-        unit ? QString::fromUtf8(unit->quantity.data(), static_cast<int>(unit->quantity.size())) : QString();
+    const QString quantity = unit ? widgets::inWords(std::string(unit->quantity)) : QString();
     return {quantity, QString::fromStdString(unitText(symbol)), 1.0, 4, 999.0};
 }
 

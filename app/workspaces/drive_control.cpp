@@ -1,5 +1,7 @@
 #include "app/workspaces/drive_control.h"
 
+#include "widgets/phrasebook.h"
+
 #include <QPointer>
 
 #include <algorithm>
@@ -120,8 +122,7 @@ void DriveControl::change(Action action, std::function<void()> then) {
 void DriveControl::finish(const Result<void>& done, const std::function<void()>& then) {
     if (!done) {
         m_jog.stop();
-        Q_EMIT failed(QString::fromStdString(done.error().message),
-                      QString::fromStdString(done.error().hint));
+        Q_EMIT failed(widgets::inWords(done.error().message), widgets::inWords(done.error().hint));
     } else if (then) {
         then();
     }

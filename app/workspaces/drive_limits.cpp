@@ -3,6 +3,7 @@
 #include "app/workspaces/display_quantity.h"
 #include "app/workspaces/panel_parts.h"
 #include "widgets/number_label.h"
+#include "widgets/phrasebook.h"
 #include "widgets/quantity_edit.h"
 #include "widgets/theme_style.h"
 
@@ -128,8 +129,8 @@ void DriveLimits::showValue(Row& row) {
 void DriveLimits::write(const std::string& parameter, double value) {
     m_bench.writeValues({{parameter, value}}, [self = QPointer(this)](const Result<void>& written) {
         if (self && !written) {
-            Q_EMIT self->failed(QString::fromStdString(written.error().message),
-                                QString::fromStdString(written.error().hint));
+            Q_EMIT self->failed(widgets::inWords(written.error().message),
+                                widgets::inWords(written.error().hint));
         }
     });
 }

@@ -8,6 +8,7 @@
 #include "control/base/units.h"
 #include "widgets/icons.h"
 #include "widgets/message_bar.h"
+#include "widgets/phrasebook.h"
 #include "widgets/quantity_edit.h"
 #include "widgets/theme_style.h"
 
@@ -204,8 +205,7 @@ void DrivePanel::onSetpointRefused(const QString& text) {
 void DrivePanel::onStartReference() {
     const Result<std::vector<ParameterValue>> values = m_reference->values();
     if (!values) {
-        showError(QString::fromStdString(values.error().message),
-                  QString::fromStdString(values.error().hint));
+        showError(widgets::inWords(values.error().message), widgets::inWords(values.error().hint));
         return;
     }
     m_control.startReference(*values);

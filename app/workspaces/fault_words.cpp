@@ -1,5 +1,7 @@
 #include "app/workspaces/fault_words.h"
 
+#include "widgets/phrasebook.h"
+
 #include <QCoreApplication>
 
 #include <array>
@@ -47,7 +49,7 @@ FaultWords faultWords(const devices::DeviceState& board) {
     if (board.fault == 0 && !board.isStopLatched) {
         return {};
     }
-    const QString said = QString::fromStdString(board.faultText);
+    const QString said = widgets::inWords(board.faultText);
     const auto say = [](const char* text) { return QCoreApplication::translate(Context, text); };
     if (board.fault >= Table.size()) {
         return {said, say(Table[0].remedy)};

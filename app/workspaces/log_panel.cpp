@@ -1,6 +1,7 @@
 #include "app/workspaces/log_panel.h"
 
 #include "widgets/log_view.h"
+#include "widgets/phrasebook.h"
 
 #include <QVBoxLayout>
 
@@ -37,7 +38,8 @@ QString LogPanel::text() const {
 }
 
 void LogPanel::add(MessageLevel level, const QString& source, const QString& words) {
-    m_view->append({{m_bench.session().report().deviceTime_s, levelOf(level), source, words}});
+    m_view->append(
+        {{m_bench.session().report().deviceTime_s, levelOf(level), source, widgets::inWords(words)}});
 }
 
 } // namespace halbench::app

@@ -3,6 +3,7 @@
 #include "app/workspaces/panel_parts.h"
 #include "widgets/message_bar.h"
 #include "widgets/parameter_table.h"
+#include "widgets/phrasebook.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -134,7 +135,7 @@ void ParametersPanel::tell(const QString& text, const QString& remedy) {
 }
 
 void ParametersPanel::tell(const Error& error) {
-    tell(QString::fromStdString(error.message), QString::fromStdString(error.hint));
+    tell(widgets::inWords(error.message), widgets::inWords(error.hint));
 }
 
 void ParametersPanel::write(const std::vector<ParameterValue>& changed) {

@@ -1,6 +1,7 @@
 #include "app/workspaces/preflight.h"
 
 #include "widgets/icons.h"
+#include "widgets/phrasebook.h"
 
 #include <QCheckBox>
 #include <QCoreApplication>
@@ -40,7 +41,7 @@ PreflightItem deviceItem(const PreflightFacts& facts) {
 
 PreflightItem faultItem(const PreflightFacts& facts) {
     if (facts.board.fault != 0) {
-        return {false, Words::tr("Fault: %1").arg(QString::fromStdString(facts.board.faultText)),
+        return {false, Words::tr("Fault: %1").arg(widgets::inWords(facts.board.faultText)),
                 Words::tr("Remove its cause, then re-arm on purpose in the Drive panel")};
     }
     if (facts.board.isStopLatched) {

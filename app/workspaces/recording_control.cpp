@@ -1,6 +1,7 @@
 #include "app/workspaces/recording_control.h"
 
 #include "app/workspaces/wall_clock.h"
+#include "widgets/phrasebook.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -87,8 +88,8 @@ void RecordingControl::start() {
                 self->begin(std::move(complete));
             } else {
                 self->stop();
-                Q_EMIT self->failed(QString::fromStdString(meta.error().message),
-                                    QString::fromStdString(meta.error().hint));
+                Q_EMIT self->failed(widgets::inWords(meta.error().message),
+                                    widgets::inWords(meta.error().hint));
             }
         });
     Q_EMIT changed();
@@ -135,9 +136,9 @@ void RecordingControl::look() {
     } else if (status.state == RecorderStatus::State::Failed) {
         leave();
         const Error error = status.error.value_or(Error());
-        Q_EMIT failed(QString::fromStdString(error.message),
+        Q_EMIT failed(widgets::inWords(error.message),
                       tr("%1. What was written until then is in %2.")
-                          .arg(QString::fromStdString(error.hint), m_path + QStringLiteral(".partial")));
+                          .arg(widgets::inWords(error.hint), m_path + QStringLiteral(".partial")));
     }
     Q_EMIT changed();
 }

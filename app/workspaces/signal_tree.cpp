@@ -2,6 +2,7 @@
 
 #include "app/workspaces/display_quantity.h"
 #include "widgets/live_plot_spec.h"
+#include "widgets/phrasebook.h"
 #include "widgets/theme_style.h"
 
 #include <QHeaderView>
@@ -72,9 +73,8 @@ void SignalTree::setSignals(const std::vector<SignalSpec>& specs) {
         const QString name = QString::fromStdString(spec.name);
         item->setText(NameColumn, signalWords(spec.name));
         item->setData(NameColumn, NameRole, name);
-        item->setToolTip(NameColumn, spec.help.empty()
-                                         ? name
-                                         : name + QLatin1Char('\n') + QString::fromStdString(spec.help));
+        item->setToolTip(NameColumn,
+                         spec.help.empty() ? name : name + QLatin1Char('\n') + widgets::inWords(spec.help));
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable |
                        Qt::ItemIsDragEnabled | Qt::ItemNeverHasChildren);
         item->setCheckState(NameColumn, Qt::Unchecked);
@@ -96,7 +96,7 @@ void SignalTree::setPlotted(const std::set<std::string>& names) {
 QString SignalTree::valueText(const Entry& entry, double value) const {
     const auto choice = static_cast<std::size_t>(std::max(0.0, value));
     if (choice < entry.choices.size() && !entry.choices.empty()) {
-        return QString::fromStdString(entry.choices[choice]);
+        return widgets::inWords(entry.choices[choice]);
     }
     return std::isfinite(value) ? QLocale().toString(value * entry.factor, 'f', entry.decimals)
                                 : QStringLiteral("\u2013");

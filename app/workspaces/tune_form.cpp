@@ -3,6 +3,7 @@
 #include "app/batch/experiment_keys.h"
 #include "app/batch/presets.h"
 #include "widgets/optional_number_edit.h"
+#include "widgets/phrasebook.h"
 #include "widgets/theme_style.h"
 
 #include <QComboBox>
@@ -162,12 +163,12 @@ void TuneForm::refreshWords() {
         switch (static_cast<Origin>(m_origin->itemData(i, OriginRole).toInt())) {
         case Origin::Method:
             text = tr("Method: %1").arg(id);
-            help = QString::fromUtf8(methodNamed(id.toStdString())->summary.data());
+            help = widgets::inWords(std::string(methodNamed(id.toStdString())->summary));
             break;
         case Origin::Preset:
             text = tr("Preset: %1").arg(id);
             if (const auto preset = findPreset("htm", id.toStdString())) {
-                help = QString::fromStdString(preset->title);
+                help = widgets::inWords(preset->title);
             }
             break;
         case Origin::Device:

@@ -10,6 +10,7 @@
 #include "widgets/figure_view.h"
 #include "widgets/icons.h"
 #include "widgets/message_bar.h"
+#include "widgets/phrasebook.h"
 #include "widgets/progress_row.h"
 #include "widgets/verdict_view.h"
 
@@ -168,7 +169,7 @@ void TunePanel::connectParts() {
     connect(&m_bench.session(), &DeviceSession::procedureProgress, this,
             [this](double fraction, const QString& text) {
                 if (m_isApplying) {
-                    m_progress->setText(tr("Verification: %1").arg(text));
+                    m_progress->setText(tr("Verification: %1").arg(widgets::inWords(text)));
                     m_progress->setProgress(fraction);
                 }
             });

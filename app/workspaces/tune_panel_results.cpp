@@ -10,6 +10,7 @@
 #include "app/workspaces/tune_panel.h"
 #include "widgets/figure_view.h"
 #include "widgets/message_bar.h"
+#include "widgets/phrasebook.h"
 #include "widgets/progress_row.h"
 #include "widgets/verdict_view.h"
 
@@ -31,13 +32,13 @@ widgets::VerdictLevel levelOf(Verdict verdict) {
 std::vector<widgets::Remark> remarksOf(const std::vector<Finding>& findings) {
     std::vector<widgets::Remark> remarks;
     for (const Finding& finding : findings) {
-        remarks.push_back({QString::fromStdString(finding.message), QString::fromStdString(finding.hint)});
+        remarks.push_back({widgets::inWords(finding.message), widgets::inWords(finding.hint)});
     }
     return remarks;
 }
 
 QString firstFinding(const DataQuality& quality) {
-    return quality.findings.empty() ? QString() : QString::fromStdString(quality.findings.front().message);
+    return quality.findings.empty() ? QString() : widgets::inWords(quality.findings.front().message);
 }
 
 } // namespace
@@ -78,8 +79,8 @@ void TunePanel::showAnswer(const Result<TuneResult>& answer) {
 
 void TunePanel::showProblem(const Error& error) {
     m_shown.reset();
-    m_verdict->setVerdict(widgets::VerdictLevel::Refused, QString::fromStdString(error.message),
-                          {{QString::fromStdString(error.hint), {}}});
+    m_verdict->setVerdict(widgets::VerdictLevel::Refused, widgets::inWords(error.message),
+                          {{widgets::inWords(error.hint), {}}});
     refreshButtons();
 }
 
@@ -151,7 +152,7 @@ void TunePanel::finishApply(const TuneResult& applied, const Result<ApplyResult>
             {widgets::Severity::Warning,
              tr("Not kept, the gains from before run again: %1").arg(firstFinding(result->quality)),
              result->quality.findings.empty() ? QString()
-                                              : QString::fromStdString(result->quality.findings.front().hint),
+                                              : widgets::inWords(result->quality.findings.front().hint),
              {}});
     }
     refreshButtons();
@@ -237,10 +238,8 @@ void TunePanel::setFileChooser(FileChooser chooser) {
 }
 
 void TunePanel::showError(const Error& error) {
-    m_message->showMessage({widgets::Severity::Error,
-                            QString::fromStdString(error.message),
-                            QString::fromStdString(error.hint),
-                            {}});
+    m_message->showMessage(
+        {widgets::Severity::Error, widgets::inWords(error.message), widgets::inWords(error.hint), {}});
 }
 
 } // namespace halbench::app

@@ -1,6 +1,7 @@
 #include "app/workspaces/user_presets.h"
 
 #include "app/batch/experiment_keys.h"
+#include "widgets/phrasebook.h"
 
 #include <QDir>
 #include <QFile>
@@ -67,7 +68,7 @@ std::vector<PresetChoice> presetChoices(const std::string& model, const QString&
     std::vector<PresetChoice> choices;
     for (const std::string& name : presetNames()) {
         if (const Result<Preset> preset = findPreset(model, name)) {
-            choices.push_back({QString::fromStdString(preset->title), {}, name});
+            choices.push_back({widgets::inWords(preset->title), {}, name});
         }
     }
     const QDir own(folderOf(model, folder));

@@ -14,6 +14,7 @@ import xml.etree.ElementTree as ElementTree
 FOLDERS = ("widgets", "app")
 PLACEHOLDER = re.compile(r"%(?:L?\d+|n)")
 MARK_UP = re.compile(r"</?[a-z]+>")
+FILLED_IN = re.compile(r"\{(\d*)\}")  # of a phrase of the layers below (phrases.py); {1} where the order changes
 ACCESS_KEY = re.compile(r"&(?=[^&\s])")
 
 
@@ -51,6 +52,9 @@ def differences(place, source, translations):
     for phrase in translations:
         if set(PLACEHOLDER.findall(phrase)) != set(PLACEHOLDER.findall(source)):
             yield f"{place}: other placeholders in {phrase!r}"
+        holes, known = FILLED_IN.findall(phrase), source.count("{}")
+        if len(holes) != known if not any(holes) else not all(hole and int(hole) < known for hole in holes):
+            yield f"{place}: other {{}} in {phrase!r}"
         if sorted(MARK_UP.findall(phrase)) != sorted(MARK_UP.findall(source)):
             yield f"{place}: other mark-up in {phrase!r}"
         if len(ACCESS_KEY.findall(phrase)) != len(ACCESS_KEY.findall(source)):
@@ -66,7 +70,7 @@ def show_wrong_samples():
     assert not list(faults(sample("&amp;Sichern %1")))
     for wrong in (sample(""), sample("&amp;Sichern %1", state=' type="unfinished"'),
                   sample("&amp;Sichern %1", state=' type="vanished"'), sample("&amp;Sichern"), sample("Sichern %1"),
-                  sample("&amp;Sichern %1 %2"), sample("K", source="K&lt;sub&gt;P&lt;/sub&gt;")):
+                  sample("&amp;Sichern %1 %2"), sample("A", source="A {}"), sample("{2}", source="{} {}"), sample("K", source="K&lt;sub&gt;P&lt;/sub&gt;")):
         assert list(faults(wrong)), wrong
 
 

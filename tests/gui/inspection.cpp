@@ -33,6 +33,8 @@ constexpr double LeastContrast = 4.5;
 constexpr int Rounding_px = 2;
 /// Border and padding of the sheet, on each side.
 constexpr int PushButtonEdge_px = 10;
+/// Letters of an English text that cannot be there by chance.
+constexpr int TellingPart = 10;
 
 QString plain(const QString& text) {
     QString words = text;
@@ -42,6 +44,15 @@ QString plain(const QString& text) {
         words = document.toPlainText();
     }
     return words.remove(QRegularExpression(QStringLiteral("\\(&.\\)|&(?!&)")));
+}
+
+/// Of a phrase into which something is filled; what a message keeps when its phrase is not translated.
+QString longestPart(const QString& phrase) {
+    QString longest;
+    for (const QString& part : phrase.split(QStringLiteral("{}"))) {
+        longest = part.size() > longest.size() ? part : longest;
+    }
+    return longest;
 }
 
 QString pathOf(const QWidget& widget) {
@@ -168,9 +179,18 @@ QString nameOf(QWidget& widget) {
     return face == nullptr ? QString() : face->text(QAccessible::Name);
 }
 
+/// A whole phrase, or the English of one within a longer text.
 QString foreign(const QString& text, const QHash<QString, QString>& phrases) {
     const QString words = plain(text);
-    return phrases.contains(words) ? QStringLiteral("'%1' is not translated").arg(words) : QString();
+    const auto isLeft = [&](auto one) {
+        return one.key().size() >= TellingPart && one.key().count(QLatin1Char(' ')) >= 2 &&
+               words.contains(one.key()) && !one->contains(one.key());
+    };
+    bool isForeign = phrases.contains(words);
+    for (auto one = phrases.begin(); one != phrases.end() && !isForeign; ++one) {
+        isForeign = isLeft(one);
+    }
+    return isForeign ? QStringLiteral("'%1' is not translated").arg(words) : QString();
 }
 
 /// What the eye sees: the commonest colour is the background, the one that differs most from it the words.
@@ -239,7 +259,7 @@ QHash<QString, QString> phrasesOf(const QString& language) {
             source = reader.readElementText();
         } else if (reader.isStartElement() && reader.name() == QLatin1String("translation")) {
             translations << plain(reader.readElementText(QXmlStreamReader::IncludeChildElements));
-            phrases.insert(plain(source), translations.last());
+            phrases.insert(longestPart(plain(source)), translations.last());
         }
     }
     for (const QString& translation : translations) { // a word that is right in this language as well

@@ -8,7 +8,8 @@ class QWidget;
 
 namespace halbench::gui {
 
-/// Every English text of a translation file that reads differently in that language. Empty for English.
+/// Every English text of a translation file that reads differently in that language; of a message into which
+/// something is filled its longest part. Empty for English.
 QHash<QString, QString> phrasesOf(const QString& language);
 
 /// What a picky user would find in the visible widgets below `root`: words wider than their widget, controls

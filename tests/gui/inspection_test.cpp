@@ -45,6 +45,15 @@ protected:
     QWidget root;
 };
 
+TEST_F(InspectionTest, findsTheEnglishOfAMessageIntoWhichSomethingIsFilled) {
+    const QHash<QString, QString> phrases = {
+        {"the device has no parameter '", "das Gerät hat keinen Parameter „{}“"}};
+    auto* label = make<QLabel>("das Gerät hat keinen Parameter „a“");
+    EXPECT_FALSE(found(phrases).contains("is not translated"));
+    label->setText("the device has no parameter 'a'");
+    EXPECT_TRUE(found(phrases).contains("is not translated"));
+}
+
 TEST_F(InspectionTest, findsNothingInAGoodButton) {
     make<QPushButton>("Go");
     EXPECT_EQ(found(), "");
