@@ -88,7 +88,7 @@
     </message>
     <message>
         <source>Latched fault</source>
-        <translation>Gespeicherte Störung</translation>
+        <translation>Verriegelter Fehler</translation>
     </message>
     <message>
         <source>Control cycles that saw a mixed parameter set</source>
@@ -240,7 +240,7 @@
     </message>
     <message>
         <source>Write 1 to stop and latch</source>
-        <translation>1 schreiben stoppt und bleibt gespeichert</translation>
+        <translation>1 schreiben stoppt und verriegelt</translation>
     </message>
     <message>
         <source>A lost master brings this calibration back</source>
@@ -428,7 +428,7 @@
     </message>
     <message>
         <source>fault</source>
-        <translation>Störung</translation>
+        <translation>Fehler</translation>
     </message>
     <message>
         <source>none</source>
@@ -916,7 +916,7 @@
     </message>
     <message>
         <source>the series form has real zeros only, these gains have complex ones (T_i &lt; 4 T_d)</source>
-        <translation>die Reihenform hat nur reelle Nullstellen, diese Verstärkungen haben komplexe (T_i &lt; 4 T_d)</translation>
+        <translation>die Reihenform hat nur reelle Nullstellen, diese Reglerparameter haben komplexe (T_i &lt; 4 T_d)</translation>
     </message>
     <message>
         <source>keep the parallel or the standard form</source>
@@ -2512,7 +2512,7 @@
     </message>
     <message>
         <source>there is no preset &apos;{}&apos; for a device of model &apos;{}&apos;</source>
-        <translation>für ein Gerät des Modells „{1}“ gibt es keine Voreinstellung „{0}“</translation>
+        <translation>für ein Gerät des Modells „{1}“ gibt es keinen Parametersatz „{0}“</translation>
     </message>
     <message>
         <source>htm has {}</source>
@@ -2580,15 +2580,15 @@
     </message>
     <message>
         <source>choose another preset</source>
-        <translation>wählen Sie eine andere Voreinstellung</translation>
+        <translation>wählen Sie einen anderen Parametersatz</translation>
     </message>
     <message>
         <source>&apos;{}&apos; is too large for a preset</source>
-        <translation>„{}“ ist zu groß für eine Voreinstellung</translation>
+        <translation>„{}“ ist zu groß für einen Parametersatz</translation>
     </message>
     <message>
         <source>choose a preset file</source>
-        <translation>wählen Sie eine Voreinstellungsdatei</translation>
+        <translation>wählen Sie eine Parametersatzdatei</translation>
     </message>
     <message>
         <source>&apos;{}&apos; was written by a newer Halbench ({})</source>
@@ -2608,7 +2608,7 @@
     </message>
     <message>
         <source>&apos;{}&apos; cannot be the name of a preset</source>
-        <translation>„{}“ kann kein Name einer Voreinstellung sein</translation>
+        <translation>„{}“ kann kein Name eines Parametersatzes sein</translation>
     </message>
     <message>
         <source>use letters, digits, spaces, points and hyphens</source>
@@ -2708,7 +2708,7 @@
     </message>
     <message>
         <source>calibrate the stray field again, or lower the gains</source>
-        <translation>kalibrieren Sie das Streufeld neu, oder verringern Sie die Verstärkungen</translation>
+        <translation>kalibrieren Sie das Streufeld neu, oder verringern Sie die Reglerparameter</translation>
     </message>
     <message>
         <source>steps above {} deg reach the current limit of {} A; with it and with friction a step of {} deg overshoots by {} %</source>
@@ -2744,7 +2744,7 @@
     </message>
     <message>
         <source>The old values run again. Identify the motor anew, or choose calmer gains.</source>
-        <translation>Die alten Werte gelten wieder. Identifizieren Sie den Motor neu, oder wählen Sie ruhigere Verstärkungen.</translation>
+        <translation>Die alten Werte gelten wieder. Identifizieren Sie den Motor neu, oder wählen Sie ruhigere Reglerparameter.</translation>
     </message>
     <message>
         <source>final error</source>
@@ -3388,7 +3388,7 @@
     </message>
     <message>
         <source>method designed has those gains</source>
-        <translation>das Verfahren designed hat diese Verstärkungen</translation>
+        <translation>das Verfahren designed hat diese Reglerparameter</translation>
     </message>
     <message>
         <source>the motor damps more than the loop asks for: K_D is zero</source>
@@ -3416,7 +3416,7 @@
     </message>
     <message>
         <source>the set of gains lacks {}</source>
-        <translation>dem Parametersatz fehlt {}</translation>
+        <translation>den Reglerparametern fehlt {}</translation>
     </message>
     <message>
         <source>{} = {} is negative</source>
@@ -3424,11 +3424,11 @@
     </message>
     <message>
         <source>the device has no parameter {}, which this set of gains needs</source>
-        <translation>das Gerät hat keinen Parameter {}, den dieser Parametersatz braucht</translation>
+        <translation>das Gerät hat keinen Parameter {}, den diese Reglerparameter brauchen</translation>
     </message>
     <message>
         <source>choose a method without it: pole-placement or a preset</source>
-        <translation>wählen Sie ein Verfahren ohne ihn: pole-placement oder eine Voreinstellung</translation>
+        <translation>wählen Sie ein Verfahren ohne ihn: pole-placement oder ein mitgelieferter Parametersatz</translation>
     </message>
     <message>
         <source>ended by the user</source>
@@ -3436,7 +3436,7 @@
     </message>
     <message>
         <source>the old gains run again</source>
-        <translation>die alten Verstärkungen gelten wieder</translation>
+        <translation>die alten Reglerparameter gelten wieder</translation>
     </message>
     <message>
         <source>no device is connected</source>
@@ -3554,7 +3554,7 @@
         <translation>Ermittelt, was Winkelsensoren und Spulen am gemessenen Winkel verfälschen und wie viel Strom der Rotor zum Losbrechen braucht.</translation>
     </message>
     <message>
-        <source>&amp;Hall sensors</source>
+        <source>Ha&amp;ll sensors</source>
         <translation>Ha&amp;ll-Sensoren</translation>
     </message>
     <message>
@@ -3570,7 +3570,7 @@
         <translation>Ohne es sind die empfohlenen Reglerparameter instabil</translation>
     </message>
     <message>
-        <source>Static &amp;friction</source>
+        <source>Static fr&amp;iction</source>
         <translation>Haf&amp;treibung</translation>
     </message>
     <message>
@@ -4465,11 +4465,11 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
 <context>
     <name>halbench::app::IdentifyForm</name>
     <message>
-        <source>&amp;From current</source>
+        <source>F&amp;rom current</source>
         <translation>&amp;Von Strom</translation>
     </message>
     <message>
-        <source>&amp;To current</source>
+        <source>T&amp;o current</source>
         <translation>&amp;Bis Strom</translation>
     </message>
     <message>
@@ -4485,7 +4485,7 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <translation>Bekannte Trägheit &amp;J</translation>
     </message>
     <message>
-        <source>Given damping &amp;c</source>
+        <source>Given dampi&amp;ng c</source>
         <translation>Bekannte Dämpfung &amp;c</translation>
     </message>
     <message>
@@ -5697,7 +5697,7 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     </message>
     <message>
         <source>Gains &amp;by</source>
-        <translation>Reglerparameter &amp;aus</translation>
+        <translation>Reglerparameter a&amp;us</translation>
     </message>
     <message>
         <source>Where the gains come from</source>

@@ -3554,8 +3554,8 @@
         <translation>确定角度传感器和线圈对测得角度的影响，以及转子起动所需的电流。</translation>
     </message>
     <message>
-        <source>&amp;Hall sensors</source>
-        <translation>霍尔传感器(&amp;H)</translation>
+        <source>Ha&amp;ll sensors</source>
+        <translation>霍尔传感器(&amp;L)</translation>
     </message>
     <message>
         <source>Two offsets, gain, right angle and amplitude from the ellipse of the readings</source>
@@ -3570,8 +3570,8 @@
         <translation>缺少它，推荐的增益会不稳定</translation>
     </message>
     <message>
-        <source>Static &amp;friction</source>
-        <translation>静摩擦(&amp;F)</translation>
+        <source>Static fr&amp;iction</source>
+        <translation>静摩擦(&amp;I)</translation>
     </message>
     <message>
         <source>A figure only: it changes no parameter</source>
@@ -4465,12 +4465,12 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
 <context>
     <name>halbench::app::IdentifyForm</name>
     <message>
-        <source>&amp;From current</source>
-        <translation>起始电流(&amp;F)</translation>
+        <source>F&amp;rom current</source>
+        <translation>起始电流(&amp;R)</translation>
     </message>
     <message>
-        <source>&amp;To current</source>
-        <translation>终止电流(&amp;T)</translation>
+        <source>T&amp;o current</source>
+        <translation>终止电流(&amp;O)</translation>
     </message>
     <message>
         <source>Ste&amp;p</source>
@@ -4485,8 +4485,8 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <translation>已知惯量 &amp;J</translation>
     </message>
     <message>
-        <source>Given damping &amp;c</source>
-        <translation>已知阻尼 &amp;c</translation>
+        <source>Given dampi&amp;ng c</source>
+        <translation>已知阻尼 c(&amp;N)</translation>
     </message>
     <message>
         <source>Given friction &amp;K_f</source>

@@ -142,10 +142,10 @@ void CalibratePanel::refreshWords() {
     m_intro->setText(tr("Finds what the angle sensors and the coils do to the measured angle, and how much "
                         "current the rotor needs to start."));
     const std::pair<QString, QString> choices[] = {
-        {tr("&Hall sensors"),
+        {tr("Ha&ll sensors"),
          tr("Two offsets, gain, right angle and amplitude from the ellipse of the readings")},
         {tr("&Stray field of the coils"), tr("Without it the recommended gains are unstable")},
-        {tr("Static &friction"), tr("A figure only: it changes no parameter")}};
+        {tr("Static fr&iction"), tr("A figure only: it changes no parameter")}};
     for (std::size_t i = 0; i < m_choices.size(); ++i) {
         m_choices[i]->setText(choices[i].first);
         m_choices[i]->setToolTip(choices[i].second);

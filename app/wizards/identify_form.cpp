@@ -113,12 +113,12 @@ void IdentifyForm::buildGiven() {
 }
 
 void IdentifyForm::refreshWords() {
-    const QString names[] = {tr("&From current"),
-                             tr("&To current"),
+    const QString names[] = {tr("F&rom current"),
+                             tr("T&o current"),
                              tr("Ste&p"),
                              tr("&Directions"),
                              tr("Given inertia &J"),
-                             tr("Given damping &c"),
+                             tr("Given dampi&ng c"),
                              tr("Given friction &K_f"),
                              tr("Given torque constant \u03c6"),
                              tr("&Seed")};

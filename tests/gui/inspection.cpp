@@ -11,9 +11,11 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMenuBar>
 #include <QPixmap>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QShortcut>
 #include <QStyleOptionComboBox>
 #include <QStyleOptionToolButton>
 #include <QTabBar>
@@ -22,6 +24,7 @@
 #include <QXmlStreamReader>
 
 #include <algorithm>
+#include <vector>
 
 namespace halbench::gui {
 
@@ -242,6 +245,59 @@ QStringList inspectOne(QWidget& widget, const QHash<QString, QString>& phrases) 
     return found;
 }
 
+struct KeyUser {
+    QKeySequence key;
+    QString name;
+    const QWidget* place = nullptr; ///< the key works while the focus is in it; null: everywhere
+};
+
+void add(std::vector<KeyUser>& users, const QKeySequence& key, const QString& name, const QWidget* place) {
+    if (!key.isEmpty()) {
+        users.push_back({key, name, place});
+    }
+}
+
+void addAction(std::vector<KeyUser>& users, const QAction& action) {
+    const bool isLocal = action.shortcutContext() == Qt::WidgetShortcut ||
+                         action.shortcutContext() == Qt::WidgetWithChildrenShortcut;
+    const QWidget* place = isLocal ? action.parentWidget() : nullptr;
+    if (place == nullptr || place->isVisible()) {
+        for (const QKeySequence& key : action.shortcuts()) {
+            add(users, key, action.text(), place);
+        }
+    }
+}
+
+std::vector<KeyUser> keyUsers(const QWidget& window) {
+    std::vector<KeyUser> users;
+    for (const auto* bar : window.findChildren<QMenuBar*>()) {
+        for (const QAction* title : bar->actions()) {
+            add(users, QKeySequence::mnemonic(title->text()), title->text(), nullptr);
+        }
+    }
+    for (const auto* action : window.findChildren<QAction*>()) {
+        addAction(users, *action);
+    }
+    for (const auto* shortcut : window.findChildren<QShortcut*>()) {
+        const bool isLocal = shortcut->context() == Qt::WidgetWithChildrenShortcut;
+        if (shortcut->parentWidget()->isVisible()) {
+            add(users, shortcut->key(), pathOf(*shortcut->parentWidget()),
+                isLocal ? shortcut->parentWidget() : nullptr);
+        }
+    }
+    for (const auto* button : window.findChildren<QAbstractButton*>()) {
+        if (button->isVisible()) {
+            add(users, button->shortcut(), button->text(), nullptr);
+        }
+    }
+    for (const auto* label : window.findChildren<QLabel*>()) {
+        if (label->isVisible() && label->buddy() != nullptr) {
+            add(users, QKeySequence::mnemonic(label->text()), label->text(), nullptr);
+        }
+    }
+    return users;
+}
+
 } // namespace
 
 QHash<QString, QString> phrasesOf(const QString& language) {
@@ -274,6 +330,21 @@ QStringList inspect(const QWidget& root, const QHash<QString, QString>& phrases)
         if (widget->isVisible() && qobject_cast<QMenu*>(widget) == nullptr) {
             for (const QString& finding : inspectOne(*widget, phrases)) {
                 found << pathOf(*widget) + QStringLiteral(": ") + finding;
+            }
+        }
+    }
+    return found;
+}
+
+QStringList inspectKeys(const QWidget& window) {
+    QStringList found;
+    const std::vector<KeyUser> users = keyUsers(window);
+    for (auto one = users.begin(); one != users.end(); ++one) {
+        for (auto other = one + 1; other != users.end(); ++other) {
+            const bool meet = one->place == other->place || one->place == nullptr || other->place == nullptr;
+            if (one->key == other->key && meet) {
+                found << QStringLiteral("'%1' and '%2' share %3")
+                             .arg(one->name, other->name, one->key.toString());
             }
         }
     }

@@ -20,4 +20,7 @@ QStringList inspect(const QWidget& root, const QHash<QString, QString>& phrases)
 /// Access keys that a menu has twice, and English words in it.
 QStringList inspectMenu(const QMenu& menu, const QHash<QString, QString>& phrases);
 
+/// Keys that two of the visible controls, menu titles and actions of a window share: neither would work then.
+QStringList inspectKeys(const QWidget& window);
+
 } // namespace halbench::gui

@@ -1,5 +1,6 @@
 #include "tests/gui/inspection.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QLabel>
 #include <QLineEdit>
@@ -84,6 +85,24 @@ TEST_F(InspectionTest, findsAMissingTooltipAndName) {
 TEST_F(InspectionTest, findsAnEnglishWordInAnotherLanguage) {
     make<QPushButton>("&Save");
     EXPECT_TRUE(found({{"Save", "Sichern"}}).contains("not translated"));
+}
+
+TEST_F(InspectionTest, findsAKeyThatTwoControlsShare) {
+    auto* button = make<QPushButton>("&Go");
+    auto* label = make<QLabel>("&Gap");
+    EXPECT_FALSE(found().contains("share"));
+    EXPECT_TRUE(inspectKeys(root).isEmpty()); // a label has no key without a control
+    label->setBuddy(button);
+    EXPECT_TRUE(inspectKeys(root).join('\n').contains("share Alt+G"));
+    auto* action = new QAction("Copy", button);
+    auto* other = new QAction("Cut", label);
+    for (QAction* one : {action, other}) {
+        one->setShortcut(QKeySequence("Ctrl+C"));
+        one->setShortcutContext(Qt::WidgetShortcut);
+    }
+    EXPECT_FALSE(inspectKeys(root).join('\n').contains("Ctrl+C")); // each where it has the focus
+    other->setShortcutContext(Qt::WindowShortcut);
+    EXPECT_TRUE(inspectKeys(root).join('\n').contains("Ctrl+C"));
 }
 
 TEST_F(InspectionTest, findsGreyWordsOnGrey) {

@@ -50,7 +50,7 @@ protected:
                                        [&](const QString& one) { return !still.contains(one); }),
                         found.end());
         }
-        for (const QString& finding : found) {
+        for (const QString& finding : found + inspectKeys(*window)) {
             note(place, finding);
         }
         const auto* stop = window->findChild<widgets::StopButton*>();
