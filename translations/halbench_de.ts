@@ -3637,6 +3637,10 @@
         <source>The values from before are back.</source>
         <translation>Die Werte von vorher gelten wieder.</translation>
     </message>
+    <message>
+        <source>It can be applied to this device only; calibrate again when the sensors were touched.</source>
+        <translation>Sie lässt sich nur auf dieses Gerät anwenden; kalibrieren Sie neu, wenn die Sensoren berührt wurden.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CalibrateWords</name>
@@ -3699,6 +3703,18 @@
     <message>
         <source>Angle error (rms): %1 with the present values, %2 with the proposed ones.</source>
         <translation>Winkelfehler (Effektivwert): %1 mit den jetzigen Werten, %2 mit den vorgeschlagenen.</translation>
+    </message>
+    <message>
+        <source>device not known</source>
+        <translation>Gerät nicht bekannt</translation>
+    </message>
+    <message>
+        <source>From the project: calibrated in virtual time, device %1.</source>
+        <translation>Aus dem Projekt: in virtueller Zeit kalibriert, Gerät %1.</translation>
+    </message>
+    <message>
+        <source>From the project: calibrated %1, device %2.</source>
+        <translation>Aus dem Projekt: kalibriert %1, Gerät %2.</translation>
     </message>
 </context>
 <context>
@@ -5076,6 +5092,14 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <source>%1 signals, %2 Hz, %3 rows lost</source>
         <translation>%1 Signale, %2 Hz, %3 Zeilen verloren</translation>
     </message>
+    <message>
+        <source>Signals of the project that this device does not have: %1</source>
+        <translation>Signale aus dem Projekt, die dieses Gerät nicht hat: %1</translation>
+    </message>
+    <message>
+        <source>They are left out; the project keeps them until you change the plots.</source>
+        <translation>Sie sind weggelassen; das Projekt behält sie, bis Sie die Diagramme ändern.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::NotesPanel</name>
@@ -5332,6 +5356,10 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>gains</source>
         <translation>Reglerwerte</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>Kalibrierung</translation>
     </message>
 </context>
 <context>

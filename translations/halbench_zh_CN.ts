@@ -3637,6 +3637,10 @@
         <source>The values from before are back.</source>
         <translation>之前的值已恢复。</translation>
     </message>
+    <message>
+        <source>It can be applied to this device only; calibrate again when the sensors were touched.</source>
+        <translation>只能应用于该设备；如果动过传感器，请重新标定。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CalibrateWords</name>
@@ -3699,6 +3703,18 @@
     <message>
         <source>Angle error (rms): %1 with the present values, %2 with the proposed ones.</source>
         <translation>角度误差（有效值）：现有值为 %1，建议值为 %2。</translation>
+    </message>
+    <message>
+        <source>device not known</source>
+        <translation>设备未知</translation>
+    </message>
+    <message>
+        <source>From the project: calibrated in virtual time, device %1.</source>
+        <translation>来自项目：在虚拟时间内标定，设备 %1。</translation>
+    </message>
+    <message>
+        <source>From the project: calibrated %1, device %2.</source>
+        <translation>来自项目：标定时间 %1，设备 %2。</translation>
     </message>
 </context>
 <context>
@@ -5076,6 +5092,14 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <source>%1 signals, %2 Hz, %3 rows lost</source>
         <translation>%1 个信号，%2 Hz，丢失 %3 行</translation>
     </message>
+    <message>
+        <source>Signals of the project that this device does not have: %1</source>
+        <translation>项目中该设备没有的信号：%1</translation>
+    </message>
+    <message>
+        <source>They are left out; the project keeps them until you change the plots.</source>
+        <translation>这些信号已略去；在您更改图表之前，项目会保留它们。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::NotesPanel</name>
@@ -5331,6 +5355,10 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>gains</source>
         <translation>增益</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>标定</translation>
     </message>
 </context>
 <context>

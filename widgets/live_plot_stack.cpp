@@ -202,6 +202,10 @@ ValueRange LivePlotStack::valueRange(int plot) const {
     return m_rows.at(static_cast<std::size_t>(plot)).plot->shownRange();
 }
 
+std::optional<ValueRange> LivePlotStack::heldRange(int plot) const {
+    return m_rows.at(static_cast<std::size_t>(plot)).plot->userRange();
+}
+
 void LivePlotStack::changed(bool wasFollowing, bool wasPaused) {
     m_isDirty = true;
     m_actions.at(Command::Follow)->setChecked(isFollowing());

@@ -81,6 +81,8 @@ public:
     const control::TimeRange& timeRange() const { return m_view.range(); }
     void showTimeRange(control::TimeRange range);
     ValueRange valueRange(int plot) const;
+    /// Where the user holds the values' axis; none: it follows the data.
+    std::optional<ValueRange> heldRange(int plot) const;
 
     void setCursorsVisible(bool areVisible);
     const CursorPair& cursors() const { return m_cursors; }

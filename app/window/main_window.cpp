@@ -9,8 +9,10 @@
 #include "app/window/stop_guard.h"
 #include "app/window/task_flow.h"
 #include "app/window/top_bar.h"
+#include "app/wizards/calibrate_panel.h"
 #include "app/workspaces/device_panel.h"
 #include "app/workspaces/link_panel.h"
+#include "app/workspaces/monitor_panel.h"
 #include "app/workspaces/notes_panel.h"
 #include "app/workspaces/tune_panel.h"
 #include "widgets/phrasebook.h"
@@ -93,7 +95,8 @@ void MainWindow::buildCentre() {
     m_notes = static_cast<NotesPanel*>(m_docks->panel("notes"));
     m_message = new widgets::MessageBar(centre);
     connectTaskFlow(*m_docks, m_bench);
-    m_work = new ProjectWork(m_bench, *static_cast<TunePanel*>(m_docks->panel("tune")), this);
+    m_work = new ProjectWork(m_bench, *static_cast<TunePanel*>(m_docks->panel("tune")),
+                             *static_cast<CalibratePanel*>(m_docks->panel("calibrate")), this);
     column->addWidget(m_bar);
     column->addWidget(m_message);
     column->addWidget(m_docks->widget(), 1);
@@ -233,6 +236,7 @@ void MainWindow::collectProject() {
     for (auto entry = arrangements.begin(); entry != arrangements.end(); ++entry) {
         project.layouts[entry.key().toStdString()] = entry.value().toStdString();
     }
+    project.monitor = static_cast<MonitorPanel*>(m_docks->panel("monitor"))->view();
     m_work->fill(project);
     m_project.update(project);
 }
@@ -249,6 +253,7 @@ void MainWindow::takeOverProject() {
         arrangements.insert(QString::fromStdString(perspective), QByteArray::fromStdString(layout));
     }
     m_docks->setArrangements(arrangements);
+    static_cast<MonitorPanel*>(m_docks->panel("monitor"))->setView(project.monitor);
     if (const QStringList lost = m_work->restore(project); !lost.isEmpty()) {
         onMessage(widgets::Severity::Warning,
                   tr("Not everything of the project could be read: %1").arg(lost.join("; ")),

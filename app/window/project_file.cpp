@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <cmath>
 #include <optional>
 #include <sstream>
 
@@ -15,12 +16,43 @@ namespace {
 
 constexpr const char* Schema = "halbench.project/1";
 
+/// As a value: TOML drops a line break right behind the opening quotes of a text of several lines.
+std::string valueOf(const std::string& text) {
+    return text.rfind('\n', 0) == 0 ? '\n' + text : text;
+}
+
 toml::array documents(const std::vector<NamedDocument>& list) {
     toml::array array;
     for (const NamedDocument& entry : list) {
-        array.push_back(toml::table{{"name", entry.name}, {"document", entry.document}});
+        array.push_back(toml::table{{"name", valueOf(entry.name)}, {"document", valueOf(entry.document)}});
     }
     return array;
+}
+
+toml::array plots(const std::vector<PlotChoice>& list) {
+    toml::array array;
+    for (const PlotChoice& plot : list) {
+        toml::array names;
+        for (const std::string& name : plot.signalNames) {
+            names.push_back(valueOf(name));
+        }
+        toml::table table{{"signals", names}};
+        if (plot.range) {
+            table.insert("min", plot.range->low);
+            table.insert("max", plot.range->high);
+            table.insert("unit", valueOf(plot.unit));
+        }
+        array.push_back(table);
+    }
+    return array;
+}
+
+toml::table monitor(const MonitorView& view) {
+    toml::table table{{"follow", view.isFollowing}};
+    if (view.span_s) {
+        table.insert("span_s", *view.span_s);
+    }
+    return table;
 }
 
 /// Reads one value after the other; the first mistake stays.
@@ -80,6 +112,76 @@ private:
     std::optional<Error> m_error;
 };
 
+double number(Reader& reader, const ConfigNode& node, const std::string& key) {
+    const bool isNumber = node.kind == ConfigNode::Kind::Number || node.kind == ConfigNode::Kind::Integer;
+    if (!isNumber || !std::isfinite(node.number)) {
+        reader.refuse(node, fmt::format("'{}' must be a finite number", key));
+        return 0.0;
+    }
+    return node.number;
+}
+
+void readSignals(Reader& reader, const ConfigNode& node, std::vector<std::string>& target) {
+    if (node.kind != ConfigNode::Kind::List) {
+        reader.refuse(node, "'signals' must be a list of texts");
+    }
+    for (const ConfigNode& item : node.items) {
+        reader.text(item, "signals", target.emplace_back());
+    }
+}
+
+void readPlot(Reader& reader, const ConfigNode& node, PlotChoice& plot) {
+    widgets::ValueRange range;
+    int ends = 0;
+    for (const auto& [key, value] : node.members) {
+        if (key == "signals") {
+            readSignals(reader, value, plot.signalNames);
+        } else if (key == "unit") {
+            reader.text(value, key, plot.unit);
+        } else if (key == "min" || key == "max") {
+            (key == "min" ? range.low : range.high) = number(reader, value, key);
+            ++ends;
+        } else {
+            reader.refuse(value,
+                          fmt::format("unknown key '{}'; a [[plot]] has signals, min, max, unit", key));
+        }
+    }
+    if (ends == 1 || (ends == 2 && !(range.low < range.high))) {
+        reader.refuse(node, "a [[plot]] has both min and max, or neither; min is less than max");
+    }
+    plot.range = ends == 2 ? std::optional(range) : std::nullopt;
+}
+
+void readPlots(Reader& reader, const ConfigNode& node, std::vector<PlotChoice>& plots) {
+    if (node.kind != ConfigNode::Kind::List) {
+        reader.refuse(node, "'plot' must be a list of tables, [[plot]]");
+    }
+    for (const ConfigNode& item : node.items) {
+        if (item.kind != ConfigNode::Kind::Table) {
+            reader.refuse(item, "'plot' must be a list of tables, [[plot]]");
+        }
+        readPlot(reader, item, plots.emplace_back());
+    }
+}
+
+void readMonitor(Reader& reader, const ConfigNode& node, MonitorView& view) {
+    if (node.kind != ConfigNode::Kind::Table) {
+        reader.refuse(node, "'monitor' must be a table");
+    }
+    for (const auto& [key, value] : node.members) {
+        if (key == "follow" && value.kind == ConfigNode::Kind::Boolean) {
+            view.isFollowing = value.boolean;
+        } else if (key == "span_s") {
+            view.span_s = number(reader, value, key);
+        } else {
+            reader.refuse(value, "[monitor] has follow (true or false) and span_s");
+        }
+    }
+    if (view.span_s && *view.span_s <= 0.0) {
+        reader.refuse(node, "'span_s' must be more than 0");
+    }
+}
+
 void readKey(Reader& reader, const std::string& key, const ConfigNode& node, Project& project) {
     if (key == "device") {
         reader.text(node, key, project.device);
@@ -93,10 +195,16 @@ void readKey(Reader& reader, const std::string& key, const ConfigNode& node, Pro
         reader.documents(node, key, project.models);
     } else if (key == "design") {
         reader.documents(node, key, project.designs);
+    } else if (key == "calibration") {
+        reader.documents(node, key, project.calibrations);
+    } else if (key == "monitor") {
+        readMonitor(reader, node, project.monitor);
+    } else if (key == "plot") {
+        readPlots(reader, node, project.monitor.plots);
     } else if (key != "schema") {
         reader.refuse(node,
                       fmt::format("unknown key '{}'; known are schema, device, notes, perspective, layout, "
-                                  "model, design",
+                                  "monitor, plot, model, design, calibration",
                                   key));
     }
 }
@@ -121,15 +229,18 @@ Result<void> checkSchema(const ConfigNode& root, const std::string& place) {
 std::string projectText(const Project& project) {
     toml::table layouts;
     for (const auto& [perspective, layout] : project.layouts) {
-        layouts.insert(perspective, layout);
+        layouts.insert(perspective, valueOf(layout));
     }
     const toml::table table{{"schema", Schema},
-                            {"device", project.device},
-                            {"notes", project.notes},
-                            {"perspective", project.perspective},
+                            {"device", valueOf(project.device)},
+                            {"notes", valueOf(project.notes)},
+                            {"perspective", valueOf(project.perspective)},
                             {"layout", layouts},
+                            {"monitor", monitor(project.monitor)},
+                            {"plot", plots(project.monitor.plots)},
                             {"model", documents(project.models)},
-                            {"design", documents(project.designs)}};
+                            {"design", documents(project.designs)},
+                            {"calibration", documents(project.calibrations)}};
     std::ostringstream text;
     text << toml::toml_formatter(table, toml::toml_formatter::default_flags &
                                             ~toml::format_flags::allow_literal_strings)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/workspaces/monitor_view.h"
 #include "control/base/result.h"
 
 #include <map>
@@ -8,7 +9,8 @@
 
 namespace halbench::app {
 
-/// A result kept in a project under a name: the JSON text of a halbench.identification/1 or halbench.gains/1.
+/// A result kept in a project under a name: the JSON text of a halbench.identification/1, halbench.gains/1 or
+/// halbench.calibration/1.
 struct NamedDocument {
     std::string name;
     std::string document;
@@ -24,6 +26,8 @@ struct Project {
     std::map<std::string, std::string> layouts; ///< arrangement by perspective
     std::vector<NamedDocument> models;
     std::vector<NamedDocument> designs;
+    std::vector<NamedDocument> calibrations;
+    MonitorView monitor;
 
     bool operator==(const Project&) const = default;
 };

@@ -2,6 +2,7 @@
 
 #include "app/batch/identification_file.h"
 #include "app/batch/result_documents.h"
+#include "app/wizards/calibrate_panel.h"
 #include "app/workspaces/tune_panel.h"
 #include "control/base/assert.h"
 #include "widgets/phrasebook.h"
@@ -56,8 +57,9 @@ QString complaint(const QString& what, const Error& error) {
 
 } // namespace
 
-ProjectWork::ProjectWork(Workbench& bench, TunePanel& tune, QObject* parent)
-    : QObject(parent), m_bench(bench), m_tune(tune) {
+ProjectWork::ProjectWork(Workbench& bench, TunePanel& tune, CalibratePanel& calibrate, QObject* parent)
+    : QObject(parent), m_bench(bench), m_tune(tune), m_calibrate(calibrate) {
+    connect(&m_calibrate, &CalibratePanel::calibrated, this, &ProjectWork::takeCalibration);
     connect(&m_bench, &Workbench::identificationChanged, this, &ProjectWork::takeIdentification);
     connect(&m_bench, &Workbench::designChanged, this, &ProjectWork::takeDesign);
 }
@@ -65,6 +67,7 @@ ProjectWork::ProjectWork(Workbench& bench, TunePanel& tune, QObject* parent)
 void ProjectWork::fill(Project& project) const {
     project.models = m_models;
     project.designs = m_designs;
+    project.calibrations = m_calibrations;
 }
 
 void ProjectWork::takeIdentification() {
@@ -93,10 +96,24 @@ void ProjectWork::takeDesign() {
     m_designs.push_back({DesignInUse, textOf(gainsDocument(header, *m_bench.design()))});
 }
 
+/// The same calibration applied or taken back stays one entry.
+void ProjectWork::takeCalibration() {
+    const CalibrationRecord record = *m_calibrate.record();
+    CalibrateResult before = record.result;
+    before.isApplied = !before.isApplied;
+    const std::string replaced = textOf(calibrationDocument(record.header, before));
+    const std::string document = textOf(calibrationDocument(record.header, record.result));
+    for (NamedDocument& entry : m_calibrations) {
+        entry.document = entry.document == replaced ? document : entry.document;
+    }
+    use(m_calibrations, document, record.header.device ? record.header.device->model : "motor");
+}
+
 QStringList ProjectWork::restore(const Project& project) {
     m_models = project.models;
     m_designs = project.designs;
-    QStringList complaints = {restoreModel(), restoreDesign()};
+    m_calibrations = project.calibrations;
+    QStringList complaints = {restoreModel(), restoreDesign(), restoreCalibration()};
     complaints.removeAll({});
     return complaints;
 }
@@ -128,6 +145,21 @@ QString ProjectWork::restoreDesign() {
         return complaint(tr("gains"), gains.error());
     }
     m_tune.restoreDesign(*std::move(gains));
+    return {};
+}
+
+QString ProjectWork::restoreCalibration() {
+    if (m_calibrations.empty()) {
+        m_calibrate.restore(std::nullopt);
+        return {};
+    }
+    const NamedDocument& last = m_calibrations.back();
+    Result<CalibrationRecord> record = parseCalibrationRecord(last.document, last.name);
+    if (!record) {
+        m_calibrate.restore(std::nullopt);
+        return complaint(tr("calibration"), record.error());
+    }
+    m_calibrate.restore(*std::move(record));
     return {};
 }
 

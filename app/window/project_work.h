@@ -11,6 +11,7 @@
 
 namespace halbench::app {
 
+class CalibratePanel;
 class TunePanel;
 
 /// The results of the work in a project: what was identified and designed goes in as it comes up, what a
@@ -20,7 +21,7 @@ class ProjectWork : public QObject {
     Q_OBJECT
 
 public:
-    ProjectWork(Workbench& bench, TunePanel& tune, QObject* parent);
+    ProjectWork(Workbench& bench, TunePanel& tune, CalibratePanel& calibrate, QObject* parent);
 
     void fill(Project& project) const;
     /// Says what could not be brought back, and why; empty when all was.
@@ -29,13 +30,17 @@ public:
 private:
     void takeIdentification();
     void takeDesign();
+    void takeCalibration();
     QString restoreModel();
     QString restoreDesign();
+    QString restoreCalibration();
 
     Workbench& m_bench;
     TunePanel& m_tune;
+    CalibratePanel& m_calibrate;
     std::vector<NamedDocument> m_models;
     std::vector<NamedDocument> m_designs;
+    std::vector<NamedDocument> m_calibrations;
 };
 
 } // namespace halbench::app

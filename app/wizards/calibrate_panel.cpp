@@ -119,7 +119,7 @@ QWidget* CalibratePanel::buildResultButtons() {
     }
     row->addStretch(1);
     m_save->hide();
-    connect(m_apply, &QPushButton::clicked, this, [this] { write(m_result->proposed, true); });
+    connect(m_apply, &QPushButton::clicked, this, &CalibratePanel::apply);
     connect(m_restore, &QPushButton::clicked, this, [this] { write(m_result->before, false); });
     connect(m_save, &QPushButton::clicked, this, [this] {
         save({tr("Save calibration"), QStringLiteral("calibration.json"), tr("Calibration (*.json)")},
@@ -181,7 +181,7 @@ void CalibratePanel::refreshPlan() {
     const bool isFree = session.state() == SessionState::Connected && session.procedure().isEmpty();
     const bool isUsable =
         m_result && !m_result->proposed.empty() && m_result->quality.verdict != Verdict::Refused;
-    m_apply->setEnabled(isFree && isUsable && !m_result->isApplied);
+    m_apply->setEnabled(isFree && isUsable && !m_result->isApplied && isOfThisDevice());
     m_restore->setEnabled(isFree && isUsable && m_result->isApplied);
 }
 
@@ -217,12 +217,64 @@ void CalibratePanel::finish(const Result<CalibrateResult>& result) {
         return;
     }
     m_result = *result;
+    m_isFromProject = false;
     m_header = headerOf("halbench.calibration/1", config().seed);
     showResult();
     runStep(ApplyStep);
     endStep(ApplyStep, widgets::StepState::Waiting);
     showPage(ResultPage);
     (m_apply->isEnabled() ? m_apply : m_again)->setFocus(Qt::OtherFocusReason);
+    calibrated();
+}
+
+std::optional<CalibrationRecord> CalibratePanel::record() const {
+    return m_result ? std::optional(CalibrationRecord{m_header, *m_result}) : std::nullopt;
+}
+
+void CalibratePanel::restore(std::optional<CalibrationRecord> record) {
+    if (isMine()) {
+        return; // what runs now is shown when it ends
+    }
+    messages().clear();
+    m_result.reset();
+    m_isFromProject = record.has_value();
+    if (!record) {
+        showPage(PreparePage);
+        resetSteps();
+        refreshPlan();
+        return;
+    }
+    m_header = record->header;
+    m_result = std::move(record->result);
+    m_result->isApplied = false; // whether the device still has it is not known
+    showResult();
+    messages().showMessage(
+        {widgets::Severity::Information,
+         projectCalibrationText(m_header),
+         tr("It can be applied to this device only; calibrate again when the sensors were touched."),
+         {}});
+    runStep(ApplyStep);
+    endStep(ApplyStep, widgets::StepState::Waiting);
+    showPage(ResultPage);
+}
+
+/// A calibration of a project belongs to the sensors it was measured with.
+bool CalibratePanel::isOfThisDevice() const {
+    const devices::DeviceInfo& here = bench().session().info();
+    return !m_isFromProject ||
+           (m_header.device && m_header.device->model == here.model && m_header.device->id == here.id);
+}
+
+void CalibratePanel::apply() {
+    if (m_isFromProject) { // Restore brings back what the device has now, not what it had then
+        m_result->before.clear();
+        for (const ParameterValue& proposed : m_result->proposed) {
+            if (const auto value = bench().deviceValue(proposed.name)) {
+                m_result->before.push_back({proposed.name, *value});
+            }
+        }
+    }
+    write(m_result->proposed, true);
 }
 
 void CalibratePanel::showResult() {
@@ -257,6 +309,9 @@ void CalibratePanel::write(const std::vector<ParameterValue>& values, bool isApp
              {},
              {}});
         self->refreshPlan();
+        if (!self->m_isFromProject) {
+            self->calibrated();
+        }
     });
 }
 

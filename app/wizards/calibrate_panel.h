@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/batch/calibration_file.h"
 #include "app/procedures/calibrate_procedure.h"
 #include "app/wizards/wizard_panel.h"
 
@@ -29,6 +30,15 @@ class CalibratePanel : public WizardPanel {
 public:
     explicit CalibratePanel(Workbench& bench, QWidget* parent = nullptr);
 
+    /// Nothing before the first calibration.
+    std::optional<CalibrationRecord> record() const;
+    /// Shows a calibration of the project, or none. It can be applied to the device it was made on; nothing
+    /// is written by showing it.
+    void restore(std::optional<CalibrationRecord> record);
+
+Q_SIGNALS:
+    void calibrated(); ///< measured, applied or taken back; not when restored from a project
+
 protected:
     void refreshWords() override;
     void onFileChooser() override;
@@ -46,10 +56,13 @@ private:
     void onStage(ProcedureState stage);
     void finish(const Result<CalibrateResult>& result);
     void showResult();
+    bool isOfThisDevice() const;
+    void apply();
     void write(const std::vector<ParameterValue>& values, bool isApplying);
 
     std::optional<CalibrateResult> m_result;
     ResultHeader m_header;
+    bool m_isFromProject = false;
 
     QLabel* m_intro = nullptr;
     std::array<QCheckBox*, 3> m_choices{}; ///< in the order of Calibration

@@ -125,4 +125,13 @@ QString calibrationGain(const CalibrateResult& result) {
         .arg(degrees(result.residualBefore_rad), degrees(result.residualAfter_rad));
 }
 
+QString projectCalibrationText(const ResultHeader& header) {
+    const QString device =
+        header.device ? QString::fromStdString(header.device->id) : Words::tr("device not known");
+    const bool isVirtual = header.started == ResultHeader().started; // virtual time begins there
+    return isVirtual ? Words::tr("From the project: calibrated in virtual time, device %1.").arg(device)
+                     : Words::tr("From the project: calibrated %1, device %2.")
+                           .arg(QString::fromStdString(header.started), device);
+}
+
 } // namespace halbench::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/batch/result_header.h"
 #include "app/procedures/calibrate_procedure.h"
 #include "widgets/estimate_table.h"
 
@@ -18,5 +19,8 @@ std::vector<widgets::EstimateRow> calibrationRows(const CalibrateResult& result)
 
 /// Angle error before and after; empty where the sensors were not calibrated.
 QString calibrationGain(const CalibrateResult& result);
+
+/// That it came with the project: when it was measured, and on which device.
+QString projectCalibrationText(const ResultHeader& header);
 
 } // namespace halbench::app

@@ -5,6 +5,7 @@
 #include "app/workspaces/signal_tree.h"
 #include "widgets/icons.h"
 #include "widgets/live_plot_stack.h"
+#include "widgets/message_bar.h"
 
 #include <QAction>
 #include <QEvent>
@@ -16,6 +17,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace halbench::app {
 
@@ -23,6 +25,7 @@ namespace {
 
 using Command = widgets::LivePlotStack::Command;
 constexpr int ValuesPeriod_ms = 100;
+constexpr double DefaultSpan_s = 10.0;
 
 struct Tool {
     Command command;
@@ -32,6 +35,11 @@ constexpr Tool Tools[] = {{Command::Pause, "pause"},   {Command::Follow, "follow
                           {Command::Fit, "fit"},       {Command::ShowAll, "zoom"},
                           {Command::ZoomBack, "undo"}, {Command::Cursors, "cursor"},
                           {Command::Marker, "note"},   {Command::AddSignals, "add"}};
+
+/// To milliseconds: the view moves by whole pixel columns, a project shall not.
+double rounded(double time_s) {
+    return std::round(time_s * 1e3) * 1e-3;
+}
 
 } // namespace
 
@@ -49,6 +57,8 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(buildTools());
+    m_message = new widgets::MessageBar(this);
+    column->addWidget(m_message);
     column->addWidget(splitter, 1);
     connectStack();
     connect(m_tree, &SignalTree::plotRequested, this, &MonitorPanel::plot);
@@ -86,9 +96,13 @@ void MonitorPanel::connectStack() {
                 for (const QString& name : names) {
                     addTo(plot, name.toStdString());
                 }
+                forgetMissing();
                 onPlotsChanged();
             });
-    connect(m_stack, &widgets::LivePlotStack::plotsChanged, this, &MonitorPanel::onPlotsChanged);
+    connect(m_stack, &widgets::LivePlotStack::plotsChanged, this, [this] {
+        forgetMissing();
+        onPlotsChanged();
+    });
     connect(m_stack, &widgets::LivePlotStack::markersChanged, this, &MonitorPanel::onMarkers);
     connect(m_stack, &widgets::LivePlotStack::addSignalsRequested, this,
             [this] { m_tree->setFocus(Qt::ShortcutFocusReason); });
@@ -101,15 +115,80 @@ void MonitorPanel::onDevice() {
         return;
     }
     const QString device = QString::fromStdString(session.info().model + session.info().id);
-    if (device != m_device) {
-        m_device = device;
-        m_tree->setSignals(session.catalogue().signals);
-        m_stack->setPlots(defaultPlots(session.catalogue(), temperatureBands(session.catalogue(), {})));
-    }
     m_stack->setMarkers({});
     m_stack->setPaused(false);
     m_stack->setFollowing(true);
+    if (device != m_device) {
+        m_view =
+            m_device.isEmpty() ? m_view : MonitorView{}; // what was set is for the device that came first
+        m_device = device;
+        m_tree->setSignals(session.catalogue().signals);
+        showView();
+    }
     onPlotsChanged();
+}
+
+void MonitorPanel::showView() {
+    const devices::Catalogue& catalogue = m_bench.session().catalogue();
+    const TemperatureBands bands = temperatureBands(catalogue, m_bench.deviceValue("limit.temperature"));
+    QStringList missing;
+    auto plots = chosenPlots(m_view.plots, catalogue, bands, missing);
+    m_stack->setPlots(plots.empty() ? defaultPlots(catalogue, bands) : std::move(plots));
+    m_stack->setTimeSpan(m_view.span_s.value_or(DefaultSpan_s));
+    m_stack->setFollowing(m_view.isFollowing);
+    m_isIncomplete = !missing.isEmpty();
+    m_message->clear();
+    if (m_isIncomplete) {
+        m_message->showMessage(
+            {widgets::Severity::Warning,
+             tr("Signals of the project that this device does not have: %1").arg(missing.join(", ")),
+             tr("They are left out; the project keeps them until you change the plots."),
+             {}});
+    }
+}
+
+void MonitorPanel::setView(const MonitorView& view) {
+    m_view = view;
+    m_message->clear();
+    m_isIncomplete = false;
+    if (m_bench.session().state() == SessionState::Connected && !m_device.isEmpty()) {
+        showView();
+        onPlotsChanged();
+    } else {
+        m_device.clear();
+    }
+}
+
+MonitorView MonitorPanel::view() const {
+    if (m_device.isEmpty()) {
+        return m_view;
+    }
+    MonitorView view;
+    view.isFollowing = m_stack->isFollowing();
+    view.span_s = view.isFollowing ? std::optional(rounded(m_stack->timeRange().length_s())) : m_view.span_s;
+    if (m_isIncomplete) {
+        view.plots = m_view.plots;
+        return view;
+    }
+    const std::vector<widgets::PlotSpec>& plots = m_stack->plots();
+    for (std::size_t i = 0; i < plots.size(); ++i) {
+        PlotChoice choice;
+        for (const widgets::PlotCurve& curve : plots[i].curves) {
+            choice.signalNames.push_back(curve.signal);
+        }
+        choice.range = m_stack->heldRange(static_cast<int>(i));
+        choice.unit = choice.range ? plots[i].unit.toStdString() : std::string();
+        if (!choice.signalNames.empty()) {
+            view.plots.push_back(std::move(choice));
+        }
+    }
+    return view;
+}
+
+/// The plots are the user's now.
+void MonitorPanel::forgetMissing() {
+    m_isIncomplete = false;
+    m_message->clear();
 }
 
 /// The limit on the device decides where the bad temperatures begin.
@@ -132,6 +211,7 @@ void MonitorPanel::onValues() {
 
 void MonitorPanel::plot(const QString& name, bool isPlotted) {
     const std::string signal = name.toStdString();
+    forgetMissing();
     if (isPlotted) {
         addTo(-1, signal);
     } else {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/workspaces/monitor_view.h"
 #include "app/workspaces/workbench.h"
 
 #include <QTimer>
@@ -9,7 +10,8 @@ class QLabel;
 
 namespace halbench::widgets {
 class LivePlotStack;
-}
+class MessageBar;
+} // namespace halbench::widgets
 
 namespace halbench::app {
 
@@ -23,6 +25,11 @@ class MonitorPanel : public QWidget {
 public:
     explicit MonitorPanel(Workbench& bench, QWidget* parent = nullptr);
 
+    MonitorView view() const;
+    /// Shown when a device is there. Signals that it does not have are left out and said in place; they stay
+    /// part of view() until the user changes the plots.
+    void setView(const MonitorView& view);
+
 protected:
     void changeEvent(QEvent* event) override;
 
@@ -34,6 +41,8 @@ private:
     void plot(const QString& name, bool isPlotted);
     void addTo(int plot, const std::string& name);
     void onPlotsChanged();
+    void showView();
+    void forgetMissing();
     void onMarkers();
     void refreshValues();
 
@@ -43,7 +52,10 @@ private:
     QLabel* m_stream = nullptr;
     QTimer m_values; ///< live numbers, ten times a second
     std::size_t m_markers = 0;
-    QString m_device; ///< whose plots are shown
+    QString m_device;            ///< whose plots are shown; empty: the view waits for a device
+    MonitorView m_view;          ///< as it was set
+    bool m_isIncomplete = false; ///< some of m_view is left out, and nothing was changed since
+    widgets::MessageBar* m_message = nullptr;
 };
 
 } // namespace halbench::app

@@ -101,6 +101,31 @@ std::vector<widgets::PlotSpec> defaultPlots(const devices::Catalogue& catalogue,
     return plots.empty() ? firstSignals(catalogue, bands) : plots;
 }
 
+std::vector<widgets::PlotSpec> chosenPlots(const std::vector<PlotChoice>& choices,
+                                           const devices::Catalogue& catalogue, const TemperatureBands& bands,
+                                           QStringList& missing) {
+    std::vector<widgets::PlotSpec> plots;
+    for (const PlotChoice& choice : choices) {
+        std::optional<widgets::PlotSpec> plot;
+        for (const std::string& name : choice.signalNames) {
+            const SignalSpec* spec = catalogue.findSignal(name);
+            if (spec == nullptr) {
+                missing << QString::fromStdString(name);
+            } else if (plot) {
+                plot->curves.push_back(curveFor(*spec));
+            } else {
+                plot = plotFor(*spec, bands);
+            }
+        }
+        if (plot) {
+            plot->fixedRange = choice.unit == plot->unit.toStdString() ? choice.range : std::nullopt;
+            plots.push_back(*plot);
+        }
+    }
+    missing.removeDuplicates();
+    return plots;
+}
+
 std::set<std::string> plottedSignals(const std::vector<widgets::PlotSpec>& plots) {
     std::set<std::string> names;
     for (const widgets::PlotSpec& plot : plots) {

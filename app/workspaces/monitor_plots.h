@@ -1,7 +1,10 @@
 #pragma once
 
+#include "app/workspaces/monitor_view.h"
 #include "devices/device.h"
 #include "widgets/live_plot_spec.h"
+
+#include <QStringList>
 
 #include <optional>
 #include <set>
@@ -27,6 +30,12 @@ std::vector<widgets::PlotSpec> defaultPlots(const devices::Catalogue& catalogue,
 
 /// A plot for one more signal.
 widgets::PlotSpec plotFor(const SignalSpec& spec, const TemperatureBands& bands);
+
+/// Plots as they were chosen; signals that the device does not have are left out and named in `missing`. An
+/// axis held in another unit than the plot has now is let go.
+std::vector<widgets::PlotSpec> chosenPlots(const std::vector<PlotChoice>& choices,
+                                           const devices::Catalogue& catalogue, const TemperatureBands& bands,
+                                           QStringList& missing);
 
 /// Names of all signals in the plots.
 std::set<std::string> plottedSignals(const std::vector<widgets::PlotSpec>& plots);

@@ -16,6 +16,11 @@ Project sample() {
     project.layouts = {{"monitor", "<xml/>"}, {"tune", ""}};
     project.models = {{"cold", "{\"schema\": \"halbench.identification/1\"}"}};
     project.designs = {{"recommended", "{}"}, {"slow", "{}"}};
+    project.calibrations = {{"htm 1", "{\n  \"schema\": \"halbench.calibration/1\"\n}\n"}};
+    project.monitor.plots = {{{"hall.a", "hall.b"}, widgets::ValueRange{-0.1, 1.0 / 3.0}, "mT"},
+                             {{"speed"}, {}, {}}};
+    project.monitor.isFollowing = false;
+    project.monitor.span_s = 2.5;
     return project;
 }
 
@@ -23,6 +28,35 @@ TEST(ProjectFile, comesBackAsItWasWritten) {
     const auto read = parseProject(projectText(sample()), "motor.toml");
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(*read, sample());
+}
+
+TEST(ProjectFile, equalProjectsAreEqualText) {
+    const auto read = parseProject(projectText(sample()), "motor.toml");
+    ASSERT_TRUE(read);
+    EXPECT_EQ(projectText(*read), projectText(sample()));
+}
+
+TEST(ProjectFile, textsComeBackWhateverIsInThem) {
+    for (const char* text : {"\nfirst line empty", "ends in a break\n", "\"\"\"quotes\"\"\"",
+                             "back\\slash \\n", "tab\tand\rreturn\r\n", "\x01 control", "'''"}) {
+        Project project;
+        project.notes = text;
+        const auto read = parseProject(projectText(project), "motor.toml");
+        ASSERT_TRUE(read) << read.error().message;
+        EXPECT_EQ(read->notes, text);
+    }
+}
+
+TEST(ProjectFile, aPlotThatMakesNoSenseIsRefusedWithItsLine) {
+    for (const char* lines :
+         {"[[plot]]\nsignals = 7\n", "[[plot]]\nmin = 1.0\n", "[[plot]]\nmin = 1.0\nmax = 1.0\n",
+          "[[plot]]\nmin = nan\nmax = 1.0\n", "[monitor]\nspan_s = 0.0\n", "[monitor]\nfollow = 1\n",
+          "plot = 3\n", "monitor = 3\n", "plot = [3]\n"}) {
+        const auto read =
+            parseProject(std::string("schema = \"halbench.project/1\"\n") + lines, "motor.toml");
+        ASSERT_FALSE(read) << lines;
+        EXPECT_NE(read.error().message.find("motor.toml:"), std::string::npos) << read.error().message;
+    }
 }
 
 TEST(ProjectFile, anEmptyProjectIsAProject) {

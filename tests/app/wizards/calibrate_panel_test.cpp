@@ -68,6 +68,45 @@ TEST_F(CalibratePanelTest, cancelLeavesEverythingAsItWas) {
     EXPECT_TRUE(wait([&] { return isEnabled(panel, "Start calibration"); }));
 }
 
+CalibrationRecord measuredOn(const devices::DeviceInfo& device) {
+    CalibrationRecord record;
+    record.header.device = device;
+    record.header.started = "2026-05-04T03:02:01Z";
+    record.result.figures = {
+        {"hall.offset_a", "T", {1e-3, std::pair(9e-4, 1.1e-3), control::EstimateSource::Identified, "T"}}};
+    record.result.before = {{"hall.offset_a", 5e-4}};
+    record.result.proposed = {{"hall.offset_a", 1e-3}};
+    record.result.isApplied = true;
+    return record;
+}
+
+TEST_F(CalibratePanelTest, aCalibrationOfTheProjectIsAppliedOnPurposeAndRestoresWhatTheDeviceHad) {
+    connectMotor("sim:htm?seed=5", 0.0);
+    const auto before = valuesNow();
+    panel.restore(measuredOn(bench.session().info()));
+    EXPECT_TRUE(message().contains("2026-05-04T03:02:01Z")) << message().toStdString();
+    EXPECT_EQ(valuesNow(), before); // showing it writes nothing
+    click(panel, "Apply");
+    ASSERT_TRUE(wait([&] { return message().startsWith("Applied"); }));
+    EXPECT_NEAR(valuesNow().at("hall.offset_a"), 1e-3, 1e-9); // float32 on the board
+    click(panel, "Restore");
+    ASSERT_TRUE(wait([&] { return message().contains("before are back"); }));
+    EXPECT_EQ(valuesNow(), before);
+}
+
+TEST_F(CalibratePanelTest, aCalibrationOfAnotherDeviceIsShownButNotApplied) {
+    connectMotor("sim:htm?seed=5", 0.0);
+    devices::DeviceInfo other = bench.session().info();
+    other.id = "another";
+    panel.restore(measuredOn(other));
+    EXPECT_TRUE(isResultShown());
+    EXPECT_FALSE(isEnabled(panel, "Apply"));
+    EXPECT_TRUE(message().contains("another"));
+    panel.restore(std::nullopt);
+    EXPECT_FALSE(isResultShown());
+    EXPECT_FALSE(panel.record());
+}
+
 TEST(CalibrateWords, showsMillitesla) {
     CalibrateResult result;
     result.figures = {{"hall.offset_a", "T", {5.6e-3, std::pair(5.5e-3, 5.7e-3), {}, "T"}}};

@@ -7,6 +7,7 @@
 #include "control/base/units.h"
 #include "tests/app/workspaces/bench_fixture.h"
 #include "widgets/live_plot_stack.h"
+#include "widgets/message_bar.h"
 
 #include <QAction>
 #include <QMimeData>
@@ -163,6 +164,58 @@ TEST(FaultWordsTest, everyFaultHasWordsAndARemedy) {
     board.fault = 0;
     board.isStopLatched = true;
     EXPECT_TRUE(faultWords(board).what.contains("Stopped"));
+}
+
+TEST_F(MonitorPanelTest, aViewIsShownAgainToTheDigitOnceTheDeviceIsThere) {
+    MonitorView view;
+    view.plots = {{{"speed", "truth.speed"}, widgets::ValueRange{-12.3, 45.6}, "r/min"},
+                  {{"hall.b"}, {}, {}}};
+    view.span_s = 2.5;
+    panel->setView(view);
+    EXPECT_EQ(panel->view(), view); // it waits for a device and is not lost meanwhile
+    connectTo("sim:htm", 5.0);
+    ASSERT_EQ(stack().plots().size(), 2U);
+    EXPECT_EQ(stack().plots()[0].curves.size(), 2U);
+    EXPECT_EQ(stack().valueRange(0), (widgets::ValueRange{-12.3, 45.6}));
+    EXPECT_TRUE(stack().isFollowing());
+    EXPECT_EQ(panel->view(), view);
+}
+
+TEST_F(MonitorPanelTest, aSignalThatTheDeviceDoesNotHaveIsSaidAndKeptUntilThePlotsChange) {
+    MonitorView view;
+    view.plots = {{{"hall.a", "hall.north"}, {}, {}}, {{"torque"}, {}, {}}};
+    view.span_s = 10.0;
+    panel->setView(view);
+    connectTo("sim:htm", 5.0);
+    const widgets::Message& said = panel->findChild<widgets::MessageBar*>()->message();
+    EXPECT_TRUE(said.text.contains("hall.north") && said.text.contains("torque")) << said.text.toStdString();
+    ASSERT_EQ(stack().plots().size(), 1U);
+    EXPECT_EQ(plottedSignals(stack().plots()), std::set<std::string>{"hall.a"});
+    EXPECT_EQ(panel->view(), view);
+    tree().setCurrentItem(item("Hall B"));
+    QTest::keyClick(&tree(), Qt::Key_Return);
+    EXPECT_TRUE(said.text.isEmpty());
+    ASSERT_FALSE(panel->view().plots.empty());
+    EXPECT_EQ(panel->view().plots[0].signalNames, (std::vector<std::string>{"hall.a", "hall.b"}));
+}
+
+TEST_F(MonitorPanelTest, anAxisHeldInAnotherUnitIsLetGo) {
+    MonitorView view;
+    view.plots = {{{"hall.a"}, widgets::ValueRange{0.0, 1.0}, "T"}};
+    panel->setView(view);
+    connectTo("sim:htm", 5.0);
+    ASSERT_EQ(stack().plots().size(), 1U);
+    EXPECT_FALSE(stack().heldRange(0));
+}
+
+TEST_F(MonitorPanelTest, aViewWithoutPlotsIsTheDevicesOwn) {
+    MonitorView view;
+    view.plots = {{{"hall.a"}, {}, {}}};
+    panel->setView(view);
+    connectTo("sim:htm", 5.0);
+    ASSERT_EQ(stack().plots().size(), 1U);
+    panel->setView({});
+    EXPECT_EQ(stack().plots().size(), 5U);
 }
 
 } // namespace

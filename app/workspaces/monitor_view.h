@@ -1,0 +1,29 @@
+#pragma once
+
+#include "widgets/value_range.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace halbench::app {
+
+/// One plot as a project keeps it: names of signals, and the values' axis where the user fixed it.
+struct PlotChoice {
+    std::vector<std::string> signalNames;
+    std::optional<widgets::ValueRange> range; ///< in `unit`; none: follows the data
+    std::string unit;                         ///< as shown; only with a range
+
+    bool operator==(const PlotChoice&) const = default;
+};
+
+/// What the Monitor shows, as a project keeps it. No plots: what the device's profile says.
+struct MonitorView {
+    std::vector<PlotChoice> plots;
+    bool isFollowing = true;
+    std::optional<double> span_s; ///< time shown while following
+
+    bool operator==(const MonitorView&) const = default;
+};
+
+} // namespace halbench::app

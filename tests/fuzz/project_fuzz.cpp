@@ -1,0 +1,37 @@
+// Project files and the documents in them: any text; what is accepted comes back as it was written.
+#include "app/batch/calibration_file.h"
+#include "app/batch/identification_file.h"
+#include "app/batch/model_file.h"
+#include "app/window/project_file.h"
+
+using namespace halbench::app;
+
+// QJsonDocument of Qt 5.15 leaks a few octets on some malformed nested texts; that is not ours to mend.
+extern "C" const char* __lsan_default_suppressions() {
+    return "leak:libQt5Core.so\n";
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string text(reinterpret_cast<const char*>(data), size);
+    const halbench::Result<Project> project = parseProject(text, "fuzz.toml");
+    if (!project) {
+        if (project.error().message.empty() || project.error().hint.empty()) {
+            __builtin_trap(); // every refusal says what to do
+        }
+        return 0;
+    }
+    const halbench::Result<Project> again = parseProject(projectText(*project), "again.toml");
+    if (!again || *again != *project) {
+        __builtin_trap();
+    }
+    for (const NamedDocument& model : project->models) {
+        (void)parseIdentification(model.document, model.name);
+    }
+    for (const NamedDocument& design : project->designs) {
+        (void)parseGains(design.document, design.name);
+    }
+    for (const NamedDocument& calibration : project->calibrations) {
+        (void)parseCalibrationRecord(calibration.document, calibration.name);
+    }
+    return 0;
+}
