@@ -4301,6 +4301,14 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <source>Write gains that are known to work.</source>
         <translation>Schreiben Sie Reglerparameter, die bekanntermaßen funktionieren.</translation>
     </message>
+    <message>
+        <source>A converter that drives a coil does not answer</source>
+        <translation>Ein Wandler, der eine Spule ansteuert, antwortet nicht</translation>
+    </message>
+    <message>
+        <source>Look at the board&apos;s cables and supply, then release the stop.</source>
+        <translation>Prüfen Sie Kabel und Versorgung der Steuerung und heben Sie dann den Stopp auf.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::FieldPanel</name>

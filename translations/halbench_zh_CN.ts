@@ -4301,6 +4301,14 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <source>Write gains that are known to work.</source>
         <translation>请写入已知可用的增益。</translation>
     </message>
+    <message>
+        <source>A converter that drives a coil does not answer</source>
+        <translation>驱动线圈的转换器没有响应</translation>
+    </message>
+    <message>
+        <source>Look at the board&apos;s cables and supply, then release the stop.</source>
+        <translation>请检查控制板的电缆和电源，然后解除停止。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::FieldPanel</name>

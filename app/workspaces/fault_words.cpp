@@ -41,6 +41,9 @@ constexpr std::array Table = {
                             "Look at sensors and plug, and calibrate the Hall sensors.")},
     Words{QT_TRANSLATE_NOOP("halbench::app::FaultWords", "The controller computed a number that is none"),
           QT_TRANSLATE_NOOP("halbench::app::FaultWords", "Write gains that are known to work.")},
+    Words{QT_TRANSLATE_NOOP("halbench::app::FaultWords", "A converter that drives a coil does not answer"),
+          QT_TRANSLATE_NOOP("halbench::app::FaultWords",
+                            "Look at the board's cables and supply, then release the stop.")},
 };
 
 } // namespace

@@ -13,17 +13,19 @@ constexpr double CopperMelts_degC = 1085.0;
 
 } // namespace
 
-Result<HtmPlant> HtmPlant::make(const HtmParameters& parameters, std::uint64_t seed) {
+Result<HtmPlant> HtmPlant::make(const HtmParameters& parameters, std::uint64_t seed, double subStep_s) {
     const auto amplifier = amplifierModel(parameters.amplifier);
     if (!amplifier) {
         return failure(amplifier.error());
     }
-    return HtmPlant(parameters, *amplifier, seed);
+    return HtmPlant(parameters, *amplifier, seed, subStep_s);
 }
 
-HtmPlant::HtmPlant(const HtmParameters& parameters, const AmplifierModel& amplifier, std::uint64_t seed)
-    : m_parameters(parameters), m_specimen(drawSpecimen(parameters, seed)), m_amplifier(amplifier, SubStep_s),
-      m_sensorNoise(Random(seed).fork(NoiseStream)), m_friction(Random(seed).fork(FrictionStream)) {
+HtmPlant::HtmPlant(const HtmParameters& parameters, const AmplifierModel& amplifier, std::uint64_t seed,
+                   double subStep_s)
+    : m_subStep_s(subStep_s), m_parameters(parameters), m_specimen(drawSpecimen(parameters, seed)),
+      m_amplifier(amplifier, subStep_s), m_sensorNoise(Random(seed).fork(NoiseStream)),
+      m_friction(Random(seed).fork(FrictionStream)) {
     m_adc.isQuantised = !parameters.isIdealChain;
     m_truth.rotor.angle_rad = parameters.initialAngle_rad;
     for (std::size_t i = 0; i < m_coil.size(); ++i) {
@@ -57,7 +59,7 @@ HtmReadings HtmPlant::read() {
 }
 
 void HtmPlant::heat(const std::array<double, 2>& current_A) {
-    const double step_s = SubStep_s * m_parameters.thermalAcceleration_ratio;
+    const double step_s = m_subStep_s * m_parameters.thermalAcceleration_ratio;
     if (step_s == 0.0) {
         return;
     }
@@ -81,7 +83,7 @@ double HtmPlant::torqueOfSubStep_Nm() {
         return m_specimen.torqueConstant_Nm_per_A * m_drive.amplitude_A;
     }
     const RotorState& rotor = m_truth.rotor;
-    const double middle_rad = rotor.angle_rad + 0.5 * SubStep_s * rotor.speed_rad_s;
+    const double middle_rad = rotor.angle_rad + 0.5 * m_subStep_s * rotor.speed_rad_s;
     return m_specimen.torqueConstant_Nm_per_A *
            (-mean_A[0] * std::sin(middle_rad) + mean_A[1] * std::cos(middle_rad));
 }
@@ -90,7 +92,7 @@ void HtmPlant::advance(int subSteps) {
     for (int i = 0; i < subSteps; ++i) {
         m_truth.torque_Nm = torqueOfSubStep_Nm();
         const bool wasAtRest = m_truth.rotor.speed_rad_s == 0.0;
-        stepRotor(m_specimen.rotor, m_truth.rotor, m_truth.torque_Nm, SubStep_s);
+        stepRotor(m_specimen.rotor, m_truth.rotor, m_truth.torque_Nm, m_subStep_s);
         if (wasAtRest && m_truth.rotor.speed_rad_s != 0.0) {
             redrawFriction();
         }

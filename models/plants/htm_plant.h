@@ -30,21 +30,25 @@ struct HtmTruth {
 };
 
 /// The whole motor between the board's DAC and its ADC: converters, amplifiers, coils, rotor, magnets, Hall
-/// and temperature sensors, heat. Advances in sub-steps of 0.25 ms: exact amplifier update, torque from the
-/// exact mean currents at the predicted mid-step angle, event-exact friction (resources/help/htm-theory.md
-/// sections 3, 9). Same parameters and seed give the same bits. Thread: any one.
+/// and temperature sensors, heat. Advances in sub-steps, usually of 0.25 ms: exact amplifier update, torque
+/// from the exact mean currents at the predicted mid-step angle, event-exact friction
+/// (resources/help/htm-theory.md sections 3, 9). Same parameters and seed give the same bits. Thread: any
+/// one.
 class HtmPlant {
 public:
     static constexpr double SubStep_s = 0.25e-3;
 
-    /// Parameters have passed setHtmParameter(). Errors: OutOfRange (amplifier parts that make no amplifier).
-    static Result<HtmPlant> make(const HtmParameters& parameters, std::uint64_t seed);
+    /// Parameters have passed setHtmParameter(). A board that runs instruction by instruction looks and
+    /// drives between the usual sub-steps and asks for shorter ones. Errors: OutOfRange (amplifier parts that
+    /// make no amplifier).
+    static Result<HtmPlant> make(const HtmParameters& parameters, std::uint64_t seed,
+                                 double subStep_s = SubStep_s);
 
     /// Samples sensors at this instant; draws their noise.
     HtmReadings read();
     /// Takes effect at once and holds.
     void drive(const HtmDrive& drive) { m_drive = drive; }
-    /// Lets `subSteps` times 0.25 ms pass.
+    /// Lets this many sub-steps pass.
     void advance(int subSteps);
     /// A new plateau begins: friction of this run is drawn anew (also done at each start from rest).
     void redrawFriction();
@@ -54,10 +58,12 @@ public:
     const HtmParameters& parameters() const { return m_parameters; }
 
 private:
-    HtmPlant(const HtmParameters& parameters, const AmplifierModel& amplifier, std::uint64_t seed);
+    HtmPlant(const HtmParameters& parameters, const AmplifierModel& amplifier, std::uint64_t seed,
+             double subStep_s);
     double torqueOfSubStep_Nm();
     void heat(const std::array<double, 2>& current_A);
 
+    double m_subStep_s;
     HtmParameters m_parameters;
     HtmSpecimen m_specimen;
     AmplifierStepper m_amplifier;

@@ -2,25 +2,26 @@
 #include "devices/firmware/control/hb_reference.h"
 
 #include "devices/firmware/control/hb_constants.h"
+#include "devices/firmware/control/hb_trig.h"
 
 #include <math.h>
 #include <string.h>
 
-#define TICK_S 0.001F
+#define TICK_S (0.001F * HB_TICK_MS)
 
 static uint32_t ticksOf(float seconds) {
-    return (uint32_t)(seconds * 1000.0F + 0.5F);
+    return (uint32_t)(seconds * (1000.0F / HB_TICK_MS) + 0.5F);
 }
 
 #if HB_FEATURE_GENERATOR
 
 /* Phases count in units of 2^-32/1000 turn, so that a frequency in Hz moves a whole number of them each
- * millisecond: a sine of hours does not drift against its frequency. */
+ * tick: a sine of hours does not drift against its frequency. */
 #define PHASE_PER_HZ 4294967296.0F
 #define PHASE_TURN ((uint64_t)1000 << 32)
 
 static hb_phase advanced(hb_phase phase, float frequency_Hz) {
-    phase += (uint64_t)(frequency_Hz * PHASE_PER_HZ);
+    phase += (uint64_t)(frequency_Hz * PHASE_PER_HZ) * HB_TICK_MS;
     return phase >= PHASE_TURN ? phase - PHASE_TURN : phase;
 }
 
@@ -33,7 +34,7 @@ static float radiansOf(hb_phase phase) {
 
 /* Units of 2^-32 turn without 64 bit arithmetic: a sine of 1 Hz drifts by 1e-7 of its phase. */
 static hb_phase advanced(hb_phase phase, float frequency_Hz) {
-    return phase + (uint32_t)(frequency_Hz * 4294967.296F + 0.5F);
+    return phase + (uint32_t)(frequency_Hz * (4294967.296F * HB_TICK_MS) + 0.5F);
 }
 
 static float radiansOf(hb_phase phase) {
@@ -42,16 +43,22 @@ static float radiansOf(hb_phase phase) {
 
 #endif
 
+static const hb_plateau_config* plateausOf(const hb_reference* reference) {
+#if HB_FEATURE_GENERATOR
+    return &reference->plateaus;
+#else
+    return reference->plateaus;
+#endif
+}
+
 static uint32_t durationTicks(const hb_reference* reference) {
     const hb_reference_config* config = &reference->config;
     if (config->shape == HB_SHAPE_STAIRCASE) {
         return config->count * ticksOf(config->period_s);
     }
-#if HB_FEATURE_GENERATOR
     if (config->shape == HB_SHAPE_PLATEAUS) {
-        return reference->plateaus.count * ticksOf(reference->plateaus.dwell_s);
+        return plateausOf(reference)->count * ticksOf(plateausOf(reference)->dwell_s);
     }
-#endif
     return ticksOf(config->duration_s);
 }
 
@@ -125,17 +132,17 @@ static hb_reference_point chirp(const hb_reference* reference, float time_s) {
     return point;
 }
 
+#endif
+
 static float plateau(hb_reference* reference) {
-    uint32_t dwell = ticksOf(reference->plateaus.dwell_s);
+    uint32_t dwell = ticksOf(plateausOf(reference)->dwell_s);
     uint32_t index = reference->ticks / dwell;
-    if (index >= reference->plateaus.count) {
-        index = reference->plateaus.count - 1U;
+    if (index >= plateausOf(reference)->count) {
+        index = plateausOf(reference)->count - 1U;
     }
     reference->segment = (uint16_t)(index + 1U);
-    return reference->plateaus.current_A[index];
+    return plateausOf(reference)->current_A[index];
 }
-
-#endif
 
 static hb_reference_point ramp(const hb_reference_config* config, float time_s) {
     hb_reference_point point = {config->rate * time_s, config->rate, 0.0F};
@@ -149,10 +156,12 @@ static hb_reference_point ramp(const hb_reference_config* config, float time_s) 
 
 static hb_reference_point sine(const hb_reference* reference) {
     hb_reference_point point;
-    float phase = radiansOf(reference->phase);
     float omega = HB_TWO_PI * reference->config.frequency_Hz;
-    point.value = reference->config.amplitude * sinf(phase);
-    point.speed = reference->config.amplitude * omega * cosf(phase);
+    float sine_now;
+    float cosine_now;
+    hb_sine_cosine(radiansOf(reference->phase), &sine_now, &cosine_now);
+    point.value = reference->config.amplitude * sine_now;
+    point.speed = reference->config.amplitude * omega * cosine_now;
     point.acceleration = -omega * omega * point.value;
     return point;
 }
@@ -184,44 +193,34 @@ static hb_reference_point shapePoint(hb_reference* reference, float time_s) {
         return chirp(reference, time_s);
     case HB_SHAPE_MULTISINE:
         return multisine(reference);
+#endif
     case HB_SHAPE_PLATEAUS:
         point.value = plateau(reference);
         break;
-#endif
     default:
         break;
     }
     return point;
 }
 
-static void start(hb_reference* reference, const hb_reference_config* config, uint8_t is_position) {
+void hb_reference_start(hb_reference* reference, const hb_reference_config* config,
+                        const hb_plateau_config* plateaus, uint8_t is_position) {
     reference->config = *config;
     reference->holds_position = is_position;
     reference->ticks = 0;
     reference->phase = 0;
     reference->segment = 1;
     reference->running = 1;
-    reference->duration_ticks = durationTicks(reference);
-}
-
 #if HB_FEATURE_GENERATOR
-
-void hb_reference_start(hb_reference* reference, const hb_reference_config* config,
-                        const hb_plateau_config* plateaus, uint8_t is_position) {
     reference->plateaus = *plateaus;
-    start(reference, config, is_position);
     if (config->shape == HB_SHAPE_MULTISINE) {
         startMultisine(reference);
     }
-}
-
 #else
-
-void hb_reference_start(hb_reference* reference, const hb_reference_config* config, uint8_t is_position) {
-    start(reference, config, is_position);
-}
-
+    reference->plateaus = plateaus;
 #endif
+    reference->duration_ticks = durationTicks(reference);
+}
 
 void hb_reference_clear(hb_reference* reference) {
     memset(reference, 0, sizeof *reference);

@@ -33,16 +33,14 @@ enum hb_shape {
     HB_SHAPE_RAMP,
     HB_SHAPE_SINE,
     HB_SHAPE_STAIRCASE,
-#if HB_FEATURE_GENERATOR
-    HB_SHAPE_CHIRP,
+    HB_SHAPE_CHIRP, /* these two not in every build */
     HB_SHAPE_MULTISINE,
     HB_SHAPE_PLATEAUS,
-#endif
     HB_SHAPE_COUNT
 };
 
 #if HB_FEATURE_GENERATOR
-enum { HB_PLATEAUS = 32, HB_MULTISINE_LINES = 32 };
+enum { HB_MULTISINE_LINES = 32 };
 #endif
 
 /* Part of the live parameters; start() copies it, so writes act on the next start only. */
@@ -53,13 +51,11 @@ typedef struct {
     uint8_t shape;
 } hb_reference_config;
 
-#if HB_FEATURE_GENERATOR
 typedef struct {
     float current_A[HB_PLATEAUS];
     float dwell_s;
     uint16_t count;
 } hb_plateau_config;
-#endif
 
 #if HB_FEATURE_GENERATOR
 typedef uint64_t hb_phase;
@@ -76,8 +72,10 @@ typedef struct {
 #if HB_FEATURE_GENERATOR
     hb_plateau_config plateaus;
     hb_phase line_phase[HB_MULTISINE_LINES]; /* as `phase` */
+#else
+    const hb_plateau_config* plateaus; /* RAM for a copy is not there: writes act at once */
 #endif
-    uint32_t ticks; /* milliseconds since the start */
+    uint32_t ticks; /* control ticks since the start */
     uint32_t duration_ticks;
     hb_phase phase; /* of sine and chirp */
     hb_reference_point held;
@@ -86,18 +84,14 @@ typedef struct {
 } hb_reference;
 
 /* t = 0 is the next hb_reference_evaluate(), with segment 1; also when it is running already. */
-#if HB_FEATURE_GENERATOR
 void hb_reference_start(hb_reference* reference, const hb_reference_config* config,
                         const hb_plateau_config* plateaus, uint8_t is_position);
-#else
-void hb_reference_start(hb_reference* reference, const hb_reference_config* config, uint8_t is_position);
-#endif
 void hb_reference_stop(hb_reference* reference);
 /* Forgets the held position. */
 void hb_reference_clear(hb_reference* reference);
 /* The point at the present tick; the held point (or zero) when not running. */
 hb_reference_point hb_reference_evaluate(hb_reference* reference);
-/* One fast tick (1 ms) passes; ends the generator when its time is over. */
+/* One control tick passes; ends the generator when its time is over. */
 void hb_reference_advance(hb_reference* reference);
 
 #ifdef __cplusplus

@@ -19,6 +19,7 @@ enum hb_fault {
     HB_FAULT_ANGLE_JUMPED,
     HB_FAULT_SENSOR_RANGE,
     HB_FAULT_NOT_FINITE,
+    HB_FAULT_OUTPUT, /* a converter that drives an output does not answer */
     HB_FAULT_COUNT
 };
 

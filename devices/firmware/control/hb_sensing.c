@@ -3,6 +3,7 @@
 
 #include "devices/firmware/control/hb_constants.h"
 #include "devices/firmware/control/hb_safety.h"
+#include "devices/firmware/control/hb_trig.h"
 
 #include <math.h>
 #include <string.h>
@@ -25,24 +26,36 @@
 void hb_sensing_init(hb_sensing* sensing) {
     memset(sensing, 0, sizeof *sensing);
     sensing->quadrature_inverse_cosine = 1.0F;
+    sensing->gain_code[0] = -1.0F; /* no code: to be computed */
+    sensing->gain_code[1] = -1.0F;
+}
+
+/* Temperature and the sensitivity at it change rarely from one tick to the next. */
+static void takeTemperature(hb_sensing* sensing, uint8_t channel, float code) {
+    float temperature = (code + 0.5F) * VOLT_PER_CODE * DEGC_PER_VOLT + DEGC_AT_ZERO_V;
+    sensing->temperature_degC[channel] = temperature;
+    sensing->gain_code[channel] = code;
+    sensing->gain_V_per_T[channel] =
+        HALL_SENSITIVITY_V_PER_T * (1.0F + HALL_TEMPERATURE_PER_K * (temperature - HALL_REFERENCE_DEGC));
 }
 
 uint8_t hb_sensing_convert(hb_sensing* sensing, const float hall_code[2], const float temperature_code[2]) {
     uint8_t fault = HB_FAULT_NONE;
     for (uint8_t i = 0; i < 2; i++) {
         float hall_V = (hall_code[i] + 0.5F) * VOLT_PER_CODE;
-        float temperature = (temperature_code[i] + 0.5F) * VOLT_PER_CODE * DEGC_PER_VOLT + DEGC_AT_ZERO_V;
-        float gain =
-            HALL_SENSITIVITY_V_PER_T * (1.0F + HALL_TEMPERATURE_PER_K * (temperature - HALL_REFERENCE_DEGC));
-        if (!isfinite(hall_V) || !isfinite(temperature)) {
+        float temperature;
+        if (!isfinite(hall_V) || !isfinite(temperature_code[i])) {
             return HB_FAULT_NOT_FINITE;
         }
+        if (temperature_code[i] != sensing->gain_code[i]) {
+            takeTemperature(sensing, i, temperature_code[i]);
+        }
+        temperature = sensing->temperature_degC[i];
         if (hall_V < HALL_LOWEST_V || hall_V > HALL_HIGHEST_V || temperature < LOWEST_DEGC ||
             temperature > HIGHEST_DEGC) {
             fault = HB_FAULT_SENSOR_RANGE;
         }
-        sensing->temperature_degC[i] = temperature;
-        sensing->field_T[i] = (hall_V - HALL_ZERO_V) / gain;
+        sensing->field_T[i] = (hall_V - HALL_ZERO_V) / sensing->gain_V_per_T[i];
     }
     return fault;
 }
@@ -60,7 +73,7 @@ static float decodeLinear(float a, float b, float amplitude_T) {
     return angle > HB_PI ? angle - HB_TWO_PI : angle;
 }
 
-float hb_sensing_decode(hb_sensing* sensing, const hb_hall_correction* correction, float* amplitude_T) {
+float hb_sensing_decode(hb_sensing* sensing, const hb_hall_correction* correction, float* amplitude_T2) {
     float a = sensing->field_T[0] - correction->stray_T[0] - correction->offset_T[0];
     float b =
         (sensing->field_T[1] - correction->stray_T[1] - correction->offset_T[1]) / correction->gain_ratio;
@@ -71,11 +84,11 @@ float hb_sensing_decode(hb_sensing* sensing, const hb_hall_correction* correctio
     }
     /* sin(psi + eps) = sin psi cos eps + cos psi sin eps */
     b = (b - a * sensing->quadrature_sine) * sensing->quadrature_inverse_cosine;
-    *amplitude_T = sqrtf(a * a + b * b);
+    *amplitude_T2 = a * a + b * b;
     if (correction->decode == HB_DECODE_LINEAR) {
         return decodeLinear(a, b, correction->amplitude_T);
     }
-    return atan2f(b, a);
+    return hb_angle_of(b, a);
 }
 
 float hb_error_map_correct(float angle_rad, const float* cosine_rad, const float* sine_rad) {

@@ -19,9 +19,10 @@ enum { HB_ERROR_MAP_ORDERS = 6 };
 typedef struct {
     float field_T[2]; /* from the codes, temperature compensated, nothing else corrected */
     float temperature_degC[2];
-    float angle_rad;      /* decoded, (-pi, pi] */
-    int32_t turns;        /* unwrapped angle = turns * 2 pi + angle */
-    float quadrature_rad; /* the value the two below belong to */
+    float gain_code[2], gain_V_per_T[2]; /* temperature code and the sensitivity that follows from it */
+    float angle_rad;                     /* decoded, (-pi, pi] */
+    int32_t turns;                       /* unwrapped angle = turns * 2 pi + angle */
+    float quadrature_rad;                /* the value the two below belong to */
     float quadrature_sine, quadrature_inverse_cosine;
     uint8_t started;
 } hb_sensing;
@@ -39,8 +40,8 @@ typedef struct {
 void hb_sensing_init(hb_sensing* sensing);
 /* Codes 0..1023 of the 10 bit, 5 V converter, fractions allowed. Returns 0, or the fault (hb_safety.h). */
 uint8_t hb_sensing_convert(hb_sensing* sensing, const float hall_code[2], const float temperature_code[2]);
-/* Corrects and decodes the last fields; (-pi, pi]. */
-float hb_sensing_decode(hb_sensing* sensing, const hb_hall_correction* correction, float* amplitude_T);
+/* Corrects and decodes the last fields; (-pi, pi]. Also the square of their amplitude. */
+float hb_sensing_decode(hb_sensing* sensing, const hb_hall_correction* correction, float* amplitude_T2);
 /* Subtracts the angle error map: sum over k of cosine[k-1] cos(k angle) + sine[k-1] sin(k angle). */
 float hb_error_map_correct(float angle_rad, const float* cosine_rad, const float* sine_rad);
 /* Adds the nearest-difference increment; HB_FAULT_ANGLE_JUMPED if it exceeds 90 degrees. */

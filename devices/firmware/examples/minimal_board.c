@@ -48,8 +48,8 @@ static void release(minimal_board* board) {
 }
 
 static uint16_t liveOffset(uint16_t parameter) {
-    hb_parameter numbers;
-    hb_parameter_numbers(&Parameters[parameter], &numbers);
+    hb_parameter_numbers numbers;
+    hb_parameter_read(&Parameters[parameter], &numbers);
     return numbers.space == HB_LIVE ? numbers.offset : 0xFFFF;
 }
 

@@ -7,14 +7,14 @@
 #include <math.h>
 #include <string.h>
 
-enum { LOOP_TICKS = 10 };
+enum { LOOP_TICKS = 10 / HB_TICK_MS };
 #define DAC_CODES_PER_A 409.6F /* 4096 codes, 5 V, 2 A/V */
 #define DAC_MIDDLE 2048.0F
 #define DAC_HIGHEST 4095.0F
 
 static uint16_t liveOffset(uint16_t parameter) {
-    hb_parameter numbers;
-    hb_parameter_numbers(&hb_htm_parameter_table[parameter], &numbers);
+    hb_parameter_numbers numbers;
+    hb_parameter_read(&hb_htm_parameter_table[parameter], &numbers);
     return numbers.space == HB_LIVE ? numbers.offset : 0xFFFF;
 }
 
@@ -32,6 +32,12 @@ static uint8_t checkParameter(void* context, uint16_t parameter, float value) {
     if (offset == offsetof(hb_htm_live, reference_start) && value > 0.5F && !board->safety.armed) {
         return HB_ERR_ACCESS_DENIED;
     }
+#if !HB_FEATURE_GENERATOR
+    if (offset == offsetof(hb_htm_live, reference.shape) &&
+        (value == (float)HB_SHAPE_CHIRP || value == (float)HB_SHAPE_MULTISINE)) {
+        return HB_ERR_OUT_OF_RANGE;
+    }
+#endif
     if (offset == offsetof(hb_htm_live, arm) && value > 0.5F && !board->sensing.started) {
         return HB_ERR_BUSY; /* the position to start from is not known before the first tick */
     }
@@ -183,9 +189,9 @@ static void loadPages(hb_htm* board, const hb_htm_calibration* stored) {
 }
 
 void hb_htm_init(hb_htm* board, const hb_htm_config* config) {
-    static const hb_htm_config Defaults;
+    const hb_htm_config defaults = {0};
     hb_xcp_description description;
-    config = config ? config : &Defaults;
+    config = config ? config : &defaults;
     memset(board, 0, sizeof *board);
     board->store = config->store;
     board->store_context = config->store_context;
@@ -247,7 +253,7 @@ static void publish(hb_htm* board) {
 
 static float signalValue(const hb_htm* board, uint8_t handle) {
     const hb_signal_table* table = &board->xcp.description.signals[0];
-    hb_signal signal;
+    hb_signal_numbers signal;
     if (handle >= table->count) {
         handle = (uint8_t)(handle - table->count);
         table = &board->xcp.description.signals[1];
@@ -255,7 +261,7 @@ static float signalValue(const hb_htm* board, uint8_t handle) {
     if (handle >= table->count) {
         return 0.0F;
     }
-    hb_signal_numbers(&table->entries[handle], &signal);
+    hb_signal_read(&table->entries[handle], &signal);
     return hb_value_as_float(signal.type, (const uint8_t*)table->base + signal.offset) * signal.scale;
 }
 
@@ -286,7 +292,7 @@ static void publishCapture(hb_htm* board) {
 void hb_htm_fast_tick(hb_htm* board, const hb_htm_inputs* inputs, hb_htm_outputs* outputs) {
     const hb_htm_calibration* page = (const hb_htm_calibration*)hb_xcp_take_page(&board->xcp);
     board->signals.torn_count += page->set_first != page->set_last;
-    board->xcp.time_us = board->tick * 1000U;
+    board->xcp.time_us = board->tick * (1000U * HB_TICK_MS);
     watch(board);
     hb_htm_sense(board, page, inputs);
     hb_htm_supervise(board, page);
@@ -327,7 +333,9 @@ static void endOfMaster(hb_htm* board, const uint8_t* packet, uint16_t length) {
 }
 
 void hb_htm_receive(hb_htm* board, const uint8_t* packet, uint16_t length) {
+    HB_LOCK();
     endOfMaster(board, packet, length);
+    HB_UNLOCK();
     hb_xcp_receive(&board->xcp, packet, length);
 }
 

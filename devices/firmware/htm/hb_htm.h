@@ -6,9 +6,8 @@
  * kB in the full build, so put it on the heap or in static storage of the caller, and do not copy or move it
  * once initialised (it holds pointers into itself).
  *
- * Timing (resources/help/htm-theory.md 3.8): tick k at t = k ms samples, decodes, runs the position loop when
- * k is a multiple of ten, commutates and sets the outputs, which act immediately. The device clock is k *
- * 1000 us. */
+ * Timing (resources/help/htm-theory.md 3.8): tick k at t = k HB_TICK_MS samples, decodes, runs the position
+ * loop every 10 ms, commutates and sets the outputs, which act immediately. The device clock is t. */
 
 #include "devices/firmware/control/hb_capture.h"
 #include "devices/firmware/control/hb_law.h"
@@ -66,9 +65,7 @@ typedef struct {
 #endif
     uint8_t reference_start;
     hb_reference_config reference;
-#if HB_FEATURE_GENERATOR
     hb_plateau_config plateaus;
-#endif
 #if HB_FEATURE_CAPTURE
     hb_capture_config capture;
     uint8_t capture_start;
@@ -126,6 +123,7 @@ typedef struct hb_htm {
     uint32_t tick; /* number of ticks done */
     int32_t origin_turns;
     float origin_angle_rad; /* where the rotor was when armed */
+    float excursion_rad;    /* since arming, where this tick needs it */
     float command_A;        /* held between position-loop samples */
     uint8_t mode;           /* mode in force; a new one restarts the loop */
     uint8_t loop_phase;     /* ticks since the position loop ran */
@@ -137,8 +135,12 @@ typedef struct hb_htm {
 /* Cannot fail; a NULL config means all defaults. Set-points zero, disarmed, not connected. */
 void hb_htm_init(hb_htm* board, const hb_htm_config* config);
 
-/* Every millisecond. A value that is not finite anywhere leads to a latched fault and zero outputs. */
+/* Every HB_TICK_MS. A value that is not finite anywhere leads to a latched fault and zero outputs. */
 void hb_htm_fast_tick(hb_htm* board, const hb_htm_inputs* inputs, hb_htm_outputs* outputs);
+
+/* What only the board itself can notice, e.g. HB_FAULT_OUTPUT: latched like any fault, outputs at zero from
+ * the next tick on. */
+void hb_htm_raise_fault(hb_htm* board, uint8_t fault);
 
 /* One XCP packet from the master; may be any octets. */
 void hb_htm_receive(hb_htm* board, const uint8_t* packet, uint16_t length);

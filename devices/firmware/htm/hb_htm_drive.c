@@ -2,7 +2,7 @@
 #include "devices/firmware/control/hb_constants.h"
 #include "devices/firmware/htm/hb_htm_internal.h"
 
-enum { DEFAULT_WATCHDOG_MS = 1000, FAULT_TEXT = 48 };
+enum { DEFAULT_WATCHDOG_MS = 1000 };
 
 float hb_htm_excursion(const hb_htm* board) {
     return (float)(board->sensing.turns - board->origin_turns) * HB_TWO_PI +
@@ -40,13 +40,11 @@ void hb_htm_release(hb_htm* board) {
 }
 
 void hb_htm_raise_fault(hb_htm* board, uint8_t fault) {
-    char text[FAULT_TEXT];
     uint8_t is_first = board->safety.fault == HB_FAULT_NONE;
     hb_safety_fault(&board->safety, fault);
     hb_htm_release(board);
     if (is_first) {
-        hb_htm_fault_text(fault, text, sizeof text);
-        hb_xcp_report_user_event(&board->xcp, fault, text);
+        hb_xcp_report_user_event(&board->xcp, fault, hb_htm_fault_text(fault));
     }
 }
 

@@ -15,8 +15,8 @@ extern const hb_parameter hb_htm_parameter_table[];
 extern const uint16_t hb_htm_parameter_count;
 extern const hb_event hb_htm_event_table[];
 enum { HB_HTM_EVENT_FAST, HB_HTM_EVENT_POSITION, HB_HTM_EVENT_COUNT };
-/* The words of a fault, zero ended; at most `capacity` characters. */
-void hb_htm_fault_text(uint8_t fault, char* text, uint8_t capacity);
+/* The words of a fault: HB_ROM text up to its end or to '|'. */
+const char* hb_htm_fault_text(uint8_t fault);
 
 /* hb_htm_drive.c: arming and its opposite. */
 /* Starts the mode in force from the present position with set-points at zero. */
@@ -24,7 +24,6 @@ void hb_htm_enter_mode(hb_htm* board, uint8_t mode);
 void hb_htm_arm(hb_htm* board);
 /* Every output and set-point to zero; what is latched stays latched. */
 void hb_htm_release(hb_htm* board);
-void hb_htm_raise_fault(hb_htm* board, uint8_t fault);
 uint8_t hb_htm_stop(hb_htm* board, uint8_t latch);
 #if HB_FEATURE_TRIAL
 /* hb.trial = 1 keeps a copy of the calibration. When the master is lost before it wrote 0 again (watchdog,

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "devices/firmware/control/hb_constants.h"
+#include "devices/firmware/control/hb_trig.h"
 #include "devices/firmware/htm/hb_htm_internal.h"
 
 #include <math.h>
 
 #define POSITION_PERIOD_S 0.01F
 #define COUNTS_PER_RAD ((float)HB_HTM_COUNTS_PER_TURN / HB_TWO_PI)
-#define RAD_S_PER_COUNT_MS (1000.0F / COUNTS_PER_RAD)
+#define RAD_S_PER_COUNT_TICK (1000.0F / HB_TICK_MS / COUNTS_PER_RAD)
 /* Below this part of the expected amplitude the field is not the rotor's. */
 #define LEAST_AMPLITUDE_RATIO 0.3F
 /* Room for the rounding of a demand that is meant to be the limit itself. */
@@ -30,7 +31,7 @@ static hb_hall_correction correctionOf(const hb_htm* board, const hb_htm_calibra
     correction.amplitude_T = page->hall_amplitude;
     correction.stray_T[0] = stray * board->signals.current_A[0];
     correction.stray_T[1] = stray * board->signals.current_A[1];
-    correction.decode = asInteger(page->decode_method);
+    correction.decode = isOn(page->decode_method) ? HB_DECODE_LINEAR : HB_DECODE_ARCTANGENT;
     return correction;
 }
 
@@ -47,22 +48,23 @@ void hb_htm_sense(hb_htm* board, const hb_htm_calibration* page, const hb_htm_in
     uint8_t fault = hb_sensing_convert(sensing, inputs->hall_code, inputs->temperature_code);
     if (fault != HB_FAULT_NOT_FINITE) {
         hb_hall_correction correction = correctionOf(board, page);
-        float amplitude;
+        float least_T = LEAST_AMPLITUDE_RATIO * page->hall_amplitude;
+        float amplitude_T2;
         uint8_t jumped;
-        float angle = hb_sensing_decode(sensing, &correction, &amplitude);
+        float angle = hb_sensing_decode(sensing, &correction, &amplitude_T2);
 #if HB_FEATURE_ERROR_MAP
         if (isOn(page->errormap_enabled)) {
             angle = hb_error_map_correct(angle, page->errormap_cosine, page->errormap_sine);
         }
 #endif
-        if (amplitude < LEAST_AMPLITUDE_RATIO * page->hall_amplitude) {
+        if (amplitude_T2 < least_T * least_T) {
             fault = HB_FAULT_SENSOR_RANGE;
         }
         jumped = hb_sensing_unwrap(sensing, angle);
         fault = fault ? fault : jumped;
         board->signals.position = positionCounts(sensing);
         board->signals.speed_rad_s =
-            hb_speed_update(&board->speed, board->signals.position) * RAD_S_PER_COUNT_MS;
+            hb_speed_update(&board->speed, board->signals.position) * RAD_S_PER_COUNT_TICK;
     }
     if (fault) {
         hb_htm_raise_fault(board, fault);
@@ -81,7 +83,10 @@ void hb_htm_supervise(hb_htm* board, const hb_htm_calibration* page) {
     state.temperature_degC[0] = board->sensing.temperature_degC[0];
     state.temperature_degC[1] = board->sensing.temperature_degC[1];
     state.speed_rad_s = board->signals.speed_rad_s;
-    state.excursion_rad = hb_htm_excursion(board);
+    if (limits.window_enabled || board->loop_phase == 0) {
+        board->excursion_rad = hb_htm_excursion(board);
+    }
+    state.excursion_rad = board->excursion_rad;
     fault = hb_safety_check(&board->safety, &limits, &state);
     if (fault) {
         hb_htm_raise_fault(board, fault);
@@ -114,18 +119,14 @@ static void startPendingReference(hb_htm* board) {
     }
     board->reference_pending = 0;
     board->reference_started = 1;
-#if HB_FEATURE_GENERATOR
     hb_reference_start(&board->reference, &board->live.reference, &board->live.plateaus, is_position);
-#else
-    hb_reference_start(&board->reference, &board->live.reference, is_position);
-#endif
 }
 
 static void controlPosition(hb_htm* board, const hb_htm_calibration* page) {
     hb_law_config config = lawOf(page);
     hb_reference_point point = hb_reference_evaluate(&board->reference);
     hb_law_input input;
-    input.position_rad = hb_htm_excursion(board);
+    input.position_rad = board->excursion_rad;
     input.reference_rad = point.value + board->live.setpoint;
     input.reference_speed_rad_s = point.speed;
     input.reference_acceleration_rad_s2 = point.acceleration;
@@ -166,11 +167,11 @@ void hb_htm_control(hb_htm* board, const hb_htm_calibration* page) {
 }
 
 void hb_htm_commutate(hb_htm* board, const hb_htm_calibration* page) {
-    uint8_t divider = asInteger(page->commutation_divider);
     float angle;
     float sine;
     float cosine;
-    if (divider > 1 && board->tick % divider != 0 && board->safety.armed) {
+    if (page->commutation_divider > 1.5F && board->safety.armed &&
+        board->tick % asInteger(page->commutation_divider) != 0) {
         return;
     }
     if (board->command_A == 0.0F) {
@@ -178,9 +179,11 @@ void hb_htm_commutate(hb_htm* board, const hb_htm_calibration* page) {
         board->signals.current_A[1] = 0.0F;
         return;
     }
-    angle = board->sensing.angle_rad + board->signals.speed_rad_s * page->commutation_advance;
-    sine = sinf(angle);
-    cosine = cosf(angle);
+    angle = board->sensing.angle_rad;
+    if (page->commutation_advance != 0.0F) {
+        angle += board->signals.speed_rad_s * page->commutation_advance;
+    }
+    hb_sine_cosine(angle, &sine, &cosine);
     if (board->mode == HB_MODE_D_AXIS) {
         board->signals.current_A[0] = board->command_A * cosine;
         board->signals.current_A[1] = board->command_A * sine;

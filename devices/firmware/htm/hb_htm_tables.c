@@ -12,7 +12,7 @@ static const char StatusChoices[] HB_ROM = "idle|armed|stopped by command|stoppe
 static const char FaultChoices[] HB_ROM =
     "none|coil temperature above its limit|current above its limit|speed above its window|position left its "
     "window|"
-    "angle jumped (ambiguous decode)|sensor out of range|value not finite";
+    "angle jumped (ambiguous decode)|sensor out of range|value not finite|output converter does not answer";
 static const char OffOn[] HB_ROM = "off|on";
 static const char LawChoices[] HB_ROM = "positional|literal difference equation|literal with clamped memory";
 static const char DecodeChoices[] HB_ROM = "arctangent|linear";
@@ -23,7 +23,7 @@ static const char StopChoices[] HB_ROM = "run|stop";
 #if HB_FEATURE_GENERATOR
 static const char ShapeChoices[] HB_ROM = "none|step|ramp|sine|staircase|chirp|multisine|plateaus";
 #else
-static const char ShapeChoices[] HB_ROM = "none|step|ramp|sine|staircase";
+static const char ShapeChoices[] HB_ROM = "none|step|ramp|sine|staircase|-|-|plateaus";
 #endif
 #if HB_FEATURE_CAPTURE
 static const char CaptureChoices[] HB_ROM = "idle|filling|waiting|running|full";
@@ -52,7 +52,7 @@ const hb_signal hb_htm_signal_table[] HB_ROM = {
     SIGNAL("coil_temperature.a", "degC", HB_FLOAT32, temperature_degC[0], 1.0F, 500.0F, NULL, "Coil A"),
     SIGNAL("coil_temperature.b", "degC", HB_FLOAT32, temperature_degC[1], 1.0F, 500.0F, NULL, "Coil B"),
     STATE("status", HB_UBYTE, status, 4.0F, StatusChoices, "State of the board"),
-    STATE("fault", HB_UBYTE, fault, 7.0F, FaultChoices, "Latched fault"),
+    STATE("fault", HB_UBYTE, fault, HB_FAULT_COUNT - 1.0F, FaultChoices, "Latched fault"),
     STATE("torn_count", HB_ULONG, torn_count, LARGEST_ULONG, NULL,
           "Control cycles that saw a mixed parameter set"),
     STATE("reference.segment", HB_UWORD, reference_segment, 65535.0F, NULL,
@@ -78,9 +78,6 @@ const uint16_t hb_htm_signal_count = sizeof hb_htm_signal_table / sizeof hb_htm_
           "Angle error map, cosine of order " #order),                                                       \
         PAGED("errormap.sin" #order, "rad", errormap_sine[order - 1], 0.0F, -0.2F, 0.2F, NULL,               \
               "Angle error map, sine of order " #order)
-#define PLATEAU(n)                                                                                           \
-    LIVE("plateau.current_" #n, "A", HB_FLOAT32, plateaus.current_A[n - 1], 0.0F, -4.0F, 4.0F, NULL,         \
-         "Current of plateau " #n)
 #define CAPTURE_SIGNAL(n)                                                                                    \
     LIVE("capture.signal_" #n, "", HB_UBYTE, capture.signal[n - 1], 255.0F, 0.0F, 255.0F, NULL,              \
          "Signal of channel " #n " as handle (address/8), 255 = none")
@@ -159,8 +156,10 @@ const hb_parameter hb_htm_parameter_table[] HB_ROM = {
          "Slope of the ramp, rad/s or A/s"),
     LIVE("reference.frequency", "Hz", HB_FLOAT32, reference.frequency_Hz, 1.0F, 0.0F, 200.0F, NULL,
          "Frequency of sine; first of chirp and multisine"),
+#if HB_FEATURE_GENERATOR
     LIVE("reference.frequency_end", "Hz", HB_FLOAT32, reference.frequency_end_Hz, 10.0F, 0.0F, 200.0F, NULL,
          "Last frequency of chirp and multisine"),
+#endif
     LIVE("reference.period", "s", HB_FLOAT32, reference.period_s, 1.0F, 0.001F, 3600.0F, NULL,
          "Time of one step of the staircase"),
     LIVE("reference.count", "", HB_UWORD, reference.count, 10.0F, 1.0F, 1000.0F, NULL,
@@ -169,47 +168,17 @@ const hb_parameter hb_htm_parameter_table[] HB_ROM = {
          "Time until the generator ends"),
     LIVE("reference.base", "", HB_FLOAT32, reference.base, 0.0F, -1000.0F, 1000.0F, NULL,
          "Constant motion added: rad/s in mode position, else A"),
+#if HB_FEATURE_GENERATOR
     LIVE("reference.seed", "", HB_ULONG, reference.seed, 0.0F, 0.0F, LARGEST_ULONG, NULL,
          "Phases of the multisine; 0 = Schroeder"),
+#endif
     LIVE("reference.start", "", HB_UBYTE, reference_start, 0.0F, 0.0F, 1.0F, NULL,
          "1 starts, 0 stops the generator"),
-#if HB_FEATURE_GENERATOR
-    LIVE("plateau.count", "", HB_UWORD, plateaus.count, 1.0F, 1.0F, 32.0F, NULL, "Number of plateaus"),
+    LIVE("plateau.count", "", HB_UWORD, plateaus.count, 1.0F, 1.0F, HB_PLATEAUS, NULL, "Number of plateaus"),
     LIVE("plateau.dwell", "s", HB_FLOAT32, plateaus.dwell_s, 1.0F, 0.001F, 3600.0F, NULL,
          "Time of one plateau"),
-    PLATEAU(1),
-    PLATEAU(2),
-    PLATEAU(3),
-    PLATEAU(4),
-    PLATEAU(5),
-    PLATEAU(6),
-    PLATEAU(7),
-    PLATEAU(8),
-    PLATEAU(9),
-    PLATEAU(10),
-    PLATEAU(11),
-    PLATEAU(12),
-    PLATEAU(13),
-    PLATEAU(14),
-    PLATEAU(15),
-    PLATEAU(16),
-    PLATEAU(17),
-    PLATEAU(18),
-    PLATEAU(19),
-    PLATEAU(20),
-    PLATEAU(21),
-    PLATEAU(22),
-    PLATEAU(23),
-    PLATEAU(24),
-    PLATEAU(25),
-    PLATEAU(26),
-    PLATEAU(27),
-    PLATEAU(28),
-    PLATEAU(29),
-    PLATEAU(30),
-    PLATEAU(31),
-    PLATEAU(32),
-#endif
+    HB_PARAM_LIST(HB_LIVE, "plateau.current", "A", HB_FLOAT32, hb_htm_live, plateaus.current_A, HB_PLATEAUS,
+                  0.0F, -4.0F, 4.0F, "Current of one plateau"),
 #if HB_FEATURE_CAPTURE
     CAPTURE_SIGNAL(1),
     CAPTURE_SIGNAL(2),
@@ -228,21 +197,20 @@ const hb_parameter hb_htm_parameter_table[] HB_ROM = {
          "Milliseconds per sample"),
     LIVE("capture.start", "", HB_UBYTE, capture_start, 0.0F, 0.0F, 1.0F, NULL,
          "1 starts, 0 stops the capture"),
-    {HB_FLOAT32, HB_BLOCK, 0, HB_CAPTURE_SAMPLES, HB_CAPTURE_SIGNALS, 0.0F, -1.0e6F, 1.0e6F, NULL,
-     "capture.data", "", "Captured samples, channel after channel, oldest first"},
+    {{HB_FLOAT32, HB_BLOCK, 0, HB_CAPTURE_SAMPLES, HB_CAPTURE_SIGNALS, 0.0F, -1.0e6F, 1.0e6F, NULL},
+     "capture.data",
+     "",
+     "Captured samples, channel after channel, oldest first"},
 #endif
 };
 const uint16_t hb_htm_parameter_count = sizeof hb_htm_parameter_table / sizeof hb_htm_parameter_table[0];
 
-const hb_event hb_htm_event_table[] HB_ROM = {{"fast", 1, 6}, {"position", 10, 6}};
+const hb_event hb_htm_event_table[] HB_ROM = {{"fast", HB_TICK_MS, 6}, {"position", 10, 6}};
 
-void hb_htm_fault_text(uint8_t fault, char* text, uint8_t capacity) {
+const char* hb_htm_fault_text(uint8_t fault) {
     const char* at = FaultChoices;
     for (; fault > 0 && hb_rom_octet(at); at++) {
         fault = (uint8_t)(fault - (hb_rom_octet(at) == '|'));
     }
-    for (; capacity > 1 && hb_rom_octet(at) && hb_rom_octet(at) != '|'; capacity--) {
-        *text++ = (char)hb_rom_octet(at++);
-    }
-    *text = 0;
+    return at;
 }

@@ -15,32 +15,40 @@
 
 typedef struct {
     uint8_t* destination;
-    uint32_t start, count; /* wanted part of the whole text */
-    uint32_t position;
+    hb_text_offset start, end; /* wanted part of the whole text */
+    hb_text_offset position;
 } writer;
 
 static void putChar(writer* out, char c) {
-    if (out->position >= out->start && out->position - out->start < out->count) {
+    if (out->position >= out->start && out->position < out->end) {
         out->destination[out->position - out->start] = (uint8_t)c;
     }
     out->position++;
 }
 
+/* What is wanted is there: the rest of the item need not be rendered. Never while only the length counts. */
+static uint8_t isComplete(const writer* out) {
+    return out->end > 0 && out->position >= out->end;
+}
+
 /* Text in program memory; `put` below is its twin for text in RAM. */
 static void putRom(writer* out, const char* text) {
-    for (char c = (char)hb_rom_octet(text); c; c = (char)hb_rom_octet(++text)) {
+    for (char c = (char)hb_rom_octet(text); c && !isComplete(out); c = (char)hb_rom_octet(++text)) {
         putChar(out, c);
     }
 }
 
 static void put(writer* out, const char* text) {
-    while (*text) {
+    while (*text && !isComplete(out)) {
         putChar(out, *text++);
     }
 }
 
 static void putFloat(writer* out, float value) {
     char text[HB_NUMBER_CAPACITY];
+    if (isComplete(out)) {
+        return;
+    }
     hb_format_float(value, text);
     put(out, text);
 }
@@ -62,6 +70,12 @@ static void putQuoted(writer* out, const char* text) {
     put(out, text);
     putChar(out, '"');
 }
+
+#if HB_FEATURE_TEXTS
+#define putDescription(out, entry) putQuoted(out, (entry)->text)
+#else
+#define putDescription(out, entry) putRom(out, TEXT(" \"\""))
+#endif
 
 static void putTypeName(writer* out, uint8_t type) {
     switch (type) {
@@ -271,9 +285,9 @@ static void putUnit(writer* out, const char* unit) {
 }
 
 static conversion conversionOf(const hb_signal* signal) {
-    conversion rule = {signal->scale, NULL, signal->choices};
+    conversion rule = {signal->numbers.scale, NULL, signal->numbers.choices};
 #if HB_NUMBER_DIGITS > 6
-    rule.digits = signal->digits;
+    rule.digits = signal->numbers.digits;
 #endif
     return rule;
 }
@@ -285,13 +299,13 @@ static void putSignal(writer* out, const hb_xcp* slave, const hb_signal* entry, 
     has_conversion = putConversion(out, signal.name, signal.unit, conversionOf(&signal));
     putRom(out, TEXT("/begin MEASUREMENT "));
     put(out, signal.name);
-    putQuoted(out, signal.text);
+    putDescription(out, &signal);
     putChar(out, ' ');
-    putTypeName(out, signal.type);
+    putTypeName(out, signal.numbers.type);
     putChar(out, ' ');
     putConversionName(out, signal.name, has_conversion);
     putRom(out, TEXT("0 0 "));
-    putLimits(out, signal.type, signal.lower, signal.upper);
+    putLimits(out, signal.numbers.type, signal.numbers.lower, signal.numbers.upper);
     putRom(out, TEXT("ECU_ADDRESS "));
     putHex(out, 8U * (uint32_t)handle);
     putChar(out, '\n');
@@ -304,7 +318,7 @@ static void putSignal(writer* out, const hb_xcp* slave, const hb_signal* entry, 
     putRom(out, TEXT(" /end AVAILABLE_EVENT_LIST /end DAQ_EVENT /end IF_DATA\n/end MEASUREMENT\n"));
 }
 
-static uint32_t addressOf(const hb_parameter* parameter) {
+static uint32_t addressOf(const hb_parameter_numbers* parameter) {
     switch (parameter->space) {
     case HB_PAGED:
         return HB_ADDRESS_SEGMENT + parameter->offset;
@@ -315,32 +329,50 @@ static uint32_t addressOf(const hb_parameter* parameter) {
     }
 }
 
-static void putParameter(writer* out, const hb_parameter* entry) {
-    hb_parameter parameter;
-    conversion words = {1.0F, NULL, NULL};
-    uint8_t has_conversion;
-    hb_rom_copy(&parameter, entry, sizeof parameter);
-    words.choices = parameter.choices;
-    has_conversion = putConversion(out, parameter.name, parameter.unit, words);
+static void putCharacteristic(writer* out, const hb_parameter* parameter) {
+    conversion words = {1.0F, NULL, parameter->numbers.choices};
+    uint8_t has_conversion = putConversion(out, parameter->name, parameter->unit, words);
     putRom(out, TEXT("/begin CHARACTERISTIC "));
-    put(out, parameter.name);
-    putQuoted(out, parameter.text);
-    putRom(out, parameter.space == HB_BLOCK ? TEXT(" VAL_BLK ") : TEXT(" VALUE "));
-    putHex(out, addressOf(&parameter));
+    put(out, parameter->name);
+    putDescription(out, parameter);
+    putRom(out, parameter->numbers.space == HB_BLOCK ? TEXT(" VAL_BLK ") : TEXT(" VALUE "));
+    putHex(out, addressOf(&parameter->numbers));
     putRom(out, TEXT(" RL."));
-    putTypeName(out, parameter.type);
+    putTypeName(out, parameter->numbers.type);
     putRom(out, TEXT(" 0 "));
-    putConversionName(out, parameter.name, has_conversion);
-    putLimits(out, parameter.type, parameter.lower, parameter.upper);
-    putUnit(out, parameter.unit);
-    if (parameter.space == HB_BLOCK) {
+    putConversionName(out, parameter->name, has_conversion);
+    putLimits(out, parameter->numbers.type, parameter->numbers.lower, parameter->numbers.upper);
+    putUnit(out, parameter->unit);
+#if HB_FEATURE_CAPTURE
+    if (parameter->numbers.space == HB_BLOCK) {
         putRom(out, TEXT("ECU_ADDRESS_EXTENSION 2\nREAD_ONLY\nMATRIX_DIM "));
-        putUnsigned(out, parameter.columns);
+        putUnsigned(out, parameter->numbers.columns);
         putChar(out, ' ');
-        putUnsigned(out, parameter.rows);
+        putUnsigned(out, parameter->numbers.rows);
         putRom(out, TEXT(" 1\n"));
     }
+#endif
     putRom(out, TEXT("/end CHARACTERISTIC\n"));
+}
+
+static void putParameter(writer* out, const hb_parameter* entry) {
+    hb_parameter parameter;
+    size_t end;
+    hb_rom_copy(&parameter, entry, sizeof parameter);
+    if (parameter.numbers.space == HB_BLOCK || parameter.numbers.rows == 1) {
+        putCharacteristic(out, &parameter);
+        return;
+    }
+    end = strlen(parameter.name);
+    parameter.name[end] = '_';
+    for (hb_extent row = 1; row <= parameter.numbers.rows; row++) {
+        char number[HB_NUMBER_CAPACITY];
+        hb_format_unsigned(row, number);
+        strncpy(&parameter.name[end + 1], number, sizeof parameter.name - end - 2U);
+        putCharacteristic(out, &parameter);
+        parameter.numbers.offset =
+            (uint16_t)(parameter.numbers.offset + hb_type_size(parameter.numbers.type));
+    }
 }
 
 /* Returns 0 behind the last item. */
@@ -376,7 +408,7 @@ uint32_t hb_a2l_length(hb_xcp* slave) {
 }
 
 void hb_a2l_read(hb_xcp* slave, uint32_t offset, uint8_t* destination, uint16_t count) {
-    writer out = {destination, offset, count, 0};
+    writer out = {destination, (hb_text_offset)offset, (hb_text_offset)(offset + count), 0};
     uint16_t item = 0;
     if (offset >= slave->a2l.item_offset) {
         item = slave->a2l.item;

@@ -2,6 +2,8 @@
 #ifndef HB_CONFIG_H
 #define HB_CONFIG_H
 
+#include <stdint.h>
+
 /* Sizes and features of one build. A small board defines HB_BOARD_CONFIG (a quoted header name) on the
  * compiler's command line and overrides any of these there. The values below are the full build. */
 #ifdef HB_BOARD_CONFIG
@@ -36,8 +38,13 @@
 #define HB_FEATURE_ERROR_MAP 1
 #endif
 #ifndef HB_FEATURE_GENERATOR
-#define HB_FEATURE_GENERATOR                                                                                 \
-    1 /* chirp, multisine and plateau list; step, ramp, sine, staircase are always in */
+#define HB_FEATURE_GENERATOR 1 /* chirp and multisine; step, ramp, sine, staircase are always in */
+#endif
+#ifndef HB_PLATEAUS
+#define HB_PLATEAUS 32 /* currents in the list that procedures excite the actuator with */
+#endif
+#ifndef HB_FEATURE_TABLE_TRIG
+#define HB_FEATURE_TABLE_TRIG 0 /* sine and arctangent from tables: for processors without floating point */
 #endif
 #ifndef HB_FEATURE_TRIAL
 #define HB_FEATURE_TRIAL                                                                                     \
@@ -50,15 +57,30 @@
 #ifndef HB_NUMBER_DIGITS
 #define HB_NUMBER_DIGITS 9 /* digits of a number in the A2L; 6 needs no 64 bit arithmetic */
 #endif
+#ifndef HB_TICK_MS
+#define HB_TICK_MS 1 /* period of the control tick: 1, 2, 5 or 10 */
+#endif
 #ifndef HB_SPEED_WINDOW
 #define HB_SPEED_WINDOW 32 /* samples of the speed estimate */
+#endif
+#if HB_FEATURE_FULL
+typedef uint32_t hb_text_offset;
+#else
+typedef uint16_t hb_text_offset; /* the description of a small board is shorter than 64 kB */
+#endif
+
+/* Where the control tick may interrupt everything else, it waits between these two. They enclose what it must
+ * not see half done: never more than some hundred octets. */
+#ifndef HB_LOCK
+#define HB_LOCK() ((void)0)
+#define HB_UNLOCK() ((void)0)
 #endif
 #ifndef HB_A2L_TRANSPORT
 #define HB_A2L_TRANSPORT "/begin XCP_ON_TCP_IP 0x0100 5555 ADDRESS \"127.0.0.1\" /end XCP_ON_TCP_IP\n"
 #endif
 
 #if HB_FEATURE_TEXTS
-#define HB_TEXT(text) text
+#define HB_TEXT(text) , text
 enum {
     HB_NAME_CAPACITY = 28,
     HB_UNIT_CAPACITY = 12,
@@ -66,13 +88,8 @@ enum {
     HB_PARAMETER_TEXT_CAPACITY = 92
 };
 #else
-#define HB_TEXT(text) ""
-enum {
-    HB_NAME_CAPACITY = 26,
-    HB_UNIT_CAPACITY = 10,
-    HB_SIGNAL_TEXT_CAPACITY = 1,
-    HB_PARAMETER_TEXT_CAPACITY = 1
-};
+#define HB_TEXT(text)
+enum { HB_NAME_CAPACITY = 26, HB_UNIT_CAPACITY = 10 };
 #endif
 
 /* Constant tables live in flash on machines with separate program memory. */
@@ -81,11 +98,13 @@ enum {
 #define HB_ROM PROGMEM
 #define hb_rom_copy(destination, source, octets) memcpy_P((destination), (source), (octets))
 #define hb_rom_octet(address) pgm_read_byte(address)
+#define hb_rom_word(address) pgm_read_word(address)
 #else
 #include <string.h>
 #define HB_ROM
 #define hb_rom_copy(destination, source, octets) memcpy((destination), (source), (octets))
 #define hb_rom_octet(address) (*(const unsigned char*)(address))
+#define hb_rom_word(address) (*(address))
 #endif
 
 #endif

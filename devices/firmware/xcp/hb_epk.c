@@ -14,12 +14,6 @@ static uint32_t hashNumber(uint32_t hash, uint32_t number) {
     return hb_hash(hash, octets, sizeof octets);
 }
 
-static uint32_t hashFloat(uint32_t hash, float value) {
-    uint32_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return hashNumber(hash, bits);
-}
-
 static uint32_t hashText(uint32_t hash, const char* choices) {
     for (; choices && hb_rom_octet(choices); choices++) {
         uint8_t octet = hb_rom_octet(choices);
@@ -28,16 +22,24 @@ static uint32_t hashText(uint32_t hash, const char* choices) {
     return hash;
 }
 
+#if HB_FEATURE_FULL
+
+static uint32_t hashFloat(uint32_t hash, float value) {
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return hashNumber(hash, bits);
+}
+
 static uint32_t hashSignal(uint32_t hash, const hb_signal* entry) {
     hb_signal signal;
     hb_rom_copy(&signal, entry, sizeof signal);
-    hash = hashNumber(hash, ((uint32_t)signal.type << 16) | signal.offset);
-    hash = hashFloat(hash, signal.scale);
-    hash = hashFloat(hash, signal.lower);
-    hash = hashFloat(hash, signal.upper);
-    hash = hashText(hash, signal.choices);
+    hash = hashNumber(hash, ((uint32_t)signal.numbers.type << 16) | signal.numbers.offset);
+    hash = hashFloat(hash, signal.numbers.scale);
+    hash = hashFloat(hash, signal.numbers.lower);
+    hash = hashFloat(hash, signal.numbers.upper);
+    hash = hashText(hash, signal.numbers.choices);
 #if HB_NUMBER_DIGITS > 6
-    hash = hashText(hash, signal.digits);
+    hash = hashText(hash, signal.numbers.digits);
 #endif
     hash = hb_hash(hash, (const uint8_t*)signal.name, sizeof signal.name);
     hash = hb_hash(hash, (const uint8_t*)signal.unit, sizeof signal.unit);
@@ -47,17 +49,43 @@ static uint32_t hashSignal(uint32_t hash, const hb_signal* entry) {
 static uint32_t hashParameter(uint32_t hash, const hb_parameter* entry) {
     hb_parameter parameter;
     hb_rom_copy(&parameter, entry, sizeof parameter);
-    hash = hashNumber(hash, ((uint32_t)parameter.type << 24) | ((uint32_t)parameter.space << 16) |
-                                parameter.offset);
-    hash = hashNumber(hash, ((uint32_t)parameter.columns << 16) | parameter.rows);
-    hash = hashFloat(hash, parameter.initial);
-    hash = hashFloat(hash, parameter.lower);
-    hash = hashFloat(hash, parameter.upper);
-    hash = hashText(hash, parameter.choices);
+    hash = hashNumber(hash, ((uint32_t)parameter.numbers.type << 24) |
+                                ((uint32_t)parameter.numbers.space << 16) | parameter.numbers.offset);
+    hash = hashNumber(hash, parameter.numbers.rows);
+    hash = hashFloat(hash, parameter.numbers.initial);
+    hash = hashFloat(hash, parameter.numbers.lower);
+    hash = hashFloat(hash, parameter.numbers.upper);
+    hash = hashText(hash, parameter.numbers.choices);
     hash = hb_hash(hash, (const uint8_t*)parameter.name, sizeof parameter.name);
     hash = hb_hash(hash, (const uint8_t*)parameter.unit, sizeof parameter.unit);
     return hb_hash(hash, (const uint8_t*)parameter.text, sizeof parameter.text);
 }
+
+#else
+
+/* A small board's tables do not move while its program stays the same, so their octets stand for them. */
+static uint32_t hashOctets(uint32_t hash, const void* table, uint16_t octets) {
+    const uint8_t* at = (const uint8_t*)table;
+    for (; octets > 0; octets--, at++) {
+        uint8_t octet = hb_rom_octet(at);
+        hash = hb_hash(hash, &octet, 1);
+    }
+    return hash;
+}
+
+static uint32_t hashSignal(uint32_t hash, const hb_signal* entry) {
+    hb_signal_numbers signal;
+    hb_signal_read(entry, &signal);
+    return hashOctets(hashText(hash, signal.choices), entry, sizeof *entry);
+}
+
+static uint32_t hashParameter(uint32_t hash, const hb_parameter* entry) {
+    hb_parameter_numbers parameter;
+    hb_parameter_read(entry, &parameter);
+    return hashOctets(hashText(hash, parameter.choices), entry, sizeof *entry);
+}
+
+#endif
 
 static uint32_t hashTables(const hb_xcp_description* description) {
     uint32_t hash = hashNumber(HB_HASH_START, ((uint32_t)hb_xcp_max_dto(description) << 16) | HB_MAX_CTO);

@@ -75,12 +75,20 @@ const uint8_t* hb_sxi_packet(const hb_sxi_receiver* receiver) {
     return receiver->packet + HEADER_OCTETS;
 }
 
+uint8_t* hb_sxi_room(hb_sxi_sender* sender) {
+    return &sender->frame[HEADER_OCTETS];
+}
+
 void hb_sxi_send(hb_sxi_sender* sender, const uint8_t* packet, uint16_t length, uint16_t counter) {
+    memcpy(hb_sxi_room(sender), packet, length);
+    hb_sxi_start(sender, length, counter);
+}
+
+void hb_sxi_start(hb_sxi_sender* sender, uint16_t length, uint16_t counter) {
     uint16_t summed = summedOctets((uint8_t)length);
     uint16_t sum;
     sender->frame[0] = (uint8_t)length;
     sender->frame[1] = (uint8_t)counter;
-    memcpy(&sender->frame[HEADER_OCTETS], packet, length);
     sender->frame[summed - 1] = (length % 2) ? 0 : sender->frame[summed - 1];
     sum = wordSum(sender->frame, summed);
     sender->frame[summed] = (uint8_t)sum;

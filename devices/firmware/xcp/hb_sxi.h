@@ -36,6 +36,9 @@ const uint8_t* hb_sxi_packet(const hb_sxi_receiver* receiver);
 
 /* Takes a packet of at most HB_SXI_LONGEST_PACKET octets and the low octet of its counter. */
 void hb_sxi_send(hb_sxi_sender* sender, const uint8_t* packet, uint16_t length, uint16_t counter);
+/* The same without a copy: puts the packet where hb_sxi_room() says, then starts it. */
+uint8_t* hb_sxi_room(hb_sxi_sender* sender);
+void hb_sxi_start(hb_sxi_sender* sender, uint16_t length, uint16_t counter);
 /* Next octet for the line; 0 when the frame is complete. */
 uint8_t hb_sxi_next(hb_sxi_sender* sender, uint8_t* octet);
 

@@ -5,12 +5,12 @@
 #include <math.h>
 #include <string.h>
 
-void hb_signal_numbers(const hb_signal* entry, hb_signal* numbers) {
-    hb_rom_copy(numbers, entry, offsetof(hb_signal, name));
+void hb_signal_read(const hb_signal* entry, hb_signal_numbers* numbers) {
+    hb_rom_copy(numbers, &entry->numbers, sizeof *numbers);
 }
 
-void hb_parameter_numbers(const hb_parameter* entry, hb_parameter* numbers) {
-    hb_rom_copy(numbers, entry, offsetof(hb_parameter, name));
+void hb_parameter_read(const hb_parameter* entry, hb_parameter_numbers* numbers) {
+    hb_rom_copy(numbers, &entry->numbers, sizeof *numbers);
 }
 
 uint8_t hb_type_size(uint8_t type) {
@@ -71,15 +71,18 @@ float hb_value_as_float(uint8_t type, const void* source) {
     }
 }
 
-/* Whole number next to `value`, saturated; `lower` and `upper` are exact in float. */
-static int32_t roundedTo(float value, float lower, float upper) {
-    if (value <= lower) {
-        return (int32_t)lower;
+/* Whole number next to `value`, saturated to an integer type of `octets` octets; all that is smaller than an
+ * ULONG fits into an int32_t. */
+static int32_t roundedTo(float value, uint8_t octets, uint8_t is_signed) {
+    int32_t highest = INT32_MAX >> (32 - 8 * octets);
+    int32_t lowest = is_signed ? -highest - 1 : 0;
+    if (!is_signed) {
+        highest = 2 * highest + 1;
     }
-    if (value >= upper) {
-        return (int32_t)upper;
+    if (value <= (float)lowest) {
+        return lowest;
     }
-    return (int32_t)floorf(value + 0.5F);
+    return value >= (float)highest ? highest : (int32_t)floorf(value + 0.5F);
 }
 
 static uint32_t roundedToUlong(float value) {
@@ -89,41 +92,19 @@ static uint32_t roundedToUlong(float value) {
     return value >= 4294967296.0F ? UINT32_MAX : (uint32_t)(value + 0.5F);
 }
 
-static int32_t roundedToSlong(float value) {
-    if (value >= 2147483648.0F) {
-        return INT32_MAX;
-    }
-    return value <= -2147483648.0F ? INT32_MIN : (int32_t)floorf(value + 0.5F);
-}
-
+/* Little endian, like the wire. */
 void hb_value_from_float(uint8_t type, void* destination, float value) {
-    any_value result;
-    switch (type) {
-    case HB_UBYTE:
-        result.u8 = (uint8_t)roundedTo(value, 0.0F, 255.0F);
-        break;
-    case HB_SBYTE:
-        result.s8 = (int8_t)roundedTo(value, -128.0F, 127.0F);
-        break;
-    case HB_UWORD:
-        result.u16 = (uint16_t)roundedTo(value, 0.0F, 65535.0F);
-        break;
-    case HB_SWORD:
-        result.s16 = (int16_t)roundedTo(value, -32768.0F, 32767.0F);
-        break;
-    case HB_ULONG:
-        result.u32 = roundedToUlong(value);
-        break;
-    case HB_SLONG:
-        result.s32 = roundedToSlong(value);
-        break;
-    case HB_FLOAT32:
-        result.f32 = value;
-        break;
-    default:
+    uint32_t whole;
+    if (type == HB_FLOAT32) {
+        memcpy(destination, &value, sizeof value);
         return;
     }
-    memcpy(destination, &result, hb_type_size(type));
+    if (type > HB_SLONG) {
+        return;
+    }
+    whole =
+        type == HB_ULONG ? roundedToUlong(value) : (uint32_t)roundedTo(value, hb_type_size(type), type % 2U);
+    memcpy(destination, &whole, hb_type_size(type));
 }
 
 uint8_t hb_value_is_finite(uint8_t type, const void* source) {
@@ -140,10 +121,11 @@ uint8_t hb_value_is_finite(uint8_t type, const void* source) {
 
 void hb_parameters_reset(const hb_parameter* table, uint16_t count, uint8_t space, void* base) {
     for (uint16_t i = 0; i < count; i++) {
-        hb_parameter parameter;
-        hb_parameter_numbers(&table[i], &parameter);
-        if (parameter.space == space) {
+        hb_parameter_numbers parameter;
+        hb_parameter_read(&table[i], &parameter);
+        for (hb_extent row = 0; parameter.space == space && row < parameter.rows; row++) {
             hb_value_from_float(parameter.type, (uint8_t*)base + parameter.offset, parameter.initial);
+            parameter.offset = (uint16_t)(parameter.offset + hb_type_size(parameter.type));
         }
     }
 }

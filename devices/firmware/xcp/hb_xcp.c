@@ -20,12 +20,14 @@ typedef struct {
 } command;
 
 void hb_xcp_send(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+    HB_LOCK();
     if (hb_queue_free(&slave->queue) < length + HB_PACKET_OVERHEAD) {
         hb_queue_skip(&slave->queue, 1);
-        return;
+    } else {
+        hb_queue_begin(&slave->queue, length);
+        hb_queue_put(&slave->queue, packet, length);
     }
-    hb_queue_begin(&slave->queue, length);
-    hb_queue_put(&slave->queue, packet, length);
+    HB_UNLOCK();
 }
 
 static void sendError(hb_xcp* slave, uint8_t code) {
@@ -42,6 +44,7 @@ static void startSession(hb_xcp* slave) {
     slave->mta_extension = 0;
     slave->mta_address = 0;
     slave->xcp_page = slave->next_page;
+    slave->silent_ms = 0;
     slave->connected = 1;
 }
 
@@ -156,12 +159,31 @@ void hb_xcp_init(hb_xcp* slave, const hb_xcp_description* description) {
     slave->description = *description;
 }
 
+/* Commands that change what the control tick uses: session, measurement lists, latches. All of them are
+ * short; the long ones only read, or lock the little that they change. */
+static uint8_t isShared(uint8_t code) {
+    enum { FIRST_DAQ = 0xD3, LAST_DAQ = 0xE2 };
+    return code >= CMD_DISCONNECT || code == CMD_USER || (code >= FIRST_DAQ && code <= LAST_DAQ);
+}
+
+static uint8_t run(hb_xcp* slave, command_function function, const uint8_t* packet, uint16_t length) {
+    uint8_t result;
+    if (!isShared(packet[0])) {
+        return function(slave, packet, length);
+    }
+    HB_LOCK();
+    result = function(slave, packet, length);
+    HB_UNLOCK();
+    return result;
+}
+
 static uint8_t execute(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
     for (uint8_t i = 0; i < sizeof Commands / sizeof Commands[0]; i++) {
-        command entry;
-        hb_rom_copy(&entry, &Commands[i], sizeof entry);
-        if (entry.code == packet[0]) {
-            return length < entry.min_length ? (uint8_t)HB_ERR_CMD_SYNTAX : entry.run(slave, packet, length);
+        if (hb_rom_octet(&Commands[i].code) == packet[0]) {
+            command entry;
+            hb_rom_copy(&entry, &Commands[i], sizeof entry);
+            return length < entry.min_length ? (uint8_t)HB_ERR_CMD_SYNTAX
+                                             : run(slave, entry.run, packet, length);
         }
     }
     return HB_ERR_CMD_UNKNOWN;
@@ -171,11 +193,10 @@ static uint8_t execute(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
 static void receiveUnconnected(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
     if (packet[0] == CMD_USER && length >= 2 && packet[1] == USER_STOP) {
         slave->response_length = 1;
-        userCommand(slave, packet, length);
+        (void)run(slave, userCommand, packet, length);
     } else if (packet[0] == CMD_CONNECT && length >= 2 && packet[1] == 0) {
-        slave->silent_ms = 0;
         slave->response[0] = RES;
-        connectCommand(slave, packet, length);
+        (void)run(slave, connectCommand, packet, length);
         hb_xcp_send(slave, slave->response, slave->response_length);
     }
 }
@@ -196,7 +217,9 @@ void hb_xcp_receive(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
     slave->response_length = 1;
     result = execute(slave, packet, length);
     if (result != HB_ERR_CMD_UNKNOWN && result != HB_ERR_CMD_SYNTAX) {
+        HB_LOCK();
         slave->silent_ms = 0;
+        HB_UNLOCK();
     }
     if (result == HB_OK) {
         if (slave->response_length > 0) {
@@ -209,7 +232,10 @@ void hb_xcp_receive(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
 }
 
 uint16_t hb_xcp_transmit(hb_xcp* slave, uint8_t* packet, uint16_t capacity) {
-    uint16_t length = hb_queue_take(&slave->queue, packet, capacity, &slave->last_counter);
+    uint16_t length;
+    HB_LOCK();
+    length = hb_queue_take(&slave->queue, packet, capacity, &slave->last_counter);
+    HB_UNLOCK();
     hb_memory_continue_block(slave);
     return length;
 }
@@ -224,7 +250,7 @@ uint8_t hb_xcp_watchdog_expired(hb_xcp* slave, uint16_t limit_ms) {
         return 0;
     }
     if (slave->silent_ms < limit_ms) {
-        slave->silent_ms++;
+        slave->silent_ms = (uint16_t)(slave->silent_ms + HB_TICK_MS);
     }
     return slave->silent_ms >= limit_ms;
 }
@@ -243,26 +269,37 @@ void hb_xcp_end_session(hb_xcp* slave, uint8_t reason) {
     slave->silent_ms = 0;
 }
 
+/* Octet by octet from where it lies: the caller may be the control tick on a small stack. */
+static void sendServiceText(hb_xcp* slave, const char* text) {
+    enum { FRAME = 3, LONGEST = HB_MAX_CTO - FRAME };
+    uint8_t frame[FRAME] = {SERV, 1, 0};
+    uint16_t length = 0;
+    for (char c = (char)hb_rom_octet(text); c && c != '|' && length < LONGEST;
+         c = (char)hb_rom_octet(&text[length])) {
+        length++;
+    }
+    if (hb_queue_free(&slave->queue) < length + FRAME + HB_PACKET_OVERHEAD) {
+        hb_queue_skip(&slave->queue, 1);
+        return;
+    }
+    hb_queue_begin(&slave->queue, (uint16_t)(length + FRAME));
+    hb_queue_put(&slave->queue, frame, FRAME - 1);
+    for (uint16_t i = 0; i < length; i++) {
+        uint8_t octet = hb_rom_octet(&text[i]);
+        hb_queue_put(&slave->queue, &octet, 1);
+    }
+    hb_queue_put(&slave->queue, &frame[FRAME - 1], 1);
+}
+
 void hb_xcp_report_user_event(hb_xcp* slave, uint8_t code, const char* text) {
-    uint8_t packet[HB_MAX_CTO];
-    uint16_t length = 2;
-    if (!slave->connected) {
-        return;
+    uint8_t packet[3];
+    if (slave->connected) {
+        packet[0] = EV;
+        packet[1] = HB_EV_USER;
+        packet[2] = code;
+        hb_xcp_send(slave, packet, sizeof packet);
+        sendServiceText(slave, text);
     }
-    packet[0] = EV;
-    packet[1] = HB_EV_USER;
-    packet[2] = code;
-    hb_xcp_send(slave, packet, 3);
-    if (!text) {
-        return;
-    }
-    packet[0] = SERV;
-    packet[1] = 1;
-    while (length < HB_MAX_CTO - 1 && *text) {
-        packet[length++] = (uint8_t)*text++;
-    }
-    packet[length++] = 0;
-    hb_xcp_send(slave, packet, length);
 }
 
 const void* hb_xcp_take_page(hb_xcp* slave) {

@@ -4,7 +4,8 @@
 
 /* XCP slave, the subset of resources/help/protocol.md section 3. Portable, no heap, no globals: one `hb_xcp`
  * is one slave. Packets go in by hb_xcp_receive() and come out of hb_xcp_transmit(); framing and counters on
- * the wire are the transport's. Call everything from one context, or with interrupts off. */
+ * the wire are the transport's. Call everything from one context; or let the control tick interrupt the rest
+ * and give HB_LOCK and HB_UNLOCK (hb_config.h), which hold it back. */
 
 #include "devices/firmware/xcp/hb_queue.h"
 #include "devices/firmware/xcp/hb_table.h"
@@ -90,6 +91,7 @@ typedef struct {
 typedef struct {
     uint16_t first_entry;
     uint16_t entry_count;
+    uint16_t octets; /* of all entries written so far */
 } hb_daq_odt;
 
 typedef struct {
@@ -113,10 +115,10 @@ typedef struct {
 } hb_daq;
 
 typedef struct {
-    uint32_t length;   /* 0 = not yet known */
-    uint32_t epk_hash; /* over all tables; 0 = not yet known */
-    uint16_t item;     /* where the last read left off */
-    uint32_t item_offset;
+    hb_text_offset length; /* 0 = not yet known */
+    uint32_t epk_hash;     /* over all tables; 0 = not yet known */
+    uint16_t item;         /* where the last read left off */
+    hb_text_offset item_offset;
 } hb_a2l_cursor;
 
 typedef struct hb_xcp {
@@ -148,11 +150,11 @@ uint16_t hb_xcp_transmit(hb_xcp* slave, uint8_t* packet, uint16_t capacity);
 uint16_t hb_xcp_counter(const hb_xcp* slave);
 /* Sends the samples of all running lists of this event. */
 void hb_xcp_event(hb_xcp* slave, uint8_t event);
-/* Counts one millisecond of silence; returns 1 when `limit_ms` (not 0) is reached. */
+/* Once a control tick: counts its HB_TICK_MS of silence; returns 1 when `limit_ms` (not 0) is reached. */
 uint8_t hb_xcp_watchdog_expired(hb_xcp* slave, uint16_t limit_ms);
 /* Ends the session from the slave's side: EV 07 with `reason`, DAQ stopped. */
 void hb_xcp_end_session(hb_xcp* slave, uint8_t reason);
-/* EV FE with one octet, and the same in words as SERV text (NULL: none). */
+/* EV FE with one octet, and the same in words as SERV text: HB_ROM text up to its end or to '|'. */
 void hb_xcp_report_user_event(hb_xcp* slave, uint8_t code, const char* text);
 /* Start of a control cycle: takes the page switch with one store and returns the active page. */
 const void* hb_xcp_take_page(hb_xcp* slave);

@@ -101,6 +101,7 @@ uint8_t hb_cmd_alloc_odt_entry(hb_xcp* slave, const uint8_t* packet, uint16_t le
     }
     odt->first_entry = daq->entry_count;
     odt->entry_count = count;
+    odt->octets = 0;
     memset(&daq->entries[daq->entry_count], 0, count * sizeof daq->entries[0]);
     daq->entry_count = (uint16_t)(daq->entry_count + count);
     daq->stage = STAGE_ENTRIES;
@@ -126,21 +127,14 @@ uint8_t hb_cmd_set_daq_ptr(hb_xcp* slave, const uint8_t* packet, uint16_t length
     return HB_OK;
 }
 
-/* Octets of one ODT's packet, room for the time stamp included in the first of a list. */
-static uint16_t packetOctets(const hb_daq* daq, const hb_daq_odt* odt, uint8_t is_first) {
-    uint16_t octets = is_first ? PID_OCTETS + TIMESTAMP_OCTETS : PID_OCTETS;
-    for (uint16_t i = 0; i < odt->entry_count; i++) {
-        octets = (uint16_t)(octets + daq->entries[odt->first_entry + i].size);
-    }
-    return octets;
-}
-
 static uint8_t writeEntry(hb_xcp* slave, uint8_t bit_offset, uint8_t size, uint8_t extension,
                           uint32_t address) {
     hb_daq* daq = &slave->daq;
     const uint8_t* source = NULL;
     hb_daq_entry* entry;
     hb_daq_odt* odt;
+    uint16_t octets;
+    uint8_t header;
     if (!daq->write_valid) {
         return HB_ERR_SEQUENCE;
     }
@@ -155,12 +149,14 @@ static uint8_t writeEntry(hb_xcp* slave, uint8_t bit_offset, uint8_t size, uint8
     }
     odt = &daq->odts[daq->lists[daq->write_list].first_odt + daq->write_odt];
     entry = &daq->entries[odt->first_entry + daq->write_entry];
-    entry->source = source;
-    entry->size = size;
-    if (packetOctets(daq, odt, daq->write_odt == 0) > hb_xcp_max_dto(&slave->description)) {
-        entry->size = 0;
+    header = daq->write_odt == 0 ? PID_OCTETS + TIMESTAMP_OCTETS : PID_OCTETS;
+    octets = (uint16_t)(odt->octets - entry->size + size); /* the entry may be written again */
+    if (header + octets > hb_xcp_max_dto(&slave->description)) {
         return HB_ERR_DAQ_CONFIG;
     }
+    odt->octets = octets;
+    entry->source = source;
+    entry->size = size;
     daq->write_entry++;
     daq->write_valid = daq->write_entry < odt->entry_count;
     return HB_OK;

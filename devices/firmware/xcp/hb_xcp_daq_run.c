@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-enum { TIMESTAMP_OCTETS = 4, MAX_ENTRY_OCTETS = 8 };
+enum { PID_OCTETS = 1, TIMESTAMP_OCTETS = 4, MAX_ENTRY_OCTETS = 8 };
 enum { PROPERTIES = 0x93 /* dynamic, prescaler, time stamp, overload by event */ };
 enum { EVENT_IS_DAQ = 0x04, TIMESTAMP_4_OCTETS_1_US = 0x34, PAYLOAD_U32 = 1 };
 enum { LIST_STOP, LIST_START, LIST_SELECT };
@@ -197,15 +197,11 @@ uint8_t hb_cmd_get_daq_event_info(hb_xcp* slave, const uint8_t* packet, uint16_t
 
 /* Octets of a packet of this ODT. */
 static uint16_t odtOctets(const hb_daq* daq, const hb_daq_list* list, uint8_t odt) {
-    const hb_daq_odt* table = &daq->odts[list->first_odt + odt];
-    uint16_t octets = 1;
+    uint16_t octets = daq->odts[list->first_odt + odt].octets;
     if (odt == 0 && (list->mode & HB_DAQ_TIMESTAMP)) {
         octets = (uint16_t)(octets + TIMESTAMP_OCTETS);
     }
-    for (uint16_t i = 0; i < table->entry_count; i++) {
-        octets = (uint16_t)(octets + daq->entries[table->first_entry + i].size);
-    }
-    return octets;
+    return (uint16_t)(octets + PID_OCTETS);
 }
 
 /* One sample over all ODTs of a list: enters the queue whole or is dropped whole, its counters used up. */
@@ -218,15 +214,15 @@ static void sendSample(hb_xcp* slave, const hb_daq_list* list) {
     if (hb_queue_free(&slave->queue) < needed) {
         hb_queue_skip(&slave->queue, list->odt_count);
         if (!daq->overload_reported) {
-            static const uint8_t Overload[2] = {0xFD, HB_EV_DAQ_OVERLOAD};
+            const uint8_t overload[2] = {0xFD, HB_EV_DAQ_OVERLOAD};
             daq->overload_reported = 1;
-            hb_xcp_send(slave, Overload, 2);
+            hb_xcp_send(slave, overload, 2);
         }
         return;
     }
     for (uint8_t i = 0; i < list->odt_count; i++) {
         const hb_daq_odt* odt = &daq->odts[list->first_odt + i];
-        uint8_t header[1 + TIMESTAMP_OCTETS];
+        uint8_t header[PID_OCTETS + TIMESTAMP_OCTETS];
         header[0] = (uint8_t)(list->first_odt + i);
         hb_put32(&header[1], slave->time_us);
         hb_queue_begin(&slave->queue, odtOctets(daq, list, i));

@@ -20,10 +20,22 @@ static const char* identification(hb_xcp* slave, uint8_t type, char text[HB_EPK_
     }
 }
 
+#if HB_FEATURE_FULL
+
+static uint8_t identificationOctet(hb_xcp* slave, uint32_t address, uint8_t* octet) {
+    char epk[HB_EPK_CAPACITY];
+    const char* text = identification(slave, (uint8_t)(address >> 8), epk);
+    if (!text || strlen(text) <= (address & 0xFF)) {
+        return 0;
+    }
+    *octet = (uint8_t)text[address & 0xFF];
+    return 1;
+}
+
+#endif
+
 uint8_t hb_names_octet(hb_xcp* slave, uint32_t address, uint8_t* octet) {
     const hb_xcp_description* description = &slave->description;
-    char epk[HB_EPK_CAPACITY];
-    const char* text;
     if (address >= HB_EVENT_NAMES) {
         uint32_t index = (address - HB_EVENT_NAMES) / EVENT_STRIDE;
         hb_event event;
@@ -34,12 +46,11 @@ uint8_t hb_names_octet(hb_xcp* slave, uint32_t address, uint8_t* octet) {
         *octet = (uint8_t)event.name[address % EVENT_STRIDE];
         return 1;
     }
-    text = identification(slave, (uint8_t)(address >> 8), epk);
-    if (!text || strlen(text) <= (address & 0xFF)) {
-        return 0;
-    }
-    *octet = (uint8_t)text[address & 0xFF];
-    return 1;
+#if HB_FEATURE_FULL
+    return identificationOctet(slave, address, octet);
+#else
+    return 0;
+#endif
 }
 
 uint8_t hb_cmd_get_id(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
@@ -60,8 +71,12 @@ uint8_t hb_cmd_get_id(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
             memcpy(&slave->response[INLINE_HEADER], text, octets);
             slave->response_length = (uint16_t)(INLINE_HEADER + octets);
         } else {
+#if HB_FEATURE_FULL
             slave->mta_extension = HB_EXT_NAMES;
             slave->mta_address = (uint32_t)packet[1] << 8;
+#else
+            return HB_ERR_OUT_OF_RANGE; /* a small board's names fit into one answer */
+#endif
         }
     } else if (packet[1] > ID_EPK) {
         return HB_ERR_OUT_OF_RANGE;

@@ -16,11 +16,11 @@ static const hb_signal_table* tableOf(const hb_xcp* slave, uint16_t* index) {
     return *index < tables[1].count ? &tables[1] : NULL;
 }
 
-const uint8_t* hb_memory_signal(const hb_xcp* slave, uint32_t address, uint8_t size) {
+/* The variable of the signal at this address and its octets; NULL if there is none. */
+static const uint8_t* signalAt(const hb_xcp* slave, uint32_t address, uint8_t* octets) {
     const hb_signal_table* table;
-    hb_signal signal;
-    uint16_t index = (uint16_t)(address / SIGNAL_STRIDE);
-    uint16_t inside = (uint16_t)(address % SIGNAL_STRIDE);
+    hb_signal_numbers signal;
+    uint16_t index = (uint16_t)((uint16_t)address / SIGNAL_STRIDE);
     if (address >= HB_ADDRESS_LIVE) {
         return NULL;
     }
@@ -28,24 +28,36 @@ const uint8_t* hb_memory_signal(const hb_xcp* slave, uint32_t address, uint8_t s
     if (!table) {
         return NULL;
     }
-    hb_signal_numbers(&table->entries[index], &signal);
-    if (inside + size > hb_type_size(signal.type)) {
-        return NULL;
-    }
-    return (const uint8_t*)table->base + signal.offset + inside;
+    hb_signal_read(&table->entries[index], &signal);
+    *octets = hb_type_size(signal.type);
+    return (const uint8_t*)table->base + signal.offset;
 }
 
+const uint8_t* hb_memory_signal(const hb_xcp* slave, uint32_t address, uint8_t size) {
+    uint8_t inside = (uint8_t)address % SIGNAL_STRIDE;
+    uint8_t octets = 0;
+    const uint8_t* variable = signalAt(slave, address, &octets);
+    return variable && inside + size <= octets ? variable + inside : NULL;
+}
+
+/* A value is never read half old and half new; the gap behind a short one reads as 0. */
 static uint8_t readSignals(const hb_xcp* slave, uint32_t address, uint8_t* destination, uint16_t count) {
-    for (uint16_t i = 0; i < count; i++) {
-        uint32_t octet_address = address + i;
-        const uint8_t* octet = hb_memory_signal(slave, octet_address, 1);
-        if (octet) {
-            destination[i] = *octet;
-        } else if (hb_memory_signal(slave, octet_address & ~(uint32_t)(SIGNAL_STRIDE - 1), 1)) {
-            destination[i] = 0; /* the gap behind a short value */
-        } else {
+    while (count > 0) {
+        uint8_t inside = (uint8_t)address % SIGNAL_STRIDE;
+        uint8_t part = (uint8_t)(SIGNAL_STRIDE - inside);
+        uint8_t octets = 0;
+        const uint8_t* variable = signalAt(slave, address, &octets);
+        if (!variable) {
             return HB_ERR_OUT_OF_RANGE;
         }
+        part = part < count ? part : (uint8_t)count;
+        HB_LOCK();
+        for (uint8_t i = 0; i < part; i++, inside++) {
+            *destination++ = inside < octets ? variable[inside] : 0;
+        }
+        HB_UNLOCK();
+        address += part;
+        count = (uint16_t)(count - part);
     }
     return HB_OK;
 }
@@ -106,7 +118,9 @@ uint8_t hb_memory_read(hb_xcp* slave, uint8_t extension, uint32_t address, uint8
         if (!variables) {
             return HB_ERR_OUT_OF_RANGE;
         }
+        HB_LOCK();
         memcpy(destination, variables + offset, count);
+        HB_UNLOCK();
         return HB_OK;
     case HB_EXT_BLOCK:
         return readBlock(slave, address, destination, count);
@@ -125,16 +139,18 @@ typedef struct {
     uint16_t offset;
     uint8_t count;
     uint8_t space;
-    uint8_t acts_now; /* the control loop may read the result before the next command */
+    uint8_t acts_now;    /* the control loop may read the result before the next command */
+    uint16_t first, end; /* table entries that it touches */
 } write_request;
 
-static uint8_t overlaps(const hb_parameter* parameter, const write_request* request) {
+static uint8_t overlaps(const hb_parameter_numbers* parameter, const write_request* request) {
     return parameter->space == request->space && parameter->offset < request->offset + request->count &&
            request->offset < parameter->offset + hb_type_size(parameter->type);
 }
 
 /* The value as it will be: what is there now with the new octets over it. */
-static void composeValue(const hb_parameter* parameter, const write_request* request, uint8_t* value) {
+static void composeValue(const hb_parameter_numbers* parameter, const write_request* request,
+                         uint8_t* value) {
     uint8_t size = hb_type_size(parameter->type);
     memcpy(value, request->variables + parameter->offset, size);
     for (uint8_t i = 0; i < size; i++) {
@@ -146,16 +162,16 @@ static void composeValue(const hb_parameter* parameter, const write_request* req
 }
 
 /* 1 if the request ends in the middle of this value. */
-static uint8_t endsInside(const hb_parameter* parameter, const write_request* request) {
+static uint8_t endsInside(const hb_parameter_numbers* parameter, const write_request* request) {
     return request->offset + request->count < parameter->offset + hb_type_size(parameter->type);
 }
 
-static uint8_t isWithinLimits(const hb_parameter* parameter, const uint8_t* value) {
+static uint8_t isWithinLimits(const hb_parameter_numbers* parameter, const uint8_t* value) {
     float physical = hb_value_as_float(parameter->type, value);
     return physical >= parameter->lower && physical <= parameter->upper;
 }
 
-static void clampValue(const hb_parameter* parameter, uint8_t* value) {
+static void clampValue(const hb_parameter_numbers* parameter, uint8_t* value) {
     float physical = hb_value_as_float(parameter->type, value);
     if (physical < parameter->lower) {
         hb_value_from_float(parameter->type, value, parameter->lower);
@@ -166,7 +182,7 @@ static void clampValue(const hb_parameter* parameter, uint8_t* value) {
 
 /* Half-written values are tolerated on the idle page only (a tool may cut a page anywhere): the page switch
  * checks every value again. */
-static uint8_t checkOne(hb_xcp* slave, uint16_t index, const hb_parameter* parameter,
+static uint8_t checkOne(hb_xcp* slave, uint16_t index, const hb_parameter_numbers* parameter,
                         const write_request* request) {
     const hb_xcp_description* description = &slave->description;
     uint8_t value[VALUE_OCTETS];
@@ -188,7 +204,7 @@ static uint8_t checkOne(hb_xcp* slave, uint16_t index, const hb_parameter* param
     return description->hooks.check(description->board, index, hb_value_as_float(parameter->type, value));
 }
 
-static void storeOne(const hb_parameter* parameter, const write_request* request) {
+static void storeOne(const hb_parameter_numbers* parameter, const write_request* request) {
     uint8_t value[VALUE_OCTETS];
     composeValue(parameter, request, value);
     if (!endsInside(parameter, request)) {
@@ -199,24 +215,47 @@ static void storeOne(const hb_parameter* parameter, const write_request* request
 
 enum write_step { STEP_CHECK, STEP_STORE, STEP_NOTIFY };
 
-static uint8_t forEachWritten(hb_xcp* slave, const write_request* request, enum write_step step) {
-    const hb_xcp_description* description = &slave->description;
+/* Narrows the request to the entries it touches: what follows may have to be quick. */
+static void findEntries(const hb_xcp_description* description, write_request* request) {
+    request->first = description->parameter_count;
+    request->end = 0;
     for (uint16_t i = 0; i < description->parameter_count; i++) {
-        hb_parameter parameter;
-        uint8_t result = HB_OK;
-        hb_parameter_numbers(&description->parameters[i], &parameter);
-        if (!overlaps(&parameter, request)) {
-            continue;
+        hb_parameter_numbers parameter;
+        hb_rom_copy(&parameter, &description->parameters[i], offsetof(hb_parameter_numbers, initial));
+        if (parameter.space == request->space && parameter.offset < request->offset + request->count &&
+            request->offset < parameter.offset + hb_type_size(parameter.type) * parameter.rows) {
+            request->first = request->first < i ? request->first : i;
+            request->end = (uint16_t)(i + 1U);
         }
-        if (step == STEP_CHECK) {
-            result = checkOne(slave, i, &parameter, request);
-        } else if (step == STEP_STORE) {
-            storeOne(&parameter, request);
-        } else if (description->hooks.written) {
-            description->hooks.written(description->board, i);
-        }
-        if (result != HB_OK) {
-            return result;
+    }
+}
+
+static uint8_t stepOne(hb_xcp* slave, uint16_t index, const hb_parameter_numbers* parameter,
+                       const write_request* request, enum write_step step) {
+    const hb_xcp_description* description = &slave->description;
+    if (step == STEP_CHECK) {
+        return checkOne(slave, index, parameter, request);
+    }
+    if (step == STEP_STORE) {
+        storeOne(parameter, request);
+    } else if (description->hooks.written) {
+        description->hooks.written(description->board, index);
+    }
+    return HB_OK;
+}
+
+static uint8_t forEachWritten(hb_xcp* slave, const write_request* request, enum write_step step) {
+    for (uint16_t i = request->first; i < request->end; i++) {
+        hb_parameter_numbers parameter;
+        hb_parameter_read(&slave->description.parameters[i], &parameter);
+        for (hb_extent row = 0; row < parameter.rows; row++) {
+            if (overlaps(&parameter, request)) {
+                uint8_t result = stepOne(slave, i, &parameter, request, step);
+                if (result != HB_OK) {
+                    return result;
+                }
+            }
+            parameter.offset = (uint16_t)(parameter.offset + hb_type_size(parameter.type));
         }
     }
     return HB_OK;
@@ -240,27 +279,32 @@ uint8_t hb_memory_write(hb_xcp* slave, uint8_t extension, uint32_t address, cons
     request.count = count;
     request.acts_now = request.space == HB_LIVE || slave->xcp_page == slave->active_page ||
                        slave->xcp_page == slave->next_page;
+    findEntries(&slave->description, &request);
     result = forEachWritten(slave, &request, STEP_CHECK);
     if (result != HB_OK) {
         return result;
     }
-    forEachWritten(slave, &request, STEP_STORE);
-    forEachWritten(slave, &request, STEP_NOTIFY);
+    HB_LOCK();
+    (void)forEachWritten(slave, &request, STEP_STORE);
+    (void)forEachWritten(slave, &request, STEP_NOTIFY);
+    HB_UNLOCK();
     return HB_OK;
 }
 
 uint8_t hb_memory_page_is_valid(const hb_xcp* slave, uint8_t page) {
     const hb_xcp_description* description = &slave->description;
     for (uint16_t i = 0; i < description->parameter_count; i++) {
-        hb_parameter parameter;
+        hb_parameter_numbers parameter;
         const uint8_t* value;
-        hb_parameter_numbers(&description->parameters[i], &parameter);
+        hb_parameter_read(&description->parameters[i], &parameter);
         if (parameter.space != HB_PAGED) {
             continue;
         }
         value = description->pages[page] + parameter.offset;
-        if (!hb_value_is_finite(parameter.type, value) || !isWithinLimits(&parameter, value)) {
-            return 0;
+        for (hb_extent row = 0; row < parameter.rows; row++, value += hb_type_size(parameter.type)) {
+            if (!hb_value_is_finite(parameter.type, value) || !isWithinLimits(&parameter, value)) {
+                return 0;
+            }
         }
     }
     return 1;

@@ -147,8 +147,8 @@ private:
 /// One more signal of the caller's own, as the simulation adds its truth.
 inline hb_signal truthSignal() {
     hb_signal signal{};
-    signal.type = HB_FLOAT64;
-    signal.scale = 1.0F;
+    signal.numbers.type = HB_FLOAT64;
+    signal.numbers.scale = 1.0F;
     std::strcpy(signal.name, "truth.position");
     return signal;
 }

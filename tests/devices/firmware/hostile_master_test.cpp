@@ -46,8 +46,8 @@ Octets randomPacket(Noise& noise) {
 /// Every parameter of the page the loop runs on, and every live one, is finite and within its limits.
 void expectSafeParameters(hb_htm& board) {
     for (std::uint16_t i = 0; i < hb_htm_parameter_count; ++i) {
-        hb_parameter p;
-        hb_parameter_numbers(&hb_htm_parameter_table[i], &p);
+        hb_parameter_numbers p;
+        hb_parameter_read(&hb_htm_parameter_table[i], &p);
         if (p.space == HB_BLOCK) {
             continue;
         }

@@ -2,17 +2,25 @@
 
 /* Controller board of the Halbach motor on an ATmega328P at 16 MHz: Hall sensors on ADC0 and ADC1, coil
  * temperatures on ADC2 and ADC3 (5 V reference), two MCP4725 converters at 0x60 and 0x61, HB-SxI on the UART
- * at 115200 Bd. Interrupts only move octets and count milliseconds; everything else runs in the main loop. */
+ * at 115200 Bd. Port B pin 5 is high while the control tick runs.
+ *
+ * Timer 1 starts the conversions; when both Hall sensors are read, the converter's interrupt runs the control
+ * tick with interrupts on, so that octets keep moving. Everything that takes long (commands, description)
+ * runs in the main loop below it and holds the tick back by hb_board_lock() for what it must not see half
+ * done. */
 
+#include "devices/firmware/boards/htm_atmega328p/outputs.h"
 #include "devices/firmware/htm/hb_htm.h"
-#include "devices/firmware/xcp/hb_crc.h"
 #include "devices/firmware/xcp/hb_sxi.h"
 
-#include <avr/eeprom.h>
 #include <avr/interrupt.h>
 #include <avr/io.h>
+#include <avr/sleep.h>
+#include <avr/wdt.h>
 
-enum { RECEIVE_RING = 64, DAC_ADDRESS = 0x60, STORED_SIZE = sizeof(hb_htm_calibration) };
+enum { RECEIVE_RING = 64, CHANNELS = 4, LAST_HALL = 1, LAST_CHANNEL = 3 };
+enum { TIMER_COUNTS = 2000 * HB_TICK_MS }; /* of 0.5 us */
+enum { FIRST_CONVERSIONS = 2 * CHANNELS };
 
 typedef struct {
     hb_htm motor;
@@ -21,7 +29,9 @@ typedef struct {
     volatile uint8_t received[RECEIVE_RING];
     volatile uint8_t received_head, received_tail;
     volatile uint8_t sending;
-    volatile uint8_t milliseconds;
+    volatile uint16_t code[CHANNELS];
+    volatile uint8_t channel; /* being converted */
+    volatile uint8_t locks, is_ticking, ticks_due;
 } board_state;
 
 /* The one instance: interrupt handlers have no argument to find it by. */
@@ -46,8 +56,78 @@ ISR(USART_UDRE_vect) {
     }
 }
 
+static void convert(uint8_t channel) {
+    Board.channel = channel;
+    ADMUX = (uint8_t)((1 << REFS0) | channel);
+    ADCSRA |= 1 << ADSC;
+}
+
+static void runTick(void) {
+    hb_htm_inputs inputs;
+    hb_htm_outputs outputs;
+    PORTB |= 1 << PORTB5;
+    for (uint8_t i = 0; i < 2; i++) {
+        uint16_t hall;
+        uint16_t temperature;
+        cli(); /* the next conversions may end meanwhile */
+        hall = Board.code[i];
+        temperature = Board.code[i + 2];
+        sei();
+        inputs.hall_code[i] = (float)hall;
+        inputs.temperature_code[i] = (float)temperature;
+    }
+    if (!outputs_are_well()) {
+        hb_htm_raise_fault(&Board.motor, HB_FAULT_OUTPUT);
+    }
+    hb_htm_fast_tick(&Board.motor, &inputs, &outputs);
+    outputs_write(outputs.dac_code);
+    wdt_reset();
+    PORTB &= (uint8_t) ~(1 << PORTB5);
+}
+
+/* Interrupts are off here and before and after; each tick turns them on. A tick that had to wait is made up
+ * for, so that ticks keep counting the time. */
+static void runDueTicks(void) {
+    Board.is_ticking = 1;
+    while (Board.ticks_due > 0) {
+        Board.ticks_due--;
+        sei();
+        runTick();
+        cli();
+    }
+    Board.is_ticking = 0;
+}
+
+void hb_board_lock(void) {
+    Board.locks++;
+}
+
+void hb_board_unlock(void) {
+    uint8_t flags = SREG;
+    cli();
+    Board.locks--;
+    if (Board.locks == 0 && !Board.is_ticking && Board.ticks_due > 0) {
+        runDueTicks();
+    }
+    SREG = flags;
+}
+
 ISR(TIMER1_COMPA_vect) {
-    Board.milliseconds++;
+    convert(0);
+}
+
+ISR(ADC_vect) {
+    uint8_t channel = Board.channel;
+    Board.code[channel] = ADC;
+    if (channel < LAST_CHANNEL) {
+        convert((uint8_t)(channel + 1U));
+    }
+    if (channel == LAST_HALL) {
+        Board.ticks_due++;
+        if (Board.locks == 0 && !Board.is_ticking) {
+            runDueTicks();
+        }
+    }
 }
 
 static void startUart(void) {
@@ -57,107 +137,86 @@ static void startUart(void) {
     UCSR0B = (1 << RXEN0) | (1 << TXEN0) | (1 << RXCIE0);
 }
 
-static void startTick(void) {
+/* Every channel once before the first tick; the very first conversion after power-on is not exact. */
+static void startConverter(void) {
+    ADCSRA = (1 << ADEN) | (1 << ADPS2) | (1 << ADPS1) | (1 << ADPS0); /* 125 kHz */
+    for (uint8_t i = 0; i < FIRST_CONVERSIONS; i++) {
+        convert(i % CHANNELS);
+        while (ADCSRA & (1 << ADSC)) {
+        }
+        Board.code[i % CHANNELS] = ADC;
+    }
+    ADCSRA |= (1 << ADIF) | (1 << ADIE);
+}
+
+static void startTicks(void) {
+    DDRB = 1 << DDB5;
     TCCR1B = (1 << WGM12) | (1 << CS11); /* 2 MHz, restart at OCR1A */
-    OCR1A = 1999;
+    OCR1A = TIMER_COUNTS - 1;
     TIMSK1 = 1 << OCIE1A;
 }
 
-static void startConverters(void) {
-    ADCSRA = (1 << ADEN) | (1 << ADPS2) | (1 << ADPS1); /* 250 kHz */
-    TWBR = 12;                                          /* 400 kHz */
-}
-
-static float readChannel(uint8_t channel) {
-    ADMUX = (uint8_t)((1 << REFS0) | channel);
-    ADCSRA |= 1 << ADSC;
-    while (ADCSRA & (1 << ADSC)) {
+static uint8_t serveReceiver(void) {
+    uint16_t length;
+    if (Board.received_tail == Board.received_head) {
+        return 0;
     }
-    return (float)ADC;
-}
-
-/* Waits for the bus, but not for ever: a converter that hangs must not hang the loop. */
-static void twi(uint8_t control) {
-    uint8_t patience = 255;
-    TWCR = (uint8_t)(control | (1 << TWINT) | (1 << TWEN));
-    while (!(TWCR & (1 << TWINT)) && --patience) {
+    length = hb_sxi_receive(&Board.receiver, Board.received[Board.received_tail]);
+    Board.received_tail = (uint8_t)((Board.received_tail + 1U) % RECEIVE_RING);
+    if (length > 0) {
+        hb_htm_receive(&Board.motor, hb_sxi_packet(&Board.receiver), length);
     }
+    return 1;
 }
 
-static void twiOctet(uint8_t octet) {
-    TWDR = octet;
-    twi(0);
-}
-
-static void writeDac(uint8_t channel, uint16_t code) {
-    twi(1 << TWSTA);
-    twiOctet((uint8_t)((DAC_ADDRESS + channel) << 1));
-    twiOctet((uint8_t)(code >> 8)); /* fast write: power-down bits 0, upper four bits */
-    twiOctet((uint8_t)code);
-    TWCR = (1 << TWINT) | (1 << TWEN) | (1 << TWSTO);
-}
-
-static void runTick(void) {
-    hb_htm_inputs inputs;
-    hb_htm_outputs outputs;
-    for (uint8_t i = 0; i < 2; i++) {
-        inputs.hall_code[i] = readChannel(i);
-    }
-    for (uint8_t i = 0; i < 2; i++) {
-        inputs.temperature_code[i] = readChannel((uint8_t)(2 + i));
-    }
-    hb_htm_fast_tick(&Board.motor, &inputs, &outputs);
-    writeDac(0, outputs.dac_code[0]);
-    writeDac(1, outputs.dac_code[1]);
-}
-
-static void serveReceiver(void) {
-    while (Board.received_tail != Board.received_head) {
-        uint8_t octet = Board.received[Board.received_tail];
-        uint16_t length = hb_sxi_receive(&Board.receiver, octet);
-        Board.received_tail = (uint8_t)((Board.received_tail + 1U) % RECEIVE_RING);
-        if (length > 0) {
-            hb_htm_receive(&Board.motor, hb_sxi_packet(&Board.receiver), length);
-        }
-    }
-}
-
-static void serveSender(void) {
-    uint8_t packet[HB_MAX_DTO];
+static uint8_t serveSender(void) {
     uint16_t length;
     if (Board.sending) {
-        return;
+        return 0;
     }
-    length = hb_htm_transmit(&Board.motor, packet, sizeof packet);
-    if (length > 0) {
-        hb_sxi_send(&Board.sender, packet, length, hb_htm_counter(&Board.motor));
-        Board.sending = 1;
-        UCSR0B |= 1 << UDRIE0;
+    length = hb_htm_transmit(&Board.motor, hb_sxi_room(&Board.sender), HB_MAX_DTO);
+    if (length == 0) {
+        return 0;
     }
+    hb_sxi_start(&Board.sender, length, hb_htm_counter(&Board.motor));
+    Board.sending = 1;
+    UCSR0B |= 1 << UDRIE0;
+    return 1;
 }
 
-/* The calibration lies in EEPROM behind its CRC. */
-static uint8_t loadCalibration(hb_htm_calibration* page) {
-    eeprom_read_block(page, (const void*)2, STORED_SIZE);
-    return eeprom_read_word((const uint16_t*)0) == hb_crc16(HB_CRC_START, (const uint8_t*)page, STORED_SIZE);
+/* Until the next interrupt; an octet that came since the last look is not slept over. */
+static void sleep(void) {
+    cli();
+    if (Board.received_tail == Board.received_head) {
+        sleep_enable();
+        sei();
+        sleep_cpu();
+        sleep_disable();
+    }
+    sei();
+}
+
+/* Not inlined: main() never returns, and what it needs of the stack is gone for ever. */
+static void __attribute__((noinline)) start(void) {
+    MCUSR = 0; /* else a reset by the watchdog would keep it on with its shortest time */
+    wdt_enable(WDTO_120MS);
+    hb_htm_init(&Board.motor, NULL);
+    hb_sxi_receiver_init(&Board.receiver);
+    outputs_start();
+    startUart();
+    startConverter();
+    startTicks();
+    set_sleep_mode(SLEEP_MODE_IDLE);
 }
 
 int main(void) {
-    hb_htm_calibration stored;
-    hb_htm_config config = {0};
-    config.stored = loadCalibration(&stored) ? &stored : NULL;
-    hb_htm_init(&Board.motor, &config);
-    hb_sxi_receiver_init(&Board.receiver);
-    startUart();
-    startTick();
-    startConverters();
+    start();
     sei();
     for (;;) {
-        serveReceiver();
-        serveSender();
-        if (Board.milliseconds > 0) {
-            Board.milliseconds = 0; /* a late tick is not made up for: the loop time is what it is */
-            runTick();
+        uint8_t was_busy = serveReceiver();
+        was_busy |= serveSender();
+        if (!was_busy) {
+            sleep();
         }
     }
 }
