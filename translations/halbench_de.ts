@@ -1659,10 +1659,6 @@
         <translation>Gerät „{}“: „{}:“ ist in dieser Version nicht enthalten</translation>
     </message>
     <message>
-        <source>known are sim:htm, tcp:HOST:PORT, udp:HOST:PORT and replay:FILE</source>
-        <translation>bekannt sind sim:htm, tcp:HOST:PORT, udp:HOST:PORT und replay:DATEI</translation>
-    </message>
-    <message>
         <source>must be &quot;{}&quot;</source>
         <translation>muss „{}“ sein</translation>
     </message>
@@ -2557,10 +2553,6 @@
     <message>
         <source>unknown key &apos;{}&apos;; a [[{}]] has name and document</source>
         <translation>unbekannter Schlüssel „{}“; ein [[{}]] hat name und document</translation>
-    </message>
-    <message>
-        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, model, design</source>
-        <translation>unbekannter Schlüssel „{}“; bekannt sind schema, device, notes, perspective, layout, model, design</translation>
     </message>
     <message>
         <source>{}: is a &apos;{}&apos;, made by a newer version</source>
@@ -3521,6 +3513,202 @@
     <message>
         <source>Unknown error</source>
         <translation>unbekannter Fehler</translation>
+    </message>
+    <message>
+        <source>known are sim:htm, serial:DEVICE, tcp:HOST:PORT, udp:HOST:PORT and replay:FILE</source>
+        <translation>bekannt sind sim:htm, serial:GERÄT, tcp:HOST:PORT, udp:HOST:PORT und replay:DATEI</translation>
+    </message>
+    <message>
+        <source>device &apos;{}&apos;: {}={}</source>
+        <translation>Gerät „{}“: {}={}</translation>
+    </message>
+    <message>
+        <source>use {}</source>
+        <translation>verwenden Sie {}</translation>
+    </message>
+    <message>
+        <source>give one octet in hexadecimal digits, like 9A</source>
+        <translation>geben Sie ein Byte in Hexadezimalziffern an, wie 9A</translation>
+    </message>
+    <message>
+        <source>give a whole number from {} to {}</source>
+        <translation>geben Sie eine ganze Zahl von {} bis {} an</translation>
+    </message>
+    <message>
+        <source>known are baud, dtr, low_latency, framing, header, checksum, sync, escape</source>
+        <translation>bekannt sind baud, dtr, low_latency, framing, header, checksum, sync, escape</translation>
+    </message>
+    <message>
+        <source>device &apos;{}&apos;: sync and escape are the same</source>
+        <translation>Gerät „{}“: sync und escape sind gleich</translation>
+    </message>
+    <message>
+        <source>give two different octets</source>
+        <translation>geben Sie zwei verschiedene Byte an</translation>
+    </message>
+    <message>
+        <source>{} is not open</source>
+        <translation>{} ist nicht geöffnet</translation>
+    </message>
+    <message>
+        <source>connect again</source>
+        <translation>verbinden Sie erneut</translation>
+    </message>
+    <message>
+        <source>{} (process {})</source>
+        <translation>{} (Prozess {})</translation>
+    </message>
+    <message>
+        <source>a program</source>
+        <translation>ein Programm</translation>
+    </message>
+    <message>
+        <source>this program</source>
+        <translation>dieses Programm</translation>
+    </message>
+    <message>
+        <source>install the rules that &apos;halbench devices --udev-rules&apos; prints, then plug the device in again</source>
+        <translation>installieren Sie die Regeln, die „halbench devices --udev-rules“ ausgibt, und stecken Sie das Gerät dann neu an</translation>
+    </message>
+    <message>
+        <source>, or join the group with &apos;sudo usermod -aG {} $USER&apos; and log in again</source>
+        <translation>, oder treten Sie mit „sudo usermod -aG {} $USER“ der Gruppe bei und melden Sie sich neu an</translation>
+    </message>
+    <message>
+        <source>no permission to use {}</source>
+        <translation>keine Berechtigung, {} zu verwenden</translation>
+    </message>
+    <message>
+        <source>{} is in use by {}</source>
+        <translation>{} wird verwendet von: {}</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>ein anderes Programm</translation>
+    </message>
+    <message>
+        <source>disconnect it first</source>
+        <translation>trennen Sie es zuerst</translation>
+    </message>
+    <message>
+        <source>close that program (ModemManager lets go of a new port after some seconds)</source>
+        <translation>schließen Sie jenes Programm (ModemManager gibt einen neuen Anschluss nach einigen Sekunden frei)</translation>
+    </message>
+    <message>
+        <source>{} is not there</source>
+        <translation>{} ist nicht da</translation>
+    </message>
+    <message>
+        <source>plug the device in and see &apos;halbench devices&apos; for its address</source>
+        <translation>stecken Sie das Gerät an; „halbench devices“ zeigt seine Adresse</translation>
+    </message>
+    <message>
+        <source>check the cable and that the board is on</source>
+        <translation>prüfen Sie das Kabel, und dass das Steuergerät eingeschaltet ist</translation>
+    </message>
+    <message>
+        <source>name a serial port: see &apos;halbench devices&apos;</source>
+        <translation>nennen Sie einen seriellen Anschluss: siehe „halbench devices“</translation>
+    </message>
+    <message>
+        <source>{} cannot run at {} baud</source>
+        <translation>{} kann nicht mit {} Baud laufen</translation>
+    </message>
+    <message>
+        <source>use 115200 or a rate that the adapter knows</source>
+        <translation>verwenden Sie 115200 oder eine Rate, die der Adapter kennt</translation>
+    </message>
+    <message>
+        <source>serial:{}: the device was unplugged or switched off</source>
+        <translation>serial:{}: das Gerät wurde abgezogen oder ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>serial:{}: the board takes no more commands</source>
+        <translation>serial:{}: das Steuergerät nimmt keine Befehle mehr an</translation>
+    </message>
+    <message>
+        <source>LEN byte</source>
+        <translation>LEN als Byte</translation>
+    </message>
+    <message>
+        <source>LEN+CTR byte</source>
+        <translation>LEN+CTR als Byte</translation>
+    </message>
+    <message>
+        <source>LEN+FILL byte</source>
+        <translation>LEN+FILL als Byte</translation>
+    </message>
+    <message>
+        <source>LEN word</source>
+        <translation>LEN als Wort</translation>
+    </message>
+    <message>
+        <source>LEN+CTR words</source>
+        <translation>LEN+CTR als Wörter</translation>
+    </message>
+    <message>
+        <source>LEN+FILL words</source>
+        <translation>LEN+FILL als Wörter</translation>
+    </message>
+    <message>
+        <source>no checksum</source>
+        <translation>keine Prüfsumme</translation>
+    </message>
+    <message>
+        <source>byte checksum</source>
+        <translation>Prüfsumme als Byte</translation>
+    </message>
+    <message>
+        <source>word checksum</source>
+        <translation>Prüfsumme als Wort</translation>
+    </message>
+    <message>
+        <source>not framed</source>
+        <translation>ohne Rahmen</translation>
+    </message>
+    <message>
+        <source>{} sends something ({} octets), but not in this protocol</source>
+        <translation>{} sendet etwas ({} Byte), aber nicht in diesem Protokoll</translation>
+    </message>
+    <message>
+        <source>check that it is the right device, and on a serial line its baud rate and framing</source>
+        <translation>prüfen Sie, dass es das richtige Gerät ist, und an einer seriellen Leitung Baudrate und Rahmen</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be a finite number</source>
+        <translation>„{}“ muss eine endliche Zahl sein</translation>
+    </message>
+    <message>
+        <source>&apos;signals&apos; must be a list of texts</source>
+        <translation>„signals“ muss eine Liste von Texten sein</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit</source>
+        <translation>unbekannter Schlüssel „{}“; ein [[plot]] hat signals, min, max, unit</translation>
+    </message>
+    <message>
+        <source>a [[plot]] has both min and max, or neither; min is less than max</source>
+        <translation>ein [[plot]] hat min und max oder keines von beiden; min ist kleiner als max</translation>
+    </message>
+    <message>
+        <source>&apos;plot&apos; must be a list of tables, [[plot]]</source>
+        <translation>„plot“ muss eine Liste von Tabellen sein, [[plot]]</translation>
+    </message>
+    <message>
+        <source>&apos;monitor&apos; must be a table</source>
+        <translation>„monitor“ muss eine Tabelle sein</translation>
+    </message>
+    <message>
+        <source>[monitor] has follow (true or false) and span_s</source>
+        <translation>[monitor] hat follow (true oder false) und span_s</translation>
+    </message>
+    <message>
+        <source>&apos;span_s&apos; must be more than 0</source>
+        <translation>„span_s“ muss größer als 0 sein</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, plot, model, design, calibration</source>
+        <translation>unbekannter Schlüssel „{}“; bekannt sind schema, device, notes, perspective, layout, monitor, plot, model, design, calibration</translation>
     </message>
 </context>
 <context>

@@ -1659,10 +1659,6 @@
         <translation>设备“{}”：此版本不包含“{}:”</translation>
     </message>
     <message>
-        <source>known are sim:htm, tcp:HOST:PORT, udp:HOST:PORT and replay:FILE</source>
-        <translation>已知的有 sim:htm、tcp:HOST:PORT、udp:HOST:PORT 和 replay:FILE</translation>
-    </message>
-    <message>
         <source>must be &quot;{}&quot;</source>
         <translation>必须是“{}”</translation>
     </message>
@@ -2557,10 +2553,6 @@
     <message>
         <source>unknown key &apos;{}&apos;; a [[{}]] has name and document</source>
         <translation>未知的键“{}”；[[{}]] 只有 name 和 document</translation>
-    </message>
-    <message>
-        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, model, design</source>
-        <translation>未知的键“{}”；已知的键有 schema、device、notes、perspective、layout、model、design</translation>
     </message>
     <message>
         <source>{}: is a &apos;{}&apos;, made by a newer version</source>
@@ -3521,6 +3513,202 @@
     <message>
         <source>Unknown error</source>
         <translation>未知错误</translation>
+    </message>
+    <message>
+        <source>known are sim:htm, serial:DEVICE, tcp:HOST:PORT, udp:HOST:PORT and replay:FILE</source>
+        <translation>已知的有 sim:htm、serial:DEVICE、tcp:HOST:PORT、udp:HOST:PORT 和 replay:FILE</translation>
+    </message>
+    <message>
+        <source>device &apos;{}&apos;: {}={}</source>
+        <translation>设备“{}”：{}={}</translation>
+    </message>
+    <message>
+        <source>use {}</source>
+        <translation>请使用 {}</translation>
+    </message>
+    <message>
+        <source>give one octet in hexadecimal digits, like 9A</source>
+        <translation>请用十六进制给出一个字节，例如 9A</translation>
+    </message>
+    <message>
+        <source>give a whole number from {} to {}</source>
+        <translation>请给出 {} 到 {} 的整数</translation>
+    </message>
+    <message>
+        <source>known are baud, dtr, low_latency, framing, header, checksum, sync, escape</source>
+        <translation>已知的有 baud、dtr、low_latency、framing、header、checksum、sync、escape</translation>
+    </message>
+    <message>
+        <source>device &apos;{}&apos;: sync and escape are the same</source>
+        <translation>设备“{}”：sync 与 escape 相同</translation>
+    </message>
+    <message>
+        <source>give two different octets</source>
+        <translation>请给出两个不同的字节</translation>
+    </message>
+    <message>
+        <source>{} is not open</source>
+        <translation>{} 未打开</translation>
+    </message>
+    <message>
+        <source>connect again</source>
+        <translation>请重新连接</translation>
+    </message>
+    <message>
+        <source>{} (process {})</source>
+        <translation>{}（进程 {}）</translation>
+    </message>
+    <message>
+        <source>a program</source>
+        <translation>某个程序</translation>
+    </message>
+    <message>
+        <source>this program</source>
+        <translation>本程序</translation>
+    </message>
+    <message>
+        <source>install the rules that &apos;halbench devices --udev-rules&apos; prints, then plug the device in again</source>
+        <translation>请安装“halbench devices --udev-rules”输出的规则，然后重新插入设备</translation>
+    </message>
+    <message>
+        <source>, or join the group with &apos;sudo usermod -aG {} $USER&apos; and log in again</source>
+        <translation>，或用“sudo usermod -aG {} $USER”加入用户组并重新登录</translation>
+    </message>
+    <message>
+        <source>no permission to use {}</source>
+        <translation>没有使用 {} 的权限</translation>
+    </message>
+    <message>
+        <source>{} is in use by {}</source>
+        <translation>{} 正被以下程序使用：{}</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>另一个程序</translation>
+    </message>
+    <message>
+        <source>disconnect it first</source>
+        <translation>请先断开</translation>
+    </message>
+    <message>
+        <source>close that program (ModemManager lets go of a new port after some seconds)</source>
+        <translation>请关闭该程序（ModemManager 会在几秒后释放新端口）</translation>
+    </message>
+    <message>
+        <source>{} is not there</source>
+        <translation>{} 不存在</translation>
+    </message>
+    <message>
+        <source>plug the device in and see &apos;halbench devices&apos; for its address</source>
+        <translation>请插入设备，用“halbench devices”查看其地址</translation>
+    </message>
+    <message>
+        <source>check the cable and that the board is on</source>
+        <translation>请检查电缆以及控制板是否已通电</translation>
+    </message>
+    <message>
+        <source>name a serial port: see &apos;halbench devices&apos;</source>
+        <translation>请指定串口：见“halbench devices”</translation>
+    </message>
+    <message>
+        <source>{} cannot run at {} baud</source>
+        <translation>{} 不能以 {} 波特运行</translation>
+    </message>
+    <message>
+        <source>use 115200 or a rate that the adapter knows</source>
+        <translation>请使用 115200 或适配器支持的波特率</translation>
+    </message>
+    <message>
+        <source>serial:{}: the device was unplugged or switched off</source>
+        <translation>serial:{}：设备已被拔出或关闭</translation>
+    </message>
+    <message>
+        <source>serial:{}: the board takes no more commands</source>
+        <translation>serial:{}：控制板不再接受命令</translation>
+    </message>
+    <message>
+        <source>LEN byte</source>
+        <translation>LEN 字节</translation>
+    </message>
+    <message>
+        <source>LEN+CTR byte</source>
+        <translation>LEN+CTR 字节</translation>
+    </message>
+    <message>
+        <source>LEN+FILL byte</source>
+        <translation>LEN+FILL 字节</translation>
+    </message>
+    <message>
+        <source>LEN word</source>
+        <translation>LEN 字</translation>
+    </message>
+    <message>
+        <source>LEN+CTR words</source>
+        <translation>LEN+CTR 字</translation>
+    </message>
+    <message>
+        <source>LEN+FILL words</source>
+        <translation>LEN+FILL 字</translation>
+    </message>
+    <message>
+        <source>no checksum</source>
+        <translation>无校验和</translation>
+    </message>
+    <message>
+        <source>byte checksum</source>
+        <translation>字节校验和</translation>
+    </message>
+    <message>
+        <source>word checksum</source>
+        <translation>字校验和</translation>
+    </message>
+    <message>
+        <source>not framed</source>
+        <translation>无帧</translation>
+    </message>
+    <message>
+        <source>{} sends something ({} octets), but not in this protocol</source>
+        <translation>{} 发送了数据（{} 字节），但不是此协议</translation>
+    </message>
+    <message>
+        <source>check that it is the right device, and on a serial line its baud rate and framing</source>
+        <translation>请确认设备正确；若为串口，请检查波特率和帧格式</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be a finite number</source>
+        <translation>“{}”必须是有限数</translation>
+    </message>
+    <message>
+        <source>&apos;signals&apos; must be a list of texts</source>
+        <translation>“signals”必须是文本列表</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit</source>
+        <translation>未知的键“{}”；[[plot]] 只有 signals、min、max、unit</translation>
+    </message>
+    <message>
+        <source>a [[plot]] has both min and max, or neither; min is less than max</source>
+        <translation>[[plot]] 要么同时有 min 和 max，要么都没有；min 小于 max</translation>
+    </message>
+    <message>
+        <source>&apos;plot&apos; must be a list of tables, [[plot]]</source>
+        <translation>“plot”必须是表的列表，[[plot]]</translation>
+    </message>
+    <message>
+        <source>&apos;monitor&apos; must be a table</source>
+        <translation>“monitor”必须是表</translation>
+    </message>
+    <message>
+        <source>[monitor] has follow (true or false) and span_s</source>
+        <translation>[monitor] 有 follow（true 或 false）和 span_s</translation>
+    </message>
+    <message>
+        <source>&apos;span_s&apos; must be more than 0</source>
+        <translation>“span_s”必须大于 0</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, plot, model, design, calibration</source>
+        <translation>未知的键“{}”；已知的键有 schema、device、notes、perspective、layout、monitor、plot、model、design、calibration</translation>
     </message>
 </context>
 <context>

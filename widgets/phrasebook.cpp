@@ -117,6 +117,19 @@ std::optional<QString> afterItsPlace(const QString& english) {
     return what ? std::optional(english.left(colon + 2) + *what) : std::nullopt;
 }
 
+/// "install the rules ..., or join the group ...": a sentence and what was added to it.
+std::optional<QString> continued(const QString& english) {
+    const QString comma = QStringLiteral(", ");
+    for (int at = english.indexOf(comma); at > 0; at = english.indexOf(comma, at + 1)) {
+        const char* phrase = phrasebook().whole.value(english.left(at), nullptr);
+        const auto added = phrase != nullptr ? sentence(english.mid(at)) : std::nullopt;
+        if (added) {
+            return translated(phrase) + *added;
+        }
+    }
+    return std::nullopt;
+}
+
 std::optional<QString> sentence(const QString& english) {
     const Phrasebook& book = phrasebook();
     if (const char* phrase = book.whole.value(english, nullptr)) {
@@ -131,7 +144,8 @@ std::optional<QString> sentence(const QString& english) {
             return filledIn(translated(pattern.phrase), words);
         }
     }
-    return afterItsPlace(english);
+    const auto placed = afterItsPlace(english);
+    return placed ? placed : continued(english);
 }
 
 /// A text of several sentences: all but the last have lost their full stop to the split.

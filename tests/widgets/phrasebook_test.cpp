@@ -31,6 +31,7 @@ private:
         {"the board stopped", "gestoppt"},
         {"Nothing is armed without it; check the temperature sensors.", "Sensoren prüfen!"},
         {"find the cause, then clear the stop", "Ursache finden"},
+        {", the board's clock gains {} +- {} ppm", ", Uhr: {} +- {}"},
         {"off", "aus"},
     };
 };
@@ -86,6 +87,10 @@ TEST_F(PhrasebookTest, looksUpEachOfSeveralSentences) {
 TEST_F(PhrasebookTest, looksUpASentenceBehindItsPlace) {
     EXPECT_EQ(said("motor.toml:3:1: the board stopped"), "motor.toml:3:1: gestoppt");
     EXPECT_EQ(said("tcp:127.0.0.1:1: value: the board stopped"), "tcp:127.0.0.1:1: value: gestoppt");
+}
+
+TEST_F(PhrasebookTest, looksUpWhatWasAddedToASentence) {
+    EXPECT_EQ(said("the board stopped, the board's clock gains 0.5 +- 0.1 ppm"), "gestoppt, Uhr: 0,5 +- 0,1");
 }
 
 TEST_F(PhrasebookTest, leavesUnknownWordsAsTheyAre) {
