@@ -4055,6 +4055,14 @@ Firmware %2</translation>
         <source>the window did not answer while the actuator was armed, so it was stopped</source>
         <translation>Das Fenster antwortete nicht, während der Aktor freigegeben war; deshalb wurde er gestoppt</translation>
     </message>
+    <message>
+        <source>%1 rows came faster than the window could show them and are not drawn</source>
+        <translation>%1 Zeilen kamen schneller, als das Fenster sie zeigen konnte, und sind nicht gezeichnet</translation>
+    </message>
+    <message>
+        <source>%1 more lines came too fast to be shown</source>
+        <translation>%1 weitere Zeilen kamen zu schnell, um gezeigt zu werden</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DisplayQuantity</name>

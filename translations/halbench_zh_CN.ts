@@ -4055,6 +4055,14 @@ Firmware %2</source>
         <source>the window did not answer while the actuator was armed, so it was stopped</source>
         <translation>执行器处于使能状态时窗口没有响应，因此已将其停止</translation>
     </message>
+    <message>
+        <source>%1 rows came faster than the window could show them and are not drawn</source>
+        <translation>%1 行到达过快，窗口来不及显示，因此未绘制</translation>
+    </message>
+    <message>
+        <source>%1 more lines came too fast to be shown</source>
+        <translation>另有 %1 行到达过快，未能显示</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DisplayQuantity</name>

@@ -1,5 +1,7 @@
 #include "app/session/device_session.h"
 
+#include <QtCore/QLocale>
+
 #include <utility>
 
 namespace halbench::app {
@@ -7,10 +9,20 @@ namespace halbench::app {
 namespace {
 
 constexpr int HeartbeatPeriod_ms = 100;
+/// Two minutes at 1 kHz: a window that was suspended for less loses nothing.
+constexpr std::size_t InboxCapacity_rows = 120000;
+
+/// Log lines of a board on their way to the window: one that chatters must not keep it from its keys.
+constexpr int MostWaitingLines = 200;
+
+struct LineValve {
+    std::atomic<int> waiting = 0;
+    std::atomic<std::uint64_t> leftOut = 0;
+};
 
 } // namespace
 
-DeviceSession::DeviceSession(QObject* parent) : QObject(parent) {
+DeviceSession::DeviceSession(QObject* parent) : QObject(parent), m_inbox(InboxCapacity_rows) {
     connect(&m_heartbeat, &QTimer::timeout, this, [this] {
         if (m_connection) {
             m_connection->confirmAlive();
@@ -30,8 +42,21 @@ void DeviceSession::connectDevice(const QString& uri, Pace pace, std::optional<s
     devices::OpenOptions options;
     options.seed = seed;
     options.cacheFolder = devices::userCacheFolder();
-    options.onMessage = [this](const std::string& text) {
-        onGui([this, text] { message(MessageLevel::Info, tr("board"), QString::fromStdString(text)); });
+    options.onMessage = [this, valve = std::make_shared<LineValve>()](const std::string& text) {
+        if (valve->waiting >= MostWaitingLines) {
+            ++valve->leftOut;
+            return;
+        }
+        ++valve->waiting;
+        onGui([this, valve, text] {
+            --valve->waiting;
+            message(MessageLevel::Info, tr("board"), QString::fromStdString(text));
+            if (const std::uint64_t count = valve->leftOut.exchange(0); count > 0) {
+                message(MessageLevel::Warning, tr("board"),
+                        tr("%1 more lines came too fast to be shown")
+                            .arg(QLocale().toString(static_cast<qulonglong>(count))));
+            }
+        });
     };
     auto open = [address = uri.toStdString(), options] { return devices::openDevice(address, options); };
     {
@@ -84,10 +109,10 @@ ConnectionEvents DeviceSession::events() {
         });
     };
     events.onBlock = [this](SampleBlockPtr block) {
+        m_inbox.push(block);
         devices::BlockSink sink;
         {
             const std::lock_guard lock(m_mutex);
-            m_blocks.push_back(block);
             sink = m_blockSink;
         }
         if (sink) {
@@ -152,8 +177,13 @@ void DeviceSession::setLiveStream(const std::vector<std::string>& signalNames, d
 }
 
 std::vector<SampleBlockPtr> DeviceSession::takeBlocks() {
-    const std::lock_guard lock(m_mutex);
-    return std::exchange(m_blocks, {});
+    const std::uint64_t skipped = m_inbox.skippedRows();
+    if (const std::uint64_t more = skipped - std::exchange(m_skippedRows, skipped); more > 0) {
+        message(MessageLevel::Warning, tr("samples"),
+                tr("%1 rows came faster than the window could show them and are not drawn")
+                    .arg(QLocale().toString(static_cast<qulonglong>(more))));
+    }
+    return m_inbox.take();
 }
 
 void DeviceSession::setBlockSink(devices::BlockSink sink) {

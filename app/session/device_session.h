@@ -3,6 +3,7 @@
 #include "app/procedures/procedure.h"
 #include "app/session/connection.h"
 #include "app/session/shared_device.h"
+#include "devices/acquisition/display_inbox.h"
 #include "devices/open_device.h"
 
 #include <QtCore/QObject>
@@ -47,7 +48,9 @@ public:
 
     /// Signals the display wants while no procedure streams. The rate must divide their event's rate.
     void setLiveStream(const std::vector<std::string>& signalNames, double rate_Hz);
-    /// Samples that arrived since the last call, oldest first; time since the device was opened.
+    /// Samples that arrived since the last call, oldest first; time since the device was opened. What a
+    /// window that did not call for two minutes, or a device that floods, brought beyond the room for it is
+    /// left out, and said.
     std::vector<SampleBlockPtr> takeBlocks();
 
     /// Every block as it comes, on the connection thread, for a recorder; empty: nobody. It must return at
@@ -102,8 +105,9 @@ private:
     std::uint64_t m_generation = 0; ///< of the connection; what an older one still says is not heard
 
     std::atomic<bool> m_isAborting = false;
-    std::mutex m_mutex; ///< guards the blocks and the sink
-    std::vector<SampleBlockPtr> m_blocks;
+    devices::DisplayInbox m_inbox;
+    std::uint64_t m_skippedRows = 0; ///< of the inbox, as said
+    std::mutex m_mutex;              ///< guards the sink
     devices::BlockSink m_blockSink;
 
     std::mutex m_connectionMutex; ///< guards the pointer against stopActuator() from another thread

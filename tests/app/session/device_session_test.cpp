@@ -148,6 +148,28 @@ TEST_F(DeviceSessionTest, aBlockSinkHearsEveryBlockOnTheWay) {
     EXPECT_EQ(taken, 0U); // forgotten with the device, not lost for the sink
 }
 
+TEST_F(DeviceSessionTest, aFloodThatNobodyTakesIsLeftOutAndSaid) {
+    connectMotor("", 50.0);
+    QString said;
+    const QObject listener;
+    QObject::connect(&session, &DeviceSession::message, &listener,
+                     [&said](MessageLevel level, const QString&, const QString& text) {
+                         said = level == MessageLevel::Warning ? text : said;
+                     });
+    std::atomic<std::size_t> rows = 0;
+    session.setBlockSink([&rows](const SampleBlockPtr& block) { rows += block->rows(); });
+    session.setLiveStream({"position"}, 1000.0);
+    ASSERT_TRUE(wait([&] { return rows > 150000; })); // more than two minutes at 1 kHz
+    std::size_t taken = 0;
+    for (const SampleBlockPtr& block : session.takeBlocks()) {
+        taken += block->rows();
+    }
+    EXPECT_LE(taken, 120000U);
+    EXPECT_GT(taken, 119000U); // full up to a block
+    EXPECT_TRUE(said.contains("not drawn"));
+    EXPECT_EQ(session.state(), SessionState::Connected);
+}
+
 TEST_F(DeviceSessionTest, displayTimeGoesOnWhileStreamsChange) {
     connectMotor("", 20.0);
     session.setLiveStream({"position"}, 100.0);
