@@ -5,11 +5,15 @@
 
 #include <QAccessible>
 #include <QEvent>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QStyleHints>
 
 namespace halbench::widgets {
 namespace {
+
+constexpr int Symbol_px = 16;
 
 Role roleOfState(WorkState state) {
     switch (state) {
@@ -67,6 +71,10 @@ StatusStrip::StatusStrip(QWidget* parent)
     row->addStretch(1);
     row->addWidget(m_recordSymbol);
     row->addWidget(m_recordLabel);
+    connect(&m_blink, &QTimer::timeout, this, [this] {
+        m_isSymbolShown = !m_isSymbolShown;
+        refreshSymbol();
+    });
     refresh();
     refreshRecording();
 }
@@ -80,6 +88,17 @@ void StatusStrip::setState(WorkState state, const QString& detail) {
     refresh();
     QAccessibleEvent alert(this, QAccessible::Alert);
     QAccessible::updateAccessibility(&alert);
+}
+
+void StatusStrip::setFaultLatched(bool isLatched) {
+    const int period_ms = QGuiApplication::styleHints()->cursorFlashTime();
+    if (!isLatched || period_ms <= 0) {
+        m_blink.stop();
+        m_isSymbolShown = true;
+    } else if (!m_blink.isActive()) {
+        m_blink.start(period_ms); // shown and hidden for a cursor's whole period: half as fast as it blinks
+    }
+    refreshSymbol();
 }
 
 void StatusStrip::setDevice(const QString& name, bool isSimulated) {
@@ -123,7 +142,7 @@ void StatusStrip::refresh() {
     m_simulatedBadge->setText(tr("SIMULATED"));
     m_simulatedBadge->setToolTip(tr("This device is a simulation inside the program; nothing real moves"));
     m_simulatedBadge->setVisible(m_isSimulated);
-    m_stateSymbol->setPixmap(themedIcon(iconOfState(m_state), role).pixmap(16, 16));
+    refreshSymbol();
     m_stateBadge->setText(stateText());
     m_stateBadge->setToolTip(stateText());
     setRole(*m_stateBadge, role);
@@ -131,6 +150,14 @@ void StatusStrip::refresh() {
     setAccessibleName(tr("State of the device"));
     setAccessibleDescription(m_isSimulated ? tr("%1, simulated, %2").arg(m_deviceLabel->text(), stateText())
                                            : tr("%1, %2").arg(m_deviceLabel->text(), stateText()));
+}
+
+void StatusStrip::refreshSymbol() {
+    QPixmap symbol = themedIcon(iconOfState(m_state), roleOfState(m_state)).pixmap(Symbol_px, Symbol_px);
+    if (!m_isSymbolShown) {
+        symbol.fill(Qt::transparent); // keeps its place
+    }
+    m_stateSymbol->setPixmap(symbol);
 }
 
 void StatusStrip::refreshRecording() {

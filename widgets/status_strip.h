@@ -2,6 +2,7 @@
 
 #include <QFrame>
 #include <QString>
+#include <QTimer>
 
 class QLabel;
 
@@ -18,6 +19,9 @@ public:
 
     /// Detail: the procedure's name when running, why when stopped, what when faulty; else unused.
     void setState(WorkState state, const QString& detail = {});
+    /// A latched fault: its symbol blinks slowly, its words stay; not where the desktop's cursor does not
+    /// blink.
+    void setFaultLatched(bool isLatched);
     void setDevice(const QString& name, bool isSimulated);
     void clearDevice();
     void setRecording(bool isRecording, double elapsed_s = 0.0);
@@ -30,11 +34,14 @@ protected:
 
 private:
     void refresh();
+    void refreshSymbol();
     void refreshRecording();
 
     WorkState m_state = WorkState::Disconnected;
     QString m_detail;
     QString m_device;
+    QTimer m_blink;
+    bool m_isSymbolShown = true;
     bool m_isSimulated = false;
     bool m_isRecording = false;
     double m_elapsed_s = 0.0;

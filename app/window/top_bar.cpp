@@ -121,6 +121,7 @@ void TopBar::refresh() {
     } else {
         m_strip->clearDevice();
     }
+    m_strip->setFaultLatched(isConnected && board.fault != 0);
     if (session.state() == SessionState::Lost) {
         m_strip->setState(widgets::WorkState::Fault, tr("connection lost"));
     } else if (!isConnected) {

@@ -43,6 +43,50 @@ TEST_F(StatusWidgets, stripSaysTheStateInWordsAndRole) {
     EXPECT_EQ(roleOf(strip), Role::Good);
 }
 
+/// The strip as it looks at every change, with its words.
+bool blinks(StatusStrip& strip) {
+    strip.show();
+    const QImage first = strip.grab().toImage();
+    bool hasChanged = false;
+    bool hasComeBack = false;
+    (void)QTest::qWaitFor(
+        [&] {
+            hasChanged = hasChanged || strip.grab().toImage() != first;
+            hasComeBack = hasChanged && strip.grab().toImage() == first;
+            EXPECT_TRUE(showsText(strip, strip.stateText())); // always to be read
+            return hasComeBack;
+        },
+        500);
+    return hasComeBack;
+}
+
+TEST_F(StatusWidgets, aLatchedFaultBlinksUntilItIsClearedAndNothingElseDoes) {
+    QApplication::setCursorFlashTime(20); // the default of 1 s is a slow blink, not a quick test
+    StatusStrip strip;
+    strip.setState(WorkState::Fault, QStringLiteral("coil B over 80 °C"));
+    EXPECT_FALSE(blinks(strip)); // e.g. a connection that was lost: nobody can clear it
+    strip.setFaultLatched(true);
+    strip.setFaultLatched(true); // every report says it again
+    EXPECT_TRUE(blinks(strip));
+    strip.setFaultLatched(false);
+    const QImage rest = strip.grab().toImage();
+    EXPECT_FALSE(blinks(strip));
+    StatusStrip fresh;
+    fresh.setState(WorkState::Fault, QStringLiteral("coil B over 80 °C"));
+    fresh.resize(strip.size());
+    fresh.show();
+    EXPECT_EQ(fresh.grab().toImage(), rest); // with its symbol
+}
+
+TEST_F(StatusWidgets, nothingBlinksWhereTheDesktopWantsNoBlinking) {
+    QApplication::setCursorFlashTime(0);
+    StatusStrip strip;
+    strip.setState(WorkState::Fault, QStringLiteral("coil B over 80 °C"));
+    strip.setFaultLatched(true);
+    EXPECT_FALSE(blinks(strip));
+    QApplication::setCursorFlashTime(1000);
+}
+
 TEST_F(StatusWidgets, stripShowsSimulationAndRecording) {
     StatusStrip strip;
     EXPECT_FALSE(showsText(strip, QStringLiteral("SIMULATED")));
