@@ -1,0 +1,150 @@
+#pragma once
+
+#include "tests/devices/transport/served_board.h"
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace halbench::app {
+
+/// A board in the network behind a line that a test can spoil: `uri()` is where the window finds it.
+class FaultyLine {
+public:
+    enum class Fault {
+        None,
+        Stalled,  ///< open, but nothing comes from the board any more
+        Cut,      ///< closed, and stays closed
+        Flooding, ///< the board sends as many log lines as the line takes, beside what it was asked for
+    };
+
+    FaultyLine() : m_listener(::socket(AF_INET, SOCK_STREAM, 0)) {
+        sockaddr_in address = loopback(0);
+        socklen_t size = sizeof address;
+        ::bind(m_listener, reinterpret_cast<sockaddr*>(&address), size);
+        ::listen(m_listener, 1);
+        ::getsockname(m_listener, reinterpret_cast<sockaddr*>(&address), &size);
+        m_uri = "tcp:127.0.0.1:" + std::to_string(ntohs(address.sin_port));
+        m_thread = std::thread([this] { run(); });
+    }
+    ~FaultyLine() {
+        m_isEnding = true;
+        m_thread.join();
+        ::close(m_listener);
+    }
+    FaultyLine(const FaultyLine&) = delete;
+    FaultyLine& operator=(const FaultyLine&) = delete;
+
+    const std::string& uri() const { return m_uri; }
+    void spoil(Fault fault) { m_fault = fault; }
+
+private:
+    static sockaddr_in loopback(int port) {
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        address.sin_port = htons(static_cast<std::uint16_t>(port));
+        return address;
+    }
+
+    void run() {
+        while (!m_isEnding) {
+            pollfd waiting{m_listener, POLLIN, 0};
+            if (::poll(&waiting, 1, 10) <= 0 || m_fault == Fault::Cut) {
+                continue;
+            }
+            const int master = ::accept(m_listener, nullptr, nullptr);
+            const int board = ::socket(AF_INET, SOCK_STREAM, 0);
+            const std::string& served = m_board.uri();
+            const sockaddr_in address = loopback(std::stoi(served.substr(served.rfind(':') + 1)));
+            ::connect(board, reinterpret_cast<const sockaddr*>(&address), sizeof address);
+            m_inMessage = 0;
+            relay(master, board);
+            ::close(master);
+            ::close(board);
+        }
+    }
+
+    void relay(int master, int board) {
+        while (!m_isEnding && m_fault != Fault::Cut) {
+            std::array<pollfd, 2> ends{{{master, POLLIN, 0}, {board, POLLIN, 0}}};
+            ::poll(ends.data(), ends.size(), m_fault == Fault::Flooding ? 0 : 5);
+            if (ends[0].revents != 0 && !forward(master, board, false)) {
+                return;
+            }
+            if (ends[1].revents != 0 && !forward(board, master, true)) {
+                return;
+            }
+            if (m_fault == Fault::Flooding && m_inMessage == 0 && !flood(master)) {
+                return;
+            }
+        }
+    }
+
+    static bool sendAll(int to, const std::uint8_t* octets, std::size_t count) {
+        while (count > 0) {
+            const ssize_t sent = ::send(to, octets, count, MSG_NOSIGNAL);
+            if (sent <= 0) {
+                return false;
+            }
+            octets += sent;
+            count -= static_cast<std::size_t>(sent);
+        }
+        return true;
+    }
+
+    bool forward(int from, int to, bool isBoard) {
+        std::array<std::uint8_t, 4096> octets{};
+        const ssize_t count = ::recv(from, octets.data(), octets.size(), 0);
+        if (count <= 0) {
+            return false;
+        }
+        if (isBoard) {
+            follow(octets.data(), static_cast<std::size_t>(count));
+        }
+        return (isBoard && m_fault == Fault::Stalled) ||
+               sendAll(to, octets.data(), static_cast<std::size_t>(count));
+    }
+
+    /// Follows the messages `LEN u16 | CTR u16 | PACKET` of the board, so that a flood comes between two of
+    /// them.
+    void follow(const std::uint8_t* octets, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            if (m_inMessage < 2) {
+                m_length = m_inMessage == 0 ? octets[i] : m_length + 256U * octets[i];
+            }
+            ++m_inMessage;
+            if (m_inMessage >= 4 && m_inMessage == m_length + 4U) {
+                m_inMessage = 0;
+            }
+        }
+    }
+
+    bool flood(int master) {
+        std::vector<std::uint8_t> lines;
+        for (int i = 0; i < 64; ++i) {
+            lines.insert(lines.end(), {9, 0, 0, 0, 0xFC, 0x01, 'f', 'l', 'o', 'o', 'd', '\n', 0});
+        }
+        return sendAll(master, lines.data(), lines.size());
+    }
+
+    devices::BoardServer m_board;
+    int m_listener;
+    std::string m_uri;
+    std::atomic<Fault> m_fault = Fault::None;
+    std::atomic<bool> m_isEnding = false;
+    std::size_t m_length = 0;    ///< of the board's message that is on its way
+    std::size_t m_inMessage = 0; ///< octets of it that came; 0: between two
+    std::thread m_thread;
+};
+
+} // namespace halbench::app

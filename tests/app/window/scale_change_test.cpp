@@ -1,0 +1,55 @@
+#include "app/window/dock_layout.h"
+#include "tests/app/window/window_test.h"
+#include "widgets/stop_button.h"
+
+#include <QAbstractButton>
+
+namespace halbench::app {
+namespace {
+
+/// The text of the running window grows and shrinks, as when the desktop's scale or font is changed.
+class ScaleChangeTest : public WindowTest {
+protected:
+    void dress(double scale_ratio) {
+        const auto theme = widgets::loadTheme("light");
+        ASSERT_TRUE(theme);
+        widgets::applyTheme(application, *theme, {QLocale(), widgets::Dress().fontSize_pt * scale_ratio});
+        QTest::qWait(100); // layouts follow with the next frames
+    }
+
+    /// Buttons of the window that are in sight and narrower or lower than their words need.
+    QStringList clipped() const {
+        QStringList found;
+        for (const QAbstractButton* button : window->findChildren<QAbstractButton*>()) {
+            const QSize need = button->minimumSizeHint();
+            const bool isInSight = button->isVisible() && !button->visibleRegion().isEmpty();
+            if (isInSight && !button->text().isEmpty() &&
+                (button->width() < need.width() || button->height() < need.height())) {
+                found << button->text();
+            }
+        }
+        return found;
+    }
+};
+
+TEST_F(ScaleChangeTest, nothingIsClippedWhenTheTextGrowsAndShrinksAtRunTime) {
+    open();
+    window->resize(1920, 1080);
+    connectMotor(1.0);
+    auto* stop = window->findChild<widgets::StopButton*>();
+    for (const double scale_ratio : {1.25, 1.0}) {
+        dress(scale_ratio);
+        for (const Perspective perspective : AllPerspectives) {
+            SCOPED_TRACE(perspectiveId(perspective).toStdString() + " at " + std::to_string(scale_ratio));
+            window->docks().setPerspective(perspective);
+            QTest::qWait(100);
+            EXPECT_TRUE(window->rect().contains(QRect(stop->mapTo(window.get(), QPoint()), stop->size())));
+            EXPECT_EQ(clipped().join(", ").toStdString(), "");
+            EXPECT_LE(window->width(), 1920);
+        }
+    }
+    EXPECT_EQ(session().state(), SessionState::Connected);
+}
+
+} // namespace
+} // namespace halbench::app
