@@ -48,6 +48,7 @@ Result<std::unique_ptr<Device>> openBoard(const DeviceUri& uri, const OpenOption
     device.identity.uri = uri.text;
     device.identity.transport = uri.scheme;
     device.interruptSignal = options.interruptSignal;
+    device.orders = options.orders;
     device.onMessage = options.onMessage;
     device.cacheFolder = options.cacheFolder;
     device.measuresClock = true;

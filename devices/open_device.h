@@ -1,6 +1,7 @@
 #pragma once
 
 #include "devices/device.h"
+#include "devices/link_orders.h"
 
 #include <atomic>
 #include <functional>
@@ -16,6 +17,7 @@ struct OpenOptions {
     std::optional<std::uint64_t> seed; ///< `--seed`: wins over `?seed=`
     bool isRealtime = false;           ///< `--realtime`: a simulated device is paced by the wall clock
     const std::atomic<int>* interruptSignal = nullptr; ///< becomes SIGINT or SIGTERM when one arrived
+    std::shared_ptr<const LinkOrders> orders;          ///< of other threads; may be empty
     std::function<void(const std::string&)> onMessage; ///< log lines of board and link; may be empty
     /// Where descriptions of boards in the network are kept between connections; empty: nowhere.
     std::string cacheFolder;

@@ -152,6 +152,7 @@ Result<std::unique_ptr<Device>> openSimulatedDevice(const DeviceUri& uri, const 
     device.identity.isSimulated = true;
     device.identity.overrides = setup->overrides;
     device.interruptSignal = options.interruptSignal;
+    device.orders = options.orders;
     device.onMessage = options.onMessage;
     return openXcpDevice(std::make_unique<LoopbackTransport>(std::move(*board), options.isRealtime),
                          std::move(device));

@@ -53,6 +53,7 @@ Error withWhatWasHeard(Error error, const Transport& transport) {
 
 XcpDevice::XcpDevice(std::unique_ptr<Transport> transport, XcpDeviceOptions options)
     : m_options(std::move(options)), m_link(std::move(transport)), m_master(m_link), m_clock(*this) {
+    m_link.setOrders(m_options.orders);
     installHandlers();
 }
 
@@ -101,6 +102,7 @@ Result<void> XcpDevice::open() {
             return done;
         }
     }
+    m_link.noteOpened();
     m_state.isConnected = true;
     return {};
 }

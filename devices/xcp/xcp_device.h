@@ -1,6 +1,7 @@
 #pragma once
 
 #include "devices/device.h"
+#include "devices/link_orders.h"
 #include "devices/profile.h"
 #include "devices/transport/transport.h"
 
@@ -23,6 +24,8 @@ struct XcpDeviceOptions {
     std::optional<Profile> profile;
     /// Becomes SIGINT or SIGTERM when one arrived: clock().waitFor() then returns Interrupted or Terminated.
     const std::atomic<int>* interruptSignal = nullptr;
+    /// Orders of other threads; may be empty.
+    std::shared_ptr<const LinkOrders> orders;
     /// Log lines of the board and remarks of the link ("values change one by one"); may be empty.
     std::function<void(const std::string&)> onMessage;
     /// Watchdog the board gets when it is armed; a status request is sent every quarter of it.

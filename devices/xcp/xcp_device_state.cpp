@@ -13,7 +13,6 @@ constexpr const char* ArmName = "hb.arm";
 constexpr const char* SetpointName = "hb.setpoint";
 constexpr const char* WatchdogName = "hb.watchdog_ms";
 
-constexpr std::uint8_t ReleaseSubCommand = 0x52; // "R"
 constexpr int StopTries = 3;
 constexpr double StopPeriod_s = 0.010;
 constexpr double StatePatience_s = 0.5;
@@ -149,10 +148,17 @@ Result<void> XcpDevice::awaitArmed(bool isArmed) {
 
 void XcpDevice::stop() noexcept {
     for (int attempt = 0; attempt < StopTries && !m_link.lost(); ++attempt) {
-        if (!m_master.sendStop() || !m_link.pumpUntil(now_s() + StopPeriod_s)) {
+        const double next_s = now_s() + StopPeriod_s;
+        if (!m_link.sendStop()) {
             break;
         }
-        if (refreshState() && m_state.isStopLatched) {
+        const Result<bool> answered = m_link.pumpUntilAnswer(StopPeriod_s);
+        if (!answered || !m_link.pumpUntil(next_s)) {
+            break;
+        }
+        // Without an answer the next try is due; what the board says of itself can wait.
+        const bool isLast = attempt + 1 == StopTries;
+        if ((*answered || isLast) && refreshState() && m_state.isStopLatched) {
             break;
         }
     }
@@ -161,7 +167,7 @@ void XcpDevice::stop() noexcept {
 
 Result<void> XcpDevice::clearStop() {
     m_expectsArmed = false;
-    if (Result<void> released = m_master.userCommand(ReleaseSubCommand); !released) {
+    if (Result<void> released = m_master.releaseStop(); !released) {
         return released;
     }
     const double end_s = now_s() + StatePatience_s;

@@ -17,6 +17,11 @@ constexpr int MaxRepeats = 2;
 constexpr int MaxWaits = 50;
 constexpr double BusyWait_s = 0.02;
 constexpr std::size_t RoundTripsKept = 1024;
+/// How late an order of another thread may be noticed.
+constexpr double OrderPeriod_s = 5e-3;
+constexpr std::uint8_t StopSubCommand = 0x45; // "E"
+constexpr double StopPeriod_s = 0.010;
+constexpr int StopRepeats = 2;
 constexpr const char* CableHint = "check cable, power and address, then connect again";
 
 Trouble trouble(TroubleCause cause, ErrorCode code, std::string message, std::string hint = CableHint) {
@@ -46,7 +51,51 @@ Reply<bool> XcpLink::receive(double timeout_s) {
     return *received;
 }
 
+double XcpLink::patience_s(double deadline_s) const {
+    const double left_s = deadline_s - m_transport->now_s();
+    return m_orders ? std::min(left_s, OrderPeriod_s) : left_s;
+}
+
+Result<void> XcpLink::sendStop() {
+    m_stopsObeyed = m_orders ? m_orders->stops.load() : 0;
+    m_isOutOfStep = true;
+    ++m_stopsSent;
+    m_stopSent_s = m_transport->now_s();
+    return sendNow(CommandEncoder().userCommand(StopSubCommand));
+}
+
+/// Sends the stop that another thread asked for; true when there was one.
+bool XcpLink::obeyStop() {
+    if (!m_orders || m_orders->stops == m_stopsObeyed) {
+        return false;
+    }
+    m_stopRepeats = StopRepeats;
+    (void)sendStop(); // a link that is gone shows at the next receive
+    return true;
+}
+
+std::optional<Trouble> XcpLink::obeyOrders() {
+    if (m_isOpening && m_orders && m_orders->isLeaving) {
+        markLost({ErrorCode::Interrupted, fmt::format("{}: given up", m_transport->description()), ""});
+        return Trouble{TroubleCause::Lost, 0, *m_lost};
+    }
+    if (obeyStop()) {
+        return trouble(TroubleCause::Overtaken, ErrorCode::Interrupted,
+                       "a stop was sent before the board had answered", "try again");
+    }
+    return std::nullopt;
+}
+
 Reply<Packet> XcpLink::exchange(const Packet& command, double timeout_s) {
+    if (std::optional<Trouble> overtaken = obeyOrders()) {
+        return tl::unexpected(*std::move(overtaken));
+    }
+    const bool isConnecting = command[0] == static_cast<std::uint8_t>(Command::Connect);
+    if (m_isOutOfStep && !isConnecting) { // a board that is not connected does not answer SYNCH
+        if (const Result<void> synchronised = synchronise(); !synchronised) {
+            return tl::unexpected(Trouble{TroubleCause::Lost, 0, synchronised.error()});
+        }
+    }
     // Answers that nobody waits for any more must not be taken for the next command's.
     // Nor does a flood of packets hold a command up.
     const double drained_s = m_transport->now_s() + MaxDrain_s;
@@ -80,13 +129,15 @@ Reply<Packet> XcpLink::awaitAnswer(std::uint8_t command, double deadline_s) {
     const double start_s = m_transport->now_s();
     m_isPending = false;
     for (;;) {
-        const double now_s = m_transport->now_s();
-        if (now_s >= deadline_s) {
+        if (std::optional<Trouble> overtaken = obeyOrders()) {
+            return tl::unexpected(*std::move(overtaken));
+        }
+        if (m_transport->now_s() >= deadline_s) {
             return tl::unexpected(trouble(
                 TroubleCause::Timeout, ErrorCode::DeviceLost,
                 fmt::format("{} does not answer {}", m_transport->description(), commandName(command))));
         }
-        const Reply<bool> received = receive(deadline_s - now_s);
+        const Reply<bool> received = receive(patience_s(deadline_s));
         if (!received) {
             return tl::unexpected(received.error());
         }
@@ -167,6 +218,25 @@ Result<bool> XcpLink::pumpOnce(double timeout_s) {
     return *received;
 }
 
+Result<bool> XcpLink::pumpUntilAnswer(double timeout_s) {
+    const double deadline_s = m_transport->now_s() + timeout_s;
+    while (m_transport->now_s() < deadline_s) {
+        const Reply<bool> received = receive(deadline_s - m_transport->now_s());
+        if (!received) {
+            return failure(received.error().error);
+        }
+        if (!*received) {
+            continue;
+        }
+        const PacketKind kind = kindOf(m_packet);
+        if (kind == PacketKind::Response || kind == PacketKind::Error) {
+            return true;
+        }
+        dispatch();
+    }
+    return false;
+}
+
 Result<void> XcpLink::pumpUntil(double time_s) {
     while (m_transport->now_s() < time_s) {
         if (const Result<bool> pumped = pumpOnce(time_s - m_transport->now_s()); !pumped) {
@@ -193,21 +263,13 @@ Result<void> XcpLink::synchronise() {
         if (Result<void> sent = sendNow(command); !sent) {
             return sent;
         }
-        const double deadline_s = m_transport->now_s() + m_timeout_s;
-        while (m_transport->now_s() < deadline_s) {
-            const Reply<bool> received = receive(deadline_s - m_transport->now_s());
-            if (!received) {
-                return failure(received.error().error);
-            }
-            if (!*received) {
-                continue;
-            }
-            const bool isSynchronised =
-                kindOf(m_packet) == PacketKind::Error && m_packet.size() > 1 && m_packet[1] == 0x00;
-            if (isSynchronised) {
-                return {};
-            }
-            dispatch();
+        const Result<bool> synchronised = awaitSynchronised();
+        if (!synchronised) {
+            return failure(synchronised.error());
+        }
+        if (*synchronised) {
+            m_isOutOfStep = false;
+            return {};
         }
     }
     markLost({ErrorCode::DeviceLost, fmt::format("{} does not answer any more", m_transport->description()),
@@ -215,10 +277,43 @@ Result<void> XcpLink::synchronise() {
     return failure(*m_lost);
 }
 
+/// Discards what arrives until SYNCH is answered. A stop that is sent meanwhile takes a SYNCH of its own
+/// along, so that its answer is discarded as well.
+Result<bool> XcpLink::awaitSynchronised() {
+    const Packet command = CommandEncoder().plain(Command::Synch);
+    const double deadline_s = m_transport->now_s() + m_timeout_s;
+    int sent = 1;
+    int answered = 0;
+    while (answered < sent && m_transport->now_s() < deadline_s) {
+        const bool isDue = m_stopRepeats > 0 && m_transport->now_s() >= m_stopSent_s + StopPeriod_s;
+        if (obeyStop() || (isDue && m_stopRepeats-- > 0 && sendStop())) {
+            (void)sendNow(command); // a link that is gone shows in receive()
+            ++sent;
+        }
+        const Reply<bool> received = receive(patience_s(deadline_s));
+        if (!received) {
+            return failure(received.error().error);
+        }
+        if (!*received) {
+            continue;
+        }
+        if (kindOf(m_packet) == PacketKind::Error && m_packet.size() > 1 && m_packet[1] == 0x00) {
+            ++answered;
+        } else {
+            dispatch();
+        }
+    }
+    m_stopRepeats = 0;
+    return answered > 0;
+}
+
 std::optional<Error> XcpLink::afterTrouble(const Trouble& trouble, int& repeats, int& waits, double start_s) {
     const double elapsed_s = m_transport->now_s() - start_s;
     if (trouble.cause == TroubleCause::Lost) {
         return trouble.error;
+    }
+    if (trouble.cause == TroubleCause::Overtaken) {
+        return elapsed_s < MaxSilence_s ? std::nullopt : std::optional<Error>(trouble.error);
     }
     if (trouble.cause == TroubleCause::Slave) {
         const auto code = static_cast<SlaveError>(trouble.slaveError);

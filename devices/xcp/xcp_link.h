@@ -1,6 +1,7 @@
 #pragma once
 
 #include "control/base/result.h"
+#include "devices/link_orders.h"
 #include "devices/transport/transport.h"
 #include "devices/xcp/packets.h"
 
@@ -14,6 +15,7 @@ namespace halbench::devices::xcp {
 
 /// Why one try of a command gave no answer that can be used.
 enum class TroubleCause {
+    Overtaken, ///< a stop was sent meanwhile; SYNCH and repeat
     Timeout,   ///< nothing came; SYNCH and repeat
     BadAnswer, ///< an answer that does not fit the command; SYNCH and repeat
     Slave,     ///< the board answered with an error code
@@ -56,6 +58,10 @@ public:
     const Transport& transport() const { return *m_transport; }
     void setHandlers(LinkHandlers handlers) { m_handlers = std::move(handlers); }
     void setAnswerTimeout(double timeout_s) { m_timeout_s = timeout_s; }
+    /// What other threads want, looked at whenever an answer is awaited; may be empty.
+    void setOrders(std::shared_ptr<const LinkOrders> orders) { m_orders = std::move(orders); }
+    /// The board is open: from now on LinkOrders::isLeaving is the caller's to obey.
+    void noteOpened() { m_isOpening = false; }
 
     /// One try: sends, waits, gives the whole RES packet. `timeout_s` 0 = the usual one.
     Reply<Packet> exchange(const Packet& command, double timeout_s = 0.0);
@@ -73,8 +79,12 @@ public:
     /// Takes in at most one packet within the time; false when none came.
     Result<bool> pumpOnce(double timeout_s);
 
-    /// Sends a command without waiting and whatever is outstanding (the stop path, 3.11).
-    Result<void> sendNow(const Packet& command);
+    /// Sends the emergency stop without waiting and whatever is outstanding (3.11). Its answer cannot be told
+    /// from that of another command, so the next exchange() clears the queue by SYNCH first.
+    Result<void> sendStop();
+    /// Takes in packets until an answer of any kind comes; false when none came within the time.
+    Result<bool> pumpUntilAnswer(double timeout_s);
+    std::uint64_t stopsSent() const { return m_stopsSent; }
     /// Clears the board's command queue and everything that was on its way. Errors: DeviceLost.
     Result<void> synchronise();
 
@@ -95,6 +105,12 @@ public:
 private:
     Reply<Packet> awaitAnswer(std::uint8_t command, double deadline_s);
     Reply<bool> receive(double timeout_s);
+    Result<void> sendNow(const Packet& command);
+    bool obeyStop();
+    std::optional<Trouble> obeyOrders();
+    Result<bool> awaitSynchronised();
+    /// Longest time until the orders are looked at again.
+    double patience_s(double deadline_s) const;
     void dispatch();
     void handleEvent();
     void noteRoundTrip(double duration_s);
@@ -107,6 +123,13 @@ private:
     Packet m_packet; ///< storage reused by every receive
     std::optional<Error> m_lost;
     bool m_isPending = false; ///< the board asked for more time
+    std::shared_ptr<const LinkOrders> m_orders;
+    bool m_isOpening = true;
+    std::uint64_t m_stopsObeyed = 0; ///< of the orders
+    std::uint64_t m_stopsSent = 0;
+    double m_stopSent_s = 0.0;
+    int m_stopRepeats = 0;      ///< still to be sent while SYNCH is not answered
+    bool m_isOutOfStep = false; ///< the answer of a stop is on its way
     std::uint64_t m_repeated = 0;
     Exchange m_lastExchange;
     std::deque<double> m_roundTrips_s;

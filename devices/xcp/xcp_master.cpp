@@ -15,7 +15,7 @@ constexpr double ConnectPeriod_s = 0.3;
 constexpr double ConnectPause_s = 0.02;
 constexpr double MaxStoreTime_s = 5.0;
 constexpr double StorePoll_s = 0.02;
-constexpr std::uint8_t StopSubCommand = 0x45; // "E"
+constexpr std::uint8_t ReleaseSubCommand = 0x52; // "R"
 
 Error sizeError(const Packet& command, const Packet& answer, std::size_t size) {
     return {ErrorCode::Protocol,
@@ -311,8 +311,21 @@ Result<void> XcpMaster::userCommand(std::uint8_t sub) {
     return order(m_encoder.userCommand(sub));
 }
 
-Result<void> XcpMaster::sendStop() {
-    return m_link->sendNow(m_encoder.userCommand(StopSubCommand));
+Result<void> XcpMaster::releaseStop() {
+    const std::uint64_t stops = m_link->stopsSent();
+    return m_link->recover([&]() -> Reply<void> {
+        if (m_link->stopsSent() != stops) { // the repetition would undo the stop that came in between
+            return tl::unexpected(Trouble{TroubleCause::Slave,
+                                          static_cast<std::uint8_t>(SlaveError::Generic),
+                                          {ErrorCode::Interrupted, "a stop came in between",
+                                           "release the stop again when the cause is gone"}});
+        }
+        const Reply<Packet> answer = m_link->exchange(m_encoder.userCommand(ReleaseSubCommand));
+        if (!answer) {
+            return tl::unexpected(answer.error());
+        }
+        return {};
+    });
 }
 
 } // namespace halbench::devices::xcp

@@ -58,8 +58,8 @@ public:
     /// SET_REQUEST 0: store the active parameters; returns when the board's session status shows it done.
     Result<void> storeCalibration();
     Result<void> userCommand(std::uint8_t sub);
-    /// Stop, at once (3.11): no waiting, no queue.
-    Result<void> sendStop();
+    /// Clears the stop that latched (3.11), but not one that is sent meanwhile. Errors: Interrupted then.
+    Result<void> releaseStop();
 
     /// Nothing when the board cannot sample.
     Result<std::optional<DaqAbility>> daqAbility();
