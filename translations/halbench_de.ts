@@ -3710,6 +3710,26 @@
         <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, plot, model, design, calibration</source>
         <translation>unbekannter Schlüssel „{}“; bekannt sind schema, device, notes, perspective, layout, monitor, plot, model, design, calibration</translation>
     </message>
+    <message>
+        <source>{}: given up</source>
+        <translation>{}: aufgegeben</translation>
+    </message>
+    <message>
+        <source>a stop was sent before the board had answered</source>
+        <translation>ein Stopp wurde gesendet, bevor das Steuergerät geantwortet hatte</translation>
+    </message>
+    <message>
+        <source>try again</source>
+        <translation>versuchen Sie es erneut</translation>
+    </message>
+    <message>
+        <source>a stop came in between</source>
+        <translation>ein Stopp kam dazwischen</translation>
+    </message>
+    <message>
+        <source>release the stop again when the cause is gone</source>
+        <translation>heben Sie den Stopp erneut auf, wenn die Ursache beseitigt ist</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CalibratePanel</name>

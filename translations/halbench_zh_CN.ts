@@ -3710,6 +3710,26 @@
         <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, plot, model, design, calibration</source>
         <translation>未知的键“{}”；已知的键有 schema、device、notes、perspective、layout、monitor、plot、model、design、calibration</translation>
     </message>
+    <message>
+        <source>{}: given up</source>
+        <translation>{}：已放弃</translation>
+    </message>
+    <message>
+        <source>a stop was sent before the board had answered</source>
+        <translation>在控制板应答之前发送了停止</translation>
+    </message>
+    <message>
+        <source>try again</source>
+        <translation>请重试</translation>
+    </message>
+    <message>
+        <source>a stop came in between</source>
+        <translation>其间发生了停止</translation>
+    </message>
+    <message>
+        <source>release the stop again when the cause is gone</source>
+        <translation>原因排除后请再次解除停止</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CalibratePanel</name>
