@@ -61,15 +61,20 @@ Extent snapped(const Extent& extent, int majorTicks) {
             above - extent.high <= reach ? above : extent.high};
 }
 
-/// The wished distance of ticks, or a third of it where it would leave fewer than three (45 -> 15 degrees);
-/// nothing where the ticks would be too dense.
+/// The wished distance of ticks; a third of it where it would leave fewer than three (45 -> 15 degrees),
+/// twice or four times as much where the ticks would be too dense (90, 180 degrees).
 std::optional<double> usableStep(const Axis& axis, double range, int majorTicks) {
     if (!axis.tickStep || *axis.tickStep <= 0.0) {
         return std::nullopt;
     }
-    const double step = range / *axis.tickStep < 4.0 ? *axis.tickStep / 3.0 : *axis.tickStep;
-    const bool isReadable = range / step >= 3.0 && range / step <= 1.5 * majorTicks;
-    return isReadable ? std::optional<double>(step) : std::nullopt;
+    for (const double factor : {1.0 / 3.0, 1.0, 2.0, 4.0}) {
+        const double step = factor * *axis.tickStep;
+        const bool isFine = range / *axis.tickStep >= 4.0 && factor < 1.0;
+        if (!isFine && range / step >= 2.0 && range / step <= 1.5 * majorTicks) {
+            return step;
+        }
+    }
+    return std::nullopt;
 }
 
 FigureScale scaleOf(const Axis& axis, Extent extent, bool isWidened, int majorTicks) {

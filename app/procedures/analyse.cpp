@@ -60,9 +60,14 @@ void takeDominantPair(AnalysisResult& result, const TransferFunction& closedLoop
 Result<AnalysisResult::Bode> bodeOf(const TransferFunction& openLoop) {
     constexpr int Points = 400;
     constexpr double Decades_ratio = 5000.0; // 0.01 Hz for a loop of 100 Hz
+    // A held double integrator has a zero just inside z = -1: over the last percent its phase turns by 90
+    // degrees, because at the Nyquist frequency every sampled response is real. That says nothing about the
+    // loop and would be read as a resonance.
+    constexpr double End_ratio = 0.99;
     const double nyquist_rad_s = Pi / openLoop.timeBase().period_s();
     const auto response = control::frequencyResponse(
-        openLoop, control::logarithmicFrequencies(nyquist_rad_s / Decades_ratio, nyquist_rad_s, Points));
+        openLoop,
+        control::logarithmicFrequencies(nyquist_rad_s / Decades_ratio, End_ratio * nyquist_rad_s, Points));
     if (!response) {
         return failure(response.error());
     }

@@ -95,6 +95,9 @@ TEST(FigureScales, refineTheWishedStepWhereItLeavesTooFewTicks) {
     figure.panels[0].curves[0].y = {-270.0, -90.0};
     const auto wide = verticalScale(figure.panels[0], 220.0).division.ticks(QwtScaleDiv::MajorTick);
     EXPECT_DOUBLE_EQ(wide[1] - wide[0], 45.0);
+    const auto low = verticalScale(figure.panels[0], 70.0).division.ticks(QwtScaleDiv::MajorTick);
+    ASSERT_GE(low.size(), 2);
+    EXPECT_DOUBLE_EQ(low[1] - low[0], 90.0); // too dense for 45, and 50 is no phase
 }
 
 TEST(FigureScales, obeyGivenExtents) {

@@ -57,13 +57,15 @@ TEST(MotorEstimate, completesSteadySpeedsByOneRatioOfATransient) {
     EXPECT_NEAR(plant->accelerationGain_rad_s2_A, 26.0, 1e-9);
 }
 
-TEST(Analysis, curvesCoverTheLoopUpToNyquistAndTheStepInMilliseconds) {
+TEST(Analysis, curvesCoverTheLoopAlmostToNyquistAndTheStepInMilliseconds) {
     const auto result = runAnalysis(published(), recommended(), {});
     ASSERT_TRUE(result.has_value());
-    EXPECT_NEAR(result->bode.frequency_Hz.back(), 50.0, 1e-9);
+    EXPECT_NEAR(result->bode.frequency_Hz.back(), 49.5, 1e-9);
     EXPECT_EQ(result->bode.phase_deg.size(), result->bode.frequency_Hz.size());
     for (std::size_t i = 1; i < result->bode.phase_deg.size(); ++i) {
-        EXPECT_LT(std::abs(result->bode.phase_deg[i] - result->bode.phase_deg[i - 1]), 90.0);
+        // Neighbours are 2 % apart; dead time and lag turn the phase by less than 6 degrees there. At 50
+        // Hz itself the zero near z = -1 would make it jump by 80.
+        EXPECT_LT(std::abs(result->bode.phase_deg[i] - result->bode.phase_deg[i - 1]), 6.0);
     }
     ASSERT_GT(result->stepCurve.time_s.size(), 2u);
     EXPECT_NEAR(result->stepCurve.time_s[1], 1e-3, 1e-12);
