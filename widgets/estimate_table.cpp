@@ -110,6 +110,15 @@ QString EstimateTable::text() const {
     return lines;
 }
 
+int EstimateTable::neededWidth() const {
+    constexpr int Edges_px = 4;
+    int width_px = 2 * frameWidth() + Edges_px;
+    for (int column = 0; column < Columns; ++column) {
+        width_px += std::max(sizeHintForColumn(column), horizontalHeader()->sectionSizeHint(column));
+    }
+    return width_px;
+}
+
 QSize EstimateTable::sizeHint() const {
     int height_px = horizontalHeader()->sizeHint().height() + 2 * frameWidth();
     for (int i = 0; i < rowCount(); ++i) {

@@ -29,6 +29,9 @@ public:
     /// The rows as lines of tab-separated text, with the header.
     QString text() const;
 
+    /// At which no column is shortened.
+    int neededWidth() const;
+
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 

@@ -247,8 +247,10 @@ void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& la
     painter.translate(0.5, 0.5); // one-pixel lines fill whole pixels
     painter.setFont(figureFont(true));
     painter.setPen(theme.text);
-    painter.drawText(QPointF(layout.panels.front().canvas.left(), layout.titleBaseline),
-                     QString::fromStdString(figure.title));
+    const QRectF& top = layout.panels.front().canvas;
+    painter.drawText(QPointF(top.left(), layout.titleBaseline),
+                     QFontMetricsF(figureFont(true))
+                         .elidedText(QString::fromStdString(figure.title), Qt::ElideRight, top.width()));
     for (std::size_t i = 0; i < figure.panels.size(); ++i) {
         const Panel& panel = figure.panels[i];
         const FigureLayout::PanelPlace& place = layout.panels[i];

@@ -4,6 +4,17 @@
 #include "widgets/phrasebook.h"
 
 namespace halbench::widgets {
+namespace {
+
+/// "kp" below the heading "gain": what the heading says needs no room in each row.
+QString nameInGroup(const ParameterSpec& spec) {
+    const std::string prefix = spec.group + '.';
+    const bool isRepeated =
+        spec.name.size() > prefix.size() && spec.name.compare(0, prefix.size(), prefix) == 0;
+    return QString::fromStdString(isRepeated ? spec.name.substr(prefix.size()) : spec.name);
+}
+
+} // namespace
 
 QString ParameterTableModel::shownValue(const Row& row, std::optional<double> value) const {
     if (!value) {
@@ -20,7 +31,7 @@ QString ParameterTableModel::shownValue(const Row& row, std::optional<double> va
 QString ParameterTableModel::cellText(const Row& row, int column) const {
     switch (column) {
     case NameColumn:
-        return QString::fromStdString(row.spec.name);
+        return nameInGroup(row.spec);
     case DeviceColumn:
         return shownValue(row, row.device);
     case EditedColumn:
@@ -52,7 +63,8 @@ QString ParameterTableModel::toolTip(const Row& row, int column) const {
     if (column == EditedColumn && row.spec.access == ParameterAccess::ReadOnly) {
         return tr("This value can only be read");
     }
-    return inWords(row.spec.help);
+    const QString help = inWords(row.spec.help);
+    return column == NameColumn ? QString::fromStdString(row.spec.name) + QLatin1Char('\n') + help : help;
 }
 
 QVariant ParameterTableModel::look(const Row& row, int column, int role) const {

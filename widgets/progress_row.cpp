@@ -51,6 +51,7 @@ ProgressRow::ProgressRow(QWidget* parent)
     grid->addWidget(m_share, 1, 2);
     grid->addWidget(m_cancel, 0, 3, 2, 1);
     grid->setColumnStretch(0, 1);
+    setFocusProxy(m_cancel);
     connect(m_cancel, &QPushButton::clicked, this, [this] {
         setCancelling();
         Q_EMIT cancelRequested();

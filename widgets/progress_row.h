@@ -10,7 +10,7 @@ class QPushButton;
 
 namespace halbench::widgets {
 
-/// A long action: what it does, how far it is, the time left, Cancel.
+/// A long action: what it does, how far it is, the time left, Cancel, which has its focus.
 class ProgressRow : public QWidget {
     Q_OBJECT
 public:

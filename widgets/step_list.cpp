@@ -42,6 +42,7 @@ StepList::StepList(QWidget* parent) : QListWidget(parent) {
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setSpacing(1);
+    setProperty("surface", QStringLiteral("steps")); // it tells, it is no field
     setIconSize({16, 16});
     setAccessibleName(tr("Steps"));
     connect(this, &QListWidget::currentRowChanged, this, &StepList::stepChosen);

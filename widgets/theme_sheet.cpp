@@ -57,6 +57,7 @@ QAbstractItemView { background: @panel@; alternate-background-color: @alternate@
 QAbstractItemView:focus { border: 1px solid @accent@; }
 QAbstractItemView[surface="legend"] { border: 1px solid @panel@; }
 QAbstractItemView[surface="legend"]:focus { border: 1px solid @accent@; }
+QAbstractItemView[surface="steps"] { background: transparent; border: none; }
 QTreeView::item, QListView::item, QTableView::item { padding: 0px; min-height: @row@px; }
 QTreeView::item:selected, QListView::item:selected, QTableView::item:selected { background: @selection@;
     color: @text@; }
@@ -162,8 +163,8 @@ QString styleSheetOf(const Theme& theme, int fontHeight_px) {
     for (const auto& [name, colour] : colours) {
         sheet.replace(QStringLiteral("@%1@").arg(name), colour.name());
     }
-    // Controls are 28 px and rows 26 px high with the font's 17 px; borders and padding take 4 px, the frame of
-    // a spin box 6.
+    // Controls are 28 px and rows 26 px high with the font's 17 px; borders and padding take 4 px, the frame
+    // of a spin box 6.
     sheet.replace(QStringLiteral("@inner@"), QString::number(fontHeight_px + 7));
     sheet.replace(QStringLiteral("@control@"), QString::number(fontHeight_px + 5));
     sheet.replace(QStringLiteral("@row@"), QString::number(fontHeight_px + 9));

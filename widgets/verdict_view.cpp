@@ -40,6 +40,9 @@ VerdictView::VerdictView(QWidget* parent)
     grid->addWidget(m_title, 0, 1);
     grid->addWidget(m_words, 1, 1);
     grid->setColumnStretch(1, 1);
+    for (QLabel* label : {m_title, m_words}) {
+        label->installEventFilter(this);
+    }
 }
 
 void VerdictView::setVerdict(VerdictLevel level, const QString& title, const std::vector<Remark>& remarks) {
@@ -77,14 +80,18 @@ void VerdictView::refresh() {
     keepLinesWhole();
 }
 
-void VerdictView::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    keepLinesWhole();
+/// The labels get their width after this widget got its own.
+bool VerdictView::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize) {
+        keepLinesWhole();
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 /// A scroll area asks for smallest sizes, and a label's does not know into how many lines its words break.
 void VerdictView::keepLinesWhole() {
     for (QLabel* label : {m_title, m_words}) {
+        label->setMinimumHeight(0); // a label counts its minimum in
         label->setMinimumHeight(std::max(0, label->heightForWidth(label->width())));
     }
 }

@@ -4,6 +4,7 @@
 #include "widgets/verdict_view.h"
 
 #include <QClipboard>
+#include <QHeaderView>
 #include <QSignalSpy>
 #include <QtTest/QTest>
 
@@ -35,6 +36,31 @@ TEST_F(ResultWidgetsTest, aValueThatIsNotIdentifiableHasADashAndItsRemedy) {
     QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
     EXPECT_EQ(QGuiApplication::clipboard()->text().count('\n'), 2);
     EXPECT_TRUE(QGuiApplication::clipboard()->text().contains("0.00120\t0.00010"));
+}
+
+TEST_F(ResultWidgetsTest, aVerdictThatGotMoreWidthGivesItsHeightBack) {
+    VerdictView view;
+    view.setVerdict(VerdictLevel::Good, "Good",
+                    {{QString("many words ").repeated(20), QString("more words ").repeated(20)}});
+    view.resize(120, 400);
+    view.show();
+    QTest::qWait(0);
+    const int narrow = view.minimumSizeHint().height();
+    view.resize(900, 400);
+    QTest::qWait(0);
+    EXPECT_LT(view.minimumSizeHint().height(), narrow / 3); // lines are over seven times as long
+}
+
+TEST_F(ResultWidgetsTest, aTableKnowsTheWidthAtWhichNothingIsShortened) {
+    EstimateTable table;
+    table.setRows({{"damping c", 1.2e-3, 1.1e-3, 1.3e-3, "N·m·s/rad", "identified", ""},
+                   {"inertia J", {}, {}, {}, "kg·m²", "not identifiable", "give J"}});
+    table.resize(table.neededWidth(), 200);
+    table.show();
+    QTest::qWait(0);
+    EXPECT_GE(table.columnWidth(table.columnCount() - 1),
+              table.fontMetrics().horizontalAdvance("not identifiable"));
+    EXPECT_LE(table.horizontalHeader()->length(), table.viewport()->width());
 }
 
 TEST_F(ResultWidgetsTest, aVerdictIsSaidWithEveryRemarkAndRemedy) {
