@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
-# Pictures of every perspective with a moving motor: light and dark, at 1x and 2x, into FOLDER.
-# usage: tests/gui/screenshots.sh FOLDER [LANGUAGE...]
+# Pictures of every perspective, empty, with a moving motor and with its results: light and dark, at 1x and 2x,
+# into FOLDER. SIZE=1280x720 takes those of another window.
+# usage: [SIZE=WIDTHxHEIGHT] tests/gui/screenshots.sh FOLDER [LANGUAGE...]
 set -euo pipefail
 folder=$(realpath -m "${1:?usage: tests/gui/screenshots.sh FOLDER [LANGUAGE...]}")
 shift
 [ $# -gt 0 ] || set -- en
+size=${SIZE:-1440x900}
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 ninja --quiet -C build/release halbench_screenshots
 for language in "$@"; do
     for scale in 1 2; do
-        QT_SCALE_FACTOR=$scale build/release/bin/halbench_screenshots "$folder" "$language"
+        QT_SCALE_FACTOR=$scale build/release/bin/halbench_screenshots "$folder" "$language" "${size%x*}" "${size#*x}"
     done
 done

@@ -7,8 +7,11 @@
 #include <QApplication>
 #include <QDir>
 #include <QPixmap>
+#include <QPushButton>
 #include <QStandardPaths>
+#include <QTabWidget>
 #include <QtTest/QTest>
+#include <qtadvanceddocking/DockWidget.h>
 
 #include <cstdio>
 
@@ -16,54 +19,170 @@ namespace halbench::app {
 
 namespace {
 
-constexpr QSize ScreenSize(1600, 900);
-constexpr int Patience_ms = 20000;
+constexpr int Patience_ms = 120000;
 constexpr int DataTime_ms = 9500;
 constexpr int Settling_ms = 400;
 
-/// A motor that follows a sine for longer than the pictures take.
-void startMotion(DeviceSession& session) {
-    session.runProcedure(
-        "move",
-        [](devices::Device& device, const ProcedureObserver& observer) {
-            MoveConfig config;
-            config.reference = *parseMoveReference("sine,amplitude_deg=100,period_s=2");
-            config.duration_s = 60.0;
-            return runMove(device, config, observer);
-        },
-        [](Result<MoveResult>) {});
-}
+/// Goes through the window as its user would and takes pictures of what is seen, light and dark.
+class Photographer {
+public:
+    Photographer(QString folder, QString language, QSize size)
+        : m_folder(std::move(folder)), m_language(std::move(language)), m_window(dressed(m_language)) {
+        m_window.resize(size);
+        m_window.show();
+    }
 
-bool picture(const QString& folder, const QString& language, ThemeChoice choice) {
-    Preferences preferences;
-    preferences.theme = choice;
-    preferences.language = language;
-    const Result<widgets::Theme> theme = widgets::loadTheme(themeName(choice).toStdString());
-    if (!theme) {
-        return false;
+    bool takeAll() {
+        takePerspectives(QStringLiteral("empty-"));
+        m_window.connectDevice(QStringLiteral("sim:htm"));
+        if (!wait([this] { return !m_window.bench().deviceValues().empty(); })) {
+            return false;
+        }
+        startMotion();
+        QTest::qWait(DataTime_ms);
+        takePerspectives({});
+        session().abortProcedure();
+        if (!wait([this] { return session().procedure().isEmpty(); })) {
+            return false;
+        }
+        session().request([](devices::Device& device) { return device.clearStop(); }, [](Result<void>) {});
+        return takeCalibration() && takeIdentification() && takeTuning() && m_isSaved;
     }
-    widgets::applyTheme(*qApp, *theme, {QLocale(), widgets::Dress().fontSize_pt});
-    MainWindow window(preferences);
-    window.resize(ScreenSize);
-    window.show();
-    window.connectDevice(QStringLiteral("sim:htm"));
-    if (!QTest::qWaitFor([&] { return !window.bench().deviceValues().empty(); }, Patience_ms)) {
-        return false;
+
+private:
+    static Preferences dressed(const QString& language) {
+        wear(ThemeChoice::Light);
+        Preferences preferences;
+        preferences.theme = ThemeChoice::Light;
+        preferences.language = language;
+        return preferences;
     }
-    startMotion(window.bench().session());
-    QTest::qWait(DataTime_ms);
-    bool isSaved = true;
-    for (const Perspective perspective : AllPerspectives) {
-        window.docks().setPerspective(perspective);
+
+    static void wear(ThemeChoice choice) {
+        if (const Result<widgets::Theme> theme = widgets::loadTheme(themeName(choice).toStdString())) {
+            widgets::applyTheme(*qApp, *theme, {QLocale(), widgets::Dress().fontSize_pt});
+        }
+    }
+
+    DeviceSession& session() { return m_window.bench().session(); }
+
+    template <typename Condition>
+    static bool wait(Condition condition) {
+        return QTest::qWaitFor(condition, Patience_ms);
+    }
+
+    /// A motor that follows a sine for longer than the pictures take.
+    void startMotion() {
+        session().runProcedure(
+            "Move",
+            [](devices::Device& device, const ProcedureObserver& observer) {
+                MoveConfig config;
+                config.reference = *parseMoveReference("sine,amplitude_deg=100,period_s=2");
+                config.duration_s = 60.0;
+                return runMove(device, config, observer);
+            },
+            [](Result<MoveResult>) {});
+    }
+
+    void take(const QString& scene) {
+        for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
+            wear(choice);
+            QTest::qWait(Settling_ms);
+            const QString file = QStringLiteral("%1-%2-%3-%4x.png")
+                                     .arg(scene, themeName(choice), m_language)
+                                     .arg(m_window.devicePixelRatioF());
+            m_isSaved = m_window.grab().save(QDir(m_folder).filePath(file)) && m_isSaved;
+        }
+    }
+
+    void takePerspectives(const QString& prefix) {
+        for (const Perspective perspective : AllPerspectives) {
+            m_window.docks().setPerspective(perspective);
+            take(prefix + perspectiveId(perspective));
+        }
+    }
+
+    /// The main button of the panel's visible page.
+    bool press(const char* panel, const char* context, const char* text) {
         QTest::qWait(Settling_ms);
-        const QString file = QStringLiteral("%1-%2-%3-%4x.png")
-                                 .arg(perspectiveId(perspective), themeName(choice), language)
-                                 .arg(window.devicePixelRatioF());
-        isSaved = window.grab().save(QDir(folder).filePath(file)) && isSaved;
+        const QString words = QCoreApplication::translate(context, text);
+        for (auto* button : m_window.docks().panel(panel)->findChildren<QPushButton*>()) {
+            if (button->text() == words && wait([&] { return button->isEnabled(); })) {
+                button->click();
+                return true;
+            }
+        }
+        return false;
     }
-    window.bench().session().stopActuator();
-    return isSaved;
-}
+
+    bool takeCalibration() {
+        m_window.docks().setPerspective(Perspective::Identify);
+        for (ads::CDockWidget* dock : m_window.docks().docks()) {
+            if (dock->objectName() == QStringLiteral("calibrate")) {
+                dock->setAsCurrentTab();
+            }
+        }
+        take(QStringLiteral("calibrate"));
+        if (!press("calibrate", "halbench::app::CalibratePanel", "Start calibration")) {
+            return false;
+        }
+        QTest::qWait(DataTime_ms);
+        take(QStringLiteral("calibrate-run"));
+        session().setPace({0.0}); // as fast as possible
+        const bool isDone = wait([this] { return session().procedure().isEmpty(); });
+        QTest::qWait(Settling_ms);
+        take(QStringLiteral("calibrate-result"));
+        return isDone && press("calibrate", "halbench::app::CalibratePanel", "Apply");
+    }
+
+    bool takeIdentification() {
+        for (ads::CDockWidget* dock : m_window.docks().docks()) {
+            if (dock->objectName() == QStringLiteral("identify")) {
+                dock->setAsCurrentTab();
+            }
+        }
+        session().setPace({10.0});
+        if (!press("identify", "halbench::app::IdentifyPanel", "Start identification")) {
+            return false;
+        }
+        QTest::qWait(DataTime_ms);
+        take(QStringLiteral("identify-run"));
+        session().setPace({0.0});
+        if (!wait([this] { return m_window.bench().identification().has_value(); })) {
+            return false;
+        }
+        session().setPace({1.0});
+        for (auto* tabs : m_window.docks().panel("identify")->findChildren<QTabWidget*>()) {
+            for (int page = 0; page < tabs->count(); ++page) {
+                tabs->setCurrentIndex(page);
+                take(QStringLiteral("identify-result%1").arg(page + 1));
+            }
+        }
+        return true;
+    }
+
+    bool takeTuning() {
+        m_window.docks().setPerspective(Perspective::Tune);
+        if (!wait([this] { return m_window.bench().design().has_value(); })) {
+            return false;
+        }
+        QTest::qWait(DataTime_ms / 5);
+        take(QStringLiteral("tune-design"));
+        session().setPace({0.0});
+        if (!press("tune", "halbench::app::TunePanel", "Apply and verify")) {
+            return false;
+        }
+        const bool isDone = wait([this] { return session().procedure().isEmpty(); });
+        QTest::qWait(DataTime_ms / 5);
+        take(QStringLiteral("tune-verified"));
+        return isDone;
+    }
+
+    QString m_folder;
+    QString m_language;
+    MainWindow m_window;
+    bool m_isSaved = true;
+};
 
 } // namespace
 
@@ -71,18 +190,17 @@ bool picture(const QString& folder, const QString& language, ThemeChoice choice)
 
 int main(int count, char** words) {
     using namespace halbench::app;
-    if (count != 3) {
-        std::fprintf(stderr, "usage: halbench_screenshots FOLDER LANGUAGE\n");
+    if (count != 5) {
+        std::fprintf(stderr, "usage: halbench_screenshots FOLDER LANGUAGE WIDTH HEIGHT\n");
         return 2;
     }
     qputenv("QT_QPA_PLATFORM", "offscreen");
     QStandardPaths::setTestModeEnabled(true);
     const QString folder = QString::fromLocal8Bit(words[1]);
     const QString language = chosenLanguage(QString::fromLocal8Bit(words[2]), {});
+    const QSize size(QByteArray(words[3]).toInt(), QByteArray(words[4]).toInt());
     QApplication application(count, words);
     speak(application, language);
     QDir().mkpath(folder);
-    const bool isDone =
-        picture(folder, language, ThemeChoice::Light) && picture(folder, language, ThemeChoice::Dark);
-    return isDone ? 0 : 1;
+    return Photographer(folder, language, size).takeAll() ? 0 : 1;
 }
