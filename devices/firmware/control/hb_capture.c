@@ -81,8 +81,9 @@ void hb_capture_tick(hb_capture* capture, const float values[HB_CAPTURE_SIGNALS]
     record(capture, values);
     if (capture->state == HB_CAPTURE_FILLING && capture->filled >= capture->config.pretrigger) {
         capture->state = HB_CAPTURE_WAITING;
-    } else if (capture->state == HB_CAPTURE_RUNNING && --capture->left == 0) {
-        capture->state = HB_CAPTURE_FULL;
+    } else if (capture->state == HB_CAPTURE_RUNNING) {
+        capture->left--;
+        capture->state = capture->left > 0 ? HB_CAPTURE_RUNNING : HB_CAPTURE_FULL;
     }
 }
 

@@ -103,11 +103,11 @@ static hb_reference_point multisine(const hb_reference* reference) {
     for (uint16_t line = 0; line < lines; line++) {
         float phase = radiansOf(reference->line_phase[line]);
         float omega = HB_TWO_PI * lineFrequency(&reference->config, line);
-        float sine = scale * sinf(phase);
-        point.value += sine;
+        float value = scale * sinf(phase);
+        point.value += value;
         if (reference->holds_position) {
             point.speed += omega * scale * cosf(phase);
-            point.acceleration -= omega * omega * sine;
+            point.acceleration -= omega * omega * value;
         }
     }
     return point;

@@ -52,11 +52,12 @@ static uint8_t readSignals(const hb_xcp* slave, uint32_t address, uint8_t* desti
         }
         part = part < count ? part : (uint8_t)count;
         HB_LOCK();
-        for (uint8_t i = 0; i < part; i++, inside++) {
-            *destination++ = inside < octets ? variable[inside] : 0;
+        for (uint8_t i = 0; i < part; i++) {
+            destination[i] = inside + i < octets ? variable[inside + i] : 0;
         }
         HB_UNLOCK();
         address += part;
+        destination += part;
         count = (uint16_t)(count - part);
     }
     return HB_OK;
@@ -301,10 +302,11 @@ uint8_t hb_memory_page_is_valid(const hb_xcp* slave, uint8_t page) {
             continue;
         }
         value = description->pages[page] + parameter.offset;
-        for (hb_extent row = 0; row < parameter.rows; row++, value += hb_type_size(parameter.type)) {
+        for (hb_extent row = 0; row < parameter.rows; row++) {
             if (!hb_value_is_finite(parameter.type, value) || !isWithinLimits(&parameter, value)) {
                 return 0;
             }
+            value += hb_type_size(parameter.type);
         }
     }
     return 1;

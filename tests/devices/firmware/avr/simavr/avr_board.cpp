@@ -52,6 +52,7 @@ int AvrBoard::convert(int channel) {
     if (channel < 0 || channel > 3) {
         return 0;
     }
+    m_sampled = channel == 0 ? m_core->cycle() : m_sampled;
     if (const int broken = m_brokenCode[static_cast<std::size_t>(channel)]; broken >= 0) {
         return broken;
     }
@@ -71,6 +72,9 @@ bool AvrBoard::takeTwiOctet(int address, int index, std::uint8_t octet) {
     }
     advancePlant();
     m_dacCode[channel] = (m_dacHigh[channel] & 0x0F) << 8 | octet;
+    if (channel == 1) {
+        m_ticks.latency_cycles += m_core->cycle() - m_sampled;
+    }
     return true;
 }
 

@@ -15,6 +15,8 @@ struct TickTimes {
     std::uint64_t total_cycles = 0;
     std::uint64_t shortest_period_cycles = ~std::uint64_t{0};
     std::uint64_t longest_period_cycles = 0;
+    std::uint64_t latency_cycles =
+        0; ///< sum over all ticks: first Hall conversion started to last current set
 };
 
 /// The motor's controller board beside the motor: the program of boards/htm_atmega328p on its processor, Hall
@@ -43,6 +45,10 @@ public:
 
     const models::HtmPlant& plant() const { return m_plant; }
     const TickTimes& ticks() const { return m_ticks; }
+    double meanLatency_s() const {
+        return static_cast<double>(m_ticks.latency_cycles) / static_cast<double>(m_ticks.count) /
+               AvrCore::Clock_Hz;
+    }
     void forgetTicks() { m_ticks = {}; }
 
 private:
@@ -60,6 +66,7 @@ private:
     std::array<std::uint8_t, 2> m_dacHigh{};
     std::array<int, 4> m_brokenCode{-1, -1, -1, -1};
     std::uint64_t m_tickStart = 0;
+    std::uint64_t m_sampled = 0;
     TickTimes m_ticks;
 };
 
