@@ -114,7 +114,7 @@ FORBIDDEN = (
     (r"\bsetStyleSheet\s*\(", ("widgets/theme",), "setStyleSheet only in the theme"),
     (r"\bQFileDialog::(get\w+|save\w+)\s*\(", (), "file dialogs carry a STOP: app/window/file_dialogs"),
     (r"\bsleep_for\b|\bsleep_until\b|\busleep\s*\(|\bnanosleep\s*\(|\bQThread::m?sleep", ("devices/transport/",
-     "devices/simulated/loopback_transport"), "no sleeping: time is the Clock's"),   # wall-clock pacing
+     "devices/simulated/loopback_transport", "tests/devices/firmware/avr/simavr/avr_line"), "no sleeping: time is the Clock's"),   # wall-clock pacing
     (r"\bDISABLED_\w+|\bGTEST_SKIP\b|\bQSKIP\b", (), "a test is run or removed"),
     (r"\bstd::(normal|uniform_\w+|exponential)_distribution\b|\bstd::random_device\b|\bstd::mt19937|\bs?rand\s*\(\s*\)",
      (), "random numbers come from control/base/random.h"),

@@ -1,0 +1,73 @@
+#include "devices/open_device.h"
+#include "tests/devices/firmware/avr/avr_fixture.h"
+#include "tests/devices/firmware/avr/simavr/avr_line.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace halbench::simavr {
+namespace {
+
+/// The board at wall speed on a pseudo terminal, served in a thread.
+class AvrSerial : public testing::Test {
+protected:
+    void SetUp() override {
+        m_board = makeBoard(perfectMotor());
+        auto line = AvrLine::open(m_board);
+        ASSERT_TRUE(line) << line.error().message;
+        m_line = std::move(*line);
+        m_server = std::thread([this] { m_line->serve(m_isEnding); });
+    }
+    void TearDown() override {
+        m_isEnding = 1;
+        if (m_server.joinable()) {
+            m_server.join();
+        }
+    }
+    std::unique_ptr<devices::Device> open() {
+        auto device = devices::openDevice("serial:" + m_line->path(), {});
+        EXPECT_TRUE(device) << device.error().message << " " << device.error().hint;
+        return device ? std::move(*device) : nullptr;
+    }
+    static double read(devices::Device& device, const std::string& name) {
+        const std::string names[] = {name};
+        const auto values = device.readParameters(names);
+        EXPECT_TRUE(values);
+        return values ? values->front() : 0.0;
+    }
+    static void write(devices::Device& device, const std::string& name, double value) {
+        const ParameterValue change[] = {{name, value}};
+        const auto written = device.writeParameters(change);
+        EXPECT_TRUE(written) << written.error().message;
+    }
+
+    std::shared_ptr<AvrBoard> m_board;
+    std::unique_ptr<AvrLine> m_line;
+    std::atomic<int> m_isEnding{0};
+    std::thread m_server;
+};
+
+TEST_F(AvrSerial, theProgramOpensTheBoardLikeASerialPortAndOpeningAgainResetsIt) {
+    {
+        const auto device = open();
+        ASSERT_TRUE(device);
+        EXPECT_EQ(device->info().model, "htm");
+        write(*device, "gain.kp", 12.5);
+        EXPECT_EQ(read(*device, "gain.kp"), 12.5);
+        write(*device, "hb.mode", static_cast<double>(devices::BoardMode::Current));
+        ASSERT_TRUE(device->arm());
+        write(*device, "hb.setpoint", 2.0);
+        ASSERT_TRUE(device->clock().waitFor(0.3));
+        const std::string names[] = {"speed"};
+        EXPECT_GT(device->readSignals(names).value().front(), 0.5);
+        ASSERT_TRUE(device->disarm());
+        EXPECT_EQ(device->statistics().packetsDamaged, 0U);
+    }
+    const auto again = open();
+    ASSERT_TRUE(again);
+    EXPECT_EQ(read(*again, "gain.kp"), 10.0);
+}
+
+} // namespace
+} // namespace halbench::simavr
