@@ -5285,6 +5285,10 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <source>It stays in the file as it is; the rest is open.</source>
         <translation>Es bleibt in der Datei, wie es ist; der Rest ist geöffnet.</translation>
     </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Einstellungen…</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MonitorPanel</name>
@@ -5428,6 +5432,101 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>Kept as %1.</source>
         <translation>Als %1 behalten.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation type="unfinished">&amp;Farbschema</translation>
+    </message>
+    <message>
+        <source>Colours of the window</source>
+        <translation>Farben des Fensters</translation>
+    </message>
+    <message>
+        <source>as the system</source>
+        <translation>wie das System</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>hell</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>dunkel</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>S&amp;prache</translation>
+    </message>
+    <message>
+        <source>Language of the window; files stay as they are</source>
+        <translation>Sprache des Fensters; Dateien bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>&amp;Angles in</source>
+        <translation>&amp;Winkel in</translation>
+    </message>
+    <message>
+        <source>Unit of measured angles; files are always in SI units</source>
+        <translation>Einheit gemessener Winkel; Dateien sind immer in SI-Einheiten</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation type="unfinished">Grad</translation>
+    </message>
+    <message>
+        <source>radians</source>
+        <translation>Radiant</translation>
+    </message>
+    <message>
+        <source>&amp;Speeds in</source>
+        <translation>&amp;Drehzahlen in</translation>
+    </message>
+    <message>
+        <source>Unit of measured speeds; files are always in SI units</source>
+        <translation>Einheit gemessener Drehzahlen; Dateien sind immer in SI-Einheiten</translation>
+    </message>
+    <message>
+        <source>revolutions per minute</source>
+        <translation>Umdrehungen je Minute</translation>
+    </message>
+    <message>
+        <source>degrees per second</source>
+        <translation>Grad je Sekunde</translation>
+    </message>
+    <message>
+        <source>radians per second</source>
+        <translation>Radiant je Sekunde</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Lock-out after a stop</source>
+        <translation>Sperrzeit nach einem Stopp</translation>
+    </message>
+    <message>
+        <source>After a stop, so long re-arming is refused</source>
+        <translation>So lange wird nach einem Stopp das Aufheben abgelehnt</translation>
+    </message>
+    <message>
+        <source>Lock-&amp;out after a stop</source>
+        <translation>Sperr&amp;zeit nach einem Stopp</translation>
+    </message>
+    <message>
+        <source>Use what is chosen (Enter)</source>
+        <translation>Die Auswahl übernehmen (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Leave all as it was (Esc, which stops too)</source>
+        <translation>Alles lassen, wie es war (Esc, das auch stoppt)</translation>
     </message>
 </context>
 <context>

@@ -5285,6 +5285,10 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <source>It stays in the file as it is; the rest is open.</source>
         <translation>它在文件中保持原样；其余内容已打开。</translation>
     </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>首选项(&amp;P)…</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MonitorPanel</name>
@@ -5427,6 +5431,101 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>Kept as %1.</source>
         <translation>已保留为 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>首选项</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation type="unfinished">主题(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Colours of the window</source>
+        <translation>窗口的颜色</translation>
+    </message>
+    <message>
+        <source>as the system</source>
+        <translation>跟随系统</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>语言(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Language of the window; files stay as they are</source>
+        <translation>窗口的语言；文件保持不变</translation>
+    </message>
+    <message>
+        <source>&amp;Angles in</source>
+        <translation>角度单位(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Unit of measured angles; files are always in SI units</source>
+        <translation>测得角度的单位；文件始终使用国际单位制</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation type="unfinished">度</translation>
+    </message>
+    <message>
+        <source>radians</source>
+        <translation>弧度</translation>
+    </message>
+    <message>
+        <source>&amp;Speeds in</source>
+        <translation>转速单位(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Unit of measured speeds; files are always in SI units</source>
+        <translation>测得转速的单位；文件始终使用国际单位制</translation>
+    </message>
+    <message>
+        <source>revolutions per minute</source>
+        <translation>转每分</translation>
+    </message>
+    <message>
+        <source>degrees per second</source>
+        <translation>度每秒</translation>
+    </message>
+    <message>
+        <source>radians per second</source>
+        <translation>弧度每秒</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Lock-out after a stop</source>
+        <translation>停止后的锁定时间</translation>
+    </message>
+    <message>
+        <source>After a stop, so long re-arming is refused</source>
+        <translation>停止后在此时间内拒绝解除锁定</translation>
+    </message>
+    <message>
+        <source>Lock-&amp;out after a stop</source>
+        <translation>停止后的锁定时间(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Use what is chosen (Enter)</source>
+        <translation>使用所选设置 (Enter)</translation>
+    </message>
+    <message>
+        <source>Leave all as it was (Esc, which stops too)</source>
+        <translation>保持原样（Esc，同时会停止）</translation>
     </message>
 </context>
 <context>

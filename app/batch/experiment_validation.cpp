@@ -24,6 +24,7 @@ std::string lastPart(std::string_view key) {
 
 std::string keyList(const std::vector<const KeySpec*>& keys) {
     std::vector<std::string> names;
+    names.reserve(keys.size());
     for (const KeySpec* spec : keys) {
         names.push_back(lastPart(spec->key));
     }

@@ -6,7 +6,9 @@
 #include <QAction>
 #include <QFile>
 #include <QHBoxLayout>
+#include <QPointer>
 #include <QTextBrowser>
+#include <QTextDocument>
 #include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -80,11 +82,18 @@ void HelpWindow::goBack() {
 void HelpWindow::showPage(const QString& page) {
     m_back->setEnabled(m_visited.size() > 1);
     const QString text = helpText(page);
+    // Read before it is shown: a shown document is laid out again for every word that comes, which takes
+    // seconds for a long page.
+    auto* document = new QTextDocument(m_text);
+    document->setDefaultFont(m_text->font());
     if (text.isEmpty()) {
-        m_text->setPlainText(tr("There is no help page '%1' in this program.").arg(page));
+        document->setPlainText(tr("There is no help page '%1' in this program.").arg(page));
     } else {
-        m_text->setMarkdown(text);
+        document->setMarkdown(text);
     }
+    const QPointer<QTextDocument> before = m_text->document();
+    m_text->setDocument(document); // deletes the first one, which it made itself
+    delete before;
 }
 
 } // namespace halbench::app

@@ -4,6 +4,7 @@
 #include "app/window/file_dialogs.h"
 #include "app/window/help_window.h"
 #include "app/window/language.h"
+#include "app/window/preferences_dialog.h"
 #include "app/window/project_menu.h"
 #include "app/window/project_work.h"
 #include "app/window/stop_guard.h"
@@ -43,6 +44,13 @@ std::string unnamedProject() {
     return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation))
         .filePath("unnamed.toml")
         .toStdString();
+}
+
+/// The preferences dialog and the menu choose the same.
+void check(const QActionGroup& group, const QVariant& choice) {
+    for (QAction* action : group.actions()) {
+        action->setChecked(action->data() == choice);
+    }
 }
 
 } // namespace
@@ -90,6 +98,7 @@ void MainWindow::buildCentre() {
     column->setSpacing(0);
     m_bar = new TopBar(m_bench, centre);
     m_bar->setStopLockOut_ms(m_preferences.stopLockOut_ms);
+    m_bench.setDisplayUnits(m_preferences.units);
     m_docks = new DockLayout(m_bench, centre);
     m_devices = static_cast<DevicePanel*>(m_docks->panel("devices"));
     m_notes = static_cast<NotesPanel*>(m_docks->panel("notes"));
@@ -137,6 +146,9 @@ void MainWindow::createActions() {
             [this](const QString& text) { onMessage(widgets::Severity::Information, text, {}); });
     connect(file, &QMenu::aboutToShow, this, &MainWindow::collectProject);
     file->addSeparator();
+    QAction* preferences = file->addAction(tr("&Preferences…"), this, &MainWindow::askPreferences);
+    preferences->setShortcut(QKeySequence("Ctrl+,"));
+    file->addSeparator();
     QAction* quit = file->addAction(tr("&Quit"), this, &QWidget::close);
     quit->setShortcut(QKeySequence::Quit);
     createViewMenu();
@@ -152,31 +164,33 @@ void MainWindow::createViewMenu() {
     view->addAction(tr("&Reset the arrangement"), m_docks, &DockLayout::reset);
     view->addSeparator();
     QMenu* themes = view->addMenu(tr("&Theme"));
-    auto* group = new QActionGroup(this);
+    m_themes = new QActionGroup(this);
     const std::pair<ThemeChoice, QString> choices[] = {{ThemeChoice::System, tr("&System")},
                                                        {ThemeChoice::Light, tr("&Light")},
                                                        {ThemeChoice::Dark, tr("&Dark")}};
     for (const auto& [choice, title] : choices) {
         QAction* action = themes->addAction(title, this, [this, choice = choice] { chooseTheme(choice); });
         action->setCheckable(true);
-        action->setChecked(choice == m_preferences.theme);
-        group->addAction(action);
+        action->setData(static_cast<int>(choice));
+        m_themes->addAction(action);
     }
+    check(*m_themes, static_cast<int>(m_preferences.theme));
     createLanguageMenu(*view->addMenu(tr("Lan&guage")));
 }
 
 void MainWindow::createLanguageMenu(QMenu& menu) {
-    auto* group = new QActionGroup(this);
+    m_languages = new QActionGroup(this);
     const auto add = [&](const QString& title, const QString& id) {
         QAction* action = menu.addAction(title, this, [this, id] { chooseLanguage(id); });
         action->setCheckable(true);
-        action->setChecked(id == m_preferences.language);
-        group->addAction(action);
+        action->setData(id);
+        m_languages->addAction(action);
     };
     add(tr("&System"), {});
     for (const Language& language : languages()) {
         add(language.name, language.id);
     }
+    check(*m_languages, m_preferences.language);
 }
 
 void MainWindow::createHelpMenu() {
@@ -187,6 +201,7 @@ void MainWindow::createHelpMenu() {
 
 void MainWindow::chooseTheme(ThemeChoice choice) {
     m_preferences.theme = choice;
+    check(*m_themes, static_cast<int>(choice));
     if (const Result<widgets::Theme> theme = widgets::loadTheme(themeName(choice).toStdString())) {
         widgets::applyTheme(*qApp, *theme, {QLocale(), widgets::Dress().fontSize_pt});
     }
@@ -195,8 +210,27 @@ void MainWindow::chooseTheme(ThemeChoice choice) {
 
 void MainWindow::chooseLanguage(const QString& id) {
     m_preferences.language = id;
+    check(*m_languages, id);
     savePreferences(m_preferences);
     onMessage(widgets::Severity::Information, tr("The language changes at the next start."), {});
+}
+
+void MainWindow::askPreferences() {
+    PreferencesDialog dialog(m_preferences, m_bench, this);
+    if (dialog.exec() == QDialog::Accepted) {
+        usePreferences(dialog.chosen());
+    }
+}
+
+void MainWindow::usePreferences(const Preferences& chosen) {
+    m_preferences.stopLockOut_ms = chosen.stopLockOut_ms;
+    m_bar->setStopLockOut_ms(chosen.stopLockOut_ms);
+    m_preferences.units = chosen.units;
+    m_bench.setDisplayUnits(chosen.units);
+    if (chosen.language != m_preferences.language) {
+        chooseLanguage(chosen.language);
+    }
+    chooseTheme(chosen.theme);
 }
 
 void MainWindow::showHelp() {
@@ -276,7 +310,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         std::fprintf(stderr, "halbench: %s\n", saved.error().message.c_str());
     }
     m_preferences.geometry = saveGeometry();
-    m_preferences.lastDevice = QString::fromStdString(m_bench.session().info().uri);
     savePreferences(m_preferences);
     QMainWindow::closeEvent(event);
 }

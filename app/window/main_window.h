@@ -8,6 +8,8 @@
 #include <QMainWindow>
 #include <QTimer>
 
+class QActionGroup;
+
 namespace halbench::app {
 
 class DevicePanel;
@@ -48,6 +50,8 @@ private:
     void createHelpMenu();
     void chooseTheme(ThemeChoice choice);
     void chooseLanguage(const QString& id);
+    void askPreferences();
+    void usePreferences(const Preferences& chosen);
     void showHelp();
     void onPerspective();
     void onMessage(widgets::Severity severity, const QString& text, const QString& hint);
@@ -64,6 +68,8 @@ private:
     ProjectMenu* m_projects = nullptr;
     ProjectWork* m_work = nullptr;
     TopBar* m_bar = nullptr;
+    QActionGroup* m_themes = nullptr;
+    QActionGroup* m_languages = nullptr;
     DockLayout* m_docks = nullptr;
     DevicePanel* m_devices = nullptr; ///< kept: a panel behind another tab is nobody's child
     NotesPanel* m_notes = nullptr;

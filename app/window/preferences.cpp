@@ -5,12 +5,11 @@
 #include <QSettings>
 
 #include <algorithm>
+#include <utility>
 
 namespace halbench::app {
 
 namespace {
-
-constexpr int LongestLockOut_ms = 30000;
 
 ThemeChoice themeChoice(const QString& word) {
     if (word == "light") {
@@ -31,6 +30,36 @@ QString word(ThemeChoice choice) {
     return "system";
 }
 
+widgets::AngleUnit angleUnit(const QString& word) {
+    return word == "rad" ? widgets::AngleUnit::Radian : widgets::AngleUnit::Degree;
+}
+
+QString word(widgets::AngleUnit unit) {
+    return unit == widgets::AngleUnit::Radian ? "rad" : "deg";
+}
+
+constexpr std::pair<SpeedUnit, const char*> SpeedWords[] = {{SpeedUnit::TurnsPerMinute, "r/min"},
+                                                            {SpeedUnit::DegreesPerSecond, "deg/s"},
+                                                            {SpeedUnit::RadiansPerSecond, "rad/s"}};
+
+SpeedUnit speedUnit(const QString& word) {
+    for (const auto& [unit, text] : SpeedWords) {
+        if (word == text) {
+            return unit;
+        }
+    }
+    return SpeedUnit::TurnsPerMinute;
+}
+
+QString word(SpeedUnit wanted) {
+    for (const auto& [unit, text] : SpeedWords) {
+        if (unit == wanted) {
+            return text;
+        }
+    }
+    return {};
+}
+
 } // namespace
 
 Preferences loadPreferences() {
@@ -43,8 +72,8 @@ Preferences loadPreferences() {
     if (isNumber) {
         preferences.stopLockOut_ms = std::clamp(lockOut_ms, 0, LongestLockOut_ms);
     }
-    preferences.lastDevice = settings.value("last_device").toString();
-    preferences.lastProject = settings.value("last_project").toString();
+    preferences.units = {angleUnit(settings.value("angle_unit").toString()),
+                         speedUnit(settings.value("speed_unit").toString())};
     preferences.geometry = settings.value("geometry").toByteArray();
     preferences.perspective = settings.value("perspective").toString();
     return preferences;
@@ -55,8 +84,8 @@ void savePreferences(const Preferences& preferences) {
     settings.setValue("theme", word(preferences.theme));
     settings.setValue("language", preferences.language);
     settings.setValue("stop_lock_out_ms", preferences.stopLockOut_ms);
-    settings.setValue("last_device", preferences.lastDevice);
-    settings.setValue("last_project", preferences.lastProject);
+    settings.setValue("angle_unit", word(preferences.units.angle));
+    settings.setValue("speed_unit", word(preferences.units.speed));
     settings.setValue("geometry", preferences.geometry);
     settings.setValue("perspective", preferences.perspective);
 }

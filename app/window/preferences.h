@@ -1,9 +1,13 @@
 #pragma once
 
+#include "app/workspaces/display_quantity.h"
+
 #include <QByteArray>
 #include <QString>
 
 namespace halbench::app {
+
+constexpr int LongestLockOut_ms = 30000;
 
 enum class ThemeChoice { System, Light, Dark };
 
@@ -12,8 +16,7 @@ struct Preferences {
     ThemeChoice theme = ThemeChoice::System;
     QString language;          ///< "en", "de", "zh_CN"; empty: the system's
     int stopLockOut_ms = 1000; ///< after a stop, how long re-arming is refused
-    QString lastDevice;        ///< URI
-    QString lastProject;
+    DisplayUnits units;
     QByteArray geometry;
     QString perspective;
 };

@@ -6,10 +6,14 @@
 
 #include <QCoreApplication>
 
+#include <string_view>
+
 namespace halbench::app {
 
 namespace {
 
+constexpr char Degree[] = "\u00b0";
+constexpr char DegreePerSecond[] = "\u00b0/s";
 constexpr char Context[] = "halbench::app::DisplayQuantity";
 
 struct Row {
@@ -22,9 +26,13 @@ struct Row {
 };
 
 constexpr Row Rows[] = {
-    {"rad", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "angle"), "\u00b0", 180.0 / Pi, 2, 99999.0},
+    {"rad", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "angle"), Degree, 180.0 / Pi, 2, 99999.0},
+    {"rad", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "angle"), "rad", 1.0, 4, 9999.0},
     {"rad/s", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "speed"),
      QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "r/min"), 30.0 / Pi, 1, 9999.0},
+    {"rad/s", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "speed"), DegreePerSecond, 180.0 / Pi, 1,
+     99999.0},
+    {"rad/s", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "speed"), "rad/s", 1.0, 2, 999.0},
     {"A", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "current"), "A", 1.0, 3, 9.0},
     {"T", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "field"), "mT", 1000.0, 2, 999.0},
     {"degC", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "temperature"), "\u00b0C", 1.0, 1, 999.0},
@@ -33,6 +41,19 @@ constexpr Row Rows[] = {
     {"A/s", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "current slope"), "A/s", 1.0, 2, 99.0},
     {"", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "state"), "", 1.0, 0, 9999.0},
 };
+
+/// As the rows above write it; empty where nobody has a choice.
+std::string_view wantedUnit(const std::string& symbol, const DisplayUnits& units) {
+    if (symbol == "rad") {
+        return units.angle == widgets::AngleUnit::Degree ? Degree : "rad";
+    }
+    if (symbol == "rad/s") {
+        return units.speed == SpeedUnit::TurnsPerMinute     ? "r/min"
+               : units.speed == SpeedUnit::DegreesPerSecond ? DegreePerSecond
+                                                            : "rad/s";
+    }
+    return {};
+}
 
 struct Words {
     const char* name;
@@ -63,9 +84,10 @@ constexpr Words Signals[] = {
 
 } // namespace
 
-DisplayQuantity displayQuantity(const std::string& symbol) {
+DisplayQuantity displayQuantity(const std::string& symbol, const DisplayUnits& units) {
+    const std::string_view wanted = wantedUnit(symbol, units);
     for (const Row& row : Rows) {
-        if (symbol == row.symbol) {
+        if (symbol == row.symbol && (wanted.empty() || wanted == row.unit)) {
             return {QCoreApplication::translate(Context, row.quantity),
                     QCoreApplication::translate(Context, row.unit), row.factor, row.decimals, row.typical};
         }

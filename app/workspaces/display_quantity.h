@@ -1,10 +1,22 @@
 #pragma once
 
+#include "widgets/display_units.h"
+
 #include <QString>
 
 #include <string>
 
 namespace halbench::app {
+
+enum class SpeedUnit { TurnsPerMinute, DegreesPerSecond, RadiansPerSecond };
+
+/// What the user prefers to read; fields of the same unit follow.
+struct DisplayUnits {
+    widgets::AngleUnit angle = widgets::AngleUnit::Degree;
+    SpeedUnit speed = SpeedUnit::TurnsPerMinute;
+
+    bool operator==(const DisplayUnits&) const = default;
+};
 
 /// How measured values of one SI unit are shown to people: shown value = factor x SI value.
 struct DisplayQuantity {
@@ -15,9 +27,9 @@ struct DisplayQuantity {
     double typical = 1.0; ///< largest value usually seen, as shown: decides the width of a live number
 };
 
-/// The one table of units shown in plots, live numbers and the controls for driving: degrees, r/min, mT, A,
-/// °C. A unit that is not in it is shown as it is.
-DisplayQuantity displayQuantity(const std::string& symbol);
+/// The one table of units shown in plots, live numbers and the controls for driving: angles and speeds as the
+/// user prefers, mT, A, °C. A unit that is not in it is shown as it is.
+DisplayQuantity displayQuantity(const std::string& symbol, const DisplayUnits& units);
 
 /// A signal in words ("Hall A"); the name itself when there are none.
 QString signalWords(const std::string& name);

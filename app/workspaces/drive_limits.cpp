@@ -39,6 +39,7 @@ DriveLimits::DriveLimits(Workbench& bench, const DriveControl& control, QWidget*
     }
     connect(&m_bench, &Workbench::valuesChanged, this, &DriveLimits::onValues);
     connect(&m_control, &DriveControl::changed, this, &DriveLimits::refreshEnabled);
+    connect(&m_bench, &Workbench::displayUnitsChanged, this, &DriveLimits::onValues);
     onValues();
 }
 
@@ -116,7 +117,7 @@ void DriveLimits::showValue(Row& row) {
     if (spec == nullptr || !value) {
         return;
     }
-    const DisplayQuantity shown = displayQuantity(spec->unit);
+    const DisplayQuantity shown = displayQuantity(spec->unit, m_bench.displayUnits());
     row.factor = shown.factor;
     const QSignalBlocker quiet(row.limit);
     dressNumberField(*row.limit, {tr("Limit of %1").arg(row.title),

@@ -64,6 +64,7 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     connect(m_tree, &SignalTree::plotRequested, this, &MonitorPanel::plot);
     connect(&m_bench, &Workbench::deviceChanged, this, &MonitorPanel::onDevice);
     connect(&m_bench, &Workbench::valuesChanged, this, &MonitorPanel::onValues);
+    connect(&m_bench, &Workbench::displayUnitsChanged, this, &MonitorPanel::onUnits);
     connect(&m_values, &QTimer::timeout, this, &MonitorPanel::refreshValues);
     m_values.start(ValuesPeriod_ms);
     onDevice();
@@ -122,7 +123,7 @@ void MonitorPanel::onDevice() {
         m_view =
             m_device.isEmpty() ? m_view : MonitorView{}; // what was set is for the device that came first
         m_device = device;
-        m_tree->setSignals(session.catalogue().signals);
+        m_tree->setSignals(session.catalogue().signals, m_bench.displayUnits());
         showView();
     }
     onPlotsChanged();
@@ -132,8 +133,9 @@ void MonitorPanel::showView() {
     const devices::Catalogue& catalogue = m_bench.session().catalogue();
     const TemperatureBands bands = temperatureBands(catalogue, m_bench.deviceValue("limit.temperature"));
     QStringList missing;
-    auto plots = chosenPlots(m_view.plots, catalogue, bands, missing);
-    m_stack->setPlots(plots.empty() ? defaultPlots(catalogue, bands) : std::move(plots));
+    auto plots = chosenPlots(m_view.plots, catalogue, bands, m_bench.displayUnits(), missing);
+    m_stack->setPlots(plots.empty() ? defaultPlots(catalogue, bands, m_bench.displayUnits())
+                                    : std::move(plots));
     m_stack->setTimeSpan(m_view.span_s.value_or(DefaultSpan_s));
     m_stack->setFollowing(m_view.isFollowing);
     m_isIncomplete = !missing.isEmpty();
@@ -191,19 +193,19 @@ void MonitorPanel::forgetMissing() {
     m_message->clear();
 }
 
+/// Curves and live values stay, their numbers change.
+void MonitorPanel::onUnits() {
+    m_tree->setSignals(m_bench.session().catalogue().signals, m_bench.displayUnits());
+    onValues();
+    onPlotsChanged();
+}
+
 /// The limit on the device decides where the bad temperatures begin.
 void MonitorPanel::onValues() {
     const TemperatureBands bands =
         temperatureBands(m_bench.session().catalogue(), m_bench.deviceValue("limit.temperature"));
-    std::vector<widgets::PlotSpec> plots = m_stack->plots();
-    for (widgets::PlotSpec& plot : plots) {
-        const SignalSpec* spec = plot.curves.empty()
-                                     ? nullptr
-                                     : m_bench.session().catalogue().findSignal(plot.curves.front().signal);
-        if (spec != nullptr) {
-            plot.bands = plotFor(*spec, bands).bands;
-        }
-    }
+    std::vector<widgets::PlotSpec> plots =
+        inUnits(m_stack->plots(), m_bench.session().catalogue(), bands, m_bench.displayUnits());
     if (plots != m_stack->plots()) {
         m_stack->setPlots(std::move(plots));
     }
@@ -229,8 +231,8 @@ void MonitorPanel::addTo(int plot, const std::string& name) {
     if (spec == nullptr) {
         return;
     }
-    const widgets::PlotSpec wanted =
-        plotFor(*spec, temperatureBands(catalogue, m_bench.deviceValue("limit.temperature")));
+    const widgets::PlotSpec wanted = plotFor(
+        *spec, temperatureBands(catalogue, m_bench.deviceValue("limit.temperature")), m_bench.displayUnits());
     std::vector<widgets::PlotSpec> plots = m_stack->plots();
     const auto fits = [&](const widgets::PlotSpec& each) {
         return each.curves.empty() || (each.unit == wanted.unit && each.quantity == wanted.quantity);

@@ -38,6 +38,7 @@ private:
     void connectStack();
     void onDevice();
     void onValues();
+    void onUnits();
     void plot(const QString& name, bool isPlotted);
     void addTo(int plot, const std::string& name);
     void onPlotsChanged();

@@ -1,7 +1,5 @@
 #include "app/workspaces/monitor_plots.h"
 
-#include "app/workspaces/display_quantity.h"
-
 #include <algorithm>
 #include <limits>
 
@@ -30,10 +28,10 @@ std::optional<double> constant(const devices::Catalogue& catalogue, const char* 
 
 /// For a device that no profile knows.
 std::vector<widgets::PlotSpec> firstSignals(const devices::Catalogue& catalogue,
-                                            const TemperatureBands& bands) {
+                                            const TemperatureBands& bands, const DisplayUnits& units) {
     std::vector<widgets::PlotSpec> plots;
     for (std::size_t i = 0; i < std::min(FirstSignals, catalogue.signals.size()); ++i) {
-        const widgets::PlotSpec wanted = plotFor(catalogue.signals[i], bands);
+        const widgets::PlotSpec wanted = plotFor(catalogue.signals[i], bands, units);
         const auto same = std::find_if(plots.begin(), plots.end(), [&](const widgets::PlotSpec& plot) {
             return plot.unit == wanted.unit && plot.quantity == wanted.quantity;
         });
@@ -53,17 +51,17 @@ TemperatureBands temperatureBands(const devices::Catalogue& catalogue, std::opti
             limit_degC ? limit_degC : constant(catalogue, "T_limit_degC")};
 }
 
-widgets::PlotCurve curveFor(const SignalSpec& spec) {
-    const DisplayQuantity shown = displayQuantity(spec.unit);
+widgets::PlotCurve curveFor(const SignalSpec& spec, const DisplayUnits& units) {
+    const DisplayQuantity shown = displayQuantity(spec.unit, units);
     return {spec.name, signalWords(spec.name), shown.unit, shown.factor, shown.decimals};
 }
 
-widgets::PlotSpec plotFor(const SignalSpec& spec, const TemperatureBands& bands) {
-    const DisplayQuantity shown = displayQuantity(spec.unit);
+widgets::PlotSpec plotFor(const SignalSpec& spec, const TemperatureBands& bands, const DisplayUnits& units) {
+    const DisplayQuantity shown = displayQuantity(spec.unit, units);
     widgets::PlotSpec plot;
     plot.quantity = shown.quantity.isEmpty() ? signalWords(spec.name) : shown.quantity;
     plot.unit = shown.unit;
-    plot.curves.push_back(curveFor(spec));
+    plot.curves.push_back(curveFor(spec, units));
     if (spec.unit != "degC") {
         return plot;
     }
@@ -79,7 +77,7 @@ widgets::PlotSpec plotFor(const SignalSpec& spec, const TemperatureBands& bands)
 }
 
 std::vector<widgets::PlotSpec> defaultPlots(const devices::Catalogue& catalogue,
-                                            const TemperatureBands& bands) {
+                                            const TemperatureBands& bands, const DisplayUnits& units) {
     std::vector<widgets::PlotSpec> plots;
     for (const std::vector<std::string>& roles : defaultRoles()) {
         std::optional<widgets::PlotSpec> plot;
@@ -89,21 +87,42 @@ std::vector<widgets::PlotSpec> defaultPlots(const devices::Catalogue& catalogue,
                 continue;
             }
             if (plot) {
-                plot->curves.push_back(curveFor(*spec));
+                plot->curves.push_back(curveFor(*spec, units));
             } else {
-                plot = plotFor(*spec, bands);
+                plot = plotFor(*spec, bands, units);
             }
         }
         if (plot) {
             plots.push_back(*plot);
         }
     }
-    return plots.empty() ? firstSignals(catalogue, bands) : plots;
+    return plots.empty() ? firstSignals(catalogue, bands, units) : plots;
+}
+
+std::vector<widgets::PlotSpec> inUnits(std::vector<widgets::PlotSpec> plots,
+                                       const devices::Catalogue& catalogue, const TemperatureBands& bands,
+                                       const DisplayUnits& units) {
+    for (widgets::PlotSpec& plot : plots) {
+        for (widgets::PlotCurve& curve : plot.curves) {
+            const SignalSpec* spec = catalogue.findSignal(curve.signal);
+            if (spec == nullptr) {
+                continue; // of another device: it keeps what it says
+            }
+            const widgets::PlotSpec fresh = plotFor(*spec, bands, units);
+            if (plot.unit != fresh.unit) {
+                plot.fixedRange = std::nullopt; // a held axis means another unit
+            }
+            plot.unit = fresh.unit;
+            plot.bands = fresh.bands;
+            curve = fresh.curves.front();
+        }
+    }
+    return plots;
 }
 
 std::vector<widgets::PlotSpec> chosenPlots(const std::vector<PlotChoice>& choices,
                                            const devices::Catalogue& catalogue, const TemperatureBands& bands,
-                                           QStringList& missing) {
+                                           const DisplayUnits& units, QStringList& missing) {
     std::vector<widgets::PlotSpec> plots;
     for (const PlotChoice& choice : choices) {
         std::optional<widgets::PlotSpec> plot;
@@ -112,9 +131,9 @@ std::vector<widgets::PlotSpec> chosenPlots(const std::vector<PlotChoice>& choice
             if (spec == nullptr) {
                 missing << QString::fromStdString(name);
             } else if (plot) {
-                plot->curves.push_back(curveFor(*spec));
+                plot->curves.push_back(curveFor(*spec, units));
             } else {
-                plot = plotFor(*spec, bands);
+                plot = plotFor(*spec, bands, units);
             }
         }
         if (plot) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/workspaces/display_quantity.h"
 #include "app/workspaces/monitor_view.h"
 #include "devices/device.h"
 #include "widgets/live_plot_spec.h"
@@ -21,21 +22,26 @@ struct TemperatureBands {
 TemperatureBands temperatureBands(const devices::Catalogue& catalogue, std::optional<double> limit_degC);
 
 /// A signal as the plots show it: words, display unit, decimals.
-widgets::PlotCurve curveFor(const SignalSpec& spec);
+widgets::PlotCurve curveFor(const SignalSpec& spec, const DisplayUnits& units);
 
 /// What the Monitor shows of a device at first: Hall sensors, angle with reference, speed, currents, coil
 /// temperatures with their bands; for a device without these roles its first signals, by unit.
 std::vector<widgets::PlotSpec> defaultPlots(const devices::Catalogue& catalogue,
-                                            const TemperatureBands& bands);
+                                            const TemperatureBands& bands, const DisplayUnits& units);
 
 /// A plot for one more signal.
-widgets::PlotSpec plotFor(const SignalSpec& spec, const TemperatureBands& bands);
+widgets::PlotSpec plotFor(const SignalSpec& spec, const TemperatureBands& bands, const DisplayUnits& units);
+
+/// The same curves, as the device and the user's units show them now.
+std::vector<widgets::PlotSpec> inUnits(std::vector<widgets::PlotSpec> plots,
+                                       const devices::Catalogue& catalogue, const TemperatureBands& bands,
+                                       const DisplayUnits& units);
 
 /// Plots as they were chosen; signals that the device does not have are left out and named in `missing`. An
 /// axis held in another unit than the plot has now is let go.
 std::vector<widgets::PlotSpec> chosenPlots(const std::vector<PlotChoice>& choices,
                                            const devices::Catalogue& catalogue, const TemperatureBands& bands,
-                                           QStringList& missing);
+                                           const DisplayUnits& units, QStringList& missing);
 
 /// Names of all signals in the plots.
 std::set<std::string> plottedSignals(const std::vector<widgets::PlotSpec>& plots);

@@ -60,13 +60,13 @@ QTreeWidgetItem* SignalTree::groupFor(const QString& title) {
     return group;
 }
 
-void SignalTree::setSignals(const std::vector<SignalSpec>& specs) {
+void SignalTree::setSignals(const std::vector<SignalSpec>& specs, const DisplayUnits& units) {
     const QSignalBlocker quiet(this);
     clear();
     m_entries.clear();
     const QFont digits = widgets::tabularFont(font());
     for (const SignalSpec& spec : specs) {
-        const DisplayQuantity shown = displayQuantity(spec.unit);
+        const DisplayQuantity shown = displayQuantity(spec.unit, units);
         QString title = shown.quantity.isEmpty() ? tr("other") : shown.quantity;
         title[0] = title[0].toUpper();
         auto* item = new QTreeWidgetItem(groupFor(title));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/workspaces/display_quantity.h"
 #include "control/base/parameter_spec.h"
 #include "control/signals/sample_history.h"
 
@@ -23,7 +24,7 @@ public:
 
     explicit SignalTree(QWidget* parent = nullptr);
 
-    void setSignals(const std::vector<SignalSpec>& specs);
+    void setSignals(const std::vector<SignalSpec>& specs, const DisplayUnits& units);
     /// Which are plotted; sends nothing.
     void setPlotted(const std::set<std::string>& names);
     /// Live values of the signals that are `streamed`; those of others are not shown, for they are old.

@@ -109,6 +109,13 @@ void Workbench::writeValues(std::vector<ParameterValue> values, std::function<vo
         });
 }
 
+void Workbench::setDisplayUnits(const DisplayUnits& units) {
+    if (units != m_displayUnits) {
+        m_displayUnits = units;
+        displayUnitsChanged();
+    }
+}
+
 void Workbench::setIdentification(std::optional<IdentifyResult> result, Provenance provenance) {
     m_identification = std::move(result);
     m_provenance = std::move(provenance);

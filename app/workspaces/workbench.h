@@ -4,6 +4,7 @@
 #include "app/procedures/identify_procedure.h"
 #include "app/procedures/tune.h"
 #include "app/session/device_session.h"
+#include "app/workspaces/display_quantity.h"
 #include "app/workspaces/live_signals.h"
 #include "app/workspaces/recording_control.h"
 #include "control/signals/sample_history.h"
@@ -57,6 +58,10 @@ public:
     /// One transaction, then all values are read back; `then` gets the outcome, after valuesChanged().
     void writeValues(std::vector<ParameterValue> values, std::function<void(Result<void>)> then);
 
+    /// Units of measured values, as the user prefers them.
+    const DisplayUnits& displayUnits() const { return m_displayUnits; }
+    void setDisplayUnits(const DisplayUnits& units);
+
     const std::optional<IdentifyResult>& identification() const { return m_identification; }
     /// Of the identification; it stays beside it.
     const Provenance& provenance() const { return m_provenance; }
@@ -72,6 +77,7 @@ Q_SIGNALS:
     void valuesChanged();
     void identificationChanged();
     void designChanged();
+    void displayUnitsChanged();
     void samplesArrived(); ///< at most once per frame
 
 private:
@@ -85,6 +91,7 @@ private:
     control::SampleHistory m_history;
     std::map<std::string, double> m_values;
     bool m_areValuesOurs = false;
+    DisplayUnits m_displayUnits;
     std::optional<IdentifyResult> m_identification;
     Provenance m_provenance;
     std::optional<TuneResult> m_design;

@@ -104,10 +104,12 @@ typedef struct {
 /* A signal whose scale is a literal of double precision without suffix, given to the host in full. */
 #define HB_SIGNAL_EXACT(name, unit, type, structure, member, literal, lower, upper, text)                    \
     {                                                                                                        \
-        {                                                                                                    \
-            type,           (uint16_t)offsetof(structure, member),                                           \
-            (float)literal, lower,                                                                           \
-            upper,          NULL HB_DIGITS(#literal)},                                                       \
+        {type,                                                                                               \
+         (uint16_t)offsetof(structure, member),                                                              \
+         (float)(literal),                                                                                   \
+         lower,                                                                                              \
+         upper,                                                                                              \
+         NULL HB_DIGITS(#literal)},                                                                          \
             name, unit HB_TEXT(text)                                                                         \
     }
 #define HB_PARAM(space, name, unit, type, structure, member, initial, lower, upper, choices, text)           \

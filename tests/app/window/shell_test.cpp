@@ -98,7 +98,8 @@ TEST_F(ShellTest, theHelpGoesBackToThePageBefore) {
     QApplication::setActiveWindow(help()); // the platform without a screen gives no window the focus
     QTest::keyClick(help()->findChild<QTextBrowser*>(), Qt::Key_Left, Qt::AltModifier);
     EXPECT_EQ(helpWords(), first);
-    QTest::keyClick(help()->findChild<QTextBrowser*>(), Qt::Key_Left, Qt::AltModifier); // there is no page before
+    QTest::keyClick(help()->findChild<QTextBrowser*>(), Qt::Key_Left,
+                    Qt::AltModifier); // there is no page before
     EXPECT_EQ(helpWords(), first);
 }
 

@@ -125,12 +125,12 @@ TEST_F(MonitorPanelTest, everyToolSaysItsShortcut) {
 }
 
 TEST(DisplayQuantityTest, showsDegreesTurnsMilliteslaAmpereAndCelsius) {
-    EXPECT_NEAR(displayQuantity("rad").factor * Pi, 180.0, 1e-9);
-    EXPECT_NEAR(displayQuantity("rad/s").factor * 2.0 * Pi, 60.0, 1e-9); // one turn a second
-    EXPECT_EQ(displayQuantity("T").factor, 1000.0);
-    EXPECT_EQ(displayQuantity("A").unit, "A");
-    EXPECT_EQ(displayQuantity("degC").unit, QString::fromUtf8("\u00b0C"));
-    EXPECT_EQ(displayQuantity("kg*m^2").factor, 1.0);
+    EXPECT_NEAR(displayQuantity("rad", {}).factor * Pi, 180.0, 1e-9);
+    EXPECT_NEAR(displayQuantity("rad/s", {}).factor * 2.0 * Pi, 60.0, 1e-9); // one turn a second
+    EXPECT_EQ(displayQuantity("T", {}).factor, 1000.0);
+    EXPECT_EQ(displayQuantity("A", {}).unit, "A");
+    EXPECT_EQ(displayQuantity("degC", {}).unit, QString::fromUtf8("\u00b0C"));
+    EXPECT_EQ(displayQuantity("kg*m^2", {}).factor, 1.0);
     EXPECT_EQ(signalWords("hall.b"), "Hall B");
     EXPECT_EQ(signalWords("foreign.name"), "foreign.name");
 }
@@ -146,7 +146,7 @@ TEST(MonitorPlotsTest, aDeviceWithoutRolesShowsItsFirstSignalsByUnit) {
     SignalSpec other;
     other.name = "n";
     catalogue.signals.push_back(other);
-    const auto plots = defaultPlots(catalogue, {});
+    const auto plots = defaultPlots(catalogue, {}, {});
     ASSERT_EQ(plots.size(), 2U);
     EXPECT_EQ(plots[0].curves.size(), 2U);
 }

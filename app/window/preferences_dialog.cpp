@@ -1,0 +1,114 @@
+#include "app/window/preferences_dialog.h"
+
+#include "app/window/language.h"
+#include "widgets/stop_button.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+
+namespace halbench::app {
+namespace {
+
+constexpr int LockOutStep_ms = 100;
+
+template <typename Choice>
+void addItem(QComboBox& box, const QString& text, Choice choice) {
+    box.addItem(text, static_cast<int>(choice));
+}
+
+template <typename Choice>
+void select(QComboBox& box, Choice choice) {
+    box.setCurrentIndex(box.findData(static_cast<int>(choice)));
+}
+
+template <typename Choice>
+Choice selected(const QComboBox& box) {
+    return static_cast<Choice>(box.currentData().toInt());
+}
+
+} // namespace
+
+PreferencesDialog::PreferencesDialog(const Preferences& preferences, Workbench& bench, QWidget* parent)
+    : QDialog(parent), m_before(preferences) {
+    setWindowTitle(tr("Preferences"));
+    auto* form = new QFormLayout(this);
+    addLook(*form);
+    addUnits(*form);
+    addLockOut(*form);
+    addButtons(*form, bench);
+}
+
+QComboBox* PreferencesDialog::addChoice(QFormLayout& form, const QString& label, const QString& toolTip) {
+    auto* box = new QComboBox(this);
+    box->setToolTip(toolTip);
+    box->setAccessibleName(QString(label).remove(QLatin1Char('&')));
+    form.addRow(label, box);
+    return box;
+}
+
+void PreferencesDialog::addLook(QFormLayout& form) {
+    m_theme = addChoice(form, tr("&Theme"), tr("Colours of the window"));
+    addItem(*m_theme, tr("as the system"), ThemeChoice::System);
+    addItem(*m_theme, tr("light"), ThemeChoice::Light);
+    addItem(*m_theme, tr("dark"), ThemeChoice::Dark);
+    select(*m_theme, m_before.theme);
+    m_language = addChoice(form, tr("&Language"), tr("Language of the window; files stay as they are"));
+    m_language->addItem(tr("as the system"), QString());
+    for (const Language& language : languages()) {
+        m_language->addItem(language.name, language.id);
+    }
+    m_language->setCurrentIndex(std::max(m_language->findData(m_before.language), 0));
+}
+
+void PreferencesDialog::addUnits(QFormLayout& form) {
+    m_angle = addChoice(form, tr("&Angles in"), tr("Unit of measured angles; files are always in SI units"));
+    addItem(*m_angle, tr("degrees"), widgets::AngleUnit::Degree);
+    addItem(*m_angle, tr("radians"), widgets::AngleUnit::Radian);
+    select(*m_angle, m_before.units.angle);
+    m_speed = addChoice(form, tr("&Speeds in"), tr("Unit of measured speeds; files are always in SI units"));
+    addItem(*m_speed, tr("revolutions per minute"), SpeedUnit::TurnsPerMinute);
+    addItem(*m_speed, tr("degrees per second"), SpeedUnit::DegreesPerSecond);
+    addItem(*m_speed, tr("radians per second"), SpeedUnit::RadiansPerSecond);
+    select(*m_speed, m_before.units.speed);
+}
+
+void PreferencesDialog::addLockOut(QFormLayout& form) {
+    m_lockOut_ms = new QSpinBox(this);
+    m_lockOut_ms->setRange(0, LongestLockOut_ms);
+    m_lockOut_ms->setSingleStep(LockOutStep_ms);
+    m_lockOut_ms->setSuffix(tr(" ms"));
+    m_lockOut_ms->setValue(m_before.stopLockOut_ms);
+    m_lockOut_ms->setAccessibleName(tr("Lock-out after a stop"));
+    m_lockOut_ms->setToolTip(tr("After a stop, so long re-arming is refused"));
+    form.addRow(tr("Lock-&out after a stop"), m_lockOut_ms);
+}
+
+void PreferencesDialog::addButtons(QFormLayout& form, Workbench& bench) {
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    buttons->button(QDialogButtonBox::Ok)->setToolTip(tr("Use what is chosen (Enter)"));
+    buttons->button(QDialogButtonBox::Cancel)->setToolTip(tr("Leave all as it was (Esc, which stops too)"));
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* stop = new widgets::StopButton(widgets::StopButton::Variant::Compact, this);
+    connect(stop, &widgets::StopButton::stopRequested, &bench, [&bench] { bench.session().stopActuator(); });
+    auto* row = new QHBoxLayout;
+    row->addWidget(stop);
+    row->addStretch(1);
+    row->addWidget(buttons);
+    form.addRow(row);
+}
+
+Preferences PreferencesDialog::chosen() const {
+    Preferences preferences = m_before;
+    preferences.theme = selected<ThemeChoice>(*m_theme);
+    preferences.language = m_language->currentData().toString();
+    preferences.units = {selected<widgets::AngleUnit>(*m_angle), selected<SpeedUnit>(*m_speed)};
+    preferences.stopLockOut_ms = m_lockOut_ms->value();
+    return preferences;
+}
+
+} // namespace halbench::app

@@ -1,0 +1,118 @@
+#include "app/window/dock_layout.h"
+#include "app/window/preferences_dialog.h"
+#include "app/workspaces/signal_tree.h"
+#include "tests/app/window/window_test.h"
+#include "widgets/live_plot_stack.h"
+#include "widgets/stop_button.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTimer>
+
+namespace halbench::app {
+namespace {
+
+class PreferencesDialogTest : public WindowTest {
+protected:
+    /// Opens the dialog by its menu entry and does `steps` in it.
+    void inDialog(const std::function<void(PreferencesDialog&)>& steps) {
+        QTimer::singleShot(0, [&] { steps(*window->findChild<PreferencesDialog*>()); });
+        for (QAction* action : window->findChildren<QAction*>()) {
+            if (action->shortcut() == QKeySequence("Ctrl+,")) {
+                action->trigger();
+            }
+        }
+    }
+
+    static QComboBox& box(PreferencesDialog& dialog, const QString& name) {
+        for (auto* each : dialog.findChildren<QComboBox*>()) {
+            if (each->accessibleName() == name) {
+                return *each;
+            }
+        }
+        throw std::logic_error("no box " + name.toStdString());
+    }
+
+    static void choose(PreferencesDialog& dialog, const QString& name, const QString& text) {
+        QComboBox& one = box(dialog, name);
+        one.setFocus();
+        QTest::keyClicks(&one, text);
+        EXPECT_EQ(one.currentText(), text);
+    }
+
+    static void press(PreferencesDialog& dialog, QDialogButtonBox::StandardButton button) {
+        QTest::mouseClick(dialog.findChild<QDialogButtonBox*>()->button(button), Qt::LeftButton);
+    }
+
+    QStringList plotUnits() {
+        QStringList units;
+        auto* monitor = window->docks().panel("monitor");
+        for (const widgets::PlotSpec& plot : monitor->findChild<widgets::LivePlotStack*>()->plots()) {
+            units << plot.unit;
+        }
+        return units;
+    }
+};
+
+TEST_F(PreferencesDialogTest, unitsOfThePlotsChangeAtOnceAndAreKept) {
+    open();
+    connectMotor(1.0);
+    ASSERT_TRUE(plotUnits().contains("r/min"));
+    const int plots = plotUnits().size();
+    inDialog([](PreferencesDialog& dialog) {
+        choose(dialog, "Angles in", "radians");
+        choose(dialog, "Speeds in", "radians per second");
+        press(dialog, QDialogButtonBox::Ok);
+    });
+    EXPECT_EQ(plotUnits().size(), plots);
+    EXPECT_TRUE(plotUnits().contains("rad"));
+    EXPECT_TRUE(plotUnits().contains("rad/s"));
+    EXPECT_FALSE(plotUnits().contains("r/min"));
+    EXPECT_EQ(loadPreferences().units,
+              (DisplayUnits{widgets::AngleUnit::Radian, SpeedUnit::RadiansPerSecond}));
+}
+
+TEST_F(PreferencesDialogTest, cancelLeavesAllAsItWas) {
+    open();
+    connectMotor(1.0);
+    const QStringList before = plotUnits();
+    inDialog([](PreferencesDialog& dialog) {
+        choose(dialog, "Angles in", "radians");
+        press(dialog, QDialogButtonBox::Cancel);
+    });
+    EXPECT_EQ(plotUnits(), before);
+    EXPECT_EQ(window->preferences().units, DisplayUnits());
+}
+
+TEST_F(PreferencesDialogTest, theLockOutIsTheStopButtons) {
+    open();
+    connectMotor(1.0);
+    inDialog([](PreferencesDialog& dialog) {
+        dialog.findChild<QSpinBox*>()->setFocus();
+        dialog.findChild<QSpinBox*>()->selectAll();
+        QTest::keyClicks(dialog.findChild<QSpinBox*>(), "0");
+        press(dialog, QDialogButtonBox::Ok);
+    });
+    auto* stop = window->findChild<widgets::StopButton*>();
+    QTest::mouseClick(stop, Qt::LeftButton);
+    ASSERT_TRUE(wait([&] { return session().report().board.isStopLatched; }));
+    // Without a lock-out the button offers re-arming as soon as the latch is known.
+    EXPECT_TRUE(wait([&] { return stop->text().contains("re-arm"); }));
+    EXPECT_EQ(loadPreferences().stopLockOut_ms, 0);
+}
+
+TEST_F(PreferencesDialogTest, itsStopStops) {
+    open();
+    connectMotor(1.0);
+    inDialog([](PreferencesDialog& dialog) {
+        QTest::mousePress(dialog.findChild<widgets::StopButton*>(), Qt::LeftButton);
+        press(dialog, QDialogButtonBox::Cancel);
+    });
+    EXPECT_TRUE(wait([&] { return session().report().board.isStopLatched; }));
+}
+
+} // namespace
+} // namespace halbench::app
