@@ -5442,7 +5442,7 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     </message>
     <message>
         <source>&amp;Theme</source>
-        <translation type="unfinished">&amp;Farbschema</translation>
+        <translation>&amp;Farbschema</translation>
     </message>
     <message>
         <source>Colours of the window</source>
@@ -5478,7 +5478,7 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     </message>
     <message>
         <source>degrees</source>
-        <translation type="unfinished">Grad</translation>
+        <translation>Grad</translation>
     </message>
     <message>
         <source>radians</source>

@@ -5441,7 +5441,7 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     </message>
     <message>
         <source>&amp;Theme</source>
-        <translation type="unfinished">主题(&amp;T)</translation>
+        <translation>主题(&amp;T)</translation>
     </message>
     <message>
         <source>Colours of the window</source>
@@ -5477,7 +5477,7 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     </message>
     <message>
         <source>degrees</source>
-        <translation type="unfinished">度</translation>
+        <translation>度</translation>
     </message>
     <message>
         <source>radians</source>
