@@ -3730,6 +3730,14 @@
         <source>release the stop again when the cause is gone</source>
         <translation>heben Sie den Stopp erneut auf, wenn die Ursache beseitigt ist</translation>
     </message>
+    <message>
+        <source>{} is open in another window (process {} on {})</source>
+        <translation>{} ist in einem anderen Fenster geöffnet (Prozess {} auf {})</translation>
+    </message>
+    <message>
+        <source>close it there; if it is open nowhere, remove {}</source>
+        <translation>schließen Sie es dort; ist es nirgends geöffnet, löschen Sie {}</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CalibratePanel</name>
@@ -5289,6 +5297,22 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <source>&amp;Preferences…</source>
         <translation>&amp;Einstellungen…</translation>
     </message>
+    <message>
+        <source>%1 is open in another window.</source>
+        <translation>%1 ist in einem anderen Fenster geöffnet.</translation>
+    </message>
+    <message>
+        <source>Close it there, or open a copy as a new project; the file itself stays with the other window.</source>
+        <translation>Schließen Sie es dort, oder öffnen Sie eine Kopie als neues Projekt; die Datei selbst bleibt beim anderen Fenster.</translation>
+    </message>
+    <message>
+        <source>Open a copy</source>
+        <translation>Kopie öffnen</translation>
+    </message>
+    <message>
+        <source>The autosave of the project could not be read; it was kept as %1.</source>
+        <translation>Die automatische Sicherung des Projekts war nicht lesbar; sie liegt unter %1.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MonitorPanel</name>
@@ -5668,6 +5692,38 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>No project was opened yet</source>
         <translation>Es wurde noch kein Projekt geöffnet</translation>
+    </message>
+    <message>
+        <source>%1 is open here, with changes that are not saved yet.</source>
+        <translation>%1 ist hier geöffnet, mit noch nicht gespeicherten Änderungen.</translation>
+    </message>
+    <message>
+        <source>The autosave of the project could not be read; it was kept as %1.</source>
+        <translation>Die automatische Sicherung des Projekts war nicht lesbar; sie liegt unter %1.</translation>
+    </message>
+    <message>
+        <source>The project itself is as it was saved.</source>
+        <translation>Das Projekt selbst ist so, wie es gespeichert wurde.</translation>
+    </message>
+    <message>
+        <source>This is a copy of %1, a new project without a name.</source>
+        <translation>Dies ist eine Kopie von %1, ein neues Projekt ohne Namen.</translation>
+    </message>
+    <message>
+        <source>Save it under a name of its own to keep it.</source>
+        <translation>Speichern Sie es unter einem eigenen Namen, um es zu behalten.</translation>
+    </message>
+    <message>
+        <source>%1 is open in another window.</source>
+        <translation>%1 ist in einem anderen Fenster geöffnet.</translation>
+    </message>
+    <message>
+        <source>Choose another name, or close the other window.</source>
+        <translation>Wählen Sie einen anderen Namen, oder schließen Sie das andere Fenster.</translation>
+    </message>
+    <message>
+        <source>Unnamed project, %1</source>
+        <translation>Projekt ohne Namen, %1</translation>
     </message>
 </context>
 <context>

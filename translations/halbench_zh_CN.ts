@@ -3730,6 +3730,14 @@
         <source>release the stop again when the cause is gone</source>
         <translation>原因排除后请再次解除停止</translation>
     </message>
+    <message>
+        <source>{} is open in another window (process {} on {})</source>
+        <translation>{} 已在另一个窗口中打开（进程 {}，计算机 {}）</translation>
+    </message>
+    <message>
+        <source>close it there; if it is open nowhere, remove {}</source>
+        <translation>请在那里关闭它；如果哪里都没有打开，请删除 {}</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CalibratePanel</name>
@@ -5289,6 +5297,22 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <source>&amp;Preferences…</source>
         <translation>首选项(&amp;P)…</translation>
     </message>
+    <message>
+        <source>%1 is open in another window.</source>
+        <translation>%1 已在另一个窗口中打开。</translation>
+    </message>
+    <message>
+        <source>Close it there, or open a copy as a new project; the file itself stays with the other window.</source>
+        <translation>请在那里关闭它，或将副本作为新项目打开；文件本身仍归另一个窗口。</translation>
+    </message>
+    <message>
+        <source>Open a copy</source>
+        <translation>打开副本</translation>
+    </message>
+    <message>
+        <source>The autosave of the project could not be read; it was kept as %1.</source>
+        <translation>项目的自动保存文件无法读取；已保留为 %1。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MonitorPanel</name>
@@ -5667,6 +5691,38 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>No project was opened yet</source>
         <translation>尚未打开过项目</translation>
+    </message>
+    <message>
+        <source>%1 is open here, with changes that are not saved yet.</source>
+        <translation>%1 已在此打开，且有尚未保存的更改。</translation>
+    </message>
+    <message>
+        <source>The autosave of the project could not be read; it was kept as %1.</source>
+        <translation>项目的自动保存文件无法读取；已保留为 %1。</translation>
+    </message>
+    <message>
+        <source>The project itself is as it was saved.</source>
+        <translation>项目本身与保存时一致。</translation>
+    </message>
+    <message>
+        <source>This is a copy of %1, a new project without a name.</source>
+        <translation>这是 %1 的副本，一个尚未命名的新项目。</translation>
+    </message>
+    <message>
+        <source>Save it under a name of its own to keep it.</source>
+        <translation>请以自己的名称保存它，以便保留。</translation>
+    </message>
+    <message>
+        <source>%1 is open in another window.</source>
+        <translation>%1 已在另一个窗口中打开。</translation>
+    </message>
+    <message>
+        <source>Choose another name, or close the other window.</source>
+        <translation>请选择其他名称，或关闭另一个窗口。</translation>
+    </message>
+    <message>
+        <source>Unnamed project, %1</source>
+        <translation>未命名项目，%1</translation>
     </message>
 </context>
 <context>

@@ -88,6 +88,7 @@ MainWindow::MainWindow(Preferences preferences)
 
 MainWindow::~MainWindow() {
     m_frame.stop();
+    m_project.finishWriting(); // while there is a window to say how it went
     m_bench.session().disconnectDevice();
 }
 
@@ -142,8 +143,16 @@ void MainWindow::createActions() {
     connect(m_projects, &ProjectMenu::refused, this, [this](const QString& text, const QString& hint) {
         onMessage(widgets::Severity::Error, text, hint);
     });
-    connect(m_projects, &ProjectMenu::recovered, this,
-            [this](const QString& text) { onMessage(widgets::Severity::Information, text, {}); });
+    connect(m_projects, &ProjectMenu::recovered, this, [this](const QString& text, const QString& hint) {
+        onMessage(widgets::Severity::Information, text, hint);
+    });
+    connect(m_projects, &ProjectMenu::collecting, this, &MainWindow::collectProject);
+    connect(m_projects, &ProjectMenu::locked, this, &MainWindow::offerCopy);
+    connect(m_message, &widgets::MessageBar::actionTriggered, this,
+            [this] { m_projects->openCopy(m_locked); });
+    connect(&m_project, &ProjectSession::notKept, this, [this](const Error& error) {
+        onMessage(widgets::Severity::Error, widgets::inWords(error.message), widgets::inWords(error.hint));
+    });
     connect(file, &QMenu::aboutToShow, this, &MainWindow::collectProject);
     file->addSeparator();
     QAction* preferences = file->addAction(tr("&Preferences…"), this, &MainWindow::askPreferences);
@@ -245,11 +254,26 @@ void MainWindow::onMessage(widgets::Severity severity, const QString& text, cons
     m_message->showMessage({severity, text, hint, {}});
 }
 
+void MainWindow::offerCopy(const QString& path) {
+    m_locked = path;
+    m_message->showMessage({widgets::Severity::Warning,
+                            tr("%1 is open in another window.").arg(QFileInfo(path).fileName()),
+                            tr("Close it there, or open a copy as a new project; the file itself stays with "
+                               "the other window."),
+                            tr("Open a copy")});
+}
+
 void MainWindow::openProject(const QString& path) {
     m_projects->open(path);
 }
 
 void MainWindow::recoverUnnamed() {
+    if (const auto aside = m_project.setAsideDamaged({})) {
+        onMessage(widgets::Severity::Warning,
+                  tr("The autosave of the project could not be read; it was kept as %1.")
+                      .arg(QString::fromStdString(*aside)),
+                  {});
+    }
     if (const std::optional<Project> left = m_project.recoverable({})) {
         m_project.recover({}, *left);
         takeOverProject();

@@ -57,11 +57,13 @@ private:
     void onMessage(widgets::Severity severity, const QString& text, const QString& hint);
     void collectProject();
     void takeOverProject();
+    void offerCopy(const QString& path);
     void refreshTitle();
 
     Preferences m_preferences;
     Workbench m_bench;
     ProjectSession m_project;
+    QString m_locked;  ///< the project of another window that a copy of is offered
     QTimer m_frame;    ///< one for all that moves
     QTimer m_autosave; ///< at most so much work is lost in a crash
     widgets::MessageBar* m_message = nullptr;

@@ -2,7 +2,9 @@
 
 #include "widgets/phrasebook.h"
 
+#include <QDateTime>
 #include <QFileInfo>
+#include <QLocale>
 #include <QMenu>
 #include <QPointer>
 #include <QSettings>
@@ -33,6 +35,7 @@ void ProjectMenu::addTo(QMenu& menu) {
 }
 
 void ProjectMenu::startNew() {
+    collecting();
     m_session.startNew();
     opened();
 }
@@ -45,19 +48,49 @@ void ProjectMenu::chooseAndOpen() {
 }
 
 void ProjectMenu::open(const QString& path) {
+    collecting();
     const std::string file = path.toStdString();
+    if (m_session.has(file) && m_session.isChanged()) {
+        recovered(tr("%1 is open here, with changes that are not saved yet.").arg(QFileInfo(path).fileName()),
+                  {});
+        return;
+    }
     if (const Result<void> read = m_session.open(file); !read) {
-        refused(widgets::inWords(read.error().message), widgets::inWords(read.error().hint));
+        if (read.error().code == ErrorCode::Refused) {
+            locked(path);
+        } else {
+            say(read.error());
+        }
         return;
     }
     remember(path);
+    if (const auto aside = m_session.setAsideDamaged(file)) {
+        recovered(tr("The autosave of the project could not be read; it was kept as %1.")
+                      .arg(QString::fromStdString(*aside)),
+                  tr("The project itself is as it was saved."));
+    }
     if (const std::optional<Project> left = m_session.recoverable(file);
         left && *left != m_session.project()) {
         m_session.recover(file, *left);
-        recovered(
-            tr("Unsaved work of %1 was recovered; save it to keep it.").arg(QFileInfo(path).fileName()));
+        recovered(tr("Unsaved work of %1 was recovered; save it to keep it.").arg(QFileInfo(path).fileName()),
+                  {});
     }
     opened();
+}
+
+void ProjectMenu::openCopy(const QString& path) {
+    collecting();
+    if (const Result<void> read = m_session.openCopy(path.toStdString()); !read) {
+        say(read.error());
+        return;
+    }
+    recovered(tr("This is a copy of %1, a new project without a name.").arg(QFileInfo(path).fileName()),
+              tr("Save it under a name of its own to keep it."));
+    opened();
+}
+
+void ProjectMenu::say(const Error& error) {
+    refused(widgets::inWords(error.message), widgets::inWords(error.hint));
 }
 
 void ProjectMenu::save() {
@@ -77,14 +110,18 @@ void ProjectMenu::saveAs() {
 }
 
 void ProjectMenu::write(const QString& path) {
+    collecting();
     m_session.save(path.toStdString(), [self = QPointer(this), path](const Result<void>& written) {
         if (!self) {
             return;
         }
         if (written) {
             self->remember(path);
+        } else if (written.error().code == ErrorCode::Refused) {
+            self->refused(tr("%1 is open in another window.").arg(QFileInfo(path).fileName()),
+                          tr("Choose another name, or close the other window."));
         } else {
-            self->refused(widgets::inWords(written.error().message), widgets::inWords(written.error().hint));
+            self->say(written.error());
         }
     });
 }
@@ -102,8 +139,25 @@ void ProjectMenu::fillRecent() {
     for (const QString& path : recentProjects()) {
         m_recent->addAction(path, this, [this, path] { open(path); });
     }
+    addUnnamed();
     if (m_recent->isEmpty()) {
         m_recent->addAction(tr("No project was opened yet"))->setEnabled(false);
+    }
+}
+
+/// Work without a name that an earlier window left, or this one for another project.
+void ProjectMenu::addUnnamed() {
+    for (const std::string& place : m_session.waiting()) {
+        const QFileInfo file(QString::fromStdString(autosavePath(place)));
+        const QString when = QLocale().toString(file.lastModified(), QLocale::ShortFormat);
+        m_recent->addAction(tr("Unnamed project, %1").arg(when), this, [this, place] {
+            collecting();
+            if (const Result<void> read = m_session.openUnnamed(place); !read) {
+                say(read.error());
+                return;
+            }
+            opened();
+        });
     }
 }
 

@@ -22,11 +22,15 @@ public:
     void addTo(QMenu& menu);
     /// Opens the file; an autosave of it that is newer work is offered in `recovered()`.
     void open(const QString& path);
+    /// As a new project without a name; the file stays with the window that has it.
+    void openCopy(const QString& path);
 
 Q_SIGNALS:
-    void opened(); ///< another project is there: the window takes it over
+    void collecting();                ///< the session shall know what the panels show before it goes on
+    void locked(const QString& path); ///< another window has it
+    void opened();                    ///< another project is there: the window takes it over
     void refused(const QString& text, const QString& hint);
-    void recovered(const QString& text);
+    void recovered(const QString& text, const QString& hint);
 
 private:
     void startNew();
@@ -36,6 +40,8 @@ private:
     void write(const QString& path);
     void remember(const QString& path);
     void fillRecent();
+    void addUnnamed();
+    void say(const Error& error);
 
     ProjectSession& m_session;
     FileChooser m_files;

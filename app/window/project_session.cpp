@@ -7,47 +7,72 @@
 namespace halbench::app {
 
 ProjectSession::ProjectSession(std::string unnamedPath, QObject* parent)
-    : QObject(parent), m_unnamedPath(std::move(unnamedPath)) {}
+    : QObject(parent), m_unnamedBase(std::move(unnamedPath)), m_unnamed(claimUnnamed(m_unnamedBase, false)) {}
 
 ProjectSession::~ProjectSession() {
     finishWriting();
 }
 
 void ProjectSession::write(Write next) {
-    if (m_isWriting) {
-        m_next = std::move(next);
+    m_writes.push_back(std::move(next));
+    startWriting();
+}
+
+void ProjectSession::startWriting() {
+    if (m_writer.joinable() || m_writes.empty()) {
         return;
     }
-    finishWriting();
-    m_isWriting = true;
-    m_writer = std::thread([this, next = std::move(next)] {
-        const Result<void> written = saveProject(next.project, next.path);
+    const Write& next = m_writes.front(); // stays there until completeWrite()
+    m_writer = std::thread([this, &next, number = m_completed] {
+        m_outcome = saveProject(next.project, next.path);
         QMetaObject::invokeMethod(
             this,
-            [this, written, then = next.then] {
-                m_isWriting = false;
-                if (m_next) {
-                    write(*std::exchange(m_next, std::nullopt));
+            [this, number] {
+                if (number == m_completed) { // nobody waited for it
+                    completeWrite();
                 }
-                then(written);
             },
             Qt::QueuedConnection);
     });
 }
 
-/// Waits for the writer and writes what waited behind it.
+/// What the write holds, above all a lock, is free when this returns.
+void ProjectSession::completeWrite() {
+    m_writer.join();
+    ++m_completed;
+    const Write done = std::move(m_writes.front());
+    const Result<void> outcome = std::exchange(m_outcome, {});
+    m_writes.pop_front();
+    startWriting();
+    done.then(outcome);
+}
+
 void ProjectSession::finishWriting() {
-    if (m_writer.joinable()) {
-        m_writer.join();
-    }
-    if (m_next) {
-        const Write last = *std::exchange(m_next, std::nullopt);
-        last.then(saveProject(last.project, last.path));
+    while (m_writer.joinable()) {
+        completeWrite();
     }
 }
 
+/// A project that was left a moment ago is locked by its own last write: that is waited for, so that what it
+/// keeps is read too.
+Result<ProjectLock> ProjectSession::lockOf(const std::string& path) {
+    if (m_lock.isOf(path)) {
+        return m_lock;
+    }
+    Result<ProjectLock> lock = ProjectLock::take(path);
+    if (!lock && m_writer.joinable()) {
+        finishWriting();
+        lock = ProjectLock::take(path);
+    }
+    return lock;
+}
+
+std::string ProjectSession::autosaveOf(const std::string& path) const {
+    return autosavePath(path.empty() ? m_unnamed.path : path);
+}
+
 std::string ProjectSession::autosaveFile() const {
-    return autosavePath(m_path.empty() ? m_unnamedPath : m_path);
+    return autosaveOf(m_path);
 }
 
 void ProjectSession::update(const Project& project) {
@@ -58,32 +83,93 @@ void ProjectSession::update(const Project& project) {
 }
 
 void ProjectSession::startNew() {
+    leave();
+    take({}, {}, {}, {});
+}
+
+/// The autosave stays where something would be lost, and its place with it.
+void ProjectSession::leave() {
+    const bool isUnnamed = m_path.empty();
+    *m_isLeftWithWork = isUnnamed ? holdsWork(m_project) : isChanged();
+    if (!*m_isLeftWithWork) {
+        discardAutosave();
+        return;
+    }
+    if (m_project != m_autosaved || m_writer.joinable()) {
+        write({m_project, autosaveFile(),
+               [this, lock = isUnnamed ? m_unnamed.lock : m_lock](const Result<void>& written) {
+                   if (!written) {
+                       notKept(written.error());
+                   }
+               }});
+    }
+    if (isUnnamed) {
+        m_unnamed = claimUnnamed(m_unnamedBase, true);
+    }
+}
+
+void ProjectSession::take(std::string path, ProjectLock lock, Project project, Project saved) {
     ++m_opened;
-    discardAutosave();
-    m_path.clear();
-    m_project = m_saved = m_autosaved = {};
+    m_isLeftWithWork = std::make_shared<bool>(false);
+    m_path = std::move(path);
+    m_lock = std::move(lock);
+    m_project = std::move(project);
+    m_saved = m_autosaved = std::move(saved);
     changed();
 }
 
 Result<void> ProjectSession::open(const std::string& path) {
-    Result<Project> read = loadProject(path);
+    Result<ProjectLock> lock = lockOf(path);
+    if (!lock) {
+        return failure(lock.error());
+    }
+    const Result<Project> read = loadProject(path);
     if (!read) {
         return failure(read.error());
     }
-    ++m_opened;
-    m_path = path;
-    m_project = m_saved = m_autosaved = *std::move(read);
-    changed();
+    leave();
+    take(path, *std::move(lock), *read, *read);
+    return {};
+}
+
+Result<void> ProjectSession::openCopy(const std::string& path) {
+    const Result<Project> read = loadProject(path);
+    if (!read) {
+        return failure(read.error());
+    }
+    leave();
+    take({}, {}, *read, {});
+    return {};
+}
+
+Result<void> ProjectSession::openUnnamed(const std::string& path) {
+    Result<ProjectLock> lock = lockOf(path);
+    if (!lock) {
+        return failure(lock.error());
+    }
+    const Result<Project> left = loadProject(autosavePath(path));
+    if (!left) {
+        return failure(left.error());
+    }
+    leave();
+    m_unnamed = {path, *std::move(lock)};
+    recover({}, *left);
     return {};
 }
 
 void ProjectSession::save(const std::string& path, Written then) {
+    const Result<ProjectLock> lock = lockOf(path);
+    if (!lock) {
+        then(failure(lock.error()));
+        return;
+    }
     write({m_project, path,
-           [this, path, project = m_project, opened = m_opened,
+           [this, path, lock = *lock, project = m_project, opened = m_opened,
             then = std::move(then)](const Result<void>& written) {
                if (written && opened == m_opened) {
                    discardAutosave();
                    m_path = path;
+                   m_lock = lock;
                    m_saved = m_autosaved = project;
                    changed();
                }
@@ -92,14 +178,16 @@ void ProjectSession::save(const std::string& path, Written then) {
 }
 
 void ProjectSession::autosave(Written then) {
-    if (m_project == m_autosaved || m_isWriting) { // the timer comes again
+    if (m_project == m_autosaved || m_writer.joinable()) { // the timer comes again
         return;
     }
     write({m_project, autosaveFile(),
-           [this, path = autosaveFile(), project = m_project, opened = m_opened,
+           [this, path = autosaveFile(), project = m_project, opened = m_opened, isKept = m_isLeftWithWork,
             then = std::move(then)](const Result<void>& written) {
                if (opened != m_opened) {
-                   QFile::remove(QString::fromStdString(path)); // of a project that was left meanwhile
+                   if (!*isKept) {
+                       QFile::remove(QString::fromStdString(path)); // of a project that was left meanwhile
+                   }
                } else if (written) {
                    m_autosaved = project;
                }
@@ -120,17 +208,26 @@ Result<void> ProjectSession::autosaveNow() {
 }
 
 std::optional<Project> ProjectSession::recoverable(const std::string& path) const {
-    const Result<Project> left = loadProject(autosavePath(path.empty() ? m_unnamedPath : path));
+    const Result<Project> left = loadProject(autosaveOf(path));
     return left ? std::optional(*left) : std::nullopt;
 }
 
+std::optional<std::string> ProjectSession::setAsideDamaged(const std::string& path) const {
+    const QString file = QString::fromStdString(autosaveOf(path));
+    if (!QFile::exists(file) || loadProject(file.toStdString())) {
+        return std::nullopt;
+    }
+    QString aside = file + QStringLiteral(".damaged");
+    for (int number = 2; QFile::exists(aside); ++number) {
+        aside = file + QStringLiteral(".damaged-%1").arg(number);
+    }
+    return QFile::rename(file, aside) ? std::optional(aside.toStdString()) : std::nullopt;
+}
+
 void ProjectSession::recover(const std::string& path, const Project& project) {
-    ++m_opened;
-    m_path = path;
     const Result<Project> saved = path.empty() ? Project() : loadProject(path);
-    m_saved = saved.value_or(Project());
-    m_project = m_autosaved = project;
-    changed();
+    take(path, path.empty() ? ProjectLock() : m_lock, project, saved.value_or(Project()));
+    m_autosaved = project;
 }
 
 void ProjectSession::discardAutosave() {

@@ -122,6 +122,7 @@ TEST_F(MainWindowTest, aProjectBringsBackDeviceNotesAndArrangement) {
     EXPECT_EQ(static_cast<NotesPanel*>(window->docks().panel("notes"))->notes(), "bearing greased");
     EXPECT_EQ(session().state(), SessionState::Disconnected); // opening a file moves nothing
     EXPECT_TRUE(window->windowTitle().contains("motor.toml"));
+    window.reset(); // its lock is in the folder
 }
 
 TEST_F(MainWindowTest, aDamagedProjectIsSaidInPlaceAndNothingIsLost) {

@@ -49,9 +49,11 @@ TEST_F(ProjectSessionTest, aCrashLosesNothingThatWasAutosaved) {
 }
 
 TEST_F(ProjectSessionTest, aProjectWithoutANameIsRecoveredToo) {
-    ProjectSession before(file("unnamed.toml"));
-    before.update(withNotes("never named"));
-    ASSERT_TRUE(before.autosaveNow());
+    {
+        ProjectSession before(file("unnamed.toml"));
+        before.update(withNotes("never named"));
+        ASSERT_TRUE(before.autosaveNow());
+    }
     EXPECT_EQ(ProjectSession(file("unnamed.toml")).recoverable("")->notes, "never named");
 }
 

@@ -23,6 +23,9 @@ protected:
         }
     };
 
+    /// Before the folders of the tests go: the window holds locks in them.
+    void TearDown() override { window.reset(); }
+
     void open(const Preferences& preferences = {}) {
         window = std::make_unique<MainWindow>(preferences);
         window->show();
