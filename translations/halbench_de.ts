@@ -5313,6 +5313,22 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <source>The autosave of the project could not be read; it was kept as %1.</source>
         <translation>Die automatische Sicherung des Projekts war nicht lesbar; sie liegt unter %1.</translation>
     </message>
+    <message>
+        <source>Save project as…</source>
+        <translation>Projekt speichern unter…</translation>
+    </message>
+    <message>
+        <source>The window stays open, so that what was not saved is not lost.</source>
+        <translation>Das Fenster bleibt offen, damit keine ungespeicherte Arbeit verloren geht.</translation>
+    </message>
+    <message>
+        <source>Save the project elsewhere, or close the window without it.</source>
+        <translation>Speichern Sie das Projekt an anderer Stelle, oder schließen Sie das Fenster, ohne zu speichern.</translation>
+    </message>
+    <message>
+        <source>Close anyway</source>
+        <translation>Trotzdem schließen</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MonitorPanel</name>

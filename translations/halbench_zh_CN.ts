@@ -5313,6 +5313,22 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <source>The autosave of the project could not be read; it was kept as %1.</source>
         <translation>项目的自动保存文件无法读取；已保留为 %1。</translation>
     </message>
+    <message>
+        <source>Save project as…</source>
+        <translation>项目另存为…</translation>
+    </message>
+    <message>
+        <source>The window stays open, so that what was not saved is not lost.</source>
+        <translation>窗口保持打开，以免未保存的内容丢失。</translation>
+    </message>
+    <message>
+        <source>Save the project elsewhere, or close the window without it.</source>
+        <translation>请将项目保存到别处，或不保存直接关闭窗口。</translation>
+    </message>
+    <message>
+        <source>Close anyway</source>
+        <translation>仍然关闭</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MonitorPanel</name>

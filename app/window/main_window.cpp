@@ -67,14 +67,15 @@ MainWindow::MainWindow(Preferences preferences)
     connect(&m_autosave, &QTimer::timeout, this, [this] {
         collectProject();
         m_project.autosave([this](const Result<void>& saved) {
-            if (!saved) {
-                onMessage(widgets::Severity::Warning, widgets::inWords(saved.error().message),
-                          widgets::inWords(saved.error().hint));
+            if (saved) {
+                onKept();
+            } else {
+                sayNotKept(saved.error());
             }
         });
     });
     m_autosave.start(AutosavePeriod_ms);
-    refreshTitle();
+    m_project.beginWith(shownProject());
     m_devices->setFocus(); // never STOP first: Enter after the start connects
     resize(FirstSize);
     restoreGeometry(m_preferences.geometry);
@@ -104,11 +105,18 @@ void MainWindow::buildCentre() {
     m_devices = static_cast<DevicePanel*>(m_docks->panel("devices"));
     m_notes = static_cast<NotesPanel*>(m_docks->panel("notes"));
     m_message = new widgets::MessageBar(centre);
+    connect(m_message, &widgets::MessageBar::actionTriggered, this, [this] {
+        const auto remedy = m_remedy; // it may say something else itself
+        remedy();
+    });
+    m_refusal = new widgets::MessageBar(centre);
+    connect(m_refusal, &widgets::MessageBar::actionTriggered, this, &MainWindow::closeAnyway);
     connectTaskFlow(*m_docks, m_bench);
     m_work = new ProjectWork(m_bench, *static_cast<TunePanel*>(m_docks->panel("tune")),
                              *static_cast<CalibratePanel*>(m_docks->panel("calibrate")), this);
     column->addWidget(m_bar);
     column->addWidget(m_message);
+    column->addWidget(m_refusal);
     column->addWidget(m_docks->widget(), 1);
     column->addWidget(new LinkPanel(m_bench, centre));
     setCentralWidget(centre);
@@ -148,12 +156,10 @@ void MainWindow::createActions() {
     });
     connect(m_projects, &ProjectMenu::collecting, this, &MainWindow::collectProject);
     connect(m_projects, &ProjectMenu::locked, this, &MainWindow::offerCopy);
-    connect(m_message, &widgets::MessageBar::actionTriggered, this,
-            [this] { m_projects->openCopy(m_locked); });
+    connect(m_projects, &ProjectMenu::saved, this, &MainWindow::onKept);
     connect(&m_project, &ProjectSession::notKept, this, [this](const Error& error) {
         onMessage(widgets::Severity::Error, widgets::inWords(error.message), widgets::inWords(error.hint));
     });
-    connect(file, &QMenu::aboutToShow, this, &MainWindow::collectProject);
     file->addSeparator();
     QAction* preferences = file->addAction(tr("&Preferences…"), this, &MainWindow::askPreferences);
     preferences->setShortcut(QKeySequence("Ctrl+,"));
@@ -251,16 +257,35 @@ void MainWindow::showHelp() {
 }
 
 void MainWindow::onMessage(widgets::Severity severity, const QString& text, const QString& hint) {
-    m_message->showMessage({severity, text, hint, {}});
+    say({severity, text, hint, {}}, {});
+}
+
+void MainWindow::say(const widgets::Message& message, std::function<void()> remedy) {
+    m_isNotKept = false;
+    m_remedy = std::move(remedy);
+    m_message->showMessage(message);
 }
 
 void MainWindow::offerCopy(const QString& path) {
-    m_locked = path;
-    m_message->showMessage({widgets::Severity::Warning,
-                            tr("%1 is open in another window.").arg(QFileInfo(path).fileName()),
-                            tr("Close it there, or open a copy as a new project; the file itself stays with "
-                               "the other window."),
-                            tr("Open a copy")});
+    say({widgets::Severity::Warning, tr("%1 is open in another window.").arg(QFileInfo(path).fileName()),
+         tr("Close it there, or open a copy as a new project; the file itself stays with the other window."),
+         tr("Open a copy")},
+        [this, path] { m_projects->openCopy(path); });
+}
+
+/// The autosave failed: the work is in this window alone.
+void MainWindow::sayNotKept(const Error& error) {
+    say({widgets::Severity::Error, widgets::inWords(error.message), widgets::inWords(error.hint),
+         tr("Save project as…")},
+        [this] { m_projects->saveAs(); });
+    m_isNotKept = true;
+}
+
+void MainWindow::onKept() {
+    m_refusal->clear();
+    if (std::exchange(m_isNotKept, false)) {
+        m_message->clear();
+    }
 }
 
 void MainWindow::openProject(const QString& path) {
@@ -274,7 +299,9 @@ void MainWindow::recoverUnnamed() {
                       .arg(QString::fromStdString(*aside)),
                   {});
     }
-    if (const std::optional<Project> left = m_project.recoverable({})) {
+    m_docks->setArrangements(m_preferences.arrangements);
+    if (const std::optional<Project> left = m_project.recoverable({});
+        left && !isSameWork(*left, m_project.project())) {
         m_project.recover({}, *left);
         takeOverProject();
         onMessage(widgets::Severity::Information,
@@ -284,7 +311,7 @@ void MainWindow::recoverUnnamed() {
 }
 
 /// What the panels show, as a project.
-void MainWindow::collectProject() {
+Project MainWindow::shownProject() const {
     Project project = m_project.project();
     project.device = m_devices->address().toStdString();
     project.notes = m_notes->notes().toStdString();
@@ -296,7 +323,11 @@ void MainWindow::collectProject() {
     }
     project.monitor = static_cast<MonitorPanel*>(m_docks->panel("monitor"))->view();
     m_work->fill(project);
-    m_project.update(project);
+    return project;
+}
+
+void MainWindow::collectProject() {
+    m_project.update(shownProject());
 }
 
 /// Nothing is connected or armed by opening a project: the address waits for Connect.
@@ -317,6 +348,9 @@ void MainWindow::takeOverProject() {
                   tr("Not everything of the project could be read: %1").arg(lost.join("; ")),
                   tr("It stays in the file as it is; the rest is open."));
     }
+    if (m_project.path().empty() && !m_project.isChanged()) {
+        m_project.beginWith(shownProject());
+    }
     refreshTitle();
 }
 
@@ -328,12 +362,23 @@ void MainWindow::refreshTitle() {
     setWindowModified(m_project.isChanged());
 }
 
+void MainWindow::closeAnyway() {
+    m_isLossAccepted = true;
+    close();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
     collectProject();
-    if (const Result<void> saved = m_project.autosaveNow(); !saved) {
-        std::fprintf(stderr, "halbench: %s\n", saved.error().message.c_str());
+    if (const Result<void> kept = m_project.autosaveNow(); !kept && !m_isLossAccepted) {
+        event->ignore();
+        sayNotKept(kept.error());
+        m_refusal->showMessage(
+            {widgets::Severity::Warning, tr("The window stays open, so that what was not saved is not lost."),
+             tr("Save the project elsewhere, or close the window without it."), tr("Close anyway")});
+        return;
     }
     m_preferences.geometry = saveGeometry();
+    m_preferences.arrangements = m_docks->arrangements();
     savePreferences(m_preferences);
     QMainWindow::closeEvent(event);
 }

@@ -8,6 +8,8 @@
 #include <QMainWindow>
 #include <QTimer>
 
+#include <functional>
+
 class QActionGroup;
 
 namespace halbench::app {
@@ -33,7 +35,8 @@ public:
 
     ProjectSession& project() { return m_project; }
     void openProject(const QString& path);
-    /// Opens again what had no name yet when the window was closed or the program was interrupted.
+    /// Opens again what had no name yet when the window was closed or the program was interrupted, with the
+    /// panels as they were.
     void recoverUnnamed();
 
     /// As if the user had written the address and pressed Connect.
@@ -55,6 +58,11 @@ private:
     void showHelp();
     void onPerspective();
     void onMessage(widgets::Severity severity, const QString& text, const QString& hint);
+    void say(const widgets::Message& message, std::function<void()> remedy);
+    void sayNotKept(const Error& error);
+    void onKept();
+    void closeAnyway();
+    Project shownProject() const;
     void collectProject();
     void takeOverProject();
     void offerCopy(const QString& path);
@@ -63,10 +71,13 @@ private:
     Preferences m_preferences;
     Workbench m_bench;
     ProjectSession m_project;
-    QString m_locked;  ///< the project of another window that a copy of is offered
     QTimer m_frame;    ///< one for all that moves
     QTimer m_autosave; ///< at most so much work is lost in a crash
     widgets::MessageBar* m_message = nullptr;
+    std::function<void()> m_remedy;           ///< what the button of the message does
+    widgets::MessageBar* m_refusal = nullptr; ///< why the window did not close
+    bool m_isNotKept = false;                 ///< the message says so
+    bool m_isLossAccepted = false;
     ProjectMenu* m_projects = nullptr;
     ProjectWork* m_work = nullptr;
     TopBar* m_bar = nullptr;

@@ -11,6 +11,8 @@ namespace halbench::app {
 
 namespace {
 
+constexpr const char* ArrangementGroup = "arrangement";
+
 ThemeChoice themeChoice(const QString& word) {
     if (word == "light") {
         return ThemeChoice::Light;
@@ -63,7 +65,7 @@ QString word(SpeedUnit wanted) {
 } // namespace
 
 Preferences loadPreferences() {
-    const QSettings settings;
+    QSettings settings;
     Preferences preferences;
     preferences.theme = themeChoice(settings.value("theme").toString());
     preferences.language = settings.value("language").toString();
@@ -76,6 +78,10 @@ Preferences loadPreferences() {
                          speedUnit(settings.value("speed_unit").toString())};
     preferences.geometry = settings.value("geometry").toByteArray();
     preferences.perspective = settings.value("perspective").toString();
+    settings.beginGroup(ArrangementGroup);
+    for (const QString& perspective : settings.childKeys()) {
+        preferences.arrangements[perspective] = settings.value(perspective).toByteArray();
+    }
     return preferences;
 }
 
@@ -88,6 +94,11 @@ void savePreferences(const Preferences& preferences) {
     settings.setValue("speed_unit", word(preferences.units.speed));
     settings.setValue("geometry", preferences.geometry);
     settings.setValue("perspective", preferences.perspective);
+    settings.beginGroup(ArrangementGroup);
+    const QHash<QString, QByteArray>& arrangements = preferences.arrangements;
+    for (auto entry = arrangements.begin(); entry != arrangements.end(); ++entry) {
+        settings.setValue(entry.key(), entry.value());
+    }
 }
 
 QString themeName(ThemeChoice choice) {

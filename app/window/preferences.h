@@ -3,6 +3,7 @@
 #include "app/workspaces/display_quantity.h"
 
 #include <QByteArray>
+#include <QHash>
 #include <QString>
 
 namespace halbench::app {
@@ -19,6 +20,7 @@ struct Preferences {
     DisplayUnits units;
     QByteArray geometry;
     QString perspective;
+    QHash<QString, QByteArray> arrangements; ///< of the panels by perspective, for work without a project
 };
 
 /// What is damaged or missing keeps its default.

@@ -226,6 +226,13 @@ Result<void> checkSchema(const ConfigNode& root, const std::string& place) {
 
 } // namespace
 
+bool isSameWork(const Project& one, const Project& other) {
+    Project arranged = other;
+    arranged.perspective = one.perspective;
+    arranged.layouts = one.layouts;
+    return one == arranged;
+}
+
 std::string projectText(const Project& project) {
     toml::table layouts;
     for (const auto& [perspective, layout] : project.layouts) {

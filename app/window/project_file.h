@@ -32,6 +32,10 @@ struct Project {
     bool operator==(const Project&) const = default;
 };
 
+/// Whether they differ in the arrangement of the panels at most: that goes into a file with the rest, but is
+/// no change to keep by itself.
+bool isSameWork(const Project& one, const Project& other);
+
 /// Equal projects give equal text, keys in a fixed order.
 std::string projectText(const Project& project);
 

@@ -70,7 +70,7 @@ void ProjectMenu::open(const QString& path) {
                   tr("The project itself is as it was saved."));
     }
     if (const std::optional<Project> left = m_session.recoverable(file);
-        left && *left != m_session.project()) {
+        left && !isSameWork(*left, m_session.project())) {
         m_session.recover(file, *left);
         recovered(tr("Unsaved work of %1 was recovered; save it to keep it.").arg(QFileInfo(path).fileName()),
                   {});
@@ -117,6 +117,7 @@ void ProjectMenu::write(const QString& path) {
         }
         if (written) {
             self->remember(path);
+            self->saved();
         } else if (written.error().code == ErrorCode::Refused) {
             self->refused(tr("%1 is open in another window.").arg(QFileInfo(path).fileName()),
                           tr("Choose another name, or close the other window."));

@@ -24,11 +24,13 @@ public:
     void open(const QString& path);
     /// As a new project without a name; the file stays with the window that has it.
     void openCopy(const QString& path);
+    void saveAs();
 
 Q_SIGNALS:
     void collecting();                ///< the session shall know what the panels show before it goes on
     void locked(const QString& path); ///< another window has it
     void opened();                    ///< another project is there: the window takes it over
+    void saved();
     void refused(const QString& text, const QString& hint);
     void recovered(const QString& text, const QString& hint);
 
@@ -36,7 +38,6 @@ private:
     void startNew();
     void chooseAndOpen();
     void save();
-    void saveAs();
     void write(const QString& path);
     void remember(const QString& path);
     void fillRecent();

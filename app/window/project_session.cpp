@@ -82,6 +82,11 @@ void ProjectSession::update(const Project& project) {
     }
 }
 
+void ProjectSession::beginWith(const Project& shown) {
+    m_project = m_saved = m_autosaved = shown;
+    changed();
+}
+
 void ProjectSession::startNew() {
     leave();
     take({}, {}, {}, {});
@@ -95,7 +100,7 @@ void ProjectSession::leave() {
         discardAutosave();
         return;
     }
-    if (m_project != m_autosaved || m_writer.joinable()) {
+    if (!isSameWork(m_project, m_autosaved) || m_writer.joinable()) {
         write({m_project, autosaveFile(),
                [this, lock = isUnnamed ? m_unnamed.lock : m_lock](const Result<void>& written) {
                    if (!written) {
@@ -178,7 +183,7 @@ void ProjectSession::save(const std::string& path, Written then) {
 }
 
 void ProjectSession::autosave(Written then) {
-    if (m_project == m_autosaved || m_writer.joinable()) { // the timer comes again
+    if (isSameWork(m_project, m_autosaved) || m_writer.joinable()) { // the timer comes again
         return;
     }
     write({m_project, autosaveFile(),
@@ -197,7 +202,7 @@ void ProjectSession::autosave(Written then) {
 
 Result<void> ProjectSession::autosaveNow() {
     finishWriting();
-    if (m_project == m_autosaved) {
+    if (isSameWork(m_project, m_autosaved)) {
         return {};
     }
     Result<void> written = saveProject(m_project, autosaveFile());

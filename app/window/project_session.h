@@ -33,11 +33,13 @@ public:
 
     const Project& project() const { return m_project; }
     const std::string& path() const { return m_path; } ///< empty: not saved yet
-    bool isChanged() const { return m_project != m_saved; }
+    bool isChanged() const { return !isSameWork(m_project, m_saved); }
     /// Whether this file is the one that is open here.
     bool has(const std::string& path) const { return !m_path.empty() && m_lock.isOf(path); }
 
     void update(const Project& project);
+    /// What the panels show of a new project before anyone touches them: no change of it.
+    void beginWith(const Project& shown);
     /// What was not saved of the project before stays in its autosave; the same in the next three.
     void startNew();
     /// Errors: FileSystem, InvalidInput, Refused (another window has it); the project that was open stays.

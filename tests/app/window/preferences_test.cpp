@@ -16,12 +16,14 @@ TEST_F(PreferencesTest, comeBackAsTheyWereSaved) {
     saved.language = "de";
     saved.stopLockOut_ms = 5000;
     saved.perspective = "tune";
+    saved.arrangements = {{"tune", QByteArray("\x01\x00\xff", 3)}, {"monitor", "m"}};
     savePreferences(saved);
     const Preferences loaded = loadPreferences();
     EXPECT_EQ(loaded.theme, ThemeChoice::Dark);
     EXPECT_EQ(loaded.language, "de");
     EXPECT_EQ(loaded.stopLockOut_ms, 5000);
     EXPECT_EQ(loaded.perspective, "tune");
+    EXPECT_EQ(loaded.arrangements, saved.arrangements);
 }
 
 TEST_F(PreferencesTest, damagedOnesKeepTheirDefault) {

@@ -36,6 +36,15 @@ TEST(ProjectFile, equalProjectsAreEqualText) {
     EXPECT_EQ(projectText(*read), projectText(sample()));
 }
 
+TEST(ProjectFile, anArrangementAloneIsNoWork) {
+    Project rearranged = sample();
+    rearranged.layouts = {{"design", "<other/>"}};
+    rearranged.perspective = "design";
+    EXPECT_TRUE(isSameWork(rearranged, sample()));
+    rearranged.notes += '.';
+    EXPECT_FALSE(isSameWork(rearranged, sample()));
+}
+
 TEST(ProjectFile, textsComeBackWhateverIsInThem) {
     for (const char* text : {"\nfirst line empty", "ends in a break\n", "\"\"\"quotes\"\"\"",
                              "back\\slash \\n", "tab\tand\rreturn\r\n", "\x01 control", "'''"}) {

@@ -121,6 +121,30 @@ TEST_F(ProjectSessionTest, aDamagedAutosaveIsNotOffered) {
     EXPECT_FALSE(ProjectSession(file("unnamed.toml")).recoverable(file("motor.toml")));
 }
 
+TEST_F(ProjectSessionTest, reopeningWhatIsStillBeingWrittenWaitsForIt) {
+    ASSERT_TRUE(saveProject(withNotes("saved"), file("motor.toml")));
+    ProjectSession session(file("unnamed.toml"));
+    ASSERT_TRUE(session.open(file("motor.toml")));
+    session.update(withNotes("not saved"));
+    session.startNew(); // begins to write the autosave
+    ASSERT_TRUE(session.open(file("motor.toml")));
+    ASSERT_TRUE(session.recoverable(file("motor.toml")));
+    EXPECT_EQ(session.recoverable(file("motor.toml"))->notes, "not saved");
+}
+
+TEST_F(ProjectSessionTest, anArrangementAloneIsSavedButNeverAutosaved) {
+    ProjectSession session(file("unnamed.toml"));
+    Project arranged;
+    arranged.layouts = {{"tune", "<moved/>"}};
+    session.update(arranged);
+    EXPECT_FALSE(session.isChanged());
+    session.autosave([](const Result<void>&) { ADD_FAILURE() << "nothing changed"; });
+    ASSERT_TRUE(session.autosaveNow());
+    EXPECT_FALSE(QFile::exists(folder.filePath("unnamed.toml.autosave")));
+    ASSERT_TRUE(saved(session, "motor.toml"));
+    EXPECT_EQ(loadProject(file("motor.toml"))->layouts, arranged.layouts);
+}
+
 TEST_F(ProjectSessionTest, aNewProjectIsEmptyAndUnchanged) {
     ProjectSession session(file("unnamed.toml"));
     session.update(withNotes("old"));

@@ -1,0 +1,171 @@
+#include "app/window/dock_layout.h"
+#include "app/workspaces/notes_panel.h"
+#include "tests/app/window/window_test.h"
+
+#include <QDirIterator>
+#include <QFile>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <qtadvanceddocking/DockWidget.h>
+
+namespace halbench::app {
+namespace {
+
+/// What was done a moment ago is in what is kept, and a window that cannot keep it does not close.
+class KeepingWorkTest : public WindowTest {
+protected:
+    void SetUp() override {
+        QStandardPaths::setTestModeEnabled(false);
+        qputenv("XDG_DATA_HOME", folder.path().toUtf8());
+        qputenv("XDG_CONFIG_HOME", folder.path().toUtf8());
+        open();
+    }
+
+    QString path(const char* file = "motor.toml") const { return folder.filePath(file); }
+    std::string file(const char* called = "motor.toml") const { return path(called).toStdString(); }
+    QString notes() { return static_cast<NotesPanel*>(window->docks().panel("notes"))->notes(); }
+
+    void openNew(const char* called = "motor.toml") {
+        ASSERT_TRUE(saveProject(Project(), file(called)));
+        window->openProject(path(called));
+        ASSERT_EQ(window->project().path(), file(called));
+    }
+
+    void type(const char* text) {
+        QTest::keyClicks(window->docks().panel("notes")->findChild<QPlainTextEdit*>(), text);
+    }
+    void pressWithControl(Qt::Key key) { QTest::keyClick(window.get(), key, Qt::ControlModifier); }
+
+    /// The file dialog that comes up next is answered with this file.
+    void answerDialog(const QString& chosen) {
+        QTimer::singleShot(0, window.get(), [chosen] {
+            auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+            ASSERT_NE(dialog, nullptr);
+            dialog->findChild<QLineEdit*>("fileNameEdit")->setText(chosen);
+            QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
+        });
+    }
+
+    /// A folder in the autosave's place: what a full or vanished disk does to it.
+    void blockAutosave() { ASSERT_TRUE(QDir(folder.path()).mkpath("motor.toml.autosave/full")); }
+
+    widgets::MessageBar* offering(const char* action) {
+        for (auto* bar : window->findChildren<widgets::MessageBar*>()) {
+            if (bar->isVisible() && bar->message().actionText == action) {
+                return bar;
+            }
+        }
+        return nullptr;
+    }
+    void press(const char* action) {
+        auto* bar = offering(action);
+        ASSERT_NE(bar, nullptr) << action;
+        QTest::keyClick(bar->findChild<QPushButton*>(), Qt::Key_Space);
+    }
+
+    QTemporaryDir folder;
+};
+
+TEST_F(KeepingWorkTest, savingByKeyTakesWhatWasTypedTheMomentBefore) {
+    openNew();
+    type("typed");
+    pressWithControl(Qt::Key_S);
+    window->project().finishWriting();
+    EXPECT_EQ(loadProject(file())->notes, "typed");
+    EXPECT_FALSE(window->isWindowModified());
+}
+
+TEST_F(KeepingWorkTest, aNewProjectByKeyKeepsWhatWasTypedTheMomentBefore) {
+    openNew();
+    type("typed");
+    pressWithControl(Qt::Key_N);
+    window->project().finishWriting();
+    EXPECT_EQ(notes(), "");
+    EXPECT_TRUE(window->project().path().empty());
+    EXPECT_EQ(loadProject(file("motor.toml.autosave"))->notes, "typed");
+}
+
+TEST_F(KeepingWorkTest, openingAnotherByKeyKeepsWhatWasTypedTheMomentBefore) {
+    openNew("other.toml");
+    openNew();
+    type("typed");
+    answerDialog(path("other.toml"));
+    pressWithControl(Qt::Key_O);
+    window->project().finishWriting();
+    EXPECT_EQ(window->project().path(), file("other.toml"));
+    EXPECT_EQ(loadProject(file("motor.toml.autosave"))->notes, "typed");
+}
+
+TEST_F(KeepingWorkTest, aWindowThatCannotKeepItsWorkStaysOpenAndOffersWaysOut) {
+    openNew();
+    blockAutosave();
+    type("typed");
+    EXPECT_FALSE(window->close());
+    EXPECT_TRUE(window->isVisible());
+    ASSERT_NE(offering("Save project as…"), nullptr);
+    EXPECT_TRUE(offering("Save project as…")->message().text.contains("motor.toml.autosave"));
+    ASSERT_NE(offering("Close anyway"), nullptr);
+    answerDialog(path("elsewhere.toml"));
+    press("Save project as…");
+    window->project().finishWriting();
+    EXPECT_EQ(loadProject(file("elsewhere.toml"))->notes, "typed");
+    EXPECT_EQ(offering("Save project as…"), nullptr); // nothing is wrong any more
+    EXPECT_EQ(offering("Close anyway"), nullptr);
+    EXPECT_TRUE(window->close());
+}
+
+TEST_F(KeepingWorkTest, closingAnywayIsTheUsersChoice) {
+    openNew();
+    blockAutosave();
+    type("typed");
+    EXPECT_FALSE(window->close());
+    press("Close anyway");
+    EXPECT_FALSE(window->isVisible());
+    EXPECT_EQ(loadProject(file())->notes, ""); // as it was saved
+}
+
+TEST_F(KeepingWorkTest, aWindowThatWasOnlyLookedAtLeavesNothingToRecover) {
+    window->docks().setPerspective(Perspective::Tune);
+    EXPECT_TRUE(window->close());
+    EXPECT_FALSE(window->isWindowModified());
+    QDirIterator left(folder.path(), {"*.autosave"}, QDir::Files, QDirIterator::Subdirectories);
+    EXPECT_FALSE(left.hasNext());
+    open();
+    window->recoverUnnamed();
+    for (const auto* bar : window->findChildren<widgets::MessageBar*>()) {
+        EXPECT_FALSE(bar->message().text.contains("open again"));
+    }
+}
+
+TEST_F(KeepingWorkTest, aNewProjectBesideAConnectedDeviceIsUnchanged) {
+    connectMotor(0.0);
+    pressWithControl(Qt::Key_N);
+    window->close(); // collects the project
+    EXPECT_FALSE(window->isWindowModified());
+}
+
+TEST_F(KeepingWorkTest, theSameForAProjectThatWasOnlyLookedAt) {
+    openNew();
+    window->docks().setPerspective(Perspective::Tune);
+    EXPECT_TRUE(window->close());
+    EXPECT_FALSE(window->isWindowModified());
+    EXPECT_FALSE(QFile::exists(path("motor.toml.autosave")));
+}
+
+TEST_F(KeepingWorkTest, thePanelsOfAWindowWithoutAProjectAreWhereTheyWereLeft) {
+    const auto isNotesClosed = [this] { return window->docks().docks().value("notes")->isClosed(); };
+    ASSERT_FALSE(isNotesClosed());
+    window->docks().docks().value("notes")->closeDockWidget();
+    EXPECT_TRUE(window->close());
+    window = std::make_unique<MainWindow>(loadPreferences());
+    window->show();
+    window->recoverUnnamed();
+    EXPECT_TRUE(isNotesClosed());
+}
+
+} // namespace
+} // namespace halbench::app
