@@ -27,26 +27,26 @@ static void putChar(writer* out, char c) {
 }
 
 /* What is wanted is there: the rest of the item need not be rendered. Never while only the length counts. */
-static uint8_t isComplete(const writer* out) {
+static uint8_t isServed(const writer* out) {
     return out->end > 0 && out->position >= out->end;
 }
 
 /* Text in program memory; `put` below is its twin for text in RAM. */
 static void putRom(writer* out, const char* text) {
-    for (char c = (char)hb_rom_octet(text); c && !isComplete(out); c = (char)hb_rom_octet(++text)) {
+    for (char c = (char)hb_rom_octet(text); c && !isServed(out); c = (char)hb_rom_octet(++text)) {
         putChar(out, c);
     }
 }
 
 static void put(writer* out, const char* text) {
-    while (*text && !isComplete(out)) {
+    while (*text && !isServed(out)) {
         putChar(out, *text++);
     }
 }
 
 static void putFloat(writer* out, float value) {
     char text[HB_NUMBER_CAPACITY];
-    if (isComplete(out)) {
+    if (isServed(out)) {
         return;
     }
     hb_format_float(value, text);

@@ -5,7 +5,7 @@
 
 /* Order of allocation (resources/help/protocol.md 3.8). */
 enum { STAGE_NONE, STAGE_FREED, STAGE_LISTS, STAGE_ODTS, STAGE_ENTRIES };
-enum { PID_OCTETS = 1, TIMESTAMP_OCTETS = 4, BIT_OFFSET_NONE = 0xFF, MAX_ENTRY_OCTETS = 8 };
+enum { BIT_OFFSET_NONE = 0xFF };
 
 void hb_daq_clear(hb_xcp* slave) {
     hb_daq* daq = &slave->daq;
@@ -138,7 +138,7 @@ static uint8_t writeEntry(hb_xcp* slave, uint8_t bit_offset, uint8_t size, uint8
     if (!daq->write_valid) {
         return HB_ERR_SEQUENCE;
     }
-    if (bit_offset != BIT_OFFSET_NONE || size == 0 || size > MAX_ENTRY_OCTETS) {
+    if (bit_offset != BIT_OFFSET_NONE || size == 0 || size > HB_MAX_ENTRY_OCTETS) {
         return HB_ERR_OUT_OF_RANGE;
     }
     if (extension == HB_EXT_VALUES) {
@@ -149,7 +149,7 @@ static uint8_t writeEntry(hb_xcp* slave, uint8_t bit_offset, uint8_t size, uint8
     }
     odt = &daq->odts[daq->lists[daq->write_list].first_odt + daq->write_odt];
     entry = &daq->entries[odt->first_entry + daq->write_entry];
-    header = daq->write_odt == 0 ? PID_OCTETS + TIMESTAMP_OCTETS : PID_OCTETS;
+    header = daq->write_odt == 0 ? HB_PID_OCTETS + HB_TIMESTAMP_OCTETS : HB_PID_OCTETS;
     octets = (uint16_t)(odt->octets - entry->size + size); /* the entry may be written again */
     if (header + octets > hb_xcp_max_dto(&slave->description)) {
         return HB_ERR_DAQ_CONFIG;

@@ -3,7 +3,6 @@
 
 #include <string.h>
 
-enum { PID_OCTETS = 1, TIMESTAMP_OCTETS = 4, MAX_ENTRY_OCTETS = 8 };
 enum { PROPERTIES = 0x93 /* dynamic, prescaler, time stamp, overload by event */ };
 enum { EVENT_IS_DAQ = 0x04, TIMESTAMP_4_OCTETS_1_US = 0x34, PAYLOAD_U32 = 1 };
 enum { LIST_STOP, LIST_START, LIST_SELECT };
@@ -166,7 +165,7 @@ uint8_t hb_cmd_get_daq_resolution_info(hb_xcp* slave, const uint8_t* packet, uin
     (void)packet;
     (void)length;
     slave->response[1] = 1;
-    slave->response[2] = MAX_ENTRY_OCTETS;
+    slave->response[2] = HB_MAX_ENTRY_OCTETS;
     slave->response[3] = 1;
     slave->response[4] = 0;
     slave->response[5] = TIMESTAMP_4_OCTETS_1_US;
@@ -199,9 +198,9 @@ uint8_t hb_cmd_get_daq_event_info(hb_xcp* slave, const uint8_t* packet, uint16_t
 static uint16_t odtOctets(const hb_daq* daq, const hb_daq_list* list, uint8_t odt) {
     uint16_t octets = daq->odts[list->first_odt + odt].octets;
     if (odt == 0 && (list->mode & HB_DAQ_TIMESTAMP)) {
-        octets = (uint16_t)(octets + TIMESTAMP_OCTETS);
+        octets = (uint16_t)(octets + HB_TIMESTAMP_OCTETS);
     }
-    return (uint16_t)(octets + PID_OCTETS);
+    return (uint16_t)(octets + HB_PID_OCTETS);
 }
 
 /* One sample over all ODTs of a list: enters the queue whole or is dropped whole, its counters used up. */
@@ -222,7 +221,7 @@ static void sendSample(hb_xcp* slave, const hb_daq_list* list) {
     }
     for (uint8_t i = 0; i < list->odt_count; i++) {
         const hb_daq_odt* odt = &daq->odts[list->first_odt + i];
-        uint8_t header[PID_OCTETS + TIMESTAMP_OCTETS];
+        uint8_t header[HB_PID_OCTETS + HB_TIMESTAMP_OCTETS];
         header[0] = (uint8_t)(list->first_odt + i);
         hb_put32(&header[1], slave->time_us);
         hb_queue_begin(&slave->queue, odtOctets(daq, list, i));

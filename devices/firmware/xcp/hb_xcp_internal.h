@@ -82,6 +82,9 @@ uint8_t hb_cmd_write_daq_multiple(hb_xcp* slave, const uint8_t* packet, uint16_t
 uint8_t hb_cmd_get_daq_list_mode(hb_xcp* slave, const uint8_t* packet, uint16_t length);
 #endif
 
+/* Octets of a measurement packet: its number, the time in the first of a list, the longest entry. */
+enum { HB_PID_OCTETS = 1, HB_TIMESTAMP_OCTETS = 4, HB_MAX_ENTRY_OCTETS = 8 };
+
 /* hb_xcp_daq.c (allocation, contents) and hb_xcp_daq_run.c (modes, start, samples) */
 uint8_t hb_cmd_free_daq(hb_xcp* slave, const uint8_t* packet, uint16_t length);
 uint8_t hb_cmd_alloc_daq(hb_xcp* slave, const uint8_t* packet, uint16_t length);
