@@ -48,6 +48,11 @@ Result<void> setWindows(devices::Device& device, const MoveConfig& config, const
 Result<void> setGenerator(devices::Device& device, const MoveConfig& config, const ProcedureObserver&) {
     std::vector<ParameterValue> values = generatorParameters(config.reference, config.duration_s);
     values.push_back({"hb.mode", static_cast<double>(devices::BoardMode::Position)});
+    // A small board leaves out what only chirp and multisine need, and refuses these shapes.
+    std::erase_if(values, [&device](const ParameterValue& value) {
+        return value.name.starts_with("reference.") &&
+               device.catalogue().findParameter(value.name) == nullptr;
+    });
     return device.writeParameters(values);
 }
 
@@ -166,6 +171,15 @@ double largest(const std::vector<double>& values, bool ofMagnitude) {
         result = std::max(result, ofMagnitude ? std::fabs(value) : value);
     }
     return result;
+}
+
+// A small board has no event as fast as that, and its line would not carry it: then once each position loop.
+MoveConfig atPossibleRate(const devices::Device& device, MoveConfig config) {
+    const SignalSpec* position = device.catalogue().findSignal("position");
+    if (position != nullptr && position->maxRate_Hz < config.rate_Hz) {
+        config.rate_Hz = 1.0 / loopPeriod_s(device.catalogue());
+    }
+    return config;
 }
 
 void judgeRows(const MoveConfig& config, MoveResult& result) {
@@ -291,8 +305,9 @@ MovePrediction predictMove(const MoveConfig& config, const models::PositionLaw& 
     return {config.duration_s, largest(trace.current_A, true), withMargin};
 }
 
-Result<MoveResult> performMove(devices::Device& device, const MoveConfig& config,
+Result<MoveResult> performMove(devices::Device& device, const MoveConfig& wanted,
                                const ProcedureObserver& observer) {
+    const MoveConfig config = atPossibleRate(device, wanted);
     if (auto checked = checkMove(config); !checked) {
         return failure(checked.error());
     }

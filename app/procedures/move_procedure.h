@@ -17,7 +17,8 @@ struct MoveConfig {
     std::optional<double> evaluateTo_s;
     /// Error below which the rotor counts as locked to its reference; without one there is no lock time.
     std::optional<double> lockThreshold_rad;
-    double rate_Hz = 1000.0; ///< overshoot needs fine samples
+    /// Overshoot needs fine samples. A board that cannot send so many sends one each position loop.
+    double rate_Hz = 1000.0;
     double speedLimit_rad_s = 40.0;
     double pauseTemperature_degC = 65.0;
     double refuseTemperature_degC = 70.0;
@@ -48,7 +49,7 @@ struct MoveFigures {
 struct MoveResult {
     MoveFigures measured;
     std::optional<MoveFigures> truth; ///< on a device that knows the true position
-    Recording recording;              ///< 1 kHz from the start of the reference; time from 0
+    Recording recording;              ///< from the start of the reference; time from 0
     double peakCurrent_A = 0.0;
     double highestTemperature_degC = 0.0;
     std::optional<double> lockThreshold_rad; ///< that both lock times are meant with

@@ -1,3 +1,4 @@
+#include "app/procedures/move_procedure.h"
 #include "control/base/units.h"
 #include "devices/firmware/htm/hb_htm_internal.h"
 #include "devices/open_device.h"
@@ -131,6 +132,25 @@ TEST(AvrResponse, aStepIsTheOneOfTheSimulatedBoardWithinQuantisationOnceItsLaten
         // The latency takes 1 degree of the 7.9 that the published gains have for a phase margin.
         EXPECT_LT(worst_deg(onProcessor, simulated), 3.0);
     }
+}
+
+TEST(AvrResponse, theMoveProcedureMeasuresAStepAtTheRateTheBoardCanSend) {
+    AvrBench bench = openBench();
+    ASSERT_TRUE(bench.device);
+    app::MoveConfig config;
+    const auto reference = app::parseMoveReference("step,amplitude_deg=100");
+    ASSERT_TRUE(reference) << reference.error().message;
+    config.reference = *reference;
+    config.duration_s = 2.0;
+    const auto result = app::runMove(*bench.device, config, {});
+    ASSERT_TRUE(result) << result.error().message << " " << result.error().hint;
+    EXPECT_EQ(result->quality.verdict, app::Verdict::Good);
+    EXPECT_EQ(result->recording.rows(), 201U);
+    // resources/help/htm-theory.md 8.1: 33.3 % and 0.162 s without latency, of which the board has 1.1 ms;
+    // the samples are 10 ms apart.
+    EXPECT_NEAR(result->measured.overshoot_percent.value(), 34.5, 3.0);
+    EXPECT_NEAR(result->measured.riseTime_s.value(), 0.162, 0.01);
+    EXPECT_FALSE(bench.device->state().isArmed);
 }
 
 TEST(AvrResponse, theSlowerCommutationCostsTheSpeedThatItsLagPredicts) {
