@@ -10,7 +10,7 @@
 namespace halbench::widgets {
 namespace {
 
-constexpr int SampleWidth = 24;
+constexpr int SampleWidth = 18;
 constexpr int SampleHeight = 8;
 constexpr double SampleLine = 2.0;
 
@@ -83,7 +83,7 @@ QString LegendTableModel::widestText(int row, Column column) const {
         return text(static_cast<std::size_t>(row), column);
     }
     const int decimals = m_curves[static_cast<std::size_t>(row)]->curve().decimals;
-    return numberText(-8888.0, decimals);
+    return numberText(decimals < 3 ? -8888.0 : -888.0, decimals); // fine scales measure small quantities
 }
 
 QString LegendTableModel::describe(std::size_t row) const {

@@ -9,7 +9,7 @@
 namespace halbench::widgets {
 namespace {
 
-constexpr int CellPadding = 12;
+constexpr int CellPadding = 8;
 
 } // namespace
 

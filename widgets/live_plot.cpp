@@ -2,9 +2,9 @@
 
 #include "widgets/value_scale_draw.h"
 
+#include <QFontInfo>
 #include <QFontMetrics>
 #include <QPainter>
-#include <QResizeEvent>
 #include <qwt_plot_canvas.h>
 #include <qwt_plot_layout.h>
 #include <qwt_scale_widget.h>
@@ -24,6 +24,9 @@ constexpr double FewestLines = 2.5;
 constexpr double SmallestDigits = 10.0;
 /// Labels are given at least this room, so that the first larger number moves nothing.
 constexpr char UsualLabel[] = "-000.00";
+/// A long title on a low plot is written smaller before it is shortened.
+constexpr double SmallestTitle_ratio = 0.7;
+constexpr double TitleStep_ratio = 0.05;
 
 /// Shows the plot's picture and nothing below it: each fill of a large area costs as much as several curves.
 class PictureCanvas : public QwtPlotCanvas {
@@ -55,6 +58,11 @@ double smallestLength(const PlotSpec& spec) {
         smallest = smallest == 0.0 ? length : std::min(smallest, length);
     }
     return smallest;
+}
+
+QFont sized(QFont font, double size_ratio) {
+    font.setPointSizeF(size_ratio * QFontInfo(font).pointSizeF());
+    return font;
 }
 
 /// Doubles next to each other must not be pixels apart.
@@ -90,7 +98,7 @@ LivePlot::LivePlot(QWidget* parent)
     m_overlay->attach(this);
     setFocusPolicy(Qt::StrongFocus);
     setAcceptDrops(true);
-    setMinimumHeight(6 * fontMetrics().height());
+    setMinimumHeight(5 * fontMetrics().height());
     // Half a label of the time axis reaches beyond the right end.
     setContentsMargins(Margin, Margin, 2 * fontMetrics().averageCharWidth() + Margin, Margin);
 }
@@ -141,16 +149,42 @@ void LivePlot::setTheme(const Theme& theme) {
     updateTitle();
 }
 
+QString LivePlot::title() const {
+    return m_spec.unit.isEmpty() ? m_spec.quantity
+                                 : QStringLiteral("%1 [%2]").arg(m_spec.quantity, m_spec.unit);
+}
+
+double LivePlot::neededTitleSize_ratio() const {
+    double size_ratio = 1.0;
+    while (size_ratio > SmallestTitle_ratio &&
+           QFontMetrics(sized(font(), size_ratio)).horizontalAdvance(title()) > canvas()->height()) {
+        size_ratio -= TitleStep_ratio; // letters do not grow in proportion to their size
+    }
+    return size_ratio;
+}
+
+void LivePlot::setTitleSize_ratio(double size_ratio) {
+    m_titleSize_ratio = size_ratio;
+    updateTitle();
+}
+
+/// Each frame: the length of the axis is known only when all around it is laid out.
 void LivePlot::updateTitle() {
-    const QString unit = m_spec.unit.isEmpty() ? QString() : QStringLiteral(" [%1]").arg(m_spec.unit);
-    const QString whole = m_spec.quantity + unit;
-    const int room = std::max(canvas()->height() - fontMetrics().horizontalAdvance(unit), 0);
-    QwtText title(fontMetrics().elidedText(m_spec.quantity, Qt::ElideRight, room) + unit);
-    title.setFont(font());
-    title.setColor(m_theme.text.isValid() ? m_theme.text : palette().color(QPalette::Text));
-    setAxisFont(yLeft, font());
-    setAxisTitle(yLeft, title);
-    axisWidget(yLeft)->setToolTip(whole);
+    const QFont letters = sized(font(), m_titleSize_ratio);
+    const QFontMetrics metrics(letters);
+    QString text = title();
+    if (const int excess = metrics.horizontalAdvance(text) - canvas()->height(); excess > 0) {
+        const int room = std::max(metrics.horizontalAdvance(m_spec.quantity) - excess, 0);
+        text.replace(0, m_spec.quantity.size(), metrics.elidedText(m_spec.quantity, Qt::ElideRight, room));
+    }
+    QwtText shown(text);
+    shown.setFont(letters);
+    shown.setColor(m_theme.text.isValid() ? m_theme.text : palette().color(QPalette::Text));
+    if (shown != axisTitle(yLeft)) {
+        setAxisFont(yLeft, font());
+        setAxisTitle(yLeft, shown);
+        axisWidget(yLeft)->setToolTip(title());
+    }
 }
 
 void LivePlot::focusInEvent(QFocusEvent* event) {
@@ -163,11 +197,6 @@ void LivePlot::focusOutEvent(QFocusEvent* event) {
     QwtPlot::focusOutEvent(event);
     m_overlay->setFocused(false);
     replot();
-}
-
-void LivePlot::resizeEvent(QResizeEvent* event) {
-    QwtPlot::resizeEvent(event);
-    updateTitle();
 }
 
 std::optional<ValueRange> LivePlot::dataRange() const {

@@ -49,6 +49,10 @@ public:
     /// Width that tick labels and title need, and the width to give them so that stacked plots align.
     int neededExtent() const;
     void setExtent(int extent_px);
+    /// Size of letters, as a part of the font's, at which the axis title is as long as the axis; and the size
+    /// to give it, the same for all of a stack, so that none is shortened.
+    double neededTitleSize_ratio() const;
+    void setTitleSize_ratio(double size_ratio);
     /// The canvas in coordinates of this widget.
     QRect canvasRect() const;
     double timeAt(double canvasX) const;
@@ -70,7 +74,6 @@ protected:
     void dropEvent(QDropEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
 
 private:
     enum class Drag { None, Box, Pan, Cursor };
@@ -83,6 +86,7 @@ private:
     void panTo(const QPoint& place);
     std::optional<ValueRange> dataRange() const;
     void updateTitle();
+    QString title() const;
 
     PlotSpec m_spec;
     const control::SampleHistory* m_history = nullptr;
@@ -94,6 +98,7 @@ private:
     ValueScaleDraw* m_valueScale; ///< owned by the plot's axis
     AutoRange m_autoRange{0.0};
     std::optional<ValueRange> m_userRange;
+    double m_titleSize_ratio = 1.0;
     control::TimeRange m_drawn;
     QImage m_image; ///< what the canvas shows; curves set its pixels
     Drag m_drag = Drag::None;

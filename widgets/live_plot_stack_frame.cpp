@@ -19,7 +19,7 @@ constexpr int FramesPerNumber = 3;   ///< numbers change ten times a second
 constexpr double StaleAfter_s = 1.0; ///< a signal that is so much older than the newest is said to be old
 constexpr int CharactersPerTick = 9; ///< room of a label of the time axis
 constexpr int LongestName = 22;      ///< characters of a curve's name before it is shortened
-constexpr int LineSampleRoom = 36;   ///< beside the name
+constexpr int LineSampleRoom = 40;   ///< beside the name
 constexpr double WidestLegend_ratio = 0.45;
 
 } // namespace
@@ -72,8 +72,10 @@ void LivePlotStack::drawFrame() {
 void LivePlotStack::align() {
     LiveLegend::Widths widths{};
     int name_px = 0;
+    double title_ratio = 1.0;
     for (const Row& row : m_rows) {
         m_extent_px = std::max(m_extent_px, row.plot->neededExtent()); // only grows: nothing jumps
+        title_ratio = std::min(title_ratio, row.plot->neededTitleSize_ratio());
         const LiveLegend::Widths own = row.legend->neededWidths();
         for (std::size_t i = 0; i < widths.size(); ++i) {
             widths[i] = std::max(widths[i], own[i]);
@@ -92,6 +94,7 @@ void LivePlotStack::align() {
     total_px = std::min(total_px, static_cast<int>(WidestLegend_ratio * width()));
     for (const Row& row : m_rows) {
         row.plot->setExtent(m_extent_px);
+        row.plot->setTitleSize_ratio(title_ratio);
         row.legend->setWidths(widths, total_px);
     }
     const QRect canvas = m_rows.front().plot->canvasRect();

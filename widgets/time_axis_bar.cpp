@@ -9,6 +9,11 @@
 #include <algorithm>
 
 namespace halbench::widgets {
+namespace {
+
+constexpr int StateGap = 12; ///< between what is said of the axis and its title
+
+} // namespace
 
 TimeAxisBar::TimeAxisBar(QWidget* parent) : QWidget(parent), m_scale(std::make_unique<ValueScaleDraw>()) {
     m_scale->setAlignment(QwtScaleDraw::BottomScale);
@@ -58,10 +63,11 @@ void TimeAxisBar::paintEvent(QPaintEvent*) {
     m_scale->draw(&painter, colours);
     const QRect line(m_left, height() - fontMetrics().height() - 2, m_width, fontMetrics().height());
     painter.setPen(m_isWarning ? m_theme.warn : m_theme.muted);
-    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, m_state);
-    painter.setPen(m_theme.text);
     const QString title = tr("time [s]");
     const int titleWidth = fontMetrics().horizontalAdvance(title);
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
+                     fontMetrics().elidedText(m_state, Qt::ElideRight, m_width - titleWidth - StateGap));
+    painter.setPen(m_theme.text);
     const bool isRoomy = m_width > 2 * fontMetrics().horizontalAdvance(m_state) + titleWidth + 16;
     painter.drawText(line, static_cast<int>(isRoomy ? Qt::AlignCenter : Qt::AlignRight | Qt::AlignVCenter),
                      title);

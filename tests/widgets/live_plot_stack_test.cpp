@@ -12,6 +12,8 @@
 #include <QKeyEvent>
 #include <QMimeData>
 #include <QMouseEvent>
+#include <QPixmap>
+#include <QStyle>
 #include <QWheelEvent>
 
 #include <gtest/gtest.h>
@@ -101,7 +103,41 @@ TEST_F(LivePlotStackTest, allPlotsAndTheTimeAxisAlign) {
     }
 }
 
+/// What QTableView paints of a name: its cell without the line sample and the margins around both.
+int roomForName(const LiveLegend& legend) {
+    const int margin = 2 * (legend.style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1);
+    const auto sample = legend.model()->index(0, 0).data(Qt::DecorationRole).value<QPixmap>();
+    return legend.columnWidth(LegendTableModel::Name) - 2 * margin -
+           static_cast<int>(sample.width() / sample.devicePixelRatio());
+}
+
+TEST_F(LivePlotStackTest, nothingIsShortenedOnTheWindowsFirstSize) {
+    std::vector<PlotSpec> specs = motorPlots(); // with the words of the window
+    specs[4].quantity = QStringLiteral("temperature");
+    for (PlotCurve& curve : specs[3].curves) {
+        curve.label = QStringLiteral("Current command");
+    }
+    stack.setPlots(specs);
+    stack.resize(730, 560); // what 1440 x 900 leaves for it
+    frame();
+    frame();
+    for (const LiveLegend* legend : legends()) {
+        for (int row = 0; row < legend->model()->rowCount(); ++row) {
+            const QString name = legend->model()->index(row, LegendTableModel::Name).data().toString();
+            EXPECT_LE(legend->fontMetrics().horizontalAdvance(name), roomForName(*legend))
+                << name.toStdString();
+        }
+    }
+    for (const LivePlot* plot : plots()) {
+        EXPECT_EQ(plot->axisTitle(QwtPlot::yLeft).text(),
+                  QStringLiteral("%1 [%2]").arg(plot->spec().quantity, plot->spec().unit));
+        EXPECT_GT(plot->canvas()->width(), 300); // most of the place is the data's
+    }
+}
+
 TEST_F(LivePlotStackTest, axesDoNotMoveWhileLabelsGrow) {
+    stack.setTimeSpan(8.0); // a second frame: the first one lays out
+    frame();
     const int before = plots().front()->canvasRect().left();
     stack.fitAll();
     frame();
