@@ -51,6 +51,10 @@
         <source>Notes</source>
         <translation>Notizen</translation>
     </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -3857,6 +3861,10 @@
         <source>It can be applied to this device only; calibrate again when the sensors were touched.</source>
         <translation>Sie lässt sich nur auf dieses Gerät anwenden; kalibrieren Sie neu, wenn die Sensoren berührt wurden.</translation>
     </message>
+    <message>
+        <source>What the Hall sensors read; centre, axes and tilt of the ellipse are measured</source>
+        <translation>Was die Hallsensoren lesen; gemessen werden Mitte, Achsen und Neigung der Ellipse</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CalibrateWords</name>
@@ -3931,6 +3939,18 @@
     <message>
         <source>From the project: calibrated %1, device %2.</source>
         <translation>Aus dem Projekt: kalibriert %1, Gerät %2.</translation>
+    </message>
+    <message>
+        <source>angle error, rms</source>
+        <translation>Winkelfehler, effektiv</translation>
+    </message>
+    <message>
+        <source>angle error, cosine part %1</source>
+        <translation>Winkelfehler, Kosinusanteil %1</translation>
+    </message>
+    <message>
+        <source>angle error, sine part %1</source>
+        <translation>Winkelfehler, Sinusanteil %1</translation>
     </message>
 </context>
 <context>
@@ -5189,6 +5209,21 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::LiveHall</name>
+    <message>
+        <source>Hall B</source>
+        <translation>Hall B</translation>
+    </message>
+    <message>
+        <source>Field that the Hall sensors read</source>
+        <translation>Feld, das die Hallsensoren lesen</translation>
+    </message>
+    <message>
+        <source>Hall A</source>
+        <translation>Hall A</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::LivePlateaus</name>
     <message>
         <source>line forward</source>
@@ -5367,6 +5402,18 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>They are left out; the project keeps them until you change the plots.</source>
         <translation>Sie sind weggelassen; das Projekt behält sie, bis Sie die Diagramme ändern.</translation>
+    </message>
+    <message>
+        <source>Nothing to watch yet</source>
+        <translation>Noch nichts zu beobachten</translation>
+    </message>
+    <message>
+        <source>Shows what a connected device measures, live. Choose a device at the left, or try the simulated motor.</source>
+        <translation>Zeigt live, was ein verbundenes Gerät misst. Wählen Sie links ein Gerät, oder probieren Sie den simulierten Motor aus.</translation>
+    </message>
+    <message>
+        <source>Connect the simulated motor</source>
+        <translation>Simulierten Motor verbinden</translation>
     </message>
 </context>
 <context>
@@ -6515,16 +6562,16 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <translation>Vorhergesagter Sprung mit Reibung und Stromgrenze,</translation>
     </message>
     <message>
-        <source>Verification move: measured over predicted</source>
-        <translation>Nachweis: gemessen über vorhergesagt</translation>
-    </message>
-    <message>
         <source>predicted</source>
         <translation>vorhergesagt</translation>
     </message>
     <message>
         <source>measured</source>
         <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>Verification move</source>
+        <translation>Prüfbewegung</translation>
     </message>
 </context>
 <context>
@@ -7517,6 +7564,29 @@ Hall b
     <message>
         <source>Findings</source>
         <translation>Befunde</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::WindowTerms</name>
+    <message>
+        <source>choose Identify again and enter the given inertia J or the given torque constant φ</source>
+        <translation>„Neu identifizieren“ wählen und die bekannte Trägheit J oder die bekannte Drehmomentkonstante φ eintragen</translation>
+    </message>
+    <message>
+        <source>identify the bare motor again and leave the given constants empty</source>
+        <translation>den Motor ohne Zusatz erneut identifizieren und die bekannten Größen leer lassen</translation>
+    </message>
+    <message>
+        <source>steady speeds alone do not show the inertia: identify again with run-ups and coast-downs, or enter the given inertia J</source>
+        <translation>konstante Drehzahlen allein zeigen die Trägheit nicht: mit Hochlauf und Auslauf erneut identifizieren oder die bekannte Trägheit J eintragen</translation>
+    </message>
+    <message>
+        <source>enter the bandwidth that is wanted</source>
+        <translation>die gewünschte Bandbreite eintragen</translation>
+    </message>
+    <message>
+        <source>enter the phase margin that is wanted</source>
+        <translation>die gewünschte Phasenreserve eintragen</translation>
     </message>
 </context>
 </TS>

@@ -51,6 +51,10 @@
         <source>Notes</source>
         <translation>备注</translation>
     </message>
+    <message>
+        <source>Signals</source>
+        <translation>信号</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -3857,6 +3861,10 @@
         <source>It can be applied to this device only; calibrate again when the sensors were touched.</source>
         <translation>只能应用于该设备；如果动过传感器，请重新标定。</translation>
     </message>
+    <message>
+        <source>What the Hall sensors read; centre, axes and tilt of the ellipse are measured</source>
+        <translation>霍尔传感器的读数；测量椭圆的中心、轴长和倾角</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CalibrateWords</name>
@@ -3931,6 +3939,18 @@
     <message>
         <source>From the project: calibrated %1, device %2.</source>
         <translation>来自项目：标定时间 %1，设备 %2。</translation>
+    </message>
+    <message>
+        <source>angle error, rms</source>
+        <translation>角度误差，均方根</translation>
+    </message>
+    <message>
+        <source>angle error, cosine part %1</source>
+        <translation>角度误差，余弦分量 %1</translation>
+    </message>
+    <message>
+        <source>angle error, sine part %1</source>
+        <translation>角度误差，正弦分量 %1</translation>
     </message>
 </context>
 <context>
@@ -5189,6 +5209,21 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::LiveHall</name>
+    <message>
+        <source>Hall B</source>
+        <translation>霍尔 B</translation>
+    </message>
+    <message>
+        <source>Field that the Hall sensors read</source>
+        <translation>霍尔传感器读到的磁场</translation>
+    </message>
+    <message>
+        <source>Hall A</source>
+        <translation>霍尔 A</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::LivePlateaus</name>
     <message>
         <source>line forward</source>
@@ -5367,6 +5402,18 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>They are left out; the project keeps them until you change the plots.</source>
         <translation>这些信号已略去；在您更改图表之前，项目会保留它们。</translation>
+    </message>
+    <message>
+        <source>Nothing to watch yet</source>
+        <translation>还没有可观察的内容</translation>
+    </message>
+    <message>
+        <source>Shows what a connected device measures, live. Choose a device at the left, or try the simulated motor.</source>
+        <translation>实时显示已连接设备的测量值。请在左侧选择设备，或试用仿真电机。</translation>
+    </message>
+    <message>
+        <source>Connect the simulated motor</source>
+        <translation>连接仿真电机</translation>
     </message>
 </context>
 <context>
@@ -6514,16 +6561,16 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <translation>预测阶跃（含摩擦和电流限制），</translation>
     </message>
     <message>
-        <source>Verification move: measured over predicted</source>
-        <translation>验证运动：实测与预测对比</translation>
-    </message>
-    <message>
         <source>predicted</source>
         <translation>预测</translation>
     </message>
     <message>
         <source>measured</source>
         <translation>实测</translation>
+    </message>
+    <message>
+        <source>Verification move</source>
+        <translation>验证运动</translation>
     </message>
 </context>
 <context>
@@ -7515,6 +7562,29 @@ Hall b
     <message>
         <source>Findings</source>
         <translation>诊断</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::WindowTerms</name>
+    <message>
+        <source>choose Identify again and enter the given inertia J or the given torque constant φ</source>
+        <translation>请选择“重新辨识”，并输入已知的转动惯量 J 或已知的转矩常数 φ</translation>
+    </message>
+    <message>
+        <source>identify the bare motor again and leave the given constants empty</source>
+        <translation>请重新辨识空载电机，并将已知常数留空</translation>
+    </message>
+    <message>
+        <source>steady speeds alone do not show the inertia: identify again with run-ups and coast-downs, or enter the given inertia J</source>
+        <translation>仅凭稳态转速无法得出转动惯量：请用加速和滑行过程重新辨识，或输入已知的转动惯量 J</translation>
+    </message>
+    <message>
+        <source>enter the bandwidth that is wanted</source>
+        <translation>请输入所需的带宽</translation>
+    </message>
+    <message>
+        <source>enter the phase margin that is wanted</source>
+        <translation>请输入所需的相位裕度</translation>
     </message>
 </context>
 </TS>

@@ -1,6 +1,7 @@
 #include "widgets/phrasebook.h"
 
 #include "widgets/phrases.h"
+#include "widgets/window_terms.h"
 
 #include <QCoreApplication>
 #include <QHash>
@@ -166,6 +167,9 @@ std::optional<QStringList> sentences(const QString& english) {
 } // namespace
 
 QString inWords(const QString& english) {
+    if (const auto here = windowTerms(english)) {
+        return *here;
+    }
     if (const auto found = sentence(english)) {
         return *found;
     }

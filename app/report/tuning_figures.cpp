@@ -132,7 +132,7 @@ std::optional<widgets::Figure> largeStepFigure(const AnalysisResult& predicted,
 
 widgets::Figure verificationFigure(const models::IdealTrace& predicted, const Recording& measured) {
     widgets::Figure figure;
-    figure.title = utf8(Words::tr("Verification move: measured over predicted"));
+    figure.title = utf8(Words::tr("Verification move"));
     widgets::Panel current = angleOverCurrent(figure);
     widgets::Panel& angle = figure.panels.front();
     angle.curves = {{utf8(Words::tr("predicted")), predicted.time_s, inDegrees(predicted.angle_rad),

@@ -4,7 +4,10 @@
 #include "widgets/stop_button.h"
 #include "widgets/theme_style.h"
 
+#include <QApplication>
+#include <QFontMetrics>
 #include <QGridLayout>
+#include <QSplitter>
 #include <qtadvanceddocking/DockAreaWidget.h>
 #include <qtadvanceddocking/DockContainerWidget.h>
 #include <qtadvanceddocking/DockManager.h>
@@ -13,21 +16,25 @@
 #include <qtadvanceddocking/IconProvider.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace halbench::app {
 
 namespace {
 
 /// Of the arrangement files; raised when panels change so that an old arrangement no longer fits.
-constexpr int ArrangementVersion = 1;
-/// Parts of the width, and of the height.
-constexpr int LeftShare = 150;
-constexpr int RightShare = 220;
-constexpr int CentreShare = 830;
-constexpr int BottomShare = 130;
+constexpr int ArrangementVersion = 2;
+/// First sizes in characters and lines of text; the centre gets the rest.
+constexpr int LeftCharacters = 43;
+constexpr int RightCharacters = 43;
+constexpr int BottomLines = 10;
+constexpr int DeviceLines = 14;
+constexpr int LeastCentre_px = 400; ///< before the window is laid out
 
 ads::DockWidgetArea dockArea(PanelArea area) {
     switch (area) {
+    case PanelArea::LeftBelow:
+        return ads::BottomDockWidgetArea;
     case PanelArea::Left:
         return ads::LeftDockWidgetArea;
     case PanelArea::Right:
@@ -63,7 +70,8 @@ DockLayout::DockLayout(Workbench& bench, QWidget* container) : QObject(container
     configureDocking();
     m_manager = new ads::CDockManager(container);
     widgets::clearOwnSheet(*m_manager);
-    for (const PanelArea area : {PanelArea::Centre, PanelArea::Left, PanelArea::Right, PanelArea::Bottom}) {
+    for (const PanelArea area :
+         {PanelArea::Centre, PanelArea::Left, PanelArea::LeftBelow, PanelArea::Right, PanelArea::Bottom}) {
         for (const PanelSpec& spec : m_specs) {
             if (spec.area == area) {
                 addPanel(spec, bench);
@@ -107,6 +115,8 @@ void DockLayout::addPanel(const PanelSpec& spec, Workbench& bench) {
     }
     if (neighbour != nullptr) {
         m_manager->addDockWidget(ads::CenterDockWidgetArea, dock, neighbour);
+    } else if (spec.area == PanelArea::LeftBelow) {
+        m_manager->addDockWidget(dockArea(spec.area), dock, areaOf(PanelArea::Left));
     } else {
         m_manager->addDockWidget(dockArea(spec.area), dock);
     }
@@ -126,17 +136,79 @@ void DockLayout::arrange(Perspective perspective) {
     shareSpace();
 }
 
-/// First shares of the window: the data get the most of it.
-void DockLayout::shareSpace() {
+ads::CDockAreaWidget* DockLayout::areaOf(PanelArea area) const {
     for (const PanelSpec& spec : m_specs) {
-        ads::CDockWidget* dock = m_docks.value(spec.id);
-        if (dock->isClosed() || dock->dockAreaWidget() == nullptr) {
-            continue;
+        const auto placed = m_docks.find(spec.id);
+        if (spec.area == area && placed != m_docks.end() && !(*placed)->isClosed()) {
+            return (*placed)->dockAreaWidget();
         }
-        if (spec.area == PanelArea::Left) {
-            m_manager->setSplitterSizes(dock->dockAreaWidget(), {LeftShare, CentreShare, RightShare});
-        } else if (spec.area == PanelArea::Bottom) {
-            m_manager->setSplitterSizes(dock->dockAreaWidget(), {CentreShare, BottomShare});
+    }
+    return nullptr;
+}
+
+/// How long this part of a splitter is at first; nothing for the part that gets the rest.
+std::optional<int> DockLayout::firstLength(const QWidget& part, Qt::Orientation orientation) const {
+    const auto holds = [&](PanelArea area) {
+        const ads::CDockAreaWidget* there = areaOf(area);
+        return there != nullptr && (there == &part || part.isAncestorOf(there));
+    };
+    const QFontMetrics metrics = m_manager->fontMetrics();
+    if (holds(PanelArea::Centre)) {
+        return std::nullopt;
+    }
+    if (orientation == Qt::Horizontal) {
+        return metrics.averageCharWidth() * (holds(PanelArea::Right) ? RightCharacters : LeftCharacters);
+    }
+    if (holds(PanelArea::LeftBelow)) {
+        return std::nullopt;
+    }
+    return metrics.height() * (holds(PanelArea::Bottom) ? BottomLines : DeviceLines);
+}
+
+/// First sizes: the data get what the panels beside them do not need.
+void DockLayout::shareSpace() {
+    for (auto* splitter : m_manager->findChildren<QSplitter*>()) {
+        const Qt::Orientation orientation = splitter->orientation();
+        int rest_px = orientation == Qt::Horizontal ? splitter->width() : splitter->height();
+        QList<int> sizes;
+        for (int i = 0; i < splitter->count(); ++i) {
+            sizes << firstLength(*splitter->widget(i), orientation).value_or(0);
+            rest_px -= splitter->widget(i)->isHidden() ? 0 : sizes.last();
+        }
+        for (int& size : sizes) {
+            size = size > 0 ? size : std::max(rest_px, LeastCentre_px);
+        }
+        splitter->setSizes(sizes);
+    }
+    growCentre();
+}
+
+/// A larger window enlarges the data, not what stands beside them.
+void DockLayout::growCentre() {
+    for (auto* splitter : m_manager->findChildren<QSplitter*>()) {
+        for (int i = 0; i < splitter->count(); ++i) {
+            const bool isFlexible = !firstLength(*splitter->widget(i), splitter->orientation());
+            splitter->setStretchFactor(i, isFlexible ? 1 : 0);
+        }
+    }
+}
+
+/// Focus stays where it was while that can be seen, else it goes to what is in the middle: never to STOP.
+void DockLayout::keepFocus(QWidget* before) {
+    if (before == nullptr) {
+        return;
+    }
+    ads::CDockAreaWidget* centre = areaOf(PanelArea::Centre);
+    if (before->isVisible()) {
+        before->setFocus(Qt::OtherFocusReason);
+    } else if (centre != nullptr) {
+        QWidget* panel = centre->currentDockWidget()->widget();
+        for (QWidget* next = panel->nextInFocusChain(); next != panel; next = next->nextInFocusChain()) {
+            if (panel->isAncestorOf(next) && next->isVisible() && next->isEnabled() &&
+                (next->focusPolicy() & Qt::TabFocus) != 0) {
+                next->setFocus(Qt::OtherFocusReason);
+                return;
+            }
         }
     }
 }
@@ -145,12 +217,16 @@ void DockLayout::setPerspective(Perspective perspective) {
     if (perspective == m_perspective) {
         return;
     }
+    QWidget* focused =
+        m_manager->isAncestorOf(QApplication::focusWidget()) ? QApplication::focusWidget() : nullptr;
     m_arrangements[perspectiveId(m_perspective)] = m_manager->saveState(ArrangementVersion);
     m_perspective = perspective;
     const QByteArray kept = m_arrangements.value(perspectiveId(perspective));
     if (kept.isEmpty() || !m_manager->restoreState(kept, ArrangementVersion)) {
         arrange(perspective);
     }
+    growCentre();
+    keepFocus(focused);
     perspectiveChanged();
 }
 
@@ -181,6 +257,7 @@ void DockLayout::setArrangements(const QHash<QString, QByteArray>& arrangements)
         m_arrangements.remove(perspectiveId(m_perspective));
         arrange(m_perspective);
     }
+    growCentre();
 }
 
 } // namespace halbench::app

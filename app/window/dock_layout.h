@@ -6,7 +6,10 @@
 #include <QHash>
 #include <QObject>
 
+#include <optional>
+
 namespace ads {
+class CDockAreaWidget;
 class CDockManager;
 class CDockWidget;
 class CFloatingDockContainer;
@@ -44,8 +47,12 @@ Q_SIGNALS:
 private:
     void addPanel(const PanelSpec& spec, Workbench& bench);
     void arrange(Perspective perspective);
+    ads::CDockAreaWidget* areaOf(PanelArea area) const; ///< null while all its panels are closed
+    std::optional<int> firstLength(const QWidget& part, Qt::Orientation orientation) const;
     void shareSpace();
     void addStop(ads::CFloatingDockContainer& window);
+    void growCentre();
+    void keepFocus(QWidget* before);
 
     std::vector<PanelSpec> m_specs;
     ads::CDockManager* m_manager = nullptr;

@@ -10,6 +10,7 @@
 #include "app/workspaces/notes_panel.h"
 #include "app/workspaces/parameters_panel.h"
 #include "app/workspaces/record_panel.h"
+#include "app/workspaces/signals_panel.h"
 #include "app/workspaces/tune_panel.h"
 
 #include <QCoreApplication>
@@ -58,6 +59,8 @@ std::vector<PanelSpec> panelSpecs() {
     return {
         {"devices", words(QT_TRANSLATE_NOOP("Panels", "Devices")), PanelArea::Left, everywhere(),
          "command-line.md", make<DevicePanel>},
+        {"signals", words(QT_TRANSLATE_NOOP("Panels", "Signals")), PanelArea::LeftBelow, everywhere(),
+         "monitor.md", make<SignalsPanel>},
         {"monitor",
          words(QT_TRANSLATE_NOOP("Panels", "Monitor")),
          PanelArea::Centre,

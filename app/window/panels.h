@@ -21,7 +21,7 @@ QString perspectiveTitle(Perspective perspective);
 /// As files and preferences name it; stable.
 QString perspectiveId(Perspective perspective);
 
-enum class PanelArea { Left, Centre, Right, Bottom };
+enum class PanelArea { Left, LeftBelow, Centre, Right, Bottom };
 
 /// One panel of the window: who makes it, where it goes, in which perspectives it is open.
 struct PanelSpec {

@@ -4,8 +4,13 @@
 #include "app/window/file_dialogs.h"
 #include "app/wizards/calibrate_panel.h"
 #include "app/wizards/identify_panel.h"
+#include "app/workspaces/device_panel.h"
+#include "app/workspaces/monitor_panel.h"
+#include "app/workspaces/signals_panel.h"
 #include "app/workspaces/tune_panel.h"
 #include "control/base/assert.h"
+
+#include <qtadvanceddocking/DockWidget.h>
 
 namespace halbench::app {
 namespace {
@@ -13,6 +18,24 @@ namespace {
 template <typename Panel>
 Panel* panelOf(DockLayout& docks, const char* id) {
     return qobject_cast<Panel*>(docks.panel(QString::fromLatin1(id)));
+}
+
+/// The signals at the left and the plots in the middle are of one mind.
+void connectMonitor(DockLayout& docks) {
+    auto* monitor = panelOf<MonitorPanel>(docks, "monitor");
+    auto* signalList = panelOf<SignalsPanel>(docks, "signals");
+    auto* devices = panelOf<DevicePanel>(docks, "devices");
+    HB_ASSERT(monitor != nullptr && signalList != nullptr && devices != nullptr);
+    QObject::connect(signalList, &SignalsPanel::plotRequested, monitor, &MonitorPanel::plot);
+    QObject::connect(monitor, &MonitorPanel::plottedChanged, signalList, &SignalsPanel::setPlotted);
+    QObject::connect(monitor, &MonitorPanel::addSignalsRequested, signalList, [&docks, signalList] {
+        docks.docks().value(QStringLiteral("signals"))->toggleView(true);
+        signalList->setFocus(Qt::ShortcutFocusReason);
+    });
+    QObject::connect(monitor, &MonitorPanel::connectRequested, devices, [devices] {
+        devices->setAddress(QStringLiteral("sim:htm"));
+        devices->connectAddress();
+    });
 }
 
 } // namespace
@@ -26,6 +49,7 @@ void connectTaskFlow(DockLayout& docks, Workbench& bench) {
                      [&docks] { docks.setPerspective(Perspective::Tune); });
     QObject::connect(tune, &TunePanel::identifyRequested, &docks,
                      [&docks] { docks.setPerspective(Perspective::Identify); });
+    connectMonitor(docks);
     identify->setFileChooser(fileDialogs(bench));
     calibrate->setFileChooser(fileDialogs(bench));
     tune->setFileChooser(fileDialogs(bench));

@@ -18,10 +18,17 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <cmath>
+
 namespace halbench::app {
 namespace {
 
 enum Step { PrepareStep, ExciteStep, ProposeStep, ApplyStep };
+
+constexpr int Frame_ms = 100;
+constexpr double ExpectedField_T = 0.2; ///< first extent of the live picture
+constexpr double Room_ratio = 1.2;
 
 constexpr std::array Choices = {Calibration::Hall, Calibration::Stray, Calibration::StaticFriction};
 
@@ -46,6 +53,8 @@ CalibratePanel::CalibratePanel(Workbench& workbench, QWidget* parent) : WizardPa
             m_progress->setText(widgets::inWords(text));
         }
     });
+    m_frame.setInterval(Frame_ms);
+    connect(&m_frame, &QTimer::timeout, this, &CalibratePanel::showLive);
     CalibratePanel::refreshWords();
 }
 
@@ -79,10 +88,13 @@ QWidget* CalibratePanel::buildRun() {
     auto* page = new QWidget;
     auto* column = columnOf(page);
     m_progress = new widgets::ProgressRow(page);
+    m_liveView = new widgets::FigureView(page);
     column->addWidget(m_progress);
-    column->addStretch(1);
-    connect(m_progress, &widgets::ProgressRow::cancelRequested, &bench().session(),
-            &DeviceSession::abortProcedure);
+    column->addWidget(m_liveView, 1);
+    connect(m_progress, &widgets::ProgressRow::cancelRequested, this, [this] {
+        m_isCancelling = true;
+        bench().session().abortProcedure();
+    });
     return page;
 }
 
@@ -156,6 +168,8 @@ void CalibratePanel::refreshWords() {
     sayButton(*m_restore, tr("Restore"), tr("Write the values from before the calibration"));
     sayButton(*m_save, tr("Save calibration\u2026"), tr("Write the result as a file"));
     sayButton(*m_again, tr("Calibrate again"), tr("Back to the choice"));
+    m_liveView->setToolTip(
+        tr("What the Hall sensors read; centre, axes and tilt of the ellipse are measured"));
     refreshPlan();
     if (m_result) {
         showResult();
@@ -186,9 +200,17 @@ void CalibratePanel::refreshPlan() {
 }
 
 void CalibratePanel::start() {
+    m_live = std::make_shared<LiveHall>();
     const bool hasStarted = runProcedure(
         tr("Calibrate"),
-        [config = config()](devices::Device& device, const ProcedureObserver& observer) {
+        [config = config(), live = m_live](devices::Device& device, const ProcedureObserver& session) {
+            ProcedureObserver observer = session;
+            observer.onBlock = [&session, &live](const SampleBlockPtr& block) {
+                live->take(*block);
+                if (session.onBlock) {
+                    session.onBlock(block);
+                }
+            };
             return runCalibrate(device, config, observer);
         },
         [this](const Result<CalibrateResult>& result) { finish(result); });
@@ -196,9 +218,32 @@ void CalibratePanel::start() {
         return;
     }
     m_progress->setText(tr("Calibrating"));
-    m_progress->setProgress(std::nullopt);
+    m_progress->setProgress(0.0);
+    m_predicted_s = predictCalibrate(config()).duration_s;
+    m_largest_T = ExpectedField_T;
+    m_isCancelling = false;
+    m_liveView->setFigure(liveHallFigure({}, m_largest_T));
     runStep(PrepareStep);
     showPage(RunPage);
+    m_progress->setFocus(Qt::OtherFocusReason);
+    m_sinceStart.start();
+    m_frame.start();
+}
+
+void CalibratePanel::showLive() {
+    const auto points = m_live->points();
+    for (const LiveHall::Point& point : points) {
+        const double field_T = std::max(std::abs(point.hall_a_T), std::abs(point.hall_b_T));
+        m_largest_T = field_T > m_largest_T ? Room_ratio * field_T : m_largest_T;
+    }
+    m_liveView->setFigure(liveHallFigure(points, m_largest_T));
+    if (!m_isCancelling && m_predicted_s > 0.0) {
+        // The plan is that of the published motor; another one may take longer.
+        const double done = std::min(0.99, m_live->elapsed_s() / m_predicted_s);
+        const double wall_s = 1e-3 * static_cast<double>(m_sinceStart.elapsed());
+        m_progress->setProgress(done,
+                                done > 0.005 ? std::optional(wall_s * (1.0 - done) / done) : std::nullopt);
+    }
 }
 
 void CalibratePanel::onStage(ProcedureState stage) {
@@ -210,6 +255,7 @@ void CalibratePanel::onStage(ProcedureState stage) {
 }
 
 void CalibratePanel::finish(const Result<CalibrateResult>& result) {
+    m_frame.stop();
     if (!result) {
         fail(result.error(), tr("The calibration was cancelled; everything is as it was before."));
         refreshPlan();

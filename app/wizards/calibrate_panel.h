@@ -2,9 +2,14 @@
 
 #include "app/batch/calibration_file.h"
 #include "app/procedures/calibrate_procedure.h"
+#include "app/wizards/live_hall.h"
 #include "app/wizards/wizard_panel.h"
 
+#include <QElapsedTimer>
+#include <QTimer>
+
 #include <array>
+#include <memory>
 #include <optional>
 
 class QCheckBox;
@@ -53,6 +58,7 @@ private:
     CalibrateConfig config() const;
     void refreshPlan();
     void start();
+    void showLive();
     void onStage(ProcedureState stage);
     void finish(const Result<CalibrateResult>& result);
     void showResult();
@@ -70,6 +76,13 @@ private:
     Preflight* m_preflight = nullptr;
     QPushButton* m_start = nullptr;
     widgets::ProgressRow* m_progress = nullptr;
+    widgets::FigureView* m_liveView = nullptr;
+    std::shared_ptr<LiveHall> m_live; ///< of the run; the procedure's thread fills it
+    QTimer m_frame;
+    QElapsedTimer m_sinceStart;
+    double m_predicted_s = 0.0;
+    double m_largest_T = 0.0;
+    bool m_isCancelling = false;
     widgets::VerdictView* m_verdict = nullptr;
     widgets::EstimateTable* m_table = nullptr;
     QLabel* m_gain = nullptr;

@@ -44,10 +44,17 @@ QString nameOf(const std::string& figure) {
         {"hall.quadrature", Words::tr("error of the right angle")},
         {"hall.amplitude", Words::tr("amplitude of the field")},
         {"stray.coefficient", Words::tr("stray field of the coils")},
+        {"angle_error.rms", Words::tr("angle error, rms")},
         {"static_friction.current", Words::tr("breakaway current, static")}};
     for (const auto& [name, text] : names) {
         if (figure == name) {
             return text;
+        }
+    }
+    for (const auto& [prefix, text] : {std::pair("errormap.cos", Words::tr("angle error, cosine part %1")),
+                                       std::pair("errormap.sin", Words::tr("angle error, sine part %1"))}) {
+        if (figure.rfind(prefix, 0) == 0) { // its harmonic of the rotor's angle follows
+            return text.arg(QString::fromStdString(figure.substr(std::string_view(prefix).size())));
         }
     }
     return QString::fromStdString(figure);

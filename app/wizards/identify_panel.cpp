@@ -233,6 +233,7 @@ void IdentifyPanel::start() {
     m_progress->setProgress(0.0);
     runStep(PrepareStep);
     showPage(RunPage);
+    m_progress->setFocus(Qt::OtherFocusReason);
     m_sinceStart.start();
     m_frame.start();
 }

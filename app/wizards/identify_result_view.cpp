@@ -12,10 +12,18 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QSplitter>
+#include <QStyle>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace halbench::app {
+namespace {
+
+constexpr double MostWords_ratio = 0.55; ///< of the width; the pictures get the rest
+
+} // namespace
 
 IdentifyResultView::IdentifyResultView(QWidget* parent)
     : QWidget(parent), m_figures(new QTabWidget(this)), m_fit(new widgets::FigureView(m_figures)),
@@ -27,16 +35,14 @@ IdentifyResultView::IdentifyResultView(QWidget* parent)
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setAccessibleName(tr("Identified values"));
     scroll->setWidget(buildWords());
-    auto* splitter = new QSplitter(Qt::Horizontal, this);
-    splitter->setChildrenCollapsible(false);
-    splitter->addWidget(scroll);
-    splitter->addWidget(m_figures);
-    splitter->setStretchFactor(0, 1);
-    splitter->setStretchFactor(1, 1);
-    splitter->setSizes({1100, 1000}); // the table shows its intervals without scrolling where there is room
+    m_splitter = new QSplitter(Qt::Horizontal, this);
+    m_splitter->setChildrenCollapsible(false);
+    m_splitter->addWidget(scroll);
+    m_splitter->addWidget(m_figures);
+    m_splitter->setStretchFactor(1, 1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(splitter);
+    column->addWidget(m_splitter);
     for (widgets::FigureView* view : {m_fit, m_region}) {
         connect(view, &widgets::FigureView::exportRequested, this, [this, view] { savePicture(*view); });
     }
@@ -78,6 +84,11 @@ void IdentifyResultView::refresh() {
     m_missing->setText(missingText(m_result));
     m_missing->setVisible(!m_missing->text().isEmpty());
     m_provenance->setText(provenanceText(m_header, m_result));
+    // The table is as wide as its columns where that leaves room for the pictures.
+    const int table_px = m_table->neededWidth() + 2 * widgets::PanelMargin_px +
+                         style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    const int words_px = std::min(table_px, static_cast<int>(MostWords_ratio * m_splitter->width()));
+    m_splitter->setSizes({words_px, std::max(1, m_splitter->width() - words_px)});
     const auto fit = steadySpeedFigure(m_result);
     const auto region = jointRegion(m_result);
     m_fit->setFigure(fit.value_or(widgets::Figure{}));

@@ -7,6 +7,7 @@
 #include <QWidget>
 
 class QLabel;
+class QSplitter;
 class QTabWidget;
 
 namespace halbench::widgets {
@@ -46,6 +47,7 @@ private:
     widgets::EstimateTable* m_table = nullptr;
     QLabel* m_missing = nullptr;
     QLabel* m_provenance = nullptr;
+    QSplitter* m_splitter = nullptr;
     QTabWidget* m_figures = nullptr;
     widgets::FigureView* m_fit = nullptr;
     widgets::FigureView* m_region = nullptr;

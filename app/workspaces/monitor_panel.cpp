@@ -2,7 +2,7 @@
 
 #include "app/workspaces/monitor_plots.h"
 #include "app/workspaces/panel_parts.h"
-#include "app/workspaces/signal_tree.h"
+#include "widgets/empty_state.h"
 #include "widgets/icons.h"
 #include "widgets/live_plot_stack.h"
 #include "widgets/message_bar.h"
@@ -11,7 +11,7 @@
 #include <QEvent>
 #include <QLabel>
 #include <QLocale>
-#include <QSplitter>
+#include <QStackedWidget>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -44,29 +44,33 @@ double rounded(double time_s) {
 } // namespace
 
 MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(bench) {
-    m_tree = new SignalTree(this);
+    m_pages = new QStackedWidget(this);
+    m_empty = new widgets::EmptyState(m_pages);
+    m_empty->setIconName(QStringLiteral("connect"));
+    auto* plots = new QWidget(m_pages);
     m_stack = new widgets::LivePlotStack(this);
     m_stack->setTheme(widgets::currentTheme());
     m_stack->setHistory(&m_bench.history());
-    auto* splitter = new QSplitter(Qt::Horizontal, this);
-    splitter->addWidget(m_tree);
-    splitter->addWidget(m_stack);
-    splitter->setStretchFactor(1, 1);
-    splitter->setSizes({fontMetrics().averageCharWidth() * 36, 900});
-    auto* column = new QVBoxLayout(this);
+    auto* column = new QVBoxLayout(plots);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(buildTools());
-    m_message = new widgets::MessageBar(this);
+    m_message = new widgets::MessageBar(plots);
     column->addWidget(m_message);
-    column->addWidget(splitter, 1);
+    column->addWidget(m_stack, 1);
+    m_pages->addWidget(m_empty);
+    m_pages->addWidget(plots);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(m_pages);
     connectStack();
-    connect(m_tree, &SignalTree::plotRequested, this, &MonitorPanel::plot);
+    connect(m_empty, &widgets::EmptyState::actionTriggered, this, &MonitorPanel::connectRequested);
     connect(&m_bench, &Workbench::deviceChanged, this, &MonitorPanel::onDevice);
     connect(&m_bench, &Workbench::valuesChanged, this, &MonitorPanel::onValues);
-    connect(&m_bench, &Workbench::displayUnitsChanged, this, &MonitorPanel::onUnits);
-    connect(&m_values, &QTimer::timeout, this, &MonitorPanel::refreshValues);
+    connect(&m_bench, &Workbench::displayUnitsChanged, this, &MonitorPanel::onValues);
+    connect(&m_values, &QTimer::timeout, this, &MonitorPanel::refreshStream);
     m_values.start(ValuesPeriod_ms);
+    refreshWords();
     onDevice();
 }
 
@@ -105,8 +109,7 @@ void MonitorPanel::connectStack() {
         onPlotsChanged();
     });
     connect(m_stack, &widgets::LivePlotStack::markersChanged, this, &MonitorPanel::onMarkers);
-    connect(m_stack, &widgets::LivePlotStack::addSignalsRequested, this,
-            [this] { m_tree->setFocus(Qt::ShortcutFocusReason); });
+    connect(m_stack, &widgets::LivePlotStack::addSignalsRequested, this, &MonitorPanel::addSignalsRequested);
 }
 
 /// Another device brings its own signals; the same one again keeps its plots.
@@ -116,6 +119,7 @@ void MonitorPanel::onDevice() {
         return;
     }
     const QString device = QString::fromStdString(session.info().model + session.info().id);
+    m_pages->setCurrentIndex(1); // and stays: what was measured can be looked at without the device
     m_stack->setMarkers({});
     m_stack->setPaused(false);
     m_stack->setFollowing(true);
@@ -123,7 +127,6 @@ void MonitorPanel::onDevice() {
         m_view =
             m_device.isEmpty() ? m_view : MonitorView{}; // what was set is for the device that came first
         m_device = device;
-        m_tree->setSignals(session.catalogue().signals, m_bench.displayUnits());
         showView();
     }
     onPlotsChanged();
@@ -193,14 +196,8 @@ void MonitorPanel::forgetMissing() {
     m_message->clear();
 }
 
-/// Curves and live values stay, their numbers change.
-void MonitorPanel::onUnits() {
-    m_tree->setSignals(m_bench.session().catalogue().signals, m_bench.displayUnits());
-    onValues();
-    onPlotsChanged();
-}
-
-/// The limit on the device decides where the bad temperatures begin.
+/// The limit on the device decides where the bad temperatures begin, the user in which units curves are; the
+/// curves stay.
 void MonitorPanel::onValues() {
     const TemperatureBands bands =
         temperatureBands(m_bench.session().catalogue(), m_bench.deviceValue("limit.temperature"));
@@ -254,7 +251,7 @@ void MonitorPanel::addTo(int plot, const std::string& name) {
 
 void MonitorPanel::onPlotsChanged() {
     const std::set<std::string> plotted = plottedSignals(m_stack->plots());
-    m_tree->setPlotted(plotted);
+    Q_EMIT plottedChanged(plotted);
     std::vector<std::string> wanted(plotted.begin(), plotted.end());
     const auto& defaults = m_bench.session().catalogue().defaultSignals; // for the tree's live values
     wanted.insert(wanted.end(), defaults.begin(), defaults.end());
@@ -271,12 +268,18 @@ void MonitorPanel::onMarkers() {
     m_markers = markers.size();
 }
 
-void MonitorPanel::refreshValues() {
+void MonitorPanel::refreshWords() {
+    m_empty->setWords(tr("Nothing to watch yet"),
+                      tr("Shows what a connected device measures, live. Choose a device at the left, or try "
+                         "the simulated motor."),
+                      tr("Connect the simulated motor"), QStringLiteral("Ctrl+Shift+S"));
+}
+
+void MonitorPanel::refreshStream() {
     if (!isVisible()) {
         return;
     }
     const LiveSignals& live = m_bench.liveSignals();
-    m_tree->showValues(m_bench.history(), live.streamed());
     const QLocale locale;
     const bool isVirtual =
         m_bench.session().info().isSimulated && m_bench.session().pace().speed_ratio <= 0.0;
@@ -296,6 +299,8 @@ void MonitorPanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::StyleChange) {
         m_stack->setTheme(widgets::currentTheme());
+    } else if (event->type() == QEvent::LanguageChange) {
+        refreshWords();
     }
 }
 

@@ -6,19 +6,21 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <set>
+#include <string>
+
 class QLabel;
+class QStackedWidget;
 
 namespace halbench::widgets {
+class EmptyState;
 class LivePlotStack;
 class MessageBar;
 } // namespace halbench::widgets
 
 namespace halbench::app {
 
-class SignalTree;
-
-/// What the device does, over time: its signals as a tree with live values beside stacked plots
-/// (resources/help/monitor.md, "Plots").
+/// What the device does, over time, in stacked plots (resources/help/monitor.md, "Plots").
 class MonitorPanel : public QWidget {
     Q_OBJECT
 
@@ -30,6 +32,14 @@ public:
     /// part of view() until the user changes the plots.
     void setView(const MonitorView& view);
 
+    /// Into the plot of its kind, or out of all plots.
+    void plot(const QString& name, bool isPlotted);
+
+Q_SIGNALS:
+    void plottedChanged(const std::set<std::string>& names);
+    void addSignalsRequested();
+    void connectRequested(); ///< of the simulated motor, while there is nothing to watch
+
 protected:
     void changeEvent(QEvent* event) override;
 
@@ -38,20 +48,20 @@ private:
     void connectStack();
     void onDevice();
     void onValues();
-    void onUnits();
-    void plot(const QString& name, bool isPlotted);
     void addTo(int plot, const std::string& name);
     void onPlotsChanged();
     void showView();
     void forgetMissing();
     void onMarkers();
-    void refreshValues();
+    void refreshStream();
+    void refreshWords();
 
     Workbench& m_bench;
-    SignalTree* m_tree = nullptr;
+    QStackedWidget* m_pages = nullptr;
+    widgets::EmptyState* m_empty = nullptr;
     widgets::LivePlotStack* m_stack = nullptr;
     QLabel* m_stream = nullptr;
-    QTimer m_values; ///< live numbers, ten times a second
+    QTimer m_values; ///< what is said of the stream
     std::size_t m_markers = 0;
     QString m_device;            ///< whose plots are shown; empty: the view waits for a device
     MonitorView m_view;          ///< as it was set

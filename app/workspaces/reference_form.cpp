@@ -54,7 +54,7 @@ constexpr FieldSpec Fields[] = {
           "end of a ramp (0: no end)")},
      "\u00b0",
      "A",
-     {-36000.0, 36000.0, 30.0, 1.0, 3},
+     {-36000.0, 36000.0, 30.0, 1.0, 2},
      {-4.0, 4.0, 0.5, 0.1, 3}},
     {Field::Rate,
      {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Slope"),

@@ -36,8 +36,9 @@ SignalTree::SignalTree(QWidget* parent) : QTreeWidget(parent) {
     header()->setSectionResizeMode(NameColumn, QHeaderView::Stretch);
     header()->setSectionResizeMode(ValueColumn, QHeaderView::Fixed);
     header()->setSectionResizeMode(UnitColumn, QHeaderView::Fixed);
-    header()->resizeSection(ValueColumn, fontMetrics().horizontalAdvance(QStringLiteral("-0000.000 ")));
-    header()->resizeSection(UnitColumn, std::max(fontMetrics().horizontalAdvance(QStringLiteral("r/min   ")),
+    headerItem()->setTextAlignment(ValueColumn, Qt::AlignRight | Qt::AlignVCenter);
+    header()->resizeSection(ValueColumn, fontMetrics().horizontalAdvance(QStringLiteral("-00000.00")));
+    header()->resizeSection(UnitColumn, std::max(fontMetrics().horizontalAdvance(QStringLiteral("r/min  ")),
                                                  header()->sectionSizeHint(UnitColumn)));
     connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
         const QString name = item->data(NameColumn, NameRole).toString();
@@ -81,8 +82,22 @@ void SignalTree::setSignals(const std::vector<SignalSpec>& specs, const DisplayU
         item->setText(UnitColumn, shown.unit);
         item->setTextAlignment(ValueColumn, Qt::AlignRight | Qt::AlignVCenter);
         item->setFont(ValueColumn, digits);
-        item->setData(UnitColumn, Qt::ForegroundRole, palette().color(QPalette::Disabled, QPalette::Text));
         m_entries[spec.name] = {item, shown.factor, shown.decimals, spec.choices};
+    }
+    inkUnits();
+}
+
+void SignalTree::inkUnits() {
+    const QSignalBlocker quiet(this);
+    for (const auto& [name, entry] : m_entries) {
+        entry.item->setForeground(UnitColumn, widgets::currentTheme().muted);
+    }
+}
+
+void SignalTree::changeEvent(QEvent* event) {
+    QTreeWidget::changeEvent(event);
+    if (event->type() == QEvent::StyleChange) {
+        inkUnits();
     }
 }
 
@@ -98,7 +113,9 @@ QString SignalTree::valueText(const Entry& entry, double value) const {
     if (choice < entry.choices.size() && !entry.choices.empty()) {
         return widgets::inWords(entry.choices[choice]);
     }
-    return std::isfinite(value) ? QLocale().toString(value * entry.factor, 'f', entry.decimals)
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator); // as in the legends
+    return std::isfinite(value) ? locale.toString(value * entry.factor, 'f', entry.decimals)
                                 : QStringLiteral("\u2013");
 }
 

@@ -37,6 +37,7 @@ protected:
     QStringList mimeTypes() const override;
     QMimeData* mimeData(const QList<QTreeWidgetItem*> items) const override;
     void keyPressEvent(QKeyEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
 private:
     struct Entry {
@@ -46,6 +47,7 @@ private:
         std::vector<std::string> choices;
     };
 
+    void inkUnits();
     QTreeWidgetItem* groupFor(const QString& title);
     void toggle(QTreeWidgetItem* item);
     QString valueText(const Entry& entry, double value) const;

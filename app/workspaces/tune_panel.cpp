@@ -62,10 +62,11 @@ TunePanel::TunePanel(Workbench& bench, QWidget* parent)
     auto* splitter = new QSplitter(Qt::Horizontal, m_pages);
     splitter->setChildrenCollapsible(false);
     QScrollArea* settings = scrolled(buildSettings());
-    settings->setMinimumWidth(46 * fontMetrics().averageCharWidth());
+    settings->setMinimumWidth(44 * fontMetrics().averageCharWidth());
     splitter->addWidget(settings);
     splitter->addWidget(buildFigures());
     splitter->setStretchFactor(1, 1);
+    splitter->setSizes({1, 1000}); // the settings keep their smallest width, the pictures get the rest
     m_pages->addWidget(m_empty);
     m_pages->addWidget(splitter);
     connectParts();

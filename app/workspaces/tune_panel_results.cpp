@@ -122,6 +122,9 @@ void TunePanel::apply() {
     m_progress->setText(tr("Writing the gains"));
     m_progress->setProgress(0.0);
     m_progress->setVisible(m_isApplying);
+    if (m_isApplying) {
+        m_progress->setFocus(Qt::OtherFocusReason);
+    }
     refreshButtons();
 }
 

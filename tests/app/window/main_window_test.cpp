@@ -92,6 +92,38 @@ TEST_F(MainWindowTest, aLatchedStopIsReleasedOnlyOnPurpose) {
     EXPECT_FALSE(session().report().board.isArmed); // released, not armed
 }
 
+TEST_F(MainWindowTest, fitsItsFirstSizeInEveryPerspective) {
+    const auto theme = widgets::loadTheme("light"); // the program's letters
+    ASSERT_TRUE(theme);
+    widgets::applyTheme(application, *theme, {QLocale(), widgets::Dress().fontSize_pt});
+    open();
+    connectMotor(1.0);
+    for (const Perspective perspective : AllPerspectives) {
+        window->docks().setPerspective(perspective);
+        QTest::qWait(50);
+        EXPECT_EQ(window->size(), QSize(1440, 900)) << perspectiveId(perspective).toStdString();
+        // The data get at least half of the width.
+        const auto* centre = window->docks().docks().value(perspective == Perspective::Identify ? "identify"
+                                                           : perspective == Perspective::Tune   ? "tune"
+                                                           : perspective == Perspective::Field  ? "field"
+                                                                                                : "monitor");
+        EXPECT_GE(centre->width(), 700) << perspectiveId(perspective).toStdString();
+    }
+}
+
+TEST_F(MainWindowTest, focusNeverFallsToStopWhenThePerspectiveChanges) {
+    open();
+    QApplication::setActiveWindow(window.get());
+    connectMotor(1.0);
+    for (const Perspective perspective : {Perspective::Tune, Perspective::Field, Perspective::Identify,
+                                          Perspective::Record, Perspective::Monitor}) {
+        window->docks().panel(perspectiveId(window->docks().perspective()))->setFocus();
+        window->docks().setPerspective(perspective);
+        QTest::qWait(0);
+        EXPECT_EQ(qobject_cast<widgets::StopButton*>(QApplication::focusWidget()), nullptr);
+    }
+}
+
 TEST_F(MainWindowTest, anArrangementIsKeptPerPerspective) {
     open();
     window->docks().docks().value("log")->toggleView(false);

@@ -4,6 +4,7 @@
 #include "app/workspaces/monitor_panel.h"
 #include "devices/acquisition/recording_file.h"
 #include "tests/app/window/window_test.h"
+#include "widgets/stop_button.h"
 
 #include <QAbstractButton>
 #include <QListWidget>
@@ -59,6 +60,53 @@ TEST_F(WorkdayTest, connectsWatchesDrivesRecordsAndStops) {
     const std::vector<double> speed = file->recording.column("speed");
     EXPECT_GT(*std::max_element(speed.begin(), speed.end()), 1.0); // the motion is in it
     EXPECT_EQ(file->recording.column("status").back(), 2.0);       // and the stop
+}
+
+/// Identify, tune, apply, restore, stop with nothing but keys, each sent to whatever has the focus.
+class KeyboardDayTest : public WorkdayTest {
+protected:
+    void press(Qt::Key code, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+        QWidget* focused = QApplication::focusWidget();
+        ASSERT_NE(focused, nullptr);
+        EXPECT_EQ(qobject_cast<widgets::StopButton*>(focused), nullptr); // only on purpose
+        QTest::keyClick(focused, code, modifiers);
+    }
+    static QString focusedText() {
+        const auto* button = qobject_cast<QAbstractButton*>(QApplication::focusWidget());
+        return button != nullptr ? button->text() : QString();
+    }
+    /// With Tab, past STOP too: that is where it may be reached.
+    void tabTo(const QString& text) {
+        constexpr int MostStops = 200;
+        for (int i = 0; i < MostStops && focusedText() != text; ++i) {
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        }
+        ASSERT_EQ(focusedText().toStdString(), text.toStdString());
+    }
+};
+
+TEST_F(KeyboardDayTest, identifiesTunesAppliesRestoresAndStops) {
+    constexpr int Fit_ms = 120000;
+    connectByKey();
+    QApplication::setActiveWindow(window.get());
+    session().setPace({0.0});
+    press(Qt::Key_2, Qt::ControlModifier);
+    ASSERT_TRUE(wait([&] { return window->docks().perspective() == Perspective::Identify; }));
+    tabTo("Start identification");
+    press(Qt::Key_Space);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->bench().identification().has_value(); }, Fit_ms));
+    ASSERT_TRUE(wait([&] { return focusedText() == "Tune with this"; }));
+    press(Qt::Key_Space);
+    ASSERT_TRUE(wait([&] { return window->bench().design().has_value(); }));
+    EXPECT_EQ(window->docks().perspective(), Perspective::Tune);
+    tabTo("Apply and verify");
+    press(Qt::Key_Space);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return focusedText() == "Keep"; }, Fit_ms));
+    tabTo("Restore");
+    press(Qt::Key_Space);
+    ASSERT_TRUE(wait([&] { return focusedText() == "Apply and verify"; }));
+    press(Qt::Key_Escape);
+    EXPECT_TRUE(wait([&] { return session().report().board.isStopLatched; }));
 }
 
 TEST_F(WorkdayTest, losingTheDeviceLeavesAWindowThatWorks) {

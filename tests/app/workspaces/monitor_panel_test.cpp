@@ -4,13 +4,16 @@
 #include "app/workspaces/monitor_panel.h"
 #include "app/workspaces/monitor_plots.h"
 #include "app/workspaces/signal_tree.h"
+#include "app/workspaces/signals_panel.h"
 #include "control/base/units.h"
 #include "tests/app/workspaces/bench_fixture.h"
+#include "widgets/empty_state.h"
 #include "widgets/live_plot_stack.h"
 #include "widgets/message_bar.h"
 
 #include <QAction>
 #include <QMimeData>
+#include <QSignalSpy>
 #include <QToolButton>
 
 #include <cmath>
@@ -23,14 +26,23 @@ protected:
     void SetUp() override {
         BenchTest::SetUp();
         panel = std::make_unique<MonitorPanel>(bench());
+        list = std::make_unique<SignalsPanel>(bench());
+        // As the window connects them (app/window/task_flow.cpp).
+        QObject::connect(list.get(), &SignalsPanel::plotRequested, panel.get(), &MonitorPanel::plot);
+        QObject::connect(panel.get(), &MonitorPanel::plottedChanged, list.get(), &SignalsPanel::setPlotted);
+        list->resize(300, 800);
+        list->show();
         panel->resize(1200, 800);
         panel->show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(panel.get()));
     }
-    void TearDown() override { panel.reset(); }
+    void TearDown() override {
+        list.reset();
+        panel.reset();
+    }
 
     widgets::LivePlotStack& stack() { return *panel->findChild<widgets::LivePlotStack*>(); }
-    SignalTree& tree() { return *panel->findChild<SignalTree*>(); }
+    SignalTree& tree() { return *list->findChild<SignalTree*>(); }
     QTreeWidgetItem* item(const QString& words) {
         for (QTreeWidgetItem* found : tree().findItems(words, Qt::MatchExactly | Qt::MatchRecursive)) {
             if (found->parent() != nullptr) { // a group may be called the same
@@ -42,7 +54,20 @@ protected:
     bool isPlotted(const char* signal) { return plottedSignals(stack().plots()).count(signal) > 0; }
 
     std::unique_ptr<MonitorPanel> panel;
+    std::unique_ptr<SignalsPanel> list;
 };
+
+TEST_F(MonitorPanelTest, withoutADeviceItOffersTheSimulatedMotor) {
+    auto* empty = panel->findChild<widgets::EmptyState*>();
+    ASSERT_TRUE(empty->isVisible());
+    QSignalSpy asked(panel.get(), &MonitorPanel::connectRequested);
+    click(*panel, "Connect the simulated motor");
+    EXPECT_EQ(asked.count(), 1);
+    connectTo("sim:htm", 5.0);
+    EXPECT_FALSE(empty->isVisible());
+    session().disconnectDevice();
+    EXPECT_FALSE(empty->isVisible()); // what was measured can still be looked at
+}
 
 TEST_F(MonitorPanelTest, aConnectedMotorIsWatchedAtOnceInItsDefaultPlots) {
     connectTo("sim:htm", 5.0);

@@ -1,0 +1,55 @@
+#include "app/workspaces/signals_panel.h"
+
+#include "app/workspaces/live_signals.h"
+#include "app/workspaces/signal_tree.h"
+
+#include <QVBoxLayout>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr int ValuesPeriod_ms = 100;
+
+} // namespace
+
+SignalsPanel::SignalsPanel(Workbench& bench, QWidget* parent)
+    : QWidget(parent), m_bench(bench), m_tree(new SignalTree(this)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_tree);
+    setFocusProxy(m_tree);
+    connect(m_tree, &SignalTree::plotRequested, this, &SignalsPanel::plotRequested);
+    connect(&m_bench, &Workbench::deviceChanged, this, &SignalsPanel::onDevice);
+    connect(&m_bench, &Workbench::displayUnitsChanged, this, &SignalsPanel::listSignals);
+    connect(&m_values, &QTimer::timeout, this, &SignalsPanel::refreshValues);
+    m_values.start(ValuesPeriod_ms);
+    onDevice();
+}
+
+void SignalsPanel::onDevice() {
+    const DeviceSession& session = m_bench.session();
+    const QString device = QString::fromStdString(session.info().model + session.info().id);
+    if (session.state() == SessionState::Connected && device != m_device) {
+        m_device = device;
+        listSignals();
+    }
+}
+
+void SignalsPanel::listSignals() {
+    m_tree->setSignals(m_bench.session().catalogue().signals, m_bench.displayUnits());
+    m_tree->setPlotted(m_plotted);
+}
+
+void SignalsPanel::setPlotted(const std::set<std::string>& names) {
+    m_plotted = names;
+    m_tree->setPlotted(names);
+}
+
+void SignalsPanel::refreshValues() {
+    if (isVisible()) {
+        m_tree->showValues(m_bench.history(), m_bench.liveSignals().streamed());
+    }
+}
+
+} // namespace halbench::app
