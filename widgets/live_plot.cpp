@@ -24,9 +24,6 @@ constexpr double FewestLines = 2.5;
 constexpr double SmallestDigits = 10.0;
 /// Labels are given at least this room, so that the first larger number moves nothing.
 constexpr char UsualLabel[] = "-000.00";
-/// A long title on a low plot is written smaller before it is shortened.
-constexpr double SmallestTitle_ratio = 0.7;
-constexpr double TitleStep_ratio = 0.05;
 
 /// Shows the plot's picture and nothing below it: each fill of a large area costs as much as several curves.
 class PictureCanvas : public QwtPlotCanvas {
@@ -63,6 +60,15 @@ double smallestLength(const PlotSpec& spec) {
 QFont sized(QFont font, double size_ratio) {
     font.setPointSizeF(size_ratio * QFontInfo(font).pointSizeF());
     return font;
+}
+
+/// An empty plot has a title of blanks, so that its axis stands where the others stand.
+QString titleText(const QString& quantity, const QString& unit, const TitleForm& form) {
+    const QString separator(QLatin1Char(form.isUnitBelow ? '\n' : ' '));
+    if (!unit.isEmpty()) {
+        return quantity + separator + QStringLiteral("[%1]").arg(unit);
+    }
+    return form.isUnitBelow || quantity.isEmpty() ? quantity + separator + QLatin1Char(' ') : quantity;
 }
 
 /// Doubles next to each other must not be pixels apart.
@@ -149,42 +155,38 @@ void LivePlot::setTheme(const Theme& theme) {
     updateTitle();
 }
 
-QString LivePlot::title() const {
-    return m_spec.unit.isEmpty() ? m_spec.quantity
-                                 : QStringLiteral("%1 [%2]").arg(m_spec.quantity, m_spec.unit);
+/// Tick labels may make the canvas lower, never the axis: what does not change when values do.
+int LivePlot::titleRoom() const {
+    return contentsRect().height();
 }
 
-double LivePlot::neededTitleSize_ratio() const {
-    double size_ratio = 1.0;
-    while (size_ratio > SmallestTitle_ratio &&
-           QFontMetrics(sized(font(), size_ratio)).horizontalAdvance(title()) > canvas()->height()) {
-        size_ratio -= TitleStep_ratio; // letters do not grow in proportion to their size
-    }
-    return size_ratio;
+bool LivePlot::isTitleWhole(const TitleForm& form) const {
+    const QFontMetrics metrics(sized(font(), form.size_ratio));
+    const QString lines = titleText(m_spec.quantity, m_spec.unit, form);
+    return metrics.size(0, lines).width() <= titleRoom();
 }
 
-void LivePlot::setTitleSize_ratio(double size_ratio) {
-    m_titleSize_ratio = size_ratio;
+void LivePlot::setTitleForm(const TitleForm& form) {
+    m_titleForm = form;
     updateTitle();
 }
 
-/// Each frame: the length of the axis is known only when all around it is laid out.
 void LivePlot::updateTitle() {
-    const QFont letters = sized(font(), m_titleSize_ratio);
+    const QFont letters = sized(font(), m_titleForm.size_ratio);
     const QFontMetrics metrics(letters);
-    QString text = title();
-    if (const int excess = metrics.horizontalAdvance(text) - canvas()->height(); excess > 0) {
-        const int room = std::max(metrics.horizontalAdvance(m_spec.quantity) - excess, 0);
-        text.replace(0, m_spec.quantity.size(), metrics.elidedText(m_spec.quantity, Qt::ElideRight, room));
+    QString quantity = m_spec.quantity;
+    if (const int excess =
+            metrics.size(0, titleText(quantity, m_spec.unit, m_titleForm)).width() - titleRoom();
+        excess > 0) {
+        const int room = std::max(metrics.horizontalAdvance(quantity) - excess, 0);
+        quantity = metrics.elidedText(quantity, Qt::ElideRight, room);
     }
-    QwtText shown(text);
+    QwtText shown(titleText(quantity, m_spec.unit, m_titleForm), QwtText::PlainText);
     shown.setFont(letters);
     shown.setColor(m_theme.text.isValid() ? m_theme.text : palette().color(QPalette::Text));
-    if (shown != axisTitle(yLeft)) {
-        setAxisFont(yLeft, font());
-        setAxisTitle(yLeft, shown);
-        axisWidget(yLeft)->setToolTip(title());
-    }
+    setAxisFont(yLeft, font());
+    setAxisTitle(yLeft, shown);
+    axisWidget(yLeft)->setToolTip(titleText(m_spec.quantity, m_spec.unit, {}).trimmed());
 }
 
 void LivePlot::focusInEvent(QFocusEvent* event) {

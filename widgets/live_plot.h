@@ -18,6 +18,14 @@ namespace halbench::widgets {
 
 class ValueScaleDraw;
 
+/// How an axis title is written: the unit behind the quantity or below it, in letters of a part of the font's
+/// size.
+struct TitleForm {
+    bool isUnitBelow = false;
+    double size_ratio = 1.0;
+    bool operator==(const TitleForm&) const = default;
+};
+
 /// One plot of a stack: curves from the history over the stack's time axis. It decides nothing about time:
 /// the stack tells it which stretch to show, and it tells the stack what the user did. Window thread.
 class LivePlot : public QwtPlot {
@@ -46,13 +54,13 @@ public:
     /// Fits the axis to what is drawn, now.
     void fitValues();
 
-    /// Width that tick labels and title need, and the width to give them so that stacked plots align.
+    /// Width that tick labels need, and the width to give them so that stacked plots align.
     int neededExtent() const;
     void setExtent(int extent_px);
-    /// Size of letters, as a part of the font's, at which the axis title is as long as the axis; and the size
-    /// to give it, the same for all of a stack, so that none is shortened.
-    double neededTitleSize_ratio() const;
-    void setTitleSize_ratio(double size_ratio);
+    /// Whether the axis title is as short as the axis in this form; and the form to give it, the same for all
+    /// of a stack, so that their axes align.
+    bool isTitleWhole(const TitleForm& form) const;
+    void setTitleForm(const TitleForm& form);
     /// The canvas in coordinates of this widget.
     QRect canvasRect() const;
     double timeAt(double canvasX) const;
@@ -85,8 +93,8 @@ private:
     void finishBox(const QPoint& end);
     void panTo(const QPoint& place);
     std::optional<ValueRange> dataRange() const;
+    int titleRoom() const;
     void updateTitle();
-    QString title() const;
 
     PlotSpec m_spec;
     const control::SampleHistory* m_history = nullptr;
@@ -98,7 +106,7 @@ private:
     ValueScaleDraw* m_valueScale; ///< owned by the plot's axis
     AutoRange m_autoRange{0.0};
     std::optional<ValueRange> m_userRange;
-    double m_titleSize_ratio = 1.0;
+    TitleForm m_titleForm;
     control::TimeRange m_drawn;
     QImage m_image; ///< what the canvas shows; curves set its pixels
     Drag m_drag = Drag::None;

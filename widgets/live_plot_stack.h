@@ -130,6 +130,7 @@ private:
     void connectPlot(int index);
     void matchRows();
     void configureRow(std::size_t index);
+    void fitTitles();
     void align();
     void drawFrame();
     void showState();

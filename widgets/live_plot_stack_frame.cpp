@@ -10,6 +10,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace halbench::widgets {
@@ -21,6 +22,10 @@ constexpr int CharactersPerTick = 9; ///< room of a label of the time axis
 constexpr int LongestName = 22;      ///< characters of a curve's name before it is shortened
 constexpr int LineSampleRoom = 40;   ///< beside the name
 constexpr double WidestLegend_ratio = 0.45;
+
+/// Axis titles from the best to read to the shortest.
+constexpr std::array<TitleForm, 6> TitleForms{
+    {{false, 1.0}, {false, 0.9}, {false, 0.8}, {true, 1.0}, {true, 0.85}, {true, 0.7}}};
 
 } // namespace
 
@@ -65,17 +70,29 @@ void LivePlotStack::drawFrame() {
     for (const Row& row : m_rows) {
         row.plot->showFrame(m_view.range(), timeStep_s(), m_view.drawn());
     }
+    if (m_isDirty) { // titles and the height of the plots do not change with the data
+        fitTitles();
+    }
     align();
     m_timeAxis->setRange(m_view.range(), timeStep_s());
+}
+
+void LivePlotStack::fitTitles() {
+    const auto isWhole = [this](const TitleForm& form) {
+        return std::all_of(m_rows.begin(), m_rows.end(),
+                           [&form](const Row& row) { return row.plot->isTitleWhole(form); });
+    };
+    const auto form = std::find_if(TitleForms.begin(), TitleForms.end(), isWhole);
+    for (const Row& row : m_rows) {
+        row.plot->setTitleForm(form != TitleForms.end() ? *form : TitleForms.back());
+    }
 }
 
 void LivePlotStack::align() {
     LiveLegend::Widths widths{};
     int name_px = 0;
-    double title_ratio = 1.0;
     for (const Row& row : m_rows) {
         m_extent_px = std::max(m_extent_px, row.plot->neededExtent()); // only grows: nothing jumps
-        title_ratio = std::min(title_ratio, row.plot->neededTitleSize_ratio());
         const LiveLegend::Widths own = row.legend->neededWidths();
         for (std::size_t i = 0; i < widths.size(); ++i) {
             widths[i] = std::max(widths[i], own[i]);
@@ -94,7 +111,6 @@ void LivePlotStack::align() {
     total_px = std::min(total_px, static_cast<int>(WidestLegend_ratio * width()));
     for (const Row& row : m_rows) {
         row.plot->setExtent(m_extent_px);
-        row.plot->setTitleSize_ratio(title_ratio);
         row.legend->setWidths(widths, total_px);
     }
     const QRect canvas = m_rows.front().plot->canvasRect();
@@ -141,6 +157,10 @@ void LivePlotStack::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::StyleChange && currentTheme().name != m_theme.name) {
         setTheme(currentTheme());
+    }
+    if (event->type() == QEvent::FontChange) {
+        m_extent_px = 0;
+        m_isDirty = true;
     }
 }
 

@@ -4,17 +4,20 @@
 #include "widgets/live_plot.h"
 #include "widgets/live_plot_stack.h"
 #include "widgets/offscreen_application.h"
+#include "widgets/theme_style.h"
 #include "widgets/time_axis_bar.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QDropEvent>
+#include <QFontInfo>
 #include <QKeyEvent>
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QPixmap>
 #include <QStyle>
 #include <QWheelEvent>
+#include <qwt_scale_widget.h>
 
 #include <gtest/gtest.h>
 
@@ -111,6 +114,21 @@ int roomForName(const LiveLegend& legend) {
            static_cast<int>(sample.width() / sample.devicePixelRatio());
 }
 
+void expectNamesAreWhole(const LiveLegend& legend) {
+    for (int row = 0; row < legend.model()->rowCount(); ++row) {
+        const QString name = legend.model()->index(row, LegendTableModel::Name).data().toString();
+        EXPECT_LE(legend.fontMetrics().horizontalAdvance(name), roomForName(legend)) << name.toStdString();
+    }
+}
+
+void expectTitleIsWhole(const LivePlot& plot) {
+    const QwtText title = plot.axisTitle(QwtPlot::yLeft);
+    EXPECT_EQ(title.text().simplified(), // the unit may stand below
+              QStringLiteral("%1 [%2]").arg(plot.spec().quantity, plot.spec().unit));
+    EXPECT_LE(title.textSize().width(), plot.axisWidget(QwtPlot::yLeft)->height());
+    EXPECT_GE(title.font().pointSizeF(), 0.7 * QFontInfo(plot.font()).pointSizeF() - 1e-9);
+}
+
 TEST_F(LivePlotStackTest, nothingIsShortenedOnTheWindowsFirstSize) {
     std::vector<PlotSpec> specs = motorPlots(); // with the words of the window
     specs[4].quantity = QStringLiteral("temperature");
@@ -119,31 +137,49 @@ TEST_F(LivePlotStackTest, nothingIsShortenedOnTheWindowsFirstSize) {
     }
     stack.setPlots(specs);
     stack.resize(730, 560); // what 1440 x 900 leaves for it
-    frame();
-    frame();
-    for (const LiveLegend* legend : legends()) {
-        for (int row = 0; row < legend->model()->rowCount(); ++row) {
-            const QString name = legend->model()->index(row, LegendTableModel::Name).data().toString();
-            EXPECT_LE(legend->fontMetrics().horizontalAdvance(name), roomForName(*legend))
-                << name.toStdString();
+    QFont letters = stack.font();
+    for (const double size_pt : {Dress().fontSize_pt, 1.25 * Dress().fontSize_pt}) {
+        letters.setPointSizeF(size_pt);
+        stack.setFont(letters);
+        frame();
+        frame();
+        for (const LiveLegend* legend : legends()) {
+            expectNamesAreWhole(*legend);
         }
-    }
-    for (const LivePlot* plot : plots()) {
-        EXPECT_EQ(plot->axisTitle(QwtPlot::yLeft).text(),
-                  QStringLiteral("%1 [%2]").arg(plot->spec().quantity, plot->spec().unit));
-        EXPECT_GT(plot->canvas()->width(), 300); // most of the place is the data's
+        for (const LivePlot* plot : plots()) {
+            expectTitleIsWhole(*plot);
+            if (size_pt == Dress().fontSize_pt) {
+                EXPECT_GT(2 * plot->canvas()->width(), stack.width()); // half of the place is the data's
+            }
+        }
     }
 }
 
 TEST_F(LivePlotStackTest, axesDoNotMoveWhileLabelsGrow) {
-    stack.setTimeSpan(8.0); // a second frame: the first one lays out
-    frame();
     const int before = plots().front()->canvasRect().left();
     stack.fitAll();
     frame();
     appendMotor(history, 5.0);
     frame();
     EXPECT_EQ(plots().front()->canvasRect().left(), before);
+}
+
+TEST_F(LivePlotStackTest, titlesChangeTheirFormForAllPlotsSoThatAxesAlign) {
+    std::vector<PlotSpec> specs = motorPlots();
+    specs.emplace_back(); // an empty plot has an axis as well
+    stack.setPlots(specs);
+    for (const int height : {1500, 560}) {
+        stack.resize(1200, height);
+        frame();
+        frame();
+        const auto all = plots();
+        const int lines = all.front()->axisTitle(QwtPlot::yLeft).text().count(QLatin1Char('\n'));
+        EXPECT_EQ(lines, height == 560 ? 1 : 0);
+        for (const LivePlot* plot : all) {
+            EXPECT_EQ(plot->axisTitle(QwtPlot::yLeft).text().count(QLatin1Char('\n')), lines);
+            EXPECT_EQ(plot->canvasRect().left(), all.front()->canvasRect().left());
+        }
+    }
 }
 
 TEST_F(LivePlotStackTest, followsTheNewestSampleAndPausesWithoutLosingData) {
