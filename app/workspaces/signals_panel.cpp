@@ -21,7 +21,7 @@ SignalsPanel::SignalsPanel(Workbench& bench, QWidget* parent)
     setFocusProxy(m_tree);
     connect(m_tree, &SignalTree::plotRequested, this, &SignalsPanel::plotRequested);
     connect(&m_bench, &Workbench::deviceChanged, this, &SignalsPanel::onDevice);
-    connect(&m_bench, &Workbench::displayUnitsChanged, this, &SignalsPanel::listSignals);
+    connect(&m_bench, &Workbench::displayUnitsChanged, this, &SignalsPanel::onUnits);
     connect(&m_values, &QTimer::timeout, this, &SignalsPanel::refreshValues);
     m_values.start(ValuesPeriod_ms);
     onDevice();
@@ -32,13 +32,15 @@ void SignalsPanel::onDevice() {
     const QString device = QString::fromStdString(session.info().model + session.info().id);
     if (session.state() == SessionState::Connected && device != m_device) {
         m_device = device;
-        listSignals();
+        m_tree->setSignals(session.catalogue().signals, m_bench.displayUnits());
+        m_tree->setPlotted(m_plotted);
     }
 }
 
-void SignalsPanel::listSignals() {
-    m_tree->setSignals(m_bench.session().catalogue().signals, m_bench.displayUnits());
-    m_tree->setPlotted(m_plotted);
+/// The same signals, in other units: now, or when the device is there again.
+void SignalsPanel::onUnits() {
+    m_device.clear();
+    onDevice();
 }
 
 void SignalsPanel::setPlotted(const std::set<std::string>& names) {

@@ -28,7 +28,7 @@ Q_SIGNALS:
 
 private:
     void onDevice();
-    void listSignals();
+    void onUnits();
     void refreshValues();
 
     Workbench& m_bench;

@@ -82,6 +82,15 @@ TEST_F(MonitorPanelTest, aConnectedMotorIsWatchedAtOnceInItsDefaultPlots) {
     EXPECT_LT(std::fabs(QLocale().toDouble(item("Hall A")->text(SignalTree::ValueColumn))), 170.0);
 }
 
+TEST_F(MonitorPanelTest, otherUnitsChangeTreeAndPlotsAndNoTick) {
+    connectTo("sim:htm", 5.0);
+    bench().setDisplayUnits({widgets::AngleUnit::Radian, SpeedUnit::RadiansPerSecond});
+    EXPECT_EQ(item("Angle")->text(SignalTree::UnitColumn), "rad");
+    EXPECT_EQ(item("Angle")->checkState(SignalTree::NameColumn), Qt::Checked);
+    EXPECT_EQ(stack().plots()[1].unit, "rad");
+    EXPECT_EQ(stack().plots().size(), 5U);
+}
+
 TEST_F(MonitorPanelTest, temperaturesWarnFromTheProfileAndTurnBadAtTheDevicesLimit) {
     connectTo("sim:htm", 5.0);
     const auto bands = [&] { return stack().plots()[4].bands; };
