@@ -137,10 +137,9 @@ TEST_F(LivePlotStackTest, nothingIsShortenedOnTheWindowsFirstSize) {
     }
     stack.setPlots(specs);
     stack.resize(730, 560); // what 1440 x 900 leaves for it
-    QFont letters = stack.font();
-    for (const double size_pt : {Dress().fontSize_pt, 1.25 * Dress().fontSize_pt}) {
-        letters.setPointSizeF(size_pt);
-        stack.setFont(letters);
+    // The letters of the window, and larger ones.
+    for (const double size_pt : {1.25 * Dress().fontSize_pt, Dress().fontSize_pt}) {
+        applyTheme(*qApp, loadTheme("light").value(), {QLocale(), size_pt});
         frame();
         frame();
         for (const LiveLegend* legend : legends()) {
