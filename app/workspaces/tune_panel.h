@@ -65,6 +65,7 @@ private:
     void showAnswer(const Result<TuneResult>& answer);
     void showProblem(const Error& error);
     void refreshButtons();
+    void focusNext();
     void apply();
     void finishApply(const TuneResult& applied, const Result<ApplyResult>& result);
     void drawVerification(const TuneResult& applied, const ApplyResult& result);

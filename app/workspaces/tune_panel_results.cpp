@@ -94,6 +94,12 @@ void TunePanel::refreshButtons() {
                           m_bench.session().procedure().isEmpty());
 }
 
+/// What is most likely wanted next and possible now: apply waits until the board says that it is idle again.
+void TunePanel::focusNext() {
+    QPushButton* again = m_apply->isEnabled() ? m_apply : m_save;
+    (m_before.empty() ? again : m_keep)->setFocus(Qt::OtherFocusReason);
+}
+
 void TunePanel::apply() {
     const auto values = lawForDevice(m_shown->law, m_bench.session().catalogue());
     if (!values) {
@@ -159,7 +165,7 @@ void TunePanel::finishApply(const TuneResult& applied, const Result<ApplyResult>
              {}});
     }
     refreshButtons();
-    (m_before.empty() ? m_apply : m_keep)->setFocus(Qt::OtherFocusReason);
+    focusNext();
 }
 
 void TunePanel::drawVerification(const TuneResult& applied, const ApplyResult& result) {
@@ -197,7 +203,7 @@ void TunePanel::restore() {
         self->m_message->showMessage(
             {widgets::Severity::Success, tr("The gains from before run again."), {}, {}});
         self->refreshButtons();
-        self->m_apply->setFocus(Qt::OtherFocusReason);
+        self->focusNext();
     });
 }
 
