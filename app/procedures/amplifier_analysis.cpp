@@ -56,8 +56,9 @@ Result<AmplifierAnalysis> analyseAmplifier(const models::AmplifierParts& parts, 
     }
     result.gain_A_per_V = model->gain_A_per_V;
     result.lagAt10Hz_deg = -result.phase_deg[PointsPerDecade];
-    result.magnitudeAt1kHz_dB = result.magnitude_dB[3 * PointsPerDecade];
-    result.phaseAt1kHz_deg = result.phase_deg[3 * PointsPerDecade];
+    constexpr std::size_t At1kHz = 3 * std::size_t{PointsPerDecade};
+    result.magnitudeAt1kHz_dB = result.magnitude_dB[At1kHz];
+    result.phaseAt1kHz_deg = result.phase_deg[At1kHz];
     result.shuntPower_W = largestCurrent_A * largestCurrent_A * parts.R10_Ohm;
     result.shuntPowerEach_W = 0.25 * result.shuntPower_W;
     const double static_dB = 20.0 * std::log10(std::abs(model->gain_A_per_V));

@@ -29,6 +29,7 @@ Result<void> checkValues(const devices::Catalogue& catalogue, const std::vector<
 
 std::vector<std::string> namesOf(const std::vector<ParameterValue>& values) {
     std::vector<std::string> names;
+    names.reserve(values.size());
     for (const ParameterValue& value : values) {
         names.push_back(value.name);
     }
