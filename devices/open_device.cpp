@@ -4,6 +4,7 @@
 #include "devices/device_uri.h"
 #include "devices/port_address.h"
 #include "devices/simulated/simulated_device.h"
+#include "devices/transport/port_listing.h"
 #include "devices/transport/tcp_transport.h"
 #include "devices/transport/udp_transport.h"
 #include "devices/xcp/xcp_device.h"
@@ -11,6 +12,8 @@
 #include <QtCore/QStandardPaths>
 
 #include <fmt/format.h>
+
+#include <array>
 
 namespace halbench::devices {
 
@@ -21,10 +24,8 @@ Result<std::unique_ptr<Transport>> networkTransport(const DeviceUri& uri) {
     if (!address) {
         return failure(address.error());
     }
-    if (!uri.options.empty()) {
-        return failure(ErrorCode::UnknownName,
-                       fmt::format("device '{}': unknown option '{}'", uri.text, uri.options.front().first),
-                       fmt::format("a {}: address has no options", uri.scheme));
+    if (Result<void> plain = refuseOptions(uri); !plain) {
+        return failure(plain.error());
     }
     if (uri.scheme == "udp") {
         return std::make_unique<UdpTransport>(*address);
@@ -35,6 +36,9 @@ Result<std::unique_ptr<Transport>> networkTransport(const DeviceUri& uri) {
 Result<std::unique_ptr<Transport>> makeTransport(const DeviceUri& uri) {
     if (uri.scheme == "serial") {
         return makeSerialTransport(uri);
+    }
+    if (uri.scheme == "usb" || uri.scheme == "hid") {
+        return makeUsbTransport(uri);
     }
     return networkTransport(uri);
 }
@@ -55,6 +59,21 @@ Result<std::unique_ptr<Device>> openBoard(const DeviceUri& uri, const OpenOption
     return openXcpDevice(*std::move(transport), std::move(device));
 }
 
+DeviceListing listingOf(const PortListing& port) {
+    constexpr std::array Transports = {"serial", "usb", "hid"};
+    DeviceListing listing;
+    listing.uri = port.uri.empty()
+                      ? fmt::format("usb:{}", UsbName{port.vendor, port.product, port.serial}.text())
+                      : port.uri;
+    listing.transport = Transports[static_cast<std::size_t>(port.kind)];
+    listing.id = port.serial;
+    listing.name = port.name;
+    listing.isAvailable = port.reason.empty();
+    listing.reason = port.reason;
+    listing.hint = port.hint;
+    return listing;
+}
+
 } // namespace
 
 std::string userCacheFolder() {
@@ -70,19 +89,18 @@ Result<std::unique_ptr<Device>> openDevice(const std::string& text, const OpenOp
     if (uri->scheme == "sim") {
         return openSimulatedDevice(*uri, options);
     }
-    if (uri->scheme == "tcp" || uri->scheme == "udp" || uri->scheme == "serial") {
-        return openBoard(*uri, options);
-    }
     if (uri->scheme == "replay") {
         return openReplayDevice(uri->text, uri->address);
     }
-    return failure(ErrorCode::UnknownName,
-                   fmt::format("device '{}': '{}:' is not built in this version", text, uri->scheme),
-                   "known are sim:htm, serial:DEVICE, tcp:HOST:PORT, udp:HOST:PORT and replay:FILE");
+    return openBoard(*uri, options);
 }
 
 std::vector<DeviceListing> listDevices() {
-    return listSimulatedDevices();
+    std::vector<DeviceListing> devices = listSimulatedDevices();
+    for (const PortListing& port : listPorts()) {
+        devices.push_back(listingOf(port));
+    }
+    return devices;
 }
 
 } // namespace halbench::devices

@@ -35,13 +35,18 @@ struct DeviceListing {
     std::string uri;
     std::string model;
     std::string transport;
-    std::string id;
+    std::string id;   ///< serial number
+    std::string name; ///< maker and product, as the hardware says; empty otherwise
     bool isSimulated = false;
     bool isAvailable = false;
     std::string reason; ///< why it cannot be opened
     std::string hint;
+
+    bool operator==(const DeviceListing&) const = default;
 };
 
+/// Simulated devices and the ports that are plugged in; opens none of them. Not for the window's thread: it
+/// reads many small files of the system.
 std::vector<DeviceListing> listDevices();
 
 } // namespace halbench::devices

@@ -1,6 +1,9 @@
 #include "devices/port_address.h"
 
 #include "devices/transport/framed_transport.h"
+#include "devices/transport/hid_port.h"
+#include "devices/transport/stream_codec.h"
+#include "devices/transport/usb_port.h"
 
 #include <fmt/format.h>
 
@@ -16,6 +19,7 @@ constexpr int MinBaud = 300;
 constexpr int MaxBaud = 12'000'000;
 /// A board that the opening of its port resets needs up to 2 s (resources/help/protocol.md 3.6).
 constexpr double SerialPatience_s = 3.2;
+constexpr double UsbPatience_s = 1.8;
 
 struct Option {
     const DeviceUri* uri;
@@ -153,6 +157,34 @@ Result<std::unique_ptr<Transport>> makeSerialTransport(const DeviceUri& uri) {
     }
     return std::make_unique<FramedTransport>(std::make_unique<SerialPort>(address->settings),
                                              std::move(codecs), SerialPatience_s);
+}
+
+Result<void> refuseOptions(const DeviceUri& uri) {
+    if (uri.options.empty()) {
+        return {};
+    }
+    return failure(ErrorCode::UnknownName,
+                   fmt::format("device '{}': unknown option '{}'", uri.text, uri.options.front().first),
+                   fmt::format("a {}: address has no options", uri.scheme));
+}
+
+Result<std::unique_ptr<Transport>> makeUsbTransport(const DeviceUri& uri) {
+    const Result<UsbName> name = parseUsbName(uri.address);
+    if (!name) {
+        return failure(name.error());
+    }
+    if (Result<void> plain = refuseOptions(uri); !plain) {
+        return failure(plain.error());
+    }
+    std::unique_ptr<OctetPort> port;
+    if (uri.scheme == "hid") {
+        port = std::make_unique<HidPort>(*name);
+    } else {
+        port = std::make_unique<UsbPort>(*name);
+    }
+    FramedTransport::Codecs codecs;
+    codecs.push_back(std::make_unique<StreamCodec>());
+    return std::make_unique<FramedTransport>(std::move(port), std::move(codecs), UsbPatience_s);
 }
 
 } // namespace halbench::devices

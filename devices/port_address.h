@@ -20,5 +20,9 @@ struct SerialAddress {
 /// Errors: UnknownName (option, word), OutOfRange (baud, octet), InvalidInput (contradiction).
 Result<SerialAddress> parseSerialAddress(const DeviceUri& uri);
 Result<std::unique_ptr<Transport>> makeSerialTransport(const DeviceUri& uri);
+/// `usb:VID:PID[:SERIAL]`, `hid:VID:PID[:SERIAL]`. Errors: InvalidInput, UnknownName (option).
+Result<std::unique_ptr<Transport>> makeUsbTransport(const DeviceUri& uri);
+/// An address that takes no options has none. Errors: UnknownName.
+Result<void> refuseOptions(const DeviceUri& uri);
 
 } // namespace halbench::devices

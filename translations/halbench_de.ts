@@ -1659,10 +1659,6 @@
         <translation>eine Adresse mit {}: hat keine Optionen</translation>
     </message>
     <message>
-        <source>device &apos;{}&apos;: &apos;{}:&apos; is not built in this version</source>
-        <translation>Gerät „{}“: „{}:“ ist in dieser Version nicht enthalten</translation>
-    </message>
-    <message>
         <source>must be &quot;{}&quot;</source>
         <translation>muss „{}“ sein</translation>
     </message>
@@ -2872,7 +2868,7 @@
     </message>
     <message>
         <source>Name every signal once.</source>
-        <translation>Nennen Sie jedes Signal einmal.</translation>
+        <translation>nennen Sie jedes Signal einmal.</translation>
     </message>
     <message>
         <source>the trigger did not come within {} s</source>
@@ -3519,10 +3515,6 @@
         <translation>unbekannter Fehler</translation>
     </message>
     <message>
-        <source>known are sim:htm, serial:DEVICE, tcp:HOST:PORT, udp:HOST:PORT and replay:FILE</source>
-        <translation>bekannt sind sim:htm, serial:GERÄT, tcp:HOST:PORT, udp:HOST:PORT und replay:DATEI</translation>
-    </message>
-    <message>
         <source>device &apos;{}&apos;: {}={}</source>
         <translation>Gerät „{}“: {}={}</translation>
     </message>
@@ -3741,6 +3733,102 @@
     <message>
         <source>close it there; if it is open nowhere, remove {}</source>
         <translation>schließen Sie es dort; ist es nirgends geöffnet, löschen Sie {}</translation>
+    </message>
+    <message>
+        <source>{}: the device was unplugged or switched off</source>
+        <translation>{}: Das Gerät wurde abgesteckt oder ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>{} cannot be opened: {}</source>
+        <translation>{} lässt sich nicht öffnen: {}</translation>
+    </message>
+    <message>
+        <source>its serial port has no driver</source>
+        <translation>Seine serielle Schnittstelle hat keinen Treiber</translation>
+    </message>
+    <message>
+        <source>load it: sudo modprobe cdc_acm</source>
+        <translation>Treiber laden: sudo modprobe cdc_acm</translation>
+    </message>
+    <message>
+        <source>serial port</source>
+        <translation>serielle Schnittstelle</translation>
+    </message>
+    <message>
+        <source>USB bulk device</source>
+        <translation>USB-Bulk-Gerät</translation>
+    </message>
+    <message>
+        <source>HID device</source>
+        <translation>HID-Gerät</translation>
+    </message>
+    <message>
+        <source>no {} {} is plugged in</source>
+        <translation>{} {} ist nicht angesteckt</translation>
+    </message>
+    <message>
+        <source>{}: it is a {}</source>
+        <translation>{}: Art des Geräts: {}</translation>
+    </message>
+    <message>
+        <source>name it {}</source>
+        <translation>nennen Sie es {}</translation>
+    </message>
+    <message>
+        <source>{}: the one there has the serial number &apos;{}&apos;</source>
+        <translation>{}: Das vorhandene hat die Seriennummer &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>plug the right one in, or name {}</source>
+        <translation>stecken Sie das richtige an oder nennen Sie {}</translation>
+    </message>
+    <message>
+        <source>plug it in and see &apos;halbench devices&apos; for its address</source>
+        <translation>stecken Sie es an; &apos;halbench devices&apos; zeigt seine Adresse</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not VID:PID[:SERIAL]</source>
+        <translation>&apos;{}&apos; ist nicht VID:PID[:SERIENNUMMER]</translation>
+    </message>
+    <message>
+        <source>write both numbers in hexadecimal digits, like 1209:0001</source>
+        <translation>schreiben Sie beide Zahlen hexadezimal, etwa 1209:0001</translation>
+    </message>
+    <message>
+        <source>several devices {} are plugged in</source>
+        <translation>Mehrere Geräte {} sind angesteckt</translation>
+    </message>
+    <message>
+        <source>name one: {} or {}</source>
+        <translation>nennen Sie eines: {} oder {}</translation>
+    </message>
+    <message>
+        <source>USB cannot be used</source>
+        <translation>USB lässt sich nicht verwenden</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>{} has no pair of bulk endpoints: it is no board of this kind</source>
+        <translation>{} hat kein Paar Bulk-Endpunkte: Es ist kein Steuergerät dieser Art</translation>
+    </message>
+    <message>
+        <source>see &apos;halbench devices&apos; for what can be connected</source>
+        <translation>&apos;halbench devices&apos; zeigt, was verbunden werden kann</translation>
+    </message>
+    <message>
+        <source>cannot be claimed</source>
+        <translation>lässt sich nicht belegen</translation>
+    </message>
+    <message>
+        <source>{}: the board halted its endpoint</source>
+        <translation>{}: Das Steuergerät hat seinen Endpunkt angehalten</translation>
+    </message>
+    <message>
+        <source>{}: the board takes no more commands</source>
+        <translation>{}: Das Steuergerät nimmt keine Befehle mehr an</translation>
     </message>
 </context>
 <context>

@@ -1659,10 +1659,6 @@
         <translation>{}: 地址没有选项</translation>
     </message>
     <message>
-        <source>device &apos;{}&apos;: &apos;{}:&apos; is not built in this version</source>
-        <translation>设备“{}”：此版本不包含“{}:”</translation>
-    </message>
-    <message>
         <source>must be &quot;{}&quot;</source>
         <translation>必须是“{}”</translation>
     </message>
@@ -3519,10 +3515,6 @@
         <translation>未知错误</translation>
     </message>
     <message>
-        <source>known are sim:htm, serial:DEVICE, tcp:HOST:PORT, udp:HOST:PORT and replay:FILE</source>
-        <translation>已知的有 sim:htm、serial:DEVICE、tcp:HOST:PORT、udp:HOST:PORT 和 replay:FILE</translation>
-    </message>
-    <message>
         <source>device &apos;{}&apos;: {}={}</source>
         <translation>设备“{}”：{}={}</translation>
     </message>
@@ -3741,6 +3733,102 @@
     <message>
         <source>close it there; if it is open nowhere, remove {}</source>
         <translation>请在那里关闭它；如果哪里都没有打开，请删除 {}</translation>
+    </message>
+    <message>
+        <source>{}: the device was unplugged or switched off</source>
+        <translation>{}：设备已拔出或已断电</translation>
+    </message>
+    <message>
+        <source>{} cannot be opened: {}</source>
+        <translation>无法打开 {}：{}</translation>
+    </message>
+    <message>
+        <source>its serial port has no driver</source>
+        <translation>其串口没有驱动程序</translation>
+    </message>
+    <message>
+        <source>load it: sudo modprobe cdc_acm</source>
+        <translation>加载驱动：sudo modprobe cdc_acm</translation>
+    </message>
+    <message>
+        <source>serial port</source>
+        <translation>串口</translation>
+    </message>
+    <message>
+        <source>USB bulk device</source>
+        <translation>USB 批量传输设备</translation>
+    </message>
+    <message>
+        <source>HID device</source>
+        <translation>HID 设备</translation>
+    </message>
+    <message>
+        <source>no {} {} is plugged in</source>
+        <translation>未接入 {} {}</translation>
+    </message>
+    <message>
+        <source>{}: it is a {}</source>
+        <translation>{}：该设备是 {}</translation>
+    </message>
+    <message>
+        <source>name it {}</source>
+        <translation>请使用名称 {}</translation>
+    </message>
+    <message>
+        <source>{}: the one there has the serial number &apos;{}&apos;</source>
+        <translation>{}：现有设备的序列号为 &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>plug the right one in, or name {}</source>
+        <translation>请接入正确的设备，或使用 {}</translation>
+    </message>
+    <message>
+        <source>plug it in and see &apos;halbench devices&apos; for its address</source>
+        <translation>请接入设备；&apos;halbench devices&apos; 会显示其地址</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not VID:PID[:SERIAL]</source>
+        <translation>&apos;{}&apos; 不是 VID:PID[:序列号]</translation>
+    </message>
+    <message>
+        <source>write both numbers in hexadecimal digits, like 1209:0001</source>
+        <translation>请用十六进制写出两个编号，例如 1209:0001</translation>
+    </message>
+    <message>
+        <source>several devices {} are plugged in</source>
+        <translation>接入了多个 {} 设备</translation>
+    </message>
+    <message>
+        <source>name one: {} or {}</source>
+        <translation>请指定其一：{} 或 {}</translation>
+    </message>
+    <message>
+        <source>USB cannot be used</source>
+        <translation>无法使用 USB</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>无法打开</translation>
+    </message>
+    <message>
+        <source>{} has no pair of bulk endpoints: it is no board of this kind</source>
+        <translation>{} 没有成对的批量端点：不是此类控制板</translation>
+    </message>
+    <message>
+        <source>see &apos;halbench devices&apos; for what can be connected</source>
+        <translation>&apos;halbench devices&apos; 会显示可连接的设备</translation>
+    </message>
+    <message>
+        <source>cannot be claimed</source>
+        <translation>无法占用</translation>
+    </message>
+    <message>
+        <source>{}: the board halted its endpoint</source>
+        <translation>{}：控制板停止了其端点</translation>
+    </message>
+    <message>
+        <source>{}: the board takes no more commands</source>
+        <translation>{}：控制板不再接收命令</translation>
     </message>
 </context>
 <context>

@@ -25,12 +25,20 @@ std::string processName(const fs::path& process) {
     return fmt::format("{} (process {})", name.empty() ? "a program" : name, process.filename().string());
 }
 
-bool holds(const fs::path& process, const std::string& node) {
+/// The number of a character device; nothing for any other path.
+std::optional<dev_t> deviceNumber(const std::string& path) {
+    struct stat status {};
+    const bool isDevice = ::stat(path.c_str(), &status) == 0 && S_ISCHR(status.st_mode);
+    return isDevice ? std::optional(status.st_rdev) : std::nullopt;
+}
+
+bool holds(const fs::path& process, dev_t device) {
     std::error_code error;
     for (fs::directory_iterator entry(process / "fd", error), end; !error && entry != end;
          entry.increment(error)) {
         std::error_code unreadable;
-        if (fs::read_symlink(entry->path(), unreadable).string() == node) {
+        const bool isNode = fs::read_symlink(entry->path(), unreadable).string().rfind("/dev/", 0) == 0;
+        if (isNode && deviceNumber(entry->path().string()) == device) {
             return true;
         }
     }
@@ -48,13 +56,16 @@ std::string groupOf(const struct stat& status) {
 } // namespace
 
 std::optional<std::string> holderOf(const std::string& node) {
+    const std::optional<dev_t> device = deviceNumber(node); // links and several nodes lead to the same one
+    if (!device) {
+        return std::nullopt;
+    }
     std::error_code error;
-    const std::string real = fs::weakly_canonical(node, error).string();
     const std::string own = std::to_string(::getpid());
     for (fs::directory_iterator entry("/proc", error), end; !error && entry != end; entry.increment(error)) {
         const std::string number = entry->path().filename().string();
         const bool isProcess = !number.empty() && number.find_first_not_of("0123456789") == std::string::npos;
-        if (isProcess && holds(entry->path(), real)) {
+        if (isProcess && holds(entry->path(), *device)) {
             return number == own ? "this program" : processName(entry->path());
         }
     }

@@ -60,7 +60,7 @@ TEST(DeviceUri, unknownSchemeNamesTheKnownOnes) {
 }
 
 TEST(OpenDevice, refusesWhatIsNotBuiltWithAClearWord) {
-    for (const char* text : {"serial:/dev/no-port?speed=9600", "usb:1209:0001", "hid:1209:0001",
+    for (const char* text : {"serial:/dev/no-port?speed=9600", "usb:1209:0001?baud=1", "hid:1209:0001?x=1",
                              "udp:127.0.0.1:1?baud=1", "sim:unknown", "tcp:127.0.0.1:1?baud=1"}) {
         const auto device = openDevice(text, {});
         ASSERT_FALSE(device) << text;
