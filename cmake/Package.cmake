@@ -3,6 +3,8 @@ include(GNUInstallDirs)
 install(TARGETS halbench RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY resources/experiments resources/presets resources/schemas resources/help
   DESTINATION ${CMAKE_INSTALL_DATADIR}/halbench OPTIONAL)
+install(FILES resources/system/70-halbench.rules DESTINATION lib/udev/rules.d)
+install(FILES resources/system/halbench.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 
 set(CPACK_GENERATOR DEB)

@@ -47,7 +47,9 @@ void addDevice(CLI::App* command, CommandOptions& options) {
 }
 
 void addLookingCommands(CLI::App& app, CommandOptions& options) {
-    addCommand(app, "devices", "List what can be connected");
+    CLI::App* devices = addCommand(app, "devices", "List what can be connected; opens nothing");
+    devices->add_flag("--udev-rules", options.printsUdevRules,
+                      "Print the rules that let a user open boards without being root");
     addDevice(addCommand(app, "describe", "Identity, signals and parameters of a device"), options);
     CLI::App* get = addCommand(app, "get", "Read signals and parameters");
     addDevice(get, options);

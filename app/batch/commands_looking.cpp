@@ -1,6 +1,7 @@
 #include "app/batch/commands.h"
 #include "app/batch/numbers.h"
 #include "app/batch/result_header.h"
+#include "devices/system_files.h"
 
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@ JsonValue toJson(const devices::DeviceListing& device) {
     JsonValue entry = JsonValue::object();
     entry.set("uri", device.uri).set("model", textOrNull(device.model)).set("transport", device.transport);
     entry.set("id", textOrNull(device.id))
+        .set("name", textOrNull(device.name))
         .set("simulated", device.isSimulated)
         .set("available", device.isAvailable);
     entry.set("reason", textOrNull(device.reason)).set("hint", textOrNull(device.hint));
@@ -80,13 +82,22 @@ std::string descriptionText(const devices::Device& device, const std::vector<dou
 
 } // namespace
 
-CommandResult runDevicesCommand(CommandContext& context, const CommandOptions&) {
+CommandResult runDevicesCommand(CommandContext& context, const CommandOptions& options) {
+    if (options.printsUdevRules) {
+        if (context.global.style.isJson) {
+            return failure(ErrorCode::Usage, "--udev-rules prints a file, not a document",
+                           "leave out --json");
+        }
+        context.console.print(devices::udevRules());
+        return ExitCode::Done;
+    }
     JsonValue list = JsonValue::array();
     std::string text;
     for (const devices::DeviceListing& device : devices::listDevices()) {
         list.push(toJson(device));
-        text += fmt::format("{:<24} {:<8} {:<10} {:<20} {}\n", device.uri, device.model, device.transport,
-                            device.id, device.isAvailable ? "available" : device.reason + "; " + device.hint);
+        text += fmt::format("{:<24} {:<8} {:<10} {:<20} {}{}{}\n", device.uri, device.model, device.transport,
+                            device.id, device.name, device.name.empty() ? "" : ": ",
+                            device.isAvailable ? "available" : device.reason + "; " + device.hint);
     }
     context.console.print(text);
     JsonValue document = app::toJson(headerFor(context, "halbench.devices/1"));

@@ -1,6 +1,6 @@
 #include "app/workspaces/device_panel.h"
 
-#include "devices/open_device.h"
+#include "devices/simulated/simulated_device.h"
 #include "widgets/icons.h"
 #include "widgets/message_bar.h"
 #include "widgets/phrasebook.h"
@@ -12,6 +12,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 namespace halbench::app {
@@ -36,8 +37,14 @@ DevicePanel::DevicePanel(Workbench& bench, QWidget* parent) : QWidget(parent), m
     buildIdentity();
     column->addStretch(1);
     setFocusProxy(m_list);
-    refreshList();
+    showDevices(devices::listSimulatedDevices());
+    m_list->setCurrentRow(0);
     refresh();
+    m_watcher =
+        std::make_unique<devices::DeviceWatcher>([this](const std::vector<devices::DeviceListing>& list) {
+            QMetaObject::invokeMethod(
+                this, [this, list] { showDevices(list); }, Qt::QueuedConnection);
+        });
     DeviceSession& session = m_bench.session();
     connect(&session, &DeviceSession::stateChanged, this, &DevicePanel::refresh);
     connect(&session, &DeviceSession::connectFailed, this, &DevicePanel::onFailed);
@@ -74,7 +81,7 @@ void DevicePanel::buildChooser() {
     speed->addWidget(m_speed, 1);
     column->addLayout(speed);
 
-    connect(m_list, &QListWidget::currentTextChanged, m_address, &QLineEdit::setText);
+    connect(m_list, &QListWidget::currentRowChanged, this, &DevicePanel::chooseRow);
     connect(m_list, &QListWidget::itemActivated, this, [this] { connectAddress(); });
     connect(m_address, &QLineEdit::returnPressed, this, &DevicePanel::connectAddress);
     connect(m_connect, &QPushButton::clicked, this, [this] {
@@ -98,14 +105,32 @@ void DevicePanel::buildIdentity() {
     layout()->addWidget(m_identity);
 }
 
-void DevicePanel::refreshList() {
+/// Devices that come and go change neither what is chosen nor what was typed.
+void DevicePanel::showDevices(const std::vector<devices::DeviceListing>& list) {
+    const QSignalBlocker quiet(m_list);
+    const QListWidgetItem* current = m_list->currentItem();
+    const QString chosen = current == nullptr ? QString() : current->data(Qt::UserRole).toString();
     m_list->clear();
-    for (const devices::DeviceListing& listing : devices::listDevices()) {
-        auto* item = new QListWidgetItem(words(listing.uri), m_list);
+    for (const devices::DeviceListing& listing : list) {
+        const QString uri = words(listing.uri);
+        auto* item = new QListWidgetItem(
+            listing.name.empty() ? uri : QStringLiteral("%1 (%2)").arg(words(listing.name), uri), m_list);
+        item->setData(Qt::UserRole, uri);
         item->setToolTip(listing.isAvailable ? words(listing.id)
                                              : widgets::inWords(listing.reason + ". " + listing.hint));
+        if (!listing.isAvailable) {
+            item->setForeground(palette().brush(QPalette::Disabled, QPalette::Text));
+        }
+        if (uri == chosen) {
+            m_list->setCurrentItem(item);
+        }
     }
-    m_list->setCurrentRow(0);
+}
+
+void DevicePanel::chooseRow(int row) {
+    if (const QListWidgetItem* item = m_list->item(row)) {
+        m_address->setText(item->data(Qt::UserRole).toString());
+    }
 }
 
 Pace DevicePanel::chosenPace() const {

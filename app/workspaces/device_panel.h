@@ -1,8 +1,12 @@
 #pragma once
 
 #include "app/workspaces/workbench.h"
+#include "devices/device_watcher.h"
 
 #include <QWidget>
+
+#include <memory>
+#include <vector>
 
 class QComboBox;
 class QLabel;
@@ -32,7 +36,8 @@ public Q_SLOTS:
 private:
     void buildChooser();
     void buildIdentity();
-    void refreshList();
+    void showDevices(const std::vector<devices::DeviceListing>& list);
+    void chooseRow(int row);
     void refresh();
     void onFailed(const QString& text, const QString& hint);
     Pace chosenPace() const;
@@ -45,6 +50,7 @@ private:
     QLabel* m_speedLabel = nullptr;
     QLabel* m_identity = nullptr;
     widgets::MessageBar* m_message = nullptr;
+    std::unique_ptr<devices::DeviceWatcher> m_watcher; ///< looks for ports, in a thread of its own
 };
 
 } // namespace halbench::app
