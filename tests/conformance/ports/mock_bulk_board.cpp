@@ -212,6 +212,12 @@ Octets MockBulkBoard::taken(std::size_t count) {
     return std::exchange(m_fromHost, {});
 }
 
+Octets MockBulkBoard::takenWithin(double time_s) {
+    std::unique_lock lock(m_mutex);
+    m_changed.wait_for(lock, std::chrono::duration<double>(time_s), [&] { return !m_fromHost.empty(); });
+    return std::exchange(m_fromHost, {});
+}
+
 void MockBulkBoard::setStalled(bool isStalled) {
     const std::lock_guard lock(m_mutex);
     m_isStalled = isStalled;

@@ -136,6 +136,12 @@ std::vector<Octets> MockHidBoard::taken(std::size_t count) {
     return std::exchange(m_fromHost, {});
 }
 
+std::vector<Octets> MockHidBoard::takenWithin(double time_s) {
+    std::unique_lock lock(m_mutex);
+    m_changed.wait_for(lock, std::chrono::duration<double>(time_s), [&] { return !m_fromHost.empty(); });
+    return std::exchange(m_fromHost, {});
+}
+
 void MockHidBoard::unplug() {
     {
         const std::lock_guard lock(m_mutex);

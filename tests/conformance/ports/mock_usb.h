@@ -81,6 +81,8 @@ public:
     void deliver(const Octets& octets);
     /// What the program sent, taken; waits up to 2 s until it is this much.
     Octets taken(std::size_t count);
+    /// What the program sent, taken; waits so long for the first octet.
+    Octets takenWithin(double time_s);
     void setStalled(bool isStalled); ///< takes nothing any more
     void unplug(Departure departure);
 
@@ -125,6 +127,7 @@ public:
 
     void deliver(const Octets& report);
     std::vector<Octets> taken(std::size_t count);
+    std::vector<Octets> takenWithin(double time_s);
     void unplug();
 
 protected:

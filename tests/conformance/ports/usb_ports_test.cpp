@@ -1,3 +1,4 @@
+#include "devices/device_watcher.h"
 #include "devices/open_device.h"
 #include "devices/transport/hid_port.h"
 #include "devices/transport/message_stream.h"
@@ -5,6 +6,10 @@
 #include "tests/conformance/ports/mock_usb.h"
 
 #include <gtest/gtest.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
 
 namespace halbench::devices {
 namespace {
@@ -188,6 +193,33 @@ TEST(Hid, secondOpenIsRefused) {
     const auto opened = second.open(inbox);
     ASSERT_FALSE(opened);
     EXPECT_NE(opened.error().message.find("in use"), std::string::npos) << opened.error().message;
+}
+
+/// By events of the system; the slow look around only helps a machine that is too busy between event and
+/// removal.
+TEST(HotPlug, theWatcherTellsOfABoardThatComesAndGoes) {
+    const MockMachine machine;
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::vector<DeviceListing> known;
+    const auto waitFor = [&](std::size_t boards) {
+        std::unique_lock lock(mutex);
+        return changed.wait_for(lock, std::chrono::seconds(5), [&] { return known.size() == 1 + boards; });
+    };
+    const DeviceWatcher watcher(
+        [&](const std::vector<DeviceListing>& list) {
+            const std::lock_guard lock(mutex);
+            known = list;
+            changed.notify_all();
+        },
+        listDevices, 2.0);
+    ASSERT_TRUE(waitFor(0));
+    for (int address = 4; address < 7; ++address) {
+        MockBulkBoard board(machine, address, "HB-17");
+        ASSERT_TRUE(waitFor(1)) << "plugged in as " << address;
+        board.unplug(MockBulkBoard::Departure::NoDevice);
+        ASSERT_TRUE(waitFor(0)) << "unplugged from " << address;
+    }
 }
 
 TEST(EmptyMachine, hasNoPortsAndSaysSo) {
