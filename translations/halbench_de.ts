@@ -5221,6 +5221,10 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <source>From the project: identified %1, device %2.</source>
         <translation>Aus dem Projekt: identifiziert %1, Gerät %2.</translation>
     </message>
+    <message>
+        <source>Without a given inertia J or torque constant φ only their quotients come out; that is enough for tuning.</source>
+        <translation>Ohne gegebenes Trägheitsmoment J oder gegebene Drehmomentkonstante φ ergeben sich nur deren Quotienten; zum Auslegen genügt das.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::JogRow</name>
@@ -5451,6 +5455,10 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>Close anyway</source>
         <translation>Trotzdem schließen</translation>
+    </message>
+    <message>
+        <source>&amp;First steps</source>
+        <translation>E&amp;rste Schritte</translation>
     </message>
 </context>
 <context>

@@ -5221,6 +5221,10 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <source>From the project: identified %1, device %2.</source>
         <translation>来自项目：辨识时间 %1，设备 %2。</translation>
     </message>
+    <message>
+        <source>Without a given inertia J or torque constant φ only their quotients come out; that is enough for tuning.</source>
+        <translation>若未给定转动惯量 J 或转矩常数 φ，则只能得到它们的比值；这对整定已足够。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::JogRow</name>
@@ -5451,6 +5455,10 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>Close anyway</source>
         <translation>仍然关闭</translation>
+    </message>
+    <message>
+        <source>&amp;First steps</source>
+        <translation>入门(&amp;F)</translation>
     </message>
 </context>
 <context>

@@ -210,8 +210,9 @@ void MainWindow::createLanguageMenu(QMenu& menu) {
 
 void MainWindow::createHelpMenu() {
     QMenu* help = menuBar()->addMenu(tr("&Help"));
-    QAction* contents = help->addAction(tr("&Help on this panel"), this, &MainWindow::showHelp);
-    contents->setShortcut(QKeySequence::HelpContents);
+    help->addAction(tr("&First steps"), this, [this] { openHelp("index.md"); });
+    QAction* onPanel = help->addAction(tr("&Help on this panel"), this, &MainWindow::showHelp);
+    onPanel->setShortcut(QKeySequence::HelpContents);
 }
 
 void MainWindow::chooseTheme(ThemeChoice choice) {
@@ -250,7 +251,11 @@ void MainWindow::usePreferences(const Preferences& chosen) {
 
 void MainWindow::showHelp() {
     const QString page = m_docks->helpPageOf(QApplication::focusWidget());
-    auto* window = new HelpWindow(page.isEmpty() ? QString("index.md") : page, this);
+    openHelp(page.isEmpty() ? QString("index.md") : page);
+}
+
+void MainWindow::openHelp(const QString& page) {
+    auto* window = new HelpWindow(page, this);
     window->setAttribute(Qt::WA_DeleteOnClose);
     connect(window, &HelpWindow::stopRequested, &m_bench.session(), &DeviceSession::stopActuator);
     window->show();

@@ -56,6 +56,7 @@ private:
     void askPreferences();
     void usePreferences(const Preferences& chosen);
     void showHelp();
+    void openHelp(const QString& page);
     void onPerspective();
     void onMessage(widgets::Severity severity, const QString& text, const QString& hint);
     void say(const widgets::Message& message, std::function<void()> remedy);

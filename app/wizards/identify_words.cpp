@@ -123,6 +123,12 @@ QString outlookText(const IdentifyConfig& config, const SweepOutlook& outlook) {
     text +=
         Words::tr("The board ends the motion at %1 rad/s; gains and limits are restored whatever happens.")
             .arg(number(config.speedLimit_rad_s, 0));
+    if (!config.given.inertia_kg_m2 && !config.given.torqueConstant_Nm_per_A) {
+        text += QLatin1Char('\n');
+        text +=
+            Words::tr("Without a given inertia J or torque constant \u03c6 only their quotients come out; "
+                      "that is enough for tuning.");
+    }
     return text;
 }
 
@@ -161,6 +167,7 @@ QString verdictTitle(const DataQuality& quality) {
 
 std::vector<widgets::Remark> remarksOf(const std::vector<Finding>& findings) {
     std::vector<widgets::Remark> remarks;
+    remarks.reserve(findings.size());
     for (const Finding& finding : findings) {
         remarks.push_back({widgets::inWords(finding.message), widgets::inWords(finding.hint)});
     }
@@ -209,7 +216,7 @@ QString provenanceText(const ResultHeader& header, const IdentifyResult& result)
                      .arg(QString::fromStdString(device.id), QString::fromStdString(device.firmware));
         QStringList overrides;
         for (const auto& [key, value] : device.overrides) {
-            overrides << QString::fromStdString(key + "=" + value);
+            overrides << QString::fromStdString(key) + QLatin1Char('=') + QString::fromStdString(value);
         }
         if (!overrides.isEmpty()) {
             parts << Words::tr("overrides %1").arg(overrides.join(QStringLiteral(", ")));

@@ -59,6 +59,7 @@ void WizardPanel::showPage(int page) {
 
 void WizardPanel::setSteps(const QStringList& names) {
     std::vector<widgets::StepState> states;
+    states.reserve(static_cast<std::size_t>(m_steps->count()));
     for (int step = 0; step < m_steps->count(); ++step) {
         states.push_back(m_steps->stepState(step));
     }

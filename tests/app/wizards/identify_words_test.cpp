@@ -19,6 +19,21 @@ TEST(IdentifyWords, theOutlookIsThatOfThePublishedMotor) {
     EXPECT_TRUE(outlookText(forward, sweepOutlook(forward, 25.0)).contains("forward"));
 }
 
+// htm-theory.md 7.1: speed against current gives quotients alone; J or phi makes constants of them, c and K_f
+// do not tell the torque of a current.
+TEST(IdentifyWords, theOutlookSaysBeforeTheRunWhatItCannotFind) {
+    const auto outlook = [](const IdentifyConfig& config) {
+        return outlookText(config, sweepOutlook(config, 25.0));
+    };
+    IdentifyConfig config;
+    EXPECT_TRUE(outlook(config).contains("quotients"));
+    for (const char* symbol : {"J", "phi"}) {
+        IdentifyConfig given;
+        ASSERT_TRUE(setGivenConstant(given.given, symbol, 0.01));
+        EXPECT_FALSE(outlook(given).contains("quotients")) << symbol;
+    }
+}
+
 TEST(IdentifyWords, saysWhatSuppliesEachMissingConstant) {
     IdentifyResult result; // nothing identified, steady plateaus only
     EXPECT_TRUE(missingText(result).contains("run-ups and coast-downs"));
