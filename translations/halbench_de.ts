@@ -4641,6 +4641,18 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <source>Look at the board&apos;s cables and supply, then release the stop.</source>
         <translation>Prüfen Sie Kabel und Versorgung der Steuerung und heben Sie dann den Stopp auf.</translation>
     </message>
+    <message>
+        <source>by command</source>
+        <translation>durch Befehl</translation>
+    </message>
+    <message>
+        <source>by the watchdog</source>
+        <translation>durch Überwachungszeit</translation>
+    </message>
+    <message>
+        <source>Stopped: %1</source>
+        <translation>Gestoppt: %1</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::FieldPanel</name>
@@ -5995,10 +6007,6 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <translation>Aufzeichnung beenden</translation>
     </message>
     <message>
-        <source>Record</source>
-        <translation>Aufzeichnen</translation>
-    </message>
-    <message>
         <source>Completes the file (Ctrl+R)</source>
         <translation>Schließt die Datei ab (Strg+R)</translation>
     </message>
@@ -6013,6 +6021,10 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>What was measured, with its units; the sidecar beside it has the rest.</source>
         <translation>Was gemessen wurde, mit Einheiten; die Begleitdatei daneben enthält das Übrige.</translation>
+    </message>
+    <message>
+        <source>Start recording</source>
+        <translation>Aufzeichnung starten</translation>
     </message>
 </context>
 <context>

@@ -4641,6 +4641,18 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <source>Look at the board&apos;s cables and supply, then release the stop.</source>
         <translation>请检查控制板的电缆和电源，然后解除停止。</translation>
     </message>
+    <message>
+        <source>by command</source>
+        <translation>由命令</translation>
+    </message>
+    <message>
+        <source>by the watchdog</source>
+        <translation>由看门狗</translation>
+    </message>
+    <message>
+        <source>Stopped: %1</source>
+        <translation>已停止：%1</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::FieldPanel</name>
@@ -5994,10 +6006,6 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <translation>结束记录</translation>
     </message>
     <message>
-        <source>Record</source>
-        <translation>记录</translation>
-    </message>
-    <message>
         <source>Completes the file (Ctrl+R)</source>
         <translation>完成文件 (Ctrl+R)</translation>
     </message>
@@ -6012,6 +6020,10 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>What was measured, with its units; the sidecar beside it has the rest.</source>
         <translation>测量数据及其单位；旁边的附属文件包含其余信息。</translation>
+    </message>
+    <message>
+        <source>Start recording</source>
+        <translation>开始记录</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "app/window/top_bar.h"
 
+#include "app/workspaces/fault_words.h"
 #include "app/workspaces/recording_control.h"
 #include "widgets/icons.h"
 #include "widgets/phrasebook.h"
@@ -115,7 +116,8 @@ void TopBar::refresh() {
     refreshRecording();
     const QString fault = widgets::inWords(board.faultText);
     const bool isConnected = session.state() == SessionState::Connected;
-    m_stop->setLatched(isConnected && (board.isStopLatched || board.fault != 0), fault);
+    m_stop->setLatched(isConnected && (board.isStopLatched || board.fault != 0),
+                       board.fault != 0 ? fault : stopReason(board));
     if (isConnected) {
         m_strip->setDevice(QString::fromStdString(session.info().uri), session.info().isSimulated);
     } else {
@@ -129,7 +131,7 @@ void TopBar::refresh() {
     } else if (board.fault != 0) {
         m_strip->setState(widgets::WorkState::Fault, fault);
     } else if (board.isStopLatched) {
-        m_strip->setState(widgets::WorkState::Stopped, fault);
+        m_strip->setState(widgets::WorkState::Stopped, stopReason(board));
     } else if (!session.procedure().isEmpty()) {
         m_strip->setState(widgets::WorkState::Running, session.procedure());
     } else {

@@ -46,7 +46,25 @@ constexpr std::array Table = {
                             "Look at the board's cables and supply, then release the stop.")},
 };
 
+/// The board's words say that it stopped; beside "Stopped" only the reason is said.
+struct Reason {
+    const char* said;
+    const char* words;
+};
+
 } // namespace
+
+QString stopReason(const devices::DeviceState& board) {
+    constexpr std::array Reasons = {
+        Reason{"stopped by command", QT_TRANSLATE_NOOP("halbench::app::FaultWords", "by command")},
+        Reason{"stopped by watchdog", QT_TRANSLATE_NOOP("halbench::app::FaultWords", "by the watchdog")}};
+    for (const Reason& reason : Reasons) {
+        if (board.faultText == reason.said) {
+            return QCoreApplication::translate(Context, reason.words);
+        }
+    }
+    return widgets::inWords(board.faultText);
+}
 
 FaultWords faultWords(const devices::DeviceState& board) {
     if (board.fault == 0 && !board.isStopLatched) {
@@ -59,7 +77,8 @@ FaultWords faultWords(const devices::DeviceState& board) {
     }
     const Words& words = Table[board.fault];
     if (board.fault == 0 && !said.isEmpty()) {
-        return {QCoreApplication::translate(Context, "Stopped: %1").arg(said), say(words.remedy)};
+        return {say(QT_TRANSLATE_NOOP("halbench::app::FaultWords", "Stopped: %1")).arg(stopReason(board)),
+                say(words.remedy)};
     }
     return {say(words.what), say(words.remedy)};
 }

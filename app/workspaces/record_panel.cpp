@@ -132,7 +132,7 @@ void RecordPanel::refresh() {
     const bool isConnected = m_bench.session().state() == SessionState::Connected;
     const RecorderStatus status = recording.status();
     m_record->setEnabled(isRecording || isConnected);
-    m_record->setText(isRecording ? tr("End the recording") : tr("Record"));
+    m_record->setText(isRecording ? tr("End the recording") : tr("Start recording"));
     m_record->setToolTip(isRecording ? tr("Completes the file (Ctrl+R)")
                                      : tr("Writes what is measured to a file (Ctrl+R)"));
     for (QWidget* target :

@@ -198,6 +198,9 @@ TEST(FaultWordsTest, everyFaultHasWordsAndARemedy) {
     board.fault = 0;
     board.isStopLatched = true;
     EXPECT_TRUE(faultWords(board).what.contains("Stopped"));
+    board.faultText = "stopped by command"; // devices/firmware/htm/hb_htm_tables.c
+    EXPECT_EQ(stopReason(board), "by command");
+    EXPECT_EQ(faultWords(board).what, "Stopped: by command");
 }
 
 TEST_F(MonitorPanelTest, aViewIsShownAgainToTheDigitOnceTheDeviceIsThere) {

@@ -38,9 +38,9 @@ protected:
 
 TEST_F(RecordPanelTest, recordsAFileThatOpensAgainWithUnitsMarkersAndChanges) {
     connectTo("sim:htm", 5.0);
-    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Record")->isEnabled(); }));
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Start recording")->isEnabled(); }));
     type(find<QLineEdit>(*panel, "Name of the recording"), "first");
-    click(*panel, "Record");
+    click(*panel, "Start recording");
     ASSERT_TRUE(wait([&] { return figure("Rows written").toInt() > 50; }));
     EXPECT_EQ(figure("Rows missing"), "0");
     auto* note = find<QLineEdit>(*panel, "Note of the marker");
@@ -76,8 +76,8 @@ TEST_F(RecordPanelTest, theDefaultNameHasTheDeviceAndAnIsoDate) {
     EXPECT_EQ(datedName("a b/c", QDateTime({2026, 1, 2}, {3, 4, 5}, Qt::UTC)), "a-b-c_2026-01-02T03-04-05");
     EXPECT_TRUE(wallClock().isValid());
     connectTo("sim:htm", 5.0);
-    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Record")->isEnabled(); }));
-    click(*panel, "Record");
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Start recording")->isEnabled(); }));
+    click(*panel, "Start recording");
     const QString name = QFileInfo(bench().recording().path()).fileName();
     EXPECT_TRUE(name.startsWith("sim-htm-1_20")) << name.toStdString();
     EXPECT_TRUE(name.endsWith(".csv"));
@@ -89,9 +89,9 @@ TEST_F(RecordPanelTest, anOlderRecordingIsNeverOverwritten) {
     older.write("precious");
     older.close();
     connectTo("sim:htm", 5.0);
-    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Record")->isEnabled(); }));
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Start recording")->isEnabled(); }));
     type(find<QLineEdit>(*panel, "Name of the recording"), "mine");
-    click(*panel, "Record");
+    click(*panel, "Start recording");
     EXPECT_EQ(message().severity, widgets::Severity::Error);
     EXPECT_FALSE(bench().recording().isRecording());
     ASSERT_TRUE(older.open(QIODevice::ReadOnly));
@@ -100,9 +100,9 @@ TEST_F(RecordPanelTest, anOlderRecordingIsNeverOverwritten) {
 
 TEST_F(RecordPanelTest, aDeviceThatGoesAwayCompletesTheFile) {
     connectTo("sim:htm", 5.0);
-    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Record")->isEnabled(); }));
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Start recording")->isEnabled(); }));
     type(find<QLineEdit>(*panel, "Name of the recording"), "short");
-    click(*panel, "Record");
+    click(*panel, "Start recording");
     ASSERT_TRUE(wait([&] { return figure("Rows written").toInt() > 20; }));
     session().disconnectDevice();
     ASSERT_TRUE(wait([&] { return message().severity == widgets::Severity::Success; }));
@@ -113,9 +113,9 @@ TEST_F(RecordPanelTest, aDeviceThatGoesAwayCompletesTheFile) {
 
 TEST_F(RecordPanelTest, aProcedureIsRecordedThroughItsOwnStream) {
     connectTo("sim:htm", 5.0);
-    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Record")->isEnabled(); }));
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Start recording")->isEnabled(); }));
     type(find<QLineEdit>(*panel, "Name of the recording"), "move");
-    click(*panel, "Record");
+    click(*panel, "Start recording");
     ASSERT_TRUE(wait([&] { return figure("Rows written").toInt() > 20; }));
     bool hasMoved = false;
     session().runProcedure(
@@ -150,12 +150,12 @@ TEST_F(RecordPanelTest, aFolderThatCannotBeMadeIsSaidInPlace) {
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
     file.close();
     connectTo("sim:htm", 5.0);
-    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Record")->isEnabled(); }));
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Start recording")->isEnabled(); }));
     type(find<QLineEdit>(*panel, "Folder of recordings"), folder.filePath("file/below"));
-    click(*panel, "Record");
+    click(*panel, "Start recording");
     ASSERT_TRUE(wait([&] { return message().severity == widgets::Severity::Error; }));
     EXPECT_TRUE(message().text.contains("below"));
-    EXPECT_TRUE(wait([&] { return find<QPushButton>(*panel, "Record")->isEnabled(); }));
+    EXPECT_TRUE(wait([&] { return find<QPushButton>(*panel, "Start recording")->isEnabled(); }));
     EXPECT_EQ(session().state(), SessionState::Connected); // nothing else is disturbed
 }
 
