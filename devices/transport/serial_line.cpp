@@ -49,6 +49,7 @@ SerialPort::Line::~Line() {
     }
     wake();
     if (m_thread) {
+        m_ended.get_future().wait();
         m_thread->wait();
     }
 }
@@ -104,6 +105,7 @@ void SerialPort::Line::run() {
         serve(port);
         port.close();
     }
+    m_ended.set_value();
 }
 
 bool SerialPort::Line::isEnding() {

@@ -49,6 +49,7 @@ private:
     bool m_isEnding = false;
     std::optional<Error> m_error;
     std::promise<Result<void>> m_opened;
+    std::promise<void> m_ended; ///< nothing of this object is touched any more
 
     std::unique_ptr<QThread> m_thread; ///< Qt's own: a port warns in any other
 };

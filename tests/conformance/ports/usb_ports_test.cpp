@@ -128,6 +128,24 @@ TEST(UsbBulk, wrongSerialNumberAndSeveralBoardsAreToldApart) {
     other.close(); // before its board goes
 }
 
+TEST(UsbBulk, hundredTimesUnpluggedAndPluggedInAgain) {
+    const MockMachine machine;
+    OctetInbox inbox;
+    UsbPort port(Name);
+    for (int cycle = 0; cycle < 100; ++cycle) { // under a new address each time
+        MockBulkBoard board(machine, 2 + cycle, "HB-17");
+        inbox.clear();
+        ASSERT_TRUE(port.open(inbox)) << cycle;
+        board.deliver({1, 2, 3});
+        ASSERT_EQ(received(inbox, 3), (Octets{1, 2, 3}));
+        board.unplug(cycle % 2 == 0 ? MockBulkBoard::Departure::NoDevice
+                                    : MockBulkBoard::Departure::ProtocolError);
+        Octets octets;
+        ASSERT_FALSE(inbox.take(octets, 2.0)) << "told within 2 s";
+        port.close();
+    }
+}
+
 TEST(UsbBulk, closesWhileOctetsPourInAndReopens) {
     const MockMachine machine;
     MockBulkBoard board(machine, 4, "HB-17");

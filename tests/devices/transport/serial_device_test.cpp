@@ -155,7 +155,6 @@ TEST(SerialDevice, findsTheFramingOfTheBoard) {
             }
         }
         hasEnded = true;
-        line.unplug();
         board.join();
         EXPECT_TRUE(hasAnswered);
     }

@@ -142,6 +142,28 @@ TEST(SerialPort, closesWhileOctetsPourIn) {
     }
 }
 
+/// The link that stays while the port gets a new number at each plugging, as /dev/serial/by-id does.
+TEST(SerialPort, hundredTimesUnpluggedAndPluggedInAgain) {
+    const std::string link = ::testing::TempDir() + "board-" + std::to_string(::getpid());
+    OctetInbox inbox;
+    SerialPort port(at(link));
+    for (int cycle = 0; cycle < 100; ++cycle) {
+        PtyLine line;
+        ::unlink(link.c_str());
+        ASSERT_EQ(::symlink(line.path().c_str(), link.c_str()), 0);
+        inbox.clear();
+        ASSERT_TRUE(port.open(inbox)) << cycle;
+        line.deliver(Octets{1, 2, 3});
+        ASSERT_EQ(received(inbox, 3), (Octets{1, 2, 3}));
+        line.unplug();
+        Octets octets;
+        ASSERT_FALSE(inbox.take(octets, 2.0)) << "told within 2 s";
+        ASSERT_FALSE(port.write(Octets{1}));
+        port.close();
+    }
+    ::unlink(link.c_str());
+}
+
 TEST(SerialPort, whatIsNoSerialPortIsRefusedInItsOwnWords) {
     OctetInbox inbox;
     SerialPort missing(at("/dev/no-such-port"));
