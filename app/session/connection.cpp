@@ -38,17 +38,24 @@ bool isDifferent(const devices::DeviceState& one, const devices::DeviceState& ot
 
 } // namespace
 
-Connection::Connection(Opener open, Pace pace, ConnectionEvents events, double patience_s)
+Connection::Connection(Opener open, Pace pace, ConnectionEvents events, double patience_s,
+                       std::shared_ptr<devices::LinkOrders> orders)
     : m_open(std::move(open)), m_events(std::move(events)), m_patience_s(patience_s),
-      m_lastAlive(Clock::now()), m_speed_ratio(pace.speed_ratio), m_thread([this] { run(); }) {}
+      m_orders(std::move(orders)), m_lastAlive(Clock::now()), m_speed_ratio(pace.speed_ratio),
+      m_thread([this] { run(); }) {}
 
 Connection::~Connection() {
+    close();
+    m_thread.join();
+}
+
+void Connection::close() noexcept {
+    m_orders->isLeaving = true;
     {
         const std::lock_guard lock(m_mutex);
         m_isClosing = true;
     }
     m_wake.notify_all();
-    m_thread.join();
 }
 
 void Connection::post(Job job) {
@@ -60,7 +67,7 @@ void Connection::post(Job job) {
 }
 
 void Connection::stop() noexcept {
-    m_isStopWanted = true;
+    ++m_orders->stops;
     m_wake.notify_all();
 }
 
@@ -102,11 +109,16 @@ void Connection::run() {
     if ((*device)->state().isConnected) {
         (void)(*device)->disarm(); // a lost device is left to the board's watchdog
     }
+    device->reset();
+    if (m_events.onClosed) {
+        m_events.onClosed();
+    }
 }
 
 void Connection::serve(devices::Device& device) {
     for (;;) {
-        if (m_isStopWanted.exchange(false)) {
+        if (isStopWanted()) {
+            m_stopsServed = stops();
             device.stop();
             report(device, true);
         }
@@ -118,7 +130,7 @@ void Connection::serve(devices::Device& device) {
                 return;
             }
         }
-        if (!m_isStopWanted) {
+        if (!isStopWanted()) {
             advance(device);
         }
     }
@@ -145,7 +157,11 @@ void Connection::runJobs(devices::Device& device) {
         job = std::move(m_jobs.front());
         m_jobs.pop_front();
     }
+    const bool wasArmed = device.state().isArmed;
     job(device);
+    if (!wasArmed && device.state().isArmed) {
+        m_isStoppedForSilence = false; // armed anew: the next silence is to be told again
+    }
     report(device, false);
 }
 
@@ -194,7 +210,7 @@ std::optional<double> Connection::dueTime_s(double now_s) {
 void Connection::idle(double duration_s) {
     std::unique_lock lock(m_mutex);
     m_wake.wait_for(lock, std::chrono::duration<double>(duration_s),
-                    [this] { return !m_jobs.empty() || m_isClosing || m_isStopWanted; });
+                    [this] { return !m_jobs.empty() || m_isClosing || isStopWanted(); });
 }
 
 void Connection::afterSlice(devices::Device& device, const Result<void>& result) {

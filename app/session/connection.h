@@ -3,6 +3,7 @@
 #include "control/base/result.h"
 #include "control/base/sample_block.h"
 #include "devices/device.h"
+#include "devices/link_orders.h"
 
 #include <atomic>
 #include <chrono>
@@ -39,12 +40,14 @@ struct ConnectionEvents {
     std::function<void(const ConnectionReport&)> onReport;
     std::function<void(SampleBlockPtr)> onBlock; ///< time since the device was opened
     std::function<void(const Error&)>
-        onStreamRefused; ///< the display's stream, e.g. signals without a common event
+        onStreamRefused;            ///< the display's stream, e.g. signals without a common event
+    std::function<void()> onClosed; ///< after close(), once the device is disarmed and closed; may be empty
 };
 
 /// One open device on a thread of its own (resources/help/architecture.md, threads). The thread serves the
 /// link without pause: it feeds the watchdog, delivers samples, runs the jobs it is given one after the other
 /// and obeys stop() between any two slices of 5 ms, whatever procedure, fit or picture is busy elsewhere.
+/// While a job waits for the board's answer, the link itself looks at the orders and sends the stop.
 /// Public functions may be called from any thread, except where it says so.
 class Connection {
 public:
@@ -53,16 +56,25 @@ public:
 
     static constexpr double UsualPatience_s = 2.0;
 
-    Connection(Opener open, Pace pace, ConnectionEvents events, double patience_s = UsualPatience_s);
-    /// Runs what was posted, disarms, closes the device. No event follows.
+    /// `orders` are those that the opener gave to the link.
+    Connection(Opener open, Pace pace, ConnectionEvents events, double patience_s = UsualPatience_s,
+               std::shared_ptr<devices::LinkOrders> orders = std::make_shared<devices::LinkOrders>());
+    /// close() and the wait for its end. No event follows.
     ~Connection();
     Connection(const Connection&) = delete;
     Connection& operator=(const Connection&) = delete;
+
+    /// Begins to end: what was posted runs, the device is disarmed and closed, onClosed follows. Returns at
+    /// once; until onClosed a stop is obeyed as before.
+    void close() noexcept;
 
     /// Runs the job on the connection thread. A job of a device that could not be opened is never run.
     void post(Job job);
     /// Emergency stop; returns at once.
     void stop() noexcept;
+    /// Stops so far: a job that arms or releases compares it with what it was when the user asked, because a
+    /// stop overtakes the jobs that wait.
+    std::uint64_t stops() const noexcept { return m_orders->stops; }
     /// The window says that it could still stop. The board's watchdog does not see a window that hangs,
     /// because this thread goes on feeding it; so an armed actuator is stopped once nothing was said for the
     /// patience. Not in virtual time, in which nothing moves by itself.
@@ -89,6 +101,7 @@ private:
 
     void run();
     void serve(devices::Device& device);
+    bool isStopWanted() const { return m_orders->stops != m_stopsServed; }
     void stopIfSilent(devices::Device& device);
     void runJobs(devices::Device& device);
     void advance(devices::Device& device);
@@ -109,11 +122,12 @@ private:
     std::condition_variable m_wake;
     std::deque<Job> m_jobs;
     bool m_isClosing = false;
-    std::atomic<bool> m_isStopWanted = false;
+    const std::shared_ptr<devices::LinkOrders> m_orders;
     std::atomic<std::chrono::steady_clock::time_point> m_lastAlive;
 
     // Used by the connection thread alone.
     double m_speed_ratio;
+    std::uint64_t m_stopsServed = 0;
     std::optional<Wait> m_wait;
     devices::StreamRequest m_live;
     bool m_isProcedureStreaming = false;

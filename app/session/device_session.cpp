@@ -9,6 +9,8 @@ namespace halbench::app {
 namespace {
 
 constexpr int HeartbeatPeriod_ms = 100;
+/// What a procedure that was asked to end gets for its own way of disarming.
+constexpr int RestorePatience_ms = 300;
 /// Two minutes at 1 kHz: a window that was suspended for less loses nothing.
 constexpr std::size_t InboxCapacity_rows = 120000;
 
@@ -32,15 +34,26 @@ DeviceSession::DeviceSession(QObject* parent) : QObject(parent), m_inbox(InboxCa
 }
 
 DeviceSession::~DeviceSession() {
-    disconnectDevice();
+    end();
 }
 
 void DeviceSession::connectDevice(const QString& uri, Pace pace, std::optional<std::uint64_t> seed) {
-    disconnectDevice();
-    m_pace = pace;
+    const Wish wish{uri, pace, seed};
+    if (!m_connection) {
+        open(wish);
+        return;
+    }
+    m_next = wish;
+    leave();
+}
+
+void DeviceSession::open(const Wish& wish) {
+    m_pace = wish.pace;
     m_report = {};
+    const auto orders = std::make_shared<devices::LinkOrders>();
     devices::OpenOptions options;
-    options.seed = seed;
+    options.seed = wish.seed;
+    options.orders = orders;
     options.cacheFolder = devices::userCacheFolder();
     options.onMessage = [this, valve = std::make_shared<LineValve>()](const std::string& text) {
         if (valve->waiting >= MostWaitingLines) {
@@ -58,38 +71,76 @@ void DeviceSession::connectDevice(const QString& uri, Pace pace, std::optional<s
             }
         });
     };
-    auto open = [address = uri.toStdString(), options] { return devices::openDevice(address, options); };
+    auto open = [address = wish.uri.toStdString(), options] { return devices::openDevice(address, options); };
     {
         const std::lock_guard lock(m_connectionMutex);
-        m_connection = std::make_unique<Connection>(std::move(open), pace, events());
+        m_connection = std::make_unique<Connection>(std::move(open), wish.pace, events(),
+                                                    Connection::UsualPatience_s, orders);
     }
     setState(SessionState::Connecting);
-    message(MessageLevel::Info, tr("connection"), tr("connecting %1").arg(uri));
+    message(MessageLevel::Info, tr("connection"), tr("connecting %1").arg(wish.uri));
 }
 
 void DeviceSession::disconnectDevice() {
-    abortProcedure();
-    endProcedureThread();
-    ++m_generation;
-    std::unique_ptr<Connection> leaving;
-    {
-        const std::lock_guard lock(m_connectionMutex);
-        leaving = std::move(m_connection);
-    }
-    if (!leaving) {
+    m_next.reset();
+    leave();
+}
+
+/// The GUI thread must not wait for a fit, a board or a name server: Esc and the picture would be dead
+/// meanwhile.
+void DeviceSession::leave() {
+    if (!m_connection || m_state == SessionState::Leaving) {
         return;
     }
-    leaving.reset();
+    abortProcedure();
+    setState(SessionState::Leaving);
+    if (m_procedure.isEmpty()) {
+        m_connection->close();
+    } else {
+        QTimer::singleShot(RestorePatience_ms, this, &DeviceSession::disarmWhatStillRuns);
+    }
+}
+
+/// A procedure that moves the actuator has disarmed it by now; a fit may take its time, and nothing stays
+/// armed for it.
+void DeviceSession::disarmWhatStillRuns() {
+    if (m_state == SessionState::Leaving && !m_procedure.isEmpty()) {
+        m_connection->post([](devices::Device& device) { (void)device.disarm(); });
+    }
+}
+
+std::unique_ptr<Connection> DeviceSession::takeConnection() {
+    const std::lock_guard lock(m_connectionMutex);
+    return std::move(m_connection);
+}
+
+/// The last that a connection says.
+void DeviceSession::left() {
+    takeConnection().reset(); // its thread has nothing left to do
     takeBlocks();
     setState(SessionState::Disconnected);
     message(MessageLevel::Info, tr("connection"), tr("disconnected"));
+    if (m_next && !m_connection) {
+        open(*std::exchange(m_next, std::nullopt));
+    }
+}
+
+void DeviceSession::end() {
+    m_next.reset();
+    abortProcedure();
+    if (m_procedureThread.joinable()) {
+        m_procedureThread.join();
+        m_procedureDevice.reset();
+        m_procedure.clear();
+    }
+    takeConnection().reset();
+    m_state = SessionState::Disconnected;
 }
 
 ConnectionEvents DeviceSession::events() {
-    const std::uint64_t generation = m_generation;
-    const auto say = [this, generation](auto function) {
-        onGui([this, generation, function] {
-            if (generation == m_generation) {
+    const auto say = [this](auto function) {
+        onGui([this, function] {
+            if (m_connection) { // not after end()
                 function();
             }
         });
@@ -102,6 +153,7 @@ ConnectionEvents DeviceSession::events() {
     events.onReport = [this, say](const ConnectionReport& report) {
         say([this, report] { reported(report); });
     };
+    events.onClosed = [this, say] { say([this] { left(); }); };
     events.onStreamRefused = [this, say](const Error& error) {
         say([this, error] {
             message(MessageLevel::Warning, tr("samples"),
@@ -123,6 +175,9 @@ ConnectionEvents DeviceSession::events() {
 }
 
 void DeviceSession::opened(const devices::DeviceInfo& info, const devices::Catalogue& catalogue) {
+    if (m_state == SessionState::Leaving) {
+        return;
+    }
     m_info = info;
     m_catalogue = catalogue;
     setState(SessionState::Connected);
@@ -132,10 +187,11 @@ void DeviceSession::opened(const devices::DeviceInfo& info, const devices::Catal
 }
 
 void DeviceSession::refused(const Error& error) {
-    {
-        const std::lock_guard lock(m_connectionMutex);
-        m_connection.reset();
+    if (m_state == SessionState::Leaving) {
+        left();
+        return;
     }
+    takeConnection().reset();
     setState(SessionState::Disconnected);
     message(MessageLevel::Error, tr("connection"), QString::fromStdString(error.message));
     connectFailed(QString::fromStdString(error.message), QString::fromStdString(error.hint));
@@ -146,7 +202,9 @@ void DeviceSession::reported(const ConnectionReport& report) {
     const bool isNewlySilent = report.isStoppedForSilence && !m_report.isStoppedForSilence;
     m_report = report;
     if (isNewlyLost) {
-        setState(SessionState::Lost);
+        if (m_state != SessionState::Leaving) {
+            setState(SessionState::Lost);
+        }
         message(MessageLevel::Error, tr("connection"), QString::fromStdString(report.lost->message));
     }
     if (isNewlySilent) {
@@ -238,6 +296,9 @@ void DeviceSession::endProcedureThread() {
         m_procedureDevice.reset();
         m_procedure.clear();
         procedureChanged();
+        if (m_state == SessionState::Leaving) {
+            m_connection->close();
+        }
     }
 }
 

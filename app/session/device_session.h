@@ -20,7 +20,8 @@
 
 namespace halbench::app {
 
-enum class SessionState { Disconnected, Connecting, Connected, Lost };
+/// Leaving: what runs is being ended and the device disarmed; Disconnected follows by itself.
+enum class SessionState { Disconnected, Connecting, Connected, Lost, Leaving };
 
 enum class MessageLevel { Debug, Info, Warning, Error };
 
@@ -35,9 +36,14 @@ public:
     /// Ends a running procedure through its restore path, disarms, disconnects.
     ~DeviceSession() override;
 
-    /// Leaves the device there was and opens another; answers with connected() or connectFailed().
+    /// Opens a device, after the one there was has been left; answers with stateChanged() or connectFailed().
     void connectDevice(const QString& uri, Pace pace, std::optional<std::uint64_t> seed = {});
+    /// Ends a running procedure through its restore path, disarms, closes. Returns at once in the state
+    /// Leaving, in which a stop still works and nothing new begins.
     void disconnectDevice();
+    /// The same for a destructor: returns when it is done, at the latest when the board was silent for its
+    /// time-outs, and nothing is told any more.
+    void end();
 
     SessionState state() const { return m_state; }
     const devices::DeviceInfo& info() const { return m_info; }
@@ -64,6 +70,10 @@ public:
     /// GUI thread; DeviceLost at once when nothing is connected.
     template <typename Function, typename Then>
     void request(Function function, Then then);
+    /// The same for what arms or releases: Interrupted if a stop came after this call, however long the
+    /// function had to wait for its turn.
+    template <typename Function, typename Then>
+    void requestUnlessStopped(Function function, Then then);
 
     /// Name of the running procedure; empty when none runs.
     const QString& procedure() const { return m_procedure; }
@@ -84,8 +94,20 @@ Q_SIGNALS:
     void message(halbench::app::MessageLevel level, const QString& source, const QString& text);
 
 private:
+    /// What connectDevice() was given.
+    struct Wish {
+        QString uri;
+        Pace pace;
+        std::optional<std::uint64_t> seed;
+    };
+
     template <typename Function>
     void onGui(Function function);
+    void open(const Wish& wish);
+    void leave();
+    void disarmWhatStillRuns();
+    void left();
+    std::unique_ptr<Connection> takeConnection();
     void opened(const devices::DeviceInfo& info, const devices::Catalogue& catalogue);
     void refused(const Error& error);
     void reported(const ConnectionReport& report);
@@ -102,7 +124,7 @@ private:
     ConnectionReport m_report;
     Pace m_pace;
     QString m_procedure;
-    std::uint64_t m_generation = 0; ///< of the connection; what an older one still says is not heard
+    std::optional<Wish> m_next; ///< connected once the present device is left
 
     std::atomic<bool> m_isAborting = false;
     devices::DisplayInbox m_inbox;
@@ -134,6 +156,22 @@ void DeviceSession::request(Function function, Then then) {
         auto answer = std::make_shared<Answer>(function(device));
         onGui([answer, then] { then(std::move(*answer)); });
     });
+}
+
+template <typename Function, typename Then>
+void DeviceSession::requestUnlessStopped(Function function, Then then) {
+    using Answer = std::invoke_result_t<Function, devices::Device&>;
+    const Connection* connection = m_connection.get(); // outlives its jobs
+    const std::uint64_t stops = connection != nullptr ? connection->stops() : 0;
+    request(
+        [function, connection, stops](devices::Device& device) -> Answer {
+            if (connection->stops() != stops) {
+                return failure(ErrorCode::Interrupted, "a stop came in between, so this was not done",
+                               "find out why it was stopped, then do it again");
+            }
+            return function(device);
+        },
+        then);
 }
 
 template <typename Function, typename Then>

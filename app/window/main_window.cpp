@@ -21,7 +21,6 @@
 
 #include <QActionGroup>
 #include <QApplication>
-#include <QCloseEvent>
 #include <QDir>
 #include <QFileInfo>
 #include <QMenuBar>
@@ -90,7 +89,7 @@ MainWindow::MainWindow(Preferences preferences)
 MainWindow::~MainWindow() {
     m_frame.stop();
     m_project.finishWriting(); // while there is a window to say how it went
-    m_bench.session().disconnectDevice();
+    m_bench.session().end();
 }
 
 void MainWindow::buildCentre() {
@@ -365,27 +364,6 @@ void MainWindow::refreshTitle() {
                              : QFileInfo(QString::fromStdString(m_project.path())).fileName();
     setWindowTitle(tr("%1[*] — Halbench").arg(name));
     setWindowModified(m_project.isChanged());
-}
-
-void MainWindow::closeAnyway() {
-    m_isLossAccepted = true;
-    close();
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-    collectProject();
-    if (const Result<void> kept = m_project.autosaveNow(); !kept && !m_isLossAccepted) {
-        event->ignore();
-        sayNotKept(kept.error());
-        m_refusal->showMessage(
-            {widgets::Severity::Warning, tr("The window stays open, so that what was not saved is not lost."),
-             tr("Save the project elsewhere, or close the window without it."), tr("Close anyway")});
-        return;
-    }
-    m_preferences.geometry = saveGeometry();
-    m_preferences.arrangements = m_docks->arrangements();
-    savePreferences(m_preferences);
-    QMainWindow::closeEvent(event);
 }
 
 } // namespace halbench::app

@@ -68,7 +68,10 @@ private:
     void takeOverProject();
     void offerCopy(const QString& path);
     void refreshTitle();
+    void leaveThenClose();
 
+    bool m_isClosing = false; ///< waits for the device
+    bool m_hasLeft = false;   ///< the device is left, or waiting for it was given up
     Preferences m_preferences;
     Workbench m_bench;
     ProjectSession m_project;

@@ -101,13 +101,13 @@ void TopBar::setStopLockOut_ms(int lockOut_ms) {
 /// The purposeful act that releases a latched stop or fault; it arms nothing.
 void TopBar::rearm() {
     DeviceSession& session = m_bench.session();
-    session.request([](devices::Device& device) { return device.clearStop(); },
-                    [&session](Result<void> cleared) {
-                        if (!cleared) {
-                            session.message(MessageLevel::Error, tr("stop"),
-                                            widgets::inWords(cleared.error().message));
-                        }
-                    });
+    session.requestUnlessStopped([](devices::Device& device) { return device.clearStop(); },
+                                 [&session](Result<void> cleared) {
+                                     if (!cleared) {
+                                         session.message(MessageLevel::Error, tr("stop"),
+                                                         QString::fromStdString(cleared.error().message));
+                                     }
+                                 });
 }
 
 void TopBar::refresh() {

@@ -163,6 +163,7 @@ void DevicePanel::refresh() {
     const bool isFree = session.state() == SessionState::Disconnected;
     m_list->setEnabled(isFree);
     m_address->setEnabled(isFree);
+    m_connect->setEnabled(session.state() != SessionState::Leaving);
     m_connect->setText(isFree ? tr("&Connect") : tr("Dis&connect"));
     m_connect->setIcon(widgets::themedIcon(isFree ? "connect" : "disconnect"));
     m_connect->setToolTip(isFree ? tr("Connect the device (Alt+C)")
@@ -174,10 +175,17 @@ void DevicePanel::refresh() {
         onFailed(widgets::inWords(session.report().lost->message),
                  widgets::inWords(session.report().lost->hint));
     }
-    m_identity->setText(
-        session.state() == SessionState::Connected
-            ? tr("%1\nFirmware %2").arg(words(session.info().id), words(session.info().firmware))
-            : QString());
+    m_identity->setText(identityText());
+}
+
+QString DevicePanel::identityText() const {
+    const DeviceSession& session = m_bench.session();
+    if (session.state() == SessionState::Leaving) {
+        return tr("Ending what runs and disarming …");
+    }
+    return session.state() == SessionState::Connected
+               ? tr("%1\nFirmware %2").arg(words(session.info().id), words(session.info().firmware))
+               : QString();
 }
 
 } // namespace halbench::app

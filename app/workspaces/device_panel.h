@@ -39,6 +39,7 @@ private:
     void showDevices(const std::vector<devices::DeviceListing>& list);
     void chooseRow(int row);
     void refresh();
+    QString identityText() const;
     void onFailed(const QString& text, const QString& hint);
     Pace chosenPace() const;
 

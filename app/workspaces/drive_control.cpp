@@ -109,7 +109,7 @@ void DriveControl::change(Action action, std::function<void()> then) {
     const std::uint64_t number = ++m_changes;
     m_pending = number;
     m_jog.stop();
-    m_bench.session().request(
+    m_bench.session().requestUnlessStopped(
         std::move(action), [self = QPointer(this), number, then = std::move(then)](const Result<void>& done) {
             if (self) {
                 self->m_pending = self->m_pending == number ? 0 : self->m_pending;
@@ -147,7 +147,7 @@ void DriveControl::disarm() {
 }
 
 void DriveControl::releaseStop() {
-    run([](devices::Device& device) { return device.clearStop(); }, {});
+    change([](devices::Device& device) { return device.clearStop(); }, {});
 }
 
 void DriveControl::takeOrigin() {

@@ -66,7 +66,8 @@ Q_SIGNALS:
 private:
     using Action = std::function<Result<void>(devices::Device&)>;
     void run(Action action, std::function<void()> then);
-    /// The same for what decides how a motion acts: until the board has answered nothing moves from here.
+    /// The same for what decides how a motion acts: until the board has answered nothing moves from here, and
+    /// a stop that comes before its turn cancels it.
     void change(Action action, std::function<void()> then);
     void finish(const Result<void>& done, const std::function<void()>& then);
     void onReport();

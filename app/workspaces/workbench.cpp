@@ -1,5 +1,6 @@
 #include "app/workspaces/workbench.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace halbench::app {
@@ -17,6 +18,45 @@ std::vector<std::string> parameterNames(const devices::Catalogue& catalogue) {
     return names;
 }
 
+/// Values read at once: a stop waits for no more than one job.
+constexpr std::size_t PieceSize = 12;
+
+using Values = Result<std::vector<double>>;
+
+Result<void> readPiece(devices::Device& device, const std::vector<std::string>& names, Values& all) {
+    if (!all) {
+        return {}; // a piece before has failed
+    }
+    const Values piece = device.readParameters(names);
+    if (piece) {
+        all->insert(all->end(), piece->begin(), piece->end());
+    } else {
+        all = piece;
+    }
+    return {};
+}
+
+/// `then` gets the values in the order of the names, or the first error.
+void readInPieces(DeviceSession& session, const std::vector<std::string>& names,
+                  const std::function<void(const Values&)>& then) {
+    const auto all = std::make_shared<Values>(std::vector<double>());
+    if (names.empty()) {
+        then(*all);
+    }
+    for (std::size_t begin = 0; begin < names.size(); begin += PieceSize) {
+        const std::size_t end = std::min(begin + PieceSize, names.size());
+        const std::vector<std::string> piece(names.begin() + static_cast<std::ptrdiff_t>(begin),
+                                             names.begin() + static_cast<std::ptrdiff_t>(end));
+        const bool isLast = end == names.size();
+        session.request([piece, all](devices::Device& device) { return readPiece(device, piece, *all); },
+                        [all, then, isLast](const Result<void>& done) {
+                            if (isLast) {
+                                then(done ? *all : Values(failure(done.error())));
+                            }
+                        });
+    }
+}
+
 } // namespace
 
 Workbench::Workbench(QObject* parent) : QObject(parent), m_history(HistoryBudget_bytes) {
@@ -30,7 +70,7 @@ Workbench::Workbench(QObject* parent) : QObject(parent), m_history(HistoryBudget
 
 Workbench::~Workbench() {
     m_session.disconnect(this); // panels that hear of it may be gone already
-    m_session.disconnectDevice();
+    m_session.end();
 }
 
 void Workbench::drainSamples() {
@@ -56,6 +96,7 @@ std::optional<double> Workbench::deviceValue(const std::string& parameter) const
 void Workbench::onSessionState() {
     if (m_session.state() == SessionState::Connected) {
         clearHistory();
+        m_values.clear(); // this device may lack names that the one before had
         refreshValues();
     } else if (m_session.state() == SessionState::Disconnected) {
         m_values.clear();
@@ -72,9 +113,8 @@ void Workbench::readValues(bool areOurs) {
     if (m_session.state() != SessionState::Connected) {
         return;
     }
-    m_session.request([names = parameterNames(m_session.catalogue())](
-                          devices::Device& device) { return device.readParameters(names); },
-                      [this, areOurs](Result<std::vector<double>> values) { takeValues(values, areOurs); });
+    readInPieces(m_session, parameterNames(m_session.catalogue()),
+                 [this, areOurs](const Values& values) { takeValues(values, areOurs); });
 }
 
 void Workbench::takeValues(const Result<std::vector<double>>& values, bool areOurs) {
@@ -91,22 +131,13 @@ void Workbench::takeValues(const Result<std::vector<double>>& values, bool areOu
 }
 
 void Workbench::writeValues(std::vector<ParameterValue> values, std::function<void(Result<void>)> then) {
-    const auto names = parameterNames(m_session.catalogue());
-    struct Outcome {
-        Result<void> written;
-        Result<std::vector<double>> values;
-    };
-    const auto outcome = std::make_shared<Outcome>();
-    m_session.request(
-        [=](devices::Device& device) -> Result<void> {
-            outcome->written = device.writeParameters(values);
-            outcome->values = device.readParameters(names);
-            return outcome->written;
-        },
-        [this, outcome, then](Result<void> written) {
-            takeValues(outcome->values, true);
-            then(std::move(written));
-        });
+    const auto outcome = std::make_shared<Result<void>>();
+    m_session.request([values](devices::Device& device) { return device.writeParameters(values); },
+                      [outcome](const Result<void>& written) { *outcome = written; });
+    readInPieces(m_session, parameterNames(m_session.catalogue()), [this, outcome, then](const Values& read) {
+        takeValues(read, true);
+        then(*outcome);
+    });
 }
 
 void Workbench::setDisplayUnits(const DisplayUnits& units) {

@@ -61,6 +61,22 @@ TEST(Connection, stopsAnArmedActuatorWhoseWindowHangs) {
         [](const ConnectionReport& last) { return last.board.isStopLatched && !last.board.isArmed; }));
 }
 
+TEST(Connection, tellsEverySilenceOfAnActuatorThatWasArmedAnew) {
+    Reports reports;
+    Connection connection(openMotor, {1.0}, eventsTo(reports), Short_s);
+    const auto isTold = [](const ConnectionReport& last) { return last.isStoppedForSilence; };
+    connection.post([](devices::Device& device) { ASSERT_TRUE(device.arm()); });
+    ASSERT_TRUE(reports.wait(isTold));
+    connection.post([&connection](devices::Device& device) {
+        connection.confirmAlive();
+        ASSERT_TRUE(device.clearStop());
+        ASSERT_TRUE(device.arm());
+    });
+    ASSERT_TRUE(reports.wait([](const ConnectionReport& last) { return last.board.isArmed; }));
+    ASSERT_TRUE(reports.wait([&](const ConnectionReport& last) { return !isTold(last); }));
+    EXPECT_TRUE(reports.wait(isTold));
+}
+
 TEST(Connection, leavesAnActuatorArmedWhoseWindowAnswers) {
     Reports reports;
     Connection* alive = nullptr;

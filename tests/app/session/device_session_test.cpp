@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
+#include <mutex>
 
 namespace halbench::app {
 namespace {
@@ -134,18 +134,30 @@ TEST_F(DeviceSessionTest, aStreamTheDeviceRefusesIsSaidAndTheDeviceStaysConnecte
     EXPECT_EQ(session.state(), SessionState::Connected);
 }
 
-TEST_F(DeviceSessionTest, aBlockSinkHearsEveryBlockOnTheWay) {
+TEST_F(DeviceSessionTest, aBlockSinkHearsEveryRowThatTheDeviceSent) {
     connectMotor("", 20.0);
-    std::atomic<std::size_t> rows = 0;
-    session.setBlockSink([&rows](const SampleBlockPtr& block) { rows += block->rows(); });
+    std::mutex mutex;
+    std::vector<SampleBlockPtr> heard;
+    session.setBlockSink([&](const SampleBlockPtr& block) {
+        const std::lock_guard lock(mutex);
+        heard.push_back(block);
+    });
     session.setLiveStream({"position"}, 100.0);
-    ASSERT_TRUE(wait([&] { return rows > 50; }));
-    session.disconnectDevice(); // no call follows
-    std::size_t taken = 0;
-    for (const SampleBlockPtr& block : session.takeBlocks()) {
-        taken += block->rows();
+    ASSERT_TRUE(wait([&] {
+        const std::lock_guard lock(mutex);
+        return heard.size() > 10;
+    }));
+    session.disconnectDevice();
+    ASSERT_TRUE(wait([&] { return session.state() == SessionState::Disconnected; })); // no call follows
+    std::vector<double> times_s;
+    for (const SampleBlockPtr& block : heard) {
+        EXPECT_EQ(block->lostRows, 0U);
+        times_s.insert(times_s.end(), block->time_s.begin(), block->time_s.end());
     }
-    EXPECT_EQ(taken, 0U); // forgotten with the device, not lost for the sink
+    for (std::size_t i = 1; i < times_s.size(); ++i) {             // the device sends a row every 10 ms
+        ASSERT_NEAR(times_s[i] - times_s[i - 1], 0.01, 1e-9) << i; // 1e-9: rounding of seconds
+    }
+    EXPECT_TRUE(session.takeBlocks().empty()); // forgotten with the device
 }
 
 TEST_F(DeviceSessionTest, aFloodThatNobodyTakesIsLeftOutAndSaid) {
@@ -216,20 +228,6 @@ TEST_F(DeviceSessionTest, anAddressThatCannotBeOpenedIsSaidWithItsRemedy) {
     EXPECT_TRUE(message.contains("colour"));
     EXPECT_FALSE(hint.isEmpty());
     EXPECT_EQ(session.state(), SessionState::Disconnected);
-}
-
-TEST_F(DeviceSessionTest, disconnectingInAProcedureEndsItFirst) {
-    connectMotor("", 1.0);
-    session.runProcedure(
-        "move",
-        [](devices::Device& device, const ProcedureObserver& observer) {
-            return runMove(device, longMove(), observer);
-        },
-        [](Result<MoveResult>) {});
-    ASSERT_TRUE(wait([&] { return session.report().board.isArmed; }));
-    session.disconnectDevice();
-    EXPECT_EQ(session.state(), SessionState::Disconnected);
-    EXPECT_TRUE(session.procedure().isEmpty());
 }
 
 TEST_F(DeviceSessionTest, aRequestWithoutADeviceIsAnsweredAtOnce) {

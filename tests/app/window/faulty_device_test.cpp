@@ -17,7 +17,8 @@ using Fault = FaultyLine::Fault;
 class FaultyDeviceTest : public WindowTest {
 protected:
     void connectBoard(FaultyLine& line) {
-        window->connectDevice(QString::fromStdString(line.uri()));
+        window->connectDevice(QString::fromStdString(line.uri())); // leaves the one before first
+        ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
         ASSERT_TRUE(wait([&] { return !window->bench().deviceValues().empty(); }));
         EXPECT_FALSE(session().info().isSimulated);
     }

@@ -13,6 +13,8 @@
 #include <QTemporaryDir>
 #include <qtadvanceddocking/DockWidget.h>
 
+#include <future>
+
 namespace halbench::app {
 namespace {
 
@@ -82,6 +84,7 @@ TEST_F(MainWindowTest, aLatchedStopIsReleasedOnlyOnPurpose) {
     preferences.stopLockOut_ms = 0;
     open(preferences);
     connectMotor(1.0);
+    startMove();
     auto* stop = window->findChild<widgets::StopButton*>();
     QTest::mouseClick(stop, Qt::LeftButton);
     ASSERT_TRUE(wait([&] { return stop->isLatched(); }));
@@ -122,6 +125,30 @@ TEST_F(MainWindowTest, focusNeverFallsToStopWhenThePerspectiveChanges) {
         QTest::qWait(0);
         EXPECT_EQ(qobject_cast<widgets::StopButton*>(QApplication::focusWidget()), nullptr);
     }
+}
+
+TEST_F(MainWindowTest, quittingKeepsTheWindowWithItsStopUntilWhatRunsHasEnded) {
+    std::promise<void> fit; // takes longer than anybody waits
+    open();
+    connectMotor(1.0);
+    session().runProcedure(
+        "fit",
+        [running = fit.get_future().share()](devices::Device& device, const ProcedureObserver&) {
+            Result<void> armed = device.arm();
+            running.wait();
+            return armed;
+        },
+        [](const Result<void>&) {});
+    ASSERT_TRUE(wait([&] { return session().report().board.isArmed; }));
+    window->close();
+    ASSERT_TRUE(wait([&] { return !session().report().board.isArmed; })); // at once, and the window lives
+    EXPECT_TRUE(window->findChild<widgets::StopButton*>()->isVisible());
+    const auto bars = window->findChildren<widgets::MessageBar*>();
+    EXPECT_TRUE(std::any_of(bars.begin(), bars.end(), [](const widgets::MessageBar* bar) {
+        return bar->isVisible() && bar->message().text.contains("ends as soon as");
+    }));
+    fit.set_value();
+    EXPECT_TRUE(wait([&] { return !window->isVisible(); }));
 }
 
 TEST_F(MainWindowTest, anArrangementIsKeptPerPerspective) {

@@ -42,7 +42,8 @@ TEST_F(ShellTest, devicesBehindAnotherTabAreStillCollectedAndConnected) {
     ASSERT_EQ(window->findChild<DevicePanel*>(), nullptr); // that is what makes it a case
     window->connectDevice("sim:htm");
     EXPECT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
-    EXPECT_TRUE(window->close());
+    window->close();
+    EXPECT_TRUE(wait([&] { return !window->isVisible(); })); // once the device is left
     EXPECT_EQ(window->project().project().device, "sim:htm");
 }
 

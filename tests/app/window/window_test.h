@@ -34,6 +34,7 @@ protected:
 
     void connectMotor(double speed_ratio) {
         window->connectDevice("sim:htm");
+        ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
         ASSERT_TRUE(QTest::qWaitFor([&] { return !window->bench().deviceValues().empty(); }, Patience_ms));
         window->bench().session().setPace({speed_ratio});
     }

@@ -4,6 +4,7 @@
 #include "app/workspaces/monitor_panel.h"
 #include "devices/acquisition/recording_file.h"
 #include "tests/app/window/window_test.h"
+#include "tests/devices/transport/served_board.h"
 #include "widgets/stop_button.h"
 
 #include <QAbstractButton>
@@ -114,16 +115,23 @@ TEST_F(KeyboardDayTest, identifiesTunesAppliesRestoresAndStops) {
 }
 
 TEST_F(WorkdayTest, losingTheDeviceLeavesAWindowThatWorks) {
-    connectByKey();
-    key(Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
+    devices::BoardServer first;
+    open();
+    window->connectDevice(QString::fromStdString(first.uri()));
+    ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
+    session().request([](devices::Device& device) { return device.arm(); }, [](const Result<void>&) {});
     ASSERT_TRUE(wait([&] { return isArmed(); }));
-    session().disconnectDevice();
-    EXPECT_TRUE(wait([&] { return session().state() == SessionState::Disconnected; }));
+    first.end(); // killed while armed
+    EXPECT_TRUE(wait([&] { return session().state() == SessionState::Lost; }));
+    EXPECT_FALSE(session().report().board.isConnected);
     for (const Perspective perspective : AllPerspectives) {
         window->docks().setPerspective(perspective);
         QTest::qWait(0);
     }
-    connectMotor(1.0);
+    devices::BoardServer second;
+    window->connectDevice(QString::fromStdString(second.uri())); // leaves the lost one first
+    ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
+    EXPECT_TRUE(wait([&] { return window->bench().deviceValue("hb.arm") == 0.0; }));
     EXPECT_FALSE(isArmed()); // never armed by coming back
 }
 

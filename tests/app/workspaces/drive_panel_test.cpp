@@ -305,6 +305,7 @@ TEST_F(DrivePanelTest, aRealDeviceAsksOnceWithWordsAboutMotion) {
     click(*panel, "Arm");
     EXPECT_TRUE(wait([&] { return isArmed(); })); // asked once per connection
     session().disconnectDevice();
+    EXPECT_TRUE(wait([&] { return session().state() == SessionState::Disconnected; }));
 }
 
 } // namespace

@@ -24,6 +24,7 @@ protected:
 
     void connectMotor(const QString& uri, double speed_ratio) {
         bench.session().connectDevice(uri, {speed_ratio});
+        ASSERT_TRUE(wait([&] { return bench.session().state() == SessionState::Connected; }));
         ASSERT_TRUE(wait([&] { return !bench.deviceValues().empty(); }));
     }
 

@@ -66,7 +66,10 @@ TEST_F(WorkbenchTest, samplesOfTheLiveStreamReachTheHistory) {
 
 TEST_F(WorkbenchTest, valuesAreGoneWithTheDevice) {
     connectMotor(0.0);
+    bench.refreshValues(); // is on its way while the device is left
     bench.session().disconnectDevice();
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return bench.session().state() == SessionState::Disconnected; }, Patience_ms));
     EXPECT_TRUE(bench.deviceValues().empty());
 }
 

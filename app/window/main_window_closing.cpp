@@ -1,0 +1,76 @@
+#include "app/window/dock_layout.h"
+#include "app/window/main_window.h"
+
+#include <QCloseEvent>
+
+#include <utility>
+
+namespace halbench::app {
+
+namespace {
+
+/// Longest time a window that was closed waits for its device.
+constexpr int LeavePatience_ms = 10000;
+
+} // namespace
+
+void MainWindow::closeAnyway() {
+    m_isLossAccepted = true;
+    close();
+}
+
+/// A procedure that restores, a board that is disarmed: STOP must be there until it is done.
+void MainWindow::leaveThenClose() {
+    if (std::exchange(m_isClosing, true)) {
+        return;
+    }
+    onMessage(widgets::Severity::Information,
+              tr("The program ends as soon as what runs has ended and the actuator is disarmed."),
+              tr("STOP and Esc work until then."));
+    DeviceSession& session = m_bench.session();
+    const auto closeNow = [this] {
+        if (std::exchange(m_isClosing, false)) {
+            m_hasLeft = true;
+            close();
+            m_hasLeft = false;
+        }
+    };
+    connect(
+        &session, &DeviceSession::stateChanged, this,
+        [&session, closeNow] {
+            if (session.state() == SessionState::Disconnected) {
+                closeNow();
+            }
+        },
+        Qt::QueuedConnection);
+    QTimer::singleShot(LeavePatience_ms, this, [this, &session, closeNow] {
+        if (m_isClosing) { // whatever hangs goes on without a window, but nothing moves any more
+            session.stopActuator();
+        }
+        closeNow();
+    });
+    session.disconnectDevice();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    collectProject();
+    if (const Result<void> kept = m_project.autosaveNow(); !kept && !m_isLossAccepted) {
+        event->ignore();
+        sayNotKept(kept.error());
+        m_refusal->showMessage(
+            {widgets::Severity::Warning, tr("The window stays open, so that what was not saved is not lost."),
+             tr("Save the project elsewhere, or close the window without it."), tr("Close anyway")});
+        return;
+    }
+    m_preferences.geometry = saveGeometry();
+    m_preferences.arrangements = m_docks->arrangements();
+    savePreferences(m_preferences);
+    if (!m_hasLeft && m_bench.session().state() != SessionState::Disconnected) {
+        event->ignore();
+        leaveThenClose();
+        return;
+    }
+    QMainWindow::closeEvent(event);
+}
+
+} // namespace halbench::app
