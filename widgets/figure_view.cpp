@@ -37,6 +37,14 @@ Error notSaved(const QString& path, const QString& why) {
             "choose another folder or name"};
 }
 
+Result<void> write(const QString& path, const std::function<bool(QSaveFile&)>& content) {
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || !content(file) || !file.commit()) {
+        return failure(notSaved(path, file.errorString()));
+    }
+    return {};
+}
+
 } // namespace
 
 FigureView::FigureView(QWidget* parent)
@@ -118,28 +126,22 @@ QImage FigureView::image(double pixelRatio) const {
     return image;
 }
 
-Result<void> FigureView::save(const QString& path) const {
+std::function<Result<void>()> FigureView::saving(const QString& path) const {
     if (isEmpty()) {
-        return failure(ErrorCode::InvalidInput, "there is no picture to save", "");
+        return
+            [] { return Result<void>(failure(ErrorCode::InvalidInput, "there is no picture to save", "")); };
     }
-    QByteArray content;
-    QSaveFile file(path);
-    if (path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive)) {
-        const Result<std::string> svg = figureSvg(m_figure, currentTheme());
+    if (!path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive)) {
+        return [path, picture = image(2.0)] {
+            return write(path, [&](QSaveFile& file) { return picture.save(&file, "PNG"); });
+        };
+    }
+    return [path, svg = figureSvg(m_figure, currentTheme())]() -> Result<void> {
         if (!svg) {
             return failure(svg.error());
         }
-        content = QByteArray::fromStdString(*svg);
-    }
-    if (!file.open(QIODevice::WriteOnly)) {
-        return failure(notSaved(path, file.errorString()));
-    }
-    const bool isWritten =
-        content.isEmpty() ? image(2.0).save(&file, "PNG") : file.write(content) == content.size();
-    if (!isWritten || !file.commit()) {
-        return failure(notSaved(path, file.errorString()));
-    }
-    return {};
+        return write(path, [&](QSaveFile& file) { return file.write(QByteArray::fromStdString(*svg)) > 0; });
+    };
 }
 
 QSize FigureView::sizeHint() const {

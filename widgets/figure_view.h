@@ -7,6 +7,7 @@
 #include <QPixmap>
 #include <QWidget>
 
+#include <functional>
 #include <optional>
 
 namespace halbench::widgets {
@@ -31,15 +32,15 @@ public:
 
     /// Drawn anew, `scale` pixels to a device-independent one.
     QImage image(double scale) const;
-    /// As a picture file; .svg keeps its text, everything else is .png. Errors: InvalidInput (nothing to
-    /// save), FileSystem.
-    Result<void> save(const QString& path) const;
+    /// What writes the picture as it is now to a file, on any thread; .svg keeps its text, everything else is
+    /// .png. Its errors: InvalidInput (nothing to save), FileSystem.
+    std::function<Result<void>()> saving(const QString& path) const;
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
-    void exportRequested(); ///< whoever owns the view asks for a file and calls save()
+    void exportRequested(); ///< whoever owns the view asks for a file and runs saving()
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -111,9 +111,12 @@ void IdentifyResultView::savePicture(const widgets::FigureView& view) {
     if (path.isEmpty()) {
         return;
     }
-    if (const auto saved = view.save(path); !saved) {
-        Q_EMIT notSaved(widgets::inWords(saved.error().message), widgets::inWords(saved.error().hint));
-    }
+    m_files.run(view.saving(path), [this](const Result<void>& saved) {
+        if (!saved) {
+            Q_EMIT notSaved(QString::fromStdString(saved.error().message),
+                            QString::fromStdString(saved.error().hint));
+        }
+    });
 }
 
 void IdentifyResultView::changeEvent(QEvent* event) {

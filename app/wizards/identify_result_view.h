@@ -3,6 +3,7 @@
 #include "app/batch/result_header.h"
 #include "app/procedures/identify_procedure.h"
 #include "app/workspaces/file_chooser.h"
+#include "app/workspaces/file_queue.h"
 
 #include <QWidget>
 
@@ -43,6 +44,7 @@ private:
     IdentifyResult m_result;
     ResultHeader m_header;
     const FileChooser* m_chooser = nullptr;
+    FileQueue m_files;
     widgets::VerdictView* m_verdict = nullptr;
     widgets::EstimateTable* m_table = nullptr;
     QLabel* m_missing = nullptr;

@@ -3,7 +3,7 @@
 #include "app/batch/json_value.h"
 #include "app/batch/result_header.h"
 #include "app/workspaces/file_chooser.h"
-#include "app/workspaces/latest_task.h"
+#include "app/workspaces/file_queue.h"
 #include "app/workspaces/workbench.h"
 
 #include <QPointer>
@@ -37,7 +37,7 @@ protected:
     Workbench& bench() const { return m_bench; }
     const FileChooser& chooser() const { return m_chooser; }
     widgets::MessageBar& messages() { return *m_message; }
-    LatestTask& files() { return m_files; }
+    FileQueue& files() { return m_files; }
 
     /// Names of the steps; what they are at stays when the language changes.
     void setSteps(const QStringList& names);
@@ -74,7 +74,7 @@ private:
 
     Workbench& m_bench;
     FileChooser m_chooser;
-    LatestTask m_files;
+    FileQueue m_files;
     bool m_isMine = false;
     widgets::StepList* m_steps = nullptr;
     widgets::MessageBar* m_message = nullptr;

@@ -234,16 +234,19 @@ void ParametersPanel::saveAs() {
             preset.values.push_back({name, *device});
         }
     }
-    const Result<QString> path = saveUserPreset(preset, m_folder);
+    m_files.run([preset, folder = m_folder] { return saveUserPreset(preset, folder); },
+                [this, name = m_name->text().trimmed()](const Result<QString>& path) { kept(name, path); });
+}
+
+void ParametersPanel::kept(const QString& name, const Result<QString>& path) {
     if (!path) {
         tell(path.error());
         return;
     }
     fillPresets();
-    m_presets->setCurrentText(m_name->text().trimmed());
+    m_presets->setCurrentText(name);
     m_name->clear();
-    m_table->messages().showMessage(
-        {widgets::Severity::Success, tr("Kept as %1.").arg(m_presets->currentText()), *path, {}});
+    m_table->messages().showMessage({widgets::Severity::Success, tr("Kept as %1.").arg(name), *path, {}});
 }
 
 /// Reads a few values after the other, so that one changed by another tool is noticed.

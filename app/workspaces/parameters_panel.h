@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/workspaces/file_queue.h"
 #include "app/workspaces/user_presets.h"
 #include "app/workspaces/workbench.h"
 
@@ -37,6 +38,7 @@ private:
     void saveOnDevice();
     void loadChosen();
     void saveAs();
+    void kept(const QString& name, const Result<QString>& path);
     void fillPresets();
     void look();
     void compare(const std::vector<std::string>& names, const std::vector<double>& values);
@@ -45,6 +47,7 @@ private:
 
     Workbench& m_bench;
     const QString m_folder;
+    FileQueue m_files;
     widgets::ParameterTable* m_table = nullptr;
     QComboBox* m_presets = nullptr;
     QPushButton* m_load = nullptr;

@@ -3,6 +3,7 @@
 #include "app/batch/model_file.h"
 #include "app/procedures/apply_procedure.h"
 #include "app/workspaces/file_chooser.h"
+#include "app/workspaces/file_queue.h"
 #include "app/workspaces/latest_task.h"
 #include "app/workspaces/tune_question.h"
 #include "app/workspaces/workbench.h"
@@ -79,7 +80,7 @@ private:
     LatestTask m_sketching; ///< what can be drawn at once
     LatestTask m_judging;   ///< the rest
     LatestTask m_drawing;   ///< the verification; predictions must not overtake it
-    LatestTask m_files;
+    FileQueue m_files;
     LoopConditions m_conditions;
     std::optional<GainsFile> m_restored;     ///< of the project; until others are chosen
     std::optional<AnalysisResult> m_present; ///< of the gains on the device

@@ -236,9 +236,11 @@ void TunePanel::savePicture(const widgets::FigureView& view) {
     if (path.isEmpty()) {
         return;
     }
-    if (const auto saved = view.save(path); !saved) {
-        showError(saved.error());
-    }
+    m_files.run(view.saving(path), [this](const Result<void>& saved) {
+        if (!saved) {
+            showError(saved.error());
+        }
+    });
 }
 
 void TunePanel::setFileChooser(FileChooser chooser) {

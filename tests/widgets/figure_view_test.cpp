@@ -125,13 +125,13 @@ TEST_F(FigureViewTest, copiesAndSavesThePicture) {
     EXPECT_EQ(exports.count(), 1);
 
     const QTemporaryDir folder;
-    ASSERT_TRUE(view.save(folder.filePath("a.png")));
+    ASSERT_TRUE(view.saving(folder.filePath("a.png"))());
     EXPECT_EQ(QImage(folder.filePath("a.png")).size(), QSize(1000, 720));
-    ASSERT_TRUE(view.save(folder.filePath("a.svg")));
+    ASSERT_TRUE(view.saving(folder.filePath("a.svg"))());
     QFile svg(folder.filePath("a.svg"));
     ASSERT_TRUE(svg.open(QIODevice::ReadOnly));
     EXPECT_TRUE(svg.readAll().contains("Test run"));
-    const auto refused = view.save(folder.filePath("none/a.png"));
+    const auto refused = view.saving(folder.filePath("none/a.png"))();
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::FileSystem);
 }

@@ -122,7 +122,7 @@ TEST_F(ParametersPanelTest, ownPresetsAreKeptAndLoadedAgain) {
     auto* name = find<QLineEdit>(*panel, "Name of the new preset");
     QTest::keyClicks(name, "my motor");
     QTest::keyClick(name, Qt::Key_Return);
-    ASSERT_EQ(message().severity, widgets::Severity::Success);
+    ASSERT_TRUE(wait([&] { return message().severity == widgets::Severity::Success; }));
     model().undoStack().undo();
     ASSERT_EQ(model().changedCount(), 0);
     choose("my motor");
