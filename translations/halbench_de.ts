@@ -3830,6 +3830,14 @@
         <source>{}: the board takes no more commands</source>
         <translation>{}: Das Steuergerät nimmt keine Befehle mehr an</translation>
     </message>
+    <message>
+        <source>a stop came in between, so this was not done</source>
+        <translation>ein Stopp kam dazwischen, daher wurde dies nicht getan</translation>
+    </message>
+    <message>
+        <source>find out why it was stopped, then do it again</source>
+        <translation>klären Sie, warum gestoppt wurde, und wiederholen Sie es dann</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CalibratePanel</name>
@@ -4155,6 +4163,10 @@
 Firmware %2</source>
         <translation>%1
 Firmware %2</translation>
+    </message>
+    <message>
+        <source>Ending what runs and disarming …</source>
+        <translation>Laufendes wird beendet und der Aktor gesperrt …</translation>
     </message>
 </context>
 <context>
@@ -5471,6 +5483,14 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>&amp;First steps</source>
         <translation>E&amp;rste Schritte</translation>
+    </message>
+    <message>
+        <source>The program ends as soon as what runs has ended and the actuator is disarmed.</source>
+        <translation>Das Programm endet, sobald Laufendes beendet und der Aktor gesperrt ist.</translation>
+    </message>
+    <message>
+        <source>STOP and Esc work until then.</source>
+        <translation>STOP und Esc wirken bis dahin.</translation>
     </message>
 </context>
 <context>

@@ -3830,6 +3830,14 @@
         <source>{}: the board takes no more commands</source>
         <translation>{}：控制板不再接收命令</translation>
     </message>
+    <message>
+        <source>a stop came in between, so this was not done</source>
+        <translation>其间发生了停止，因此未执行</translation>
+    </message>
+    <message>
+        <source>find out why it was stopped, then do it again</source>
+        <translation>查明停止原因后再执行一次</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CalibratePanel</name>
@@ -4155,6 +4163,10 @@
 Firmware %2</source>
         <translation>%1
 固件 %2</translation>
+    </message>
+    <message>
+        <source>Ending what runs and disarming …</source>
+        <translation>正在结束运行中的任务并解除使能 …</translation>
     </message>
 </context>
 <context>
@@ -5471,6 +5483,14 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>&amp;First steps</source>
         <translation>入门(&amp;F)</translation>
+    </message>
+    <message>
+        <source>The program ends as soon as what runs has ended and the actuator is disarmed.</source>
+        <translation>运行中的任务结束且执行器解除使能后，程序随即退出。</translation>
+    </message>
+    <message>
+        <source>STOP and Esc work until then.</source>
+        <translation>在此之前 STOP 和 Esc 仍然有效。</translation>
     </message>
 </context>
 <context>

@@ -214,6 +214,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "the old gains run again"),
     QT_TRANSLATE_NOOP("Phrases", "no device is connected"),
     QT_TRANSLATE_NOOP("Phrases", "connect one first"),
+    QT_TRANSLATE_NOOP("Phrases", "a stop came in between, so this was not done"),
+    QT_TRANSLATE_NOOP("Phrases", "find out why it was stopped, then do it again"),
 };
 
 } // namespace

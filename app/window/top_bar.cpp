@@ -105,7 +105,7 @@ void TopBar::rearm() {
                                  [&session](Result<void> cleared) {
                                      if (!cleared) {
                                          session.message(MessageLevel::Error, tr("stop"),
-                                                         QString::fromStdString(cleared.error().message));
+                                                         widgets::inWords(cleared.error().message));
                                      }
                                  });
 }

@@ -113,8 +113,7 @@ void IdentifyResultView::savePicture(const widgets::FigureView& view) {
     }
     m_files.run(view.saving(path), [this](const Result<void>& saved) {
         if (!saved) {
-            Q_EMIT notSaved(QString::fromStdString(saved.error().message),
-                            QString::fromStdString(saved.error().hint));
+            Q_EMIT notSaved(widgets::inWords(saved.error().message), widgets::inWords(saved.error().hint));
         }
     });
 }
