@@ -1,6 +1,7 @@
 #include "app/batch/experiment_runner.h"
 
 #include "app/batch/step_runs.h"
+#include "app/procedures/restored_result.h"
 
 #include <fmt/format.h>
 
@@ -80,6 +81,8 @@ RunOutcome runExperiment(CommandContext& context, devices::Device& device, const
     }
     if (!outcome.stoppedBy) {
         guard->keep();
+    } else if (const auto restored = guard->restore(); !restored) {
+        outcome.stoppedBy = unconfirmedRestore(*outcome.stoppedBy, restored.error());
     }
     outcome.checks = judgeChecks(experiment.checks, outcome.steps);
     outcome.passed = !outcome.stoppedBy && !hasRefusal(outcome.steps);

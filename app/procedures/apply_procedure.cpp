@@ -2,6 +2,7 @@
 
 #include "app/procedures/position_law_parameters.h"
 #include "app/procedures/procedure_steps.h"
+#include "app/procedures/restored_result.h"
 
 #include <fmt/format.h>
 
@@ -222,14 +223,7 @@ Result<ApplyResult> runGuarded(devices::Device& device, const ApplyConfig& confi
     if (auto entered = enterState(observer, ProcedureState::Propose); !entered) {
         return failure(entered.error());
     }
-    auto result = runInside(device, config, *guard, observer);
-    if (!result) {
-        return result;
-    }
-    if (auto restored = guard->restore(); !restored) {
-        return failure(restored.error());
-    }
-    return result;
+    return restoredResult(*guard, runInside(device, config, *guard, observer));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "app/procedures/calibrate_procedure.h"
 
 #include "app/procedures/calibrate_runs.h"
+#include "app/procedures/restored_result.h"
 #include "app/procedures/spin_drive.h"
 
 #include <algorithm>
@@ -86,18 +87,21 @@ Result<void> apply(devices::Device& device, const ProcedureObserver& observer, C
     if (!guard) {
         return failure(guard.error());
     }
-    if (auto entered = enterState(observer, ProcedureState::Apply); !entered) {
-        return entered;
-    }
-    if (auto written = device.writeParameters(result.proposed); !written) {
-        return written;
-    }
-    if (auto entered = enterState(observer, ProcedureState::Verify); !entered) {
-        return entered;
-    }
-    guard->keep();
-    result.isApplied = true;
-    return guard->restore();
+    const auto written = [&]() -> Result<void> {
+        if (auto entered = enterState(observer, ProcedureState::Apply); !entered) {
+            return entered;
+        }
+        if (auto done = device.writeParameters(result.proposed); !done) {
+            return done;
+        }
+        if (auto entered = enterState(observer, ProcedureState::Verify); !entered) {
+            return entered;
+        }
+        guard->keep();
+        result.isApplied = true;
+        return {};
+    };
+    return restoredResult(*guard, written());
 }
 
 } // namespace
@@ -127,14 +131,10 @@ Result<CalibrateResult> runCalibrate(devices::Device& device, const CalibrateCon
         return failure(guard.error());
     }
     CalibrateResult result;
-    const auto measured = measure(device, config, observer, result);
-    const auto restored = guard->restore();
+    const auto measured = restoredResult(*guard, measure(device, config, observer, result));
     if (!measured) {
         (void)enterState(observer, ProcedureState::Restored);
         return failure(measured.error());
-    }
-    if (!restored) {
-        return failure(restored.error());
     }
     if (auto entered = enterState(observer, ProcedureState::Propose); !entered) {
         return failure(entered.error());

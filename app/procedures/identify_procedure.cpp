@@ -4,6 +4,7 @@
 #include "app/procedures/excitation_limits.h"
 #include "app/procedures/identify_estimate.h"
 #include "app/procedures/identify_plan.h"
+#include "app/procedures/restored_result.h"
 #include "app/procedures/spin_drive.h"
 
 #include <fmt/format.h>
@@ -193,14 +194,10 @@ Result<IdentifyResult> runIdentify(devices::Device& device, const IdentifyConfig
     if (!guard) {
         return failure(guard.error());
     }
-    auto result = excite(device, config, observer, *currents_A);
-    auto restored = guard->restore();
+    auto result = restoredResult(*guard, excite(device, config, observer, *currents_A));
     if (!result) {
         (void)enterState(observer, ProcedureState::Restored);
-        return failure(result.error());
-    }
-    if (!restored) {
-        return failure(restored.error());
+        return result;
     }
     if (auto entered = enterState(observer, ProcedureState::Done); !entered) {
         return failure(entered.error());

@@ -4,6 +4,7 @@
 #include "app/procedures/excitation_limits.h"
 #include "app/procedures/position_law_parameters.h"
 #include "app/procedures/procedure_steps.h"
+#include "app/procedures/restored_result.h"
 #include "control/base/units.h"
 
 #include <fmt/format.h>
@@ -272,11 +273,7 @@ Result<MoveResult> runGuarded(devices::Device& device, const MoveConfig& config,
     if (!guard) {
         return failure(guard.error());
     }
-    Result<MoveResult> result = performMove(device, config, observer);
-    if (auto restored = guard->restore(); result && !restored) {
-        return failure(restored.error());
-    }
-    return result;
+    return restoredResult(*guard, performMove(device, config, observer));
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 #include "app/procedures/apply_procedure.h"
+#include "tests/app/procedures/faulty_motor.h"
 #include "tests/app/procedures/simulated_motor.h"
 
 #include <gtest/gtest.h>
@@ -107,6 +108,28 @@ TEST(Apply, abortRestoresTheOldGains) {
     EXPECT_EQ(result.error().code, ErrorCode::Interrupted);
     EXPECT_EQ(parameter(*device, "gain.kp"), 10.0);
     EXPECT_FALSE(device->state().isArmed);
+}
+
+TEST(Apply, anAbortWhoseRestoreTheBoardDoesNotConfirmIsNotOnlyAnAbort) {
+    FaultyMotor board("seed=1");
+    const auto device = board.connect();
+    bool isVerifying = false;
+    ProcedureObserver observer;
+    observer.onState = [&](ProcedureState state) {
+        isVerifying = isVerifying || state == ProcedureState::Verify;
+    };
+    observer.checkAbort = [&]() -> Result<void> {
+        if (!isVerifying) {
+            return {};
+        }
+        board.faults().isUnplugged = true; // the cable is pulled in the same moment
+        return failure(ErrorCode::Interrupted, "ended by the user", "the old gains run again");
+    };
+    const auto result = runApply(*device, recommendedWith(*device, motor()), observer);
+    ASSERT_FALSE(result);
+    EXPECT_NE(result.error().code, ErrorCode::Interrupted);
+    EXPECT_NE(result.error().message.find("not confirmed"), std::string::npos) << result.error().message;
+    EXPECT_EQ(result.error().hint.find("run again"), std::string::npos) << result.error().hint;
 }
 
 TEST(RestoreGuard, putsEveryTransactionalParameterBack) {
