@@ -7,37 +7,20 @@
 #include <QStyle>
 
 namespace halbench::widgets {
-namespace {
-
-constexpr int LockOut_ms = 5000;
-
-} // namespace
 
 StopButton::StopButton(Variant variant, QWidget* parent) : QPushButton(parent), m_variant(variant) {
-    m_lockOut.setSingleShot(true);
-    m_lockOut.setInterval(LockOut_ms);
     setAutoDefault(false);
     setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
     setRole(*this, Role::Stop);
     connect(this, &QPushButton::pressed, this, &StopButton::onPressed);
     connect(this, &QPushButton::clicked, this, &StopButton::onClicked);
-    connect(&m_lockOut, &QTimer::timeout, this, &StopButton::refresh);
     refresh();
 }
 
-void StopButton::setLockOut_ms(int lockOut_ms) {
-    m_lockOut.setInterval(lockOut_ms);
-}
-
-void StopButton::setLatched(bool isLatched, const QString& reason) {
+void StopButton::setLatched(bool isLatched, bool isLocked, const QString& reason) {
     m_reason = reason;
-    if (isLatched && !m_isLatched) {
-        m_lockOut.start();
-    }
-    if (!isLatched) {
-        m_lockOut.stop();
-    }
     m_isLatched = isLatched;
+    m_isLocked = isLocked;
     refresh();
 }
 
@@ -54,7 +37,7 @@ QSize StopButton::sizeHint() const {
 }
 
 void StopButton::onPressed() {
-    m_wasReadyToRearm = m_isLatched && !m_lockOut.isActive();
+    m_wasReadyToRearm = m_isLatched && !m_isLocked;
     Q_EMIT stopRequested();
 }
 
@@ -85,9 +68,9 @@ void StopButton::refresh() {
         setText(tr("STOP"));
         setToolTip(tr("Software stop: current to zero at once, latched until re-armed (Esc)"));
     } else {
-        setText(m_variant == Variant::Full && !m_lockOut.isActive() ? tr("STOPPED — re-arm") : tr("STOPPED"));
+        setText(m_variant == Variant::Full && !m_isLocked ? tr("STOPPED — re-arm") : tr("STOPPED"));
         const QString why = m_reason.isEmpty() ? tr("Stopped.") : tr("Stopped: %1.").arg(m_reason);
-        setToolTip(m_lockOut.isActive()
+        setToolTip(m_isLocked
                        ? tr("%1 Re-arming is locked for a few seconds; Esc still stops.").arg(why)
                        : tr("%1 Click to re-arm; set-points start at zero. Esc still stops.").arg(why));
     }

@@ -2,13 +2,12 @@
 
 #include <QPushButton>
 #include <QString>
-#include <QTimer>
 
 namespace halbench::widgets {
 
 /// The software stop. It acts when it is pressed, not when it is let go, and every press stops, latched or
-/// not. While latched a complete click asks for re-arming too, once the lock-out has passed, so that
-/// hammering on it never does. Esc belongs to the window, which calls the same.
+/// not. While latched a complete click asks for re-arming too, unless that is still locked. Esc belongs to
+/// the window, which calls the same.
 class StopButton : public QPushButton {
     Q_OBJECT
 public:
@@ -20,9 +19,9 @@ public:
 
     bool isLatched() const { return m_isLatched; }
 
-    /// Why it stopped, in the user's words; empty if there is nothing to say.
-    void setLatched(bool isLatched, const QString& reason = {});
-    void setLockOut_ms(int lockOut_ms);
+    /// `isLocked`: too early to re-arm. Why it stopped, in the user's words; empty if there is nothing to
+    /// say.
+    void setLatched(bool isLatched, bool isLocked, const QString& reason = {});
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
@@ -42,9 +41,9 @@ private:
 
     Variant m_variant;
     bool m_isLatched = false;
+    bool m_isLocked = false;
     bool m_wasReadyToRearm = false;
     QString m_reason;
-    QTimer m_lockOut;
 };
 
 } // namespace halbench::widgets

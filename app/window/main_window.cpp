@@ -98,8 +98,8 @@ void MainWindow::buildCentre() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     m_bar = new TopBar(m_bench, centre);
-    m_bar->setStopLockOut_ms(m_preferences.stopLockOut_ms);
     m_bench.setDisplayUnits(m_preferences.units);
+    m_bench.stopLatch().setLockOut_ms(m_preferences.stopLockOut_ms);
     m_docks = new DockLayout(m_bench, centre);
     m_devices = static_cast<DevicePanel*>(m_docks->panel("devices"));
     m_notes = static_cast<NotesPanel*>(m_docks->panel("notes"));
@@ -239,7 +239,7 @@ void MainWindow::askPreferences() {
 
 void MainWindow::usePreferences(const Preferences& chosen) {
     m_preferences.stopLockOut_ms = chosen.stopLockOut_ms;
-    m_bar->setStopLockOut_ms(chosen.stopLockOut_ms);
+    m_bench.stopLatch().setLockOut_ms(chosen.stopLockOut_ms);
     m_preferences.units = chosen.units;
     m_bench.setDisplayUnits(chosen.units);
     if (chosen.language != m_preferences.language) {

@@ -29,6 +29,7 @@ TopBar::TopBar(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(ben
     DeviceSession& session = m_bench.session();
     connect(m_stop, &widgets::StopButton::stopRequested, &session, &DeviceSession::stopActuator);
     connect(m_stop, &widgets::StopButton::rearmRequested, this, &TopBar::rearm);
+    connect(&m_bench.stopLatch(), &StopLatch::changed, this, &TopBar::refresh);
     connect(&session, &DeviceSession::stateChanged, this, &TopBar::refresh);
     connect(&session, &DeviceSession::reportChanged, this, &TopBar::refresh);
     connect(&session, &DeviceSession::procedureChanged, this, &TopBar::refresh);
@@ -94,20 +95,12 @@ void TopBar::setPerspective(Perspective perspective) {
     m_perspectives.value(static_cast<int>(perspective))->setChecked(true);
 }
 
-void TopBar::setStopLockOut_ms(int lockOut_ms) {
-    m_stop->setLockOut_ms(lockOut_ms);
-}
-
-/// The purposeful act that releases a latched stop or fault; it arms nothing.
 void TopBar::rearm() {
-    DeviceSession& session = m_bench.session();
-    session.requestUnlessStopped([](devices::Device& device) { return device.clearStop(); },
-                                 [&session](Result<void> cleared) {
-                                     if (!cleared) {
-                                         session.message(MessageLevel::Error, tr("stop"),
-                                                         widgets::inWords(cleared.error().message));
-                                     }
-                                 });
+    m_bench.stopLatch().release([&session = m_bench.session()](const Result<void>& cleared) {
+        if (!cleared) {
+            session.message(MessageLevel::Error, tr("stop"), widgets::inWords(cleared.error().message));
+        }
+    });
 }
 
 void TopBar::refresh() {
@@ -116,7 +109,7 @@ void TopBar::refresh() {
     refreshRecording();
     const QString fault = widgets::inWords(board.faultText);
     const bool isConnected = session.state() == SessionState::Connected;
-    m_stop->setLatched(isConnected && (board.isStopLatched || board.fault != 0),
+    m_stop->setLatched(m_bench.stopLatch().isLatched(), m_bench.stopLatch().isLocked(),
                        board.fault != 0 ? fault : stopReason(board));
     if (isConnected) {
         m_strip->setDevice(QString::fromStdString(session.info().uri), session.info().isSimulated);

@@ -22,7 +22,6 @@ public:
     explicit TopBar(Workbench& bench, QWidget* parent = nullptr);
 
     void setPerspective(Perspective perspective);
-    void setStopLockOut_ms(int lockOut_ms);
 
 Q_SIGNALS:
     void perspectiveChosen(halbench::app::Perspective perspective);

@@ -50,6 +50,7 @@ DriveControl::DriveControl(Workbench& bench, QObject* parent) : QObject(parent),
     m_jog.setTimerType(Qt::PreciseTimer);
     connect(&m_jog, &QTimer::timeout, this, &DriveControl::jogStep);
     DeviceSession& session = m_bench.session();
+    connect(&m_bench.stopLatch(), &StopLatch::changed, this, &DriveControl::changed);
     connect(&session, &DeviceSession::reportChanged, this, &DriveControl::onReport);
     connect(&session, &DeviceSession::stateChanged, this, &DriveControl::onDevice);
     connect(&session, &DeviceSession::procedureChanged, this, &DriveControl::onReport);
@@ -64,8 +65,11 @@ bool DriveControl::isArmed() const {
 }
 
 bool DriveControl::isStopped() const {
-    const devices::DeviceState& board = m_bench.session().report().board;
-    return m_bench.session().state() == SessionState::Connected && (board.isStopLatched || board.fault != 0);
+    return m_bench.stopLatch().isLatched();
+}
+
+bool DriveControl::canRelease() const {
+    return isStopped() && !m_bench.stopLatch().isLocked();
 }
 
 bool DriveControl::needsConsent() const {
@@ -147,7 +151,11 @@ void DriveControl::disarm() {
 }
 
 void DriveControl::releaseStop() {
-    change([](devices::Device& device) { return device.clearStop(); }, {});
+    m_bench.stopLatch().release([self = QPointer(this)](const Result<void>& done) {
+        if (self) {
+            self->finish(done, {});
+        }
+    });
 }
 
 void DriveControl::takeOrigin() {

@@ -26,7 +26,8 @@ public:
     /// A device is connected and no procedure has it.
     bool isAvailable() const;
     bool isArmed() const;
-    bool isStopped() const; ///< a stop or a fault is latched
+    bool isStopped() const;  ///< a stop or a fault is latched
+    bool canRelease() const; ///< and it is no longer too early
     /// Armed, free, in a mode that drives, and neither an arm nor a mode is still on its way to the board.
     bool canMove() const;
     bool isPending() const { return m_pending != 0; }

@@ -252,10 +252,11 @@ void DrivePanel::refreshStop() {
     const FaultWords words =
         m_control.isStopped() ? faultWords(m_bench.session().report().board) : FaultWords();
     if (!words.what.isEmpty()) {
-        if (m_asking != Asking::Release || m_message->message().text != words.what) {
+        const QString action = m_control.canRelease() ? tr("Release the stop") : QString();
+        const widgets::Message& shown = m_message->message();
+        if (m_asking != Asking::Release || shown.text != words.what || shown.actionText != action) {
             m_asking = Asking::Release;
-            m_message->showMessage(
-                {widgets::Severity::Error, words.what, words.remedy, tr("Release the stop")});
+            m_message->showMessage({widgets::Severity::Error, words.what, words.remedy, action});
         }
     } else if (m_asking == Asking::Release || (m_asking == Asking::Consent && !m_control.isAvailable())) {
         m_asking = Asking::Nothing;

@@ -7,6 +7,7 @@
 #include "app/workspaces/display_quantity.h"
 #include "app/workspaces/live_signals.h"
 #include "app/workspaces/recording_control.h"
+#include "app/workspaces/stop_latch.h"
 #include "control/signals/sample_history.h"
 
 #include <QObject>
@@ -38,6 +39,8 @@ public:
     ~Workbench() override;
 
     DeviceSession& session() { return m_session; }
+    /// Whether a stop is latched, and its release.
+    StopLatch& stopLatch() { return m_stopLatch; }
     /// What the panels want to see of the device while no procedure streams.
     LiveSignals& liveSignals() { return m_liveSignals; }
     /// The recording of the panel and of the window's action.
@@ -86,6 +89,7 @@ private:
     void takeValues(const Result<std::vector<double>>& values, bool areOurs);
 
     DeviceSession m_session;
+    StopLatch m_stopLatch{m_session};
     LiveSignals m_liveSignals{m_session};
     RecordingControl m_recording{m_session, m_liveSignals};
     control::SampleHistory m_history;

@@ -32,7 +32,8 @@ TEST_F(StopButtonTest, hammeringOnItNeverRearms) {
     StopButton button(StopButton::Variant::Full);
     QSignalSpy stops(&button, &StopButton::stopRequested);
     QSignalSpy rearms(&button, &StopButton::rearmRequested);
-    QObject::connect(&button, &StopButton::stopRequested, &button, [&button] { button.setLatched(true); });
+    QObject::connect(&button, &StopButton::stopRequested, &button,
+                     [&button] { button.setLatched(true, true); });
     for (int i = 0; i < 5; ++i) {
         QTest::mouseClick(&button, Qt::LeftButton);
     }
@@ -40,17 +41,18 @@ TEST_F(StopButtonTest, hammeringOnItNeverRearms) {
     EXPECT_EQ(rearms.count(), 0);
 }
 
-TEST_F(StopButtonTest, asksForRearmingOnPurposeAfterTheLockOut) {
+TEST_F(StopButtonTest, asksForRearmingOnPurposeOnceItIsNotLocked) {
     StopButton button(StopButton::Variant::Full);
-    button.setLockOut_ms(1);
     QSignalSpy stops(&button, &StopButton::stopRequested);
     QSignalSpy rearms(&button, &StopButton::rearmRequested);
-    button.setLatched(true, QStringLiteral("Esc"));
-    EXPECT_TRUE(QTest::qWaitFor([&button] { return button.text().contains(QStringLiteral("re-arm")); }));
+    button.setLatched(true, true, QStringLiteral("Esc"));
+    EXPECT_FALSE(button.text().contains(QStringLiteral("re-arm")));
+    button.setLatched(true, false, QStringLiteral("Esc"));
+    EXPECT_TRUE(button.text().contains(QStringLiteral("re-arm")));
     QTest::mouseClick(&button, Qt::LeftButton);
     EXPECT_EQ(rearms.count(), 1);
     EXPECT_EQ(stops.count(), 1); // stopping twice is harmless, not stopping is not
-    button.setLatched(false);
+    button.setLatched(false, false);
     QTest::mouseClick(&button, Qt::LeftButton);
     EXPECT_EQ(rearms.count(), 1);
 }
@@ -63,7 +65,7 @@ TEST_F(StopButtonTest, isLargeSaysWhyAndKeepsItsSize) {
     EXPECT_EQ(roleOf(button), Role::Stop);
     EXPECT_FALSE(button.accessibleName().isEmpty());
     EXPECT_TRUE(button.toolTip().contains(QStringLiteral("Esc")));
-    button.setLatched(true, QStringLiteral("link lost"));
+    button.setLatched(true, false, QStringLiteral("link lost"));
     EXPECT_EQ(button.sizeHint(), size);
     EXPECT_TRUE(button.toolTip().contains(QStringLiteral("link lost")));
 }

@@ -175,6 +175,16 @@ TEST_F(DrivePanelTest, aStopIsLatchedSaidInWordsAndReleasedOnPurpose) {
     session().stopActuator();
     ASSERT_TRUE(wait([&] { return message().startsWith("Stopped"); }));
     EXPECT_FALSE(find<QPushButton>(*panel, "Arm")->isEnabled());
+    EXPECT_TRUE(bench().stopLatch().isLocked());
+    const auto isOffered = [&] {
+        const auto buttons = panel->findChildren<QPushButton*>();
+        return std::any_of(buttons.begin(), buttons.end(), [](const QPushButton* each) {
+            return each->isVisible() && each->text() == "Release the stop";
+        });
+    };
+    EXPECT_FALSE(isOffered()); // the lock-out of the STOP control holds here too
+    ASSERT_TRUE(wait(isOffered));
+    EXPECT_FALSE(bench().stopLatch().isLocked());
     click(*panel, "Release the stop");
     EXPECT_TRUE(wait([&] { return find<QPushButton>(*panel, "Arm")->isEnabled(); }));
     EXPECT_FALSE(isArmed()); // releasing does not arm

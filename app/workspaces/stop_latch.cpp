@@ -1,0 +1,50 @@
+#include "app/workspaces/stop_latch.h"
+
+#include <utility>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr int LockOut_ms = 1000;
+
+} // namespace
+
+StopLatch::StopLatch(DeviceSession& session) : m_session(session) {
+    m_lockOut.setSingleShot(true);
+    m_lockOut.setInterval(LockOut_ms);
+    connect(&m_lockOut, &QTimer::timeout, this, &StopLatch::changed);
+    connect(&m_session, &DeviceSession::reportChanged, this, &StopLatch::onReport);
+    connect(&m_session, &DeviceSession::stateChanged, this, &StopLatch::onReport);
+}
+
+void StopLatch::setLockOut_ms(int lockOut_ms) {
+    m_lockOut.setInterval(lockOut_ms);
+}
+
+void StopLatch::onReport() {
+    const devices::DeviceState& board = m_session.report().board;
+    const bool isLatched =
+        m_session.state() == SessionState::Connected && (board.isStopLatched || board.fault != 0);
+    if (std::exchange(m_isLatched, isLatched) == isLatched) {
+        return;
+    }
+    if (isLatched) {
+        m_lockOut.start();
+    } else {
+        m_lockOut.stop();
+    }
+    Q_EMIT changed();
+}
+
+void StopLatch::release(std::function<void(const Result<void>&)> then) {
+    if (isLocked()) {
+        then(failure(ErrorCode::Refused, tr("The stop cannot be released yet.").toStdString(),
+                     tr("Wait a moment, look, then release it.").toStdString()));
+        return;
+    }
+    m_session.requestUnlessStopped([](devices::Device& device) { return device.clearStop(); },
+                                   std::move(then));
+}
+
+} // namespace halbench::app

@@ -1,0 +1,32 @@
+#include "app/workspaces/stop_latch.h"
+#include "tests/app/workspaces/bench_fixture.h"
+
+#include <QSignalSpy>
+
+namespace halbench::app {
+namespace {
+
+using StopLatchTest = BenchTest;
+
+TEST_F(StopLatchTest, isReleasedOnPurposeAndNotBeforeTheLockOutHasPassed) {
+    connectTo("sim:htm", 5.0);
+    StopLatch& latch = bench().stopLatch();
+    QSignalSpy changes(&latch, &StopLatch::changed);
+    latch.setLockOut_ms(200);
+    session().stopActuator();
+    ASSERT_TRUE(wait([&] { return latch.isLatched(); }));
+    EXPECT_TRUE(latch.isLocked());
+    std::optional<ErrorCode> refused;
+    latch.release(
+        [&](const Result<void>& done) { refused = done ? std::nullopt : std::optional(done.error().code); });
+    EXPECT_EQ(refused, ErrorCode::Refused);
+    ASSERT_TRUE(wait([&] { return !latch.isLocked(); }));
+    EXPECT_TRUE(latch.isLatched());
+    EXPECT_EQ(changes.count(), 2); // latched, and free to release
+    latch.release([](const Result<void>& done) { EXPECT_TRUE(done); });
+    EXPECT_TRUE(wait([&] { return !latch.isLatched(); }));
+    EXPECT_FALSE(session().report().board.isArmed);
+}
+
+} // namespace
+} // namespace halbench::app
