@@ -45,7 +45,8 @@ CalibratePanel::CalibratePanel(Workbench& workbench, QWidget* parent) : WizardPa
     addPage(buildPrepare(), true);
     addPage(buildRun(), false);
     addPage(buildResult(), true);
-    connect(&bench(), &Workbench::deviceChanged, this, &CalibratePanel::refreshPlan);
+    connect(&bench(), &Workbench::deviceChanged, this, &CalibratePanel::onDevice);
+    connect(&bench().session(), &DeviceSession::reportChanged, this, &CalibratePanel::refreshPlan);
     connect(&bench().session(), &DeviceSession::procedureChanged, this, &CalibratePanel::refreshPlan);
     connect(&bench().session(), &DeviceSession::procedureStage, this, &CalibratePanel::onStage);
     connect(&bench().session(), &DeviceSession::procedureProgress, this, [this](double, const QString& text) {
@@ -192,11 +193,38 @@ void CalibratePanel::refreshPlan() {
     m_outlook->setText(calibrationOutlook(config()));
     m_start->setEnabled(!config().which.empty() && m_preflight->isPassed());
     const DeviceSession& session = bench().session();
-    const bool isFree = session.state() == SessionState::Connected && session.procedure().isEmpty();
+    // Armed by hand, the angle that holds the rotor would jump with its calibration.
+    const bool isFree = session.state() == SessionState::Connected && session.procedure().isEmpty() &&
+                        !session.report().board.isArmed;
     const bool isUsable =
         m_result && !m_result->proposed.empty() && m_result->quality.verdict != Verdict::Refused;
     m_apply->setEnabled(isFree && isUsable && !m_result->isApplied && isOfThisDevice());
     m_restore->setEnabled(isFree && isUsable && m_result->isApplied);
+}
+
+void CalibratePanel::onDevice() {
+    if (bench().session().state() == SessionState::Connected) {
+        ++m_connection;
+        if (m_result && m_isFromProject) {
+            m_result->isApplied = false; // the board starts with the values that it keeps
+        } else if (m_result) {
+            forget();
+        }
+    }
+    refreshPlan();
+}
+
+/// Another board has other sensors, and the same one starts with the values that it keeps: what is proposed,
+/// what was before and whether it is applied are known of neither.
+void CalibratePanel::forget() {
+    m_kept = record(); // the project keeps it
+    m_result.reset();
+    resetSteps();
+    showPage(PreparePage);
+    messages().showMessage({widgets::Severity::Information,
+                            tr("The calibration belonged to the connection before and cannot be applied."),
+                            tr("Calibrate again."),
+                            {}});
 }
 
 void CalibratePanel::start() {
@@ -213,7 +241,9 @@ void CalibratePanel::start() {
             };
             return runCalibrate(device, config, observer);
         },
-        [this](const Result<CalibrateResult>& result) { finish(result); });
+        [this, connection = m_connection](const Result<CalibrateResult>& result) {
+            finish(result, connection);
+        });
     if (!hasStarted) {
         return;
     }
@@ -254,12 +284,17 @@ void CalibratePanel::onStage(ProcedureState stage) {
     }
 }
 
-void CalibratePanel::finish(const Result<CalibrateResult>& result) {
+void CalibratePanel::finish(const Result<CalibrateResult>& result, std::uint64_t connection) {
     m_frame.stop();
     if (!result) {
         fail(result.error(), tr("The calibration was cancelled; everything is as it was before."));
         refreshPlan();
         m_start->setFocus(Qt::OtherFocusReason);
+        return;
+    }
+    if (connection != m_connection) { // its device went while the result was on its way
+        forget();
+        refreshPlan();
         return;
     }
     m_result = *result;
@@ -274,7 +309,7 @@ void CalibratePanel::finish(const Result<CalibrateResult>& result) {
 }
 
 std::optional<CalibrationRecord> CalibratePanel::record() const {
-    return m_result ? std::optional(CalibrationRecord{m_header, *m_result}) : std::nullopt;
+    return m_result ? std::optional(CalibrationRecord{m_header, *m_result}) : m_kept;
 }
 
 void CalibratePanel::restore(std::optional<CalibrationRecord> record) {
@@ -283,6 +318,7 @@ void CalibratePanel::restore(std::optional<CalibrationRecord> record) {
     }
     messages().clear();
     m_result.reset();
+    m_kept.reset();
     m_isFromProject = record.has_value();
     if (!record) {
         showPage(PreparePage);
@@ -338,8 +374,8 @@ void CalibratePanel::showResult() {
 
 void CalibratePanel::write(const std::vector<ParameterValue>& values, bool isApplying) {
     const QPointer<CalibratePanel> self(this);
-    bench().writeValues(values, [self, isApplying](const Result<void>& written) {
-        if (!self) {
+    bench().writeValues(values, [self, isApplying, connection = m_connection](const Result<void>& written) {
+        if (!self || connection != self->m_connection || !self->m_result) {
             return;
         }
         if (!written) {

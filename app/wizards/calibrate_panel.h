@@ -57,17 +57,21 @@ private:
     QWidget* buildResultButtons();
     CalibrateConfig config() const;
     void refreshPlan();
+    void onDevice();
     void start();
     void showLive();
     void onStage(ProcedureState stage);
-    void finish(const Result<CalibrateResult>& result);
+    void finish(const Result<CalibrateResult>& result, std::uint64_t connection);
+    void forget();
     void showResult();
     bool isOfThisDevice() const;
     void apply();
     void write(const std::vector<ParameterValue>& values, bool isApplying);
 
-    std::optional<CalibrateResult> m_result;
+    std::uint64_t m_connection = 0; ///< counts the connections: a result belongs to one board, powered once
+    std::optional<CalibrateResult> m_result; ///< of this connection, or of the one that was lost last
     ResultHeader m_header;
+    std::optional<CalibrationRecord> m_kept; ///< of a connection before; cannot be applied
     bool m_isFromProject = false;
 
     QLabel* m_intro = nullptr;

@@ -42,6 +42,31 @@ TEST_F(CalibratePanelTest, proposesAppliesOnPurposeAndRestores) {
     EXPECT_EQ(valuesNow(), before);
 }
 
+TEST_F(CalibratePanelTest, aResultIsNotAppliedToAnotherBoardNorToAnArmedOne) {
+    connectMotor("sim:htm?seed=5", 0.0);
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start calibration"); }));
+    click(panel, "Start calibration");
+    ASSERT_TRUE(wait([&] { return isResultShown(); })) << message().toStdString();
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Apply"); }));
+
+    const auto arm = [&](bool isArmed) {
+        bench.session().request(
+            [isArmed](devices::Device& device) { return isArmed ? device.arm() : device.disarm(); },
+            [](const Result<void>&) {});
+        ASSERT_TRUE(wait([&] { return bench.session().report().board.isArmed == isArmed; }));
+    };
+    arm(true);
+    EXPECT_FALSE(isEnabled(panel, "Apply"));
+    arm(false);
+    EXPECT_TRUE(isEnabled(panel, "Apply"));
+
+    connectMotor("sim:htm?seed=6", 0.0);
+    ASSERT_TRUE(wait([&] { return bench.session().state() == SessionState::Connected; }));
+    EXPECT_EQ(button(panel, "Apply"), nullptr);
+    EXPECT_NE(button(panel, "Start calibration"), nullptr);
+    EXPECT_TRUE(message().contains("connection before")) << message().toStdString();
+}
+
 TEST_F(CalibratePanelTest, onlyWhatIsChosenIsDone) {
     connectMotor("sim:htm", 0.0);
     for (auto* box : panel.findChildren<QCheckBox*>()) {
