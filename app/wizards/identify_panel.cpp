@@ -141,10 +141,7 @@ QWidget* IdentifyPanel::buildResultButtons() {
     connect(m_tune, &QPushButton::clicked, this, &IdentifyPanel::tuneRequested);
     connect(m_save, &QPushButton::clicked, this, [this] {
         save({tr("Save as model"), QStringLiteral("model.json"), tr("Model (*.json)")},
-             [header = bench().provenance().header,
-              result = bench().identification().value_or(IdentifyResult{})] {
-                 return identificationDocument(header, result);
-             });
+             [header = m_header, result = m_found] { return identificationDocument(header, result); });
     });
     connect(m_load, &QPushButton::clicked, this, &IdentifyPanel::load);
     connect(m_again, &QPushButton::clicked, this, [this] {
@@ -288,8 +285,17 @@ void IdentifyPanel::finish(const IdentifyConfig& config, const Result<IdentifyRe
         m_start->setFocus(Qt::OtherFocusReason);
         return;
     }
-    bench().setIdentification(*result,
-                              {headerOf("halbench.identification/1", config.seed), ResultOrigin::Measured});
+    take(*result, {headerOf("halbench.identification/1", config.seed), ResultOrigin::Measured});
+}
+
+/// A refused result is shown, but does not take away the good one that others work with.
+void IdentifyPanel::take(const IdentifyResult& result, const Provenance& provenance) {
+    if (result.quality.verdict == Verdict::Refused) {
+        messages().clear();
+        showResult(result, provenance);
+    } else {
+        bench().setIdentification(result, provenance);
+    }
 }
 
 /// Another one is there: measured, loaded, or come with the project. A sweep that runs keeps its page.
@@ -303,8 +309,12 @@ void IdentifyPanel::onIdentification() {
         resetSteps();
         return;
     }
-    const IdentifyResult& result = *bench().identification();
-    const Provenance& provenance = bench().provenance();
+    showResult(*bench().identification(), bench().provenance());
+}
+
+void IdentifyPanel::showResult(const IdentifyResult& result, const Provenance& provenance) {
+    m_header = provenance.header;
+    m_found = result;
     m_result->setResult(result, provenance.header);
     if (provenance.origin == ResultOrigin::Project) {
         messages().showMessage({widgets::Severity::Information,
@@ -334,7 +344,7 @@ void IdentifyPanel::load() {
                         showError(file.error());
                         return;
                     }
-                    bench().setIdentification(file->result, {file->header, ResultOrigin::File});
+                    take(file->result, {file->header, ResultOrigin::File});
                 });
 }
 

@@ -51,7 +51,9 @@ private:
     void onStage(ProcedureState stage);
     void finish(const IdentifyConfig& config, const Result<IdentifyResult>& result);
     void load();
+    void take(const IdentifyResult& result, const Provenance& provenance);
     void onIdentification();
+    void showResult(const IdentifyResult& result, const Provenance& provenance);
 
     std::shared_ptr<LivePlateaus> m_live;
     IdentifyConfig m_running; ///< of the run that is under way
@@ -60,6 +62,8 @@ private:
     bool m_isCancelling = false;
     QElapsedTimer m_sinceStart;
     QTimer m_frame;
+    IdentifyResult m_found; ///< what is shown, refused or not
+    ResultHeader m_header;  ///< of the same
 
     QLabel* m_intro = nullptr;
     IdentifyForm* m_form = nullptr;

@@ -1,6 +1,7 @@
 #include "app/wizards/identify_panel.h"
 #include "app/workspaces/preflight.h"
 #include "tests/app/workspaces/panel_fixture.h"
+#include "tests/app/workspaces/published_motor.h"
 #include "widgets/estimate_table.h"
 #include "widgets/figure_view.h"
 #include "widgets/message_bar.h"
@@ -155,6 +156,9 @@ TEST_F(IdentifyPanelTest, cancelInEachStageRestoresEverything) {
     for (const ProcedureState stage : {ProcedureState::Prepare, ProcedureState::Excite,
                                        ProcedureState::Record, ProcedureState::Fit, ProcedureState::Judge}) {
         ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
+        // At this pace the motion lasts longer than the word needs; the computing behind it need not.
+        const bool isComputing = stage == ProcedureState::Fit || stage == ProcedureState::Judge;
+        bench.session().setPace({isComputing ? 0.0 : 5.0});
         bool isCancelled = false;
         const auto connection = QObject::connect(
             &bench.session(), &DeviceSession::procedureStage, &panel, [&](ProcedureState now) {
@@ -166,10 +170,12 @@ TEST_F(IdentifyPanelTest, cancelInEachStageRestoresEverything) {
         click(panel, "Start identification");
         ASSERT_TRUE(wait([&] { return bench.session().procedure().isEmpty() && !button(panel, "Cancel"); }));
         QObject::disconnect(connection);
+        bench.session().setPace({0.0});
         EXPECT_TRUE(isCancelled) << procedureStateName(stage);
         EXPECT_EQ(valuesNow(), before) << procedureStateName(stage);
         EXPECT_FALSE(bench.session().report().board.isArmed);
         if (isResultShown()) { // it was over before the word arrived
+            EXPECT_TRUE(isComputing) << procedureStateName(stage);
             click(panel, "Identify again");
         } else {
             EXPECT_TRUE(message().contains("cancelled")) << message().toStdString();
@@ -200,6 +206,22 @@ TEST_F(IdentifyPanelTest, aDeviceLostMidWayIsSaidInPlaceAndThePanelStaysUsable) 
     connectMotor("sim:htm", 0.0); // another device, and on it goes
     EXPECT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
     board.waitForFinished(Patience_ms);
+}
+
+TEST_F(IdentifyPanelTest, aRefusedResultDoesNotTakeTheGoodOneAway) {
+    bench.setIdentification(publishedMotor());
+    ASSERT_TRUE(wait([&] { return isResultShown(); }));
+    click(panel, "Save as model\u2026");
+    ASSERT_TRUE(wait([&] { return message().startsWith("Saved"); })) << message().toStdString();
+    m_toOpen = path("refused.json");
+    QFile file(m_toOpen);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(content(path("panel.json")).replace("\"good\"", "\"refused\""));
+    file.close();
+    click(panel, "Load model\u2026");
+    ASSERT_TRUE(wait([&] { return !isEnabled(panel, "Tune with this"); })) << message().toStdString();
+    EXPECT_TRUE(isResultShown());
+    EXPECT_EQ(bench.identification()->quality.verdict, Verdict::Good);
 }
 
 TEST_F(IdentifyPanelTest, aModelThatIsDamagedIsRefusedInPlace) {
