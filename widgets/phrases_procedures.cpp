@@ -197,6 +197,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "check the link; record fewer signals or at a lower rate"),
     QT_TRANSLATE_NOOP("Phrases", "{} of {} rows are missing"),
     QT_TRANSLATE_NOOP("Phrases", "Record fewer signals or at a lower rate."),
+    QT_TRANSLATE_NOOP("Phrases", "{}; it is not confirmed that the values from before are back: {}"),
+    QT_TRANSLATE_NOOP("Phrases", "connect again and compare the parameters before the actuator is armed"),
     QT_TRANSLATE_NOOP("Phrases", "nothing was written"),
     QT_TRANSLATE_NOOP("Phrases", "the source's own targets (zeta 0.06 at 15 rad/s) give {} A/rad and {} A/(rad s) on this motor, not the printed 10 and 0.1"),
     QT_TRANSLATE_NOOP("Phrases", "method designed has those gains"),

@@ -124,6 +124,13 @@ Result<control::DesignTargets> TuneForm::targets() const {
     return targets;
 }
 
+void TuneForm::setModel(const std::string& model) {
+    if (m_model != model) {
+        m_model = model;
+        refreshWords();
+    }
+}
+
 void TuneForm::setEdited() {
     const QSignalBlocker quiet(m_origin);
     m_origin->setCurrentIndex(m_origin->count() - 1);
@@ -167,7 +174,7 @@ void TuneForm::refreshWords() {
             break;
         case Origin::Preset:
             text = tr("Preset: %1").arg(id);
-            if (const auto preset = findPreset("htm", id.toStdString())) {
+            if (const auto preset = findPreset(m_model, id.toStdString())) {
                 help = widgets::inWords(preset->title);
             }
             break;

@@ -7,6 +7,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <string>
 
 class QComboBox;
 class QLabel;
@@ -29,6 +30,8 @@ public:
     std::string method() const;
     /// Only those the method reads. Errors: InvalidInput naming the field.
     Result<control::DesignTargets> targets() const;
+    /// Whose presets these are.
+    void setModel(const std::string& model);
     void setEdited(); ///< says so, without chosen()
     /// The same for a method, preset or other origin by its id, with its targets; an id that this version
     /// does not know counts as edited.
@@ -45,6 +48,7 @@ private:
     void refreshWords();
     void refreshTargets();
 
+    std::string m_model = "htm";
     QLabel* m_label = nullptr;
     QComboBox* m_origin = nullptr;
     QLabel* m_help = nullptr;

@@ -33,6 +33,10 @@ enum Page { EmptyPage, WorkPage };
 /// Whose presets and surroundings count while no device is connected.
 constexpr const char* DefaultModel = "htm";
 
+std::string modelOf(const DeviceSession& session) {
+    return session.state() == SessionState::Connected ? session.info().model : DefaultModel;
+}
+
 QScrollArea* scrolled(QWidget* page) {
     auto* scroll = new QScrollArea;
     scroll->setWidgetResizable(true);
@@ -230,6 +234,7 @@ void TunePanel::refreshModel() {
 
 void TunePanel::readConditions() {
     DeviceSession& session = m_bench.session();
+    m_form->setModel(modelOf(session));
     if (session.state() != SessionState::Connected) {
         if (const auto conditions = loopConditionsOf(DefaultModel)) {
             m_conditions = *conditions;
@@ -272,7 +277,7 @@ std::optional<TuneQuestion> TunePanel::question() {
     case TuneForm::Origin::Method:
         return question;
     case TuneForm::Origin::Preset:
-        law = presetLaw(DefaultModel, question.config.method);
+        law = presetLaw(modelOf(m_bench.session()), question.config.method);
         break;
     case TuneForm::Origin::Device:
         law = lawFromParameters(m_bench.deviceValues());
