@@ -3838,6 +3838,14 @@
         <source>find out why it was stopped, then do it again</source>
         <translation>klären Sie, warum gestoppt wurde, und wiederholen Sie es dann</translation>
     </message>
+    <message>
+        <source>{}; it is not confirmed that the values from before are back: {}</source>
+        <translation>{}; nicht bestätigt ist, dass die vorigen Werte wieder gelten: {}</translation>
+    </message>
+    <message>
+        <source>connect again and compare the parameters before the actuator is armed</source>
+        <translation>verbinden Sie neu und vergleichen Sie die Parameter, bevor der Aktor freigegeben wird</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CalibratePanel</name>
@@ -3960,6 +3968,14 @@
     <message>
         <source>What the Hall sensors read; centre, axes and tilt of the ellipse are measured</source>
         <translation>Was die Hallsensoren lesen; gemessen werden Mitte, Achsen und Neigung der Ellipse</translation>
+    </message>
+    <message>
+        <source>The calibration belonged to the connection before and cannot be applied.</source>
+        <translation>Die Kalibrierung gehörte zur vorigen Verbindung und kann nicht übernommen werden.</translation>
+    </message>
+    <message>
+        <source>Calibrate again.</source>
+        <translation>Kalibrieren Sie erneut.</translation>
     </message>
 </context>
 <context>
@@ -6246,6 +6262,17 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>other</source>
         <translation>übrige</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::StopLatch</name>
+    <message>
+        <source>The stop cannot be released yet.</source>
+        <translation>Der Stopp lässt sich noch nicht aufheben.</translation>
+    </message>
+    <message>
+        <source>Wait a moment, look, then release it.</source>
+        <translation>Warten Sie einen Moment, sehen Sie nach und heben Sie ihn dann auf.</translation>
     </message>
 </context>
 <context>

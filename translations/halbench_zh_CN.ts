@@ -3838,6 +3838,14 @@
         <source>find out why it was stopped, then do it again</source>
         <translation>查明停止原因后再执行一次</translation>
     </message>
+    <message>
+        <source>{}; it is not confirmed that the values from before are back: {}</source>
+        <translation>{}；未确认先前的值已恢复：{}</translation>
+    </message>
+    <message>
+        <source>connect again and compare the parameters before the actuator is armed</source>
+        <translation>请重新连接，并在使能执行器之前核对参数</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CalibratePanel</name>
@@ -3960,6 +3968,14 @@
     <message>
         <source>What the Hall sensors read; centre, axes and tilt of the ellipse are measured</source>
         <translation>霍尔传感器的读数；测量椭圆的中心、轴长和倾角</translation>
+    </message>
+    <message>
+        <source>The calibration belonged to the connection before and cannot be applied.</source>
+        <translation>该校准属于先前的连接，无法应用。</translation>
+    </message>
+    <message>
+        <source>Calibrate again.</source>
+        <translation>请重新校准。</translation>
     </message>
 </context>
 <context>
@@ -6245,6 +6261,17 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>other</source>
         <translation>其他</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::StopLatch</name>
+    <message>
+        <source>The stop cannot be released yet.</source>
+        <translation>现在还不能解除停止。</translation>
+    </message>
+    <message>
+        <source>Wait a moment, look, then release it.</source>
+        <translation>请稍候，确认情况后再解除。</translation>
     </message>
 </context>
 <context>
