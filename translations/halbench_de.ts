@@ -303,10 +303,6 @@
         <translation>Zeit eines Plateaus</translation>
     </message>
     <message>
-        <source>Current of plateau {}</source>
-        <translation>Strom von Plateau {}</translation>
-    </message>
-    <message>
         <source>Signal of channel {} as handle (address/8), 255 = none</source>
         <translation>Signal von Kanal {} als Nummer (Adresse/8), 255 = keines</translation>
     </message>
@@ -3845,6 +3841,14 @@
     <message>
         <source>connect again and compare the parameters before the actuator is armed</source>
         <translation>verbinden Sie neu und vergleichen Sie die Parameter, bevor der Aktor freigegeben wird</translation>
+    </message>
+    <message>
+        <source>Current of one plateau</source>
+        <translation>Strom eines Plateaus</translation>
+    </message>
+    <message>
+        <source>output converter does not answer</source>
+        <translation>Ausgangswandler antwortet nicht</translation>
     </message>
 </context>
 <context>

@@ -303,10 +303,6 @@
         <translation>每个平台的时间</translation>
     </message>
     <message>
-        <source>Current of plateau {}</source>
-        <translation>平台 {} 的电流</translation>
-    </message>
-    <message>
         <source>Signal of channel {} as handle (address/8), 255 = none</source>
         <translation>通道 {} 的信号编号（地址/8），255 = 无</translation>
     </message>
@@ -3845,6 +3841,14 @@
     <message>
         <source>connect again and compare the parameters before the actuator is armed</source>
         <translation>请重新连接，并在使能执行器之前核对参数</translation>
+    </message>
+    <message>
+        <source>Current of one plateau</source>
+        <translation>一个平台的电流</translation>
+    </message>
+    <message>
+        <source>output converter does not answer</source>
+        <translation>输出转换器无应答</translation>
     </message>
 </context>
 <context>
