@@ -4,6 +4,7 @@
 
 #include <array>
 #include <ctime>
+#include <map>
 
 namespace halbench::app {
 
@@ -17,6 +18,16 @@ std::string wallTime() {
 }
 
 namespace {
+
+/// As a result keeps them: "0.50" in an address is 0.5.
+std::map<std::string, std::string> knownOverrides(const devices::DeviceInfo& device) {
+    std::map<std::string, std::string> overrides;
+    for (const auto& [key, value] : device.overrides) {
+        const std::optional<double> number = parseNumber(value);
+        overrides[key] = number ? formatNumber(*number) : value;
+    }
+    return overrides;
+}
 
 /// --seed wins over ?seed=; default 1.
 std::uint64_t seedOf(const CommandContext& context, const devices::DeviceInfo& device) {
@@ -87,6 +98,10 @@ JsonValue toJson(const ResultHeader& header) {
     result.set("started", header.started).set("seed", header.seed);
     result.set("data_quality", toJson(header.quality));
     return result;
+}
+
+bool isSameDevice(const devices::DeviceInfo& one, const devices::DeviceInfo& other) {
+    return one.model == other.model && one.id == other.id && knownOverrides(one) == knownOverrides(other);
 }
 
 } // namespace halbench::app

@@ -205,10 +205,12 @@ void CalibratePanel::refreshPlan() {
 void CalibratePanel::onDevice() {
     if (bench().session().state() == SessionState::Connected) {
         ++m_connection;
-        if (m_result && m_isFromProject) {
-            m_result->isApplied = false; // the board starts with the values that it keeps
-        } else if (m_result) {
+        if (m_result && !m_isFromProject) {
             forget();
+        } else if (m_result && m_result->isApplied) {
+            m_result->isApplied = false; // the board starts with the values that it keeps
+            messages().clear();
+            endStep(ApplyStep, widgets::StepState::Waiting);
         }
     }
     refreshPlan();
@@ -316,6 +318,7 @@ void CalibratePanel::restore(std::optional<CalibrationRecord> record) {
     if (isMine()) {
         return; // what runs now is shown when it ends
     }
+    ++m_connection; // a write that is on its way was of another result
     messages().clear();
     m_result.reset();
     m_kept.reset();
@@ -340,11 +343,10 @@ void CalibratePanel::restore(std::optional<CalibrationRecord> record) {
     showPage(ResultPage);
 }
 
-/// A calibration of a project belongs to the sensors it was measured with.
+/// A calibration of a project belongs to the sensors it was measured with; a simulated motor with other
+/// overrides has others.
 bool CalibratePanel::isOfThisDevice() const {
-    const devices::DeviceInfo& here = bench().session().info();
-    return !m_isFromProject ||
-           (m_header.device && m_header.device->model == here.model && m_header.device->id == here.id);
+    return !m_isFromProject || (m_header.device && isSameDevice(*m_header.device, bench().session().info()));
 }
 
 void CalibratePanel::apply() {

@@ -132,6 +132,20 @@ TEST_F(CalibratePanelTest, aCalibrationOfAnotherDeviceIsShownButNotApplied) {
     EXPECT_FALSE(panel.record());
 }
 
+TEST_F(CalibratePanelTest, aCalibrationOfASimulatedMotorWithOtherOverridesIsNotApplied) {
+    connectMotor("sim:htm?seed=5&B0=0.150", 0.0);
+    devices::DeviceInfo other = bench.session().info();
+    other.overrides = {{"B0", "0.15"}, {"seed", "5"}}; // as a file says it
+    panel.restore(measuredOn(other));
+    EXPECT_TRUE(isEnabled(panel, "Apply"));
+    other.overrides = {{"B0", "0.16"}, {"seed", "5"}};
+    panel.restore(measuredOn(other));
+    EXPECT_FALSE(isEnabled(panel, "Apply"));
+    other.overrides = {{"seed", "5"}};
+    panel.restore(measuredOn(other));
+    EXPECT_FALSE(isEnabled(panel, "Apply"));
+}
+
 TEST(CalibrateWords, showsMillitesla) {
     CalibrateResult result;
     result.figures = {{"hall.offset_a", "T", {5.6e-3, std::pair(5.5e-3, 5.7e-3), {}, "T"}}};
