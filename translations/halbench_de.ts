@@ -5580,6 +5580,21 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::NumberCheck</name>
+    <message>
+        <source>Allowed: %1. The field shows %2 again.</source>
+        <translation>Erlaubt: %1. Das Feld zeigt wieder %2.</translation>
+    </message>
+    <message>
+        <source>Allowed: %1.</source>
+        <translation>Erlaubt: %1.</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; cannot be used, nothing moves.</source>
+        <translation>%1: „%2“ ist nicht verwendbar; es bewegt sich nichts.</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::ParametersPanel</name>
     <message>
         <source>Preset</source>

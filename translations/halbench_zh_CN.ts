@@ -5580,6 +5580,21 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::NumberCheck</name>
+    <message>
+        <source>Allowed: %1. The field shows %2 again.</source>
+        <translation>允许：%1。该栏重新显示 %2。</translation>
+    </message>
+    <message>
+        <source>Allowed: %1.</source>
+        <translation>允许：%1。</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; cannot be used, nothing moves.</source>
+        <translation>%1：“%2”无法使用，不会产生任何运动。</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::ParametersPanel</name>
     <message>
         <source>Preset</source>

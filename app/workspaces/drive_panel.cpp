@@ -120,6 +120,7 @@ void DrivePanel::buildSetpoint(QVBoxLayout* column) {
     });
     connect(m_jog, &JogRow::jogStarted, &m_control, &DriveControl::startJog);
     connect(m_jog, &JogRow::jogStopped, &m_control, &DriveControl::stopJog);
+    connect(m_jog, &JogRow::refused, this, &DrivePanel::showError);
 }
 
 void DrivePanel::buildReference(QVBoxLayout* column) {
@@ -143,6 +144,7 @@ void DrivePanel::buildReference(QVBoxLayout* column) {
     row->addWidget(m_end, 1);
     section->addLayout(row);
     connect(m_reference, &ReferenceForm::changed, this, &DrivePanel::describeMotion);
+    connect(m_reference, &ReferenceForm::refused, this, &DrivePanel::showError);
     connect(m_start, &QPushButton::clicked, this, &DrivePanel::onStartReference);
     connect(m_end, &QPushButton::clicked, &m_control, &DriveControl::stopReference);
 }
@@ -203,7 +205,7 @@ void DrivePanel::onSetpointRefused(const QString& text) {
 }
 
 void DrivePanel::onStartReference() {
-    const Result<std::vector<ParameterValue>> values = m_reference->values();
+    const Result<std::vector<ParameterValue>> values = m_reference->takeValues();
     if (!values) {
         showError(widgets::inWords(values.error().message), widgets::inWords(values.error().hint));
         return;

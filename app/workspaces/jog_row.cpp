@@ -1,7 +1,9 @@
 #include "app/workspaces/jog_row.h"
 
+#include "app/workspaces/number_check.h"
 #include "app/workspaces/panel_parts.h"
 #include "control/base/units.h"
+#include "widgets/phrasebook.h"
 #include "widgets/quantity_edit.h"
 #include "widgets/theme_style.h"
 
@@ -54,6 +56,8 @@ JogRow::JogRow(QWidget* parent) : QWidget(parent) {
     row->setSpacing(widgets::GridStep_px);
     row->addWidget(addButton(tr("\u2212 Back"), tr("Moves backward while it is held (hold Space)"), -1.0));
     m_rate = makeNumberField({}, this);
+    m_check = new NumberCheck(*m_rate);
+    connect(m_check, &NumberCheck::refused, this, &JogRow::refused);
     row->addWidget(m_rate, 1);
     row->addWidget(addButton(tr("Forward +"), tr("Moves forward while it is held (hold Space)"), 1.0));
     setAngular(true);
@@ -63,7 +67,7 @@ HoldButton* JogRow::addButton(const QString& text, const QString& toolTip, doubl
     auto* button = new HoldButton(text, this);
     button->setToolTip(toolTip);
     button->setAccessibleDescription(toolTip);
-    connect(button, &HoldButton::held, this, [this, sign] { Q_EMIT jogStarted(sign * rate()); });
+    connect(button, &HoldButton::held, this, [this, sign] { start(sign); });
     connect(button, &HoldButton::letGo, this, &JogRow::jogStopped);
     return button;
 }
@@ -84,8 +88,13 @@ void JogRow::setAngular(bool isAngular) {
     }
 }
 
-double JogRow::rate() const {
-    return *m_isAngular ? degreesToRadians(m_rate->value()) : m_rate->value();
+void JogRow::start(double sign) {
+    const Result<double> rate = m_check->take();
+    if (!rate) {
+        Q_EMIT refused(widgets::inWords(rate.error().message), widgets::inWords(rate.error().hint));
+        return;
+    }
+    Q_EMIT jogStarted(sign * (*m_isAngular ? degreesToRadians(*rate) : *rate));
 }
 
 } // namespace halbench::app

@@ -13,6 +13,8 @@ class QuantityEdit;
 
 namespace halbench::app {
 
+class NumberCheck;
+
 /// A button that acts while it is held and only then: letting go, losing the focus, being hidden or disabled,
 /// and a window that goes to the background all end it.
 class HoldButton : public QPushButton {
@@ -49,13 +51,15 @@ public:
 Q_SIGNALS:
     void jogStarted(double rate); ///< rad/s or A
     void jogStopped();
+    void refused(const QString& text, const QString& remedy); ///< the rate cannot be used
 
 private:
     HoldButton* addButton(const QString& text, const QString& toolTip, double sign);
-    double rate() const;
+    void start(double sign);
 
     std::optional<bool> m_isAngular;
     widgets::QuantityEdit* m_rate = nullptr;
+    NumberCheck* m_check = nullptr; ///< of the rate
 };
 
 } // namespace halbench::app

@@ -1,5 +1,6 @@
 #include "app/workspaces/reference_form.h"
 
+#include "app/workspaces/number_check.h"
 #include "app/workspaces/panel_parts.h"
 #include "control/base/units.h"
 #include "widgets/display_units.h"
@@ -187,6 +188,8 @@ ReferenceForm::ReferenceForm(QWidget* parent) : QWidget(parent) {
 void ReferenceForm::addNumber(Field field) {
     auto* box = makeNumberField({}, this);
     m_numbers[field] = box;
+    m_checks[field] = new NumberCheck(*box);
+    connect(m_checks.at(field), &NumberCheck::refused, this, &ReferenceForm::refused);
     const auto* spec = std::find_if(std::begin(Fields), std::end(Fields),
                                     [field](const FieldSpec& each) { return each.field == field; });
     label(box, tr(spec->words.text));
@@ -314,7 +317,15 @@ Result<std::vector<ParameterValue>> ReferenceForm::plateauValues() const {
     return values;
 }
 
-Result<std::vector<ParameterValue>> ReferenceForm::values() const {
+Result<std::vector<ParameterValue>> ReferenceForm::takeValues() {
+    for (const auto& [field, check] : m_checks) {
+        if (!has(shape(), field)) {
+            continue;
+        }
+        if (const Result<double> taken = check->take(); !taken) {
+            return failure(taken.error());
+        }
+    }
     if (shape() == Plateaus) {
         return plateauValues();
     }

@@ -19,6 +19,8 @@ class QuantityEdit;
 
 namespace halbench::app {
 
+class NumberCheck;
+
 /// The parameters of the board's reference generator, as many as the chosen shape has
 /// (resources/help/monitor.md, "Reference generator").
 class ReferenceForm : public QWidget {
@@ -33,13 +35,15 @@ public:
     void setMode(devices::BoardMode mode);
     /// 1 ... 7, the board's codes; 7 are plateaus.
     int shape() const;
-    /// What the board needs to know. Errors: InvalidInput, OutOfRange with what is missing.
-    Result<std::vector<ParameterValue>> values() const;
+    /// What the board needs to know, also from a field that was not left yet. Errors: InvalidInput,
+    /// OutOfRange with what is missing; a field whose text was refused is one once (NumberCheck).
+    Result<std::vector<ParameterValue>> takeValues();
     /// The largest value the reference can reach: rad or A.
     double peak() const;
 
 Q_SIGNALS:
     void changed();
+    void refused(const QString& text, const QString& remedy); ///< by a field
 
 private:
     void addNumber(Field field);
@@ -57,7 +61,8 @@ private:
     QComboBox* m_shape = nullptr;
     QLineEdit* m_currents = nullptr;
     std::map<Field, widgets::QuantityEdit*> m_numbers;
-    std::map<QWidget*, QLabel*> m_labels; ///< of the fields
+    std::map<Field, NumberCheck*> m_checks; ///< of the same
+    std::map<QWidget*, QLabel*> m_labels;   ///< of the fields
 };
 
 } // namespace halbench::app

@@ -157,6 +157,44 @@ TEST_F(DrivePanelTest, jogMovesWhileHeldAndEndsWithTheFocus) {
     EXPECT_EQ(parameter("hb.setpoint"), second);
 }
 
+TEST_F(DrivePanelTest, aJogSpeedThatIsNoNumberMovesNothing) {
+    connectTo("sim:htm", 5.0);
+    armByClick();
+    auto* forward = find<QPushButton>(*panel, "Forward +");
+    type(find<QDoubleSpinBox>(*panel, "Jog speed"), "4000"); // more than 3600 degrees per second
+    forward->setFocus();                                     // as by a click
+    EXPECT_EQ(find<QDoubleSpinBox>(*panel, "Jog speed")->value(), 45.0);
+    EXPECT_TRUE(message().contains("'4000")) << message().toStdString();
+    QTest::mousePress(forward, Qt::LeftButton);
+    QTest::qWait(100); // five periods of the jog
+    QTest::mouseRelease(forward, Qt::LeftButton);
+    EXPECT_EQ(parameter("hb.setpoint"), 0.0);
+    QTest::mousePress(forward, Qt::LeftButton); // once more: by the number that is shown
+    EXPECT_TRUE(wait([&] { return parameter("hb.setpoint") > 0.01; }));
+    QTest::mouseRelease(forward, Qt::LeftButton);
+}
+
+TEST_F(DrivePanelTest, aReferenceWithATextThatIsNoNumberDoesNotStart) {
+    connectTo("sim:htm", 5.0);
+    armByClick();
+    const double before = parameter("reference.amplitude");
+    auto* amplitude = find<QDoubleSpinBox>(*panel, "Amplitude");
+    type(amplitude, "1e"); // and Start by its shortcut: the field keeps the focus
+    for (int i = 0; i < 2; ++i) {
+        find<QPushButton>(*panel, "Start")->click();
+        EXPECT_TRUE(message().contains("'1e")) << message().toStdString();
+    }
+    QTest::keyClick(amplitude, Qt::Key_Tab);
+    click(*panel, "Start");
+    EXPECT_TRUE(message().contains("'1e")) << message().toStdString();
+    EXPECT_EQ(parameter("reference.amplitude"), before);
+    EXPECT_LT(latest("reference.running"), 0.5);
+    type(amplitude, "12");
+    find<QPushButton>(*panel, "Start")->click(); // what was typed, not what was there before
+    ASSERT_TRUE(wait([&] { return latest("reference.running") > 0.5; }));
+    EXPECT_NEAR(parameter("reference.amplitude"), degreesToRadians(12.0), 1e-6); // a 4-octet float
+}
+
 TEST_F(DrivePanelTest, jogOfACurrentEndsWhenLetGo) {
     connectTo("sim:htm", 1.0);
     armByClick();

@@ -22,7 +22,7 @@ protected:
 
     void choose(int shape) { find<QComboBox>(form(), "Shape of the reference")->setCurrentIndex(shape - 1); }
     double valueOf(const std::string& name) {
-        const auto values = form().values();
+        const auto values = form().takeValues();
         EXPECT_TRUE(values) << (values ? "" : values.error().message);
         for (const ParameterValue& value : values ? *values : std::vector<ParameterValue>()) {
             if (value.name == name) {
@@ -84,17 +84,17 @@ TEST_F(ReferenceFormTest, plateausBelongToTheCurrentModes) {
     EXPECT_EQ(valueOf("plateau.current_3"), -3.0);
     EXPECT_EQ(form().peak(), 3.0);
     find<QLineEdit>(form(), "Currents of the plateaus in ampere")->setText("1; two");
-    const auto refused = form().values();
+    const auto refused = form().takeValues();
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().message.find("two"), std::string::npos);
     find<QLineEdit>(form(), "Currents of the plateaus in ampere")->setText("0,500"); // not 500 A
-    EXPECT_FALSE(form().values());
+    EXPECT_FALSE(form().takeValues());
 }
 
 TEST_F(ReferenceFormTest, aStepOfNothingIsRefused) {
     choose(1);
     find<QDoubleSpinBox>(form(), "Amplitude")->setValue(0.0);
-    EXPECT_FALSE(form().values());
+    EXPECT_FALSE(form().takeValues());
 }
 
 } // namespace
