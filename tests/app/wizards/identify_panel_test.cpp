@@ -1,7 +1,6 @@
 #include "app/wizards/identify_panel.h"
 #include "app/workspaces/preflight.h"
 #include "tests/app/workspaces/panel_fixture.h"
-#include "tests/app/workspaces/published_motor.h"
 #include "widgets/estimate_table.h"
 #include "widgets/figure_view.h"
 #include "widgets/message_bar.h"
@@ -206,22 +205,6 @@ TEST_F(IdentifyPanelTest, aDeviceLostMidWayIsSaidInPlaceAndThePanelStaysUsable) 
     connectMotor("sim:htm", 0.0); // another device, and on it goes
     EXPECT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
     board.waitForFinished(Patience_ms);
-}
-
-TEST_F(IdentifyPanelTest, aRefusedResultDoesNotTakeTheGoodOneAway) {
-    bench.setIdentification(publishedMotor());
-    ASSERT_TRUE(wait([&] { return isResultShown(); }));
-    click(panel, "Save as model\u2026");
-    ASSERT_TRUE(wait([&] { return message().startsWith("Saved"); })) << message().toStdString();
-    m_toOpen = path("refused.json");
-    QFile file(m_toOpen);
-    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-    file.write(content(path("panel.json")).replace("\"good\"", "\"refused\""));
-    file.close();
-    click(panel, "Load model\u2026");
-    ASSERT_TRUE(wait([&] { return !isEnabled(panel, "Tune with this"); })) << message().toStdString();
-    EXPECT_TRUE(isResultShown());
-    EXPECT_EQ(bench.identification()->quality.verdict, Verdict::Good);
 }
 
 TEST_F(IdentifyPanelTest, aModelThatIsDamagedIsRefusedInPlace) {
