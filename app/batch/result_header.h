@@ -23,7 +23,8 @@ ResultHeader headerFor(const CommandContext& context, const std::string& schema,
 /// Header of a command that works on files alone.
 ResultHeader headerFor(const CommandContext& context, const std::string& schema);
 
-/// Same model, identity and overrides: what was measured on one holds for the other.
+/// Same model, identity and overrides: what was measured on one holds for the other. A simulated motor with
+/// other overrides is another motor.
 bool isSameDevice(const devices::DeviceInfo& one, const devices::DeviceInfo& other);
 
 /// The wall clock's now: ISO 8601, UTC.
