@@ -343,7 +343,6 @@ void CalibratePanel::restore(std::optional<CalibrationRecord> record) {
     showPage(ResultPage);
 }
 
-/// A calibration of a project belongs to the sensors it was measured with.
 bool CalibratePanel::isOfThisDevice() const {
     return !m_isFromProject || (m_header.device && isSameDevice(*m_header.device, bench().session().info()));
 }
