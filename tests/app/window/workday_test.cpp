@@ -108,7 +108,7 @@ TEST_F(KeyboardDayTest, identifiesTunesAppliesRestoresAndStops) {
     press(Qt::Key_Space);
     ASSERT_TRUE(wait([&] { return !restore->isVisible(); }));
     // "Apply and verify" if the board already says that it is idle
-    EXPECT_TRUE(focusedText() == "Apply and verify" || focusedText() == "Save gains…")
+    EXPECT_TRUE(wait([&] { return focusedText() == "Apply and verify" || focusedText() == "Save gains…"; }))
         << focusedText().toStdString();
     press(Qt::Key_Escape);
     EXPECT_TRUE(wait([&] { return session().report().board.isStopLatched; }));
