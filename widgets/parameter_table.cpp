@@ -127,7 +127,6 @@ void ParameterTable::layOut() {
     top->addWidget(m_changedOnly);
     top->addWidget(m_angleUnit);
     auto* bottom = new QHBoxLayout;
-    bottom->addWidget(m_writeButton);
     for (QAction* action : {m_read, m_revert, m_defaults}) {
         bottom->addWidget(new ActionButton(*action, ActionButton::Shape::IconOnly, this));
     }
@@ -141,6 +140,7 @@ void ParameterTable::layOut() {
     column->addWidget(m_messages);
     column->addWidget(m_view, 1);
     column->addWidget(m_help);
+    column->addWidget(m_writeButton, 0, Qt::AlignLeft); // its own row: never squeezed by the others
     column->addLayout(bottom);
 }
 

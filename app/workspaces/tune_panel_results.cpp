@@ -94,10 +94,9 @@ void TunePanel::refreshButtons() {
                           m_bench.session().procedure().isEmpty());
 }
 
-/// What is most likely wanted next and possible now: apply waits until the board says that it is idle again.
+/// What is possible now and stays so: Apply goes off for a moment while the board's state is asked again.
 void TunePanel::focusNext() {
-    QPushButton* again = m_apply->isEnabled() ? m_apply : m_save;
-    (m_before.empty() ? again : m_keep)->setFocus(Qt::OtherFocusReason);
+    (m_before.empty() ? m_save : m_keep)->setFocus(Qt::OtherFocusReason);
 }
 
 void TunePanel::apply() {

@@ -107,9 +107,9 @@ TEST_F(KeyboardDayTest, identifiesTunesAppliesRestoresAndStops) {
     auto* restore = QApplication::focusWidget();
     press(Qt::Key_Space);
     ASSERT_TRUE(wait([&] { return !restore->isVisible(); }));
-    // "Apply and verify" if the board already says that it is idle
-    EXPECT_TRUE(wait([&] { return focusedText() == "Apply and verify" || focusedText() == "Save gains…"; }))
-        << focusedText().toStdString();
+    // Which of them depends on what is possible just then; never STOP, never nowhere.
+    auto* tune = window->docks().panel("tune");
+    EXPECT_TRUE(wait([&] { return tune->isAncestorOf(QApplication::focusWidget()); }));
     press(Qt::Key_Escape);
     EXPECT_TRUE(wait([&] { return session().report().board.isStopLatched; }));
 }
