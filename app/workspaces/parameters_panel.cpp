@@ -56,7 +56,7 @@ QWidget* ParametersPanel::buildPresets() {
     column->setSpacing(widgets::GridStep_px);
     m_presets = new QComboBox(box);
     m_presets->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // titles may be long
-    m_presets->setMinimumContentsLength(12);
+    m_presets->setMinimumContentsLength(26);
     m_presets->setAccessibleName(tr("Preset"));
     m_presets->setToolTip(tr("A named set of parameters, shipped or your own"));
     m_load = makeButton(
