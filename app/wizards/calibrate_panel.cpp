@@ -32,13 +32,6 @@ constexpr double Room_ratio = 1.2;
 
 constexpr std::array Choices = {Calibration::Hall, Calibration::Stray, Calibration::StaticFriction};
 
-QVBoxLayout* columnOf(QWidget* page) {
-    auto* column = new QVBoxLayout(page);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(widgets::GroupSpacing_px);
-    return column;
-}
-
 } // namespace
 
 CalibratePanel::CalibratePanel(Workbench& workbench, QWidget* parent) : WizardPanel(workbench, parent) {
@@ -61,7 +54,7 @@ CalibratePanel::CalibratePanel(Workbench& workbench, QWidget* parent) : WizardPa
 
 QWidget* CalibratePanel::buildPrepare() {
     auto* page = new QWidget;
-    auto* column = columnOf(page);
+    auto* column = columnOf(page, widgets::GroupSpacing_px);
     m_intro = new QLabel(page);
     m_outlook = new QLabel(page);
     m_preflight = new Preflight(bench(), page);
@@ -87,7 +80,7 @@ QWidget* CalibratePanel::buildPrepare() {
 
 QWidget* CalibratePanel::buildRun() {
     auto* page = new QWidget;
-    auto* column = columnOf(page);
+    auto* column = columnOf(page, widgets::GroupSpacing_px);
     m_progress = new widgets::ProgressRow(page);
     m_liveView = new widgets::FigureView(page);
     column->addWidget(m_progress);
@@ -101,7 +94,7 @@ QWidget* CalibratePanel::buildRun() {
 
 QWidget* CalibratePanel::buildResult() {
     auto* page = new QWidget;
-    auto* column = columnOf(page);
+    auto* column = columnOf(page, widgets::GroupSpacing_px);
     m_verdict = new widgets::VerdictView(page);
     m_table = new widgets::EstimateTable(page);
     m_gain = new QLabel(page);

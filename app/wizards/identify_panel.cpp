@@ -28,13 +28,6 @@ constexpr int Frame_ms = 100;
 constexpr double AssumedStart_degC = 25.0;
 enum Step { PrepareStep, ExciteStep, FitStep, JudgeStep, ResultStep };
 
-QVBoxLayout* columnOf(QWidget* page, int spacing_px) {
-    auto* column = new QVBoxLayout(page);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(spacing_px);
-    return column;
-}
-
 } // namespace
 
 IdentifyPanel::IdentifyPanel(Workbench& workbench, QWidget* parent) : WizardPanel(workbench, parent) {

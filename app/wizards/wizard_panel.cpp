@@ -40,6 +40,13 @@ void WizardPanel::setFileChooser(FileChooser chooser) {
     onFileChooser();
 }
 
+QVBoxLayout* WizardPanel::columnOf(QWidget* page, int spacing_px) {
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(spacing_px);
+    return column;
+}
+
 void WizardPanel::addPage(QWidget* page, bool isScrolled) {
     if (!isScrolled) {
         m_pages->addWidget(page);

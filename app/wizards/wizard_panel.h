@@ -12,6 +12,7 @@
 #include <functional>
 #include <utility>
 
+class QVBoxLayout;
 class QPushButton;
 class QStackedWidget;
 
@@ -46,6 +47,8 @@ protected:
     void endStep(int step, widgets::StepState state);
     void resetSteps(); ///< all wait
 
+    /// The layout of a page, without margins: the panel has them.
+    static QVBoxLayout* columnOf(QWidget* page, int spacing_px);
     void addPage(QWidget* page, bool isScrolled);
     void showPage(int page);
 
