@@ -19,6 +19,8 @@ public:
 
     /// "/dev/pts/5"
     const std::string& path() const { return m_path; }
+    /// As seen last by the thread that serves. Any thread.
+    bool isOpened() const { return m_isOpened; }
     /// Runs the board until the flag is set.
     void serve(const std::atomic<int>& isEnding);
 
@@ -31,7 +33,7 @@ private:
     std::shared_ptr<AvrBoard> m_board;
     devices::Descriptor m_line;
     std::string m_path;
-    bool m_isOpened = false;
+    std::atomic<bool> m_isOpened{false};
     std::vector<std::uint8_t> m_outgoing;
 };
 
