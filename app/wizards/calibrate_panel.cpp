@@ -1,5 +1,6 @@
 #include "app/wizards/calibrate_panel.h"
 
+#include "app/batch/loop_conditions.h"
 #include "app/batch/result_documents.h"
 #include "app/report/calibration_figures.h"
 #include "app/wizards/calibrate_words.h"
@@ -193,6 +194,9 @@ void CalibratePanel::refreshPlan() {
         m_result && !m_result->proposed.empty() && m_result->quality.verdict != Verdict::Refused;
     m_apply->setEnabled(isFree && isUsable && !m_result->isApplied && isOfThisDevice());
     m_restore->setEnabled(isFree && isUsable && m_result->isApplied);
+    // Applied or not: the loop is judged by how far the coefficient in use is from the interval's far end.
+    const bool isKnown = isUsable && session.state() == SessionState::Connected && isOfThisDevice();
+    bench().setStrayInterval95_T_per_A(isKnown ? strayInterval(*m_result) : std::nullopt);
 }
 
 void CalibratePanel::onDevice() {

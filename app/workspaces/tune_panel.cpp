@@ -166,6 +166,7 @@ void TunePanel::connectParts() {
             &DeviceSession::abortProcedure);
     connect(&m_bench, &Workbench::identificationChanged, this, &TunePanel::refreshModel);
     connect(&m_bench, &Workbench::valuesChanged, this, &TunePanel::readConditions);
+    connect(&m_bench, &Workbench::strayIntervalChanged, this, &TunePanel::ask);
     connect(&m_bench, &Workbench::deviceChanged, this, [this] {
         m_before.clear(); // another device: nothing of it was replaced
         readConditions();
@@ -257,6 +258,7 @@ std::optional<TuneQuestion> TunePanel::question() {
     question.motor = motorEstimate(*m_bench.identification());
     question.config.method = m_form->method();
     question.config.conditions = m_conditions;
+    takeStrayInterval(question.config.conditions, m_bench.strayInterval95_T_per_A());
     if (const auto present = lawFromParameters(m_bench.deviceValues())) {
         question.present = *present;
     }

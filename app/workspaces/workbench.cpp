@@ -147,6 +147,13 @@ void Workbench::setDisplayUnits(const DisplayUnits& units) {
     }
 }
 
+void Workbench::setStrayInterval95_T_per_A(std::optional<std::pair<double, double>> interval) {
+    if (interval != m_strayInterval95_T_per_A) {
+        m_strayInterval95_T_per_A = interval;
+        strayIntervalChanged();
+    }
+}
+
 void Workbench::setIdentification(std::optional<IdentifyResult> result, Provenance provenance) {
     m_identification = std::move(result);
     m_provenance = std::move(provenance);

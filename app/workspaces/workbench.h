@@ -16,6 +16,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace halbench::app {
@@ -65,6 +66,12 @@ public:
     const DisplayUnits& displayUnits() const { return m_displayUnits; }
     void setDisplayUnits(const DisplayUnits& units);
 
+    /// 95 % interval of the stray coefficient of the connected device, when it was calibrated.
+    const std::optional<std::pair<double, double>>& strayInterval95_T_per_A() const {
+        return m_strayInterval95_T_per_A;
+    }
+    void setStrayInterval95_T_per_A(std::optional<std::pair<double, double>> interval);
+
     const std::optional<IdentifyResult>& identification() const { return m_identification; }
     /// Of the identification; it stays beside it.
     const Provenance& provenance() const { return m_provenance; }
@@ -81,6 +88,7 @@ Q_SIGNALS:
     void identificationChanged();
     void designChanged();
     void displayUnitsChanged();
+    void strayIntervalChanged();
     void samplesArrived(); ///< at most once per frame
 
 private:
@@ -96,6 +104,7 @@ private:
     std::map<std::string, double> m_values;
     bool m_areValuesOurs = false;
     DisplayUnits m_displayUnits;
+    std::optional<std::pair<double, double>> m_strayInterval95_T_per_A;
     std::optional<IdentifyResult> m_identification;
     Provenance m_provenance;
     std::optional<TuneResult> m_design;
