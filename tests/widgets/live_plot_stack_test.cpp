@@ -1,23 +1,11 @@
-#include "tests/widgets/live_data.h"
+#include "tests/widgets/live_plot_stack_fixture.h"
 #include "widgets/cursor_bar.h"
-#include "widgets/live_legend.h"
-#include "widgets/live_plot.h"
-#include "widgets/live_plot_stack.h"
-#include "widgets/offscreen_application.h"
-#include "widgets/theme_style.h"
 #include "widgets/time_axis_bar.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QDropEvent>
-#include <QFontInfo>
-#include <QKeyEvent>
 #include <QMimeData>
-#include <QMouseEvent>
-#include <QPixmap>
-#include <QStyle>
-#include <QWheelEvent>
-#include <qwt_scale_widget.h>
 
 #include <gtest/gtest.h>
 
@@ -27,159 +15,7 @@
 namespace halbench::widgets {
 namespace {
 
-using control::SampleHistory;
 using control::TimeRange;
-
-/// A shown stack of the motor's five plots with 30 s of data.
-class LivePlotStackTest : public testing::Test {
-protected:
-    LivePlotStackTest() {
-        appendMotor(history, 30.0);
-        stack.setTheme(loadTheme("light").value());
-        stack.setHistory(&history);
-        stack.setPlots(motorPlots());
-        stack.resize(1200, 900);
-        stack.show();
-        frame();
-    }
-    void frame() {
-        QApplication::processEvents();
-        stack.refresh();
-        QApplication::processEvents();
-    }
-    template <typename Widget>
-    std::vector<Widget*> fromTopToBottom() const {
-        std::vector<Widget*> sorted;
-        for (Widget* widget : stack.findChildren<Widget*>()) {
-            if (widget->isVisible()) { // removed ones wait for the event loop to be deleted
-                sorted.push_back(widget);
-            }
-        }
-        std::sort(sorted.begin(), sorted.end(), [this](const Widget* left, const Widget* right) {
-            return left->mapTo(&stack, QPoint()).y() < right->mapTo(&stack, QPoint()).y();
-        });
-        return sorted;
-    }
-    std::vector<LivePlot*> plots() const { return fromTopToBottom<LivePlot>(); }
-    std::vector<LiveLegend*> legends() const { return fromTopToBottom<LiveLegend>(); }
-    void key(int code, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-        QKeyEvent press(QEvent::KeyPress, code, modifiers);
-        QApplication::sendEvent(plots().front(), &press);
-        frame();
-    }
-    void trigger(LivePlotStack::Command command) {
-        stack.action(command)->trigger();
-        frame();
-    }
-    void mouse(LivePlot* plot, QEvent::Type type, QPoint place, Qt::MouseButton button,
-               Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-        QMouseEvent event(type, place, button, button, modifiers);
-        QApplication::sendEvent(plot->canvas(), &event);
-    }
-    void drag(LivePlot* plot, QPoint from, QPoint to, Qt::MouseButton button,
-              Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-        mouse(plot, QEvent::MouseButtonPress, from, button, modifiers);
-        mouse(plot, QEvent::MouseMove, (from + to) / 2, button, modifiers);
-        mouse(plot, QEvent::MouseMove, to, button, modifiers);
-        mouse(plot, QEvent::MouseButtonRelease, to, button, modifiers);
-        frame();
-    }
-    void wheel(LivePlot* plot, QPoint place, int steps, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-        QWheelEvent event(place, plot->canvas()->mapToGlobal(place), QPoint(), QPoint(0, 120 * steps),
-                          Qt::NoButton, modifiers, Qt::NoScrollPhase, false);
-        QApplication::sendEvent(plot->canvas(), &event);
-        frame();
-    }
-
-    Result<OffscreenApplication> application = OffscreenApplication::ensure();
-    SampleHistory history{std::size_t{1} << 28};
-    LivePlotStack stack;
-};
-
-TEST_F(LivePlotStackTest, allPlotsAndTheTimeAxisAlign) {
-    const auto all = plots();
-    ASSERT_EQ(all.size(), 5U);
-    const QRect first = all.front()->canvasRect();
-    for (const LivePlot* plot : all) {
-        EXPECT_EQ(plot->mapTo(&stack, plot->canvasRect().topLeft()).x(), first.left());
-        EXPECT_EQ(plot->canvasRect().width(), first.width());
-    }
-}
-
-/// What QTableView paints of a name: its cell without the line sample and the margins around both.
-int roomForName(const LiveLegend& legend) {
-    const int margin = 2 * (legend.style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1);
-    const auto sample = legend.model()->index(0, 0).data(Qt::DecorationRole).value<QPixmap>();
-    return legend.columnWidth(LegendTableModel::Name) - 2 * margin -
-           static_cast<int>(sample.width() / sample.devicePixelRatio());
-}
-
-void expectNamesAreWhole(const LiveLegend& legend) {
-    for (int row = 0; row < legend.model()->rowCount(); ++row) {
-        const QString name = legend.model()->index(row, LegendTableModel::Name).data().toString();
-        EXPECT_LE(legend.fontMetrics().horizontalAdvance(name), roomForName(legend)) << name.toStdString();
-    }
-}
-
-void expectTitleIsWhole(const LivePlot& plot) {
-    const QwtText title = plot.axisTitle(QwtPlot::yLeft);
-    EXPECT_EQ(title.text().simplified(), // the unit may stand below
-              QStringLiteral("%1 [%2]").arg(plot.spec().quantity, plot.spec().unit));
-    EXPECT_LE(title.textSize().width(), plot.axisWidget(QwtPlot::yLeft)->height());
-    EXPECT_GE(title.font().pointSizeF(), 0.7 * QFontInfo(plot.font()).pointSizeF() - 1e-9);
-}
-
-TEST_F(LivePlotStackTest, nothingIsShortenedOnTheWindowsFirstSize) {
-    std::vector<PlotSpec> specs = motorPlots(); // with the words of the window
-    specs[4].quantity = QStringLiteral("temperature");
-    for (PlotCurve& curve : specs[3].curves) {
-        curve.label = QStringLiteral("Current command");
-    }
-    stack.setPlots(specs);
-    stack.resize(730, 560); // what 1440 x 900 leaves for it
-    // The letters of the window, and larger ones.
-    for (const double size_pt : {1.25 * Dress().fontSize_pt, Dress().fontSize_pt}) {
-        applyTheme(*qApp, loadTheme("light").value(), {QLocale(), size_pt});
-        frame();
-        frame();
-        for (const LiveLegend* legend : legends()) {
-            expectNamesAreWhole(*legend);
-        }
-        for (const LivePlot* plot : plots()) {
-            expectTitleIsWhole(*plot);
-            if (size_pt == Dress().fontSize_pt) {
-                EXPECT_GT(2 * plot->canvas()->width(), stack.width()); // half of the place is the data's
-            }
-        }
-    }
-}
-
-TEST_F(LivePlotStackTest, axesDoNotMoveWhileLabelsGrow) {
-    const int before = plots().front()->canvasRect().left();
-    stack.fitAll();
-    frame();
-    appendMotor(history, 5.0);
-    frame();
-    EXPECT_EQ(plots().front()->canvasRect().left(), before);
-}
-
-TEST_F(LivePlotStackTest, titlesChangeTheirFormForAllPlotsSoThatAxesAlign) {
-    std::vector<PlotSpec> specs = motorPlots();
-    specs.emplace_back(); // an empty plot has an axis as well
-    stack.setPlots(specs);
-    for (const int height : {1500, 560}) {
-        stack.resize(1200, height);
-        frame();
-        frame();
-        const auto all = plots();
-        const int lines = all.front()->axisTitle(QwtPlot::yLeft).text().count(QLatin1Char('\n'));
-        EXPECT_EQ(lines, height == 560 ? 1 : 0);
-        for (const LivePlot* plot : all) {
-            EXPECT_EQ(plot->axisTitle(QwtPlot::yLeft).text().count(QLatin1Char('\n')), lines);
-            EXPECT_EQ(plot->canvasRect().left(), all.front()->canvasRect().left());
-        }
-    }
-}
 
 TEST_F(LivePlotStackTest, followsTheNewestSampleAndPausesWithoutLosingData) {
     EXPECT_NEAR(stack.timeRange().end_s, 29.999, 0.02);
