@@ -5,6 +5,7 @@
 
 #include <QApplication>
 #include <QStandardPaths>
+#include <QTemporaryDir>
 #include <QtTest/QTest>
 
 #include <gtest/gtest.h>
@@ -19,6 +20,9 @@ protected:
     struct Platform {
         Platform() {
             qputenv("QT_QPA_PLATFORM", "offscreen");
+            // Of this process: tests run side by side, and each writes preferences and autosaves.
+            static const QTemporaryDir home;
+            qputenv("HOME", home.path().toUtf8());
             QStandardPaths::setTestModeEnabled(true);
         }
     };
