@@ -6582,7 +6582,7 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     </message>
     <message>
         <source>Save gains…</source>
-        <translation>Reglerparameter speichern …</translation>
+        <translation>Speichern …</translation>
     </message>
     <message>
         <source>Write the file that the program&apos;s analyse reads</source>
