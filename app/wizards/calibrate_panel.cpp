@@ -38,7 +38,7 @@ constexpr std::array Choices = {Calibration::Hall, Calibration::Stray, Calibrati
 CalibratePanel::CalibratePanel(Workbench& workbench, QWidget* parent) : WizardPanel(workbench, parent) {
     addPage(buildPrepare(), true);
     addPage(buildRun(), false);
-    addPage(buildResult(), true);
+    addPage(buildResult(), true, buildResultButtons());
     connect(&bench(), &Workbench::deviceChanged, this, &CalibratePanel::onDevice);
     connect(&bench().session(), &DeviceSession::reportChanged, this, &CalibratePanel::refreshPlan);
     connect(&bench().session(), &DeviceSession::procedureChanged, this, &CalibratePanel::refreshPlan);
@@ -105,7 +105,6 @@ QWidget* CalibratePanel::buildResult() {
     column->addWidget(m_table);
     column->addWidget(m_gain);
     column->addWidget(m_figure, 1);
-    column->addWidget(buildResultButtons());
     return page;
 }
 

@@ -47,17 +47,24 @@ QVBoxLayout* WizardPanel::columnOf(QWidget* page, int spacing_px) {
     return column;
 }
 
-void WizardPanel::addPage(QWidget* page, bool isScrolled) {
-    if (!isScrolled) {
-        m_pages->addWidget(page);
-        return;
+void WizardPanel::addPage(QWidget* page, bool isScrolled, QWidget* footer) {
+    QWidget* shown = page;
+    if (isScrolled) {
+        auto* scroll = new QScrollArea(m_pages);
+        scroll->setWidgetResizable(true);
+        scroll->setFrameShape(QFrame::NoFrame);
+        scroll->setFocusPolicy(Qt::NoFocus); // it follows the focus of its controls
+        scroll->setWidget(page);
+        shown = scroll;
     }
-    auto* scroll = new QScrollArea(m_pages);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setFocusPolicy(Qt::NoFocus); // it follows the focus of its controls
-    scroll->setWidget(page);
-    m_pages->addWidget(scroll);
+    if (footer != nullptr) {
+        auto* both = new QWidget(m_pages);
+        QVBoxLayout* column = columnOf(both, widgets::PanelMargin_px);
+        column->addWidget(shown, 1);
+        column->addWidget(footer);
+        shown = both;
+    }
+    m_pages->addWidget(shown);
 }
 
 void WizardPanel::showPage(int page) {

@@ -49,7 +49,8 @@ protected:
 
     /// The layout of a page, without margins: the panel has them.
     static QVBoxLayout* columnOf(QWidget* page, int spacing_px);
-    void addPage(QWidget* page, bool isScrolled);
+    /// `footer` stands below the page and never scrolls out of sight.
+    void addPage(QWidget* page, bool isScrolled, QWidget* footer = nullptr);
     void showPage(int page);
 
     /// Runs `function(Device&, const ProcedureObserver&) -> Result<T>`; `then(const Result<T>&)` follows

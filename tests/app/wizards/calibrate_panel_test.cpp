@@ -31,6 +31,9 @@ TEST_F(CalibratePanelTest, proposesAppliesOnPurposeAndRestores) {
     const auto* table = panel.findChild<widgets::EstimateTable*>();
     ASSERT_GE(table->rowCount(), 6);
     EXPECT_TRUE(table->text().contains("now "));
+    panel.resize(900, 420); // lower than the table: what is to be done stays in sight
+    const auto* apply = button(panel, "Apply");
+    EXPECT_TRUE(wait([&] { return apply->visibleRegion().boundingRect() == apply->rect(); }));
     click(panel, "Apply");
     ASSERT_TRUE(wait([&] { return message().startsWith("Applied"); })) << message().toStdString();
     const auto after = valuesNow();
