@@ -2,6 +2,7 @@
 
 #include "app/procedures/procedure.h"
 #include "app/session/connection.h"
+#include "app/session/gui_queue.h"
 #include "app/session/shared_device.h"
 #include "devices/acquisition/display_inbox.h"
 #include "devices/open_device.h"
@@ -126,6 +127,7 @@ private:
     QString m_procedure;
     std::optional<Wish> m_next; ///< connected once the present device is left
 
+    GuiQueue m_guiQueue;
     std::atomic<bool> m_isAborting = false;
     devices::DisplayInbox m_inbox;
     std::uint64_t m_skippedRows = 0; ///< of the inbox, as said
@@ -141,7 +143,7 @@ private:
 
 template <typename Function>
 void DeviceSession::onGui(Function function) {
-    QMetaObject::invokeMethod(this, std::move(function), Qt::QueuedConnection);
+    m_guiQueue.add(std::move(function));
 }
 
 template <typename Function, typename Then>
