@@ -1,7 +1,7 @@
 #include "app/session/gui_queue.h"
 
-#include <QCoreApplication>
-#include <QEvent>
+#include <QtCore/QCoreApplication>
+#include <QtCore/QEvent>
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 #include "app/session/gui_queue.h"
 
-#include <QCoreApplication>
-#include <QTest>
+#include <QtCore/QCoreApplication>
+#include <QtTest/QTest>
 
 #include <gtest/gtest.h>
 
