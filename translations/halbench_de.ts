@@ -4718,6 +4718,13 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::Freshness</name>
+    <message>
+        <source>No new values since %1</source>
+        <translation>Keine neuen Werte seit %1</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::GainEditor</name>
     <message>
         <source>a number is missing</source>
@@ -6282,6 +6289,10 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <source>other</source>
         <translation>übrige</translation>
     </message>
+    <message>
+        <source>Last</source>
+        <translation>Zuletzt</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::StopLatch</name>
@@ -6890,10 +6901,6 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
 </context>
 <context>
     <name>halbench::widgets::LegendTableModel</name>
-    <message>
-        <source>, not updated any more</source>
-        <translation>, wird nicht mehr aktualisiert</translation>
-    </message>
     <message>
         <source>%1: %2 %3%4</source>
         <translation>%1: %2 %3%4</translation>
@@ -7555,6 +7562,13 @@ Hall b
     <message>
         <source>old values</source>
         <translation>alte Werte</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::StaleWords</name>
+    <message>
+        <source>No new value since %1 s on the time axis</source>
+        <translation>Kein neuer Wert seit %1 s auf der Zeitachse</translation>
     </message>
 </context>
 <context>

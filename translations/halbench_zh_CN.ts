@@ -4718,6 +4718,13 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::Freshness</name>
+    <message>
+        <source>No new values since %1</source>
+        <translation>自 %1 起没有新值</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::GainEditor</name>
     <message>
         <source>a number is missing</source>
@@ -6281,6 +6288,10 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <source>other</source>
         <translation>其他</translation>
     </message>
+    <message>
+        <source>Last</source>
+        <translation>最后</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::StopLatch</name>
@@ -6889,10 +6900,6 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
 </context>
 <context>
     <name>halbench::widgets::LegendTableModel</name>
-    <message>
-        <source>, not updated any more</source>
-        <translation>，不再更新</translation>
-    </message>
     <message>
         <source>%1: %2 %3%4</source>
         <translation>%1：%2 %3%4</translation>
@@ -7553,6 +7560,13 @@ Hall b
     <message>
         <source>old values</source>
         <translation>旧值</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::StaleWords</name>
+    <message>
+        <source>No new value since %1 s on the time axis</source>
+        <translation>时间轴上自 %1 s 起没有新值</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "widgets/legend_table_model.h"
 
+#include <QFont>
 #include <QGuiApplication>
 #include <QLocale>
 #include <QPainter>
@@ -22,6 +23,13 @@ QString numberText(const std::optional<double>& value, int decimals) {
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
     return locale.toString(shown, 'f', decimals);
+}
+
+/// An old value differs in more than its colour.
+QFont slanted() {
+    QFont font;
+    font.setItalic(true);
+    return font;
 }
 
 std::optional<double> difference(const LegendNumbers& numbers) {
@@ -87,7 +95,7 @@ QString LegendTableModel::widestText(int row, Column column) const {
 }
 
 QString LegendTableModel::describe(std::size_t row) const {
-    const QString state = m_numbers[row].isStale ? tr(", not updated any more") : QString();
+    const QString state = isStale(row) ? QStringLiteral("\n") + m_numbers[row].stale : QString();
     return tr("%1: %2 %3%4")
         .arg(m_curves[row]->curve().label, text(row, Value), m_curves[row]->curve().unit, state);
 }
@@ -96,7 +104,7 @@ QVariant LegendTableModel::colour(std::size_t row, int column) const {
     if (!m_curves[row]->isVisible()) {
         return m_theme.disabled;
     }
-    if (column == Unit || (column == Value && m_numbers[row].isStale)) {
+    if (column == Unit || (column == Value && isStale(row))) {
         return m_theme.muted;
     }
     return m_theme.text;
@@ -126,11 +134,14 @@ QVariant LegendTableModel::data(const QModelIndex& index, int role) const {
         return text(row, index.column());
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole:
-        return index.column() == Name ? QVariant(describe(row)) : QVariant();
+        return index.column() == Name || (index.column() == Value && isStale(row)) ? QVariant(describe(row))
+                                                                                   : QVariant();
     case Qt::DecorationRole:
         return index.column() == Name ? QVariant(lineSample(row)) : QVariant();
     case Qt::ForegroundRole:
         return colour(row, index.column());
+    case Qt::FontRole:
+        return index.column() == Value && isStale(row) ? QVariant(slanted()) : QVariant();
     case Qt::TextAlignmentRole:
         return static_cast<int>(
             Qt::AlignVCenter |

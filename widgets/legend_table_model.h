@@ -16,7 +16,7 @@ struct LegendNumbers {
     std::optional<double> value;
     std::optional<double> atA;
     std::optional<double> atB;
-    bool isStale = false; ///< other signals have newer samples
+    QString stale; ///< since when `value` is old, in words; empty: it is not
     bool operator==(const LegendNumbers&) const = default;
 };
 
@@ -44,6 +44,7 @@ private:
     QString text(std::size_t row, int column) const;
     QString describe(std::size_t row) const;
     QVariant colour(std::size_t row, int column) const;
+    bool isStale(std::size_t row) const { return !m_numbers[row].stale.isEmpty(); }
     QPixmap lineSample(std::size_t row) const;
 
     std::vector<HistoryCurve*> m_curves;

@@ -46,6 +46,11 @@ LivePlotStack::LivePlotStack(QWidget* parent)
 
 LivePlotStack::~LivePlotStack() = default;
 
+void LivePlotStack::setStale(const QString& words) {
+    m_stale = words;
+    m_isDirty = true;
+}
+
 void LivePlotStack::setHistory(const control::SampleHistory* history) {
     m_history = history;
     m_drawnRevision.reset();

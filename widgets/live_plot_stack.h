@@ -70,6 +70,8 @@ public:
     /// Wears the application's theme from the start and when it changes; this is for another.
     void setTheme(const Theme& theme);
 
+    /// Since when nothing is updated any more, in words; empty: it is.
+    void setStale(const QString& words);
     void setFollowing(bool isFollowing);
     bool isFollowing() const { return m_view.isFollowing(); }
     void setPaused(bool isPaused);
@@ -160,6 +162,7 @@ private:
     CursorBar* m_cursorBar;
     QTimer* m_timer;
     std::optional<std::uint64_t> m_drawnRevision;
+    QString m_stale;
     bool m_isDirty = true;
     int m_framesSinceNumbers = 0;
     int m_extent_px = 0;

@@ -3,6 +3,7 @@
 #include "widgets/live_legend.h"
 #include "widgets/live_plot.h"
 #include "widgets/live_plot_stack.h"
+#include "widgets/stale_words.h"
 #include "widgets/theme_style.h"
 #include "widgets/time_axis_bar.h"
 
@@ -17,7 +18,6 @@ namespace halbench::widgets {
 namespace {
 
 constexpr int FramesPerNumber = 3;   ///< numbers change ten times a second
-constexpr double StaleAfter_s = 1.0; ///< a signal that is so much older than the newest is said to be old
 constexpr int CharactersPerTick = 9; ///< room of a label of the time axis
 constexpr int LongestName = 22;      ///< characters of a curve's name before it is shortened
 constexpr int LineSampleRoom = 40;   ///< beside the name
@@ -130,7 +130,7 @@ void LivePlotStack::showNumbers() {
             };
             const auto latest = m_history->latest(curve.signal);
             numbers[i].value = shown(isPaused() ? m_history->valueAt(curve.signal, m_view.now_s()) : latest);
-            numbers[i].isStale = latest && latest->time_s < held->end_s - StaleAfter_s;
+            numbers[i].stale = staleWords(*m_history, curve.signal, m_stale);
             if (m_cursors.isVisible) {
                 numbers[i].atA = shown(m_history->valueAt(curve.signal, m_cursors.a_s));
                 numbers[i].atB = shown(m_history->valueAt(curve.signal, m_cursors.b_s));
@@ -145,6 +145,8 @@ void LivePlotStack::showState() {
     if (isPaused()) {
         m_timeAxis->setState(
             tr("Paused, data are kept (%1 s since)").arg(locale.toString(m_view.behind_s(), 'f', 1)), true);
+    } else if (isFollowing() && !m_stale.isEmpty()) {
+        m_timeAxis->setState(m_stale, true);
     } else if (isFollowing()) {
         m_timeAxis->setState(tr("Following, %1 s").arg(locale.toString(m_view.range().length_s(), 'g', 4)),
                              false);

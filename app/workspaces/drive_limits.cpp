@@ -157,7 +157,7 @@ std::optional<double> DriveLimits::excursion_rad() const {
 }
 
 void DriveLimits::refreshLive() {
-    const bool isStale = m_bench.session().state() != SessionState::Connected;
+    const bool isStale = m_bench.freshness().isStale();
     for (const Row& row : m_rows) {
         const std::optional<double> value = (this->*row.measured)();
         if (value) {

@@ -28,6 +28,8 @@ FieldPanel::FieldPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_b
     connect(&m_bench, &Workbench::valuesChanged, this,
             [this] { m_view->setCurrentLimit_A(m_bench.deviceValue("limit.current").value_or(4.0)); });
     connect(&m_bench, &Workbench::samplesArrived, this, &FieldPanel::onSamples);
+    connect(&m_bench.freshness(), &Freshness::changed, this,
+            [this] { m_view->setStale(m_bench.freshness().isStale()); });
     onDevice();
 }
 
@@ -64,7 +66,6 @@ void FieldPanel::onDevice() {
         }
     }
     const bool isKnown = names.size() == std::size(Roles);
-    m_view->setStale(session.state() != SessionState::Connected);
     if (session.state() == SessionState::Connected) {
         m_view->clear();
         m_bench.liveSignals().want(this, names);

@@ -68,6 +68,8 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     connect(&m_bench, &Workbench::deviceChanged, this, &MonitorPanel::onDevice);
     connect(&m_bench, &Workbench::valuesChanged, this, &MonitorPanel::onValues);
     connect(&m_bench, &Workbench::displayUnitsChanged, this, &MonitorPanel::onValues);
+    connect(&m_bench.freshness(), &Freshness::changed, this,
+            [this] { m_stack->setStale(m_bench.freshness().words()); });
     connect(&m_values, &QTimer::timeout, this, &MonitorPanel::refreshStream);
     m_values.start(ValuesPeriod_ms);
     refreshWords();

@@ -3,6 +3,7 @@
 #include "app/workspaces/display_quantity.h"
 #include "widgets/live_plot_spec.h"
 #include "widgets/phrasebook.h"
+#include "widgets/stale_words.h"
 #include "widgets/theme_style.h"
 
 #include <QHeaderView>
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace halbench::app {
 
@@ -91,6 +93,7 @@ void SignalTree::inkUnits() {
     const QSignalBlocker quiet(this);
     for (const auto& [name, entry] : m_entries) {
         entry.item->setForeground(UnitColumn, widgets::currentTheme().muted);
+        inkValue(entry);
     }
 }
 
@@ -119,16 +122,34 @@ QString SignalTree::valueText(const Entry& entry, double value) const {
                                 : QStringLiteral("\u2013");
 }
 
-void SignalTree::showValues(const control::SampleHistory& history, const std::vector<std::string>& streamed) {
+void SignalTree::showValues(const control::SampleHistory& history, const QString& stale) {
     const QSignalBlocker quiet(this);
-    for (const auto& [name, entry] : m_entries) {
-        const bool isStreamed = std::find(streamed.begin(), streamed.end(), name) != streamed.end();
-        const auto latest = isStreamed ? history.latest(name) : std::nullopt;
+    headerItem()->setText(ValueColumn, stale.isEmpty() ? tr("Now") : tr("Last"));
+    for (auto& [name, entry] : m_entries) {
+        const auto latest = history.latest(name);
         const QString text = latest ? valueText(entry, latest->value) : QStringLiteral("\u2013");
         if (entry.item->text(ValueColumn) != text) {
             entry.item->setText(ValueColumn, text);
         }
+        markStale(entry, widgets::staleWords(history, name, stale));
     }
+}
+
+void SignalTree::markStale(Entry& entry, const QString& words) {
+    if (std::exchange(entry.stale, words) == words) {
+        return;
+    }
+    QFont digits = widgets::tabularFont(font());
+    digits.setItalic(!words.isEmpty());
+    entry.item->setFont(ValueColumn, digits);
+    entry.item->setToolTip(ValueColumn, words);
+    entry.item->setData(ValueColumn, Qt::AccessibleDescriptionRole, words);
+    inkValue(entry);
+}
+
+void SignalTree::inkValue(const Entry& entry) {
+    entry.item->setForeground(ValueColumn,
+                              entry.stale.isEmpty() ? QBrush() : QBrush(widgets::currentTheme().muted));
 }
 
 void SignalTree::toggle(QTreeWidgetItem* item) {

@@ -27,8 +27,8 @@ public:
     void setSignals(const std::vector<SignalSpec>& specs, const DisplayUnits& units);
     /// Which are plotted; sends nothing.
     void setPlotted(const std::set<std::string>& names);
-    /// Live values of the signals that are `streamed`; those of others are not shown, for they are old.
-    void showValues(const control::SampleHistory& history, const std::vector<std::string>& streamed);
+    /// The latest values. Old ones are slanted, muted and say since when; `stale`: words when all are old.
+    void showValues(const control::SampleHistory& history, const QString& stale);
 
 Q_SIGNALS:
     void plotRequested(const QString& name, bool isPlotted);
@@ -45,11 +45,14 @@ private:
         double factor = 1.0;
         int decimals = 3;
         std::vector<std::string> choices;
+        QString stale = {}; ///< as marked
     };
 
     void inkUnits();
     QTreeWidgetItem* groupFor(const QString& title);
     void toggle(QTreeWidgetItem* item);
+    void inkValue(const Entry& entry);
+    void markStale(Entry& entry, const QString& words);
     QString valueText(const Entry& entry, double value) const;
 
     std::map<std::string, Entry> m_entries;

@@ -1,6 +1,5 @@
 #include "app/workspaces/signals_panel.h"
 
-#include "app/workspaces/live_signals.h"
 #include "app/workspaces/signal_tree.h"
 
 #include <QVBoxLayout>
@@ -50,7 +49,7 @@ void SignalsPanel::setPlotted(const std::set<std::string>& names) {
 
 void SignalsPanel::refreshValues() {
     if (isVisible()) {
-        m_tree->showValues(m_bench.history(), m_bench.liveSignals().streamed());
+        m_tree->showValues(m_bench.history(), m_bench.freshness().words());
     }
 }
 

@@ -79,6 +79,7 @@ void Workbench::drainSamples() {
         m_history.append(*block);
     }
     if (!blocks.empty()) {
+        m_freshness.samplesCame();
         samplesArrived();
     }
 }

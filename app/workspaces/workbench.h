@@ -5,6 +5,7 @@
 #include "app/procedures/tune.h"
 #include "app/session/device_session.h"
 #include "app/workspaces/display_quantity.h"
+#include "app/workspaces/freshness.h"
 #include "app/workspaces/live_signals.h"
 #include "app/workspaces/recording_control.h"
 #include "app/workspaces/stop_latch.h"
@@ -44,6 +45,8 @@ public:
     StopLatch& stopLatch() { return m_stopLatch; }
     /// What the panels want to see of the device while no procedure streams.
     LiveSignals& liveSignals() { return m_liveSignals; }
+    /// Whether what is shown is still updated.
+    const Freshness& freshness() const { return m_freshness; }
     /// The recording of the panel and of the window's action.
     RecordingControl& recording() { return m_recording; }
     const control::SampleHistory& history() const { return m_history; }
@@ -98,6 +101,7 @@ private:
 
     DeviceSession m_session;
     StopLatch m_stopLatch{m_session};
+    Freshness m_freshness{m_session};
     LiveSignals m_liveSignals{m_session};
     RecordingControl m_recording{m_session, m_liveSignals};
     control::SampleHistory m_history;

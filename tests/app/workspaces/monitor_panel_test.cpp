@@ -8,6 +8,7 @@
 #include "control/base/units.h"
 #include "tests/app/workspaces/bench_fixture.h"
 #include "widgets/empty_state.h"
+#include "widgets/live_legend.h"
 #include "widgets/live_plot_stack.h"
 #include "widgets/message_bar.h"
 
@@ -80,6 +81,45 @@ TEST_F(MonitorPanelTest, aConnectedMotorIsWatchedAtOnceInItsDefaultPlots) {
     ASSERT_TRUE(wait([&] { return item("Hall A")->text(SignalTree::ValueColumn).size() > 1; }));
     // 0.157 T is the rotor's field; the Hall sensor sees its cosine.
     EXPECT_LT(std::fabs(QLocale().toDouble(item("Hall A")->text(SignalTree::ValueColumn))), 170.0);
+}
+
+TEST_F(MonitorPanelTest, valuesThatAreNotUpdatedAnyMoreSayItAndSinceWhen) {
+    connectTo("sim:htm", 5.0);
+    const auto isMarked = [&] {
+        const widgets::LegendTableModel& legend = panel->findChild<widgets::LiveLegend*>()->table();
+        const QModelIndex value = legend.index(0, widgets::LegendTableModel::Value);
+        return item("Hall A")->font(SignalTree::ValueColumn).italic() &&
+               item("Hall A")->toolTip(SignalTree::ValueColumn).contains("since") &&
+               tree().headerItem()->text(SignalTree::ValueColumn) == "Last" &&
+               legend.data(value, Qt::FontRole).value<QFont>().italic() &&
+               legend.data(value, Qt::ToolTipRole).toString().contains("since");
+    };
+    const auto isFresh = [&] {
+        return item("Hall A")->text(SignalTree::ValueColumn).size() > 1 &&
+               !item("Hall A")->font(SignalTree::ValueColumn).italic() &&
+               tree().headerItem()->text(SignalTree::ValueColumn) == "Now";
+    };
+    ASSERT_TRUE(wait(isFresh));
+    session().setPace({0.0}); // time passes only while a procedure runs
+    EXPECT_TRUE(wait(isMarked));
+    session().setPace({5.0});
+    EXPECT_TRUE(wait(isFresh));
+    session().disconnectDevice();
+    ASSERT_TRUE(wait([&] { return session().state() == SessionState::Disconnected; }));
+    EXPECT_TRUE(bench().freshness().isStale()); // at once
+    EXPECT_TRUE(wait(isMarked));
+    EXPECT_GT(item("Hall A")->text(SignalTree::ValueColumn).size(), 1); // the last value stays
+}
+
+TEST_F(MonitorPanelTest, aSignalThatIsNotPlottedAnyMoreSaysThatItsValueIsOld) {
+    connectTo("sim:htm", 5.0);
+    item("Capture state")->setCheckState(SignalTree::NameColumn, Qt::Checked);
+    ASSERT_TRUE(wait([&] { return item("Capture state")->text(SignalTree::ValueColumn).size() > 1; }));
+    EXPECT_EQ(item("Capture state")->toolTip(SignalTree::ValueColumn), QString());
+    item("Capture state")->setCheckState(SignalTree::NameColumn, Qt::Unchecked);
+    EXPECT_TRUE(
+        wait([&] { return item("Capture state")->toolTip(SignalTree::ValueColumn).contains("since"); }));
+    EXPECT_FALSE(item("Angle")->font(SignalTree::ValueColumn).italic()); // the others go on
 }
 
 TEST_F(MonitorPanelTest, otherUnitsChangeTreeAndPlotsAndNoTick) {

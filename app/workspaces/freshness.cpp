@@ -1,0 +1,52 @@
+#include "app/workspaces/freshness.h"
+
+#include "app/workspaces/wall_clock.h"
+
+#include <QLocale>
+
+#include <utility>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr int Patience_ms = 1000; ///< the slowest stream of the panels sends many rows in it
+
+} // namespace
+
+Freshness::Freshness(DeviceSession& session) : m_session(session) {
+    m_patience.setSingleShot(true);
+    m_patience.setInterval(Patience_ms);
+    connect(&m_patience, &QTimer::timeout, this, [this] { setStale(true); });
+    connect(&m_session, &DeviceSession::stateChanged, this, &Freshness::onState);
+}
+
+void Freshness::samplesCame() {
+    m_last = wallClock();
+    if (m_session.state() == SessionState::Connected) { // what was still on its way is the last there is
+        m_patience.start();
+        setStale(false);
+    }
+}
+
+void Freshness::onState() {
+    m_patience.stop();
+    if (m_session.state() == SessionState::Connected) {
+        m_last = {}; // another history begins
+    }
+    setStale(m_last.isValid());
+}
+
+void Freshness::setStale(bool isStale) {
+    if (std::exchange(m_isStale, isStale) != isStale) {
+        Q_EMIT changed();
+    }
+}
+
+QString Freshness::words() const {
+    return m_isStale ? tr("No new values since %1")
+                           .arg(QLocale().toString(m_last.toLocalTime().time(), QStringLiteral("HH:mm:ss")))
+                     : QString();
+}
+
+} // namespace halbench::app
