@@ -105,6 +105,7 @@ Result<void> start(devices::Device& device, double value) {
 /// What was set up before, with the same names as `values`.
 Result<std::vector<ParameterValue>> readBefore(devices::Device& device, std::vector<ParameterValue> values) {
     std::vector<std::string> names;
+    names.reserve(values.size());
     for (const ParameterValue& value : values) {
         names.push_back(value.name);
     }

@@ -186,6 +186,7 @@ Result<TuneResult> runTune(const MotorEstimate& estimate, const TuneConfig& conf
 std::vector<ParameterValue> lawParameters(const control::PositionLaw& law) {
     const auto board = onBoard(law);
     std::vector<ParameterValue> result;
+    result.reserve(LawFields.size());
     for (const LawField& number : LawFields) {
         result.push_back({number.name, number.of(board ? *board : law)});
     }

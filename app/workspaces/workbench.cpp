@@ -133,12 +133,14 @@ void Workbench::takeValues(const Result<std::vector<double>>& values, bool areOu
 
 void Workbench::writeValues(std::vector<ParameterValue> values, std::function<void(Result<void>)> then) {
     const auto outcome = std::make_shared<Result<void>>();
-    m_session.request([values](devices::Device& device) { return device.writeParameters(values); },
-                      [outcome](const Result<void>& written) { *outcome = written; });
-    readInPieces(m_session, parameterNames(m_session.catalogue()), [this, outcome, then](const Values& read) {
-        takeValues(read, true);
-        then(*outcome);
-    });
+    m_session.request(
+        [values = std::move(values)](devices::Device& device) { return device.writeParameters(values); },
+        [outcome](const Result<void>& written) { *outcome = written; });
+    readInPieces(m_session, parameterNames(m_session.catalogue()),
+                 [this, outcome, then = std::move(then)](const Values& read) {
+                     takeValues(read, true);
+                     then(*outcome);
+                 });
 }
 
 void Workbench::setDisplayUnits(const DisplayUnits& units) {
