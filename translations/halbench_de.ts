@@ -6548,6 +6548,10 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <source>Predicted figures</source>
         <translation>Vorhergesagte Kennzahlen</translation>
     </message>
+    <message>
+        <source>Before the apply</source>
+        <translation>Vor dem Übernehmen</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TunePanel</name>

@@ -6547,6 +6547,10 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <source>Predicted figures</source>
         <translation>预测指标</translation>
     </message>
+    <message>
+        <source>Before the apply</source>
+        <translation>应用之前</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TunePanel</name>

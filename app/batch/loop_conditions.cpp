@@ -10,6 +10,9 @@ namespace halbench::app {
 
 namespace {
 
+/// What a device can say itself.
+constexpr const char* ReadRoles[] = {"delay.samples", "limit.current", "stray.enabled", "stray.coefficient"};
+
 LoopConditions fromConstants(const std::map<std::string, double>& constants) {
     const auto constant = [&](const char* name) -> std::optional<double> {
         const auto found = constants.find(name);
@@ -37,33 +40,39 @@ Result<LoopConditions> loopConditionsOf(const std::string& model) {
     return fromConstants(*profile ? (*profile)->constants : std::map<std::string, double>{});
 }
 
-Result<LoopConditions> loopConditionsOf(devices::Device& device) {
-    LoopConditions conditions = fromConstants(device.catalogue().knownConstants);
-    const auto read = [&](const char* role) -> Result<std::optional<double>> {
-        const std::string name = device.catalogue().parameterForRole(role);
-        if (name.empty()) {
-            return std::optional<double>{};
-        }
-        const std::vector<std::string> names{name};
-        const Result<std::vector<double>> values = device.readParameters(names);
-        return values ? Result<std::optional<double>>(values->front()) : failure(values.error());
+LoopConditions loopConditionsOf(const devices::Catalogue& catalogue,
+                                const std::map<std::string, double>& values) {
+    LoopConditions conditions = fromConstants(catalogue.knownConstants);
+    const auto value = [&](const char* role, double otherwise) {
+        const auto found = values.find(catalogue.parameterForRole(role));
+        return found == values.end() ? otherwise : found->second;
     };
-    const Result<std::optional<double>> delay = read("delay.samples");
-    const Result<std::optional<double>> limit = read("limit.current");
-    const Result<std::optional<double>> isCompensated = read("stray.enabled");
-    const Result<std::optional<double>> coefficient = read("stray.coefficient");
-    for (const auto* value : {&delay, &limit, &isCompensated, &coefficient}) {
-        if (!*value) {
-            return failure(value->error());
-        }
-    }
-    conditions.timing.delay_samples = static_cast<int>(delay->value_or(0.0));
-    conditions.currentLimit_A = limit->value_or(conditions.currentLimit_A);
+    conditions.timing.delay_samples = static_cast<int>(value("delay.samples", 0.0));
+    conditions.currentLimit_A = value("limit.current", conditions.currentLimit_A);
     if (conditions.stray) {
-        conditions.stray->isCompensated = isCompensated->value_or(1.0) != 0.0;
-        conditions.stray->coefficient_T_per_A = coefficient->value_or(conditions.stray->coefficient_T_per_A);
+        conditions.stray->isCompensated = value("stray.enabled", 1.0) != 0.0;
+        conditions.stray->coefficient_T_per_A =
+            value("stray.coefficient", conditions.stray->coefficient_T_per_A);
     }
     return conditions;
+}
+
+Result<LoopConditions> loopConditionsOf(devices::Device& device) {
+    std::vector<std::string> names;
+    for (const char* role : ReadRoles) {
+        if (std::string name = device.catalogue().parameterForRole(role); !name.empty()) {
+            names.push_back(std::move(name));
+        }
+    }
+    const Result<std::vector<double>> read = device.readParameters(names);
+    if (!read) {
+        return failure(read.error());
+    }
+    std::map<std::string, double> values;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        values[names[i]] = (*read)[i];
+    }
+    return loopConditionsOf(device.catalogue(), values);
 }
 
 std::optional<std::pair<double, double>> strayInterval(const CalibrateResult& calibration) {

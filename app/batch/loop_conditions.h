@@ -4,6 +4,7 @@
 #include "app/procedures/calibrate_procedure.h"
 #include "devices/device.h"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,8 +15,11 @@ namespace halbench::app {
 /// defaults for a model without one. Errors: of the profile.
 Result<LoopConditions> loopConditionsOf(const std::string& model);
 
-/// The same from what an open device says of itself: its delay, its current limit, its stray-field
-/// compensation. Errors: of the device.
+/// The same from what a device says of itself: its delay, its current limit, its stray-field compensation. Of
+/// a parameter that is not among the values, what the catalogue knows.
+LoopConditions loopConditionsOf(const devices::Catalogue& catalogue,
+                                const std::map<std::string, double>& values);
+/// From values that are read now. Errors: of the device.
 Result<LoopConditions> loopConditionsOf(devices::Device& device);
 
 /// 95 % interval of k_s in T/A, when the calibration found it.

@@ -29,6 +29,8 @@ struct StrayField {
     double coefficient_T_per_A = 0.0;    ///< k_s, identified or from the profile
     std::optional<double> error_T_per_A; ///< 95 % half-width of k_s; absent = unknown
     bool isCompensated = true;
+
+    bool operator==(const StrayField&) const = default;
 };
 
 /// The surroundings of the loop on one device.
@@ -36,6 +38,8 @@ struct LoopConditions {
     control::LoopTiming timing;
     double currentLimit_A = 4.0;
     std::optional<StrayField> stray;
+
+    bool operator==(const LoopConditions&) const = default;
 };
 
 /// A reference step of the motor with its friction and the current limit: where the linear loop promises too

@@ -84,19 +84,26 @@ widgets::Figure openLoopFigure(const AnalysisResult& predicted,
     return widgets::bodeFigure(content);
 }
 
-std::optional<widgets::Figure> linearStepFigure(const AnalysisResult& predicted) {
+std::optional<widgets::Figure> linearStepFigure(const AnalysisResult& predicted,
+                                                const std::optional<AnalysisResult>& present) {
     if (predicted.stepCurve.time_s.empty()) {
         return std::nullopt;
     }
-    const auto& step = predicted.stepCurve;
     widgets::Panel response;
     response.y = {utf8(Words::tr("response")), "rad", false, {}, {}, {}};
-    response.curves = {{{}, step.time_s, step.response_rad, CurveStyle::Line, 0}};
     response.lines = {{Direction::Horizontal, 1.0, utf8(Words::tr("reference"))}};
     widgets::Panel current;
     current.y = {utf8(Words::tr("current")), "A", false, {}, {}, {}};
     current.height_px = 120;
-    current.curves = {{{}, step.time_s, step.current_A, CurveStyle::Line, 1}};
+    const auto add = [&](const AnalysisResult::Step& step, const std::string& label, CurveStyle style,
+                         int colour) {
+        response.curves.push_back({label, step.time_s, step.response_rad, style, colour});
+        current.curves.push_back({label, step.time_s, step.current_A, style, colour});
+    };
+    if (present && !present->stepCurve.time_s.empty()) {
+        add(present->stepCurve, utf8(Words::tr("before")), CurveStyle::DashedLine, 1);
+    }
+    add(predicted.stepCurve, present ? utf8(Words::tr("proposed")) : "", CurveStyle::Line, 0);
     return widgets::Figure{utf8(Words::tr("Predicted step of 1 rad, linear loop")),
                            {utf8(Words::tr("time")), "s", false, {}, {}, {}},
                            {std::move(response), std::move(current)}};

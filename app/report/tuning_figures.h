@@ -13,8 +13,9 @@ namespace halbench::app {
 /// Open loop with its margins marked; `present` is the loop of the gains that run now, drawn beside it.
 widgets::Figure openLoopFigure(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present);
 
-/// Step of 1 rad of the linear loop with its current; nothing for an unstable loop.
-std::optional<widgets::Figure> linearStepFigure(const AnalysisResult& predicted);
+/// Step of 1 rad of the linear loop with its current, `present` beside it; nothing for an unstable loop.
+std::optional<widgets::Figure> linearStepFigure(const AnalysisResult& predicted,
+                                                const std::optional<AnalysisResult>& present);
 
 /// The large step with friction and current limit, in degrees, with the band in which friction may hold the
 /// rotor; `present` beside it. Nothing when it was not predicted.

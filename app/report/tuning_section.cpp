@@ -85,8 +85,9 @@ ReportFacts robustFacts(const control::Robustness& robust) {
               robust.unstable_fraction > 0.0 ? ReportTone::Bad : ReportTone::Plain}}};
 }
 
-void appendPredictedStep(ReportSection& section, const AnalysisResult& predicted) {
-    if (auto figure = linearStepFigure(predicted)) {
+void appendPredictedStep(ReportSection& section, const AnalysisResult& predicted,
+                         const std::optional<AnalysisResult>& present) {
+    if (auto figure = linearStepFigure(predicted, present)) {
         section.blocks.emplace_back(
             ReportPlot{*std::move(figure),
                        "Without friction and current limit: a measured step differs where these act."});
@@ -100,7 +101,7 @@ ReportSection analysisSection(const std::string& heading, const AnalysisResult& 
     section.blocks.emplace_back(ReportQuality{result.quality});
     section.blocks.emplace_back(marginTable(result, std::nullopt));
     section.blocks.emplace_back(ReportPlot{openLoopFigure(result, std::nullopt), {}});
-    appendPredictedStep(section, result);
+    appendPredictedStep(section, result, std::nullopt);
     return section;
 }
 
@@ -113,7 +114,7 @@ ReportSection tuningSection(const std::string& heading, const TuneResult& result
     section.blocks.emplace_back(marginTable(result.predicted, present));
     section.blocks.emplace_back(robustFacts(result.robust));
     section.blocks.emplace_back(ReportPlot{openLoopFigure(result.predicted, present), {}});
-    appendPredictedStep(section, result.predicted);
+    appendPredictedStep(section, result.predicted, present);
     return section;
 }
 

@@ -58,6 +58,7 @@ TuneForm::TuneForm(QWidget* parent)
     grid->addWidget(m_origin, 0, 1, 1, 2);
     grid->addWidget(m_help, 1, 0, 1, 3);
     m_label->setBuddy(m_origin);
+    setFocusProxy(m_origin);
     m_help->setWordWrap(true);
     widgets::setRole(*m_help, widgets::Role::Muted);
     m_origin->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);

@@ -111,11 +111,17 @@ TuneNumbers::TuneNumbers(QWidget* parent) : QTableWidget(0, 3, parent) {
 }
 
 void TuneNumbers::refreshWords() {
-    setHorizontalHeaderLabels({tr("Prediction"), tr("Proposed"), tr("On the device")});
+    setHorizontalHeaderLabels(
+        {tr("Prediction"), tr("Proposed"), m_isUndecided ? tr("Before the apply") : tr("On the device")});
     for (int column = 0; column < columnCount(); ++column) {
         horizontalHeaderItem(column)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     }
     setAccessibleName(tr("Predicted figures"));
+}
+
+void TuneNumbers::setUndecided(bool isUndecided) {
+    m_isUndecided = isUndecided;
+    refreshWords();
 }
 
 void TuneNumbers::setNumbers(const std::vector<TuneNumber>& numbers) {

@@ -25,6 +25,8 @@ class TuneNumbers : public QTableWidget {
 public:
     explicit TuneNumbers(QWidget* parent = nullptr);
     void setNumbers(const std::vector<TuneNumber>& numbers);
+    /// The present gains are those from before an apply that is neither kept nor restored yet.
+    void setUndecided(bool isUndecided);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -32,6 +34,8 @@ protected:
 
 private:
     void refreshWords();
+
+    bool m_isUndecided = false;
 };
 
 } // namespace halbench::app

@@ -155,11 +155,7 @@ void TunePanel::connectParts() {
     });
     connect(m_preflight, &Preflight::changed, this, &TunePanel::refreshButtons);
     connect(m_apply, &QPushButton::clicked, this, &TunePanel::apply);
-    connect(m_keep, &QPushButton::clicked, this, [this] {
-        m_before.clear();
-        m_message->clear();
-        refreshButtons();
-    });
+    connect(m_keep, &QPushButton::clicked, this, &TunePanel::keep);
     connect(m_restore, &QPushButton::clicked, this, &TunePanel::restore);
     connect(m_save, &QPushButton::clicked, this, &TunePanel::saveGains);
     connect(m_progress, &widgets::ProgressRow::cancelRequested, &m_bench.session(),
@@ -170,6 +166,7 @@ void TunePanel::connectParts() {
     connect(&m_bench, &Workbench::deviceChanged, this, [this] {
         m_before.clear(); // another device: nothing of it was replaced
         readConditions();
+        ask(); // its presets may be others
     });
     connect(&m_bench.session(), &DeviceSession::procedureChanged, this, &TunePanel::refreshButtons);
     connect(&m_bench.session(), &DeviceSession::procedureProgress, this,
@@ -233,24 +230,35 @@ void TunePanel::refreshModel() {
     ask();
 }
 
+/// Asks anew only when the surroundings or the gains on the device changed: many values are read often.
 void TunePanel::readConditions() {
+    if (m_isApplying) {
+        return; // what is written now is decided when it is verified
+    }
     DeviceSession& session = m_bench.session();
     m_form->setModel(modelOf(session));
-    if (session.state() != SessionState::Connected) {
-        if (const auto conditions = loopConditionsOf(DefaultModel)) {
-            m_conditions = *conditions;
-        }
-        ask();
-        return;
+    LoopConditions conditions = m_conditions;
+    if (session.state() == SessionState::Connected) {
+        conditions = loopConditionsOf(session.catalogue(), m_bench.deviceValues());
+    } else if (const auto known = loopConditionsOf(DefaultModel)) {
+        conditions = *known;
     }
-    const QPointer<TunePanel> self(this);
-    session.request([](devices::Device& device) { return loopConditionsOf(device); },
-                    [self](const Result<LoopConditions>& conditions) {
-                        if (self && conditions) {
-                            self->m_conditions = *conditions;
-                            self->ask();
-                        }
-                    });
+    const auto present = lawFromParameters(valuesBefore());
+    const auto law = present ? std::optional(*present) : std::nullopt;
+    if (conditions != m_conditions || law != m_presentLaw || m_form->origin() == TuneForm::Origin::Device) {
+        m_conditions = conditions;
+        m_presentLaw = law;
+        ask();
+    }
+}
+
+/// What runs on the device, or ran there before an apply that is not decided yet.
+std::map<std::string, double> TunePanel::valuesBefore() const {
+    std::map<std::string, double> values = m_bench.deviceValues();
+    for (const ParameterValue& old : m_before) {
+        values[old.name] = old.value;
+    }
+    return values;
 }
 
 std::optional<TuneQuestion> TunePanel::question() {
@@ -259,9 +267,7 @@ std::optional<TuneQuestion> TunePanel::question() {
     question.config.method = m_form->method();
     question.config.conditions = m_conditions;
     takeStrayInterval(question.config.conditions, m_bench.strayInterval95_T_per_A());
-    if (const auto present = lawFromParameters(m_bench.deviceValues())) {
-        question.present = *present;
-    }
+    question.present = m_presentLaw;
     if (m_restored) {
         question.config.method = m_restored->method;
         question.config.targets = m_restored->targets;

@@ -10,7 +10,9 @@
 
 #include <QWidget>
 
+#include <map>
 #include <optional>
+#include <string>
 
 class QLabel;
 class QPushButton;
@@ -60,6 +62,7 @@ private:
     void refreshModel();
     void forgetRestored();
     void readConditions();
+    std::map<std::string, double> valuesBefore() const;
     void ask();
     std::optional<TuneQuestion> question();
     void showSketch(const Result<TuneSketch>& sketch);
@@ -67,6 +70,7 @@ private:
     void showProblem(const Error& error);
     void refreshButtons();
     void focusNext();
+    void keep();
     void apply();
     void finishApply(const TuneResult& applied, const Result<ApplyResult>& result);
     void drawVerification(const TuneResult& applied, const ApplyResult& result);
@@ -82,10 +86,11 @@ private:
     LatestTask m_drawing;   ///< the verification; predictions must not overtake it
     FileQueue m_files;
     LoopConditions m_conditions;
-    std::optional<GainsFile> m_restored;     ///< of the project; until others are chosen
-    std::optional<AnalysisResult> m_present; ///< of the gains on the device
-    std::optional<TuneResult> m_shown;       ///< what the numbers say, and what would be applied
-    std::vector<ParameterValue> m_before; ///< what an apply replaced; empty when there is nothing to restore
+    std::optional<control::PositionLaw> m_presentLaw; ///< that m_present is of
+    std::optional<GainsFile> m_restored;              ///< of the project; until others are chosen
+    std::optional<AnalysisResult> m_present;          ///< of the gains on the device, or before an apply
+    std::optional<TuneResult> m_shown;                ///< what the numbers say, and what would be applied
+    std::vector<ParameterValue> m_before;             ///< what an apply replaced; empty when that is decided
     bool m_isApplying = false;
 
     QStackedWidget* m_pages = nullptr;

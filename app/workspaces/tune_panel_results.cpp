@@ -18,6 +18,8 @@
 #include <QPushButton>
 #include <QTabWidget>
 
+#include <algorithm>
+
 namespace halbench::app {
 namespace {
 
@@ -53,7 +55,7 @@ void TunePanel::showSketch(const Result<TuneSketch>& sketch) {
     }
     m_present = sketch->present;
     m_bode->setFigure(openLoopFigure(sketch->predicted, m_present));
-    m_linear->setFigure(linearStepFigure(sketch->predicted).value_or(widgets::Figure{}));
+    m_linear->setFigure(linearStepFigure(sketch->predicted, m_present).value_or(widgets::Figure{}));
     m_large->setFigure(largeStepFigure(sketch->predicted, m_present).value_or(widgets::Figure{}));
 }
 
@@ -88,15 +90,25 @@ void TunePanel::refreshButtons() {
     const bool isUsable = m_shown && m_shown->quality.verdict != Verdict::Refused;
     m_apply->setEnabled(isUsable && m_preflight->isPassed() && !m_isApplying);
     m_save->setEnabled(m_shown.has_value());
+    m_numbers->setUndecided(!m_before.empty());
     m_keep->setVisible(!m_before.empty());
     m_restore->setVisible(!m_before.empty());
     m_restore->setEnabled(m_bench.session().state() == SessionState::Connected &&
                           m_bench.session().procedure().isEmpty());
 }
 
-/// What is possible now and stays so: Apply goes off for a moment while the board's state is asked again.
+/// To decide is next; after that to choose other gains. Apply goes off while its prediction is asked anew.
 void TunePanel::focusNext() {
-    (m_before.empty() ? m_save : m_keep)->setFocus(Qt::OtherFocusReason);
+    QWidget* next = m_before.empty() ? static_cast<QWidget*>(m_form) : m_keep;
+    next->setFocus(Qt::OtherFocusReason);
+}
+
+void TunePanel::keep() {
+    m_before.clear();
+    m_message->clear();
+    refreshButtons();
+    focusNext();
+    readConditions(); // the gains on the device are those to compare with from now on
 }
 
 void TunePanel::apply() {
@@ -150,7 +162,14 @@ void TunePanel::finishApply(const TuneResult& applied, const Result<ApplyResult>
         drawVerification(applied, *result);
     }
     if (result->isKept) {
-        m_before = result->before;
+        for (const ParameterValue& old : result->before) {
+            const bool isKnown =
+                std::any_of(m_before.begin(), m_before.end(),
+                            [&](const ParameterValue& older) { return older.name == old.name; });
+            if (!isKnown) { // else an earlier apply is not decided either: restored is what was before both
+                m_before.push_back(old);
+            }
+        }
         m_message->showMessage({widgets::Severity::Success,
                                 tr("Applied, and the verification move went as predicted."),
                                 tr("Keep the new gains, or restore those from before."),

@@ -29,6 +29,8 @@ struct PidGains {
     double derivative = 0.0;
     /// Time constant of the filter on the derivative; absent = backward difference over one sample.
     std::optional<double> filter_s;
+
+    bool operator==(const PidGains&) const = default;
 };
 
 /// The one conversion between forms and units: the same controller in another notation.

@@ -34,12 +34,16 @@ struct PositionLaw {
     double stictionCurrent_A = 0.0;
     double stictionThreshold_rad = 0.16 * 3.14159265358979323846 / 180.0;
     double stictionSpeed_rad_s = 0.02;
+
+    bool operator==(const PositionLaw&) const = default;
 };
 
 /// What surrounds the law on the board.
 struct LoopTiming {
     double period_s = 0.01;
     int delay_samples = 0; ///< between sampling the angle and the current: 0, 1 or 2
+
+    bool operator==(const LoopTiming&) const = default;
 };
 
 /// The one place where these inputs are judged. Errors: NotFinite, OutOfRange.

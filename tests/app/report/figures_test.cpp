@@ -91,7 +91,22 @@ TEST(TuningFigures, aVerificationCountsTheAngleFromItsStart) {
 }
 
 TEST(TuningFigures, anUnstableLoopHasNoPredictedStep) {
-    EXPECT_FALSE(linearStepFigure(AnalysisResult{}));
+    EXPECT_FALSE(linearStepFigure(AnalysisResult{}, std::nullopt));
+}
+
+TEST(TuningFigures, theLinearStepHasTheOneBeforeBesideIt) {
+    AnalysisResult loop;
+    loop.stepCurve = {{0.0, 1.0}, {0.0, 1.1}, {40.0, 0.0}};
+    AnalysisResult before;
+    before.stepCurve = {{0.0, 1.0}, {0.0, 0.9}, {10.0, 0.0}};
+    const auto figure = linearStepFigure(loop, before);
+    ASSERT_TRUE(figure);
+    ASSERT_EQ(figure->panels.at(0).curves.size(), 2U);
+    EXPECT_EQ(figure->panels.at(0).curves.at(0).label, "before");
+    EXPECT_EQ(figure->panels.at(0).curves.at(0).y.back(), 0.9);
+    EXPECT_EQ(figure->panels.at(1).curves.at(1).y.front(), 40.0);
+    // an unstable loop before has no step, nor a place beside the proposed one
+    EXPECT_EQ(linearStepFigure(loop, AnalysisResult{})->panels.at(0).curves.size(), 1U);
 }
 
 } // namespace

@@ -10,12 +10,17 @@
 #include "widgets/optional_number_edit.h"
 #include "widgets/verdict_view.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QProcess>
 #include <QSignalSpy>
 #include <QTemporaryDir>
+
+#include <algorithm>
+#include <map>
+#include <vector>
 
 namespace halbench::app {
 namespace {
@@ -57,6 +62,29 @@ protected:
             }
         }
         FAIL() << accessibleName.toStdString();
+    }
+
+    const widgets::FigureView* figure(const QString& title) const {
+        for (auto* view : panel.findChildren<widgets::FigureView*>()) {
+            if (view->accessibleName().startsWith(title)) {
+                return view;
+            }
+        }
+        return nullptr;
+    }
+    /// The curve of this name in the upper panel of a picture.
+    std::vector<double> curve(const QString& title, const std::string& label) const {
+        const widgets::FigureView* view = figure(title);
+        for (const widgets::Curve& each : view->figure().panels.at(0).curves) {
+            if (each.label == label) {
+                return each.y;
+            }
+        }
+        return {};
+    }
+    static QString focused() {
+        const QWidget* widget = QApplication::focusWidget();
+        return widget == nullptr ? QString() : widget->accessibleName();
     }
 
     /// A motor that is known and a device that could take the recommended gains.
@@ -200,6 +228,88 @@ TEST_F(TunePanelTest, keepLetsTheNewGainsStay) {
     click(panel, "Keep");
     EXPECT_EQ(button(panel, "Restore"), nullptr);
     EXPECT_NEAR(valuesNow().at("gain.kp"), 40.0, 1e-4);
+}
+
+// Open loop at the lowest frequency: |L| is in proportion to K_P there, which tells the gains apart.
+TEST_F(TunePanelTest, beforeStaysWhatRanBeforeTheApplyUntilThatIsDecided) {
+    prepare();
+    const QStringList pictures = {"Open loop", "Predicted step with", "Predicted step of"};
+    std::map<QString, std::vector<double>> before;
+    std::map<QString, std::vector<double>> proposed;
+    for (const QString& picture : pictures) {
+        before[picture] = curve(picture, "before");
+        proposed[picture] = curve(picture, "proposed");
+        ASSERT_FALSE(before[picture].empty()) << picture.toStdString();
+        ASSERT_NE(before[picture], proposed[picture]);
+    }
+    const auto areAsBefore = [&] {
+        return std::all_of(pictures.begin(), pictures.end(), [&](const QString& picture) {
+            return curve(picture, "before") == before[picture] &&
+                   curve(picture, "proposed") == proposed[picture];
+        });
+    };
+    const auto numbersHeader = [&] {
+        return panel.findChild<TuneNumbers*>()->horizontalHeaderItem(2)->text();
+    };
+    EXPECT_EQ(numbersHeader(), "On the device");
+    click(panel, "Apply and verify");
+    ASSERT_TRUE(wait([&] { return button(panel, "Keep") != nullptr; })) << message().toStdString();
+    EXPECT_NEAR(valuesNow().at("gain.kp"), 40.0, 1e-4); // and every value is read anew
+    ASSERT_TRUE(wait([&] { return canApply(); }));
+    EXPECT_TRUE(areAsBefore());
+    click(panel, "Apply and verify"); // again, undecided: before is still what ran at first
+    ASSERT_TRUE(wait([&] { return bench.session().procedure().isEmpty() && canApply(); }));
+    EXPECT_TRUE(areAsBefore());
+    EXPECT_EQ(numbersHeader(), "Before the apply");
+    click(panel, "Keep");
+    ASSERT_TRUE(wait([&] { return curve("Open loop", "before") == proposed["Open loop"]; }));
+    EXPECT_EQ(numbersHeader(), "On the device");
+}
+
+TEST_F(TunePanelTest, restoreAfterTwoAppliesBringsBackWhatRanBeforeBoth) {
+    prepare();
+    const auto before = valuesNow();
+    click(panel, "Apply and verify");
+    ASSERT_TRUE(wait([&] { return button(panel, "Keep") != nullptr; })) << message().toStdString();
+    type("gain.kp", "38");
+    ASSERT_TRUE(wait([&] { return canApply(); }));
+    click(panel, "Apply and verify");
+    ASSERT_TRUE(wait([&] { return message().startsWith("Applied") && canApply(); }));
+    EXPECT_NEAR(valuesNow().at("gain.kp"), 38.0, 1e-4);
+    click(panel, "Restore");
+    ASSERT_TRUE(wait([&] { return message().contains("before run again"); }));
+    EXPECT_EQ(valuesNow(), before);
+}
+
+TEST_F(TunePanelTest, theFocusGoesToTheDecisionAndThenToTheChoiceOfGains) {
+    prepare();
+    QApplication::setActiveWindow(&panel);
+    click(panel, "Apply and verify");
+    EXPECT_TRUE(wait([&] { return focused() == "Keep"; })) << focused().toStdString();
+    click(panel, "Restore");
+    EXPECT_TRUE(wait([&] { return focused() == "Where the gains come from"; })) << focused().toStdString();
+    ASSERT_TRUE(wait([&] { return canApply(); }));
+    click(panel, "Apply and verify");
+    EXPECT_TRUE(wait([&] { return focused() == "Keep"; })) << focused().toStdString();
+    click(panel, "Keep");
+    EXPECT_TRUE(wait([&] { return focused() == "Where the gains come from"; })) << focused().toStdString();
+}
+
+TEST_F(TunePanelTest, valuesThatAreReadAgainAskNothingAnew) {
+    prepare();
+    const QSignalSpy designs(&bench, &Workbench::designChanged);
+    const auto before = valuesNow(); // all values were read: nothing of the loop changed
+    EXPECT_TRUE(canApply());         // so its prediction still holds
+    ASSERT_TRUE(wait([&] { return !before.empty(); }));
+    bench.writeValues({{"window.speed", before.at("window.speed") * 0.9}}, [](const Result<void>&) {});
+    EXPECT_EQ(valuesNow().at("window.speed"), before.at("window.speed") * 0.9);
+    EXPECT_TRUE(canApply());
+    EXPECT_EQ(designs.count(), 0);
+    bench.writeValues({{"limit.current", 2.0}}, [](const Result<void>&) {});
+    ASSERT_TRUE(wait([&] { return designs.count() > 0; }));
+    EXPECT_EQ(bench.design()->conditions.currentLimit_A, 2.0);
+    bench.session().disconnectDevice(); // the shipped profile of the motor again
+    EXPECT_TRUE(wait([&] { return bench.design()->conditions.currentLimit_A == 4.0; }));
 }
 
 TEST_F(TunePanelTest, cancelInEachStageRestoresTheGainsAndDisarms) {
