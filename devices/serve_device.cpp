@@ -12,6 +12,11 @@ namespace halbench::devices {
 
 namespace {
 
+/// Of the seed: the board's own draws stay the same whatever its line does.
+constexpr std::uint64_t LineStream = 101;
+constexpr std::uint64_t FrameStream = 102;
+constexpr std::uint8_t Sync = 0x9A; // resources/help/protocol.md 3.3.3
+
 class ServedSimulation : public ServedBoard {
 public:
     explicit ServedSimulation(SimulatedBoard& board) : m_board(&board) {}
@@ -53,9 +58,12 @@ Result<std::unique_ptr<ServerPort>> owned(Result<Server> server) {
     return std::unique_ptr<ServerPort>(std::make_unique<Server>(*std::move(server)));
 }
 
-Result<std::unique_ptr<ServerPort>> openPort(const ServeRequest& request) {
+Result<std::unique_ptr<ServerPort>> openPort(const ServeRequest& request, const Random& random,
+                                             LineTraffic& traffic) {
     if (request.line == ServedLine::Pty) {
-        return owned(PtyServer::open(std::make_unique<SxiFraming>()));
+        return owned(PtyServer::open(std::make_unique<FaultyFraming>(std::make_unique<SxiFraming>(), Sync,
+                                                                     request.faults.corrupt_ratio,
+                                                                     random.fork(FrameStream), traffic)));
     }
     const Result<NetworkAddress> address = parseNetworkAddress(request.address);
     if (!address) {
@@ -65,11 +73,18 @@ Result<std::unique_ptr<ServerPort>> openPort(const ServeRequest& request) {
                                            : owned(TcpServer::listen(*address));
 }
 
+/// On a serial line frames are damaged, not the messages in them.
+LineFaults faultsOfMessages(const ServeRequest& request) {
+    LineFaults faults = request.faults;
+    faults.corrupt_ratio = request.line == ServedLine::Pty ? 0.0 : faults.corrupt_ratio;
+    return faults;
+}
+
 } // namespace
 
-Result<void> serveDevice(const ServeRequest& request,
-                         const std::function<void(const std::string&)>& onListening,
-                         const std::atomic<int>& interruptSignal) {
+Result<LineTraffic> serveDevice(const ServeRequest& request,
+                                const std::function<void(const std::string&)>& onListening,
+                                const std::atomic<int>& interruptSignal) {
     const Result<DeviceUri> uri = parseDeviceUri(request.device);
     if (!uri) {
         return failure(uri.error());
@@ -78,19 +93,29 @@ Result<void> serveDevice(const ServeRequest& request,
         return failure(ErrorCode::Usage, fmt::format("'{}' cannot be served", request.device),
                        "serve needs a simulated device, e.g. sim:htm");
     }
+    if (const Result<void> checked = checkLineFaults(request.faults); !checked) {
+        return failure(checked.error());
+    }
+    const Result<SimulatedSetup> setup = parseSimulatedAddress(*uri, request.seed);
+    if (!setup) {
+        return failure(setup.error());
+    }
     const Result<std::unique_ptr<SimulatedBoard>> board =
         makeSimulatedBoard(*uri, request.seed, lineOf(request.line));
     if (!board) {
         return failure(board.error());
     }
-    const Result<std::unique_ptr<ServerPort>> port = openPort(request);
+    const Random random(setup->seed);
+    LineTraffic traffic;
+    const Result<std::unique_ptr<ServerPort>> port = openPort(request, random, traffic);
     if (!port) {
         return failure(port.error());
     }
-    onListening((*port)->address());
     ServedSimulation served(**board);
-    serveBoard(**port, served, interruptSignal);
-    return {};
+    FaultyBoard faulty(served, faultsOfMessages(request), random.fork(LineStream), traffic);
+    onListening((*port)->address());
+    serveBoard(**port, faulty, interruptSignal);
+    return traffic;
 }
 
 } // namespace halbench::devices

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "control/base/result.h"
+#include "devices/transport/faulty_line.h"
 
 #include <atomic>
 #include <cstdint>
@@ -17,14 +18,16 @@ struct ServeRequest {
     std::string device; ///< `sim:htm?...`
     ServedLine line = ServedLine::Tcp;
     std::string address;               ///< HOST:PORT, port 0 picks one; not for a pseudo terminal
-    std::optional<std::uint64_t> seed; ///< wins over `?seed=`
+    std::optional<std::uint64_t> seed; ///< wins over `?seed=`; also of the faults
+    LineFaults faults{};
 };
 
 /// Serves a simulated board to other XCP tools, paced by the wall clock, until the flag is set.
 /// `onListening` gets "tcp:127.0.0.1:PORT", "udp:127.0.0.1:PORT" or "pty:/dev/pts/N" once, when masters are
-/// answered. Errors: InvalidInput, UnknownName, OutOfRange (device, address), DeviceLost.
-Result<void> serveDevice(const ServeRequest& request,
-                         const std::function<void(const std::string&)>& onListening,
-                         const std::atomic<int>& interruptSignal);
+/// answered. Gives what was made to go wrong. Errors: InvalidInput, UnknownName, NotFinite, OutOfRange
+/// (device, address, faults), DeviceLost.
+Result<LineTraffic> serveDevice(const ServeRequest& request,
+                                const std::function<void(const std::string&)>& onListening,
+                                const std::atomic<int>& interruptSignal);
 
 } // namespace halbench::devices

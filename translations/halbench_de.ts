@@ -3850,6 +3850,30 @@
         <source>output converter does not answer</source>
         <translation>Ausgangswandler antwortet nicht</translation>
     </message>
+    <message>
+        <source>{}: {} is not a finite number</source>
+        <translation>{}: {} ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>{}: {} is not from 0 to {}</source>
+        <translation>{}: {} liegt nicht zwischen 0 und {}</translation>
+    </message>
+    <message>
+        <source>give the share of the messages, e.g. 0.01 for one in a hundred</source>
+        <translation>den Anteil der Nachrichten angeben, z. B. 0.01 für eine von hundert</translation>
+    </message>
+    <message>
+        <source>give milliseconds, e.g. 20</source>
+        <translation>Millisekunden angeben, z. B. 20</translation>
+    </message>
+    <message>
+        <source>{} % of the recording&apos;s rows are missing</source>
+        <translation>{} % der Zeilen der Aufzeichnung fehlen</translation>
+    </message>
+    <message>
+        <source>check the link; at most one row in ten may be lost</source>
+        <translation>Verbindung prüfen; höchstens eine von zehn Zeilen darf fehlen</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CalibratePanel</name>

@@ -3850,6 +3850,30 @@
         <source>output converter does not answer</source>
         <translation>输出转换器无应答</translation>
     </message>
+    <message>
+        <source>{}: {} is not a finite number</source>
+        <translation>{}：{} 不是有限数</translation>
+    </message>
+    <message>
+        <source>{}: {} is not from 0 to {}</source>
+        <translation>{}：{} 不在 0 到 {} 之间</translation>
+    </message>
+    <message>
+        <source>give the share of the messages, e.g. 0.01 for one in a hundred</source>
+        <translation>请给出消息的比例，例如 0.01 表示百分之一</translation>
+    </message>
+    <message>
+        <source>give milliseconds, e.g. 20</source>
+        <translation>请给出毫秒数，例如 20</translation>
+    </message>
+    <message>
+        <source>{} % of the recording&apos;s rows are missing</source>
+        <translation>记录中缺失 {} % 的行</translation>
+    </message>
+    <message>
+        <source>check the link; at most one row in ten may be lost</source>
+        <translation>请检查连接；最多允许丢失十分之一的行</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CalibratePanel</name>

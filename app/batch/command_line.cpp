@@ -144,6 +144,19 @@ void addTuningCommands(CLI::App& app, CommandOptions& options) {
     analyse->add_option("--step", options.stepFile, "Closed loop, step response")->type_name("F.csv");
 }
 
+void addServe(CLI::App& app, CommandOptions& options) {
+    CLI::App* serve = addCommand(app, "serve", "Offer a simulated board to other XCP tools");
+    addDevice(serve, options);
+    serve->add_option("--tcp", options.tcp, "Listen there; port 0 picks one")->type_name("HOST:PORT");
+    serve->add_option("--udp", options.udp, "Listen there; port 0 picks one")->type_name("HOST:PORT");
+    serve->add_flag("--pty", options.usesPty, "A pseudo terminal");
+    serve->add_option("--drop", options.drop, "Share of the messages that vanish, 0 to 1")->type_name("P");
+    serve->add_option("--corrupt", options.corrupt, "Share of the messages with a flipped bit, 0 to 1")
+        ->type_name("P");
+    serve->add_option("--latency-ms", options.latency, "Every message arrives so much later, each way")
+        ->type_name("MS");
+}
+
 void addFileCommands(CLI::App& app, CommandOptions& options) {
     CLI::App* run = addCommand(app, "run", "Run an experiment file and judge its checks");
     run->add_option("EXPERIMENT.toml", options.experiment, "Experiment")->required();
@@ -154,11 +167,7 @@ void addFileCommands(CLI::App& app, CommandOptions& options) {
         ->type_name("KEY=VALUE");
     run->add_flag("--dry-run", options.isDryRun, "Validate and predict, move nothing");
     run->add_option("--out", options.out, "Folder of the results")->type_name("DIR");
-    CLI::App* serve = addCommand(app, "serve", "Offer a simulated board to other XCP tools");
-    addDevice(serve, options);
-    serve->add_option("--tcp", options.tcp, "Listen there; port 0 picks one")->type_name("HOST:PORT");
-    serve->add_option("--udp", options.udp, "Listen there; port 0 picks one")->type_name("HOST:PORT");
-    serve->add_flag("--pty", options.usesPty, "A pseudo terminal");
+    addServe(app, options);
     CLI::App* convert = addCommand(app, "convert", "Convert, cut and thin out recordings");
     convert->add_option("IN", options.input, "Recording")->required();
     convert->add_option("OUT", options.out, "New recording")->required();

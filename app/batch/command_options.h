@@ -51,6 +51,7 @@ struct CommandOptions {
     bool isDryRun = false;
     std::string tcp, udp;
     bool usesPty = false;
+    std::string drop, corrupt, latency; ///< serve
     std::string input;
     std::string from, to;
 };

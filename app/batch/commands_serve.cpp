@@ -1,17 +1,41 @@
 #include "app/batch/commands.h"
+#include "app/batch/numbers.h"
 #include "devices/serve_device.h"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace halbench::app {
 
-CommandResult runServeCommand(CommandContext& context, const CommandOptions& options) {
+namespace {
+
+/// 0 where the option was not given.
+Result<double> numberOrNone(const std::string& option, const std::string& text) {
+    return text.empty() ? Result<double>(0.0) : numberOption(option, text);
+}
+
+Result<devices::LineFaults> faultsOf(const CommandOptions& options) {
+    const Result<double> drop = numberOrNone("--drop", options.drop);
+    const Result<double> corrupt = numberOrNone("--corrupt", options.corrupt);
+    const Result<double> latency_ms = numberOrNone("--latency-ms", options.latency);
+    for (const Result<double>* number : {&drop, &corrupt, &latency_ms}) {
+        if (!*number) {
+            return failure(number->error());
+        }
+    }
+    return devices::LineFaults{*drop, *corrupt, 1e-3 * *latency_ms};
+}
+
+Result<devices::ServeRequest> requestOf(const CommandContext& context, const CommandOptions& options) {
     using devices::ServedLine;
     const int chosen =
         (options.tcp.empty() ? 0 : 1) + (options.udp.empty() ? 0 : 1) + (options.usesPty ? 1 : 0);
     if (chosen != 1) {
         return failure(ErrorCode::Usage, "serve needs one of --tcp, --udp and --pty",
                        "add --tcp 127.0.0.1:0 to let it pick a port");
+    }
+    const Result<devices::LineFaults> faults = faultsOf(options);
+    if (!faults) {
+        return failure(faults.error());
     }
     devices::ServeRequest request;
     request.device = options.device;
@@ -20,12 +44,29 @@ CommandResult runServeCommand(CommandContext& context, const CommandOptions& opt
                                           : ServedLine::Tcp;
     request.address = options.tcp + options.udp; // one of them is empty
     request.seed = context.global.seed;
+    request.faults = *faults;
+    return request;
+}
+
+} // namespace
+
+CommandResult runServeCommand(CommandContext& context, const CommandOptions& options) {
+    const Result<devices::ServeRequest> request = requestOf(context, options);
+    if (!request) {
+        return failure(request.error());
+    }
     const auto announce = [&](const std::string& address) {
         context.console.announce("listening " + address);
     };
-    const Result<void> served = devices::serveDevice(request, announce, context.interruptSignal);
-    if (!served) {
-        return failure(served.error());
+    const Result<devices::LineTraffic> traffic =
+        devices::serveDevice(*request, announce, context.interruptSignal);
+    if (!traffic) {
+        return failure(traffic.error());
+    }
+    if (request->faults.isAny()) {
+        context.console.log(LogLevel::Info,
+                            fmt::format("{} messages, {} dropped, {} corrupted", traffic->messages,
+                                        traffic->dropped, traffic->corrupted));
     }
     return ExitCode::Done;
 }

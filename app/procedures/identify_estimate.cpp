@@ -37,6 +37,36 @@ std::vector<double> firstColumn(const Recording& recording, std::initializer_lis
     return {};
 }
 
+/// Time between neighbours that most of them have: lost rows do not change it.
+double usualPeriod_s(const std::vector<double>& time_s) {
+    std::vector<double> periods_s;
+    for (std::size_t row = 1; row < time_s.size(); ++row) {
+        periods_s.push_back(time_s[row] - time_s[row - 1]);
+    }
+    const auto middle = periods_s.begin() + static_cast<std::ptrdiff_t>(periods_s.size() / 2);
+    std::nth_element(periods_s.begin(), middle, periods_s.end());
+    return *middle;
+}
+
+Result<void> checkRows(const std::vector<double>& time_s) {
+    constexpr double LowestRate_Hz = 99.0; // of 100, with the rounding of a file's times
+    constexpr double MostLost_ratio = 0.1;
+    const double period_s = usualPeriod_s(time_s);
+    if (!(period_s * LowestRate_Hz <= 1.0)) {
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("the recording has {:.3g} rows a second, less than 100", 1.0 / period_s),
+                       "record at 100 Hz or more");
+    }
+    const double expected = (time_s.back() - time_s.front()) / period_s + 1.0;
+    const double lost_ratio = 1.0 - static_cast<double>(time_s.size()) / expected;
+    if (!(lost_ratio <= MostLost_ratio)) {
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("{:.0f} % of the recording's rows are missing", 1e2 * lost_ratio),
+                       "check the link; at most one row in ten may be lost");
+    }
+    return {};
+}
+
 Result<Columns> takeColumns(const Recording& recording) {
     constexpr std::size_t FewestRows = 50;
     if (recording.rows() < FewestRows) {
@@ -51,13 +81,8 @@ Result<Columns> takeColumns(const Recording& recording) {
         return failure(ErrorCode::InvalidInput, "the recording lacks position or current_command",
                        "it needs the columns time_s, position_rad and current_command_A");
     }
-    const double span_s = recording.time_s.back() - recording.time_s.front();
-    const double rate_Hz = static_cast<double>(recording.rows() - 1) / span_s;
-    constexpr double LowestRate_Hz = 99.0; // 100 Hz with a lost row here and there
-    if (!(rate_Hz >= LowestRate_Hz)) {
-        return failure(ErrorCode::InvalidInput,
-                       fmt::format("the recording has {:.3g} rows a second, less than 100", rate_Hz),
-                       "record at 100 Hz or more");
+    if (Result<void> checked = checkRows(recording.time_s); !checked) {
+        return failure(checked.error());
     }
     return columns;
 }

@@ -105,6 +105,7 @@ Result<void> XcpDevice::arm() {
         return zero;
     }
     m_nextStatus_s = now_s() + m_options.watchdog_s / 4.0;
+    m_link.limitAnswerTimeout(std::max(m_options.watchdog_s / 4.0, 4.0 * m_link.roundTripMedian_s()));
     if (Result<void> armed = writeLive(ArmName, 1.0); !armed) {
         return armed;
     }
@@ -114,6 +115,7 @@ Result<void> XcpDevice::arm() {
 
 Result<void> XcpDevice::disarm() {
     m_expectsArmed = false;
+    m_link.limitAnswerTimeout(std::nullopt);
     if (Result<void> written = writeLive(ArmName, 0.0); !written) {
         return written;
     }

@@ -86,7 +86,7 @@ std::optional<Trouble> XcpLink::obeyOrders() {
     return std::nullopt;
 }
 
-Reply<Packet> XcpLink::exchange(const Packet& command, double timeout_s) {
+Reply<Packet> XcpLink::exchange(const Packet& command, double patience_s) {
     if (std::optional<Trouble> overtaken = obeyOrders()) {
         return tl::unexpected(*std::move(overtaken));
     }
@@ -113,7 +113,7 @@ Reply<Packet> XcpLink::exchange(const Packet& command, double timeout_s) {
     if (Result<void> sent = sendNow(command); !sent) {
         return tl::unexpected(Trouble{TroubleCause::Lost, 0, sent.error()});
     }
-    Reply<Packet> reply = awaitAnswer(command[0], start_s + (timeout_s > 0.0 ? timeout_s : m_timeout_s));
+    Reply<Packet> reply = awaitAnswer(command[0], start_s + (patience_s > 0.0 ? patience_s : timeout_s()));
     if (reply) {
         m_lastExchange = {start_s, m_transport->now_s()};
         noteRoundTrip(m_lastExchange.answered_s - start_s);
@@ -122,7 +122,7 @@ Reply<Packet> XcpLink::exchange(const Packet& command, double timeout_s) {
 }
 
 Reply<Packet> XcpLink::nextResponse(std::uint8_t command) {
-    return awaitAnswer(command, m_transport->now_s() + m_timeout_s);
+    return awaitAnswer(command, m_transport->now_s() + timeout_s());
 }
 
 Reply<Packet> XcpLink::awaitAnswer(std::uint8_t command, double deadline_s) {
@@ -160,7 +160,7 @@ Reply<Packet> XcpLink::awaitAnswer(std::uint8_t command, double deadline_s) {
         dispatch();
         if (m_isPending) {
             m_isPending = false;
-            deadline_s = std::min(m_transport->now_s() + m_timeout_s, start_s + MaxSilence_s);
+            deadline_s = std::min(m_transport->now_s() + timeout_s(), start_s + MaxSilence_s);
         }
     }
 }
@@ -281,7 +281,7 @@ Result<void> XcpLink::synchronise() {
 /// along, so that its answer is discarded as well.
 Result<bool> XcpLink::awaitSynchronised() {
     const Packet command = CommandEncoder().plain(Command::Synch);
-    const double deadline_s = m_transport->now_s() + m_timeout_s;
+    const double deadline_s = m_transport->now_s() + timeout_s();
     int sent = 1;
     int answered = 0;
     while (answered < sent && m_transport->now_s() < deadline_s) {

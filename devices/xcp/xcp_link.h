@@ -5,6 +5,7 @@
 #include "devices/transport/transport.h"
 #include "devices/xcp/packets.h"
 
+#include <algorithm>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -58,13 +59,16 @@ public:
     const Transport& transport() const { return *m_transport; }
     void setHandlers(LinkHandlers handlers) { m_handlers = std::move(handlers); }
     void setAnswerTimeout(double timeout_s) { m_timeout_s = timeout_s; }
+    /// Waits no longer than this for an answer, whatever the board asks for: two lost in a row must not let
+    /// its watchdog run out. Nothing: as set.
+    void limitAnswerTimeout(std::optional<double> limit_s) { m_timeoutLimit_s = limit_s; }
     /// What other threads want, looked at whenever an answer is awaited; may be empty.
     void setOrders(std::shared_ptr<const LinkOrders> orders) { m_orders = std::move(orders); }
     /// The board is open: from now on LinkOrders::isLeaving is the caller's to obey.
     void noteOpened() { m_isOpening = false; }
 
-    /// One try: sends, waits, gives the whole RES packet. `timeout_s` 0 = the usual one.
-    Reply<Packet> exchange(const Packet& command, double timeout_s = 0.0);
+    /// One try: sends, waits, gives the whole RES packet. `patience_s` 0 = the usual one.
+    Reply<Packet> exchange(const Packet& command, double patience_s = 0.0);
     /// The next RES of a block answer, without sending.
     Reply<Packet> nextResponse(std::uint8_t command);
 
@@ -119,7 +123,10 @@ private:
 
     std::unique_ptr<Transport> m_transport;
     LinkHandlers m_handlers;
+    double timeout_s() const { return std::min(m_timeout_s, m_timeoutLimit_s.value_or(m_timeout_s)); }
+
     double m_timeout_s;
+    std::optional<double> m_timeoutLimit_s;
     Packet m_packet; ///< storage reused by every receive
     std::optional<Error> m_lost;
     bool m_isPending = false; ///< the board asked for more time

@@ -4,6 +4,7 @@
 """
 import json
 import os
+import signal
 import socket
 import sys
 import unittest
@@ -378,6 +379,26 @@ class Serving(ProgramCase):
         self.refuse(3, "udp:no.such.host.invalid", "serve", "sim:htm", "--udp", "no.such.host.invalid:1")
         self.refuse(2, "one of", "serve", "sim:htm", "--udp", "127.0.0.1:0", "--pty")
         self.refuse(2, "one of", "serve", "sim:htm")
+
+    def test_faults_that_make_no_sense_are_refused_by_their_name(self):
+        for option, values in (("--drop", ("2", "-0.1", "nan", "inf", "x", "")),
+                               ("--corrupt", ("1.5", "nan", "1%")),
+                               ("--latency-ms", ("-1", "nan", "20ms", "1e9"))):
+            for value in values:
+                with self.subTest(option=option, value=value):
+                    self.refuse(2, option, "serve", "sim:htm", "--tcp", "127.0.0.1:0", option, value)
+
+    def test_master_works_over_every_line_that_loses_and_delays(self):
+        for kind in ("tcp", "udp", "pty"):
+            with self.subTest(kind=kind):
+                faults = ("--drop", "0.01", "--corrupt", "0.001", "--latency-ms", "5", "--seed", "3")
+                process, address = self.serve(kind, *faults)
+                device = "serial:" + address[4:] if kind == "pty" else address
+                self.assertIn("gain.kp = 10 A/rad", self.accept("get", device, "gain.kp").out)
+                self.accept("record", device, "--duration", "1", "--out", self.path("rows.csv"))
+                process.send_signal(signal.SIGTERM)
+                self.assertRegex(process.communicate(timeout=10)[1], r"^halbench: \d+ messages, \d+ dropped, \d+ corrupted\n$")
+                self.assertEqual(process.returncode, 0)
 
     def test_occupied_port_is_told(self):
         with socket.create_server(("127.0.0.1", 0)) as taken:

@@ -75,9 +75,9 @@ class ProgramCase(unittest.TestCase):
         process.kill()
         process.communicate()
 
-    def serve(self, kind="tcp"):
+    def serve(self, kind="tcp", *options):
         where = ["--pty"] if kind == "pty" else [f"--{kind}", "127.0.0.1:0"]
-        process = self.start_program("serve", "sim:htm?seed=1", *where)
+        process = self.start_program("serve", "sim:htm?seed=1", *where, *options)
         line = process.stdout.readline()
         self.assertRegex(line, r"^listening pty:/dev/\S+$" if kind == "pty" else rf"^listening {kind}:127\.0\.0\.1:\d+$")
         return process, line.split(" ", 1)[1].strip()
