@@ -35,9 +35,11 @@ private:
 /// Follows the message counter of the other side (3.2).
 class CounterWatch {
 public:
-    /// Messages missing between the last one and this; 0 for the first.
+    /// Messages missing between the last one and this; 0 for the first, and for one that steps back: the
+    /// board counts anew, or the message came twice or was overtaken.
     std::uint16_t missingBefore(std::uint16_t counter) const {
-        return m_hasLast ? static_cast<std::uint16_t>(counter - m_last - 1) : std::uint16_t{0};
+        const auto missing = static_cast<std::uint16_t>(counter - m_last - 1);
+        return m_hasLast && missing < HalfTurn ? missing : std::uint16_t{0};
     }
     void take(std::uint16_t counter) {
         m_last = counter;
@@ -45,6 +47,8 @@ public:
     }
 
 private:
+    static constexpr std::uint16_t HalfTurn = 0x8000;
+
     std::uint16_t m_last = 0;
     bool m_hasLast = false;
 };

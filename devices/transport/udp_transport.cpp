@@ -12,8 +12,6 @@ namespace halbench::devices {
 namespace {
 
 constexpr std::size_t MaxPacket = 0xFFFF;
-/// A counter this far ahead stepped back: the board counts anew, or one datagram overtook another.
-constexpr std::uint16_t HalfTurn = 0x8000;
 
 } // namespace
 
@@ -68,8 +66,7 @@ bool UdpTransport::takeMessage(std::vector<std::uint8_t>& packet) {
     if (!*message) {
         return false;
     }
-    const std::uint16_t missing = m_counters.missingBefore((*message)->counter);
-    m_statistics.packetsLost += missing < HalfTurn ? missing : 0;
+    m_statistics.packetsLost += m_counters.missingBefore((*message)->counter);
     m_counters.take((*message)->counter);
     ++m_statistics.packetsReceived;
     packet.assign((*message)->packet.begin(), (*message)->packet.end());

@@ -65,52 +65,6 @@ TEST(UsbBulk, isListedWithItsNamesAndOpenedByThem) {
     EXPECT_EQ(received(inbox, expected.size()), expected);
 }
 
-TEST(UsbBulk, bothWaysOfBeingUnpluggedAreTheSameToTheUser) {
-    const MockMachine machine;
-    for (const auto departure :
-         {MockBulkBoard::Departure::NoDevice, MockBulkBoard::Departure::ProtocolError}) {
-        MockBulkBoard board(machine, departure == MockBulkBoard::Departure::NoDevice ? 4 : 5, "HB-17");
-        OctetInbox inbox;
-        UsbPort port(Name);
-        ASSERT_TRUE(port.open(inbox));
-        board.unplug(departure);
-        Octets octets;
-        const auto taken = inbox.take(octets, 2.0);
-        ASSERT_FALSE(taken);
-        EXPECT_EQ(taken.error().code, ErrorCode::DeviceLost);
-        EXPECT_NE(taken.error().message.find("unplugged"), std::string::npos);
-        EXPECT_FALSE(port.write({octets}));
-        port.close();
-        EXPECT_FALSE(port.open(inbox));
-    }
-}
-
-TEST(UsbBulk, secondOpenIsRefused) {
-    const MockMachine machine;
-    MockBulkBoard board(machine, 4, "HB-17");
-    OctetInbox inbox;
-    UsbPort first(Name);
-    ASSERT_TRUE(first.open(inbox));
-    UsbPort second(Name);
-    const auto opened = second.open(inbox);
-    ASSERT_FALSE(opened);
-    EXPECT_NE(opened.error().message.find("in use"), std::string::npos) << opened.error().message;
-    first.close();
-    EXPECT_TRUE(second.open(inbox)) << "closed means free";
-}
-
-TEST(UsbBulk, aBoardThatTakesNothingIsGivenUp) {
-    const MockMachine machine;
-    MockBulkBoard board(machine, 4, "HB-17");
-    OctetInbox inbox;
-    UsbPort port(Name);
-    ASSERT_TRUE(port.open(inbox));
-    board.setStalled(true);
-    const auto written = port.write(counting(10));
-    ASSERT_FALSE(written);
-    EXPECT_NE(written.error().message.find("takes no more"), std::string::npos) << written.error().message;
-}
-
 TEST(UsbBulk, wrongSerialNumberAndSeveralBoardsAreToldApart) {
     const MockMachine machine;
     MockBulkBoard one(machine, 4, "HB-17");
@@ -126,38 +80,6 @@ TEST(UsbBulk, wrongSerialNumberAndSeveralBoardsAreToldApart) {
     ASSERT_FALSE(several);
     EXPECT_NE(several.error().message.find("several"), std::string::npos);
     other.close(); // before its board goes
-}
-
-TEST(UsbBulk, hundredTimesUnpluggedAndPluggedInAgain) {
-    const MockMachine machine;
-    OctetInbox inbox;
-    UsbPort port(Name);
-    for (int cycle = 0; cycle < 100; ++cycle) { // under a new address each time
-        MockBulkBoard board(machine, 2 + cycle, "HB-17");
-        inbox.clear();
-        ASSERT_TRUE(port.open(inbox)) << cycle;
-        board.deliver({1, 2, 3});
-        ASSERT_EQ(received(inbox, 3), (Octets{1, 2, 3}));
-        board.unplug(cycle % 2 == 0 ? MockBulkBoard::Departure::NoDevice
-                                    : MockBulkBoard::Departure::ProtocolError);
-        Octets octets;
-        ASSERT_FALSE(inbox.take(octets, 2.0)) << "told within 2 s";
-        port.close();
-    }
-}
-
-TEST(UsbBulk, closesWhileOctetsPourInAndReopens) {
-    const MockMachine machine;
-    MockBulkBoard board(machine, 4, "HB-17");
-    for (int i = 0; i < 20; ++i) {
-        OctetInbox inbox;
-        UsbPort port(Name);
-        ASSERT_TRUE(port.open(inbox)) << i;
-        for (int packet = 0; packet < 20; ++packet) {
-            board.deliver(counting(64));
-        }
-        port.close();
-    }
 }
 
 TEST(Hid, isListedAndCarriesReportsBothWays) {
@@ -182,35 +104,6 @@ TEST(Hid, isListedAndCarriesReportsBothWays) {
         board.deliver({report.begin(), report.end()});
     }
     EXPECT_EQ(received(inbox, 200), counting(200));
-}
-
-TEST(Hid, unpluggingIsTold) {
-    const MockMachine machine;
-    for (int i = 3; i < 6; ++i) {
-        MockHidBoard board(machine, i, "HB-9");
-        OctetInbox inbox;
-        HidPort port(Name);
-        const auto opened = port.open(inbox);
-        ASSERT_TRUE(opened) << opened.error().message;
-        board.unplug();
-        Octets octets;
-        const auto taken = inbox.take(octets, 2.0);
-        ASSERT_FALSE(taken);
-        EXPECT_NE(taken.error().message.find("unplugged"), std::string::npos);
-        EXPECT_FALSE(port.write(counting(3)));
-    }
-}
-
-TEST(Hid, secondOpenIsRefused) {
-    const MockMachine machine;
-    MockHidBoard board(machine, 3, "HB-9");
-    OctetInbox inbox;
-    HidPort first(Name);
-    ASSERT_TRUE(first.open(inbox));
-    HidPort second(Name);
-    const auto opened = second.open(inbox);
-    ASSERT_FALSE(opened);
-    EXPECT_NE(opened.error().message.find("in use"), std::string::npos) << opened.error().message;
 }
 
 /// By events of the system; the slow look around only helps a machine that is too busy between event and

@@ -50,5 +50,15 @@ TEST(MessageStream, nonsenseLengthIsAnErrorThatStays) {
     }
 }
 
+TEST(CounterWatch, countsGapsAcrossTheTurnAndNoStepsBack) {
+    CounterWatch watch;
+    EXPECT_EQ(watch.missingBefore(77), 0U) << "the first";
+    watch.take(0xFFFD);
+    EXPECT_EQ(watch.missingBefore(0xFFFE), 0U);
+    EXPECT_EQ(watch.missingBefore(2), 4U);
+    EXPECT_EQ(watch.missingBefore(0xFFFD), 0U) << "once more";
+    EXPECT_EQ(watch.missingBefore(0xFFFB), 0U) << "overtaken";
+}
+
 } // namespace
 } // namespace halbench::devices

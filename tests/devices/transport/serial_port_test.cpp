@@ -33,21 +33,6 @@ double processorTime_s() {
            1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
 }
 
-TEST(SerialPort, carriesEveryOctetBothWaysUnchanged) {
-    PtyLine line;
-    OctetInbox inbox;
-    SerialPort port(at(line.path()));
-    ASSERT_TRUE(port.open(inbox));
-    Octets all(1024);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        all[i] = static_cast<std::uint8_t>(i);
-    }
-    line.deliver(all);
-    EXPECT_EQ(received(inbox, all.size()), all) << "no line ends, no control characters, no echo";
-    ASSERT_TRUE(port.write(all));
-    EXPECT_EQ(line.taken(all.size()), all);
-}
-
 TEST(SerialPort, setsTheSpeedOfTheLine) {
     PtyLine line;
     OctetInbox inbox;
@@ -91,18 +76,6 @@ TEST(SerialPort, unpluggingIsToldOnceAndKeepsTheProcessorQuiet) {
     EXPECT_NE(opened.error().message.find("not there"), std::string::npos) << opened.error().message;
 }
 
-TEST(SerialPort, whatArrivedBeforeTheUnplugIsDelivered) {
-    PtyLine line;
-    OctetInbox inbox;
-    SerialPort port(at(line.path()));
-    ASSERT_TRUE(port.open(inbox));
-    line.deliver(Octets(100, 0x42));
-    EXPECT_EQ(received(inbox, 100).size(), 100U);
-    line.unplug();
-    Octets octets;
-    EXPECT_FALSE(inbox.take(octets, 2.0));
-}
-
 TEST(SerialPort, secondOpenIsRefusedAndNamesTheHolder) {
     PtyLine line;
     OctetInbox inbox;
@@ -117,54 +90,6 @@ TEST(SerialPort, secondOpenIsRefusedAndNamesTheHolder) {
         << opened.error().message;
     first.close();
     EXPECT_TRUE(second.open(other));
-}
-
-TEST(SerialPort, aBoardThatTakesNothingIsGivenUp) {
-    PtyLine line;
-    OctetInbox inbox;
-    SerialPort port(at(line.path()));
-    ASSERT_TRUE(port.open(inbox));
-    Result<void> written;
-    for (int i = 0; i < 100 && written; ++i) {
-        written = port.write(Octets(4096, 0x55));
-    }
-    ASSERT_FALSE(written);
-    EXPECT_NE(written.error().message.find("takes no more"), std::string::npos);
-}
-
-TEST(SerialPort, closesWhileOctetsPourIn) {
-    PtyLine line;
-    for (int i = 0; i < 20; ++i) {
-        OctetInbox inbox;
-        SerialPort port(at(line.path()));
-        ASSERT_TRUE(port.open(inbox));
-        line.deliver(Octets(2000, 0x11));
-        port.close();
-        port.close();
-        EXPECT_FALSE(port.write(Octets{1}));
-    }
-}
-
-/// The link that stays while the port gets a new number at each plugging, as /dev/serial/by-id does.
-TEST(SerialPort, hundredTimesUnpluggedAndPluggedInAgain) {
-    const std::string link = ::testing::TempDir() + "board-" + std::to_string(::getpid());
-    OctetInbox inbox;
-    SerialPort port(at(link));
-    for (int cycle = 0; cycle < 100; ++cycle) {
-        PtyLine line;
-        ::unlink(link.c_str());
-        ASSERT_EQ(::symlink(line.path().c_str(), link.c_str()), 0);
-        inbox.clear();
-        ASSERT_TRUE(port.open(inbox)) << cycle;
-        line.deliver(Octets{1, 2, 3});
-        ASSERT_EQ(received(inbox, 3), (Octets{1, 2, 3}));
-        line.unplug();
-        Octets octets;
-        ASSERT_FALSE(inbox.take(octets, 2.0)) << "told within 2 s";
-        ASSERT_FALSE(port.write(Octets{1}));
-        port.close();
-    }
-    ::unlink(link.c_str());
 }
 
 TEST(SerialPort, whatIsNoSerialPortIsRefusedInItsOwnWords) {

@@ -39,50 +39,6 @@ TEST(UdpTransport, sendsCommandsAndTakesEveryMessageOfADatagram) {
     EXPECT_EQ(pair.transport.statistics().packetsLost, 0U);
 }
 
-TEST(UdpTransport, countsLostMessagesFromTheGapOfTheCounter) {
-    Pair pair;
-    ASSERT_TRUE(pair.transport.open());
-    ASSERT_TRUE(pair.transport.send(Octets{0xFF, 0x00}));
-    pair.server.exchange(pair.board);
-    (void)pair.next();
-    for (int i = 0; i < 3; ++i) {
-        pair.board.say(Octets(600, 0x01)); // longer than a datagram: never sent, but counted
-    }
-    pair.board.say({0x02});
-    pair.server.exchange(pair.board);
-    EXPECT_EQ(pair.next(), Octets{0x02});
-    EXPECT_EQ(pair.transport.statistics().packetsLost, 3U);
-}
-
-TEST(UdpTransport, nonsenseIsCountedAndTheNextDatagramIsRead) {
-    NetworkAddress address{"127.0.0.1", 0};
-    const auto server = bindSocket(address, SocketKind::Datagram);
-    ASSERT_TRUE(server);
-    UdpTransport transport(address);
-    ASSERT_TRUE(transport.open());
-    ASSERT_TRUE(transport.send(Octets{0xFF, 0x00}));
-    sockaddr_storage peer{};
-    socklen_t size = sizeof peer;
-    Octets octets(64);
-    ASSERT_GT(::recvfrom(server->number(), octets.data(), octets.size(), 0,
-                         reinterpret_cast<sockaddr*>(&peer), &size),
-              0);
-    for (const Octets& datagram :
-         {Octets{}, Octets{0, 0, 0, 0}, Octets{5, 0, 0, 0, 1}, Octets{1, 0, 7, 0, 0xFF}}) {
-        ASSERT_EQ(::sendto(server->number(), datagram.data(), datagram.size(), 0,
-                           reinterpret_cast<sockaddr*>(&peer), size),
-                  static_cast<ssize_t>(datagram.size()));
-    }
-    Octets packet;
-    Result<bool> received = false;
-    for (int i = 0; i < 4 && received && !*received; ++i) {
-        received = transport.receive(packet, 0.0);
-    }
-    ASSERT_TRUE(received && *received);
-    EXPECT_EQ(packet, Octets{0xFF});
-    EXPECT_EQ(transport.statistics().packetsDamaged, 1U);
-}
-
 TEST(UdpDevice, worksLikeTheEmbeddedBoard) {
     const BoardServer server(ServedLine::Udp);
     auto opened = openDevice(server.uri(), {});
