@@ -3663,10 +3663,6 @@
         <translation>{} sendet etwas ({} Byte), aber nicht in diesem Protokoll</translation>
     </message>
     <message>
-        <source>check that it is the right device, and on a serial line its baud rate and framing</source>
-        <translation>prüfen Sie, dass es das richtige Gerät ist, und an einer seriellen Leitung Baudrate und Rahmen</translation>
-    </message>
-    <message>
         <source>&apos;{}&apos; must be a finite number</source>
         <translation>„{}“ muss eine endliche Zahl sein</translation>
     </message>
@@ -3873,6 +3869,34 @@
     <message>
         <source>check the link; at most one row in ten may be lost</source>
         <translation>Verbindung prüfen; höchstens eine von zehn Zeilen darf fehlen</translation>
+    </message>
+    <message>
+        <source>{}: {}; that is not this protocol</source>
+        <translation>{}: {}; das ist nicht dieses Protokoll</translation>
+    </message>
+    <message>
+        <source>check address and port: another program listens there</source>
+        <translation>Adresse und Port prüfen: dort antwortet ein anderes Programm</translation>
+    </message>
+    <message>
+        <source>check that it is the right device and address, and on a serial line its baud rate and framing</source>
+        <translation>prüfen, ob Gerät und Adresse stimmen, bei einer seriellen Leitung auch Baudrate und Rahmung</translation>
+    </message>
+    <message>
+        <source>the board&apos;s description is cut off after {} octets</source>
+        <translation>die Beschreibung des Steuergeräts bricht nach {} Bytes ab</translation>
+    </message>
+    <message>
+        <source>connect again; if it stays so, the board&apos;s firmware holds only half of it and must be updated</source>
+        <translation>erneut verbinden; bleibt es dabei, enthält die Firmware des Steuergeräts nur die Hälfte und muss erneuert werden</translation>
+    </message>
+    <message>
+        <source>the firmware of &apos;{}&apos; changed: it was &apos;{}&apos; at an earlier connection and is &apos;{}&apos; now, so that its description was read anew</source>
+        <translation>die Firmware von „{}“ hat sich geändert: bei einer früheren Verbindung war sie „{}“, jetzt ist sie „{}“; ihre Beschreibung wurde neu gelesen</translation>
+    </message>
+    <message>
+        <source>the board runs firmware &apos;{}&apos;, but its description is of &apos;{}&apos;: names may lead to wrong values; update the board&apos;s firmware as a whole</source>
+        <translation>auf dem Steuergerät läuft die Firmware „{}“, ihre Beschreibung gehört aber zu „{}“: Namen können zu falschen Werten führen; die Firmware des Steuergeräts als Ganzes erneuern</translation>
     </message>
 </context>
 <context>

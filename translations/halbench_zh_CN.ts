@@ -3663,10 +3663,6 @@
         <translation>{} 发送了数据（{} 字节），但不是此协议</translation>
     </message>
     <message>
-        <source>check that it is the right device, and on a serial line its baud rate and framing</source>
-        <translation>请确认设备正确；若为串口，请检查波特率和帧格式</translation>
-    </message>
-    <message>
         <source>&apos;{}&apos; must be a finite number</source>
         <translation>“{}”必须是有限数</translation>
     </message>
@@ -3873,6 +3869,34 @@
     <message>
         <source>check the link; at most one row in ten may be lost</source>
         <translation>请检查连接；最多允许丢失十分之一的行</translation>
+    </message>
+    <message>
+        <source>{}: {}; that is not this protocol</source>
+        <translation>{}：{}；这不是本协议</translation>
+    </message>
+    <message>
+        <source>check address and port: another program listens there</source>
+        <translation>请检查地址和端口：那里是另一个程序在监听</translation>
+    </message>
+    <message>
+        <source>check that it is the right device and address, and on a serial line its baud rate and framing</source>
+        <translation>请检查设备和地址是否正确，串行线路还要检查波特率和帧格式</translation>
+    </message>
+    <message>
+        <source>the board&apos;s description is cut off after {} octets</source>
+        <translation>控制板的描述在 {} 个字节后中断</translation>
+    </message>
+    <message>
+        <source>connect again; if it stays so, the board&apos;s firmware holds only half of it and must be updated</source>
+        <translation>请重新连接；如果仍然如此，说明控制板固件只含有一半描述，必须更新</translation>
+    </message>
+    <message>
+        <source>the firmware of &apos;{}&apos; changed: it was &apos;{}&apos; at an earlier connection and is &apos;{}&apos; now, so that its description was read anew</source>
+        <translation>“{}”的固件已改变：上一次连接时为“{}”，现在为“{}”，因此重新读取了描述</translation>
+    </message>
+    <message>
+        <source>the board runs firmware &apos;{}&apos;, but its description is of &apos;{}&apos;: names may lead to wrong values; update the board&apos;s firmware as a whole</source>
+        <translation>控制板运行固件“{}”，但其描述属于“{}”：名称可能指向错误的值；请整体更新控制板固件</translation>
     </message>
 </context>
 <context>

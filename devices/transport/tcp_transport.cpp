@@ -31,6 +31,13 @@ Error TcpTransport::lost(const std::string& what) {
             "check that the board is on and no other program uses it, then connect again"};
 }
 
+/// A web server, a login, a measuring instrument: whatever listens at that port.
+Error TcpTransport::anotherProtocol(const std::string& what) {
+    m_socket.close();
+    return {ErrorCode::Protocol, fmt::format("{}: {}; that is not this protocol", description(), what),
+            "check address and port: another program listens there"};
+}
+
 Result<void> TcpTransport::open() {
     Result<Descriptor> socket = connectTcp(m_address, ConnectTimeout_s);
     if (!socket) {
@@ -72,7 +79,7 @@ Result<bool> TcpTransport::takeMessage(std::vector<std::uint8_t>& packet) {
     const Result<std::optional<StreamMessage>> message = m_parser.next();
     if (!message) {
         ++m_statistics.packetsDamaged;
-        return failure(lost(message.error().message));
+        return failure(anotherProtocol(message.error().message));
     }
     if (!*message) {
         return false;
@@ -89,6 +96,7 @@ Result<void> TcpTransport::readSocket() {
     std::array<std::uint8_t, 65536> octets;
     const ssize_t count = ::recv(m_socket.number(), octets.data(), octets.size(), 0);
     if (count > 0) {
+        m_statistics.octetsReceived += static_cast<std::uint64_t>(count);
         m_parser.feed({octets.data(), static_cast<std::size_t>(count)});
         return {};
     }

@@ -27,6 +27,7 @@ private:
     Result<bool> takeMessage(std::vector<std::uint8_t>& packet);
     Result<void> readSocket();
     Error lost(const std::string& what);
+    Error anotherProtocol(const std::string& what);
 
     NetworkAddress m_address;
     Descriptor m_socket;

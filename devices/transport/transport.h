@@ -15,7 +15,7 @@ struct TransportStatistics {
     std::uint64_t packetsSent = 0;
     std::uint64_t packetsLost = 0;    ///< gaps of the message counter
     std::uint64_t packetsDamaged = 0; ///< bad length, bad checksum
-    std::uint64_t octetsReceived = 0; ///< whatever they were; 0 where only whole packets are seen
+    std::uint64_t octetsReceived = 0; ///< whatever they were; 0 on the loopback
 };
 
 /// Moves whole XCP packets and owns the time they are stamped with: the host's steady clock on hardware, the

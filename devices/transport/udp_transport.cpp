@@ -77,6 +77,7 @@ Result<void> UdpTransport::readDatagram() {
     std::array<std::uint8_t, 65536> octets;
     const ssize_t count = ::recv(m_socket.number(), octets.data(), octets.size(), 0);
     if (count >= 0) {
+        m_statistics.octetsReceived += static_cast<std::uint64_t>(count);
         m_datagram = MessageParser(MaxPacket); // what the last one left was not whole
         m_datagram.feed({octets.data(), static_cast<std::size_t>(count)});
         return {};

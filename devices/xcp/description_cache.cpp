@@ -33,8 +33,11 @@ bool isKeepable(const std::string& folder, const DescriptionKey& key) {
            key.octets <= MaxA2lSize;
 }
 
+constexpr const char* Format = "halbench.description-cache/1";
+constexpr const char* Extension = ".description";
+
 std::string headerOf(const DescriptionKey& key, const std::string& text) {
-    const std::string head = fmt::format("halbench.description-cache/1\n{}\n{}\n", key.name, key.epk);
+    const std::string head = fmt::format("{}\n{}\n{}\n", Format, key.name, key.epk);
     return fmt::format("{}{} {:016x}\n", head, text.size(), hashOf(head + text));
 }
 
@@ -64,7 +67,7 @@ Result<void> writeFile(const std::string& path, const std::string& content) {
 
 std::string DescriptionCache::pathOf(const DescriptionKey& key) const {
     const std::uint64_t hash = hashOf(fmt::format("{}\n{}\n{}", key.name, key.epk, key.octets));
-    return fmt::format("{}/{:016x}.description", m_folder, hash);
+    return fmt::format("{}/{:016x}{}", m_folder, hash, Extension);
 }
 
 std::optional<std::string> DescriptionCache::find(const DescriptionKey& key) const {
@@ -81,6 +84,28 @@ std::optional<std::string> DescriptionCache::find(const DescriptionKey& key) con
         return std::nullopt;
     }
     return text;
+}
+
+std::optional<std::string> DescriptionCache::epkBefore(const DescriptionKey& key) const {
+    namespace fs = std::filesystem;
+    std::optional<std::string> before;
+    fs::file_time_type newest = fs::file_time_type::min();
+    std::error_code error;
+    for (fs::directory_iterator entry(m_folder, error), end; !error && entry != end; entry.increment(error)) {
+        std::error_code unknown;
+        const fs::file_time_type written = entry->last_write_time(unknown);
+        std::ifstream file(entry->path(), std::ios::binary);
+        std::string format;
+        std::string name;
+        std::string epk;
+        const bool isKept = entry->path().extension() == Extension && std::getline(file, format) &&
+                            format == Format && std::getline(file, name) && std::getline(file, epk);
+        if (isKept && !unknown && name == key.name && isWord(epk) && epk != key.epk && written >= newest) {
+            newest = written;
+            before = epk;
+        }
+    }
+    return before;
 }
 
 Result<bool> DescriptionCache::store(const DescriptionKey& key, const std::string& text) const {

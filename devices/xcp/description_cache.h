@@ -23,6 +23,8 @@ public:
     explicit DescriptionCache(std::string folder) : m_folder(std::move(folder)) {}
 
     std::optional<std::string> find(const DescriptionKey& key) const;
+    /// The EPK under which a board of this name was kept last, when it was another: its firmware changed.
+    std::optional<std::string> epkBefore(const DescriptionKey& key) const;
     /// Written beside and renamed, so that no reader meets half a file. False when nothing was to be kept.
     /// Errors: FileSystem.
     Result<bool> store(const DescriptionKey& key, const std::string& text) const;

@@ -38,15 +38,29 @@ bool isModelName(const std::string& name) {
 }
 
 /// A line that carries something, only not this protocol, is not a silent one.
-Error withWhatWasHeard(Error error, const Transport& transport) {
+Error withWhatWasHeard(Error error, const Transport& transport, bool isLost) {
     const TransportStatistics heard = transport.statistics();
-    if (error.code == ErrorCode::DeviceLost && heard.octetsReceived > 0) {
-        return {ErrorCode::Protocol,
-                fmt::format("{} sends something ({} octets), but not in this protocol",
-                            transport.description(), heard.octetsReceived),
-                "check that it is the right device, and on a serial line its baud rate and framing"};
+    const bool isBoard = isLost && heard.packetsReceived > 0; // it spoke, and went
+    if (error.code == ErrorCode::DeviceLost && heard.octetsReceived > 0 && !isBoard) {
+        return {
+            ErrorCode::Protocol,
+            fmt::format("{} sends something ({} octets), but not in this protocol", transport.description(),
+                        heard.octetsReceived),
+            "check that it is the right device and address, and on a serial line its baud rate and framing"};
     }
     return error;
+}
+
+/// The board's mistake, not the user's. One that ends in the middle is told apart from nonsense.
+Error descriptionError(const std::string& text, const Error& error) {
+    const std::size_t end = text.rfind("PROJECT"); // a whole one ends with "/end PROJECT"
+    const bool isWhole = end != std::string::npos && text.find_last_of('/') + 5 == end;
+    if (isWhole || text.find("/begin") == std::string::npos) {
+        return {ErrorCode::Protocol, error.message, error.hint};
+    }
+    return {ErrorCode::Protocol,
+            fmt::format("the board's description is cut off after {} octets", text.size()),
+            "connect again; if it stays so, the board's firmware holds only half of it and must be updated"};
 }
 
 } // namespace
@@ -93,7 +107,7 @@ Result<void> XcpDevice::open() {
     m_opened_s = now_s();
     const Transport& transport = m_link.transport();
     if (Result<void> connected = m_master.connect(transport.connectPatience_s()); !connected) {
-        return failure(m_link.lost() ? connected.error() : withWhatWasHeard(connected.error(), transport));
+        return failure(withWhatWasHeard(connected.error(), transport, m_link.lost().has_value()));
     }
     using Step = Result<void> (XcpDevice::*)();
     for (const Step step : {&XcpDevice::readIdentity, &XcpDevice::readDescription, &XcpDevice::readDefaults,
@@ -153,19 +167,35 @@ Result<A2lDescription> XcpDevice::cachedOrUploaded() {
         return failure(text.error());
     }
     Result<A2lDescription> description = parseA2l(*text);
-    if (!description) { // the board's mistake, not the user's
-        return failure(ErrorCode::Protocol, description.error().message, description.error().hint);
+    if (!description) {
+        return failure(descriptionError(*text, description.error()));
     }
+    warnOfOtherFirmware(*description);
     if (!m_options.cacheFolder.empty()) {
         message(isCached ? fmt::format("description of '{}' taken from the cache", key.name)
                          : fmt::format("description read from the board, {} octets", text->size()));
     }
     if (!isCached) {
+        if (const std::optional<std::string> before = cache.epkBefore(key)) {
+            message(fmt::format("the firmware of '{}' changed: it was '{}' at an earlier connection and is "
+                                "'{}' now, so that its description was read anew",
+                                key.name, *before, key.epk));
+        }
         if (const Result<bool> kept = cache.store(key, *text); !kept) {
             message("the description is not kept: " + kept.error().message);
         }
     }
     return description;
+}
+
+/// Names lead to addresses: those of another firmware may lead anywhere.
+void XcpDevice::warnOfOtherFirmware(const A2lDescription& description) const {
+    const std::string& firmware = m_options.identity.firmware;
+    if (!description.epk.empty() && !firmware.empty() && description.epk != firmware) {
+        message(fmt::format("the board runs firmware '{}', but its description is of '{}': names may lead to "
+                            "wrong values; update the board's firmware as a whole",
+                            firmware, description.epk));
+    }
 }
 
 Result<void> XcpDevice::readDescription() {

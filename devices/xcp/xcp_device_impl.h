@@ -68,6 +68,7 @@ private:
     Result<void> readIdentity();
     Result<void> readDescription();
     Result<A2lDescription> cachedOrUploaded();
+    void warnOfOtherFirmware(const A2lDescription& description) const;
     Result<void> readDefaults();
     void installHandlers();
 

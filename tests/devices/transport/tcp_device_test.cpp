@@ -1,9 +1,14 @@
 #include "devices/open_device.h"
+#include "devices/transport/tcp_socket.h"
 #include "devices/transport/tcp_transport.h"
 #include "tests/devices/transport/served_board.h"
 
 #include <gtest/gtest.h>
 #include <sys/socket.h>
+
+#include <array>
+#include <cstring>
+#include <thread>
 
 namespace halbench::devices {
 namespace {
@@ -102,6 +107,36 @@ TEST(TcpDevice, sendsAStopWhileStreamingAndSeesTheLatch) {
     ASSERT_TRUE(device->clock().waitFor(0.05));
     device->stop();
     EXPECT_TRUE(device->state().isStopLatched);
+}
+
+/// Something else listens at the port: it talks first, or it answers and hangs up.
+TEST(TcpDevice, anotherProtocolIsCalledSo) {
+    for (const bool hangsUp : {false, true}) {
+        for (const char* greeting : {"SSH-2.0-OpenSSH_9.2p1\r\n", "HTTP/1.1 400 Bad Request\r\n\r\n"}) {
+            NetworkAddress address{"127.0.0.1", 0};
+            const auto listener = bindSocket(address, SocketKind::Stream);
+            ASSERT_TRUE(listener);
+            std::thread stranger([&] {
+                ASSERT_TRUE(listener->isReadableWithin(2.0));
+                Descriptor client = acceptTcp(*listener);
+                ASSERT_TRUE(client.isReadableWithin(2.0));
+                std::array<char, 64> command{};
+                (void)::recv(client.number(), command.data(), command.size(),
+                             0); // unread, it would be a reset
+                (void)::send(client.number(), greeting, std::strlen(greeting), MSG_NOSIGNAL);
+                while (!hangsUp && ::recv(client.number(), command.data(), command.size(), 0) != 0) {
+                    (void)client.isReadableWithin(3.0); // until the program gives up
+                }
+            });
+            const auto device = openDevice("tcp:" + address.text(), {});
+            stranger.join();
+            ASSERT_FALSE(device);
+            EXPECT_EQ(device.error().code, ErrorCode::Protocol) << device.error().message;
+            EXPECT_NE(device.error().message.find("this protocol"), std::string::npos)
+                << device.error().message;
+            EXPECT_NE(device.error().hint.find("address"), std::string::npos) << device.error().hint;
+        }
+    }
 }
 
 } // namespace

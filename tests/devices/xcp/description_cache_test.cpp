@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -156,6 +157,33 @@ TEST_F(DescriptionCacheTest, changedEpkOrNoneIsReadFromTheBoard) {
     EXPECT_EQ(connectTo(folder(), "2").uploads, 0U);
     EXPECT_EQ(connectTo(folder(), "").uploads, uploads);
     EXPECT_EQ(connectTo(folder(), "").uploads, uploads) << "nothing would tell when it changes";
+}
+
+TEST_F(DescriptionCacheTest, changedFirmwareIsToldWithBothOfThem) {
+    const auto told = [](const Opened& opened) {
+        return std::count_if(opened.messages.begin(), opened.messages.end(), [](const std::string& text) {
+            return text.find("the firmware of 'slave' changed: it was 'one'") != std::string::npos &&
+                   text.find("is 'two' now") != std::string::npos;
+        });
+    };
+    EXPECT_EQ(told(connectTo(folder(), "one")), 0);
+    EXPECT_EQ(told(connectTo(folder(), "one")), 0);
+    EXPECT_EQ(told(connectTo(folder(), "two")), 1);
+    EXPECT_EQ(told(connectTo(folder(), "two")), 0) << "known by now";
+    EXPECT_EQ(told(connectTo("", "two")), 0) << "nothing is remembered without a folder";
+}
+
+TEST_F(DescriptionCacheTest, theFirmwareBeforeIsThatOfTheSameBoardAndOfWholeFiles) {
+    const DescriptionCache cache(folder());
+    EXPECT_FALSE(cache.epkBefore(m_key));
+    ASSERT_TRUE(*cache.store(m_key, Text));
+    EXPECT_FALSE(cache.epkBefore(m_key)) << "the same";
+    EXPECT_FALSE(cache.epkBefore({"htm2", "new", 5})) << "another board";
+    EXPECT_EQ(cache.epkBefore({"htm", "new", 5}), Epk);
+    replace(onlyFile(), "halbench.description-cache/2\nhtm\nold\n");
+    EXPECT_FALSE(cache.epkBefore({"htm", "new", 5}));
+    replace(onlyFile(), "");
+    EXPECT_FALSE(cache.epkBefore({"htm", "new", 5}));
 }
 
 TEST_F(DescriptionCacheTest, withoutAFolderEveryConnectionReadsIt) {

@@ -129,6 +129,76 @@ TEST(HostileSlave, aDescriptionThatIsNonsenseIsADeviceErrorWithItsPlace) {
     }
 }
 
+/// The slave's own description, as it uploads it.
+std::string wholeDescription() {
+    std::string text;
+    const Attempt opened = attempt([&](TestSlave& slave) {
+        slave.bendAnswers = [&](const Packet& command, std::deque<Packet>& answers) {
+            if (isCommand(command, Command::Upload) && !answers.empty()) {
+                text.append(answers[0].begin() + 1, answers[0].end());
+            }
+        };
+    });
+    EXPECT_TRUE(opened.device);
+    return text;
+}
+
+TEST(HostileSlave, halfADescriptionIsCalledSoWhereverItEnds) {
+    const std::string whole = wholeDescription();
+    const std::size_t first = whole.find("/begin MODULE");
+    ASSERT_NE(first, std::string::npos);
+    const std::size_t end = whole.find_last_not_of(" \r\n") + 1; // the line's end may be missing
+    for (std::size_t size = first; size < end; ++size) {
+        const Attempt opened =
+            attempt([&](TestSlave& slave) { slave.descriptionText = whole.substr(0, size); });
+        ASSERT_FALSE(opened.device) << size;
+        EXPECT_EQ(opened.device.error().code, ErrorCode::Protocol);
+        EXPECT_NE(opened.device.error().message.find("cut off after " + std::to_string(size) + " octets"),
+                  std::string::npos)
+            << opened.device.error().message;
+        EXPECT_NE(opened.device.error().hint.find("connect again"), std::string::npos);
+    }
+}
+
+TEST(HostileSlave, anUploadThatEndsInTheMiddleIsALostDeviceThatNamesTheCommand) {
+    int uploads = 0;
+    const Attempt opened = attempt([&](TestSlave& slave) {
+        slave.bendAnswers = [&](const Packet& command, std::deque<Packet>& answers) {
+            uploads += isCommand(command, Command::Upload) ? 1 : 0;
+            if (uploads > 5) {
+                answers.clear();
+            }
+        };
+    });
+    ASSERT_FALSE(opened.device);
+    EXPECT_EQ(opened.device.error().code, ErrorCode::DeviceLost);
+    EXPECT_NE(opened.device.error().message.find("does not answer"), std::string::npos)
+        << opened.device.error().message;
+}
+
+TEST(HostileSlave, aDescriptionOfAnotherFirmwareIsWarnedAbout) {
+    std::string text = wholeDescription();
+    const std::string place = "/begin MOD_PAR \"\"";
+    ASSERT_NE(text.find(place), std::string::npos);
+    text.insert(text.find(place) + place.size(), " EPK \"1.0\"");
+    for (const char* firmware : {"1.0", "1.1", ""}) {
+        SlaveTraits traits;
+        traits.epk = firmware;
+        auto slave = std::make_unique<TestSlave>(traits);
+        slave->descriptionText = text;
+        int warnings = 0;
+        XcpDeviceOptions options;
+        options.onMessage = [&](const std::string& message) {
+            warnings +=
+                message.find("runs firmware '1.1', but its description is of '1.0'") != std::string::npos ? 1
+                                                                                                          : 0;
+        };
+        const auto device = openXcpDevice(std::move(slave), std::move(options));
+        ASSERT_TRUE(device) << device.error().message;
+        EXPECT_EQ(warnings, std::string(firmware) == "1.1" ? 1 : 0);
+    }
+}
+
 TEST(HostileSlave, aDescriptionLongerThanAnyoneReadsIsRefusedBeforeItIsRead) {
     std::size_t uploads = 0;
     const Attempt opened = attempt([&](TestSlave& slave) {
