@@ -20,9 +20,9 @@ namespace halbench::devices {
 namespace {
 
 constexpr const char* Schema = "halbench.profile/1";
-constexpr std::array KnownKeys = {"schema",       "model",           "title",
-                                  "signal_roles", "parameter_roles", "procedures",
-                                  "constants",    "default_signals", "defaults"};
+constexpr std::array KnownKeys = {"schema",          "model",      "title",     "signal_roles",
+                                  "parameter_roles", "procedures", "constants", "default_signals",
+                                  "calibration",     "defaults"};
 
 std::string text(const QString& string) {
     return string.toStdString();
@@ -50,6 +50,7 @@ public:
         profile.procedures = list("procedures");
         profile.constants = numbers("constants");
         profile.defaultSignals = list("default_signals");
+        profile.calibration = list("calibration");
         profile.defaults = numbers("defaults");
         if (!m_error.message.empty()) {
             return failure(m_error);
@@ -192,6 +193,11 @@ void applyProfile(const Profile& profile, Catalogue& catalogue) {
     for (const auto& [name, value] : profile.defaults) {
         if (ParameterSpec* spec = findByName(catalogue.parameters, name)) {
             spec->defaultValue = value;
+        }
+    }
+    for (const std::string& name : profile.calibration) {
+        if (ParameterSpec* spec = findByName(catalogue.parameters, name)) {
+            spec->isCalibration = true;
         }
     }
     catalogue.procedures = profile.procedures;

@@ -19,6 +19,7 @@ namespace halbench::devices {
 ///       "procedures":      [ "identify", ... ],
 ///       "constants":       { "I_max": 4.0, ... },
 ///       "default_signals": [ "position", ... ],
+///       "calibration":     [ "<parameter name>", ... ],
 ///       "defaults":        { "<parameter name>": 0.5, ... } }
 ///
 /// Only `schema` and `model` are required; an unknown key is an error, so that a typing mistake is seen.
@@ -30,6 +31,7 @@ struct Profile {
     std::vector<std::string> procedures;
     std::map<std::string, double> constants;
     std::vector<std::string> defaultSignals;
+    std::vector<std::string> calibration; ///< parameters that were measured on one device
     std::map<std::string, double> defaults;
 };
 

@@ -60,6 +60,17 @@ void addLookingCommands(CLI::App& app, CommandOptions& options) {
     set->add_flag("--save", options.isSaved, "Store in the board's non-volatile memory as well");
 }
 
+void addConfigCommand(CLI::App& app, CommandOptions& options) {
+    CLI::App* config = addCommand(app, "config", "Save, compare and restore all settings of a device");
+    config->add_option("WHAT", options.what, "save, compare or restore")->required();
+    addDevice(config, options);
+    config->add_option("FILE", options.input, "Configuration")->required()->type_name("FILE.toml");
+    config->add_option("--only", options.only, "Restore these rows, separated by commas")->type_name("A,B");
+    config->add_flag("--calibration", options.withCalibration,
+                     "Restore the calibration too when it was measured on another device");
+    config->add_flag("--save", options.isSaved, "Store in the board's non-volatile memory as well");
+}
+
 void addMovingCommands(CLI::App& app, CommandOptions& options) {
     CLI::App* record = addCommand(app, "record", "Record signals into a CSV file; never arms");
     addDevice(record, options);
@@ -241,6 +252,7 @@ Result<CommandLine> parseCommandLine(const std::vector<std::string>& arguments) 
     RawGlobals raw;
     addGlobalOptions(app, raw);
     addLookingCommands(app, line.options);
+    addConfigCommand(app, line.options);
     addMovingCommands(app, line.options);
     addIdentifyingCommands(app, line.options);
     addTuningCommands(app, line.options);

@@ -33,7 +33,9 @@ struct CommandOptions {
     std::string capture;                   ///< record --capture A,B
     std::string trigger, preTrigger, wait; ///< record --capture
     std::string reference;
-    std::string what; ///< hall, stray, static-friction or all
+    std::string what; ///< hall, stray, static-friction or all; of config: save, compare or restore
+    std::string only; ///< config restore --only A,B
+    bool withCalibration = false; ///< config restore --calibration
     std::vector<std::string> given;
     std::string currents;
     std::string directions;

@@ -1,6 +1,8 @@
 #include "app/batch/command_support.h"
 
+#include "app/batch/configuration_comparison.h"
 #include "app/batch/output_file.h"
+#include "app/batch/result_header.h"
 
 #include <fmt/format.h>
 
@@ -33,6 +35,40 @@ std::string findingLines(const DataQuality& quality) {
         text += fmt::format("  {}: {}; {}\n", finding.code, finding.message, finding.hint);
     }
     return text;
+}
+
+Result<void> backUp(CommandContext& context, const devices::Device& device,
+                    const std::map<std::string, double>& values) {
+    if (device.info().isSimulated) {
+        return {}; // new in every process: there is nothing to lose
+    }
+    const Configuration before = configurationOf(device.info(), device.catalogue(), values, wallTime());
+    const Result<std::string> path = backUpConfiguration(before, backupFolder());
+    if (!path) {
+        return failure(path.error());
+    }
+    context.console.log(LogLevel::Info, "what the device had before is kept in " + *path);
+    return {};
+}
+
+Result<void> backUp(CommandContext& context, devices::Device& device) {
+    if (device.info().isSimulated) {
+        return {};
+    }
+    const Result<std::map<std::string, double>> values = readSettings(device);
+    if (!values) {
+        return failure(values.error());
+    }
+    return backUp(context, device, *values);
+}
+
+Result<void> checkStore(const CommandOptions& options, const devices::Device& device) {
+    if (!options.isSaved || !device.info().isSimulated) {
+        return {};
+    }
+    return failure(ErrorCode::Usage,
+                   "--save: a simulated device is new in every process and has nothing to store in",
+                   "keep one running with 'halbench serve " + options.device + " --tcp 127.0.0.1:0'");
 }
 
 } // namespace halbench::app

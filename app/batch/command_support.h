@@ -4,6 +4,7 @@
 #include "app/procedures/calibrate_procedure.h"
 #include "app/procedures/identify_procedure.h"
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,15 @@ namespace halbench::app {
 /// the document on stdout; under --json the document is on stdout in both cases.
 Result<void> deliver(CommandContext& context, const JsonValue& document, const std::string& text,
                      const std::string& out);
+
+/// Keeps what a device that is not simulated has before it is changed for good, and says where
+/// (resources/help/command-line.md, "Configuration files"). Errors: FileSystem; then nothing may be changed.
+Result<void> backUp(CommandContext& context, const devices::Device& device,
+                    const std::map<std::string, double>& values);
+/// The same with the values read first. Errors: also of the device.
+Result<void> backUp(CommandContext& context, devices::Device& device);
+/// --save needs a device that has something to store in. Error: Usage.
+Result<void> checkStore(const CommandOptions& options, const devices::Device& device);
 
 /// Exit code of an estimate: 1 when it was refused.
 ExitCode exitCodeFor(const DataQuality& quality);

@@ -9,6 +9,7 @@ CommandResult runDevicesCommand(CommandContext& context, const CommandOptions& o
 CommandResult runDescribeCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runGetCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runSetCommand(CommandContext& context, const CommandOptions& options);
+CommandResult runConfigCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runRecordCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runMoveCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runCalibrateCommand(CommandContext& context, const CommandOptions& options);

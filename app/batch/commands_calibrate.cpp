@@ -34,6 +34,11 @@ CommandResult runCalibrateCommand(CommandContext& context, const CommandOptions&
     if (const Result<void> consent = requireConsent(context, **device); !consent) {
         return failure(consent.error());
     }
+    if (options.isApplied) {
+        if (const Result<void> kept = backUp(context, **device); !kept) {
+            return failure(kept.error());
+        }
+    }
     const ResultHeader header = headerFor(context, "halbench.calibration/1", **device);
     CalibrateConfig config;
     config.which = *which;

@@ -134,6 +134,9 @@ Result<ApplyResult> applyGains(CommandContext& context, const CommandOptions& op
     if (!values) {
         return failure(values.error());
     }
+    if (const Result<void> kept = backUp(context, *source.device); !kept) {
+        return failure(kept.error());
+    }
     ApplyConfig config;
     config.values = *std::move(values);
     config.verification = verificationFor(source.estimate);

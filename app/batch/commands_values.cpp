@@ -1,4 +1,4 @@
-#include "app/batch/commands.h"
+#include "app/batch/command_support.h"
 #include "app/batch/names.h"
 #include "app/batch/numbers.h"
 #include "app/batch/result_header.h"
@@ -142,10 +142,8 @@ CommandResult runSetCommand(CommandContext& context, const CommandOptions& optio
         return failure(opened.error());
     }
     devices::Device& device = **opened;
-    if (options.isSaved && device.info().isSimulated) {
-        return failure(ErrorCode::Usage,
-                       "--save: a simulated device is new in every process and has nothing to store in",
-                       "keep one running with 'halbench serve " + options.device + " --tcp 127.0.0.1:0'");
+    if (const Result<void> fits = checkStore(options, device); !fits) {
+        return failure(fits.error());
     }
     const Result<std::vector<ParameterValue>> values = parseAssignments(device.catalogue(), options.names);
     if (!values) {
@@ -156,6 +154,11 @@ CommandResult runSetCommand(CommandContext& context, const CommandOptions& optio
             if (const Result<void> consent = requireConsent(context, device); !consent) {
                 return failure(consent.error());
             }
+        }
+    }
+    if (options.isSaved) {
+        if (const Result<void> kept = backUp(context, device); !kept) {
+            return failure(kept.error());
         }
     }
     Result<void> written = device.writeParameters(*values);

@@ -37,6 +37,7 @@ constexpr std::array Commands = {
     CommandEntry{"describe", runDescribeCommand},
     CommandEntry{"get", runGetCommand},
     CommandEntry{"set", runSetCommand},
+    CommandEntry{"config", runConfigCommand},
     CommandEntry{"serve", runServeCommand},
     CommandEntry{"record", runRecordCommand},
     CommandEntry{"convert", runConvertCommand},

@@ -20,6 +20,7 @@ struct ParameterSpec {
     double max = 0.0;
     bool isInteger = false;
     bool isTransactional = false; ///< lives on the calibration pages: changed atomically with others
+    bool isCalibration = false;   ///< measured on one device; wrong on another
     std::string group;
     ParameterAccess access = ParameterAccess::ReadWrite;
     std::string help;

@@ -58,6 +58,9 @@ class Schemas(unittest.TestCase):
     def test_commands_that_look(self):
         self.accept(self.run_json("--version"))
         self.accept(self.run_json("devices"))
+        self.accept(self.run_json("config", "save", "sim:htm", "c.toml"))
+        self.accept(self.run_json("config", "compare", "sim:htm?seed=2", "c.toml"))
+        self.accept(self.run_json("config", "restore", "sim:htm", "c.toml"))
         self.accept(self.run_json("describe", "sim:htm?seed=3&c=2e-3"))
         self.accept(self.run_json("get", "sim:htm", "gain.kp", "position"))
         self.accept(self.run_json("set", "sim:htm", "gain.kp=12.5"))

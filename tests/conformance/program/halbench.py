@@ -49,6 +49,12 @@ class ProgramCase(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
+        data = tempfile.TemporaryDirectory()
+        self.addCleanup(data.cleanup)
+        self.data = data.name                   # what the program keeps for its user
+
+    def environment(self):
+        return os.environ | {"XDG_DATA_HOME": self.data}
 
     def path(self, name):
         return os.path.join(self.folder, name)
@@ -59,6 +65,7 @@ class ProgramCase(unittest.TestCase):
         return self.path(name)
 
     def run_program(self, *arguments, timeout=60, **options):
+        options.setdefault("env", self.environment())
         began = time.monotonic()
         done = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=timeout, check=False,
                               cwd=self.folder, **options)
@@ -66,7 +73,7 @@ class ProgramCase(unittest.TestCase):
 
     def start_program(self, *arguments):
         process = subprocess.Popen([PROGRAM, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                                   cwd=self.folder)
+                                   cwd=self.folder, env=self.environment())
         self.addCleanup(self.end, process)
         return process
 
