@@ -55,6 +55,10 @@
         <source>Signals</source>
         <translation>Signale</translation>
     </message>
+    <message>
+        <source>Configuration</source>
+        <translation>Konfiguration</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -3898,6 +3902,114 @@
         <source>the board runs firmware &apos;{}&apos;, but its description is of &apos;{}&apos;: names may lead to wrong values; update the board&apos;s firmware as a whole</source>
         <translation>auf dem Steuergerät läuft die Firmware „{}“, ihre Beschreibung gehört aber zu „{}“: Namen können zu falschen Werten führen; die Firmware des Steuergeräts als Ganzes erneuern</translation>
     </message>
+    <message>
+        <source>the configuration is of a device of model &apos;{}&apos;, this one is of model &apos;{}&apos;</source>
+        <translation>die Konfiguration ist von einem Gerät des Modells „{}“, dieses ist vom Modell „{}“</translation>
+    </message>
+    <message>
+        <source>take a file of this model; nothing was written</source>
+        <translation>nehmen Sie eine Datei dieses Modells; nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>this device takes it as an order or does not let it be written</source>
+        <translation>dieses Gerät versteht es als Befehl oder lässt es nicht schreiben</translation>
+    </message>
+    <message>
+        <source>the file has it in &apos;{}&apos;, the device in &apos;{}&apos;</source>
+        <translation>die Datei hat es in „{}“, das Gerät in „{}“</translation>
+    </message>
+    <message>
+        <source>this device does not have it</source>
+        <translation>dieses Gerät hat es nicht</translation>
+    </message>
+    <message>
+        <source>the configuration was read from the device &apos;{}&apos;, this one is &apos;{}&apos;</source>
+        <translation>die Konfiguration stammt vom Gerät „{}“, dieses ist „{}“</translation>
+    </message>
+    <message>
+        <source>its calibration was measured there and is left out unless you ask for it</source>
+        <translation>ihre Kalibrierung wurde dort gemessen und bleibt weg, wenn Sie sie nicht verlangen</translation>
+    </message>
+    <message>
+        <source>the configuration was read from firmware &apos;{}&apos;, this device runs &apos;{}&apos;</source>
+        <translation>die Konfiguration stammt von der Firmware „{}“, dieses Gerät läuft mit „{}“</translation>
+    </message>
+    <message>
+        <source>look at each row: a value may mean something else there</source>
+        <translation>sehen Sie jede Zeile an: ein Wert kann dort anderes bedeuten</translation>
+    </message>
+    <message>
+        <source>the configuration has no value for &apos;{}&apos;</source>
+        <translation>die Konfiguration hat keinen Wert für „{}“</translation>
+    </message>
+    <message>
+        <source>choose among its rows; nothing was written</source>
+        <translation>wählen Sie unter ihren Zeilen; nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; cannot be restored: {}</source>
+        <translation>„{}“ kann nicht wiederhergestellt werden: {}</translation>
+    </message>
+    <message>
+        <source>leave it out; nothing was written</source>
+        <translation>lassen Sie es weg; nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>the actuator is armed; a configuration is not restored then</source>
+        <translation>der Aktor ist freigegeben; dabei wird keine Konfiguration wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>disarm it first; nothing was written</source>
+        <translation>sperren Sie ihn zuerst; nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>the device keeps another value</source>
+        <translation>das Gerät behält einen anderen Wert</translation>
+    </message>
+    <message>
+        <source>nothing was written; mend this line or take another file</source>
+        <translation>nichts wurde geschrieben; berichtigen Sie diese Zeile oder nehmen Sie eine andere Datei</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; was written by a newer Halbench</source>
+        <translation>„{}“ wurde von einem neueren Halbench geschrieben</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a configuration; expected &apos;{}&apos;</source>
+        <translation>„{}“ ist keine Konfiguration; erwartet wird „{}“</translation>
+    </message>
+    <message>
+        <source>&apos;device.{}&apos; has no place there</source>
+        <translation>„device.{}“ gehört nicht dorthin</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; stands twice</source>
+        <translation>„{}“ steht zweimal da</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be a table, [{}]</source>
+        <translation>„{}“ muss eine Tabelle sein, [{}]</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; of &apos;{}&apos; is unknown; a row has value and unit</source>
+        <translation>„{}“ von „{}“ ist unbekannt; eine Zeile hat value und unit</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has no value</source>
+        <translation>„{}“ hat keinen Wert</translation>
+    </message>
+    <message>
+        <source>the value of &apos;{}&apos; must be a finite number</source>
+        <translation>der Wert von „{}“ muss eine endliche Zahl sein</translation>
+    </message>
+    <message>
+        <source>there is no schema = &quot;{}&quot;</source>
+        <translation>es fehlt schema = &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;</source>
+        <translation>unbekannter Schlüssel „{}“</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CalibratePanel</name>
@@ -4138,6 +4250,172 @@
     <message>
         <source>angle</source>
         <translation>Winkel</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::ConfigurationPanel</name>
+    <message>
+        <source>Save settings …</source>
+        <translation>Einstellungen speichern …</translation>
+    </message>
+    <message>
+        <source>Writes all settings of the device into a file</source>
+        <translation>Schreibt alle Einstellungen des Geräts in eine Datei</translation>
+    </message>
+    <message>
+        <source>Compare with …</source>
+        <translation>Vergleichen mit …</translation>
+    </message>
+    <message>
+        <source>Shows a file beside the device; nothing is written yet</source>
+        <translation>Zeigt eine Datei neben dem Gerät; noch wird nichts geschrieben</translation>
+    </message>
+    <message>
+        <source>No configuration file is open</source>
+        <translation>Keine Konfigurationsdatei ist offen</translation>
+    </message>
+    <message>
+        <source>A file shows row by row what differs from the device, to restore what you tick. Before that, what the device has is kept.</source>
+        <translation>Eine Datei zeigt Zeile für Zeile, was vom Gerät abweicht; wiederhergestellt wird, was Sie ankreuzen. Vorher wird aufbewahrt, was das Gerät hat.</translation>
+    </message>
+    <message>
+        <source>Compare with a file …</source>
+        <translation>Mit einer Datei vergleichen …</translation>
+    </message>
+    <message>
+        <source>Only what &amp;differs</source>
+        <translation>Nur A&amp;bweichendes</translation>
+    </message>
+    <message>
+        <source>Hides rows that are the same or not in the file</source>
+        <translation>Verbirgt Zeilen, die gleich oder nicht in der Datei sind</translation>
+    </message>
+    <message>
+        <source>With &amp;calibration</source>
+        <translation>Mit &amp;Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Ticks what was measured on one device; measured on another device, it is wrong on this one</source>
+        <translation>Kreuzt an, was an einem Gerät gemessen wurde; an einem anderen gemessen, ist es an diesem falsch</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Writes the ticked rows in one step and reads them back; they last until power-down unless they are saved in the device</source>
+        <translation>Schreibt die angekreuzten Zeilen in einem Schritt und liest sie zurück; sie gelten bis zum Ausschalten, wenn sie nicht im Gerät gespeichert werden</translation>
+    </message>
+    <message numerus="yes">
+        <source>Restore %n row(s)</source>
+        <translation>
+            <numerusform>%n Zeile wiederherstellen</numerusform>
+            <numerusform>%n Zeilen wiederherstellen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save settings</source>
+        <translation>Einstellungen speichern</translation>
+    </message>
+    <message>
+        <source>Configuration (*.toml)</source>
+        <translation>Konfiguration (*.toml)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n setting(s) saved.</source>
+        <translation>
+            <numerusform>%n Einstellung gespeichert.</numerusform>
+            <numerusform>%n Einstellungen gespeichert.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation>Vergleichen mit</translation>
+    </message>
+    <message>
+        <source>%1: device %2, firmware %3, written %4</source>
+        <translation>%1: Gerät %2, Firmware %3, geschrieben %4</translation>
+    </message>
+    <message>
+        <source>What the device had before is kept in %1.</source>
+        <translation>Was das Gerät vorher hatte, liegt in %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) not restored; the rows say why.</source>
+        <translation>
+            <numerusform>%n Zeile nicht wiederhergestellt; die Zeilen sagen, warum.</numerusform>
+            <numerusform>%n Zeilen nicht wiederhergestellt; die Zeilen sagen, warum.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) restored and read back.</source>
+        <translation>
+            <numerusform>%n Zeile wiederhergestellt und zurückgelesen.</numerusform>
+            <numerusform>%n Zeilen wiederhergestellt und zurückgelesen.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::ConfigurationTable</name>
+    <message>
+        <source>Rows of the configuration</source>
+        <translation>Zeilen der Konfiguration</translation>
+    </message>
+    <message>
+        <source>Ticked rows are restored (Space ticks); numbers are in SI units, as in the file</source>
+        <translation>Angekreuzte Zeilen werden wiederhergestellt (Leertaste kreuzt an); Zahlen in SI-Einheiten wie in der Datei</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>restored</source>
+        <translation>wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>not restored: %1</source>
+        <translation>nicht wiederhergestellt: %1</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>differs, calibration</source>
+        <translation>verschieden, Kalibrierung</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>verschieden</translation>
+    </message>
+    <message>
+        <source>not in the file</source>
+        <translation>nicht in der Datei</translation>
+    </message>
+    <message>
+        <source>refused: %1</source>
+        <translation>abgelehnt: %1</translation>
     </message>
 </context>
 <context>

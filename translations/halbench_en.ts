@@ -2,6 +2,37 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>halbench::app::ConfigurationPanel</name>
+    <message numerus="yes">
+        <source>Restore %n row(s)</source>
+        <translation>
+            <numerusform>Restore %n row</numerusform>
+            <numerusform>Restore %n rows</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n setting(s) saved.</source>
+        <translation>
+            <numerusform>%n setting saved.</numerusform>
+            <numerusform>%n settings saved.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) not restored; the rows say why.</source>
+        <translation>
+            <numerusform>%n row not restored; the row says why.</numerusform>
+            <numerusform>%n rows not restored; the rows say why.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) restored and read back.</source>
+        <translation>
+            <numerusform>%n row restored and read back.</numerusform>
+            <numerusform>%n rows restored and read back.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::ParametersPanel</name>
     <message numerus="yes">
         <source>%n value(s) written and read back.</source>

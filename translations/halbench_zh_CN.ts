@@ -55,6 +55,10 @@
         <source>Signals</source>
         <translation>信号</translation>
     </message>
+    <message>
+        <source>Configuration</source>
+        <translation>配置</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -3898,6 +3902,114 @@
         <source>the board runs firmware &apos;{}&apos;, but its description is of &apos;{}&apos;: names may lead to wrong values; update the board&apos;s firmware as a whole</source>
         <translation>控制板运行固件“{}”，但其描述属于“{}”：名称可能指向错误的值；请整体更新控制板固件</translation>
     </message>
+    <message>
+        <source>the configuration is of a device of model &apos;{}&apos;, this one is of model &apos;{}&apos;</source>
+        <translation>该配置属于型号“{}”的设备,而此设备型号为“{}”</translation>
+    </message>
+    <message>
+        <source>take a file of this model; nothing was written</source>
+        <translation>请使用此型号的文件;没有写入任何内容</translation>
+    </message>
+    <message>
+        <source>this device takes it as an order or does not let it be written</source>
+        <translation>此设备把它当作命令,或不允许写入</translation>
+    </message>
+    <message>
+        <source>the file has it in &apos;{}&apos;, the device in &apos;{}&apos;</source>
+        <translation>文件中的单位是“{}”,设备中是“{}”</translation>
+    </message>
+    <message>
+        <source>this device does not have it</source>
+        <translation>此设备没有该项</translation>
+    </message>
+    <message>
+        <source>the configuration was read from the device &apos;{}&apos;, this one is &apos;{}&apos;</source>
+        <translation>该配置读自设备“{}”,而此设备是“{}”</translation>
+    </message>
+    <message>
+        <source>its calibration was measured there and is left out unless you ask for it</source>
+        <translation>其校准是在那台设备上测得的,除非您要求,否则不恢复</translation>
+    </message>
+    <message>
+        <source>the configuration was read from firmware &apos;{}&apos;, this device runs &apos;{}&apos;</source>
+        <translation>该配置读自固件“{}”,而此设备运行“{}”</translation>
+    </message>
+    <message>
+        <source>look at each row: a value may mean something else there</source>
+        <translation>请逐行查看:某个值在那里可能含义不同</translation>
+    </message>
+    <message>
+        <source>the configuration has no value for &apos;{}&apos;</source>
+        <translation>配置中没有“{}”的值</translation>
+    </message>
+    <message>
+        <source>choose among its rows; nothing was written</source>
+        <translation>请从其各行中选择;没有写入任何内容</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; cannot be restored: {}</source>
+        <translation>无法恢复“{}”:{}</translation>
+    </message>
+    <message>
+        <source>leave it out; nothing was written</source>
+        <translation>请去掉它;没有写入任何内容</translation>
+    </message>
+    <message>
+        <source>the actuator is armed; a configuration is not restored then</source>
+        <translation>执行器已解锁;此时不能恢复配置</translation>
+    </message>
+    <message>
+        <source>disarm it first; nothing was written</source>
+        <translation>请先锁定;没有写入任何内容</translation>
+    </message>
+    <message>
+        <source>the device keeps another value</source>
+        <translation>设备保留了另一个值</translation>
+    </message>
+    <message>
+        <source>nothing was written; mend this line or take another file</source>
+        <translation>没有写入任何内容;请改正这一行或换一个文件</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; was written by a newer Halbench</source>
+        <translation>“{}”由更新版本的 Halbench 写入</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a configuration; expected &apos;{}&apos;</source>
+        <translation>“{}”不是配置;应为“{}”</translation>
+    </message>
+    <message>
+        <source>&apos;device.{}&apos; has no place there</source>
+        <translation>“device.{}”不应出现在那里</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; stands twice</source>
+        <translation>“{}”出现了两次</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be a table, [{}]</source>
+        <translation>“{}”必须是表,[{}]</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; of &apos;{}&apos; is unknown; a row has value and unit</source>
+        <translation>“{}”(属于“{}”)未知;一行只有 value 和 unit</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has no value</source>
+        <translation>“{}”没有值</translation>
+    </message>
+    <message>
+        <source>the value of &apos;{}&apos; must be a finite number</source>
+        <translation>“{}”的值必须是有限数</translation>
+    </message>
+    <message>
+        <source>there is no schema = &quot;{}&quot;</source>
+        <translation>缺少 schema = &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;</source>
+        <translation>未知键“{}”</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CalibratePanel</name>
@@ -4138,6 +4250,168 @@
     <message>
         <source>angle</source>
         <translation>角度</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::ConfigurationPanel</name>
+    <message>
+        <source>Save settings …</source>
+        <translation>保存设置 …</translation>
+    </message>
+    <message>
+        <source>Writes all settings of the device into a file</source>
+        <translation>将设备的所有设置写入文件</translation>
+    </message>
+    <message>
+        <source>Compare with …</source>
+        <translation>比较 …</translation>
+    </message>
+    <message>
+        <source>Shows a file beside the device; nothing is written yet</source>
+        <translation>将文件与设备并列显示;尚不写入</translation>
+    </message>
+    <message>
+        <source>No configuration file is open</source>
+        <translation>没有打开配置文件</translation>
+    </message>
+    <message>
+        <source>A file shows row by row what differs from the device, to restore what you tick. Before that, what the device has is kept.</source>
+        <translation>文件逐行显示与设备的不同之处,恢复您勾选的项。恢复前会保留设备现有的值。</translation>
+    </message>
+    <message>
+        <source>Compare with a file …</source>
+        <translation>与文件比较 …</translation>
+    </message>
+    <message>
+        <source>Only what &amp;differs</source>
+        <translation>仅不同项(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Hides rows that are the same or not in the file</source>
+        <translation>隐藏相同的行或文件中没有的行</translation>
+    </message>
+    <message>
+        <source>With &amp;calibration</source>
+        <translation>含校准(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Ticks what was measured on one device; measured on another device, it is wrong on this one</source>
+        <translation>勾选在某台设备上测得的值;若在另一台设备上测得,则对此设备是错误的</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Writes the ticked rows in one step and reads them back; they last until power-down unless they are saved in the device</source>
+        <translation>一步写入勾选的行并读回;若不保存到设备,断电后丢失</translation>
+    </message>
+    <message numerus="yes">
+        <source>Restore %n row(s)</source>
+        <translation>
+            <numerusform>恢复 %n 行</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save settings</source>
+        <translation>保存设置</translation>
+    </message>
+    <message>
+        <source>Configuration (*.toml)</source>
+        <translation>配置 (*.toml)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n setting(s) saved.</source>
+        <translation>
+            <numerusform>已保存 %n 项设置。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>%1: device %2, firmware %3, written %4</source>
+        <translation>%1:设备 %2,固件 %3,写于 %4</translation>
+    </message>
+    <message>
+        <source>What the device had before is kept in %1.</source>
+        <translation>设备原有的值保存在 %1。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) not restored; the rows say why.</source>
+        <translation>
+            <numerusform>%n 行未恢复;各行说明了原因。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) restored and read back.</source>
+        <translation>
+            <numerusform>已恢复并读回 %n 行。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::ConfigurationTable</name>
+    <message>
+        <source>Rows of the configuration</source>
+        <translation>配置的各行</translation>
+    </message>
+    <message>
+        <source>Ticked rows are restored (Space ticks); numbers are in SI units, as in the file</source>
+        <translation>勾选的行将被恢复(空格键勾选);数值为 SI 单位,与文件一致</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>默认</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>restored</source>
+        <translation>已恢复</translation>
+    </message>
+    <message>
+        <source>not restored: %1</source>
+        <translation>未恢复:%1</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>相同</translation>
+    </message>
+    <message>
+        <source>differs, calibration</source>
+        <translation>不同,校准</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>不同</translation>
+    </message>
+    <message>
+        <source>not in the file</source>
+        <translation>文件中没有</translation>
+    </message>
+    <message>
+        <source>refused: %1</source>
+        <translation>拒绝:%1</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 
 #include "app/wizards/calibrate_panel.h"
 #include "app/wizards/identify_panel.h"
+#include "app/workspaces/configuration_panel.h"
 #include "app/workspaces/device_panel.h"
 #include "app/workspaces/drive_panel.h"
 #include "app/workspaces/field_panel.h"
@@ -85,6 +86,12 @@ std::vector<PanelSpec> panelSpecs() {
          {Perspective::Monitor, Perspective::Tune},
          "monitor.md",
          make<ParametersPanel>},
+        {"configuration",
+         words(QT_TRANSLATE_NOOP("Panels", "Configuration")),
+         PanelArea::Right,
+         {Perspective::Monitor, Perspective::Tune},
+         "monitor.md",
+         make<ConfigurationPanel>},
         {"record",
          words(QT_TRANSLATE_NOOP("Panels", "Record")),
          PanelArea::Right,

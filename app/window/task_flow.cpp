@@ -4,6 +4,7 @@
 #include "app/window/file_dialogs.h"
 #include "app/wizards/calibrate_panel.h"
 #include "app/wizards/identify_panel.h"
+#include "app/workspaces/configuration_panel.h"
 #include "app/workspaces/device_panel.h"
 #include "app/workspaces/monitor_panel.h"
 #include "app/workspaces/signals_panel.h"
@@ -44,7 +45,8 @@ void connectTaskFlow(DockLayout& docks, Workbench& bench) {
     auto* identify = panelOf<IdentifyPanel>(docks, "identify");
     auto* calibrate = panelOf<CalibratePanel>(docks, "calibrate");
     auto* tune = panelOf<TunePanel>(docks, "tune");
-    HB_ASSERT(identify != nullptr && calibrate != nullptr && tune != nullptr);
+    auto* configuration = panelOf<ConfigurationPanel>(docks, "configuration");
+    HB_ASSERT(identify != nullptr && calibrate != nullptr && tune != nullptr && configuration != nullptr);
     QObject::connect(identify, &IdentifyPanel::tuneRequested, &docks,
                      [&docks] { docks.setPerspective(Perspective::Tune); });
     QObject::connect(tune, &TunePanel::identifyRequested, &docks,
@@ -53,6 +55,7 @@ void connectTaskFlow(DockLayout& docks, Workbench& bench) {
     identify->setFileChooser(fileDialogs(bench));
     calibrate->setFileChooser(fileDialogs(bench));
     tune->setFileChooser(fileDialogs(bench));
+    configuration->setFileChooser(fileDialogs(bench));
 }
 
 } // namespace halbench::app

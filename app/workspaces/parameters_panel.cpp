@@ -1,5 +1,6 @@
 #include "app/workspaces/parameters_panel.h"
 
+#include "app/batch/configuration_file.h"
 #include "app/workspaces/panel_parts.h"
 #include "widgets/message_bar.h"
 #include "widgets/parameter_table.h"
@@ -22,13 +23,6 @@ using Origin = widgets::ParameterTableModel::Origin;
 constexpr int LookPeriod_ms = 250;
 /// So few at a time that a stop never waits for them, even on a slow line.
 constexpr std::size_t LookedAt = 12;
-
-/// Orders to the board belong to the Drive panel and its consent, not to a table of settings.
-bool isSetting(const ParameterSpec& spec) {
-    static constexpr const char* Commands[] = {"hb", "reference", "plateau", "capture"};
-    return std::none_of(std::begin(Commands), std::end(Commands),
-                        [&](const char* group) { return spec.group == group; });
-}
 
 } // namespace
 
