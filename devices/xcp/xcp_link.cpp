@@ -104,6 +104,9 @@ Reply<Packet> XcpLink::exchange(const Packet& command, double patience_s) {
         if (!received) {
             return tl::unexpected(received.error());
         }
+        if (std::optional<Trouble> overtaken = obeyOrders()) {
+            return tl::unexpected(*std::move(overtaken));
+        }
         if (!*received) {
             break;
         }
@@ -208,6 +211,7 @@ void XcpLink::handleEvent() {
 }
 
 Result<bool> XcpLink::pumpOnce(double timeout_s) {
+    (void)obeyStop(); // whoever waits here has nothing outstanding: it goes out at once
     const Reply<bool> received = receive(timeout_s);
     if (!received) {
         return failure(received.error().error);

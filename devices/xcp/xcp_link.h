@@ -62,7 +62,7 @@ public:
     /// Waits no longer than this for an answer, whatever the board asks for: two lost in a row must not let
     /// its watchdog run out. Nothing: as set.
     void limitAnswerTimeout(std::optional<double> limit_s) { m_timeoutLimit_s = limit_s; }
-    /// What other threads want, looked at whenever an answer is awaited; may be empty.
+    /// What other threads want, looked at while an answer is awaited and with each packet; may be empty.
     void setOrders(std::shared_ptr<const LinkOrders> orders) { m_orders = std::move(orders); }
     /// The board is open: from now on LinkOrders::isLeaving is the caller's to obey.
     void noteOpened() { m_isOpening = false; }

@@ -106,6 +106,22 @@ TEST_F(StopOvertakes, aReleaseWhichIsNotRepeatedThen) {
     EXPECT_EQ(device->readSignals(std::vector<std::string>{"status"})->front(), 2.0); // stopped by command
 }
 
+TEST_F(StopOvertakes, aWaitWhileSamplesArrive) {
+    ASSERT_TRUE(device->arm());
+    std::optional<double> ordered_s;
+    ASSERT_TRUE(device->startStream({{"position"}, 1000.0}, [&](const SampleBlockPtr&) {
+        if (!ordered_s && device->clock().now_s() > 0.5) {
+            ordered_s = device->clock().now_s();
+            orders->stops = 1; // as another thread would
+        }
+    }));
+    ASSERT_FALSE(device->clock().waitFor(2.0)) << "a motor that was stopped is told";
+    ASSERT_TRUE(ordered_s && line->sent_s);
+    EXPECT_LE(*line->sent_s - *ordered_s, 0.002) << "with the next sample, not at the end of the wait";
+    EXPECT_TRUE(device->state().isStopLatched);
+    EXPECT_FALSE(device->state().isArmed);
+}
+
 TEST(Orders, leavingGivesUpABoardThatIsBeingOpened) {
     auto slave = std::make_unique<TestSlave>();
     TestSlave& raw = *slave;
