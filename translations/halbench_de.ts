@@ -4394,16 +4394,8 @@
         <translation>wiederhergestellt</translation>
     </message>
     <message>
-        <source>not restored: %1</source>
-        <translation>nicht wiederhergestellt: %1</translation>
-    </message>
-    <message>
         <source>the same</source>
         <translation>gleich</translation>
-    </message>
-    <message>
-        <source>differs, calibration</source>
-        <translation>verschieden, Kalibrierung</translation>
     </message>
     <message>
         <source>differs</source>
@@ -4414,8 +4406,20 @@
         <translation>nicht in der Datei</translation>
     </message>
     <message>
-        <source>refused: %1</source>
-        <translation>abgelehnt: %1</translation>
+        <source>not restored</source>
+        <translation>nicht wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>differs, and was measured on one device: wrong on another</source>
+        <translation>verschieden, und an einem Gerät gemessen: an einem anderen falsch</translation>
     </message>
 </context>
 <context>

@@ -4390,16 +4390,8 @@
         <translation>已恢复</translation>
     </message>
     <message>
-        <source>not restored: %1</source>
-        <translation>未恢复:%1</translation>
-    </message>
-    <message>
         <source>the same</source>
         <translation>相同</translation>
-    </message>
-    <message>
-        <source>differs, calibration</source>
-        <translation>不同,校准</translation>
     </message>
     <message>
         <source>differs</source>
@@ -4410,8 +4402,20 @@
         <translation>文件中没有</translation>
     </message>
     <message>
-        <source>refused: %1</source>
-        <translation>拒绝:%1</translation>
+        <source>not restored</source>
+        <translation>未恢复</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>校准</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>differs, and was measured on one device: wrong on another</source>
+        <translation>不同,且是在某台设备上测得的:对另一台是错误的</translation>
     </message>
 </context>
 <context>

@@ -81,15 +81,21 @@ QWidget* ConfigurationPanel::buildRows() {
                                "power-down unless they are saved in the device"),
                             QStringLiteral("write")},
                            page);
-    auto* choices = new QHBoxLayout;
-    choices->addWidget(m_differencesOnly);
-    choices->addWidget(m_withCalibration);
-    choices->addStretch(1);
-    choices->addWidget(m_restore);
+    QLabel* reason = makeNote(page);
+    auto* last = new QHBoxLayout;
+    last->addWidget(m_withCalibration);
+    last->addStretch(1);
+    last->addWidget(m_restore);
     column->addWidget(m_origin);
     column->addWidget(m_findings);
+    column->addWidget(m_differencesOnly);
     column->addWidget(m_table, 1);
-    column->addLayout(choices);
+    column->addWidget(reason);
+    column->addLayout(last);
+    connect(m_table, &ConfigurationTable::reasonChanged, reason, [reason](const QString& words) {
+        reason->setText(words);
+        reason->setVisible(!words.isEmpty());
+    });
     connect(m_differencesOnly, &QCheckBox::toggled, m_table, &ConfigurationTable::setDifferencesOnly);
     connect(m_withCalibration, &QCheckBox::clicked, m_table, &ConfigurationTable::tickCalibration);
     connect(m_table, &ConfigurationTable::ticksChanged, this, &ConfigurationPanel::refresh);
@@ -183,6 +189,7 @@ void ConfigurationPanel::compare(bool keepTicks) {
     for (const Finding& finding : m_comparison ? m_comparison->findings : std::vector<Finding>()) {
         findings << widgets::inWords(finding.message) + QStringLiteral("; ") + widgets::inWords(finding.hint);
     }
+    m_table->setAccessibleDescription(findings.join(QLatin1Char(' ')));
     m_findings->setText(findings.join(QLatin1Char('\n')));
     m_findings->setVisible(!findings.isEmpty());
     m_table->show(m_comparison.value_or(ConfigurationComparison()), keepTicks);

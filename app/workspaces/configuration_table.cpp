@@ -22,7 +22,7 @@ QString numberWords(const std::optional<double>& value) {
 ConfigurationTable::ConfigurationTable(QWidget* parent) : QTreeWidget(parent) {
     setAccessibleName(tr("Rows of the configuration"));
     setToolTip(tr("Ticked rows are restored (Space ticks); numbers are in SI units, as in the file"));
-    setHeaderLabels({tr("Parameter"), tr("Device"), tr("File"), tr("Default"), tr("Unit"), tr("State")});
+    setHeaderLabels({tr("Parameter"), tr("Device"), tr("File"), tr("State"), tr("Default"), tr("Unit")});
     setRootIsDecorated(false);
     setUniformRowHeights(true);
     setAllColumnsShowFocus(true);
@@ -32,6 +32,7 @@ ConfigurationTable::ConfigurationTable(QWidget* parent) : QTreeWidget(parent) {
     header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     header()->setStretchLastSection(true);
     connect(this, &QTreeWidget::itemChanged, this, &ConfigurationTable::ticksChanged);
+    connect(this, &QTreeWidget::currentItemChanged, this, &ConfigurationTable::tellReason);
 }
 
 void ConfigurationTable::show(const ConfigurationComparison& comparison, bool keepTicks) {
@@ -57,17 +58,18 @@ void ConfigurationTable::show(const ConfigurationComparison& comparison, bool ke
         }
         hideRows();
     }
+    tellReason();
     Q_EMIT ticksChanged();
 }
 
 QTreeWidgetItem* ConfigurationTable::makeRow(const ComparedRow& row, bool isTicked) {
     auto* item = new QTreeWidgetItem({QString::fromStdString(row.name), numberWords(row.device),
-                                      numberWords(row.file), numberWords(row.defaultValue),
-                                      QString::fromStdString(row.unit), stateWords(row)});
+                                      numberWords(row.file), stateWords(row), numberWords(row.defaultValue),
+                                      QString::fromStdString(row.unit)});
     for (const int column : {DeviceColumn, FileColumn, DefaultColumn}) {
         item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     }
-    item->setToolTip(StateColumn, item->text(StateColumn));
+    item->setToolTip(StateColumn, reasonWords(row));
     if (row.state == RowState::Differs) {
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
         item->setCheckState(NameColumn, isTicked ? Qt::Checked : Qt::Unchecked);
@@ -77,25 +79,41 @@ QTreeWidgetItem* ConfigurationTable::makeRow(const ComparedRow& row, bool isTick
     return item;
 }
 
-QString ConfigurationTable::stateWords(const ComparedRow& row) const {
+const RowOutcome* ConfigurationTable::outcomeOf(const std::string& name) const {
     const auto outcome = std::find_if(m_outcomes.begin(), m_outcomes.end(),
-                                      [&](const RowOutcome& each) { return each.name == row.name; });
-    if (outcome != m_outcomes.end()) {
-        return outcome->isRestored ? tr("restored")
-                                   : tr("not restored: %1").arg(widgets::inWords(outcome->reason));
+                                      [&](const RowOutcome& each) { return each.name == name; });
+    return outcome == m_outcomes.end() ? nullptr : &*outcome;
+}
+
+QString ConfigurationTable::stateWords(const ComparedRow& row) const {
+    if (const RowOutcome* outcome = outcomeOf(row.name)) {
+        return outcome->isRestored ? tr("restored") : tr("not restored");
     }
     switch (row.state) {
     case RowState::Same:
         return tr("the same");
     case RowState::Differs:
-        return row.isCalibration ? tr("differs, calibration") : tr("differs");
+        return row.isCalibration ? tr("calibration") : tr("differs");
     case RowState::OnlyOnDevice:
         return tr("not in the file");
     case RowState::OnlyInFile:
     case RowState::Refused:
         break;
     }
-    return tr("refused: %1").arg(widgets::inWords(row.reason));
+    return tr("refused");
+}
+
+QString ConfigurationTable::reasonWords(const ComparedRow& row) const {
+    const RowOutcome* outcome = outcomeOf(row.name);
+    if (outcome == nullptr && row.isCalibration && row.state == RowState::Differs) {
+        return tr("differs, and was measured on one device: wrong on another");
+    }
+    return widgets::inWords(outcome != nullptr ? outcome->reason : row.reason);
+}
+
+void ConfigurationTable::tellReason() {
+    const int current = indexOfTopLevelItem(currentItem());
+    Q_EMIT reasonChanged(current < 0 ? QString() : reasonWords(m_rows[static_cast<std::size_t>(current)]));
 }
 
 void ConfigurationTable::showOutcomes(const std::vector<RowOutcome>& outcomes) {
@@ -104,9 +122,10 @@ void ConfigurationTable::showOutcomes(const std::vector<RowOutcome>& outcomes) {
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         QTreeWidgetItem* item = topLevelItem(static_cast<int>(i));
         item->setText(StateColumn, stateWords(m_rows[i]));
-        item->setToolTip(StateColumn, item->text(StateColumn));
+        item->setToolTip(StateColumn, reasonWords(m_rows[i]));
     }
     hideRows();
+    tellReason();
 }
 
 void ConfigurationTable::setDifferencesOnly(bool isOnly) {
@@ -119,8 +138,7 @@ void ConfigurationTable::hideRows() {
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const ComparedRow& row = m_rows[i];
         const bool isDull = row.state == RowState::Same || row.state == RowState::OnlyOnDevice;
-        const bool hasOutcome = std::any_of(m_outcomes.begin(), m_outcomes.end(),
-                                            [&](const RowOutcome& each) { return each.name == row.name; });
+        const bool hasOutcome = outcomeOf(row.name) != nullptr;
         topLevelItem(static_cast<int>(i))->setHidden(m_isDifferencesOnly && isDull && !hasOutcome);
     }
 }

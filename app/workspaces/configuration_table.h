@@ -16,7 +16,7 @@ class ConfigurationTable : public QTreeWidget {
     Q_OBJECT
 
 public:
-    enum Column { NameColumn, DeviceColumn, FileColumn, DefaultColumn, UnitColumn, StateColumn };
+    enum Column { NameColumn, DeviceColumn, FileColumn, StateColumn, DefaultColumn, UnitColumn };
 
     explicit ConfigurationTable(QWidget* parent = nullptr);
 
@@ -32,10 +32,15 @@ public:
 
 Q_SIGNALS:
     void ticksChanged();
+    /// What is to be said of the current row, whole; empty when its state says all.
+    void reasonChanged(const QString& words);
 
 private:
     QTreeWidgetItem* makeRow(const ComparedRow& row, bool isTicked);
+    const RowOutcome* outcomeOf(const std::string& name) const;
     QString stateWords(const ComparedRow& row) const;
+    QString reasonWords(const ComparedRow& row) const;
+    void tellReason();
     void hideRows();
 
     std::vector<ComparedRow> m_rows; ///< one an item

@@ -117,6 +117,19 @@ TEST_F(ConfigurationPanelTest, leavesOutTheCalibrationOfAnotherDeviceUntilItIsAs
     EXPECT_NEAR(parameter("hall.offset_a"), 0.002, 1e-9); // kept as a 32-bit number
 }
 
+TEST_F(ConfigurationPanelTest, saysWhyARowIsRefusedWhenItIsChosen) {
+    saveAndEdit("'limit.current' = { value = 4,", "'limit.current' = { value = 40,");
+    open();
+    EXPECT_EQ(state("limit.current"), "refused");
+    table().setFocus();
+    table().setCurrentItem(row("limit.current"));
+    bool isReasonSaid = false;
+    for (const QLabel* label : panel->findChildren<QLabel*>()) {
+        isReasonSaid = isReasonSaid || (label->isVisible() && label->text().contains("limit.current"));
+    }
+    EXPECT_TRUE(isReasonSaid);
+}
+
 TEST_F(ConfigurationPanelTest, isLockedWhileTheActuatorIsArmed) {
     saveAndEdit("'gain.kp' = { value = 10,", "'gain.kp' = { value = 25,");
     open();
