@@ -47,7 +47,8 @@ CommandResult identifyDevice(CommandContext& context, const CommandOptions& opti
 /// The device that the sidecar names; a recording without one has none.
 CommandResult identifyFile(CommandContext& context, const CommandOptions& options, const std::string& path,
                            IdentifyConfig config) {
-    const Result<devices::RecordedFile> file = devices::readRecordingFile(path);
+    const auto isInterrupted = [&context] { return checkInterrupt(context); };
+    const Result<devices::RecordedFile> file = devices::readRecordingFile(path, isInterrupted);
     if (!file) {
         return failure(file.error());
     }
@@ -60,7 +61,7 @@ CommandResult identifyFile(CommandContext& context, const CommandOptions& option
         header.started = file->meta.started;
     }
     config.seed = header.seed;
-    const Result<IdentifyResult> result = identifyRecording(file->recording, config);
+    const Result<IdentifyResult> result = identifyRecording(file->recording, config, isInterrupted);
     if (!result) {
         return failure(result.error().code, path + ": " + result.error().message, result.error().hint);
     }

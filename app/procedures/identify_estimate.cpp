@@ -127,6 +127,7 @@ std::optional<SweepPoint> measurePlateau(std::span<const double> time_s, std::sp
         ++fits.stoppedPlateaus;
     } else if (std::fabs(point.speed_rad_s) < config.usableSpeed_rad_s) {
         point.note = fmt::format("slower than {} rad/s", config.usableSpeed_rad_s);
+        ++fits.slowPlateaus;
     } else if (!steadiness->isSteady) {
         point.note = "not steady at its end";
         ++fits.unsteadyPlateaus;
@@ -146,11 +147,24 @@ double lostSpeed_rad_s(const IdentifyFits& fits, const SweepPoint& point) {
     return gain * point.current_A * fits.motion->torqueLoss_s2 * point.speed_rad_s * point.speed_rad_s;
 }
 
-void fitSteadySweep(const Recording& recording, const Columns& columns,
-                    const std::vector<control::CurrentPlateau>& plateaus, const IdentifyConfig& config,
-                    IdentifyFits& fits) {
+control::SegmentConfig segmentConfigOf(const IdentifyConfig& config) {
+    control::SegmentConfig segments;
+    segments.slowest_rad_s = config.usableSpeed_rad_s;
+    return segments;
+}
+
+Result<void> askedToEnd(const AbortCheck& check) {
+    return check ? check() : Result<void>();
+}
+
+Result<void> fitSteadySweep(const Recording& recording, const Columns& columns,
+                            const std::vector<control::CurrentPlateau>& plateaus,
+                            const IdentifyConfig& config, const AbortCheck& checkAbort, IdentifyFits& fits) {
     std::vector<control::SteadyPoint> steady;
     for (const control::CurrentPlateau& plateau : plateaus) {
+        if (auto goesOn = askedToEnd(checkAbort); !goesOn) {
+            return goesOn;
+        }
         const std::size_t count = plateau.end - plateau.begin;
         double error_rad_s = 0.0;
         const auto point = measurePlateau(std::span(recording.time_s).subspan(plateau.begin, count),
@@ -168,7 +182,7 @@ void fitSteadySweep(const Recording& recording, const Columns& columns,
     auto sweep = control::fitFrictionSweep(steady, config.seed);
     if (!sweep) {
         fits.sweepProblem = sweep.error().message;
-        return;
+        return {};
     }
     std::size_t row = 0;
     for (SweepPoint& point : fits.points) {
@@ -177,6 +191,7 @@ void fitSteadySweep(const Recording& recording, const Columns& columns,
         }
     }
     fits.sweep = std::move(*sweep);
+    return {};
 }
 
 // A constant error delta of the angle and the lag tau leave cos(delta + omega tau) of the torque, of which
@@ -199,45 +214,50 @@ double oneWayDampingError_per_s(const control::MotionFit& motion, double lag_s) 
     return balance->torque_rad_s2_A.value_or(0.0) * largest_A * MountingError_rad * lag_s;
 }
 
-void fitTransients(const Recording& recording, const Columns& columns,
-                   const std::vector<control::CurrentPlateau>& plateaus, const IdentifyConfig& config,
-                   const control::SegmentConfig& segmentConfig, IdentifyFits& fits) {
-    const auto segments = control::findMotion(recording.time_s, columns.angle_rad, plateaus, segmentConfig);
+Result<void> fitTransients(const Recording& recording, const Columns& columns,
+                           const std::vector<control::CurrentPlateau>& plateaus, const IdentifyConfig& config,
+                           const AbortCheck& checkAbort, IdentifyFits& fits) {
+    const auto segments =
+        control::findMotion(recording.time_s, columns.angle_rad, plateaus, segmentConfigOf(config));
     control::MotionFitConfig motionConfig;
     motionConfig.torqueLoss_s2 = HoldLoss_s2 + 0.5 * config.commutationLag_s * config.commutationLag_s;
     motionConfig.torqueLossError_s2 = config.commutationLag_s * LagError_s;
+    motionConfig.checkAbort = checkAbort;
     auto motion = control::fitMotion(segments, motionConfig);
+    if (auto goesOn = askedToEnd(checkAbort); !goesOn) {
+        return goesOn; // not a problem of the motion
+    }
     if (!motion) {
         fits.motionProblem = motion.error().message;
-        return;
+        return {};
     }
     motion->dampingError_per_s =
         std::hypot(motion->dampingError_per_s, oneWayDampingError_per_s(*motion, config.commutationLag_s));
     constexpr double WorstDampingError = 0.25;
     if (!(motion->dampingError_per_s < WorstDampingError * std::fabs(motion->damping_per_s) + 0.02)) {
         fits.motionProblem = "the motion does not bend enough to show c/J";
-        return;
+        return {};
     }
     fits.motion = std::move(*motion);
     auto balance = control::fitBalance(*fits.motion);
     if (!balance) {
         fits.balanceProblem = balance.error().message;
-        return;
+        return {};
     }
     fits.balance = std::move(*balance);
+    return {};
 }
 
 } // namespace
 
-Result<IdentifyFits> fitRecording(const Recording& recording, const IdentifyConfig& config) {
+Result<IdentifyFits> fitRecording(const Recording& recording, const IdentifyConfig& config,
+                                  const AbortCheck& checkAbort) {
     auto columns = takeColumns(recording);
     if (!columns) {
         return failure(columns.error());
     }
-    control::SegmentConfig segmentConfig;
-    segmentConfig.slowest_rad_s = config.usableSpeed_rad_s;
     const auto plateaus =
-        control::findPlateaus(recording.time_s, columns->current_A, columns->marker, segmentConfig);
+        control::findPlateaus(recording.time_s, columns->current_A, columns->marker, segmentConfigOf(config));
     if (!plateaus) {
         return failure(plateaus.error());
     }
@@ -250,16 +270,21 @@ Result<IdentifyFits> fitRecording(const Recording& recording, const IdentifyConf
     IdentifyFits fits;
     fits.lostRows = recording.lostRows;
     takeTemperatures(recording, fits);
-    fitTransients(recording, *columns, *plateaus, config, segmentConfig, fits);
+    if (auto done = fitTransients(recording, *columns, *plateaus, config, checkAbort, fits); !done) {
+        return failure(done.error());
+    }
     if (fits.motion) {
         columns->angle_rad = control::correctedAngle_rad(*fits.motion, columns->angle_rad);
     }
-    fitSteadySweep(recording, *columns, *plateaus, config, fits);
+    if (auto done = fitSteadySweep(recording, *columns, *plateaus, config, checkAbort, fits); !done) {
+        return failure(done.error());
+    }
     return fits;
 }
 
-Result<IdentifyResult> identifyRecording(const Recording& recording, const IdentifyConfig& config) {
-    const auto fits = fitRecording(recording, config);
+Result<IdentifyResult> identifyRecording(const Recording& recording, const IdentifyConfig& config,
+                                         const AbortCheck& checkAbort) {
+    const auto fits = fitRecording(recording, config, checkAbort);
     if (!fits) {
         return failure(fits.error());
     }

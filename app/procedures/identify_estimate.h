@@ -13,8 +13,9 @@ struct IdentifyFits {
     std::optional<control::BalanceFit> balance;
     std::optional<control::FrictionSweep> sweep;
     std::vector<SweepPoint> points;
-    int stoppedPlateaus = 0;
-    int unsteadyPlateaus = 0;
+    std::uint64_t stoppedPlateaus = 0;
+    std::uint64_t slowPlateaus = 0;
+    std::uint64_t unsteadyPlateaus = 0;
     std::string motionProblem; ///< why there is no motion fit
     std::string balanceProblem;
     std::string sweepProblem;
@@ -23,8 +24,9 @@ struct IdentifyFits {
     std::uint64_t lostRows = 0;
 };
 
-/// Errors: InvalidInput (columns missing, rate below 100 Hz, no rows), NotFinite.
-Result<IdentifyFits> fitRecording(const Recording& recording, const IdentifyConfig& config);
+/// Errors: InvalidInput (columns missing, rate below 100 Hz, no rows), NotFinite, that of `checkAbort`.
+Result<IdentifyFits> fitRecording(const Recording& recording, const IdentifyConfig& config,
+                                  const AbortCheck& checkAbort = {});
 
 /// Values, intervals, verdict and findings from the fits.
 IdentifyResult judgeFits(const IdentifyFits& fits, const IdentifyConfig& config);

@@ -1,4 +1,5 @@
 #include "app/procedures/identify_estimate.h"
+#include "control/base/counted.h"
 #include "control/identify/added_inertia.h"
 #include "control/identify/distributions.h"
 
@@ -87,23 +88,31 @@ void takeAsymmetry(IdentifyResult& result, const IdentifyFits& fits) {
 void judgeAmount(IdentifyResult& result, const IdentifyFits& fits) {
     if (fits.stoppedPlateaus > 0) {
         remark(result.quality, Verdict::Good, "plateaus_stopped",
-               fmt::format("{} plateaus came to rest and were left out", fits.stoppedPlateaus),
+               counted(fits.stoppedPlateaus, "one plateau came to rest and was left out",
+                       "{} plateaus came to rest and were left out"),
+               "start the sweep further above the breakaway current");
+    }
+    if (fits.slowPlateaus > 0) {
+        remark(result.quality, Verdict::Good, "plateaus_too_slow",
+               counted(fits.slowPlateaus,
+                       "one plateau was too slow to tell friction from creep and was left out",
+                       "{} plateaus were too slow to tell friction from creep and were left out"),
                "start the sweep further above the breakaway current");
     }
     if (fits.unsteadyPlateaus > 0) {
         constexpr double ManyOfThem = 0.25;
-        const bool areMany = fits.unsteadyPlateaus > ManyOfThem * static_cast<double>(fits.points.size());
+        const bool areMany =
+            static_cast<double>(fits.unsteadyPlateaus) > ManyOfThem * static_cast<double>(fits.points.size());
         remark(result.quality, areMany ? Verdict::Doubtful : Verdict::Good, "plateaus_not_steady",
-               fmt::format("{} not steady at {} end and left out",
-                           fits.unsteadyPlateaus == 1
-                               ? std::string("one plateau was")
-                               : fmt::format("{} plateaus were", fits.unsteadyPlateaus),
-                           fits.unsteadyPlateaus == 1 ? "its" : "their"),
+               counted(fits.unsteadyPlateaus, "one plateau was not steady at its end and left out",
+                       "{} plateaus were not steady at their end and left out"),
                "dwell longer at each current");
     }
     if (fits.lostRows > 0) {
-        remark(result.quality, Verdict::Doubtful, "rows_lost",
-               fmt::format("{} rows of the recording were lost", fits.lostRows), "check the link");
+        remark(
+            result.quality, Verdict::Doubtful, "rows_lost",
+            counted(fits.lostRows, "one row of the recording was lost", "{} rows of the recording were lost"),
+            "check the link");
     }
     if (!fits.motion && !fits.motionProblem.empty()) {
         remark(result.quality, Verdict::Good, "no_transients",

@@ -161,7 +161,7 @@ Result<IdentifyResult> excite(devices::Device& device, const IdentifyConfig& con
     if (auto entered = enterState(observer, ProcedureState::Fit); !entered) {
         return failure(entered.error());
     }
-    auto result = identifyRecording(*recording, config);
+    auto result = identifyRecording(*recording, config, observer.checkAbort);
     if (!result) {
         return failure(result.error());
     }

@@ -99,8 +99,11 @@ Result<IdentifyResult> runIdentify(devices::Device& device, const IdentifyConfig
                                    const ProcedureObserver& observer);
 
 /// The same estimate from a recording: columns position (rad), current_command (A) and, when there,
-/// reference.segment. Finds the plateaus itself. Errors: InvalidInput (columns missing, rate below 100 Hz).
-Result<IdentifyResult> identifyRecording(const Recording& recording, const IdentifyConfig& config);
+/// reference.segment. Finds the plateaus itself. A long recording takes a while: `checkAbort` is asked
+/// between plateaus and between the steps of the fit. Errors: InvalidInput (columns missing, rate below 100
+/// Hz), that of `checkAbort`.
+Result<IdentifyResult> identifyRecording(const Recording& recording, const IdentifyConfig& config,
+                                         const AbortCheck& checkAbort = {});
 
 /// For tuning and analysis.
 MotorEstimate motorEstimate(const IdentifyResult& result);

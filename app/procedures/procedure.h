@@ -39,14 +39,16 @@ struct DataQuality {
     std::vector<Finding> findings;
 };
 
+/// Asked between steps; an error (Interrupted, Terminated) ends what asks.
+using AbortCheck = std::function<Result<void>()>;
+
 /// What whoever drives a procedure (wizard page, batch, test) wants to hear of it. Called on the procedure's
 /// thread; every member may be empty.
 struct ProcedureObserver {
     std::function<void(ProcedureState)> onState;
     std::function<void(double fraction, const std::string& text)> onProgress;
     std::function<void(SampleBlockPtr)> onBlock;
-    /// Asked between steps; an error (Interrupted, Terminated) ends the procedure through its restore path.
-    std::function<Result<void>()> checkAbort;
+    AbortCheck checkAbort; ///< ends the procedure through its restore path
 };
 
 /// Takes a snapshot of the device's transactional parameters on construction and puts it back, disarmed, on

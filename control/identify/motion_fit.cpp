@@ -12,13 +12,22 @@
 namespace halbench::control {
 namespace {
 
+using AbortCheck = std::function<Result<void>()>;
+
+Result<void> askedToEnd(const AbortCheck& check) {
+    return check ? check() : Result<void>();
+}
+
 // Coarse search over the damping with the local unknowns only.
-double startDamping(std::span<const MotionSegment> segments) {
+Result<double> startDamping(std::span<const MotionSegment> segments, const AbortCheck& check) {
     double best = 1.0;
     double bestSquares = -1.0;
     for (double damping = 0.02; damping < 60.0; damping *= 1.25) {
         double squares = 0.0;
         for (std::size_t i = 0; i < segments.size(); ++i) {
+            if (auto goesOn = askedToEnd(check); !goesOn) {
+                return failure(goesOn.error());
+            }
             squares += projectSegment(segments, i, damping, {}).angleRest.squaredNorm();
         }
         if (bestSquares < 0.0 || squares < bestSquares) {
@@ -29,9 +38,13 @@ double startDamping(std::span<const MotionSegment> segments) {
     return best;
 }
 
-double iterateDamping(std::span<const MotionSegment> segments, double damping, const MotionColumns& columns) {
+Result<double> iterateDamping(std::span<const MotionSegment> segments, double damping,
+                              const MotionColumns& columns, const AbortCheck& check) {
     constexpr int MostIterations = 40;
     for (int i = 0; i < MostIterations; ++i) {
+        if (auto goesOn = askedToEnd(check); !goesOn) {
+            return failure(goesOn.error());
+        }
         const MotionSolution solution = solveMotion(segments, damping, columns);
         const Eigen::VectorXd column = withoutGlobal(solution, dampingColumn(segments, solution, damping));
         const double size = column.squaredNorm();
@@ -153,9 +166,13 @@ void addClusterErrors(MotionFit& fit, const MotionColumns& columns, const Motion
 }
 
 Result<MotionFit> fitOnce(std::span<const MotionSegment> segments, double start_per_s,
-                          const MotionColumns& columns) {
+                          const MotionColumns& columns, const AbortCheck& check) {
     MotionFit fit;
-    fit.damping_per_s = iterateDamping(segments, start_per_s, columns);
+    const Result<double> damping = iterateDamping(segments, start_per_s, columns, check);
+    if (!damping) {
+        return failure(damping.error());
+    }
+    fit.damping_per_s = *damping;
     if (!std::isfinite(fit.damping_per_s)) {
         return failure(ErrorCode::Refused, "the damping of the motion cannot be decided",
                        "record run-ups and coast-downs over a wider range of speed");
@@ -216,11 +233,12 @@ std::vector<MotionSegment> withoutLoss(std::span<const MotionSegment> segments,
 // The loss as an unknown of the fit, in units of `scale_s2` so that all columns are of one size.
 Result<MotionFit> fitWithLoss(std::span<const MotionSegment> segments, double start_per_s,
                               MotionColumns columns, const std::vector<Eigen::VectorXd>& response,
-                              double scale_s2) {
+                              const MotionFitConfig& config) {
+    const double scale_s2 = config.torqueLoss_s2;
     for (const Eigen::VectorXd& column : response) {
         columns.loss.emplace_back(scale_s2 * column);
     }
-    auto fit = fitOnce(segments, start_per_s, columns);
+    auto fit = fitOnce(segments, start_per_s, columns, config.checkAbort);
     if (fit) {
         fit->torqueLoss_s2 *= scale_s2;
         fit->torqueLossError_s2 *= scale_s2;
@@ -233,7 +251,8 @@ Result<MotionFit> fitWithLoss(std::span<const MotionSegment> segments, double st
 Result<MotionFit> fitAssumingLoss(std::span<const MotionSegment> segments, const MotionFit& first,
                                   const MotionColumns& columns, const std::vector<Eigen::VectorXd>& response,
                                   const MotionFitConfig& config) {
-    auto fit = fitOnce(withoutLoss(segments, response, config.torqueLoss_s2), first.damping_per_s, columns);
+    auto fit = fitOnce(withoutLoss(segments, response, config.torqueLoss_s2), first.damping_per_s, columns,
+                       config.checkAbort);
     if (fit) {
         const double shift = fit->damping_per_s - first.damping_per_s;
         fit->dampingError_per_s =
@@ -251,16 +270,23 @@ Result<MotionFit> fitMotion(std::span<const MotionSegment> segments, const Motio
         return failure(checked.error());
     }
     const MotionColumns columns = affordableColumns(segments, config);
-    auto fit = fitOnce(segments, startDamping(segments), columns);
+    const Result<double> start_per_s = startDamping(segments, config.checkAbort);
+    if (!start_per_s) {
+        return failure(start_per_s.error());
+    }
+    auto fit = fitOnce(segments, *start_per_s, columns, config.checkAbort);
     if (!fit || config.torqueLoss_s2 == 0.0) {
         return fit;
     }
     const auto response = lossResponse(segments, *fit, columns);
     if (segments.size() >= EnoughClusters && columns.count() > 0) {
-        auto fitted = fitWithLoss(segments, fit->damping_per_s, columns, response, config.torqueLoss_s2);
+        auto fitted = fitWithLoss(segments, fit->damping_per_s, columns, response, config);
         if (fitted && fitted->torqueLossError_s2 < config.torqueLossError_s2) {
             return fitted;
         }
+    }
+    if (auto goesOn = askedToEnd(config.checkAbort); !goesOn) {
+        return failure(goesOn.error());
     }
     return fitAssumingLoss(segments, *fit, columns, response, config);
 }

@@ -3,6 +3,7 @@
 #include "control/identify/motion_segments.h"
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -17,6 +18,8 @@ struct MotionFitConfig {
     /// of it, with its 1 sigma, when the data cannot tell it any better.
     double torqueLoss_s2 = 0.0;
     double torqueLossError_s2 = 0.0;
+    /// Asked between the steps of the fit; an error ends it. Empty: it goes on to its end.
+    std::function<Result<void>()> checkAbort;
 };
 
 /// What one segment says about the balance of torques, all over J:
@@ -54,7 +57,7 @@ struct MotionFit {
 /// rotor to torque and friction ripple and to the loss of torque at speed. Variable projection: the linear
 /// unknowns are eliminated exactly, a is found by Gauss-Newton. Covariance of a by the sandwich over
 /// segments. Cost: samples times unknowns^2. Errors: Refused (no segment; the segments do not bend, so that a
-/// is undecided), NotFinite. Source: resources/help/identification.md section 3.
+/// is undecided), NotFinite, that of checkAbort. Source: resources/help/identification.md section 3.
 Result<MotionFit> fitMotion(std::span<const MotionSegment> segments, const MotionFitConfig& config = {});
 
 /// The measured angle without the sensors' error that the fit found.

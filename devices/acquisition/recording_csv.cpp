@@ -15,6 +15,7 @@ namespace halbench::devices {
 
 namespace {
 
+constexpr std::size_t RowsBetweenChecks = 1000;
 constexpr std::size_t MaxFile = std::size_t{256} << 20;
 constexpr std::size_t MaxColumns = 1024;
 constexpr std::size_t PeriodRows = 1000; // rows whose spacing decides what the nominal period is
@@ -224,7 +225,8 @@ void appendCsvRows(std::string& text, const SampleBlock& block) {
     }
 }
 
-Result<Recording> parseRecordingCsv(std::string_view text, const std::string& origin) {
+Result<Recording> parseRecordingCsv(std::string_view text, const std::string& origin,
+                                    const std::function<Result<void>()>& checkAbort) {
     if (text.size() > MaxFile) {
         return failure(
             ErrorCode::InvalidInput, fmt::format("{}: {} octets", origin, text.size()),
@@ -247,6 +249,11 @@ Result<Recording> parseRecordingCsv(std::string_view text, const std::string& or
         }
         if (const Result<void> row = readRow(line, origin, layout->columns.size(), recording); !row) {
             return failure(row.error());
+        }
+        if (checkAbort && recording.time_s.size() % RowsBetweenChecks == 0) {
+            if (const Result<void> goesOn = checkAbort(); !goesOn) {
+                return failure(goesOn.error());
+            }
         }
     }
     layout->period_s = nominalPeriod(recording.time_s);

@@ -3,6 +3,7 @@
 #include "control/base/result.h"
 #include "control/base/sample_block.h"
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -28,7 +29,9 @@ void appendCsvNumber(std::string& text, double value);
 /// Reads such a text. Columns become signals named by the column without its unit suffix; an empty field,
 /// "nan" and "inf" read as NaN. Rows missing in the time axis are counted as lost. Errors: InvalidInput with
 /// line and column of `origin` (no time_s column, wrong number of fields, text where a number is due, time
-/// that does not increase, a file larger than 256 MB).
-Result<Recording> parseRecordingCsv(std::string_view text, const std::string& origin);
+/// that does not increase, a file larger than 256 MB); that of `checkAbort`, which is asked every thousand
+/// rows.
+Result<Recording> parseRecordingCsv(std::string_view text, const std::string& origin,
+                                    const std::function<Result<void>()>& checkAbort = {});
 
 } // namespace halbench::devices

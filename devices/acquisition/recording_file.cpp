@@ -96,12 +96,13 @@ std::size_t wholeLines(const std::string& text) {
 
 } // namespace
 
-Result<RecordedFile> readRecordingFile(const std::string& path) {
+Result<RecordedFile> readRecordingFile(const std::string& path,
+                                       const std::function<Result<void>()>& checkAbort) {
     const Result<std::string> text = readText(path, MaxData);
     if (!text) {
         return failure(text.error());
     }
-    Result<Recording> recording = parseRecordingCsv(*text, path);
+    Result<Recording> recording = parseRecordingCsv(*text, path, checkAbort);
     if (!recording) {
         return failure(recording.error());
     }

@@ -4,6 +4,7 @@
 #include "devices/acquisition/recording_meta.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,9 @@ struct RecordedFile {
     bool hasMeta = false;
     std::vector<std::string> warnings; ///< e.g. the data were changed since
 };
-/// Errors: FileSystem, InvalidInput with line and column.
-Result<RecordedFile> readRecordingFile(const std::string& path);
+/// Errors: FileSystem, InvalidInput with line and column, that of `checkAbort`.
+Result<RecordedFile> readRecordingFile(const std::string& path,
+                                       const std::function<Result<void>()>& checkAbort = {});
 
 /// What can be had of a recording that was interrupted.
 struct PartialRecording {

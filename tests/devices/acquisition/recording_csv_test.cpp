@@ -125,5 +125,19 @@ TEST(RecordingCsv, aFileCutOffAnywhereIsReadOrRefusedButNeverMisread) {
     }
 }
 
+TEST(RecordingCsv, aLongFileCanBeGivenUpWhileItIsRead) {
+    std::string text = "time_s,a\n";
+    for (int row = 0; row < 50000; ++row) {
+        text += std::to_string(row) + ",1\n";
+    }
+    int questions = 0;
+    const auto recording = parseRecordingCsv(text, "x", [&questions]() -> Result<void> {
+        return ++questions < 3 ? Result<void>() : failure(ErrorCode::Interrupted, "ended by the user", {});
+    });
+    ASSERT_FALSE(recording);
+    EXPECT_EQ(recording.error().code, ErrorCode::Interrupted);
+    EXPECT_EQ(questions, 3); // of fifty
+}
+
 } // namespace
 } // namespace halbench::devices

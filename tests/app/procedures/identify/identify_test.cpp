@@ -187,6 +187,23 @@ TEST(Identify, aKnownAddedInertiaGivesAllFourConstants) {
     EXPECT_NEAR(*result->torqueConstant.value / 1.43e-2, 1.0, 0.03);
 }
 
+TEST(Identify, namesEveryPlateauThatItLeavesOut) {
+    const auto device = open("sim:htm?imperfections=off");
+    IdentifyConfig config = withInertia(5.5e-4);
+    // Steady speed (phi I - K_f)/c: 1.55 A 1.35 rad/s, 1.65 A 2.5, 1.75 A 3.7 rad/s (htm-theory.md section
+    // 2).
+    config.sweep = {1.55, 2.05, 0.1};
+    const auto result = runIdentify(*device, config, {});
+    ASSERT_TRUE(result);
+    const auto isSlow = [](const SweepPoint& point) { return point.note.starts_with("slower"); };
+    const auto slow = std::count_if(result->points.begin(), result->points.end(), isSlow);
+    ASSERT_GE(slow, 2);
+    const auto finding = std::find_if(result->quality.findings.begin(), result->quality.findings.end(),
+                                      [](const Finding& one) { return one.code == "plateaus_too_slow"; });
+    ASSERT_NE(finding, result->quality.findings.end());
+    EXPECT_TRUE(finding->message.starts_with(std::to_string(slow) + " plateaus")) << finding->message;
+}
+
 TEST(Identify, findsThePlateausOfARecordingItself) {
     const auto device = open("sim:htm?seed=7");
     const auto live = runIdentify(*device, withInertia(5.5e-4), {});
@@ -206,6 +223,29 @@ TEST(Identify, findsThePlateausOfARecordingItself) {
     ASSERT_TRUE(unmarked);
     EXPECT_NEAR(*unmarked->viscousDamping.value / *live->viscousDamping.value, 1.0, 1e-3);
     EXPECT_NEAR(*unmarked->torqueConstant.value / *live->torqueConstant.value, 1.0, 5e-3);
+}
+
+TEST(Identify, aLongRecordingCanBeGivenUpAtEveryStepOfTheFit) {
+    const auto device = open("sim:htm?seed=7");
+    const auto live = runIdentify(*device, withInertia(5.5e-4), {});
+    ASSERT_TRUE(live);
+    int questions = 0;
+    const auto givenUpAt = [&](int last) {
+        questions = 0;
+        return identifyRecording(live->recording, withInertia(5.5e-4), [&questions, last]() -> Result<void> {
+            return ++questions < last ? Result<void>()
+                                      : failure(ErrorCode::Interrupted, "ended by the user", {});
+        });
+    };
+    ASSERT_TRUE(givenUpAt(1 << 30));
+    const int all = questions;
+    EXPECT_GT(all, 1000); // between segments, iterations and plateaus: a small part of the time each
+    for (const int last : {1, all / 4, all / 2, all - 20, all}) {
+        const auto result = givenUpAt(last);
+        ASSERT_FALSE(result) << last;
+        EXPECT_EQ(result.error().code, ErrorCode::Interrupted) << last;
+        EXPECT_LE(questions, last + 1) << last; // it does not go on
+    }
 }
 
 TEST(Identify, refusesRecordingsThatHoldNoMotion) {
