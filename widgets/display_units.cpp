@@ -41,6 +41,16 @@ QString numberText(double value, int significantDigits) {
     return locale.toString(value, 'g', significantDigits);
 }
 
+QString fixedText(const std::optional<double>& value, int decimals) {
+    if (!value) {
+        return QStringLiteral("\u2013");
+    }
+    const bool isZero = std::abs(*value) < 0.5 * std::pow(10.0, -decimals);
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(isZero ? 0.0 : *value, 'f', decimals);
+}
+
 std::optional<double> parseNumber(const QString& text, const QString& unitText) {
     QString number = text.trimmed();
     if (!unitText.isEmpty() && number.endsWith(unitText)) {

@@ -21,6 +21,10 @@ DisplayUnit displayUnit(const std::string& symbol, AngleUnit angleUnit);
 /// At most that many significant digits in the user's notation, without group separators.
 QString numberText(double value, int significantDigits = 7);
 
+/// So many decimals in the user's notation, without group separators and never "-0.0", which would flicker
+/// beside "0.0"; a dash where there is no number.
+QString fixedText(const std::optional<double>& value, int decimals);
+
 /// A finite number in the user's notation or in the C one; the unit may stand behind it. Nothing is read as
 /// thousands, and what could be meant as such is refused: "1,500" in English, "1.500" in German.
 std::optional<double> parseNumber(const QString& text, const QString& unitText = {});

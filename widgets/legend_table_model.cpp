@@ -1,8 +1,9 @@
 #include "widgets/legend_table_model.h"
 
+#include "widgets/display_units.h"
+
 #include <QFont>
 #include <QGuiApplication>
-#include <QLocale>
 #include <QPainter>
 #include <QPixmap>
 
@@ -14,16 +15,6 @@ namespace {
 constexpr int SampleWidth = 18;
 constexpr int SampleHeight = 8;
 constexpr double SampleLine = 2.0;
-
-QString numberText(const std::optional<double>& value, int decimals) {
-    if (!value) {
-        return QStringLiteral("–");
-    }
-    const double shown = std::abs(*value) < 0.5 * std::pow(10.0, -decimals) ? 0.0 : *value; // never "-0.0"
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(shown, 'f', decimals);
-}
 
 /// An old value differs in more than its colour.
 QFont slanted() {
@@ -74,13 +65,13 @@ QString LegendTableModel::text(std::size_t row, int column) const {
     case Name:
         return curve.label;
     case Value:
-        return numberText(numbers.value, curve.decimals);
+        return fixedText(numbers.value, curve.decimals);
     case AtA:
-        return numberText(numbers.atA, curve.decimals);
+        return fixedText(numbers.atA, curve.decimals);
     case AtB:
-        return numberText(numbers.atB, curve.decimals);
+        return fixedText(numbers.atB, curve.decimals);
     case Difference:
-        return numberText(difference(numbers), curve.decimals);
+        return fixedText(difference(numbers), curve.decimals);
     default:
         return curve.unit;
     }
@@ -91,7 +82,7 @@ QString LegendTableModel::widestText(int row, Column column) const {
         return text(static_cast<std::size_t>(row), column);
     }
     const int decimals = m_curves[static_cast<std::size_t>(row)]->curve().decimals;
-    return numberText(decimals < 3 ? -8888.0 : -888.0, decimals); // fine scales measure small quantities
+    return fixedText(decimals < 3 ? -8888.0 : -888.0, decimals); // fine scales measure small quantities
 }
 
 QString LegendTableModel::describe(std::size_t row) const {

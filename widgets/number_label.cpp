@@ -1,25 +1,14 @@
 #include "widgets/number_label.h"
 
+#include "widgets/display_units.h"
 #include "widgets/theme_style.h"
 
 #include <QEvent>
-#include <QLocale>
 #include <QPainter>
 
 #include <cmath>
 
 namespace halbench::widgets {
-namespace {
-
-QString numberOf(double value, int decimals) {
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    // A number that rounds to zero has no sign: "-0.00" would flicker beside "0.00".
-    const double half = 0.5 * std::pow(10.0, -decimals);
-    return locale.toString(std::abs(value) < half ? 0.0 : value, 'f', decimals);
-}
-
-} // namespace
 
 NumberLabel::NumberLabel(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
@@ -32,9 +21,9 @@ void NumberLabel::setFormat(const NumberFormat& format) {
 }
 
 void NumberLabel::setValue(double value) {
-    const QString before = numberText();
+    const QString before = valueText();
     m_value = std::isfinite(value) ? std::optional(value) : std::nullopt;
-    if (numberText() != before) {
+    if (valueText() != before) {
         describe();
     }
 }
@@ -52,12 +41,12 @@ void NumberLabel::setStale(bool isStale) {
     }
 }
 
-QString NumberLabel::numberText() const {
-    return m_value ? numberOf(*m_value, m_format.decimals) : QStringLiteral("—");
+QString NumberLabel::valueText() const {
+    return fixedText(m_value, m_format.decimals);
 }
 
 QString NumberLabel::text() const {
-    return m_format.unit.isEmpty() ? numberText() : numberText() + QChar(QChar::Nbsp) + m_format.unit;
+    return m_format.unit.isEmpty() ? valueText() : valueText() + QChar(QChar::Nbsp) + m_format.unit;
 }
 
 void NumberLabel::describe() {
@@ -67,8 +56,8 @@ void NumberLabel::describe() {
 
 int NumberLabel::numberWidth() const {
     const QFontMetrics metrics(tabularFont(font()));
-    return qMax(metrics.horizontalAdvance(numberOf(m_format.min, m_format.decimals)),
-                metrics.horizontalAdvance(numberOf(m_format.max, m_format.decimals)));
+    return qMax(metrics.horizontalAdvance(fixedText(m_format.min, m_format.decimals)),
+                metrics.horizontalAdvance(fixedText(m_format.max, m_format.decimals)));
 }
 
 int NumberLabel::unitWidth() const {
@@ -86,9 +75,9 @@ void NumberLabel::paintEvent(QPaintEvent*) {
     const QRect box = rect().adjusted(0, 0, -unitWidth(), 0);
     painter.setFont(tabularFont(font()));
     painter.setPen(isMuted ? theme.muted : theme.text);
-    painter.drawText(box, Qt::AlignRight | Qt::AlignVCenter, numberText());
+    painter.drawText(box, Qt::AlignRight | Qt::AlignVCenter, valueText());
     if (m_isStale && m_value) {
-        const int width = painter.fontMetrics().horizontalAdvance(numberText());
+        const int width = painter.fontMetrics().horizontalAdvance(valueText());
         const int y = box.center().y() + painter.fontMetrics().ascent() / 2 + 2;
         painter.setPen(QPen(theme.muted, 1.0, Qt::DotLine));
         painter.drawLine(box.right() - width, y, box.right(), y);

@@ -30,8 +30,8 @@ public:
     void setStale(bool isStale);
     bool isStale() const { return m_isStale; }
 
-    QString numberText() const; ///< without unit
-    QString text() const;       ///< with unit
+    QString valueText() const; ///< without unit
+    QString text() const;      ///< with unit
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }

@@ -167,14 +167,16 @@ std::optional<QStringList> sentences(const QString& english) {
 } // namespace
 
 QString inWords(const QString& english) {
+    QString words = english;
     if (const auto here = windowTerms(english)) {
-        return *here;
+        words = *here;
+    } else if (const auto found = sentence(english)) {
+        words = *found;
+    } else if (const auto several = sentences(english)) {
+        words = several->join(QStringLiteral(". "));
     }
-    if (const auto found = sentence(english)) {
-        return *found;
-    }
-    const auto several = sentences(english);
-    return several ? several->join(QStringLiteral(". ")) : english;
+    static const QRegularExpression plusMinus(QStringLiteral("(?<![^ ])\\+-(?=[ 0-9])")); // files are ASCII
+    return words.replace(plusMinus, QStringLiteral("\u00b1"));
 }
 
 QString inWords(const std::string& english) {

@@ -90,7 +90,8 @@ TEST_F(PhrasebookTest, looksUpASentenceBehindItsPlace) {
 }
 
 TEST_F(PhrasebookTest, looksUpWhatWasAddedToASentence) {
-    EXPECT_EQ(said("the board stopped, the board's clock gains 0.5 +- 0.1 ppm"), "gestoppt, Uhr: 0,5 +- 0,1");
+    EXPECT_EQ(said("the board stopped, the board's clock gains 0.5 +- 0.1 ppm"),
+              "gestoppt, Uhr: 0,5 \u00b1 0,1");
 }
 
 TEST_F(PhrasebookTest, leavesUnknownWordsAsTheyAre) {
@@ -98,6 +99,12 @@ TEST_F(PhrasebookTest, leavesUnknownWordsAsTheyAre) {
     EXPECT_EQ(said(""), "");
     EXPECT_FALSE(isInPhrasebook("Drehzahl Spindel 2"));
     EXPECT_TRUE(isInPhrasebook("Angle error map, cosine of order 4"));
+}
+
+TEST(Phrasebook, writesPlusMinusAsASignOnTheScreen) {
+    EXPECT_EQ(inWords(QStringLiteral("friction holds the rotor within +-8.2 deg of the reference")),
+              QStringLiteral("friction holds the rotor within \u00b18.2 deg of the reference"));
+    EXPECT_EQ(inWords(QStringLiteral("'a+-1.csv' is not there")), QStringLiteral("'a+-1.csv' is not there"));
 }
 
 TEST(Phrasebook, speaksEnglishLetterByLetterWithoutATranslator) {

@@ -107,9 +107,9 @@ TEST_F(StatusWidgets, numberKeepsItsDecimalsAndItsWidth) {
     number.setFormat({2, QStringLiteral("A"), -4.0, 4.0});
     const QSize size = number.sizeHint();
     number.setValue(1.0);
-    EXPECT_EQ(number.numberText(), QStringLiteral("1.00"));
+    EXPECT_EQ(number.valueText(), QStringLiteral("1.00"));
     number.setValue(-3.14159);
-    EXPECT_EQ(number.numberText(), QStringLiteral("-3.14"));
+    EXPECT_EQ(number.valueText(), QStringLiteral("-3.14"));
     EXPECT_EQ(number.sizeHint(), size);
     EXPECT_EQ(number.text(), QStringLiteral("-3.14\u00a0A"));
 }
@@ -118,14 +118,14 @@ TEST_F(StatusWidgets, numberThatRoundsToZeroHasNoSign) {
     NumberLabel number;
     number.setFormat({2, {}, -4.0, 4.0});
     number.setValue(-0.004);
-    EXPECT_EQ(number.numberText(), QStringLiteral("0.00"));
+    EXPECT_EQ(number.valueText(), QStringLiteral("0.00"));
 }
 
 TEST_F(StatusWidgets, numberShowsAbsentAndOldValuesAsSuch) {
     NumberLabel number;
-    EXPECT_EQ(number.numberText(), QStringLiteral("—"));
+    EXPECT_EQ(number.valueText(), QStringLiteral("–"));
     number.setValue(std::numeric_limits<double>::quiet_NaN());
-    EXPECT_EQ(number.numberText(), QStringLiteral("—"));
+    EXPECT_EQ(number.valueText(), QStringLiteral("–"));
     number.setValue(2.0);
     number.setStale(true);
     EXPECT_TRUE(number.accessibleDescription().contains(QStringLiteral("old")));
