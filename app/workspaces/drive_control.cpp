@@ -5,6 +5,7 @@
 #include <QPointer>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace halbench::app {
@@ -164,6 +165,11 @@ void DriveControl::takeOrigin() {
     m_origin_rad = latest ? std::optional(latest->value) : std::nullopt;
 }
 
+double DriveControl::excursion_rad() const {
+    const auto latest = m_bench.history().latest("position");
+    return isArmed() && m_origin_rad && latest ? std::abs(latest->value - *m_origin_rad) : 0.0;
+}
+
 void DriveControl::setMode(devices::BoardMode mode) {
     if (!isAvailable()) {
         m_mode = mode;
@@ -247,26 +253,9 @@ void DriveControl::startReference(std::vector<ParameterValue> generator) {
         return;
     }
     generator.push_back({"reference.start", 1.0});
-    const devices::BoardMode mode = m_mode;
-    const bool isPosition = mode == devices::BoardMode::Position;
-    run(
-        [motion = inMode(mode, std::move(generator)), mode,
-         isPosition](devices::Device& device) -> Result<void> {
-            if (isPosition) { // entering the mode anew lets the generator count from here
-                for (const devices::BoardMode next : {devices::BoardMode::Idle, mode}) {
-                    if (Result<void> entered = write(device, {{"hb.mode", code(next)}}); !entered) {
-                        return entered;
-                    }
-                }
-            }
-            return write(device, motion);
-        },
-        [this, isPosition] {
-            if (isPosition) {
-                takeOrigin();
-            }
-            m_bench.refreshValues();
-        });
+    run([motion =
+             inMode(m_mode, std::move(generator))](devices::Device& device) { return write(device, motion); },
+        [this] { m_bench.refreshValues(); });
 }
 
 void DriveControl::stopReference() {

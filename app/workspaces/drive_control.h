@@ -49,6 +49,8 @@ public:
     void setSetpoint(double value);
     /// Angle from which the position mode counts; nothing before it was seen.
     std::optional<double> origin_rad() const { return m_origin_rad; }
+    /// How far the rotor is from there, as the board's excursion window counts; 0 while that is not known.
+    double excursion_rad() const;
 
     /// Position: the set-point moves with `rate` rad/s. Current modes: `rate` is a current in A that the
     /// board itself ends after 0.3 s unless the hold is renewed, so that a window that hangs moves nothing.
@@ -56,7 +58,7 @@ public:
     void stopJog();
     bool isJogging() const { return m_jog.isActive(); }
 
-    /// Values of the board's generator. In position mode it counts from where the rotor is now.
+    /// Values of the board's generator. In position mode it begins at the angle that is held.
     void startReference(std::vector<ParameterValue> generator);
     void stopReference();
 

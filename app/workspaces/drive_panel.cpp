@@ -332,7 +332,8 @@ void DrivePanel::describeMotion() {
     const double window_rad = m_bench.deviceValue("window.position").value_or(0.0);
     const bool isWatched = m_bench.deviceValue("window.position_enabled").value_or(0.0) > 0.5;
     const std::optional<double> limit_A = m_bench.deviceValue("limit.current");
-    const bool isTooFar = mode == BoardMode::Position && isWatched && peak > window_rad;
+    const bool isTooFar =
+        mode == BoardMode::Position && isWatched && m_control.excursion_rad() + peak > window_rad;
     const bool isTooMuch = mode != BoardMode::Position && limit_A && peak > *limit_A;
     if (isTooFar || isTooMuch) {
         words += QLatin1Char(' ') + tr("That is beyond the limit: the board may stop it.");

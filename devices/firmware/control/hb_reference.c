@@ -205,6 +205,8 @@ static hb_reference_point shapePoint(hb_reference* reference, float time_s) {
 
 void hb_reference_start(hb_reference* reference, const hb_reference_config* config,
                         const hb_plateau_config* plateaus, uint8_t is_position) {
+    /* Where the reference before stands or is held. */
+    reference->from = is_position ? hb_reference_evaluate(reference).value : 0.0F;
     reference->config = *config;
     reference->holds_position = is_position;
     reference->ticks = 0;
@@ -234,7 +236,7 @@ hb_reference_point hb_reference_evaluate(hb_reference* reference) {
     }
     point = shapePoint(reference, time_s);
     if (reference->holds_position) {
-        point.value += reference->config.base * time_s;
+        point.value += reference->from + reference->config.base * time_s;
         point.speed += reference->config.base;
     } else {
         point.value += reference->config.base;

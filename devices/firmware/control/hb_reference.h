@@ -17,7 +17,8 @@
  *
  * `base` adds constant motion: base t in mode position (rad/s), the constant base in the current modes (A).
  * The generator ends after `duration` (staircase: count periods; plateaus: count dwells) or when stopped: a
- * position is then held, a current goes to zero. */
+ * position is then held, a current goes to zero. A position is also where the next start begins: r(t) counts
+ * from it, so that nothing leaps back to where the mode was entered. */
 
 #include "devices/firmware/xcp/hb_config.h"
 
@@ -79,6 +80,7 @@ typedef struct {
     uint32_t duration_ticks;
     hb_phase phase; /* of sine and chirp */
     hb_reference_point held;
+    float from;       /* rad, what a position counts from */
     uint16_t segment; /* 1, 2, ... counts steps and plateaus while running, else 0 */
     uint8_t running, holds_position;
 } hb_reference;

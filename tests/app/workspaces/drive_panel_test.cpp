@@ -279,6 +279,22 @@ TEST_F(DrivePanelTest, aLimitIsWrittenByEnterOnlyAndNotUnderAProcedure) {
     EXPECT_TRUE(wait([&] { return limit->isEnabled(); }));
 }
 
+TEST_F(DrivePanelTest, theNextReferenceBeginsAtTheAngleThatIsHeld) {
+    connectTo("sim:htm", 5.0);
+    armByClick();
+    const auto step = [&] { // by 30 degrees
+        click(*panel, "Start");
+        EXPECT_TRUE(wait([&] { return latest("reference.running") > 0.5; }));
+        const double to_rad = latest("reference");
+        EXPECT_TRUE(wait([&] { return find<QPushButton>(*panel, "End")->isEnabled(); }));
+        click(*panel, "End");
+        EXPECT_TRUE(wait([&] { return latest("reference.running") < 0.5; }));
+        return to_rad;
+    };
+    const double first_rad = step();
+    EXPECT_NEAR(step(), first_rad + degreesToRadians(30.0), 1e-5); // float of some radians
+}
+
 TEST_F(DrivePanelTest, windowsAreSwitchedAndWarnBeforeTheMotion) {
     connectTo("sim:htm", 5.0);
     auto* excursion = find<QDoubleSpinBox>(*panel, "Limit of Excursion");

@@ -166,10 +166,44 @@ TEST(Reference, aStartWhileItRunsBeginsWithTheFirstSegmentAndTimeZero) {
     }
     EXPECT_EQ(reference.segment, 3);
     hb_reference_start(&reference, &config, &plateaus, 1);
-    EXPECT_EQ(hb_reference_evaluate(&reference).value, 2.0F); // the first step
+    EXPECT_EQ(hb_reference_evaluate(&reference).value, 8.0F); // the first step from the third
     EXPECT_EQ(reference.segment, 1);
     EXPECT_EQ(reference.ticks, 0U);
     EXPECT_EQ(reference.running, 1);
+}
+
+TEST(Reference, aPositionGoesOnFromWhereTheLastOneIsHeld) {
+    hb_reference_config config = shape(HB_SHAPE_RAMP);
+    config.rate = 0.5F;
+    config.amplitude = 0.0F;
+    config.duration_s = 1.0F;
+    const hb_plateau_config plateaus{};
+    hb_reference reference{};
+    for (int start = 0; start < 3; ++start) {
+        hb_reference_start(&reference, &config, &plateaus, 1);
+        EXPECT_EQ(hb_reference_evaluate(&reference).value, 0.5F * static_cast<float>(start));
+        for (int tick = 0; tick < 1000; ++tick) {
+            hb_reference_advance(&reference);
+        }
+        EXPECT_EQ(reference.running, 0);
+    }
+    EXPECT_EQ(hb_reference_evaluate(&reference).value, 1.5F);
+    hb_reference_clear(&reference); // entering a mode
+    hb_reference_start(&reference, &config, &plateaus, 1);
+    EXPECT_EQ(hb_reference_evaluate(&reference).value, 0.0F);
+}
+
+TEST(Reference, aCurrentStartsFromZeroEveryTime) {
+    const hb_reference_config config = shape(HB_SHAPE_STAIRCASE);
+    const hb_plateau_config plateaus{};
+    hb_reference reference{};
+    for (int start = 0; start < 2; ++start) {
+        hb_reference_start(&reference, &config, &plateaus, 0);
+        EXPECT_EQ(hb_reference_evaluate(&reference).value, 2.0F);
+        for (int tick = 0; tick < 1500; ++tick) {
+            hb_reference_advance(&reference);
+        }
+    }
 }
 
 TEST(Reference, addsBaseMotionByMode) {
