@@ -173,24 +173,45 @@ void ParametersPanel::saveOnDevice() {
                               });
 }
 
-void ParametersPanel::fillPresets() {
-    const QString before = m_presets->currentText();
-    m_choices = presetChoices(m_bench.session().info().model, m_folder);
+void ParametersPanel::fillPresets(const QString& chosen) {
+    const std::string model = m_bench.session().info().model;
+    const QString shown = chosen.isEmpty() ? m_presets->currentText() : chosen;
+    m_choices.clear(); // none of another model is to be had meanwhile
     m_presets->clear();
-    for (const PresetChoice& choice : m_choices) {
-        m_presets->addItem(choice.title);
-    }
-    m_presets->setCurrentIndex(std::max(0, m_presets->findText(before)));
+    m_files.run(
+        [model, folder = m_folder]() -> Result<std::vector<PresetChoice>> {
+            return presetChoices(model, folder);
+        },
+        [this, model, shown](const Result<std::vector<PresetChoice>>& choices) {
+            if (model != m_bench.session().info().model) {
+                return; // another device came, and its presets follow
+            }
+            m_choices = *choices;
+            m_presets->clear();
+            for (const PresetChoice& choice : m_choices) {
+                m_presets->addItem(choice.title);
+            }
+            m_presets->setCurrentIndex(std::max(0, m_presets->findText(shown)));
+        });
 }
 
-/// As edits, one step of undo; what the device does not take is said by name.
 void ParametersPanel::loadChosen() {
     const int chosen = m_presets->currentIndex();
     if (chosen < 0) {
         return;
     }
-    const Result<Preset> preset =
-        loadPreset(m_bench.session().info().model, m_choices[static_cast<std::size_t>(chosen)]);
+    const std::string model = m_bench.session().info().model;
+    m_files.run(
+        [model, choice = m_choices[static_cast<std::size_t>(chosen)]] { return loadPreset(model, choice); },
+        [this, model, title = m_presets->currentText()](const Result<Preset>& preset) {
+            if (model == m_bench.session().info().model) {
+                edit(title, preset);
+            }
+        });
+}
+
+/// As edits, one step of undo; what the device does not take is said by name.
+void ParametersPanel::edit(const QString& title, const Result<Preset>& preset) {
     if (!preset) {
         tell(preset.error());
         return;
@@ -198,7 +219,7 @@ void ParametersPanel::loadChosen() {
     m_table->messages().clear();
     widgets::ParameterTableModel& model = m_table->model();
     QStringList refused;
-    model.undoStack().beginMacro(tr("Load %1").arg(m_presets->currentText()));
+    model.undoStack().beginMacro(tr("Load %1").arg(title));
     for (const ParameterValue& value : preset->values) {
         if (!model.edit(value.name, value.value)) {
             refused << QString::fromStdString(value.name);
@@ -237,8 +258,7 @@ void ParametersPanel::kept(const QString& name, const Result<QString>& path) {
         tell(path.error());
         return;
     }
-    fillPresets();
-    m_presets->setCurrentText(name);
+    fillPresets(name);
     m_name->clear();
     m_table->messages().showMessage({widgets::Severity::Success, tr("Kept as %1.").arg(name), *path, {}});
 }

@@ -37,9 +37,11 @@ private:
     void write(const std::vector<ParameterValue>& changed);
     void saveOnDevice();
     void loadChosen();
+    void edit(const QString& title, const Result<Preset>& preset);
     void saveAs();
     void kept(const QString& name, const Result<QString>& path);
-    void fillPresets();
+    /// Reads the folder elsewhere; `chosen` is shown then, or else what was chosen before.
+    void fillPresets(const QString& chosen = {});
     void look();
     void compare(const std::vector<std::string>& names, const std::vector<double>& values);
     void tell(const Error& error);

@@ -44,7 +44,7 @@ protected:
     }
     void choose(const QString& title) {
         auto* presets = find<QComboBox>(*panel, "Preset");
-        ASSERT_GE(presets->findText(title), 0) << title.toStdString();
+        ASSERT_TRUE(wait([&] { return presets->findText(title) >= 0; })) << title.toStdString();
         presets->setCurrentText(title);
     }
     void putPreset(const QString& name, const QByteArray& text) {
@@ -109,7 +109,9 @@ TEST_F(ParametersPanelTest, aSimulatedDeviceSaysWhyItCannotSave) {
 TEST_F(ParametersPanelTest, aShippedPresetBecomesEditsInOneStep) {
     choose("Recommended: feed-forward and micro-step assist");
     click(*panel, "Load");
-    EXPECT_EQ(cell("gain.kp", Model::EditedColumn), "40"); // resources/presets/htm/recommended.json
+    EXPECT_TRUE(wait([&] {
+        return cell("gain.kp", Model::EditedColumn) == "40";
+    })); // resources/presets/htm/recommended.json
     EXPECT_EQ(cell("gain.kp", Model::DeviceColumn), "10");
     model().undoStack().undo();
     EXPECT_EQ(model().changedCount(), 0);
@@ -127,7 +129,7 @@ TEST_F(ParametersPanelTest, ownPresetsAreKeptAndLoadedAgain) {
     ASSERT_EQ(model().changedCount(), 0);
     choose("my motor");
     click(*panel, "Load");
-    EXPECT_EQ(cell("gain.kp", Model::EditedColumn), "17");
+    EXPECT_TRUE(wait([&] { return cell("gain.kp", Model::EditedColumn) == "17"; }));
     EXPECT_EQ(model().changedCount(), 1); // everything else is as on the device
 }
 
@@ -141,13 +143,13 @@ TEST_F(ParametersPanelTest, damagedNewerAndForeignPresetsAreRefusedInPlace) {
     for (const char* name : {"damaged", "newer", "planar"}) {
         choose(name);
         click(*panel, "Load");
+        EXPECT_TRUE(wait([&] { return message().text.contains(name); })) << message().text.toStdString();
         EXPECT_EQ(message().severity, widgets::Severity::Error) << name;
-        EXPECT_TRUE(message().text.contains(name)) << message().text.toStdString();
         EXPECT_EQ(model().changedCount(), 0) << name;
     }
     choose("newer");
     click(*panel, "Load");
-    EXPECT_TRUE(message().text.contains("newer Halbench"));
+    EXPECT_TRUE(wait([&] { return message().text.contains("newer Halbench"); }));
 }
 
 TEST_F(ParametersPanelTest, aPresetWithUnknownParametersLoadsTheRestAndNamesThem) {
@@ -157,7 +159,7 @@ TEST_F(ParametersPanelTest, aPresetWithUnknownParametersLoadsTheRestAndNamesThem
     connectTo("sim:htm", 5.0);
     choose("odd");
     click(*panel, "Load");
-    EXPECT_EQ(cell("gain.kp", Model::EditedColumn), "11");
+    EXPECT_TRUE(wait([&] { return cell("gain.kp", Model::EditedColumn) == "11"; }));
     EXPECT_TRUE(message().text.contains("gain.kx"));
     EXPECT_TRUE(message().text.contains("gain.ki"));
 }
