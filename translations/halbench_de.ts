@@ -2204,7 +2204,7 @@
     </message>
     <message>
         <source>, the board&apos;s clock gains {} +- {} ppm</source>
-        <translation>, die Uhr des Steuergeräts geht {} +- {} ppm vor</translation>
+        <translation>, die Uhr des Steuergeräts geht {} ± {} ppm vor</translation>
     </message>
     <message>
         <source>{} sends no samples any more</source>
@@ -2668,7 +2668,7 @@
     </message>
     <message>
         <source>friction holds the rotor within +-{} deg of the reference</source>
-        <translation>Reibung hält den Rotor innerhalb von +-{} Grad um die Führungsgröße fest</translation>
+        <translation>Reibung hält den Rotor innerhalb von ±{} Grad um die Führungsgröße fest</translation>
     </message>
     <message>
         <source>only the integral removes the rest, slowly; the micro-step assist or a larger K_P narrows the band</source>
@@ -3049,18 +3049,6 @@
     <message>
         <source>start the sweep further above the breakaway current</source>
         <translation>beginnen Sie die Messreihe weiter über dem Losbrechstrom</translation>
-    </message>
-    <message>
-        <source>{} not steady at {} end and left out</source>
-        <translation>{0} am Ende nicht stationär und ausgelassen</translation>
-    </message>
-    <message>
-        <source>one plateau was</source>
-        <translation>ein Plateau war</translation>
-    </message>
-    <message>
-        <source>{} plateaus were</source>
-        <translation>{} Plateaus waren</translation>
     </message>
     <message>
         <source>dwell longer at each current</source>
@@ -3699,10 +3687,6 @@
         <translation>„span_s“ muss größer als 0 sein</translation>
     </message>
     <message>
-        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, plot, model, design, calibration</source>
-        <translation>unbekannter Schlüssel „{}“; bekannt sind schema, device, notes, perspective, layout, monitor, plot, model, design, calibration</translation>
-    </message>
-    <message>
         <source>{}: given up</source>
         <translation>{}: aufgegeben</translation>
     </message>
@@ -4010,6 +3994,42 @@
         <source>unknown key &apos;{}&apos;</source>
         <translation>unbekannter Schlüssel „{}“</translation>
     </message>
+    <message>
+        <source>&apos;given&apos; must be a table</source>
+        <translation>„given“ muss eine Tabelle sein</translation>
+    </message>
+    <message>
+        <source>given: {}</source>
+        <translation>given: {}</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, plot, given, model, design, calibration</source>
+        <translation>unbekannter Schlüssel „{}“; bekannt sind schema, device, notes, perspective, layout, monitor, plot, given, model, design, calibration</translation>
+    </message>
+    <message>
+        <source>one plateau came to rest and was left out</source>
+        <translation>ein Plateau kam zum Stillstand und wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>one plateau was too slow to tell friction from creep and was left out</source>
+        <translation>ein Plateau war zu langsam, um Reibung von Kriechen zu unterscheiden, und wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>{} plateaus were too slow to tell friction from creep and were left out</source>
+        <translation>{} Plateaus waren zu langsam, um Reibung von Kriechen zu unterscheiden, und wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>one plateau was not steady at its end and left out</source>
+        <translation>ein Plateau war an seinem Ende nicht stationär und wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>{} plateaus were not steady at their end and left out</source>
+        <translation>{} Plateaus waren an ihrem Ende nicht stationär und wurden ausgelassen</translation>
+    </message>
+    <message>
+        <source>one row of the recording was lost</source>
+        <translation>eine Zeile der Aufzeichnung ging verloren</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CalibratePanel</name>
@@ -4126,10 +4146,6 @@
         <translation>Die Werte von vorher gelten wieder.</translation>
     </message>
     <message>
-        <source>It can be applied to this device only; calibrate again when the sensors were touched.</source>
-        <translation>Sie lässt sich nur auf dieses Gerät anwenden; kalibrieren Sie neu, wenn die Sensoren berührt wurden.</translation>
-    </message>
-    <message>
         <source>What the Hall sensors read; centre, axes and tilt of the ellipse are measured</source>
         <translation>Was die Hallsensoren lesen; gemessen werden Mitte, Achsen und Neigung der Ellipse</translation>
     </message>
@@ -4140,6 +4156,10 @@
     <message>
         <source>Calibrate again.</source>
         <translation>Kalibrieren Sie erneut.</translation>
+    </message>
+    <message>
+        <source>It can be applied to the device it was measured on only; calibrate again when the sensors were touched.</source>
+        <translation>Sie lässt sich nur auf das Gerät anwenden, an dem sie gemessen wurde; nach Arbeiten an den Sensoren neu kalibrieren.</translation>
     </message>
 </context>
 <context>
@@ -4167,10 +4187,6 @@
     <message>
         <source>stray field of the coils</source>
         <translation>Streufeld der Spulen</translation>
-    </message>
-    <message>
-        <source>breakaway current, static</source>
-        <translation>Losbrechstrom, statisch</translation>
     </message>
     <message>
         <source>Hall: the rotor turns slowly both ways at %1.</source>
@@ -4201,10 +4217,6 @@
         <translation>jetzt %1</translation>
     </message>
     <message>
-        <source>Angle error (rms): %1 with the present values, %2 with the proposed ones.</source>
-        <translation>Winkelfehler (Effektivwert): %1 mit den jetzigen Werten, %2 mit den vorgeschlagenen.</translation>
-    </message>
-    <message>
         <source>device not known</source>
         <translation>Gerät nicht bekannt</translation>
     </message>
@@ -4217,16 +4229,40 @@
         <translation>Aus dem Projekt: kalibriert %1, Gerät %2.</translation>
     </message>
     <message>
-        <source>angle error, rms</source>
-        <translation>Winkelfehler, effektiv</translation>
-    </message>
-    <message>
         <source>angle error, cosine part %1</source>
         <translation>Winkelfehler, Kosinusanteil %1</translation>
     </message>
     <message>
         <source>angle error, sine part %1</source>
         <translation>Winkelfehler, Sinusanteil %1</translation>
+    </message>
+    <message>
+        <source>angle error that the map takes away, rms</source>
+        <translation>Winkelfehler, den die Korrektur wegnimmt, Effektivwert</translation>
+    </message>
+    <message>
+        <source>breakaway current, from rest</source>
+        <translation>Losbrechstrom, aus der Ruhe</translation>
+    </message>
+    <message>
+        <source>before %1</source>
+        <translation>vorher %1</translation>
+    </message>
+    <message>
+        <source>Residual angle error: %1 with the values from before, %2 with the proposed ones.</source>
+        <translation>Restwinkelfehler: %1 mit den Werten von vorher, %2 mit den vorgeschlagenen.</translation>
+    </message>
+    <message>
+        <source>It is the root mean square (rms) over a turn of the distance between the angle that is read and that of the ellipse, before the map.</source>
+        <translation>Er ist der Effektivwert über eine Umdrehung des Abstands zwischen dem gelesenen Winkel und dem der Ellipse, vor der Korrekturtabelle.</translation>
+    </message>
+    <message>
+        <source>The breakaway current is the one that starts the rotor from rest. Identify finds another figure: K_f/φ, the current that friction takes while it moves, usually less.</source>
+        <translation>Der Losbrechstrom setzt den Rotor aus der Ruhe in Gang. Das Identifizieren findet eine andere Größe: K_f/φ, den Strom, den die Reibung während der Drehung braucht, meist weniger.</translation>
+    </message>
+    <message>
+        <source>What is the difference?</source>
+        <translation>Worin liegt der Unterschied?</translation>
     </message>
 </context>
 <context>
@@ -4679,6 +4715,17 @@ Firmware %2</translation>
     <message>
         <source>True speed</source>
         <translation>Wahre Drehzahl</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::DocumentFiles</name>
+    <message>
+        <source>Save picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Picture (*.svg *.png)</source>
+        <translation>Bild (*.svg *.png)</translation>
     </message>
 </context>
 <context>
@@ -5443,14 +5490,6 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <source>Pictures of the identification</source>
         <translation>Bilder der Identifikation</translation>
     </message>
-    <message>
-        <source>Save picture</source>
-        <translation>Bild speichern</translation>
-    </message>
-    <message>
-        <source>Picture (*.svg *.png)</source>
-        <translation>Bild (*.svg *.png)</translation>
-    </message>
 </context>
 <context>
     <name>halbench::app::IdentifyWords</name>
@@ -5469,10 +5508,6 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>Angle and current alone show only quotients; see below what would supply it</source>
         <translation>Winkel und Strom allein zeigen nur Quotienten; unten steht, was fehlt</translation>
-    </message>
-    <message>
-        <source>K_f/φ, breakaway current</source>
-        <translation>K_f/φ, Losbrechstrom</translation>
     </message>
     <message>
         <source>both ways</source>
@@ -5587,10 +5622,6 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <translation>begonnen %1</translation>
     </message>
     <message>
-        <source>%1 minutes of device time, coils up to %2 °C</source>
-        <translation>%1 Minuten Gerätezeit, Spulen bis %2 °C</translation>
-    </message>
-    <message>
         <source>device not known</source>
         <translation>Gerät nicht bekannt</translation>
     </message>
@@ -5605,6 +5636,42 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>Without a given inertia J or torque constant φ only their quotients come out; that is enough for tuning.</source>
         <translation>Ohne gegebenes Trägheitsmoment J oder gegebene Drehmomentkonstante φ ergeben sich nur deren Quotienten; zum Auslegen genügt das.</translation>
+    </message>
+    <message>
+        <source>K_f/φ, friction as a current</source>
+        <translation>K_f/φ, Reibung als Strom</translation>
+    </message>
+    <message>
+        <source>K_f/φ is the current that friction takes while the rotor moves. Calibrate finds another figure: the current that starts it from rest, usually more.</source>
+        <translation>K_f/φ ist der Strom, den die Reibung braucht, während sich der Rotor dreht. Das Kalibrieren findet eine andere Größe: den Strom, der ihn aus der Ruhe in Gang setzt, meist mehr.</translation>
+    </message>
+    <message>
+        <source>What is the difference?</source>
+        <translation>Worin liegt der Unterschied?</translation>
+    </message>
+    <message>
+        <source>in virtual time, without a date</source>
+        <translation>in virtueller Zeit, ohne Datum</translation>
+    </message>
+    <message>
+        <source>%1 minutes of device time</source>
+        <translation>%1 Minuten Gerätezeit</translation>
+    </message>
+    <message>
+        <source>coils up to %1 °C</source>
+        <translation>Spulen bis %1 °C</translation>
+    </message>
+    <message>
+        <source>No device is connected to compare it with.</source>
+        <translation>Zum Vergleich ist kein Gerät verbunden.</translation>
+    </message>
+    <message>
+        <source>It is the device that is connected.</source>
+        <translation>Es ist das verbundene Gerät.</translation>
+    </message>
+    <message>
+        <source>Connected is another one: %1.</source>
+        <translation>Verbunden ist ein anderes: %1.</translation>
     </message>
 </context>
 <context>
@@ -5721,6 +5788,49 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>current amplitude</source>
         <translation>Stromamplitude</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::LogPanel</name>
+    <message>
+        <source>stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>gelöst</translation>
+    </message>
+    <message>
+        <source>actuator</source>
+        <translation>Aktor</translation>
+    </message>
+    <message>
+        <source>armed</source>
+        <translation>freigegeben</translation>
+    </message>
+    <message>
+        <source>disarmed</source>
+        <translation>gesperrt</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>beendet</translation>
+    </message>
+    <message>
+        <source>started</source>
+        <translation>begonnen</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>started: %1</source>
+        <translation>begonnen: %1</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>beendet</translation>
     </message>
 </context>
 <context>
@@ -5849,6 +5959,26 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <source>STOP and Esc work until then.</source>
         <translation>STOP und Esc wirken bis dahin.</translation>
     </message>
+    <message>
+        <source>asked for by Esc</source>
+        <translation>mit Esc verlangt</translation>
+    </message>
+    <message>
+        <source>asked for by STOP of a panel</source>
+        <translation>mit STOPP eines Felds verlangt</translation>
+    </message>
+    <message>
+        <source>asked for by STOP</source>
+        <translation>mit STOPP verlangt</translation>
+    </message>
+    <message>
+        <source>asked for by STOP of the help</source>
+        <translation>mit STOPP der Hilfe verlangt</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>Stopp</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MonitorPanel</name>
@@ -5899,6 +6029,13 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>Connect the simulated motor</source>
         <translation>Simulierten Motor verbinden</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::NoteLabel</name>
+    <message>
+        <source>Opens the help (Tab, Return)</source>
+        <translation>Öffnet die Hilfe (Tab, Eingabe)</translation>
     </message>
 </context>
 <context>
@@ -6669,6 +6806,10 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <source>connection lost</source>
         <translation>Verbindung verloren</translation>
     </message>
+    <message>
+        <source>written: %1</source>
+        <translation>geschrieben: %1</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuneForm</name>
@@ -7010,20 +7151,20 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <translation>Gespeichert als %1</translation>
     </message>
     <message>
-        <source>Save picture</source>
-        <translation>Bild speichern</translation>
-    </message>
-    <message>
-        <source>Picture (*.svg *.png)</source>
-        <translation>Bild (*.svg *.png)</translation>
-    </message>
-    <message>
         <source>From the project: gains by %1.</source>
         <translation>Aus dem Projekt: Reglerwerte nach %1.</translation>
     </message>
     <message>
         <source>Choose a method to design anew for the motor as it is now.</source>
         <translation>Wählen Sie ein Verfahren, um sie für den Motor von heute neu zu entwerfen.</translation>
+    </message>
+    <message>
+        <source>Tune</source>
+        <translation>Auslegen</translation>
+    </message>
+    <message>
+        <source>The new gains are kept.</source>
+        <translation>Die neuen Verstärkungen bleiben.</translation>
     </message>
 </context>
 <context>
@@ -7091,6 +7232,37 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>Verification move</source>
         <translation>Prüfbewegung</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::UnkeptBar</name>
+    <message>
+        <source>The project stays open, because what is not saved could not be kept: %1</source>
+        <translation>Das Projekt bleibt geöffnet, weil nicht Gespeichertes nicht gesichert werden konnte: %1</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Erneut versuchen</translation>
+    </message>
+    <message>
+        <source>Writes it once more and goes on</source>
+        <translation>Schreibt noch einmal und fährt fort</translation>
+    </message>
+    <message>
+        <source>Save project as…</source>
+        <translation>Projekt speichern unter…</translation>
+    </message>
+    <message>
+        <source>Saves it elsewhere and goes on</source>
+        <translation>Speichert es anderswo und fährt fort</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Goes on; what was not saved is lost</source>
+        <translation>Fährt fort; nicht Gespeichertes geht verloren</translation>
     </message>
 </context>
 <context>

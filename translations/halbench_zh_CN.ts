@@ -2204,7 +2204,7 @@
     </message>
     <message>
         <source>, the board&apos;s clock gains {} +- {} ppm</source>
-        <translation>，控制板时钟快 {} +- {} ppm</translation>
+        <translation>，控制板时钟快 {} ± {} ppm</translation>
     </message>
     <message>
         <source>{} sends no samples any more</source>
@@ -2668,7 +2668,7 @@
     </message>
     <message>
         <source>friction holds the rotor within +-{} deg of the reference</source>
-        <translation>摩擦使转子停在参考值 +-{} 度范围内</translation>
+        <translation>摩擦使转子停在参考值 ±{} 度范围内</translation>
     </message>
     <message>
         <source>only the integral removes the rest, slowly; the micro-step assist or a larger K_P narrows the band</source>
@@ -3049,18 +3049,6 @@
     <message>
         <source>start the sweep further above the breakaway current</source>
         <translation>请让扫描从更高于起动电流处开始</translation>
-    </message>
-    <message>
-        <source>{} not steady at {} end and left out</source>
-        <translation>{0}在结束时未达稳态，已剔除</translation>
-    </message>
-    <message>
-        <source>one plateau was</source>
-        <translation>一个平台</translation>
-    </message>
-    <message>
-        <source>{} plateaus were</source>
-        <translation>{} 个平台</translation>
     </message>
     <message>
         <source>dwell longer at each current</source>
@@ -3699,10 +3687,6 @@
         <translation>“span_s”必须大于 0</translation>
     </message>
     <message>
-        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, plot, model, design, calibration</source>
-        <translation>未知的键“{}”；已知的键有 schema、device、notes、perspective、layout、monitor、plot、model、design、calibration</translation>
-    </message>
-    <message>
         <source>{}: given up</source>
         <translation>{}：已放弃</translation>
     </message>
@@ -4010,6 +3994,42 @@
         <source>unknown key &apos;{}&apos;</source>
         <translation>未知键“{}”</translation>
     </message>
+    <message>
+        <source>&apos;given&apos; must be a table</source>
+        <translation>'given' 必须是表</translation>
+    </message>
+    <message>
+        <source>given: {}</source>
+        <translation>given：{}</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, plot, given, model, design, calibration</source>
+        <translation>未知的键“{}”；已知的有 schema、device、notes、perspective、layout、monitor、plot、given、model、design、calibration</translation>
+    </message>
+    <message>
+        <source>one plateau came to rest and was left out</source>
+        <translation>有一个平台停转，已略去</translation>
+    </message>
+    <message>
+        <source>one plateau was too slow to tell friction from creep and was left out</source>
+        <translation>有一个平台太慢，无法区分摩擦与爬行，已略去</translation>
+    </message>
+    <message>
+        <source>{} plateaus were too slow to tell friction from creep and were left out</source>
+        <translation>有 {} 个平台太慢，无法区分摩擦与爬行，已略去</translation>
+    </message>
+    <message>
+        <source>one plateau was not steady at its end and left out</source>
+        <translation>有一个平台结束时未稳定，已略去</translation>
+    </message>
+    <message>
+        <source>{} plateaus were not steady at their end and left out</source>
+        <translation>有 {} 个平台结束时未稳定，已略去</translation>
+    </message>
+    <message>
+        <source>one row of the recording was lost</source>
+        <translation>记录丢失了一行</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CalibratePanel</name>
@@ -4126,10 +4146,6 @@
         <translation>之前的值已恢复。</translation>
     </message>
     <message>
-        <source>It can be applied to this device only; calibrate again when the sensors were touched.</source>
-        <translation>只能应用于该设备；如果动过传感器，请重新标定。</translation>
-    </message>
-    <message>
         <source>What the Hall sensors read; centre, axes and tilt of the ellipse are measured</source>
         <translation>霍尔传感器的读数；测量椭圆的中心、轴长和倾角</translation>
     </message>
@@ -4140,6 +4156,10 @@
     <message>
         <source>Calibrate again.</source>
         <translation>请重新校准。</translation>
+    </message>
+    <message>
+        <source>It can be applied to the device it was measured on only; calibrate again when the sensors were touched.</source>
+        <translation>只能应用于测量时的设备；传感器被动过后请重新标定。</translation>
     </message>
 </context>
 <context>
@@ -4167,10 +4187,6 @@
     <message>
         <source>stray field of the coils</source>
         <translation>线圈的杂散磁场</translation>
-    </message>
-    <message>
-        <source>breakaway current, static</source>
-        <translation>静态起动电流</translation>
     </message>
     <message>
         <source>Hall: the rotor turns slowly both ways at %1.</source>
@@ -4201,10 +4217,6 @@
         <translation>当前 %1</translation>
     </message>
     <message>
-        <source>Angle error (rms): %1 with the present values, %2 with the proposed ones.</source>
-        <translation>角度误差（有效值）：现有值为 %1，建议值为 %2。</translation>
-    </message>
-    <message>
         <source>device not known</source>
         <translation>设备未知</translation>
     </message>
@@ -4217,16 +4229,40 @@
         <translation>来自项目：标定时间 %1，设备 %2。</translation>
     </message>
     <message>
-        <source>angle error, rms</source>
-        <translation>角度误差，均方根</translation>
-    </message>
-    <message>
         <source>angle error, cosine part %1</source>
         <translation>角度误差，余弦分量 %1</translation>
     </message>
     <message>
         <source>angle error, sine part %1</source>
         <translation>角度误差，正弦分量 %1</translation>
+    </message>
+    <message>
+        <source>angle error that the map takes away, rms</source>
+        <translation>修正表消除的角度误差，均方根</translation>
+    </message>
+    <message>
+        <source>breakaway current, from rest</source>
+        <translation>起动电流，从静止开始</translation>
+    </message>
+    <message>
+        <source>before %1</source>
+        <translation>之前 %1</translation>
+    </message>
+    <message>
+        <source>Residual angle error: %1 with the values from before, %2 with the proposed ones.</source>
+        <translation>残余角度误差：原有值 %1，建议值 %2。</translation>
+    </message>
+    <message>
+        <source>It is the root mean square (rms) over a turn of the distance between the angle that is read and that of the ellipse, before the map.</source>
+        <translation>它是一转内读出角度与椭圆角度之差的均方根（rms），未经修正表。</translation>
+    </message>
+    <message>
+        <source>The breakaway current is the one that starts the rotor from rest. Identify finds another figure: K_f/φ, the current that friction takes while it moves, usually less.</source>
+        <translation>起动电流使转子从静止开始转动。辨识得到的是另一个量：K_f/φ，即转动时克服摩擦所需的电流，通常更小。</translation>
+    </message>
+    <message>
+        <source>What is the difference?</source>
+        <translation>有何区别？</translation>
     </message>
 </context>
 <context>
@@ -4675,6 +4711,17 @@ Firmware %2</source>
     <message>
         <source>True speed</source>
         <translation>真实转速</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::DocumentFiles</name>
+    <message>
+        <source>Save picture</source>
+        <translation>保存图片</translation>
+    </message>
+    <message>
+        <source>Picture (*.svg *.png)</source>
+        <translation>图片 (*.svg *.png)</translation>
     </message>
 </context>
 <context>
@@ -5439,14 +5486,6 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <source>Pictures of the identification</source>
         <translation>辨识图</translation>
     </message>
-    <message>
-        <source>Save picture</source>
-        <translation>保存图片</translation>
-    </message>
-    <message>
-        <source>Picture (*.svg *.png)</source>
-        <translation>图片 (*.svg *.png)</translation>
-    </message>
 </context>
 <context>
     <name>halbench::app::IdentifyWords</name>
@@ -5465,10 +5504,6 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>Angle and current alone show only quotients; see below what would supply it</source>
         <translation>仅凭角度和电流只能得到比值；所缺条件见下文</translation>
-    </message>
-    <message>
-        <source>K_f/φ, breakaway current</source>
-        <translation>K_f/φ，起动电流</translation>
     </message>
     <message>
         <source>both ways</source>
@@ -5583,10 +5618,6 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <translation>开始于 %1</translation>
     </message>
     <message>
-        <source>%1 minutes of device time, coils up to %2 °C</source>
-        <translation>%1 分钟设备时间，线圈最高 %2 °C</translation>
-    </message>
-    <message>
         <source>device not known</source>
         <translation>设备未知</translation>
     </message>
@@ -5601,6 +5632,42 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>Without a given inertia J or torque constant φ only their quotients come out; that is enough for tuning.</source>
         <translation>若未给定转动惯量 J 或转矩常数 φ，则只能得到它们的比值；这对整定已足够。</translation>
+    </message>
+    <message>
+        <source>K_f/φ, friction as a current</source>
+        <translation>K_f/φ，以电流表示的摩擦</translation>
+    </message>
+    <message>
+        <source>K_f/φ is the current that friction takes while the rotor moves. Calibrate finds another figure: the current that starts it from rest, usually more.</source>
+        <translation>K_f/φ 是转子转动时克服摩擦所需的电流。标定得到的是另一个量：使转子从静止起动的电流，通常更大。</translation>
+    </message>
+    <message>
+        <source>What is the difference?</source>
+        <translation>有何区别？</translation>
+    </message>
+    <message>
+        <source>in virtual time, without a date</source>
+        <translation>虚拟时间，无日期</translation>
+    </message>
+    <message>
+        <source>%1 minutes of device time</source>
+        <translation>设备时间 %1 分</translation>
+    </message>
+    <message>
+        <source>coils up to %1 °C</source>
+        <translation>线圈最高 %1 °C</translation>
+    </message>
+    <message>
+        <source>No device is connected to compare it with.</source>
+        <translation>没有连接可供比较的设备。</translation>
+    </message>
+    <message>
+        <source>It is the device that is connected.</source>
+        <translation>它就是当前连接的设备。</translation>
+    </message>
+    <message>
+        <source>Connected is another one: %1.</source>
+        <translation>当前连接的是另一个设备：%1。</translation>
     </message>
 </context>
 <context>
@@ -5717,6 +5784,49 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>current amplitude</source>
         <translation>电流幅值</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::LogPanel</name>
+    <message>
+        <source>stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>已解除</translation>
+    </message>
+    <message>
+        <source>actuator</source>
+        <translation>执行器</translation>
+    </message>
+    <message>
+        <source>armed</source>
+        <translation>已使能</translation>
+    </message>
+    <message>
+        <source>disarmed</source>
+        <translation>未使能</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>已结束</translation>
+    </message>
+    <message>
+        <source>started</source>
+        <translation>已开始</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>started: %1</source>
+        <translation>已开始：%1</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>已停止</translation>
     </message>
 </context>
 <context>
@@ -5845,6 +5955,26 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <source>STOP and Esc work until then.</source>
         <translation>在此之前 STOP 和 Esc 仍然有效。</translation>
     </message>
+    <message>
+        <source>asked for by Esc</source>
+        <translation>由 Esc 请求</translation>
+    </message>
+    <message>
+        <source>asked for by STOP of a panel</source>
+        <translation>由面板的“停止”请求</translation>
+    </message>
+    <message>
+        <source>asked for by STOP</source>
+        <translation>由“停止”请求</translation>
+    </message>
+    <message>
+        <source>asked for by STOP of the help</source>
+        <translation>由帮助窗口的“停止”请求</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>停止</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MonitorPanel</name>
@@ -5895,6 +6025,13 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>Connect the simulated motor</source>
         <translation>连接仿真电机</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::NoteLabel</name>
+    <message>
+        <source>Opens the help (Tab, Return)</source>
+        <translation>打开帮助（Tab，回车）</translation>
     </message>
 </context>
 <context>
@@ -6664,6 +6801,10 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <source>connection lost</source>
         <translation>连接丢失</translation>
     </message>
+    <message>
+        <source>written: %1</source>
+        <translation>已写入：%1</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuneForm</name>
@@ -7005,20 +7146,20 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <translation>已保存为 %1</translation>
     </message>
     <message>
-        <source>Save picture</source>
-        <translation>保存图片</translation>
-    </message>
-    <message>
-        <source>Picture (*.svg *.png)</source>
-        <translation>图片 (*.svg *.png)</translation>
-    </message>
-    <message>
         <source>From the project: gains by %1.</source>
         <translation>来自项目：由 %1 得到的增益。</translation>
     </message>
     <message>
         <source>Choose a method to design anew for the motor as it is now.</source>
         <translation>选择一种方法，即可针对电机的当前状态重新设计。</translation>
+    </message>
+    <message>
+        <source>Tune</source>
+        <translation>整定</translation>
+    </message>
+    <message>
+        <source>The new gains are kept.</source>
+        <translation>保留新增益。</translation>
     </message>
 </context>
 <context>
@@ -7086,6 +7227,37 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>Verification move</source>
         <translation>验证运动</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::UnkeptBar</name>
+    <message>
+        <source>The project stays open, because what is not saved could not be kept: %1</source>
+        <translation>项目保持打开，因为未保存的内容无法保留：%1</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>重试</translation>
+    </message>
+    <message>
+        <source>Writes it once more and goes on</source>
+        <translation>再写一次并继续</translation>
+    </message>
+    <message>
+        <source>Save project as…</source>
+        <translation>项目另存为…</translation>
+    </message>
+    <message>
+        <source>Saves it elsewhere and goes on</source>
+        <translation>另存到别处并继续</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>放弃</translation>
+    </message>
+    <message>
+        <source>Goes on; what was not saved is lost</source>
+        <translation>继续；未保存的内容将丢失</translation>
     </message>
 </context>
 <context>

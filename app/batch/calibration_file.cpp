@@ -44,6 +44,7 @@ CalibrateResult resultOf(const JsonValue& root) {
             result.staticFriction.push_back({*angle_rad, *current_A});
         }
     }
+    result.duration_s = numberIn(&root, "duration_s").value_or(0.0);
     result.quality = qualityOf(member(&root, "data_quality"));
     return result;
 }

@@ -5,15 +5,21 @@
 #include "devices/open_device.h"
 
 #include <atomic>
+#include <functional>
 #include <memory>
+#include <string>
 
 namespace halbench::app {
+
+/// The wall clock's now: ISO 8601, UTC.
+std::string wallTime();
 
 /// What every command gets. Thread: the main one.
 struct CommandContext {
     GlobalOptions global;
     Console& console;
     const std::atomic<int>& interruptSignal;
+    std::function<std::string()> wallClock = wallTime; ///< a test sets its own
 };
 
 /// A command ends with an exit code of its own (0 or 1), or with the error that stopped it.

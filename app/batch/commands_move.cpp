@@ -40,11 +40,11 @@ CommandResult runMoveCommand(CommandContext& context, const CommandOptions& opti
     MoveConfig config;
     config.reference = *reference;
     config.duration_s = *duration;
+    ResultHeader header = headerFor(context, "halbench.move/1", **device);
     const Result<MoveResult> result = runMove(**device, config, observerFor(context));
     if (!result) {
         return failure(result.error());
     }
-    ResultHeader header = headerFor(context, "halbench.move/1", **device);
     header.quality = result->quality;
     if (!options.out.empty()) {
         const Result<void> written =

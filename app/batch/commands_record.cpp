@@ -87,11 +87,11 @@ CommandResult recordCapture(CommandContext& context, const CommandOptions& optio
     if (!device) {
         return failure(device.error());
     }
+    const ResultHeader header = headerFor(context, "halbench.recorded/1", **device);
     const Result<Recording> capture = runCapture(**device, *config, observerFor(context));
     if (!capture) {
         return failure(capture.error());
     }
-    const ResultHeader header = headerFor(context, "halbench.recorded/1", **device);
     const Result<void> written =
         writeRecording(options.out, *capture, **device, {header.started, {{0.0, "trigger"}}, {}});
     if (!written) {

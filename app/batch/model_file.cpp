@@ -231,6 +231,7 @@ Result<GainsFile> parseGains(const std::string& text, const std::string& origin)
     }
     file.method = textIn(&*root, "method");
     file.targets = targetsOf(member(&*root, "targets"));
+    file.started = textIn(&*root, "started");
     if (reader.error()) {
         return failure(*reader.error());
     }

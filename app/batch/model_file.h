@@ -25,6 +25,7 @@ struct GainsFile {
     control::LoopTiming timing;
     std::string method; ///< how they were found; empty: not said
     control::DesignTargets targets;
+    std::string started; ///< when they were found, as the file says it
 };
 
 /// What tuning needs of CAL.json as `calibrate --out` wrote it.

@@ -46,7 +46,7 @@ JsonValue calibrationBody(const CalibrateResult& result) {
     body.set("applied", result.isApplied);
     body.set("residual_before_deg", finiteOrNull(radiansToDegrees(result.residualBefore_rad)));
     body.set("residual_after_deg", finiteOrNull(radiansToDegrees(result.residualAfter_rad)));
-    return body.set("static_friction", friction);
+    return body.set("static_friction", friction).set("duration_s", result.duration_s);
 }
 
 JsonValue moveFigures(const MoveFigures& figures) {

@@ -51,7 +51,7 @@ ResultHeader headerFor(const CommandContext& context, const std::string& schema,
     header.device = device.info();
     header.seed = seedOf(context, device.info());
     if (!device.info().isSimulated || context.global.isRealtime) {
-        header.started = wallTime();
+        header.started = context.wallClock();
     }
     return header;
 }

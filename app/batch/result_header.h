@@ -27,9 +27,6 @@ ResultHeader headerFor(const CommandContext& context, const std::string& schema)
 /// other overrides is another motor.
 bool isSameDevice(const devices::DeviceInfo& one, const devices::DeviceInfo& other);
 
-/// The wall clock's now: ISO 8601, UTC.
-std::string wallTime();
-
 JsonValue toJson(const ResultHeader& header);
 JsonValue toJson(const devices::DeviceInfo& device);
 JsonValue toJson(const DataQuality& quality);

@@ -131,11 +131,13 @@ Result<CalibrateResult> runCalibrate(devices::Device& device, const CalibrateCon
         return failure(guard.error());
     }
     CalibrateResult result;
+    const double start_s = device.clock().now_s();
     const auto measured = restoredResult(*guard, measure(device, config, observer, result));
     if (!measured) {
         (void)enterState(observer, ProcedureState::Restored);
         return failure(measured.error());
     }
+    result.duration_s = device.clock().now_s() - start_s;
     if (auto entered = enterState(observer, ProcedureState::Propose); !entered) {
         return failure(entered.error());
     }

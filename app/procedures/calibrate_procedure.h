@@ -51,6 +51,7 @@ struct CalibrateResult {
     double residualAfter_rad = 0.0;
     std::vector<StaticFrictionPoint> staticFriction;
     DataQuality quality;
+    double duration_s = 0.0; ///< device time that it took; 0: a file of an older version does not say
 };
 
 /// Runs the chosen calibrations one after the other. The board's parameters are restored unless `apply` is

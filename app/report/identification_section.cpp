@@ -30,7 +30,7 @@ std::string ratioWords(const std::string& key) {
         {"Kf_over_J", "K_f/J"},
         {"phi_over_J", "\u03c6/J"},
         {"c_over_phi", "c/\u03c6"},
-        {"Kf_over_phi", "K_f/\u03c6 (breakaway current)"}};
+        {"Kf_over_phi", "K_f/\u03c6 (friction while moving)"}};
     const auto found = words.find(key);
     return found != words.end() ? found->second : key;
 }

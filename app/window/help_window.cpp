@@ -7,6 +7,8 @@
 #include <QFile>
 #include <QHBoxLayout>
 #include <QPointer>
+#include <QRegularExpression>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextDocument>
 #include <QToolButton>
@@ -26,6 +28,17 @@ QString helpText(const QString& page) {
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
+namespace {
+
+/// As links in Markdown name a heading: "6.2 Two currents" is "62-two-currents".
+QString anchorOf(const QString& heading) {
+    QString anchor = heading.toLower();
+    anchor.remove(QRegularExpression(QStringLiteral("[^\\w\\- ]")));
+    return anchor.replace(QLatin1Char(' '), QLatin1Char('-'));
+}
+
+} // namespace
+
 HelpWindow::HelpWindow(const QString& page, QWidget* parent) : QWidget(parent, Qt::Window) {
     setWindowTitle(tr("Halbench help"));
     new QVBoxLayout(this);
@@ -38,11 +51,8 @@ HelpWindow::HelpWindow(const QString& page, QWidget* parent) : QWidget(parent, Q
     m_text->setToolTip(tr("Alt+Left goes back"));
     layout()->addWidget(m_text);
     connect(m_text, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) {
-        if (link.isRelative() && !link.path().isEmpty()) {
-            openPage(link.path());
-        }
-        if (link.hasFragment()) {
-            m_text->scrollToAnchor(link.fragment());
+        if (link.isRelative()) {
+            openPage(link.toString());
         }
     });
     resize(fontMetrics().averageCharWidth() * 110, fontMetrics().height() * 45);
@@ -69,9 +79,24 @@ void HelpWindow::buildBar() {
     static_cast<QVBoxLayout*>(layout())->addLayout(row);
 }
 
-void HelpWindow::openPage(const QString& page) {
-    m_visited << page;
-    showPage(page);
+void HelpWindow::openPage(const QString& address) {
+    const QString page = address.section(QLatin1Char('#'), 0, 0);
+    if (!page.isEmpty()) {
+        m_visited << page;
+        showPage(page);
+    }
+    showSection(address.section(QLatin1Char('#'), 1));
+}
+
+/// Headings of Markdown have no anchors in Qt.
+void HelpWindow::showSection(const QString& anchor) {
+    const QTextDocument& document = *m_text->document();
+    for (QTextBlock block = document.begin(); !anchor.isEmpty() && block.isValid(); block = block.next()) {
+        if (block.blockFormat().headingLevel() > 0 && anchorOf(block.text()) == anchor) {
+            m_text->setTextCursor(QTextCursor(document.lastBlock())); // so that the heading comes to the top
+            m_text->setTextCursor(QTextCursor(block));
+        }
+    }
 }
 
 void HelpWindow::goBack() {

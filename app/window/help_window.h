@@ -18,7 +18,8 @@ class HelpWindow : public QWidget {
 
 public:
     explicit HelpWindow(const QString& page, QWidget* parent = nullptr);
-    void openPage(const QString& page);
+    /// `address`: a page, a page and a section of it ("identification.md#6-calibrations"), or "#section".
+    void openPage(const QString& address);
 
 Q_SIGNALS:
     void stopRequested();
@@ -26,6 +27,7 @@ Q_SIGNALS:
 private:
     void buildBar();
     void showPage(const QString& page);
+    void showSection(const QString& anchor);
     void goBack();
 
     QTextBrowser* m_text = nullptr;

@@ -10,7 +10,9 @@
 #include "app/window/stop_guard.h"
 #include "app/window/task_flow.h"
 #include "app/window/top_bar.h"
+#include "app/window/unkept_bar.h"
 #include "app/wizards/calibrate_panel.h"
+#include "app/wizards/identify_panel.h"
 #include "app/workspaces/device_panel.h"
 #include "app/workspaces/link_panel.h"
 #include "app/workspaces/monitor_panel.h"
@@ -60,6 +62,7 @@ MainWindow::MainWindow(Preferences preferences)
     createActions();
     auto* guard = new StopGuard(this);
     connect(guard, &StopGuard::stopRequested, &m_bench.session(), &DeviceSession::stopActuator);
+    connect(guard, &StopGuard::escapePressed, this, [this] { noteStop(tr("asked for by Esc")); });
     connect(&m_frame, &QTimer::timeout, &m_bench, &Workbench::drainSamples);
     m_frame.start(FramePeriod_ms);
     connect(&m_project, &ProjectSession::changed, this, &MainWindow::refreshTitle);
@@ -111,16 +114,25 @@ void MainWindow::buildCentre() {
     m_refusal = new widgets::MessageBar(centre);
     connect(m_refusal, &widgets::MessageBar::actionTriggered, this, &MainWindow::closeAnyway);
     connectTaskFlow(*m_docks, m_bench);
-    m_work = new ProjectWork(m_bench, *static_cast<TunePanel*>(m_docks->panel("tune")),
-                             *static_cast<CalibratePanel*>(m_docks->panel("calibrate")), this);
+    auto* identify = static_cast<IdentifyPanel*>(m_docks->panel("identify"));
+    auto* calibrate = static_cast<CalibratePanel*>(m_docks->panel("calibrate"));
+    connect(identify, &IdentifyPanel::helpRequested, this, &MainWindow::openHelp);
+    connect(calibrate, &CalibratePanel::helpRequested, this, &MainWindow::openHelp);
+    m_work = new ProjectWork(m_bench,
+                             {*identify, *calibrate, *static_cast<TunePanel*>(m_docks->panel("tune"))}, this);
     column->addWidget(m_bar);
     column->addWidget(m_message);
     column->addWidget(m_refusal);
+    m_unkept = new UnkeptBar(centre);
+    column->addWidget(m_unkept);
     column->addWidget(m_docks->widget(), 1);
     column->addWidget(new LinkPanel(m_bench, centre));
     setCentralWidget(centre);
     connect(m_bar, &TopBar::perspectiveChosen, m_docks, &DockLayout::setPerspective);
     connect(m_docks, &DockLayout::stopRequested, &m_bench.session(), &DeviceSession::stopActuator);
+    connect(m_docks, &DockLayout::stopRequested, this,
+            [this] { noteStop(tr("asked for by STOP of a panel")); });
+    connect(m_bar, &TopBar::stopPressed, this, [this] { noteStop(tr("asked for by STOP")); });
     connect(m_docks, &DockLayout::perspectiveChanged, this, &MainWindow::onPerspective);
 }
 
@@ -155,6 +167,14 @@ void MainWindow::createActions() {
     });
     connect(m_projects, &ProjectMenu::collecting, this, &MainWindow::collectProject);
     connect(m_projects, &ProjectMenu::locked, this, &MainWindow::offerCopy);
+    connect(m_projects, &ProjectMenu::unkept, m_unkept, &UnkeptBar::showError);
+    for (auto signal : {&ProjectMenu::opened, &ProjectMenu::saved}) {
+        connect(m_projects, signal, m_unkept, &QWidget::hide);
+    }
+    connect(m_unkept, &UnkeptBar::tryAgainRequested, m_projects, &ProjectMenu::tryAgain);
+    connect(m_unkept, &UnkeptBar::saveAsRequested, m_projects, &ProjectMenu::saveAs);
+    connect(m_unkept, &UnkeptBar::discardRequested, m_projects, &ProjectMenu::discard);
+    connect(m_unkept, &UnkeptBar::stayRequested, m_projects, &ProjectMenu::stay);
     connect(m_projects, &ProjectMenu::saved, this, &MainWindow::onKept);
     connect(&m_project, &ProjectSession::notKept, this, [this](const Error& error) {
         onMessage(widgets::Severity::Error, widgets::inWords(error.message), widgets::inWords(error.hint));
@@ -257,7 +277,16 @@ void MainWindow::openHelp(const QString& page) {
     auto* window = new HelpWindow(page, this);
     window->setAttribute(Qt::WA_DeleteOnClose);
     connect(window, &HelpWindow::stopRequested, &m_bench.session(), &DeviceSession::stopActuator);
+    connect(window, &HelpWindow::stopRequested, this,
+            [this] { noteStop(tr("asked for by STOP of the help")); });
     window->show();
+}
+
+/// The stop itself is on its way already; what the board made of it follows in the log.
+void MainWindow::noteStop(const QString& who) {
+    if (m_bench.session().state() == SessionState::Connected) {
+        m_bench.session().message(MessageLevel::Warning, tr("stop"), who);
+    }
 }
 
 void MainWindow::onMessage(widgets::Severity severity, const QString& text, const QString& hint) {

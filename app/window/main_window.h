@@ -20,6 +20,7 @@ class NotesPanel;
 class ProjectMenu;
 class ProjectWork;
 class TopBar;
+class UnkeptBar;
 
 /// The workstation: top bar, docked panels, menus. Everything it does goes through the workbench.
 class MainWindow : public QMainWindow {
@@ -57,6 +58,7 @@ private:
     void usePreferences(const Preferences& chosen);
     void showHelp();
     void openHelp(const QString& page);
+    void noteStop(const QString& who);
     void onPerspective();
     void onMessage(widgets::Severity severity, const QString& text, const QString& hint);
     void say(const widgets::Message& message, std::function<void()> remedy);
@@ -82,6 +84,7 @@ private:
     widgets::MessageBar* m_refusal = nullptr; ///< why the window did not close
     bool m_isNotKept = false;                 ///< the message says so
     bool m_isLossAccepted = false;
+    UnkeptBar* m_unkept = nullptr; ///< why the project was not left
     ProjectMenu* m_projects = nullptr;
     ProjectWork* m_work = nullptr;
     TopBar* m_bar = nullptr;

@@ -2,6 +2,7 @@
 
 #include "app/batch/config_node.h"
 #include "app/batch/output_file.h"
+#include "app/procedures/identify_procedure.h"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -182,6 +183,20 @@ void readMonitor(Reader& reader, const ConfigNode& node, MonitorView& view) {
     }
 }
 
+void readGiven(Reader& reader, const ConfigNode& node, std::map<std::string, double>& given) {
+    if (node.kind != ConfigNode::Kind::Table) {
+        reader.refuse(node, "'given' must be a table");
+    }
+    for (const auto& [key, value] : node.members) {
+        control::GivenConstants checked;
+        const double constant = number(reader, value, "given." + key);
+        if (const Result<void> set = setGivenConstant(checked, key, constant); !set) {
+            reader.refuse(value, "given: " + set.error().message);
+        }
+        given[key] = constant;
+    }
+}
+
 void readKey(Reader& reader, const std::string& key, const ConfigNode& node, Project& project) {
     if (key == "device") {
         reader.text(node, key, project.device);
@@ -197,6 +212,8 @@ void readKey(Reader& reader, const std::string& key, const ConfigNode& node, Pro
         reader.documents(node, key, project.designs);
     } else if (key == "calibration") {
         reader.documents(node, key, project.calibrations);
+    } else if (key == "given") {
+        readGiven(reader, node, project.given);
     } else if (key == "monitor") {
         readMonitor(reader, node, project.monitor);
     } else if (key == "plot") {
@@ -204,7 +221,7 @@ void readKey(Reader& reader, const std::string& key, const ConfigNode& node, Pro
     } else if (key != "schema") {
         reader.refuse(node,
                       fmt::format("unknown key '{}'; known are schema, device, notes, perspective, layout, "
-                                  "monitor, plot, model, design, calibration",
+                                  "monitor, plot, given, model, design, calibration",
                                   key));
     }
 }
@@ -238,6 +255,10 @@ std::string projectText(const Project& project) {
     for (const auto& [perspective, layout] : project.layouts) {
         layouts.insert(perspective, valueOf(layout));
     }
+    toml::table given;
+    for (const auto& [symbol, value] : project.given) {
+        given.insert(symbol, value);
+    }
     const toml::table table{{"schema", Schema},
                             {"device", valueOf(project.device)},
                             {"notes", valueOf(project.notes)},
@@ -245,6 +266,7 @@ std::string projectText(const Project& project) {
                             {"layout", layouts},
                             {"monitor", monitor(project.monitor)},
                             {"plot", plots(project.monitor.plots)},
+                            {"given", given},
                             {"model", documents(project.models)},
                             {"design", documents(project.designs)},
                             {"calibration", documents(project.calibrations)}};

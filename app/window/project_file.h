@@ -27,6 +27,7 @@ struct Project {
     std::vector<NamedDocument> models;
     std::vector<NamedDocument> designs;
     std::vector<NamedDocument> calibrations;
+    std::map<std::string, double> given; ///< constants of the motor known beforehand: J, c, Kf, phi in SI
     MonitorView monitor;
 
     bool operator==(const Project&) const = default;

@@ -9,6 +9,8 @@
 #include <QPointer>
 #include <QSettings>
 
+#include <utility>
+
 namespace halbench::app {
 
 namespace {
@@ -34,10 +36,44 @@ void ProjectMenu::addTo(QMenu& menu) {
     menu.addAction(tr("Save project &as…"), this, &ProjectMenu::saveAs)->setShortcut(QKeySequence::SaveAs);
 }
 
-void ProjectMenu::startNew() {
+/// What is open is left once all of it is kept; until then it stays.
+void ProjectMenu::leaveThen(std::function<void()> next) {
     collecting();
-    m_session.startNew();
-    opened();
+    m_next = std::move(next);
+    m_session.keep([self = QPointer(this)](const Result<void>& kept) {
+        if (!self || !self->m_next) {
+            return;
+        }
+        if (kept) {
+            std::exchange(self->m_next, {})();
+        } else {
+            self->unkept(kept.error());
+        }
+    });
+}
+
+void ProjectMenu::tryAgain() {
+    if (m_next) {
+        leaveThen(m_next);
+    }
+}
+
+void ProjectMenu::discard() {
+    if (m_next) {
+        m_session.giveUp();
+        std::exchange(m_next, {})();
+    }
+}
+
+void ProjectMenu::stay() {
+    m_next = {};
+}
+
+void ProjectMenu::startNew() {
+    leaveThen([this] {
+        m_session.startNew();
+        opened();
+    });
 }
 
 void ProjectMenu::chooseAndOpen() {
@@ -55,6 +91,11 @@ void ProjectMenu::open(const QString& path) {
                   {});
         return;
     }
+    leaveThen([this, path] { openFile(path); });
+}
+
+void ProjectMenu::openFile(const QString& path) {
+    const std::string file = path.toStdString();
     if (const Result<void> read = m_session.open(file); !read) {
         if (read.error().code == ErrorCode::Refused) {
             locked(path);
@@ -79,13 +120,22 @@ void ProjectMenu::open(const QString& path) {
 }
 
 void ProjectMenu::openCopy(const QString& path) {
-    collecting();
-    if (const Result<void> read = m_session.openCopy(path.toStdString()); !read) {
+    leaveThen([this, path] {
+        if (const Result<void> read = m_session.openCopy(path.toStdString()); !read) {
+            say(read.error());
+            return;
+        }
+        recovered(tr("This is a copy of %1, a new project without a name.").arg(QFileInfo(path).fileName()),
+                  tr("Save it under a name of its own to keep it."));
+        opened();
+    });
+}
+
+void ProjectMenu::openUnnamed(const std::string& place) {
+    if (const Result<void> read = m_session.openUnnamed(place); !read) {
         say(read.error());
         return;
     }
-    recovered(tr("This is a copy of %1, a new project without a name.").arg(QFileInfo(path).fileName()),
-              tr("Save it under a name of its own to keep it."));
     opened();
 }
 
@@ -118,6 +168,7 @@ void ProjectMenu::write(const QString& path) {
         if (written) {
             self->remember(path);
             self->saved();
+            self->tryAgain(); // what waited for it
         } else if (written.error().code == ErrorCode::Refused) {
             self->refused(tr("%1 is open in another window.").arg(QFileInfo(path).fileName()),
                           tr("Choose another name, or close the other window."));
@@ -151,14 +202,8 @@ void ProjectMenu::addUnnamed() {
     for (const std::string& place : m_session.waiting()) {
         const QFileInfo file(QString::fromStdString(autosavePath(place)));
         const QString when = QLocale().toString(file.lastModified(), QLocale::ShortFormat);
-        m_recent->addAction(tr("Unnamed project, %1").arg(when), this, [this, place] {
-            collecting();
-            if (const Result<void> read = m_session.openUnnamed(place); !read) {
-                say(read.error());
-                return;
-            }
-            opened();
-        });
+        m_recent->addAction(tr("Unnamed project, %1").arg(when), this,
+                            [this, place] { leaveThen([this, place] { openUnnamed(place); }); });
     }
 }
 

@@ -6,6 +6,9 @@
 #include <QObject>
 #include <QStringList>
 
+#include <functional>
+#include <string>
+
 class QMenu;
 class QWidget;
 
@@ -25,6 +28,10 @@ public:
     /// As a new project without a name; the file stays with the window that has it.
     void openCopy(const QString& path);
     void saveAs();
+    /// After unkept(): what was asked for, once more, or without what is not saved.
+    void tryAgain();
+    void discard();
+    void stay(); ///< what was asked for is not wanted any more
 
 Q_SIGNALS:
     void collecting();                ///< the session shall know what the panels show before it goes on
@@ -33,10 +40,15 @@ Q_SIGNALS:
     void saved();
     void refused(const QString& text, const QString& hint);
     void recovered(const QString& text, const QString& hint);
+    /// The project that is open could not be kept and stays open: tryAgain(), saveAs() or discard().
+    void unkept(const halbench::Error& error);
 
 private:
+    void leaveThen(std::function<void()> next);
     void startNew();
     void chooseAndOpen();
+    void openFile(const QString& path);
+    void openUnnamed(const std::string& place);
     void save();
     void write(const QString& path);
     void remember(const QString& path);
@@ -48,6 +60,7 @@ private:
     FileChooser m_files;
     QWidget* m_window;
     QMenu* m_recent = nullptr;
+    std::function<void()> m_next; ///< what waits until the open project is kept
 };
 
 /// Newest first, at most eight.

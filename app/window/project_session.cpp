@@ -92,10 +92,34 @@ void ProjectSession::startNew() {
     take({}, {}, {}, {});
 }
 
+bool ProjectSession::isWorkUnsaved() const {
+    return m_path.empty() ? holdsWork(m_project) : isChanged();
+}
+
+void ProjectSession::keep(Written then) {
+    // Behind an autosave that is on its way: whether that one succeeds is not known yet.
+    if (!isWorkUnsaved() || (isSameWork(m_project, m_autosaved) && !m_writer.joinable())) {
+        then({});
+        return;
+    }
+    write(
+        {m_project, autosaveFile(),
+         [this, project = m_project, opened = m_opened, then = std::move(then)](const Result<void>& written) {
+             if (written && opened == m_opened) {
+                 m_autosaved = project;
+             }
+             then(written);
+         }});
+}
+
+void ProjectSession::giveUp() {
+    m_project = m_saved;
+}
+
 /// The autosave stays where something would be lost, and its place with it.
 void ProjectSession::leave() {
     const bool isUnnamed = m_path.empty();
-    *m_isLeftWithWork = isUnnamed ? holdsWork(m_project) : isChanged();
+    *m_isLeftWithWork = isWorkUnsaved();
     if (!*m_isLeftWithWork) {
         discardAutosave();
         return;

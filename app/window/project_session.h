@@ -40,6 +40,11 @@ public:
     void update(const Project& project);
     /// What the panels show of a new project before anyone touches them: no change of it.
     void beginWith(const Project& shown);
+    /// Writes what the autosave lacks, so that the project can be left; `then` gets the outcome, at once when
+    /// there is nothing to write.
+    void keep(Written then);
+    /// What was not saved is not kept: the user said so.
+    void giveUp();
     /// What was not saved of the project before stays in its autosave; the same in the next three.
     void startNew();
     /// Errors: FileSystem, InvalidInput, Refused (another window has it); the project that was open stays.
@@ -81,6 +86,7 @@ private:
     void startWriting();
     void completeWrite();
     Result<ProjectLock> lockOf(const std::string& path);
+    bool isWorkUnsaved() const;
     void leave();
     void take(std::string path, ProjectLock lock, Project project, Project saved);
     std::string autosaveFile() const;

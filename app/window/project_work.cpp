@@ -3,6 +3,7 @@
 #include "app/batch/identification_file.h"
 #include "app/batch/result_documents.h"
 #include "app/wizards/calibrate_panel.h"
+#include "app/wizards/identify_panel.h"
 #include "app/workspaces/tune_panel.h"
 #include "control/base/assert.h"
 #include "widgets/phrasebook.h"
@@ -57,9 +58,9 @@ QString complaint(const QString& what, const Error& error) {
 
 } // namespace
 
-ProjectWork::ProjectWork(Workbench& bench, TunePanel& tune, CalibratePanel& calibrate, QObject* parent)
-    : QObject(parent), m_bench(bench), m_tune(tune), m_calibrate(calibrate) {
-    connect(&m_calibrate, &CalibratePanel::calibrated, this, &ProjectWork::takeCalibration);
+ProjectWork::ProjectWork(Workbench& bench, Panels panels, QObject* parent)
+    : QObject(parent), m_bench(bench), m_panels(panels) {
+    connect(&m_panels.calibrate, &CalibratePanel::calibrated, this, &ProjectWork::takeCalibration);
     connect(&m_bench, &Workbench::identificationChanged, this, &ProjectWork::takeIdentification);
     connect(&m_bench, &Workbench::designChanged, this, &ProjectWork::takeDesign);
 }
@@ -68,6 +69,7 @@ void ProjectWork::fill(Project& project) const {
     project.models = m_models;
     project.designs = m_designs;
     project.calibrations = m_calibrations;
+    project.given = m_panels.identify.given();
 }
 
 void ProjectWork::takeIdentification() {
@@ -87,18 +89,15 @@ void ProjectWork::takeDesign() {
     if (!m_bench.design() || m_bench.isDesignFromProject()) {
         return; // as the project has it, to the byte
     }
-    ResultHeader header;
-    header.schema = "halbench.gains/1";
-    header.device = m_bench.provenance().header.device; // whose motor they are for
     m_designs.erase(std::remove_if(m_designs.begin(), m_designs.end(),
                                    [](const NamedDocument& entry) { return entry.name == DesignInUse; }),
                     m_designs.end());
-    m_designs.push_back({DesignInUse, textOf(gainsDocument(header, *m_bench.design()))});
+    m_designs.push_back({DesignInUse, textOf(gainsDocument(m_bench.designHeader(), *m_bench.design()))});
 }
 
 /// The same calibration applied or taken back stays one entry.
 void ProjectWork::takeCalibration() {
-    const CalibrationRecord record = *m_calibrate.record();
+    const CalibrationRecord record = *m_panels.calibrate.record();
     CalibrateResult before = record.result;
     before.isApplied = !before.isApplied;
     const std::string replaced = textOf(calibrationDocument(record.header, before));
@@ -113,6 +112,7 @@ QStringList ProjectWork::restore(const Project& project) {
     m_models = project.models;
     m_designs = project.designs;
     m_calibrations = project.calibrations;
+    m_panels.identify.setGiven(project.given);
     QStringList complaints = {restoreModel(), restoreDesign(), restoreCalibration()};
     complaints.removeAll({});
     return complaints;
@@ -135,31 +135,31 @@ QString ProjectWork::restoreModel() {
 
 QString ProjectWork::restoreDesign() {
     if (m_designs.empty()) {
-        m_tune.restoreDesign(std::nullopt);
+        m_panels.tune.restoreDesign(std::nullopt);
         return {};
     }
     const NamedDocument& last = m_designs.back();
     Result<GainsFile> gains = parseGains(last.document, last.name);
     if (!gains) {
-        m_tune.restoreDesign(std::nullopt);
+        m_panels.tune.restoreDesign(std::nullopt);
         return complaint(tr("gains"), gains.error());
     }
-    m_tune.restoreDesign(*std::move(gains));
+    m_panels.tune.restoreDesign(*std::move(gains));
     return {};
 }
 
 QString ProjectWork::restoreCalibration() {
     if (m_calibrations.empty()) {
-        m_calibrate.restore(std::nullopt);
+        m_panels.calibrate.restore(std::nullopt);
         return {};
     }
     const NamedDocument& last = m_calibrations.back();
     Result<CalibrationRecord> record = parseCalibrationRecord(last.document, last.name);
     if (!record) {
-        m_calibrate.restore(std::nullopt);
+        m_panels.calibrate.restore(std::nullopt);
         return complaint(tr("calibration"), record.error());
     }
-    m_calibrate.restore(*std::move(record));
+    m_panels.calibrate.restore(*std::move(record));
     return {};
 }
 

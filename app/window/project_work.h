@@ -12,6 +12,7 @@
 namespace halbench::app {
 
 class CalibratePanel;
+class IdentifyPanel;
 class TunePanel;
 
 /// The results of the work in a project: what was identified and designed goes in as it comes up, what a
@@ -21,7 +22,14 @@ class ProjectWork : public QObject {
     Q_OBJECT
 
 public:
-    ProjectWork(Workbench& bench, TunePanel& tune, CalibratePanel& calibrate, QObject* parent);
+    /// Where a project's work is shown and made.
+    struct Panels {
+        IdentifyPanel& identify;
+        CalibratePanel& calibrate;
+        TunePanel& tune;
+    };
+
+    ProjectWork(Workbench& bench, Panels panels, QObject* parent);
 
     void fill(Project& project) const;
     /// Says what could not be brought back, and why; empty when all was.
@@ -36,8 +44,7 @@ private:
     QString restoreCalibration();
 
     Workbench& m_bench;
-    TunePanel& m_tune;
-    CalibratePanel& m_calibrate;
+    Panels m_panels;
     std::vector<NamedDocument> m_models;
     std::vector<NamedDocument> m_designs;
     std::vector<NamedDocument> m_calibrations;

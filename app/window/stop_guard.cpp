@@ -19,6 +19,9 @@ bool StopGuard::eventFilter(QObject* watched, QEvent* event) {
     const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
     if (isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
         stopRequested();
+        if (event->type() == QEvent::ShortcutOverride && !static_cast<QKeyEvent*>(event)->isAutoRepeat()) {
+            escapePressed();
+        }
     }
     return QObject::eventFilter(watched, event);
 }

@@ -15,6 +15,7 @@ public:
 
 Q_SIGNALS:
     void stopRequested();
+    void escapePressed(); ///< once a key, after the stop: for the log
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

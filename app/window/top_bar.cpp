@@ -28,6 +28,7 @@ TopBar::TopBar(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(ben
 
     DeviceSession& session = m_bench.session();
     connect(m_stop, &widgets::StopButton::stopRequested, &session, &DeviceSession::stopActuator);
+    connect(m_stop, &widgets::StopButton::stopRequested, this, &TopBar::stopPressed);
     connect(m_stop, &widgets::StopButton::rearmRequested, this, &TopBar::rearm);
     connect(&m_bench.stopLatch(), &StopLatch::changed, this, &TopBar::refresh);
     connect(&session, &DeviceSession::stateChanged, this, &TopBar::refresh);
@@ -79,7 +80,7 @@ void TopBar::buildRecord() {
         m_bench.session().message(MessageLevel::Error, tr("recording"), text + QLatin1Char(' ') + remedy);
     });
     connect(&recording, &RecordingControl::finished, this, [this](const QString& path) {
-        m_bench.session().message(MessageLevel::Info, tr("recording"), path);
+        m_bench.session().message(MessageLevel::Info, tr("recording"), tr("written: %1").arg(path));
     });
     refreshRecording();
 }

@@ -24,6 +24,7 @@ public:
     void setPerspective(Perspective perspective);
 
 Q_SIGNALS:
+    void stopPressed(); ///< after the stop: for the log
     void perspectiveChosen(halbench::app::Perspective perspective);
 
 private:

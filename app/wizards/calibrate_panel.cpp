@@ -5,6 +5,7 @@
 #include "app/report/calibration_figures.h"
 #include "app/wizards/calibrate_words.h"
 #include "app/wizards/identify_words.h"
+#include "app/wizards/note_label.h"
 #include "app/workspaces/preflight.h"
 #include "widgets/figure_view.h"
 #include "widgets/icons.h"
@@ -25,8 +26,6 @@
 namespace halbench::app {
 namespace {
 
-enum Step { PrepareStep, ExciteStep, ProposeStep, ApplyStep };
-
 constexpr int Frame_ms = 100;
 constexpr double ExpectedField_T = 0.2; ///< first extent of the live picture
 constexpr double Room_ratio = 1.2;
@@ -40,6 +39,7 @@ CalibratePanel::CalibratePanel(Workbench& workbench, QWidget* parent) : WizardPa
     addPage(buildRun(), false);
     addPage(buildResult(), true, buildResultButtons());
     connect(&bench(), &Workbench::deviceChanged, this, &CalibratePanel::onDevice);
+    connect(&bench(), &Workbench::valuesChanged, this, &CalibratePanel::showRows);
     connect(&bench().session(), &DeviceSession::reportChanged, this, &CalibratePanel::refreshPlan);
     connect(&bench().session(), &DeviceSession::procedureChanged, this, &CalibratePanel::refreshPlan);
     connect(&bench().session(), &DeviceSession::procedureStage, this, &CalibratePanel::onStage);
@@ -100,10 +100,18 @@ QWidget* CalibratePanel::buildResult() {
     m_table = new widgets::EstimateTable(page);
     m_gain = new QLabel(page);
     m_figure = new widgets::FigureView(page);
-    m_gain->setWordWrap(true);
-    column->addWidget(m_verdict);
-    column->addWidget(m_table);
-    column->addWidget(m_gain);
+    m_friction = noteLabel(page);
+    m_provenance = new QLabel(page);
+    for (QLabel* label : {m_gain, m_provenance}) {
+        label->setWordWrap(true);
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    }
+    widgets::setRole(*m_provenance, widgets::Role::Muted);
+    connect(m_friction, &QLabel::linkActivated, this, &CalibratePanel::helpRequested);
+    for (QWidget* part :
+         std::initializer_list<QWidget*>{m_verdict, m_table, m_gain, m_friction, m_provenance}) {
+        column->addWidget(part);
+    }
     column->addWidget(m_figure, 1);
     return page;
 }
@@ -203,12 +211,15 @@ void CalibratePanel::onDevice() {
         ++m_connection;
         if (m_result && !m_isFromProject) {
             forget();
-        } else if (m_result && m_result->isApplied) {
+        } else if (m_result) {
             m_result->isApplied = false; // the board starts with the values that it keeps
-            messages().clear();
+            sayProject();
             endStep(ApplyStep, widgets::StepState::Waiting);
         }
+    } else if (m_result && m_isFromProject) {
+        sayProject();
     }
+    showRows();
     refreshPlan();
 }
 
@@ -239,9 +250,8 @@ void CalibratePanel::start() {
             };
             return runCalibrate(device, config, observer);
         },
-        [this, connection = m_connection](const Result<CalibrateResult>& result) {
-            finish(result, connection);
-        });
+        [this, connection = m_connection, header = headerOf("halbench.calibration/1", config().seed)](
+            const Result<CalibrateResult>& result) { finish(result, header, connection); });
     if (!hasStarted) {
         return;
     }
@@ -282,7 +292,8 @@ void CalibratePanel::onStage(ProcedureState stage) {
     }
 }
 
-void CalibratePanel::finish(const Result<CalibrateResult>& result, std::uint64_t connection) {
+void CalibratePanel::finish(const Result<CalibrateResult>& result, const ResultHeader& header,
+                            std::uint64_t connection) {
     m_frame.stop();
     if (!result) {
         fail(result.error(), tr("The calibration was cancelled; everything is as it was before."));
@@ -297,100 +308,14 @@ void CalibratePanel::finish(const Result<CalibrateResult>& result, std::uint64_t
     }
     m_result = *result;
     m_isFromProject = false;
-    m_header = headerOf("halbench.calibration/1", config().seed);
+    bench().session().message(MessageLevel::Info, tr("Calibrate"), verdictTitle(result->quality));
+    m_header = header;
     showResult();
     runStep(ApplyStep);
     endStep(ApplyStep, widgets::StepState::Waiting);
     showPage(ResultPage);
     (m_apply->isEnabled() ? m_apply : m_again)->setFocus(Qt::OtherFocusReason);
     calibrated();
-}
-
-std::optional<CalibrationRecord> CalibratePanel::record() const {
-    return m_result ? std::optional(CalibrationRecord{m_header, *m_result}) : m_kept;
-}
-
-void CalibratePanel::restore(std::optional<CalibrationRecord> record) {
-    if (isMine()) {
-        return; // what runs now is shown when it ends
-    }
-    ++m_connection; // a write that is on its way was of another result
-    messages().clear();
-    m_result.reset();
-    m_kept.reset();
-    m_isFromProject = record.has_value();
-    if (!record) {
-        showPage(PreparePage);
-        resetSteps();
-        refreshPlan();
-        return;
-    }
-    m_header = record->header;
-    m_result = std::move(record->result);
-    m_result->isApplied = false; // whether the device still has it is not known
-    showResult();
-    messages().showMessage(
-        {widgets::Severity::Information,
-         projectCalibrationText(m_header),
-         tr("It can be applied to this device only; calibrate again when the sensors were touched."),
-         {}});
-    runStep(ApplyStep);
-    endStep(ApplyStep, widgets::StepState::Waiting);
-    showPage(ResultPage);
-}
-
-bool CalibratePanel::isOfThisDevice() const {
-    return !m_isFromProject || (m_header.device && isSameDevice(*m_header.device, bench().session().info()));
-}
-
-void CalibratePanel::apply() {
-    if (m_isFromProject) { // Restore brings back what the device has now, not what it had then
-        m_result->before.clear();
-        for (const ParameterValue& proposed : m_result->proposed) {
-            if (const auto value = bench().deviceValue(proposed.name)) {
-                m_result->before.push_back({proposed.name, *value});
-            }
-        }
-    }
-    write(m_result->proposed, true);
-}
-
-void CalibratePanel::showResult() {
-    m_verdict->setVerdict(verdictLevel(m_result->quality.verdict), verdictTitle(m_result->quality),
-                          remarksOf(m_result->quality.findings));
-    m_table->setRows(calibrationRows(*m_result));
-    m_table->setAccessibleName(tr("Calibrated values"));
-    m_gain->setText(calibrationGain(*m_result));
-    m_gain->setVisible(!m_gain->text().isEmpty());
-    const bool hasFigure = !m_result->staticFriction.empty();
-    m_figure->setFigure(hasFigure ? staticFrictionFigure(m_result->staticFriction) : widgets::Figure{});
-    m_figure->setVisible(hasFigure);
-    refreshPlan();
-}
-
-void CalibratePanel::write(const std::vector<ParameterValue>& values, bool isApplying) {
-    const QPointer<CalibratePanel> self(this);
-    bench().writeValues(values, [self, isApplying, connection = m_connection](const Result<void>& written) {
-        if (!self || connection != self->m_connection || !self->m_result) {
-            return;
-        }
-        if (!written) {
-            self->showError(written.error());
-            return;
-        }
-        self->m_result->isApplied = isApplying;
-        self->endStep(ApplyStep, isApplying ? widgets::StepState::Done : widgets::StepState::Waiting);
-        self->messages().showMessage(
-            {widgets::Severity::Success,
-             isApplying ? tr("Applied and read back; it stays until the device is switched off.")
-                        : tr("The values from before are back."),
-             {},
-             {}});
-        self->refreshPlan();
-        if (!self->m_isFromProject) {
-            self->calibrated();
-        }
-    });
 }
 
 } // namespace halbench::app

@@ -43,6 +43,7 @@ public:
 
 Q_SIGNALS:
     void calibrated(); ///< measured, applied or taken back; not when restored from a project
+    void helpRequested(const QString& page);
 
 protected:
     void refreshWords() override;
@@ -50,6 +51,7 @@ protected:
 
 private:
     enum Page { PreparePage, RunPage, ResultPage };
+    enum Step { PrepareStep, ExciteStep, ProposeStep, ApplyStep };
 
     QWidget* buildPrepare();
     QWidget* buildRun();
@@ -61,9 +63,11 @@ private:
     void start();
     void showLive();
     void onStage(ProcedureState stage);
-    void finish(const Result<CalibrateResult>& result, std::uint64_t connection);
+    void finish(const Result<CalibrateResult>& result, const ResultHeader& header, std::uint64_t connection);
     void forget();
     void showResult();
+    void showRows();
+    void sayProject();
     bool isOfThisDevice() const;
     void apply();
     void write(const std::vector<ParameterValue>& values, bool isApplying);
@@ -90,6 +94,8 @@ private:
     widgets::VerdictView* m_verdict = nullptr;
     widgets::EstimateTable* m_table = nullptr;
     QLabel* m_gain = nullptr;
+    QLabel* m_friction = nullptr;
+    QLabel* m_provenance = nullptr;
     widgets::FigureView* m_figure = nullptr;
     QPushButton* m_apply = nullptr;
     QPushButton* m_restore = nullptr;

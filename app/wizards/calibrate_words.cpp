@@ -1,5 +1,6 @@
 #include "app/wizards/calibrate_words.h"
 
+#include "app/wizards/identify_words.h"
 #include "control/base/unit_text.h"
 #include "control/base/units.h"
 #include "widgets/display_units.h"
@@ -44,8 +45,8 @@ QString nameOf(const std::string& figure) {
         {"hall.quadrature", Words::tr("error of the right angle")},
         {"hall.amplitude", Words::tr("amplitude of the field")},
         {"stray.coefficient", Words::tr("stray field of the coils")},
-        {"angle_error.rms", Words::tr("angle error, rms")},
-        {"static_friction.current", Words::tr("breakaway current, static")}};
+        {"angle_error.rms", Words::tr("angle error that the map takes away, rms")},
+        {"static_friction.current", Words::tr("breakaway current, from rest")}};
     for (const auto& [name, text] : names) {
         if (figure == name) {
             return text;
@@ -62,6 +63,22 @@ QString nameOf(const std::string& figure) {
 
 QString currentText(double current_A) {
     return QLocale().toString(current_A, 'f', 1) + QStringLiteral(" A");
+}
+
+/// The value that the figure's parameter has now, or had.
+QString besideText(const std::string& name, double factor, const CalibrateResult& result,
+                   const std::map<std::string, double>* deviceValues) {
+    const auto before = std::find_if(result.before.begin(), result.before.end(),
+                                     [&](const ParameterValue& value) { return value.name == name; });
+    if (before == result.before.end()) {
+        return Words::tr("a figure only");
+    }
+    if (deviceValues != nullptr) {
+        if (const auto now = deviceValues->find(name); now != deviceValues->end()) {
+            return Words::tr("now %1").arg(widgets::numberText(now->second * factor, 4));
+        }
+    }
+    return Words::tr("before %1").arg(widgets::numberText(before->value * factor, 4));
 }
 
 } // namespace
@@ -94,7 +111,8 @@ QString calibrationOutlook(const CalibrateConfig& config) {
     return lines.join(QLatin1Char('\n'));
 }
 
-std::vector<widgets::EstimateRow> calibrationRows(const CalibrateResult& result) {
+std::vector<widgets::EstimateRow> calibrationRows(const CalibrateResult& result,
+                                                  const std::map<std::string, double>* deviceValues) {
     std::vector<widgets::EstimateRow> rows;
     for (const CalibrationFigure& figure : result.figures) {
         const Shown shown = shownUnit(figure.unit);
@@ -109,12 +127,7 @@ std::vector<widgets::EstimateRow> calibrationRows(const CalibrateResult& result)
             row.low95 = scaled(figure.estimate.interval95->first);
             row.high95 = scaled(figure.estimate.interval95->second);
         }
-        const auto before =
-            std::find_if(result.before.begin(), result.before.end(),
-                         [&](const ParameterValue& value) { return value.name == figure.name; });
-        row.source = before == result.before.end()
-                         ? Words::tr("a figure only")
-                         : Words::tr("now %1").arg(widgets::numberText(scaled(before->value), 4));
+        row.source = besideText(figure.name, shown.factor, result, deviceValues);
         row.remark = QString::fromStdString(figure.name);
         rows.push_back(std::move(row));
     }
@@ -128,17 +141,31 @@ QString calibrationGain(const CalibrateResult& result) {
     const auto degrees = [](double angle_rad) {
         return QLocale().toString(radiansToDegrees(angle_rad), 'f', 3) + QStringLiteral("\u00b0");
     };
-    return Words::tr("Angle error (rms): %1 with the present values, %2 with the proposed ones.")
-        .arg(degrees(result.residualBefore_rad), degrees(result.residualAfter_rad));
+    return Words::tr("Residual angle error: %1 with the values from before, %2 with the proposed ones.")
+               .arg(degrees(result.residualBefore_rad), degrees(result.residualAfter_rad)) +
+           QLatin1Char(' ') +
+           Words::tr("It is the root mean square (rms) over a turn of the distance between the angle that is "
+                     "read and that of the ellipse, before the map.");
+}
+
+QString breakawayNote(const CalibrateResult& result) {
+    if (result.staticFriction.empty()) {
+        return {};
+    }
+    return Words::tr(
+               "The breakaway current is the one that starts the rotor from rest. Identify finds another "
+               "figure: K_f/\u03c6, the current that friction takes while it moves, usually less.") +
+           QStringLiteral(" <a href=\"identification.md#62-two-currents-of-friction\">") +
+           Words::tr("What is the difference?") + QStringLiteral("</a>");
 }
 
 QString projectCalibrationText(const ResultHeader& header) {
     const QString device =
         header.device ? QString::fromStdString(header.device->id) : Words::tr("device not known");
-    const bool isVirtual = header.started == ResultHeader().started; // virtual time begins there
-    return isVirtual ? Words::tr("From the project: calibrated in virtual time, device %1.").arg(device)
-                     : Words::tr("From the project: calibrated %1, device %2.")
-                           .arg(QString::fromStdString(header.started), device);
+    return isOfVirtualTime(header)
+               ? Words::tr("From the project: calibrated in virtual time, device %1.").arg(device)
+               : Words::tr("From the project: calibrated %1, device %2.")
+                     .arg(QString::fromStdString(header.started), device);
 }
 
 } // namespace halbench::app

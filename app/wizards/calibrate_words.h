@@ -6,6 +6,8 @@
 
 #include <QString>
 
+#include <map>
+#include <string>
 #include <vector>
 
 namespace halbench::app {
@@ -13,12 +15,16 @@ namespace halbench::app {
 /// What each calibration does to the rotor, before anything moves.
 QString calibrationOutlook(const CalibrateConfig& config);
 
-/// What was found, with the value on the device beside it where the figure is a parameter. T and rad are
-/// shown as mT and degrees.
-std::vector<widgets::EstimateRow> calibrationRows(const CalibrateResult& result);
+/// What was found, with the value that the device has now beside it where the figure is a parameter; without
+/// a device the one that it had. T and rad are shown as mT and degrees.
+std::vector<widgets::EstimateRow> calibrationRows(const CalibrateResult& result,
+                                                  const std::map<std::string, double>* deviceValues);
 
-/// Angle error before and after; empty where the sensors were not calibrated.
+/// Residual angle error before and after, and what that is; empty where the sensors were not calibrated.
 QString calibrationGain(const CalibrateResult& result);
+
+/// That the static breakaway current is not Identify's K_f/phi, with a link to the help; empty without it.
+QString breakawayNote(const CalibrateResult& result);
 
 /// That it came with the project: when it was measured, and on which device.
 QString projectCalibrationText(const ResultHeader& header);

@@ -176,6 +176,23 @@ Result<IdentifyConfig> IdentifyForm::config() const {
     return config;
 }
 
+std::map<std::string, double> IdentifyForm::given() const {
+    std::map<std::string, double> given;
+    for (std::size_t i = 0; i < m_given.size(); ++i) {
+        if (const std::optional<double> value = m_given[i]->value()) {
+            given[GivenAll[i].symbol] = *value;
+        }
+    }
+    return given;
+}
+
+void IdentifyForm::setGiven(const std::map<std::string, double>& given) {
+    for (std::size_t i = 0; i < m_given.size(); ++i) {
+        const auto found = given.find(GivenAll[i].symbol);
+        m_given[i]->setValue(found != given.end() ? std::optional(found->second) : std::nullopt);
+    }
+}
+
 void IdentifyForm::setCurrentLimit_A(double limit_A) {
     m_limit_A = limit_A;
     for (QDoubleSpinBox* box : m_currents) {

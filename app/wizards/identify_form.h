@@ -5,6 +5,8 @@
 #include <QWidget>
 
 #include <array>
+#include <map>
+#include <string>
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -28,6 +30,9 @@ public:
 
     /// Errors: of sweepCurrents_A; InvalidInput for a given constant that is no possible number.
     Result<IdentifyConfig> config() const;
+    /// The given constants that are numbers, by symbol; SI.
+    std::map<std::string, double> given() const;
+    void setGiven(const std::map<std::string, double>& given);
     void setCurrentLimit_A(double limit_A);
     void setSeed(std::uint64_t seed);
     /// Puts the cursor where the constant can be given: "J", "c", "Kf", "phi".

@@ -51,6 +51,15 @@ void IdentifyPanel::onFileChooser() {
     m_loadFirst->setVisible(bool(chooser().open));
 }
 
+std::map<std::string, double> IdentifyPanel::given() const {
+    return m_form->given();
+}
+
+void IdentifyPanel::setGiven(const std::map<std::string, double>& given) {
+    m_form->setGiven(given);
+    refreshPlan();
+}
+
 QWidget* IdentifyPanel::buildPrepare() {
     auto* page = new QWidget;
     auto* column = columnOf(page, widgets::GroupSpacing_px);
@@ -106,6 +115,7 @@ QWidget* IdentifyPanel::buildResult() {
     m_result = new IdentifyResultView(page);
     column->addWidget(m_result, 1);
     column->addWidget(buildResultButtons());
+    connect(m_result, &IdentifyResultView::helpRequested, this, &IdentifyPanel::helpRequested);
     connect(m_result, &IdentifyResultView::notSaved, this,
             [this](const QString& text, const QString& remedy) {
                 messages().showMessage({widgets::Severity::Error, text, remedy, {}});
@@ -166,6 +176,9 @@ void IdentifyPanel::onDevice() {
         m_form->setSeed(seedOf(session.info()));
         messages().clear();
     }
+    if (m_isFromProject) {
+        sayProject();
+    }
     refreshPlan();
 }
 
@@ -209,7 +222,8 @@ void IdentifyPanel::start() {
             };
             return runIdentify(device, config, observer);
         },
-        [this, config = *config](const Result<IdentifyResult>& result) { finish(config, result); });
+        [this, header = headerOf("halbench.identification/1", config->seed)](
+            const Result<IdentifyResult>& result) { finish(header, result); });
     if (!hasStarted) {
         return;
     }
@@ -270,7 +284,7 @@ void IdentifyPanel::onStage(ProcedureState stage) {
     }
 }
 
-void IdentifyPanel::finish(const IdentifyConfig& config, const Result<IdentifyResult>& result) {
+void IdentifyPanel::finish(const ResultHeader& header, const Result<IdentifyResult>& result) {
     m_frame.stop();
     if (!result) {
         fail(result.error(), tr("The identification was cancelled; everything is as it was before."));
@@ -278,7 +292,8 @@ void IdentifyPanel::finish(const IdentifyConfig& config, const Result<IdentifyRe
         m_start->setFocus(Qt::OtherFocusReason);
         return;
     }
-    take(*result, {headerOf("halbench.identification/1", config.seed), ResultOrigin::Measured});
+    bench().session().message(MessageLevel::Info, tr("Identify"), verdictTitle(result->quality));
+    take(*result, {header, ResultOrigin::Measured});
 }
 
 /// A refused result is shown, but does not take away the good one that others work with.
@@ -298,6 +313,7 @@ void IdentifyPanel::onIdentification() {
     }
     messages().clear();
     if (!bench().identification()) {
+        m_isFromProject = false;
         showPage(PreparePage);
         resetSteps();
         return;
@@ -309,11 +325,9 @@ void IdentifyPanel::showResult(const IdentifyResult& result, const Provenance& p
     m_header = provenance.header;
     m_found = result;
     m_result->setResult(result, provenance.header);
-    if (provenance.origin == ResultOrigin::Project) {
-        messages().showMessage({widgets::Severity::Information,
-                                projectModelText(provenance.header),
-                                tr("Identify again when the motor has changed since."),
-                                {}});
+    m_isFromProject = provenance.origin == ResultOrigin::Project;
+    if (m_isFromProject) {
+        sayProject();
     }
     const bool isUsable = result.quality.verdict != Verdict::Refused;
     m_tune->setEnabled(isUsable);
@@ -323,6 +337,17 @@ void IdentifyPanel::showResult(const IdentifyResult& result, const Provenance& p
     if (provenance.origin != ResultOrigin::Project) {
         (isUsable ? m_tune : m_again)->setFocus(Qt::OtherFocusReason);
     }
+}
+
+/// It stays what it is when a device comes; whether it is of that one changes.
+void IdentifyPanel::sayProject() {
+    const DeviceSession& session = bench().session();
+    const bool isConnected = session.state() == SessionState::Connected;
+    messages().showMessage({widgets::Severity::Information,
+                            projectModelText(m_header) + QLatin1Char(' ') +
+                                projectDeviceText(m_header, isConnected ? &session.info() : nullptr),
+                            tr("Identify again when the motor has changed since."),
+                            {}});
 }
 
 void IdentifyPanel::load() {

@@ -6,7 +6,9 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
+#include <map>
 #include <memory>
+#include <string>
 
 class QLabel;
 class QPushButton;
@@ -30,8 +32,13 @@ class IdentifyPanel : public WizardPanel {
 public:
     explicit IdentifyPanel(Workbench& bench, QWidget* parent = nullptr);
 
+    /// The constants that the form holds, by symbol (J, c, Kf, phi; SI): they are kept in the project.
+    std::map<std::string, double> given() const;
+    void setGiven(const std::map<std::string, double>& given);
+
 Q_SIGNALS:
     void tuneRequested(); ///< the user wants to go on with the identified motor
+    void helpRequested(const QString& page);
 
 protected:
     void refreshWords() override;
@@ -49,10 +56,11 @@ private:
     void start();
     void showLive();
     void onStage(ProcedureState stage);
-    void finish(const IdentifyConfig& config, const Result<IdentifyResult>& result);
+    void finish(const ResultHeader& header, const Result<IdentifyResult>& result);
     void load();
     void take(const IdentifyResult& result, const Provenance& provenance);
     void onIdentification();
+    void sayProject();
     void showResult(const IdentifyResult& result, const Provenance& provenance);
 
     std::shared_ptr<LivePlateaus> m_live;
@@ -62,8 +70,9 @@ private:
     bool m_isCancelling = false;
     QElapsedTimer m_sinceStart;
     QTimer m_frame;
-    IdentifyResult m_found; ///< what is shown, refused or not
-    ResultHeader m_header;  ///< of the same
+    IdentifyResult m_found;       ///< what is shown, refused or not
+    ResultHeader m_header;        ///< of the same
+    bool m_isFromProject = false; ///< the same
 
     QLabel* m_intro = nullptr;
     IdentifyForm* m_form = nullptr;

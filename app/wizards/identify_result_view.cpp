@@ -2,6 +2,8 @@
 
 #include "app/report/identification_figures.h"
 #include "app/wizards/identify_words.h"
+#include "app/wizards/note_label.h"
+#include "app/workspaces/document_files.h"
 #include "widgets/estimate_table.h"
 #include "widgets/figure_view.h"
 #include "widgets/phrasebook.h"
@@ -44,7 +46,12 @@ IdentifyResultView::IdentifyResultView(QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_splitter);
     for (widgets::FigureView* view : {m_fit, m_region}) {
-        connect(view, &widgets::FigureView::exportRequested, this, [this, view] { savePicture(*view); });
+        connect(view, &widgets::FigureView::exportRequested, this, [this, view] {
+            savePicture(this, m_chooser != nullptr ? *m_chooser : FileChooser(),
+                        QStringLiteral("identification.svg"), m_files, *view, [this](const Error& error) {
+                            notSaved(widgets::inWords(error.message), widgets::inWords(error.hint));
+                        });
+        });
     }
 }
 
@@ -55,6 +62,7 @@ QWidget* IdentifyResultView::buildWords() {
     column->setSpacing(widgets::GroupSpacing_px);
     m_verdict = new widgets::VerdictView(page);
     m_table = new widgets::EstimateTable(page);
+    m_friction = noteLabel(page);
     m_missing = new QLabel(page);
     m_provenance = new QLabel(page);
     for (QLabel* label : {m_missing, m_provenance}) {
@@ -62,8 +70,10 @@ QWidget* IdentifyResultView::buildWords() {
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     }
     widgets::setRole(*m_provenance, widgets::Role::Muted);
+    connect(m_friction, &QLabel::linkActivated, this, &IdentifyResultView::helpRequested);
     column->addWidget(m_verdict);
     column->addWidget(m_table);
+    column->addWidget(m_friction);
     column->addWidget(m_missing);
     column->addWidget(m_provenance);
     column->addStretch(1);
@@ -81,9 +91,10 @@ void IdentifyResultView::refresh() {
                           remarksOf(m_result.quality.findings));
     m_table->setRows(estimateRows(m_result));
     m_table->setAccessibleName(tr("Identified values"));
+    showNote(*m_friction, frictionNote(m_result));
     m_missing->setText(missingText(m_result));
     m_missing->setVisible(!m_missing->text().isEmpty());
-    m_provenance->setText(provenanceText(m_header, m_result));
+    m_provenance->setText(provenanceText(m_header, m_result.duration_s, m_result.highestTemperature_degC));
     // The table is as wide as its columns where that leaves room for the pictures.
     const int table_px = m_table->neededWidth() + 2 * widgets::PanelMargin_px +
                          style()->pixelMetric(QStyle::PM_ScrollBarExtent);
@@ -100,22 +111,6 @@ void IdentifyResultView::refresh() {
     m_figures->setTabToolTip(0, tr("Steady speed against current, and what the fit leaves over"));
     m_figures->setTabToolTip(1, tr("Where damping and friction lie together with 95 % probability"));
     m_figures->setAccessibleName(tr("Pictures of the identification"));
-}
-
-void IdentifyResultView::savePicture(const widgets::FigureView& view) {
-    if (m_chooser == nullptr || !m_chooser->save) {
-        return;
-    }
-    const QString path = m_chooser->save(
-        this, {tr("Save picture"), QStringLiteral("identification.svg"), tr("Picture (*.svg *.png)")});
-    if (path.isEmpty()) {
-        return;
-    }
-    m_files.run(view.saving(path), [this](const Result<void>& saved) {
-        if (!saved) {
-            Q_EMIT notSaved(widgets::inWords(saved.error().message), widgets::inWords(saved.error().hint));
-        }
-    });
 }
 
 void IdentifyResultView::changeEvent(QEvent* event) {

@@ -32,13 +32,13 @@ public:
 
 Q_SIGNALS:
     void notSaved(const QString& message, const QString& remedy);
+    void helpRequested(const QString& page);
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
     QWidget* buildWords();
-    void savePicture(const widgets::FigureView& view);
     void refresh();
 
     IdentifyResult m_result;
@@ -47,6 +47,7 @@ private:
     FileQueue m_files;
     widgets::VerdictView* m_verdict = nullptr;
     widgets::EstimateTable* m_table = nullptr;
+    QLabel* m_friction = nullptr;
     QLabel* m_missing = nullptr;
     QLabel* m_provenance = nullptr;
     QSplitter* m_splitter = nullptr;

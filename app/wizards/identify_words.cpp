@@ -65,7 +65,7 @@ QString ratioName(const std::string& key) {
         {"Kf_over_J", "K_f/J"},
         {"phi_over_J", "\u03c6/J"},
         {"c_over_phi", "c/\u03c6"},
-        {"Kf_over_phi", Words::tr("K_f/\u03c6, breakaway current")}};
+        {"Kf_over_phi", Words::tr("K_f/\u03c6, friction as a current")}};
     for (const auto& [name, text] : names) {
         if (key == name) {
             return text;
@@ -208,7 +208,23 @@ QString missingText(const IdentifyResult& result) {
     return lines.join(QLatin1Char('\n'));
 }
 
-QString provenanceText(const ResultHeader& header, const IdentifyResult& result) {
+QString frictionNote(const IdentifyResult& result) {
+    const auto found = result.ratios.find("Kf_over_phi");
+    if (found == result.ratios.end() || !found->second.value) {
+        return {};
+    }
+    return Words::tr("K_f/\u03c6 is the current that friction takes while the rotor moves. Calibrate finds "
+                     "another figure: the current that starts it from rest, usually more.") +
+           QStringLiteral(" <a href=\"identification.md#62-two-currents-of-friction\">") +
+           Words::tr("What is the difference?") + QStringLiteral("</a>");
+}
+
+bool isOfVirtualTime(const ResultHeader& header) {
+    return header.started == ResultHeader().started; // virtual time begins there
+}
+
+QString provenanceText(const ResultHeader& header, double duration_s,
+                       std::optional<double> highestTemperature_degC) {
     QStringList parts;
     if (header.device) {
         const devices::DeviceInfo& device = *header.device;
@@ -226,19 +242,33 @@ QString provenanceText(const ResultHeader& header, const IdentifyResult& result)
     }
     parts << Words::tr("Halbench %1").arg(QString::fromStdString(header.software));
     parts << Words::tr("seed %1").arg(header.seed);
-    parts << Words::tr("started %1").arg(QString::fromStdString(header.started));
-    parts << Words::tr("%1 minutes of device time, coils up to %2 °C")
-                 .arg(widgets::durationText(result.duration_s), number(result.highestTemperature_degC, 1));
+    parts << (isOfVirtualTime(header) ? Words::tr("in virtual time, without a date")
+                                      : Words::tr("started %1").arg(QString::fromStdString(header.started)));
+    if (duration_s > 0.0) {
+        parts << Words::tr("%1 minutes of device time").arg(widgets::durationText(duration_s));
+    }
+    if (highestTemperature_degC) {
+        parts << Words::tr("coils up to %1 °C").arg(number(*highestTemperature_degC, 1));
+    }
     return parts.join(QStringLiteral(" \u00b7 "));
 }
 
 QString projectModelText(const ResultHeader& header) {
     const QString device =
         header.device ? QString::fromStdString(header.device->id) : Words::tr("device not known");
-    const bool isVirtual = header.started == ResultHeader().started; // virtual time begins there
-    return isVirtual ? Words::tr("From the project: identified in virtual time, device %1.").arg(device)
-                     : Words::tr("From the project: identified %1, device %2.")
-                           .arg(QString::fromStdString(header.started), device);
+    return isOfVirtualTime(header)
+               ? Words::tr("From the project: identified in virtual time, device %1.").arg(device)
+               : Words::tr("From the project: identified %1, device %2.")
+                     .arg(QString::fromStdString(header.started), device);
+}
+
+QString projectDeviceText(const ResultHeader& header, const devices::DeviceInfo* connected) {
+    if (connected == nullptr) {
+        return Words::tr("No device is connected to compare it with.");
+    }
+    return header.device && isSameDevice(*header.device, *connected)
+               ? Words::tr("It is the device that is connected.")
+               : Words::tr("Connected is another one: %1.").arg(QString::fromStdString(connected->id));
 }
 
 } // namespace halbench::app

@@ -34,9 +34,17 @@ std::vector<widgets::Remark> remarksOf(const std::vector<Finding>& findings);
 /// 1); empty when nothing is missing.
 QString missingText(const IdentifyResult& result);
 
-/// Device, firmware, overrides, software, seed, start and device time.
-QString provenanceText(const ResultHeader& header, const IdentifyResult& result);
+/// That K_f/phi is not the current that Calibrate finds, with a link to the help; empty without K_f/phi.
+QString frictionNote(const IdentifyResult& result);
+
+/// Device, firmware, overrides, software, seed, start on the wall's clock and device time that it took.
+QString provenanceText(const ResultHeader& header, double duration_s,
+                       std::optional<double> highestTemperature_degC);
 /// That it came with the project: when it was identified, and on which device.
 QString projectModelText(const ResultHeader& header);
+/// Whether it took place in virtual time, which knows no date.
+bool isOfVirtualTime(const ResultHeader& header);
+/// Whether the device that is connected is the one of the project's result; nothing is connected without it.
+QString projectDeviceText(const ResultHeader& header, const devices::DeviceInfo* connected);
 
 } // namespace halbench::app

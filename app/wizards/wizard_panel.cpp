@@ -137,13 +137,8 @@ void WizardPanel::showError(const Error& error) {
 }
 
 ResultHeader WizardPanel::headerOf(const char* schema, std::uint64_t seed) const {
-    const DeviceSession& session = m_bench.session();
-    ResultHeader header;
-    header.schema = schema;
-    header.device = session.info();
+    ResultHeader header = m_bench.beginResult(schema);
     header.seed = seed;
-    const bool isVirtual = session.info().isSimulated && session.pace().speed_ratio <= 0.0;
-    header.started = isVirtual ? header.started : wallTime();
     return header;
 }
 

@@ -64,7 +64,7 @@ protected:
     void fail(const Error& error, const QString& cancelledText);
     void showError(const Error& error);
 
-    /// Header of a result of the device that is connected now.
+    /// Header of a result of the device that is connected; it begins now.
     ResultHeader headerOf(const char* schema, std::uint64_t seed) const;
     /// Asks for a file and writes the document to it.
     void save(const FileQuestion& question, std::function<JsonValue()> document);

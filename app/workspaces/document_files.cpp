@@ -1,8 +1,20 @@
 #include "app/workspaces/document_files.h"
 
 #include "app/batch/output_file.h"
+#include "widgets/figure_view.h"
+
+#include <QCoreApplication>
 
 namespace halbench::app {
+
+namespace {
+
+/// The words of this file for the translator.
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(halbench::app::DocumentFiles)
+};
+
+} // namespace
 
 void saveDocument(QWidget* asking, const FileChooser& chooser, const FileQuestion& question, FileQueue& files,
                   std::function<JsonValue()> document,
@@ -17,6 +29,21 @@ void saveDocument(QWidget* asking, const FileChooser& chooser, const FileQuestio
             return text ? writeFile(path, *text) : failure(text.error());
         },
         [path, then = std::move(then)](const Result<void>& written) { then(path, written); });
+}
+
+void savePicture(QWidget* asking, const FileChooser& chooser, const QString& suggestedName, FileQueue& files,
+                 const widgets::FigureView& view, std::function<void(const Error& error)> refused) {
+    const QString path = chooser.save ? chooser.save(asking, {Words::tr("Save picture"), suggestedName,
+                                                              Words::tr("Picture (*.svg *.png)")})
+                                      : QString();
+    if (path.isEmpty()) {
+        return;
+    }
+    files.run(view.saving(path), [refused = std::move(refused)](const Result<void>& saved) {
+        if (!saved) {
+            refused(saved.error());
+        }
+    });
 }
 
 } // namespace halbench::app

@@ -1,9 +1,12 @@
 #include "app/workspaces/log_panel.h"
 
+#include "app/workspaces/fault_words.h"
 #include "widgets/log_view.h"
 #include "widgets/phrasebook.h"
 
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace halbench::app {
 
@@ -30,7 +33,54 @@ LogPanel::LogPanel(Workbench& bench, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_view);
-    connect(&m_bench.session(), &DeviceSession::message, this, &LogPanel::add);
+    DeviceSession& session = m_bench.session();
+    connect(&session, &DeviceSession::message, this, &LogPanel::add);
+    connect(&session, &DeviceSession::reportChanged, this, &LogPanel::onReport);
+    connect(&session, &DeviceSession::stateChanged, this, &LogPanel::onReport);
+    connect(&session, &DeviceSession::procedureChanged, this, &LogPanel::onProcedure);
+    connect(&m_bench.recording(), &RecordingControl::changed, this, &LogPanel::onRecording);
+}
+
+void LogPanel::note(const QString& source, const QString& words) {
+    add(MessageLevel::Info, source, words);
+}
+
+/// Stop and release before arming and its end: what caused it stands first.
+void LogPanel::onReport() {
+    const DeviceSession& session = m_bench.session();
+    const devices::DeviceState& board = session.report().board;
+    const bool isThere = session.state() == SessionState::Connected;
+    const bool isLatched = isThere && (board.isStopLatched || board.fault != 0);
+    if (std::exchange(m_wasLatched, isLatched) != isLatched && isThere) {
+        if (isLatched) {
+            add(MessageLevel::Warning, tr("stop"), faultWords(board).what);
+        } else {
+            note(tr("stop"), tr("released"));
+        }
+    }
+    const bool isArmed = isThere && board.isArmed;
+    if (std::exchange(m_wasArmed, isArmed) != isArmed && isThere) {
+        note(tr("actuator"), isArmed ? tr("armed") : tr("disarmed"));
+    }
+}
+
+void LogPanel::onProcedure() {
+    const QString running = m_bench.session().procedure();
+    const QString before = std::exchange(m_procedure, running);
+    if (!before.isEmpty()) {
+        note(before, tr("ended"));
+    }
+    if (!running.isEmpty()) {
+        note(running, tr("started"));
+    }
+}
+
+void LogPanel::onRecording() {
+    const bool isRecording = m_bench.recording().isRecording();
+    if (std::exchange(m_wasRecording, isRecording) != isRecording) {
+        note(tr("recording"),
+             isRecording ? tr("started: %1").arg(m_bench.recording().path()) : tr("stopped"));
+    }
 }
 
 QString LogPanel::text() const {

@@ -10,7 +10,7 @@ class LogView;
 
 namespace halbench::app {
 
-/// What board, link, procedures and window said, newest last; bounded.
+/// What board, link, procedures and window said and what happened to the actuator, newest last; bounded.
 class LogPanel : public QWidget {
     Q_OBJECT
 
@@ -20,8 +20,16 @@ public:
 
 private:
     void add(MessageLevel level, const QString& source, const QString& words);
+    void note(const QString& source, const QString& words);
+    void onReport();
+    void onProcedure();
+    void onRecording();
 
     Workbench& m_bench;
+    bool m_wasArmed = false;
+    bool m_wasLatched = false;
+    bool m_wasRecording = false;
+    QString m_procedure; ///< that runs
     widgets::LogView* m_view = nullptr;
 };
 

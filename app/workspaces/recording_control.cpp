@@ -1,6 +1,5 @@
 #include "app/workspaces/recording_control.h"
 
-#include "app/workspaces/wall_clock.h"
 #include "widgets/phrasebook.h"
 
 #include <QDir>
@@ -60,7 +59,7 @@ void RecordingControl::start() {
         return;
     }
     const QString subject = QString::fromStdString(m_session.info().id);
-    const QString name = m_name.isEmpty() ? datedName(subject, wallClock()) : m_name;
+    const QString name = m_name.isEmpty() ? datedName(subject, m_wallClock()) : m_name;
     m_path = QDir(m_folder).filePath(name + QStringLiteral(".csv"));
     if (QFileInfo::exists(m_path)) {
         Q_EMIT failed(tr("%1 exists already.").arg(m_path),
@@ -73,7 +72,7 @@ void RecordingControl::start() {
     config.layout = layoutFor(m_session.catalogue(), m_liveSignals.streamed(),
                               periodFor(m_rate_Hz, m_liveSignals.rate_Hz()));
     m_isStarting = true;
-    const std::string started = wallClock().toString(Qt::ISODate).toStdString();
+    const std::string started = m_wallClock().toString(Qt::ISODate).toStdString();
     m_session.request(
         [layout = config.layout, started](devices::Device& device) -> Result<devices::RecordingMeta> {
             return devices::describeRecording(device, layout, started);

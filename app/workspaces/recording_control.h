@@ -3,6 +3,7 @@
 #include "app/session/device_session.h"
 #include "app/session/recorder.h"
 #include "app/workspaces/live_signals.h"
+#include "app/workspaces/wall_clock.h"
 
 #include <QObject>
 #include <QTimer>
@@ -11,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace halbench::app {
@@ -33,6 +35,7 @@ public:
     double rate_Hz() const { return m_rate_Hz; }
     /// Empty: device and date. Without folder and ending.
     void setName(const QString& name) { m_name = name; }
+    void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
 
     void start();
     void stop();
@@ -59,6 +62,7 @@ private:
 
     DeviceSession& m_session;
     LiveSignals& m_liveSignals;
+    WallClock m_wallClock = wallClock;
     QString m_folder;
     QString m_name;
     QString m_path;

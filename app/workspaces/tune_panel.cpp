@@ -1,6 +1,7 @@
 #include "app/workspaces/tune_panel.h"
 
 #include "app/batch/loop_conditions.h"
+#include "app/workspaces/document_files.h"
 #include "app/workspaces/gain_editor.h"
 #include "app/workspaces/preflight.h"
 #include "app/workspaces/tune_form.h"
@@ -137,7 +138,10 @@ QWidget* TunePanel::buildFigures() {
     splitter->addWidget(m_bode);
     splitter->addWidget(m_steps);
     for (widgets::FigureView* view : {m_bode, m_large, m_linear, m_verification}) {
-        connect(view, &widgets::FigureView::exportRequested, this, [this, view] { savePicture(*view); });
+        connect(view, &widgets::FigureView::exportRequested, this, [this, view] {
+            savePicture(this, m_chooser, QStringLiteral("tuning.svg"), m_files, *view,
+                        [this](const Error& error) { showError(error); });
+        });
     }
     return splitter;
 }

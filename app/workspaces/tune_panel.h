@@ -76,7 +76,6 @@ private:
     void drawVerification(const TuneResult& applied, const ApplyResult& result);
     void restore();
     void saveGains();
-    void savePicture(const widgets::FigureView& view);
     void showError(const Error& error);
 
     Workbench& m_bench;

@@ -75,7 +75,11 @@ void TunePanel::showAnswer(const Result<TuneResult>& answer) {
                               ? tr("Doubtful: read the warnings before you apply it")
                               : tr("Refused: this loop is unstable");
     m_verdict->setVerdict(levelOf(proposed.quality.verdict), title, remarksOf(proposed.warnings));
-    m_bench.setDesign(proposed, m_restored.has_value());
+    if (m_restored) {
+        m_bench.setDesignOfProject(proposed, m_restored->started);
+    } else {
+        m_bench.setDesign(proposed);
+    }
     refreshButtons();
 }
 
@@ -105,6 +109,7 @@ void TunePanel::focusNext() {
 
 void TunePanel::keep() {
     m_before.clear();
+    m_bench.session().message(MessageLevel::Info, tr("Tune"), tr("The new gains are kept."));
     m_message->clear();
     refreshButtons();
     focusNext();
@@ -218,8 +223,9 @@ void TunePanel::restore() {
             return;
         }
         self->m_before.clear();
-        self->m_message->showMessage(
-            {widgets::Severity::Success, tr("The gains from before run again."), {}, {}});
+        const QString done = tr("The gains from before run again.");
+        self->m_bench.session().message(MessageLevel::Info, tr("Tune"), done);
+        self->m_message->showMessage({widgets::Severity::Success, done, {}, {}});
         self->refreshButtons();
         self->focusNext();
     });
@@ -229,14 +235,9 @@ void TunePanel::saveGains() {
     if (!m_shown) {
         return;
     }
-    ResultHeader header;
-    header.schema = "halbench.gains/1";
-    if (m_bench.session().state() == SessionState::Connected) {
-        header.device = m_bench.session().info();
-    }
     saveDocument(
         this, m_chooser, {tr("Save gains"), QStringLiteral("gains.json"), tr("Gains (*.json)")}, m_files,
-        [header, result = *m_shown] { return gainsDocument(header, result); },
+        [header = m_bench.designHeader(), result = *m_shown] { return gainsDocument(header, result); },
         [this](const QString& path, const Result<void>& written) {
             if (written) {
                 m_message->showMessage({widgets::Severity::Success, tr("Saved as %1").arg(path), {}, {}});
@@ -244,21 +245,6 @@ void TunePanel::saveGains() {
                 showError(written.error());
             }
         });
-}
-
-void TunePanel::savePicture(const widgets::FigureView& view) {
-    const QString path = m_chooser.save
-                             ? m_chooser.save(this, {tr("Save picture"), QStringLiteral("tuning.svg"),
-                                                     tr("Picture (*.svg *.png)")})
-                             : QString();
-    if (path.isEmpty()) {
-        return;
-    }
-    m_files.run(view.saving(path), [this](const Result<void>& saved) {
-        if (!saved) {
-            showError(saved.error());
-        }
-    });
 }
 
 void TunePanel::setFileChooser(FileChooser chooser) {

@@ -3,10 +3,15 @@
 #include <QDateTime>
 #include <QString>
 
+#include <functional>
+
 namespace halbench::app {
 
-/// The date on the wall, in UTC: for names of files and the `started` of a recording made by hand; results
-/// never depend on it.
+/// Tells the date on the wall; a test sets its own.
+using WallClock = std::function<QDateTime()>;
+
+/// The date on the wall, in UTC: for names of files and the `started` of results and recordings; their
+/// numbers never depend on it.
 QDateTime wallClock();
 
 /// "sim-htm-1_2026-11-21T21-15-42": sorts by time and is legal on every file system.

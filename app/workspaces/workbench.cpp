@@ -1,5 +1,7 @@
 #include "app/workspaces/workbench.h"
 
+#include "app/batch/result_documents.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -16,6 +18,11 @@ std::vector<std::string> parameterNames(const devices::Catalogue& catalogue) {
         names.push_back(spec.name);
     }
     return names;
+}
+
+bool isSameDesign(const TuneResult& one, const TuneResult& other) {
+    const auto text = [](const TuneResult& design) { return toJsonText(gainsBody(design)).value_or(""); };
+    return text(one) == text(other);
 }
 
 /// Values read at once: a stop waits for no more than one job.
@@ -71,6 +78,24 @@ Workbench::Workbench(QObject* parent) : QObject(parent), m_history(HistoryBudget
 Workbench::~Workbench() {
     m_session.disconnect(this); // panels that hear of it may be gone already
     m_session.end();
+}
+
+void Workbench::setWallClock(const WallClock& clock) {
+    m_wallClock = clock;
+    m_recording.setWallClock(clock);
+}
+
+ResultHeader Workbench::beginResult(const std::string& schema) const {
+    ResultHeader header;
+    header.schema = schema;
+    if (m_session.state() == SessionState::Connected) {
+        header.device = m_session.info();
+    }
+    const bool isVirtual = header.device && header.device->isSimulated && m_session.pace().speed_ratio <= 0.0;
+    if (!isVirtual) {
+        header.started = m_wallClock().toString(Qt::ISODate).toStdString();
+    }
+    return header;
 }
 
 void Workbench::drainSamples() {
@@ -167,9 +192,26 @@ void Workbench::setIdentification(std::optional<IdentifyResult> result, Provenan
     identificationChanged();
 }
 
-void Workbench::setDesign(std::optional<TuneResult> design, bool isFromProject) {
+void Workbench::setDesign(std::optional<TuneResult> design) {
+    // The same design found anew, after values were read, is as old as it was.
+    if (design && !(m_design && isSameDesign(*design, *m_design))) {
+        m_designHeader = beginResult("halbench.gains/1");
+        m_designHeader.device = m_provenance.header.device;
+    }
     m_design = std::move(design);
-    m_isDesignFromProject = isFromProject;
+    m_isDesignFromProject = false;
+    designChanged();
+}
+
+void Workbench::setDesignOfProject(TuneResult design, const std::string& started) {
+    m_designHeader = ResultHeader();
+    m_designHeader.schema = "halbench.gains/1";
+    m_designHeader.device = m_provenance.header.device;
+    if (!started.empty()) {
+        m_designHeader.started = started;
+    }
+    m_design = std::move(design);
+    m_isDesignFromProject = true;
     designChanged();
 }
 

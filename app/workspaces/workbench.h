@@ -9,6 +9,7 @@
 #include "app/workspaces/live_signals.h"
 #include "app/workspaces/recording_control.h"
 #include "app/workspaces/stop_latch.h"
+#include "app/workspaces/wall_clock.h"
 #include "control/signals/sample_history.h"
 
 #include <QObject>
@@ -49,6 +50,10 @@ public:
     const Freshness& freshness() const { return m_freshness; }
     /// The recording of the panel and of the window's action.
     RecordingControl& recording() { return m_recording; }
+    void setWallClock(const WallClock& clock);
+    /// Header of a result that begins now, on the device if one is connected. Virtual time begins in 1970, so
+    /// that equal seeds give the same bytes as in batch mode.
+    ResultHeader beginResult(const std::string& schema) const;
     const control::SampleHistory& history() const { return m_history; }
     /// Moves what arrived into the history; called once per frame.
     void drainSamples();
@@ -83,7 +88,11 @@ public:
     const std::optional<TuneResult>& design() const { return m_design; }
     /// Gains that came with the project, until others are chosen.
     bool isDesignFromProject() const { return m_isDesignFromProject; }
-    void setDesign(std::optional<TuneResult> design, bool isFromProject = false);
+    void setDesign(std::optional<TuneResult> design);
+    /// One that came with the project, made at the time that it says.
+    void setDesignOfProject(TuneResult design, const std::string& started);
+    /// Of the design: when it was made, for whose motor.
+    const ResultHeader& designHeader() const { return m_designHeader; }
 
 Q_SIGNALS:
     void deviceChanged(); ///< connected, lost or gone
@@ -113,6 +122,8 @@ private:
     Provenance m_provenance;
     std::optional<TuneResult> m_design;
     bool m_isDesignFromProject = false;
+    ResultHeader m_designHeader;
+    WallClock m_wallClock = wallClock;
 };
 
 } // namespace halbench::app

@@ -1,4 +1,5 @@
 #include "app/window/dock_layout.h"
+#include "app/window/unkept_bar.h"
 #include "app/workspaces/notes_panel.h"
 #include "tests/app/window/window_test.h"
 
@@ -67,6 +68,29 @@ protected:
         QTest::keyClick(bar->findChild<QPushButton*>(), Qt::Key_Space);
     }
 
+    void wantAnotherFromOneThatCannotBeKept() {
+        openNew("other.toml");
+        openNew();
+        blockAutosave();
+        type("typed");
+        answerDialog(path("other.toml"));
+        pressWithControl(Qt::Key_O);
+        window->project().finishWriting();
+        EXPECT_EQ(notes(), "typed"); // it stays open
+        EXPECT_EQ(window->project().path(), file());
+        EXPECT_TRUE(window->findChild<UnkeptBar*>()->isVisible());
+    }
+
+    /// Of what is offered where a project cannot be left.
+    void choose(const char* words) {
+        for (auto* button : window->findChild<UnkeptBar*>()->findChildren<QPushButton*>()) {
+            if (button->text() == QString::fromUtf8(words)) {
+                QTest::mouseClick(button, Qt::LeftButton);
+            }
+        }
+        window->project().finishWriting();
+    }
+
     QTemporaryDir folder;
 };
 
@@ -125,6 +149,42 @@ TEST_F(KeepingWorkTest, closingAnywayIsTheUsersChoice) {
     EXPECT_FALSE(window->close());
     press("Close anyway");
     EXPECT_FALSE(window->isVisible());
+    EXPECT_EQ(loadProject(file())->notes, ""); // as it was saved
+}
+
+TEST_F(KeepingWorkTest, aProjectThatCannotBeKeptStaysOpenWhenANewOneIsWanted) {
+    openNew();
+    blockAutosave();
+    type("typed");
+    pressWithControl(Qt::Key_N);
+    window->project().finishWriting();
+    EXPECT_EQ(notes(), "typed"); // nothing is lost, and it is still this project
+    EXPECT_EQ(window->project().path(), file());
+    auto* bar = window->findChild<UnkeptBar*>();
+    ASSERT_TRUE(bar->isVisible());
+    choose("Try again"); // the disk is still full
+    EXPECT_EQ(notes(), "typed");
+    EXPECT_TRUE(bar->isVisible());
+    ASSERT_TRUE(QDir(path("motor.toml.autosave")).removeRecursively());
+    choose("Try again"); // now there is room
+    EXPECT_EQ(notes(), "");
+    EXPECT_TRUE(window->project().path().empty());
+    EXPECT_FALSE(bar->isVisible());
+    EXPECT_EQ(loadProject(file("motor.toml.autosave"))->notes, "typed");
+}
+
+TEST_F(KeepingWorkTest, whatCannotBeKeptIsSavedElsewhereAndTheOtherProjectOpens) {
+    wantAnotherFromOneThatCannotBeKept();
+    answerDialog(path("elsewhere.toml"));
+    choose("Save project as…");
+    EXPECT_EQ(loadProject(file("elsewhere.toml"))->notes, "typed");
+    EXPECT_EQ(window->project().path(), file("other.toml")); // what was asked for
+}
+
+TEST_F(KeepingWorkTest, whatCannotBeKeptIsDiscardedOnPurposeOnly) {
+    wantAnotherFromOneThatCannotBeKept();
+    choose("Discard");
+    EXPECT_EQ(window->project().path(), file("other.toml"));
     EXPECT_EQ(loadProject(file())->notes, ""); // as it was saved
 }
 

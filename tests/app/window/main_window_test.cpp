@@ -194,6 +194,7 @@ TEST_F(MainWindowTest, aDamagedProjectIsSaidInPlaceAndNothingIsLost) {
     open();
     static_cast<NotesPanel*>(window->docks().panel("notes"))->setNotes("mine");
     window->openProject(path);
+    window->project().finishWriting(); // what was open is kept first
     EXPECT_EQ(static_cast<NotesPanel*>(window->docks().panel("notes"))->notes(), "mine");
     const auto bars = window->findChildren<widgets::MessageBar*>();
     EXPECT_TRUE(std::any_of(bars.begin(), bars.end(), [](const widgets::MessageBar* bar) {

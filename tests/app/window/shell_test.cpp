@@ -1,11 +1,15 @@
 #include "app/window/dock_layout.h"
 #include "app/window/help_window.h"
 #include "app/workspaces/device_panel.h"
+#include "app/workspaces/log_panel.h"
 #include "tests/app/window/window_test.h"
 #include "widgets/stop_button.h"
 
 #include <QListWidget>
 #include <QMenuBar>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <qtadvanceddocking/DockAreaWidget.h>
 #include <qtadvanceddocking/DockManager.h>
@@ -45,6 +49,35 @@ TEST_F(ShellTest, devicesBehindAnotherTabAreStillCollectedAndConnected) {
     window->close();
     EXPECT_TRUE(wait([&] { return !window->isVisible(); })); // once the device is left
     EXPECT_EQ(window->project().project().device, "sim:htm");
+}
+
+TEST_F(ShellTest, theLogTellsWhatTheActuatorDidAndWhoStoppedIt) {
+    open();
+    connectMotor(1.0);
+    const auto* log = qobject_cast<LogPanel*>(window->docks().panel("log"));
+    const auto tells = [log](const char* words) { return log->text().contains(words); };
+    QPushButton* arm = nullptr;
+    for (auto* button : window->docks().panel("drive")->findChildren<QPushButton*>()) {
+        arm = button->text().remove('&') == "Arm" ? button : arm;
+    }
+    ASSERT_NE(arm, nullptr);
+    ASSERT_TRUE(wait([&] { return arm->isEnabled(); }));
+    arm->click();
+    ASSERT_TRUE(wait([&] { return tells("\tarmed"); })) << log->text().toStdString();
+    QTest::keyClick(window.get(), Qt::Key_Escape);
+    ASSERT_TRUE(wait([&] { return tells("disarmed"); })) << log->text().toStdString();
+    EXPECT_LT(log->text().indexOf("asked for by Esc"), log->text().indexOf("Stopped: by command"));
+    EXPECT_LT(log->text().indexOf("Stopped: by command"), log->text().indexOf("disarmed"));
+    const QTemporaryDir folder;
+    window->bench().recording().setFolder(folder.path());
+    window->bench().recording().start();
+    ASSERT_TRUE(wait([&] { return window->bench().recording().status().rows > 0; }));
+    window->bench().recording().stop();
+    ASSERT_TRUE(wait([&] { return tells("written: "); })) << log->text().toStdString();
+    EXPECT_TRUE(tells(("started: " + folder.path()).toUtf8()));
+    window->bench().session().disconnectDevice();
+    EXPECT_TRUE(wait([&] { return tells("disconnected"); }));
+    EXPECT_TRUE(tells("connected sim-htm"));
 }
 
 TEST_F(ShellTest, aFloatingDockCarriesAStopOfItsOwn) {
@@ -87,6 +120,14 @@ TEST_F(ShellTest, helpOpensThePageOfThePanelThatHasTheFocus) {
     QTextBrowser page;
     page.setMarkdown(helpText("command-line.md"));
     EXPECT_EQ(helpWords(), page.toPlainText());
+}
+
+TEST_F(ShellTest, aLinkIntoAPageShowsItsSection) {
+    open();
+    HelpWindow page("identification.md#62-two-currents-of-friction");
+    EXPECT_EQ(page.findChild<QTextBrowser*>()->textCursor().block().text(), "6.2 Two currents of friction");
+    page.openPage("#1-what-can-be-known-from-what");
+    EXPECT_TRUE(page.findChild<QTextBrowser*>()->textCursor().block().text().startsWith("1. What can"));
 }
 
 TEST_F(ShellTest, theHelpGoesBackToThePageBefore) {

@@ -1,10 +1,13 @@
 #include "app/wizards/calibrate_panel.h"
 #include "app/wizards/calibrate_words.h"
+#include "control/base/units.h"
 #include "tests/app/workspaces/panel_fixture.h"
+#include "widgets/display_units.h"
 #include "widgets/estimate_table.h"
 #include "widgets/message_bar.h"
 
 #include <QCheckBox>
+#include <QLabel>
 
 namespace halbench::app {
 namespace {
@@ -40,9 +43,15 @@ TEST_F(CalibratePanelTest, proposesAppliesOnPurposeAndRestores) {
     EXPECT_NE(after.at("hall.offset_a"), before.at("hall.offset_a"));
     EXPECT_EQ(after.at("gain.kp"), before.at("gain.kp"));
     EXPECT_FALSE(isEnabled(panel, "Apply"));
+    const auto now = [](double offset_T) { return "now " + widgets::numberText(offset_T * 1e3, 4); };
+    EXPECT_TRUE(table->text().contains(now(after.at("hall.offset_a")))) << table->text().toStdString();
     click(panel, "Restore");
     ASSERT_TRUE(wait([&] { return message().contains("before are back"); }));
     EXPECT_EQ(valuesNow(), before);
+    EXPECT_TRUE(table->text().contains(now(before.at("hall.offset_a")))) << table->text().toStdString();
+    // Whoever writes it: beside the figure stands what the device has.
+    bench.writeValues({{"hall.offset_a", 0.00125}}, [](const Result<void>&) {});
+    EXPECT_TRUE(wait([&] { return table->text().contains(now(0.00125)); })) << table->text().toStdString();
 }
 
 TEST_F(CalibratePanelTest, aResultIsNotAppliedToAnotherBoardNorToAnArmedOne) {
@@ -113,6 +122,7 @@ TEST_F(CalibratePanelTest, aCalibrationOfTheProjectIsAppliedOnPurposeAndRestores
     const auto before = valuesNow();
     panel.restore(measuredOn(bench.session().info()));
     EXPECT_TRUE(message().contains("2026-05-04T03:02:01Z")) << message().toStdString();
+    EXPECT_TRUE(message().contains("It is the device that is connected.")) << message().toStdString();
     EXPECT_EQ(valuesNow(), before); // showing it writes nothing
     click(panel, "Apply");
     ASSERT_TRUE(wait([&] { return message().startsWith("Applied"); }));
@@ -149,14 +159,60 @@ TEST_F(CalibratePanelTest, aCalibrationOfASimulatedMotorWithOtherOverridesIsNotA
     EXPECT_FALSE(isEnabled(panel, "Apply"));
 }
 
+TEST_F(CalibratePanelTest, carriesTheWallClocksStartAndTheDevicesDuration) {
+    QDateTime now = QDateTime::fromString("2026-05-04T03:02:01Z", Qt::ISODate);
+    bench.setWallClock([&now] { return now; });
+    connectMotor("sim:htm", 50.0);
+    for (auto* box : panel.findChildren<QCheckBox*>()) {
+        if (box->isVisible() && !box->text().contains("Stray")) {
+            QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
+        }
+    }
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start calibration"); }));
+    click(panel, "Start calibration");
+    now = now.addSecs(3600); // it begins when it is started, not when it ends
+    ASSERT_TRUE(wait([&] { return isResultShown(); })) << message().toStdString();
+    EXPECT_EQ(panel.record()->header.started, "2026-05-04T03:02:01Z");
+    // The board needs what the plan says, give or take how fast its coils are asked.
+    CalibrateConfig config;
+    config.which = {Calibration::Stray};
+    const double predicted_s = predictCalibrate(config).duration_s;
+    EXPECT_NEAR(panel.record()->result.duration_s, predicted_s, 0.3 * predicted_s);
+    bool isSaid = false;
+    for (const auto* label : panel.findChildren<QLabel*>()) {
+        isSaid = isSaid || label->text().contains("started 2026-05-04T03:02:01Z");
+    }
+    EXPECT_TRUE(isSaid);
+}
+
 TEST(CalibrateWords, showsMillitesla) {
     CalibrateResult result;
     result.figures = {{"hall.offset_a", "T", {5.6e-3, std::pair(5.5e-3, 5.7e-3), {}, "T"}}};
     result.before = {{"hall.offset_a", 1e-3}};
-    const auto rows = calibrationRows(result);
+    const auto rows = calibrationRows(result, nullptr);
     EXPECT_NEAR(*rows.at(0).value, 5.6, 1e-12);
     EXPECT_EQ(rows.at(0).unit, "mT");
-    EXPECT_EQ(rows.at(0).source, "now 1");
+    EXPECT_EQ(rows.at(0).source, "before 1"); // no device to ask
+    const std::map<std::string, double> values = {{"hall.offset_a", 2e-3}};
+    EXPECT_EQ(calibrationRows(result, &values).at(0).source, "now 2");
+}
+
+TEST(CalibrateWords, definesTheResidualAngleErrorOnce) {
+    CalibrateResult result;
+    EXPECT_TRUE(calibrationGain(result).isEmpty());
+    result.residualBefore_rad = degreesToRadians(2.0);
+    result.residualAfter_rad = degreesToRadians(0.25);
+    const QString text = calibrationGain(result);
+    EXPECT_TRUE(text.startsWith("Residual angle error: 2.000\u00b0")) << text.toStdString();
+    EXPECT_TRUE(text.contains("0.250\u00b0 with the proposed"));
+    EXPECT_TRUE(text.contains("root mean square (rms)"));
+}
+
+TEST(CalibrateWords, saysThatTheBreakawayCurrentIsNotFrictionWhileMoving) {
+    CalibrateResult result;
+    EXPECT_TRUE(breakawayNote(result).isEmpty());
+    result.staticFriction = {{0.5, 1.6}};
+    EXPECT_TRUE(breakawayNote(result).contains("identification.md#62-two-currents-of-friction"));
 }
 
 } // namespace

@@ -131,6 +131,50 @@ TEST_F(IdentifyPanelTest, withoutAGivenConstantItSaysWhatWouldSupplyTheScale) {
     EXPECT_TRUE(isEnabled(panel, "Tune with this")); // the quotients are enough
 }
 
+TEST_F(IdentifyPanelTest, aResultCarriesTheWallClocksStartAndTheDevicesDuration) {
+    QDateTime now = QDateTime::fromString("2026-05-04T03:02:01Z", Qt::ISODate);
+    bench.setWallClock([&now] { return now; });
+    connectMotor("sim:htm", 50.0);
+    chooseShortSweep();
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
+    click(panel, "Start identification");
+    now = now.addSecs(3600); // it begins when it is started, not when it ends
+    ASSERT_TRUE(wait([&] { return isResultShown(); })) << message().toStdString();
+    EXPECT_EQ(bench.provenance().header.started, "2026-05-04T03:02:01Z");
+    EXPECT_GT(bench.identification()->duration_s, 30.0); // eight coast-downs each way alone take longer
+    bool isSaid = false;
+    for (const auto* label : panel.findChildren<QLabel*>()) {
+        isSaid = isSaid || (label->text().contains("started 2026-05-04T03:02:01Z") &&
+                            label->text().contains("minutes of device time"));
+    }
+    EXPECT_TRUE(isSaid);
+}
+
+TEST_F(IdentifyPanelTest, aResultOfTheProjectSaysWhetherItsDeviceIsTheOneThatIsConnected) {
+    IdentifyResult result;
+    result.quality.verdict = Verdict::Good;
+    ResultHeader header;
+    header.started = "2026-05-04T03:02:01Z";
+    header.device = devices::DeviceInfo{"", "htm", "htm-0042", "FW", "", false, {}};
+    bench.setIdentification(result, {header, ResultOrigin::Project});
+    EXPECT_TRUE(message().contains("No device is connected")) << message().toStdString();
+    connectMotor("sim:htm", 0.0);
+    EXPECT_TRUE(message().contains("2026-05-04T03:02:01Z")) << message().toStdString();
+    EXPECT_TRUE(message().contains("Connected is another one: ")) << message().toStdString();
+    header.device = bench.session().info();
+    bench.setIdentification(result, {header, ResultOrigin::Project});
+    EXPECT_TRUE(message().contains("It is the device that is connected.")) << message().toStdString();
+}
+
+TEST_F(IdentifyPanelTest, theGivenConstantsAreKeptAndComeBack) {
+    give("J", "5.5e-4");
+    give("phi", "abc");
+    EXPECT_EQ(panel.given(), (std::map<std::string, double>{{"J", 5.5e-4}}));
+    panel.setGiven({{"c", 0.0}, {"phi", 0.0143}});
+    EXPECT_EQ(panel.given(), (std::map<std::string, double>{{"c", 0.0}, {"phi", 0.0143}}));
+    EXPECT_TRUE(child<widgets::OptionalNumberEdit>("J")->text().isEmpty());
+}
+
 TEST_F(IdentifyPanelTest, showsThePlateausWhileTheyAreMeasured) {
     connectMotor("sim:htm", 0.0);
     std::size_t most = 0;

@@ -58,10 +58,27 @@ TEST(IdentifyWords, provenanceNamesDeviceOverridesAndSeed) {
     ResultHeader header;
     header.device = devices::DeviceInfo{"", "htm", "sim-htm-7", "FW1", "", true, {{"c", "0.002"}}};
     header.seed = 7;
-    const QString text = provenanceText(header, {});
-    for (const char* part : {"sim-htm-7", "FW1", "c=0.002", "seed 7", HALBENCH_VERSION}) {
-        EXPECT_TRUE(text.contains(part)) << part;
+    header.started = "2026-05-04T03:02:01Z";
+    const QString text = provenanceText(header, 245.0, 48.2);
+    for (const char* part : {"sim-htm-7", "FW1", "c=0.002", "seed 7", HALBENCH_VERSION,
+                             "started 2026-05-04T03:02:01Z", "4:05 minutes of device time", "48.2"}) {
+        EXPECT_TRUE(text.contains(part)) << part << " in " << text.toStdString();
     }
+}
+
+TEST(IdentifyWords, virtualTimeHasNoDate) {
+    const QString text = provenanceText(ResultHeader(), 0.0, std::nullopt);
+    EXPECT_FALSE(text.contains("1970")) << text.toStdString();
+    EXPECT_TRUE(text.contains("virtual time"));
+    EXPECT_FALSE(text.contains("minutes")); // an old file does not say it
+}
+
+TEST(IdentifyWords, saysThatFrictionWhileMovingIsNotTheBreakawayCurrent) {
+    IdentifyResult result;
+    EXPECT_TRUE(frictionNote(result).isEmpty());
+    result.ratios["Kf_over_phi"].value = 1.43;
+    EXPECT_TRUE(frictionNote(result).contains("from rest"));
+    EXPECT_TRUE(frictionNote(result).contains("identification.md#62-two-currents-of-friction"));
 }
 
 } // namespace

@@ -1,0 +1,119 @@
+#include "app/report/calibration_figures.h"
+#include "app/wizards/calibrate_panel.h"
+#include "app/wizards/calibrate_words.h"
+#include "app/wizards/identify_words.h"
+#include "app/wizards/note_label.h"
+#include "widgets/figure_view.h"
+#include "widgets/message_bar.h"
+#include "widgets/step_list.h"
+#include "widgets/verdict_view.h"
+
+#include <QLabel>
+
+namespace halbench::app {
+
+std::optional<CalibrationRecord> CalibratePanel::record() const {
+    return m_result ? std::optional(CalibrationRecord{m_header, *m_result}) : m_kept;
+}
+
+void CalibratePanel::restore(std::optional<CalibrationRecord> record) {
+    if (isMine()) {
+        return; // what runs now is shown when it ends
+    }
+    ++m_connection; // a write that is on its way was of another result
+    messages().clear();
+    m_result.reset();
+    m_kept.reset();
+    m_isFromProject = record.has_value();
+    if (!record) {
+        showPage(PreparePage);
+        resetSteps();
+        refreshPlan();
+        return;
+    }
+    m_header = record->header;
+    m_result = std::move(record->result);
+    m_result->isApplied = false; // whether the device still has it is not known
+    showResult();
+    sayProject();
+    runStep(ApplyStep);
+    endStep(ApplyStep, widgets::StepState::Waiting);
+    showPage(ResultPage);
+}
+
+bool CalibratePanel::isOfThisDevice() const {
+    return !m_isFromProject || (m_header.device && isSameDevice(*m_header.device, bench().session().info()));
+}
+
+void CalibratePanel::apply() {
+    if (m_isFromProject) { // Restore brings back what the device has now, not what it had then
+        m_result->before.clear();
+        for (const ParameterValue& proposed : m_result->proposed) {
+            if (const auto value = bench().deviceValue(proposed.name)) {
+                m_result->before.push_back({proposed.name, *value});
+            }
+        }
+    }
+    write(m_result->proposed, true);
+}
+
+void CalibratePanel::showResult() {
+    m_verdict->setVerdict(verdictLevel(m_result->quality.verdict), verdictTitle(m_result->quality),
+                          remarksOf(m_result->quality.findings));
+    m_table->setAccessibleName(tr("Calibrated values"));
+    showRows();
+    showNote(*m_friction, breakawayNote(*m_result));
+    m_provenance->setText(provenanceText(m_header, m_result->duration_s, std::nullopt));
+    m_gain->setText(calibrationGain(*m_result));
+    m_gain->setVisible(!m_gain->text().isEmpty());
+    const bool hasFigure = !m_result->staticFriction.empty();
+    m_figure->setFigure(hasFigure ? staticFrictionFigure(m_result->staticFriction) : widgets::Figure{});
+    m_figure->setVisible(hasFigure);
+    refreshPlan();
+}
+
+/// Beside each value the one that the device has now, whoever wrote it.
+void CalibratePanel::showRows() {
+    if (m_result) {
+        const bool isKnown = bench().session().state() == SessionState::Connected && isOfThisDevice();
+        m_table->setRows(calibrationRows(*m_result, isKnown ? &bench().deviceValues() : nullptr));
+    }
+}
+
+void CalibratePanel::sayProject() {
+    const DeviceSession& session = bench().session();
+    const bool isConnected = session.state() == SessionState::Connected;
+    messages().showMessage(
+        {widgets::Severity::Information,
+         projectCalibrationText(m_header) + QLatin1Char(' ') +
+             projectDeviceText(m_header, isConnected ? &session.info() : nullptr),
+         tr("It can be applied to the device it was measured on only; calibrate again when the sensors were "
+            "touched."),
+         {}});
+}
+
+void CalibratePanel::write(const std::vector<ParameterValue>& values, bool isApplying) {
+    const QPointer<CalibratePanel> self(this);
+    bench().writeValues(values, [self, isApplying, connection = m_connection](const Result<void>& written) {
+        if (!self || connection != self->m_connection || !self->m_result) {
+            return;
+        }
+        if (!written) {
+            self->showError(written.error());
+            return;
+        }
+        self->m_result->isApplied = isApplying;
+        self->endStep(ApplyStep, isApplying ? widgets::StepState::Done : widgets::StepState::Waiting);
+        const QString done = isApplying
+                                 ? tr("Applied and read back; it stays until the device is switched off.")
+                                 : tr("The values from before are back.");
+        self->bench().session().message(MessageLevel::Info, tr("Calibrate"), done);
+        self->messages().showMessage({widgets::Severity::Success, done, {}, {}});
+        self->refreshPlan();
+        if (!self->m_isFromProject) {
+            self->calibrated();
+        }
+    });
+}
+
+} // namespace halbench::app
