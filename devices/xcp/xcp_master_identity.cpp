@@ -90,11 +90,15 @@ Result<std::string> XcpMaster::description(const KnownDescription& known) {
 /// whose text also lies at extension 1 (3.13) are read on from there, others from GET_ID once more.
 Result<std::string> XcpMaster::uploadDescription(std::size_t length) {
     const double end_s = m_link->transport().now_s() + MaxDescriptionTime_s;
+    // In block mode several answers follow one command (3.5): a line that is slow to turn round, as USB
+    // adapters are, waits once for 248 octets instead of once for 31.
+    constexpr std::size_t LongestBlock = 255;
+    const std::size_t single = m_session.maxCto - std::size_t{1};
+    const std::size_t chunk = m_session.hasBlockMode() ? LongestBlock / single * single : single;
     std::string text;
     bool isAddressed = false;
     while (text.size() < length && m_link->transport().now_s() < end_s) {
-        const std::size_t size =
-            std::min<std::size_t>(length - text.size(), m_session.maxCto - std::size_t{1});
+        const std::size_t size = std::min(length - text.size(), chunk);
         const Address here{static_cast<std::uint32_t>(text.size()), DescriptionExtension};
         Result<Packet> octets;
         if (isAddressed) {

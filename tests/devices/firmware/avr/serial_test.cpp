@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <thread>
 
 namespace halbench::simavr {
@@ -70,6 +71,28 @@ TEST_F(AvrSerial, theProgramOpensTheBoardLikeASerialPortAndOpeningAgainResetsIt)
     const auto again = open();
     ASSERT_TRUE(again);
     EXPECT_EQ(read(*again, "gain.kp"), 10.0);
+}
+
+/// Virtual time of connecting, the board's start included.
+double connecting_s(const std::string& cacheFolder) {
+    devices::XcpDeviceOptions options;
+    options.cacheFolder = cacheFolder;
+    const auto device =
+        devices::openXcpDevice(std::make_unique<AvrTransport>(makeBoard(perfectMotor())), std::move(options));
+    EXPECT_TRUE(device) << device.error().message;
+    return device ? (*device)->clock().now_s() : 0.0;
+}
+
+TEST(AvrConnecting, readsTheDescriptionOnceAndThenTakesItFromTheCache) {
+    const std::string folder = testing::TempDir() + "avr-cache-" + std::to_string(::getpid());
+    const double first_s = connecting_s(folder);
+    const double again_s = connecting_s(folder);
+    std::filesystem::remove_all(folder);
+    // 16 kB of text: 1.7 s on the line at 115200 baud, the rest is the processor that renders it beside its
+    // control loop.
+    EXPECT_GT(first_s, 1.7);
+    EXPECT_LT(first_s, 6.0);
+    EXPECT_LT(again_s, 1.0) << "identity, state and values alone";
 }
 
 } // namespace
