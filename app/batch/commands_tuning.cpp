@@ -3,11 +3,13 @@
 #include "app/batch/model_file.h"
 #include "app/batch/numbers.h"
 #include "app/batch/result_documents.h"
+#include "control/base/units.h"
 #include "devices/device_uri.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace halbench::app {
 
@@ -93,6 +95,26 @@ Result<control::DesignTargets> targetsFrom(const CommandOptions& options) {
     return control::DesignTargets{*zeta, *omega, *bandwidth, *margin};
 }
 
+/// What the uncertainty of the motor makes of each margin.
+std::string intervalLines(const control::Robustness& robust) {
+    if (!robust.gainMargin_ratio) {
+        return "margins: no interval is known, the model has no covariance\n";
+    }
+    std::string text = fmt::format("margins of 5 % to 95 % of {} motors that the data allow\n", robust.draws);
+    const auto line = [&text](const char* name, const std::optional<control::Robustness::Interval>& interval,
+                              const char* unit) {
+        if (interval) {
+            text += fmt::format("{:<26} {:.4g} to {:.4g}{}\n", name, interval->p5, interval->p95, unit);
+        }
+    };
+    line("gain margin", robust.gainMargin_ratio, "");
+    line("phase margin", robust.phaseMargin_deg, " deg");
+    line("delay margin", robust.delayMargin_s, " s");
+    line("modulus margin", robust.modulusMargin, "");
+    line("gain crossover", robust.gainCrossover_rad_s, " rad/s");
+    return text;
+}
+
 std::string gainsText(const TuneResult& result) {
     std::string text = fmt::format("method {}\n", result.method);
     const JsonValue body = gainsBody(result);
@@ -106,7 +128,19 @@ std::string gainsText(const TuneResult& result) {
     text += fmt::format("{}, gain margin {:.3g}, phase margin {:.4g} deg\n",
                         predicted.isStable ? "stable" : "UNSTABLE", predicted.margins.gainMargin_ratio,
                         predicted.margins.phaseMargin_deg);
-    return text + findingLines(result.quality);
+    return text + intervalLines(result.robust) + findingLines(result.quality);
+}
+
+std::string agreementLine(const ApplyResult& applied) {
+    if (!applied.band || !applied.verification) {
+        return {};
+    }
+    return fmt::format(
+        "at rest {:.3g} deg from the set-point (allowed {:.3g}, friction band {:.3g}), "
+        "at most {:.3g} deg off the prediction, at {:.3g} s\n",
+        radiansToDegrees(std::abs(applied.verification->measured.finalError_rad)),
+        radiansToDegrees(applied.band->allowed_rad), radiansToDegrees(applied.band->friction_rad),
+        radiansToDegrees(std::abs(applied.band->largestOff_rad)), applied.band->largestOffTime_s);
 }
 
 /// A step of 30 degrees that the new gains must answer as predicted before they stay.
@@ -196,6 +230,7 @@ CommandResult runTuneCommand(CommandContext& context, const CommandOptions& opti
         }
         isKept = applied->isKept;
         document.set("applied", applyBody(*applied));
+        text += agreementLine(*applied);
         text += fmt::format("{}\n{}", isKept ? "applied and verified" : "not kept, the old gains run again",
                             findingLines(applied->quality));
     }

@@ -54,6 +54,27 @@ JsonValue largeStepOf(const std::optional<LargeStep>& step) {
     return body;
 }
 
+JsonValue toJson(const std::optional<control::Robustness::Interval>& interval) {
+    if (!interval) {
+        return {};
+    }
+    JsonValue body = JsonValue::object();
+    return body.set("p5", finiteOrNull(interval->p5)).set("p95", finiteOrNull(interval->p95));
+}
+
+/// Null for a model without uncertainty: a point is not an interval.
+JsonValue intervalsOf(const control::Robustness& robust) {
+    if (!robust.gainMargin_ratio) {
+        return {};
+    }
+    JsonValue body = JsonValue::object();
+    body.set("gain_margin_ratio", toJson(robust.gainMargin_ratio));
+    body.set("phase_margin_deg", toJson(robust.phaseMargin_deg));
+    body.set("delay_margin_s", toJson(robust.delayMargin_s));
+    body.set("modulus_margin", toJson(robust.modulusMargin));
+    return body.set("gain_crossover_rad_s", toJson(robust.gainCrossover_rad_s));
+}
+
 JsonValue valueWithUnit(double value, const char* unit) {
     JsonValue entry = JsonValue::object();
     return entry.set("value", value).set("unit", unit);
@@ -119,6 +140,7 @@ JsonValue gainsBody(const TuneResult& result) {
     robust.set("gain_margin_ratio_p5", finiteOrNull(result.robust.gainMargin_ratio_p5));
     robust.set("phase_margin_deg_p5", finiteOrNull(result.robust.phaseMargin_deg_p5));
     robust.set("unstable_fraction", finiteOrNull(result.robust.unstable_fraction));
+    robust.set("intervals", intervalsOf(result.robust));
     JsonValue body = JsonValue::object();
     body.set("method", result.method).set("targets", targets);
     body.set("form", control::pidFormName(result.law.gains.form));

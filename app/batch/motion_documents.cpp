@@ -26,6 +26,16 @@ JsonValue runOf(const MoveRepetition& repetition, std::size_t run) {
     return entry.set("peak_to_peak_deg", finiteOrNull(radiansToDegrees(repetition.peakToPeak_rad[run])));
 }
 
+JsonValue agreementOf(const VerificationBand& band, bool isWithin) {
+    JsonValue body = JsonValue::object();
+    body.set("within", isWithin);
+    body.set("friction_band_deg", finiteOrNull(radiansToDegrees(band.friction_rad)));
+    body.set("allowed_error_deg", finiteOrNull(radiansToDegrees(band.allowed_rad)));
+    body.set("allowed_overshoot_percent", finiteOrNull(band.allowedOvershoot_percent));
+    body.set("largest_difference_deg", finiteOrNull(radiansToDegrees(band.largestOff_rad)));
+    return body.set("largest_difference_s", finiteOrNull(band.largestOffTime_s));
+}
+
 } // namespace
 
 JsonValue calibrationBody(const CalibrateResult& result) {
@@ -99,6 +109,7 @@ JsonValue applyBody(const ApplyResult& result) {
     JsonValue body = JsonValue::object();
     body.set("kept", result.isKept).set("before", toJson(result.before)).set("after", toJson(result.after));
     body.set("predicted", result.predicted ? moveFigures(*result.predicted) : JsonValue());
+    body.set("agreement", result.band ? agreementOf(*result.band, result.isKept) : JsonValue());
     return body.set("verification", result.verification ? moveBody(*result.verification) : JsonValue());
 }
 

@@ -71,8 +71,8 @@ MoveConfig moveOf(const ApplyVerification& verification) {
     return config;
 }
 
-Result<MoveFigures> predict(const ApplyVerification& verification, const control::PositionPlant& plant,
-                            const models::PositionLaw& law) {
+Result<models::IdealTrace> predict(const ApplyVerification& verification, const control::PositionPlant& plant,
+                                   const models::PositionLaw& law) {
     const auto reference = idealReference(verification.reference);
     if (!reference) {
         return failure(ErrorCode::InvalidInput,
@@ -88,8 +88,7 @@ Result<MoveFigures> predict(const ApplyVerification& verification, const control
     loop.law = law;
     loop.reference = *reference;
     loop.duration_s = verification.duration_s;
-    const models::IdealTrace trace = models::runIdealLoop(loop);
-    return measureMove({trace.time_s, trace.reference_rad, trace.angle_rad}, moveOf(verification));
+    return models::runIdealLoop(loop);
 }
 
 // Where friction holds the rotor against the gains depends on how it got there: no prediction can say it.
@@ -99,9 +98,10 @@ double frictionBand_rad(const control::PositionPlant& plant, const models::Posit
     return law.kp_A_per_rad > 0.0 ? left_A / law.kp_A_per_rad : 0.0;
 }
 
-void judge(const ApplyVerification& verification, double band_rad, ApplyResult& result) {
+void judge(const ApplyVerification& verification, ApplyResult& result) {
     const MoveFigures& predicted = *result.predicted;
     const MoveFigures& measured = result.verification->measured;
+    VerificationBand& band = *result.band;
     const auto expect = [&](const char* what, double seen, double allowed, const char* unit) {
         if (!(seen <= allowed)) {
             result.quality.verdict = Verdict::Refused;
@@ -113,16 +113,40 @@ void judge(const ApplyVerification& verification, double band_rad, ApplyResult& 
         }
     };
     if (predicted.overshoot_percent && measured.overshoot_percent) {
-        expect("overshoot", *measured.overshoot_percent,
-               *predicted.overshoot_percent + verification.overshootTolerance_percent, "%");
-        expect("final error", std::fabs(measured.finalError_rad),
-               std::max(std::fabs(predicted.finalError_rad), band_rad) + verification.errorTolerance_rad,
-               "rad");
+        band.allowedOvershoot_percent =
+            *predicted.overshoot_percent + verification.overshootTolerance_percent;
+        band.allowed_rad = std::max(std::fabs(predicted.finalError_rad), band.friction_rad) +
+                           verification.errorTolerance_rad;
+        expect("overshoot", *measured.overshoot_percent, *band.allowedOvershoot_percent, "%");
+        expect("final error", std::fabs(measured.finalError_rad), band.allowed_rad, "rad");
     } else {
         constexpr double Margin_ratio = 1.5; // friction scatter is the largest part of a tracking error
-        expect("rms error", measured.rmsError_rad,
-               Margin_ratio * std::max(predicted.rmsError_rad, band_rad) + verification.errorTolerance_rad,
-               "rad");
+        band.allowed_rad = Margin_ratio * std::max(predicted.rmsError_rad, band.friction_rad) +
+                           verification.errorTolerance_rad;
+        expect("rms error", measured.rmsError_rad, band.allowed_rad, "rad");
+    }
+}
+
+/// Measured against predicted at the same time; between two rows of the prediction on the straight line.
+void compareCurves(const Recording& measured, VerificationBand& band) {
+    const std::vector<double> position_rad = measured.column("position");
+    const models::IdealTrace& predicted = band.predicted;
+    for (std::size_t i = 0; i < position_rad.size(); ++i) {
+        const double time_s = measured.time_s[i];
+        const auto after = std::lower_bound(predicted.time_s.begin(), predicted.time_s.end(), time_s);
+        if (after == predicted.time_s.begin() || after == predicted.time_s.end()) {
+            continue;
+        }
+        const auto next = static_cast<std::size_t>(after - predicted.time_s.begin());
+        const double share_ratio =
+            (time_s - predicted.time_s[next - 1]) / (predicted.time_s[next] - predicted.time_s[next - 1]);
+        const double angle_rad =
+            std::lerp(predicted.angle_rad[next - 1], predicted.angle_rad[next], share_ratio);
+        const double off_rad = position_rad[i] - position_rad.front() - angle_rad;
+        if (std::fabs(off_rad) > std::fabs(band.largestOff_rad)) {
+            band.largestOff_rad = off_rad;
+            band.largestOffTime_s = time_s;
+        }
     }
 }
 
@@ -139,7 +163,12 @@ Result<void> verify(devices::Device& device, const ApplyVerification& verificati
     if (!law) {
         return failure(law.error());
     }
-    const auto predicted = predict(verification, *plant, *law);
+    auto trace = predict(verification, *plant, *law);
+    if (!trace) {
+        return failure(trace.error());
+    }
+    const auto predicted =
+        measureMove({trace->time_s, trace->reference_rad, trace->angle_rad}, moveOf(verification));
     if (!predicted) {
         return failure(predicted.error());
     }
@@ -151,7 +180,11 @@ Result<void> verify(devices::Device& device, const ApplyVerification& verificati
     }
     result.predicted = *predicted;
     result.verification = *seen;
-    judge(verification, frictionBand_rad(*plant, *law), result);
+    result.band.emplace();
+    result.band->predicted = *std::move(trace);
+    result.band->friction_rad = frictionBand_rad(*plant, *law);
+    compareCurves(seen->recording, *result.band);
+    judge(verification, result);
     return {};
 }
 

@@ -24,12 +24,23 @@ struct ApplyConfig {
     std::optional<ApplyVerification> verification;
 };
 
+/// How the measured verification lies beside its prediction. Angles from the start.
+struct VerificationBand {
+    models::IdealTrace predicted;  ///< of the law as the device has it
+    double friction_rad = 0.0;     ///< friction may hold the rotor so far from its reference
+    double allowed_rad = 0.0;      ///< error at the end of a step, rms error of other shapes
+    double largestOff_rad = 0.0;   ///< measured - predicted where they differ most
+    double largestOffTime_s = 0.0; ///< and when that was
+    std::optional<double> allowedOvershoot_percent;
+};
+
 struct ApplyResult {
     std::vector<ParameterValue> before;
     std::vector<ParameterValue> after; ///< as read back
     std::optional<MoveFigures> predicted;
     std::optional<MoveResult> verification;
-    bool isKept = false; ///< false: the old values run again, `quality` says why
+    std::optional<VerificationBand> band; ///< with the verification
+    bool isKept = false;                  ///< false: the old values run again, `quality` says why
     DataQuality quality;
 };
 

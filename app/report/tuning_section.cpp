@@ -78,9 +78,17 @@ ReportTable marginTable(const AnalysisResult& predicted, const std::optional<Ana
 }
 
 ReportFacts robustFacts(const control::Robustness& robust) {
+    const auto interval = [](const std::optional<control::Robustness::Interval>& spread, double factor,
+                             std::string_view unit) {
+        return spread ? fmt::format("{} to {}", withUnit(factor * spread->p5, unit),
+                                    withUnit(factor * spread->p95, unit))
+                      : "no interval is known";
+    };
     return {{{"plants drawn from the estimate", fmt::format("{}", robust.draws)},
-             {"gain margin, 5th percentile", withUnit(robust.gainMargin_ratio_p5, " \u00d7")},
-             {"phase margin, 5th percentile", withUnit(robust.phaseMargin_deg_p5, "\u00b0")},
+             {"gain margin, 5 % to 95 % of them", interval(robust.gainMargin_ratio, 1.0, " \u00d7")},
+             {"phase margin, 5 % to 95 % of them", interval(robust.phaseMargin_deg, 1.0, "\u00b0")},
+             {"delay margin, 5 % to 95 % of them", interval(robust.delayMargin_s, 1e3, " ms")},
+             {"modulus margin, 5 % to 95 % of them", interval(robust.modulusMargin, 1.0, "")},
              {"unstable draws", fmt::format("{:.1f} %", 100.0 * robust.unstable_fraction),
               robust.unstable_fraction > 0.0 ? ReportTone::Bad : ReportTone::Plain}}};
 }

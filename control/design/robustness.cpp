@@ -53,9 +53,17 @@ Result<void> check(const UncertainPlant& plant, int draws) {
 
 struct Draw {
     bool isStable = false;
-    double gainMargin_ratio = 0.0;
-    double phaseMargin_deg = 0.0;
+    StabilityMargins margins;
 };
+
+/// What a loop beyond the limit must not count with: it may cross with margins that look fine.
+StabilityMargins ofUnstable(StabilityMargins margins) {
+    margins.gainMargin_ratio = std::min(margins.gainMargin_ratio, 1.0);
+    margins.phaseMargin_deg = std::min(margins.phaseMargin_deg, 0.0);
+    margins.delayMargin_s = std::min(margins.delayMargin_s, 0.0);
+    margins.modulusMargin = 0.0;
+    return margins;
+}
 
 /// Damping below zero is taken as none: a draw beyond the edge of what a motor can be, not a negative brake.
 Draw judge(PositionPlant plant, const PidGains& gains, const LoopTiming& timing) {
@@ -63,20 +71,52 @@ Draw judge(PositionPlant plant, const PidGains& gains, const LoopTiming& timing)
     plant.breakawayCurrent_A = std::max(plant.breakawayCurrent_A, 0.0);
     const auto loop = sampledOpenLoop(plant, gains, timing);
     if (!loop) {
-        return {};
+        return {false, ofUnstable({0.0, 0.0, {}, {}, 0.0, 0.0})};
     }
+    const bool isStable = poleRadius(*loop) < 1.0;
     const StabilityMargins margins = smallestMargins(*loop);
-    if (poleRadius(*loop) < 1.0) {
-        return {true, margins.gainMargin_ratio, margins.phaseMargin_deg};
-    }
-    return {false, std::min(margins.gainMargin_ratio, 1.0), std::min(margins.phaseMargin_deg, 0.0)};
+    return {isStable, isStable ? margins : ofUnstable(margins)};
 }
 
-/// Nearest rank: the value that 5 % of the draws do not exceed.
-double fifthPercentile(std::vector<double> values) {
-    const auto rank = static_cast<std::size_t>(std::ceil(0.05 * static_cast<double>(values.size()))) - 1;
+/// Nearest rank: the value that this share of the draws does not exceed.
+double percentile(std::vector<double> values, double share_ratio) {
+    const auto rank =
+        static_cast<std::size_t>(std::ceil(share_ratio * static_cast<double>(values.size()))) - 1;
     std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank), values.end());
     return values[rank];
+}
+
+template <typename Figure>
+Robustness::Interval spread(const std::vector<Draw>& draws, Figure figure) {
+    std::vector<double> values;
+    values.reserve(draws.size());
+    for (const Draw& draw : draws) {
+        values.push_back(figure(draw.margins));
+    }
+    return {percentile(values, 0.05), percentile(values, 0.95)};
+}
+
+Robustness summary(const std::vector<Draw>& draws, bool isUncertain) {
+    const auto gain = spread(draws, [](const StabilityMargins& m) { return m.gainMargin_ratio; });
+    const auto phase = spread(draws, [](const StabilityMargins& m) { return m.phaseMargin_deg; });
+    const auto count = static_cast<double>(draws.size());
+    const auto unstable =
+        std::count_if(draws.begin(), draws.end(), [](const Draw& draw) { return !draw.isStable; });
+    Robustness robust{static_cast<int>(draws.size()), gain.p5, phase.p5,
+                      static_cast<double>(unstable) / count};
+    if (!isUncertain) {
+        return robust;
+    }
+    robust.gainMargin_ratio = gain;
+    robust.phaseMargin_deg = phase;
+    robust.delayMargin_s = spread(draws, [](const StabilityMargins& m) { return m.delayMargin_s; });
+    robust.modulusMargin = spread(draws, [](const StabilityMargins& m) { return m.modulusMargin; });
+    if (std::all_of(draws.begin(), draws.end(),
+                    [](const Draw& draw) { return draw.margins.gainCrossover_rad_s.has_value(); })) {
+        robust.gainCrossover_rad_s =
+            spread(draws, [](const StabilityMargins& m) { return *m.gainCrossover_rad_s; });
+    }
+    return robust;
 }
 
 } // namespace
@@ -91,22 +131,16 @@ Result<Robustness> assessRobustness(const UncertainPlant& plant, const PidGains&
     if (!root) {
         return failure(root.error());
     }
-    std::vector<double> gainMargins;
-    std::vector<double> phaseMargins;
-    int unstable = 0;
+    std::vector<Draw> judged;
+    judged.reserve(static_cast<std::size_t>(draws));
     Eigen::VectorXd normal(plant.mean.size());
     for (int i = 0; i < draws; ++i) {
         for (double& value : normal) {
             value = random.gaussian();
         }
-        const Draw draw = judge(plant.toPlant(plant.mean + *root * normal), gains, timing);
-        gainMargins.push_back(draw.gainMargin_ratio);
-        phaseMargins.push_back(draw.phaseMargin_deg);
-        unstable += draw.isStable ? 0 : 1;
+        judged.push_back(judge(plant.toPlant(plant.mean + *root * normal), gains, timing));
     }
-    return Robustness{draws, fifthPercentile(std::move(gainMargins)),
-                      fifthPercentile(std::move(phaseMargins)),
-                      static_cast<double>(unstable) / static_cast<double>(draws)};
+    return summary(judged, plant.covariance.size() > 0 && plant.covariance.diagonal().maxCoeff() > 0.0);
 }
 
 } // namespace halbench::control

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 
 namespace halbench::control {
 
@@ -15,6 +16,17 @@ struct Robustness {
     double gainMargin_ratio_p5 = 0.0; ///< 5th percentile; infinite when that draw has no phase crossing
     double phaseMargin_deg_p5 = 0.0;
     double unstable_fraction = 0.0; ///< draws whose sampled loop is unstable
+
+    /// The middle nine tenths of the draws. Nothing is known of it for a plant without uncertainty.
+    struct Interval {
+        double p5 = 0.0;
+        double p95 = 0.0;
+    };
+    std::optional<Interval> gainMargin_ratio = {};
+    std::optional<Interval> phaseMargin_deg = {};
+    std::optional<Interval> delayMargin_s = {};
+    std::optional<Interval> modulusMargin = {};
+    std::optional<Interval> gainCrossover_rad_s = {}; ///< also unknown when a draw has none
 };
 
 /// A joint normal uncertainty of some parameters and how they make a plant. A draw that is no motor (gain not
@@ -26,8 +38,9 @@ struct UncertainPlant {
 };
 
 /// Draws `draws` (at least 1000) plants and judges the sampled loop of each. An unstable draw counts with a
-/// gain margin of at most 1 and a phase margin of at most 0. Deterministic for a seed. Errors: InvalidInput
-/// (sizes, covariance not positive semi-definite), NotFinite, OutOfRange (draws).
+/// gain margin of at most 1, a phase and delay margin of at most 0 and a modulus margin of 0. Deterministic
+/// for a seed. Errors: InvalidInput (sizes, covariance not positive semi-definite), NotFinite, OutOfRange
+/// (draws).
 Result<Robustness> assessRobustness(const UncertainPlant& plant, const PidGains& gains,
                                     const LoopTiming& timing, int draws, Random random);
 

@@ -40,6 +40,33 @@ TEST(Apply, keepsGainsThatMoveAsPredicted) {
     }
 }
 
+// The same numbers from the curves themselves, on the samples that both have.
+TEST(Apply, saysHowFarTheMoveWasFromItsPrediction) {
+    const auto device = openMotor("imperfections=off");
+    const auto result = runApply(*device, recommendedWith(*device, motor()), {});
+    ASSERT_TRUE(result && result->band) << result.error().message;
+    const VerificationBand& band = *result->band;
+    // 1.15 K_f/phi less the 0.9 K_f/phi of the assist, over 40 A/rad: 0.25 1.434/40 rad.
+    EXPECT_NEAR(band.friction_rad, 0.25 * 2.05e-2 / 1.43e-2 / 40.0, 1e-4);
+    EXPECT_NEAR(band.allowed_rad,
+                0.02 + std::max(band.friction_rad, std::abs(result->predicted->finalError_rad)), 1e-12);
+    EXPECT_NEAR(*band.allowedOvershoot_percent, *result->predicted->overshoot_percent + 8.0, 1e-12);
+    const std::vector<double> position = result->verification->recording.column("position");
+    double largest = 0.0;
+    for (std::size_t i = 0; i < position.size(); ++i) {
+        const auto row =
+            static_cast<std::size_t>(std::lround(1000.0 * result->verification->recording.time_s[i]));
+        if (row < band.predicted.angle_rad.size()) {
+            largest = std::max(largest, std::abs(position[i] - position[0] - band.predicted.angle_rad[row]));
+        }
+    }
+    // A millisecond at the fastest, some 15 rad/s, is between the two ways to compare.
+    EXPECT_NEAR(std::abs(band.largestOff_rad), largest, 0.015);
+    EXPECT_LT(std::abs(band.largestOff_rad), 0.2); // of a step of 1.75 rad, on a motor as predicted
+    EXPECT_GT(band.largestOffTime_s, 0.0);
+    EXPECT_EQ(band.predicted.reference_rad.back(), degreesToRadians(100));
+}
+
 TEST(Apply, restoresTheOldGainsWhenTheMotorMovesUnlikeThePrediction) {
     // The estimate says less than a quarter of the true inertia: the real step overshoots far more than
     // predicted.

@@ -282,6 +282,43 @@ TEST(Robustness, fifthPercentileOfTheGainMarginFollowsTheGainOfTheMotor) {
     // Counting error of a 5 % quantile: sqrt(0.05 0.95/4000)/density(1.645) = 0.033 sigma.
     EXPECT_NEAR(robust->gainMargin_ratio_p5, limit / 10.0 / 1.1645, 4.0 * 0.033 * 0.1 * limit / 10.0);
     EXPECT_EQ(robust->draws, 4000);
+    ASSERT_TRUE(robust->gainMargin_ratio);
+    EXPECT_EQ(robust->gainMargin_ratio->p5, robust->gainMargin_ratio_p5);
+    // ... and the 95th at n = -1.645, where the same counting error is stretched by (1.1645/0.8355)^2.
+    EXPECT_NEAR(robust->gainMargin_ratio->p95, limit / 10.0 / 0.8355, 4.0 * 0.033 * 0.1 * limit / 10.0 * 2.0);
+}
+
+// Of a P loop on this motor a larger gain means a later crossover with less phase: the crossover at n =
+// +1.645 belongs to the margins at the other end.
+TEST(Robustness, everyMarginHasTheIntervalOfItsMotors) {
+    const auto robust = assessRobustness(uncertain(0.1), proportional(10.0), NoDelay, 4000, Random(3));
+    ASSERT_TRUE(robust.has_value());
+    const auto at = [](double n) {
+        PositionPlant plant = published();
+        plant.accelerationGain_rad_s2_A *= 1.0 + 0.1 * n;
+        return smallestMargins(*sampledOpenLoop(plant, proportional(10.0), NoDelay));
+    };
+    const StabilityMargins least = at(1.645);
+    const StabilityMargins most = at(-1.645);
+    ASSERT_TRUE(robust->phaseMargin_deg && robust->delayMargin_s && robust->modulusMargin &&
+                robust->gainCrossover_rad_s);
+    // 4 counting errors of 0.0033 in the gain of the motor move each of them by less than 3 %.
+    constexpr double Counting_ratio = 0.03;
+    EXPECT_NEAR(robust->phaseMargin_deg->p5 / least.phaseMargin_deg, 1.0, Counting_ratio);
+    EXPECT_NEAR(robust->phaseMargin_deg->p95 / most.phaseMargin_deg, 1.0, Counting_ratio);
+    EXPECT_NEAR(robust->delayMargin_s->p5 / least.delayMargin_s, 1.0, Counting_ratio);
+    EXPECT_NEAR(robust->delayMargin_s->p95 / most.delayMargin_s, 1.0, Counting_ratio);
+    EXPECT_NEAR(robust->modulusMargin->p5 / least.modulusMargin, 1.0, Counting_ratio);
+    EXPECT_NEAR(robust->modulusMargin->p95 / most.modulusMargin, 1.0, Counting_ratio);
+    EXPECT_NEAR(robust->gainCrossover_rad_s->p5 / *most.gainCrossover_rad_s, 1.0, Counting_ratio);
+    EXPECT_NEAR(robust->gainCrossover_rad_s->p95 / *least.gainCrossover_rad_s, 1.0, Counting_ratio);
+}
+
+TEST(Robustness, withoutUncertaintyNoIntervalIsKnown) {
+    const auto robust = assessRobustness(uncertain(0.0), proportional(10.0), NoDelay, 1000, Random(3));
+    ASSERT_TRUE(robust.has_value());
+    EXPECT_FALSE(robust->gainMargin_ratio || robust->phaseMargin_deg || robust->delayMargin_s ||
+                 robust->modulusMargin || robust->gainCrossover_rad_s);
 }
 
 TEST(Robustness, isTheSameForTheSameSeedAndTightForAMotorKnownExactly) {
