@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
 
 namespace halbench::app {
 namespace {
@@ -77,7 +78,10 @@ protected:
         EXPECT_TRUE(writeFile(path, text).has_value());
         return path;
     }
-    const fs::path m_folder = fs::path(::testing::TempDir()) / "halbench_calibration_option";
+    /// Of its own for each test: they run side by side.
+    const fs::path m_folder = fs::path(::testing::TempDir()) /
+                              ("halbench_calibration_" +
+                               std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
 };
 
 TEST_F(CalibrationOption, readsTheFileAndKnowsWhetherItRunsOnTheBoard) {
