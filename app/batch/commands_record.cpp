@@ -72,6 +72,9 @@ CommandResult tell(CommandContext& context, const std::string& path, const Resul
     JsonValue document = toJson(header);
     document.set("rows", static_cast<std::uint64_t>(rows)).set("lost_rows", lostRows);
     context.console.log(LogLevel::Info, fmt::format("wrote {} ({} rows)", path, rows));
+    for (const Finding& finding : header.quality.findings) {
+        context.console.log(LogLevel::Warning, finding.message + "; " + finding.hint);
+    }
     if (const Result<void> printed = context.console.printDocument(document); !printed) {
         return failure(printed.error());
     }

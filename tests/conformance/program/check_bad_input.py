@@ -400,6 +400,11 @@ class Serving(ProgramCase):
                 self.assertRegex(process.communicate(timeout=10)[1], r"^halbench: \d+ messages, \d+ dropped, \d+ corrupted\n$")
                 self.assertEqual(process.returncode, 0)
 
+    def test_rows_that_a_line_lost_are_told_beside_the_recording(self):
+        _, address = self.serve("tcp", "--drop", "0.05")
+        answer = self.accept("record", address, "--duration", "2", "--out", self.path("rows.csv"))
+        self.assertRegex(answer.err, r"\d+ of 200 rows are missing; ")
+
     def test_occupied_port_is_told(self):
         with socket.create_server(("127.0.0.1", 0)) as taken:
             port = taken.getsockname()[1]
