@@ -63,7 +63,11 @@ public:
     /// its watchdog run out. Nothing: as set.
     void limitAnswerTimeout(std::optional<double> limit_s) { m_timeoutLimit_s = limit_s; }
     /// What other threads want, looked at while an answer is awaited and with each packet; may be empty.
-    void setOrders(std::shared_ptr<const LinkOrders> orders) { m_orders = std::move(orders); }
+    /// Stops that were asked for before concern the link before this one.
+    void setOrders(std::shared_ptr<const LinkOrders> orders) {
+        m_orders = std::move(orders);
+        m_stopsObeyed = m_orders ? m_orders->stops.load() : 0;
+    }
     /// The board is open: from now on LinkOrders::isLeaving is the caller's to obey.
     void noteOpened() { m_isOpening = false; }
 
