@@ -1,5 +1,7 @@
 #include "app/session/connection.h"
 
+#include "devices/gone_device.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -39,8 +41,8 @@ bool isDifferent(const devices::DeviceState& one, const devices::DeviceState& ot
 } // namespace
 
 Connection::Connection(Opener open, Pace pace, ConnectionEvents events, double patience_s,
-                       std::shared_ptr<devices::LinkOrders> orders)
-    : m_open(std::move(open)), m_events(std::move(events)), m_patience_s(patience_s),
+                       std::shared_ptr<devices::LinkOrders> orders, std::optional<ReturnPlan> plan)
+    : m_open(std::move(open)), m_events(std::move(events)), m_patience_s(patience_s), m_plan(std::move(plan)),
       m_orders(std::move(orders)), m_lastAlive(Clock::now()), m_speed_ratio(pace.speed_ratio),
       m_thread([this] { run(); }) {}
 
@@ -58,10 +60,10 @@ void Connection::close() noexcept {
     m_wake.notify_all();
 }
 
-void Connection::post(Job job) {
+void Connection::post(Job job, std::optional<std::uint64_t> returns) {
     {
         const std::lock_guard lock(m_mutex);
-        m_jobs.push_back(std::move(job));
+        m_jobs.push_back({std::move(job), returns});
     }
     m_wake.notify_all();
 }
@@ -76,20 +78,20 @@ void Connection::confirmAlive() noexcept {
 }
 
 void Connection::setPace(Pace pace) {
-    post([this, pace](devices::Device& device) {
+    post([this, pace](devices::Device&) {
         m_speed_ratio = pace.speed_ratio;
         m_debt_s = 0.0;
         if (!m_isProcedureStreaming) {
-            restartLiveStream(device);
+            restartLiveStream();
         }
     });
 }
 
 void Connection::setLiveStream(devices::StreamRequest request) {
-    post([this, request = std::move(request)](devices::Device& device) {
+    post([this, request = std::move(request)](devices::Device&) {
         m_live = request;
         if (!m_isProcedureStreaming) {
-            restartLiveStream(device);
+            restartLiveStream();
         }
     });
 }
@@ -100,30 +102,27 @@ void Connection::run() {
         m_events.onRefused(device.error());
         return;
     }
-    m_isSimulated = (*device)->info().isSimulated;
-    m_events.onOpened((*device)->info(), (*device)->catalogue());
+    m_device = *std::move(device);
+    m_isSimulated = m_device->info().isSimulated;
+    m_events.onOpened(m_device->info(), m_device->catalogue());
     m_lastAdvance = Clock::now();
-    report(**device, true);
-    serve(**device);
-    (*device)->stopStream();
-    if ((*device)->state().isConnected) {
-        (void)(*device)->disarm(); // a lost device is left to the board's watchdog
+    report(true);
+    serve();
+    m_device->stopStream();
+    if (m_device->state().isConnected) {
+        (void)m_device->disarm(); // a lost device is left to the board's watchdog
     }
-    device->reset();
+    m_device.reset();
     if (m_events.onClosed) {
         m_events.onClosed();
     }
 }
 
-void Connection::serve(devices::Device& device) {
+void Connection::serve() {
     for (;;) {
-        if (isStopWanted()) {
-            m_stopsServed = stops();
-            device.stop();
-            report(device, true);
-        }
-        stopIfSilent(device);
-        runJobs(device);
+        obeyStop();
+        stopIfSilent();
+        runJobs();
         {
             const std::lock_guard lock(m_mutex);
             if (m_isClosing && m_jobs.empty()) {
@@ -131,57 +130,124 @@ void Connection::serve(devices::Device& device) {
             }
         }
         if (!isStopWanted()) {
-            advance(device);
+            advance();
         }
     }
 }
 
-void Connection::stopIfSilent(devices::Device& device) {
-    const bool isSilent = seconds(Clock::now() - m_lastAlive.load()) > m_patience_s;
-    if (!isSilent || isVirtual() || !device.state().isArmed) {
+void Connection::obeyStop() {
+    if (!isStopWanted()) {
         return;
     }
-    device.stop();
+    m_stopsServed = stops();
+    m_isStopOwed = m_isReturning;
+    m_device->stop();
+    report(true);
+}
+
+void Connection::stopIfSilent() {
+    const bool isSilent = seconds(Clock::now() - m_lastAlive.load()) > m_patience_s;
+    if (!isSilent || isVirtual() || !m_device->state().isArmed) {
+        return;
+    }
+    m_device->stop();
     m_isStoppedForSilence = true;
-    report(device, true);
+    report(true);
 }
 
 /// One job at a time, so that a stop never waits for more than one.
-void Connection::runJobs(devices::Device& device) {
-    Job job;
+void Connection::runJobs() {
+    Order order;
     {
         const std::lock_guard lock(m_mutex);
         if (m_jobs.empty()) {
             return;
         }
-        job = std::move(m_jobs.front());
+        order = std::move(m_jobs.front());
         m_jobs.pop_front();
     }
-    const bool wasArmed = device.state().isArmed;
-    job(device);
-    if (!wasArmed && device.state().isArmed) {
+    const bool isFormer = order.returns && *order.returns != m_returns;
+    const bool wasArmed = m_device->state().isArmed;
+    order.job(isFormer ? *m_former : *m_device);
+    if (!wasArmed && m_device->state().isArmed) {
         m_isStoppedForSilence = false; // armed anew: the next silence is to be told again
     }
-    report(device, false);
+    report(false);
 }
 
-void Connection::advance(devices::Device& device) {
+void Connection::advance() {
     if (m_lost) {
         finishWait(failure(*m_lost));
+        awaitReturn();
         idle(Slice_s);
         return;
     }
-    const double now_s = device.clock().now_s();
+    const double now_s = m_device->clock().now_s();
     const std::optional<double> slice_s = dueTime_s(now_s);
     if (!slice_s) {
         idle(Slice_s / 2.0);
         return;
     }
-    const Result<void> passed = device.clock().waitFor(*slice_s);
+    const Result<void> passed = m_device->clock().waitFor(*slice_s);
     if (m_isSimulated) {
-        m_debt_s = std::max(0.0, m_debt_s - (device.clock().now_s() - now_s));
+        m_debt_s = std::max(0.0, m_debt_s - (m_device->clock().now_s() - now_s));
     }
-    afterSlice(device, passed);
+    afterSlice(passed);
+}
+
+/// The port is closed at once, so that it is free to be opened again.
+void Connection::lose(const Error& error) {
+    m_lost = error;
+    m_lostAt = Clock::now();
+    if (!m_plan) {
+        return;
+    }
+    if (!m_return) {
+        m_return.emplace(m_device->info(), m_plan->open, m_plan->times);
+    }
+    m_isProcedureStreaming = false;
+    m_device = std::make_unique<devices::GoneDevice>(*m_device, m_device->clock().now_s(), error);
+    const Result<void> goOn = m_return->noteLost(seconds(m_lostAt.time_since_epoch()));
+    m_isReturning = goOn.has_value();
+    if (!goOn) {
+        m_lost = goOn.error();
+    }
+}
+
+void Connection::awaitReturn() {
+    if (!m_isReturning) {
+        return;
+    }
+    Result<std::unique_ptr<devices::Device>> found = m_return->look(seconds(Clock::now().time_since_epoch()));
+    if (!found) {
+        m_isReturning = false;
+        m_lost = found.error();
+        report(true);
+    } else if (*found) {
+        takeBack(*std::move(found));
+    } else {
+        report(false);
+    }
+}
+
+void Connection::takeBack(std::unique_ptr<devices::Device> device) {
+    if (device->state().isArmed) {
+        (void)device->disarm(); // boards of ours are by their CONNECT
+    }
+    if (std::exchange(m_isStopOwed, false)) {
+        device->stop();
+    }
+    const double outage_s = seconds(Clock::now() - m_lostAt);
+    m_start_s = displayTime_s() + outage_s - device->clock().now_s();
+    m_former = std::exchange(m_device, std::move(device));
+    m_lost.reset();
+    m_isReturning = false;
+    ++m_returns;
+    m_debt_s = 0.0;
+    m_lastAdvance = Clock::now();
+    m_events.onReturned(m_device->info(), outage_s, m_returns);
+    report(true);
+    restartLiveStream();
 }
 
 /// Device time that shall pass now, if any. A real device's clock paces itself; a simulated one runs behind
@@ -213,18 +279,18 @@ void Connection::idle(double duration_s) {
                     [this] { return !m_jobs.empty() || m_isClosing || isStopWanted(); });
 }
 
-void Connection::afterSlice(devices::Device& device, const Result<void>& result) {
+void Connection::afterSlice(const Result<void>& result) {
     if (!result && result.error().code == ErrorCode::DeviceLost) {
-        m_lost = result.error();
+        lose(result.error());
     }
     if (!result && m_wait) {
         finishWait(result);
     } else if (!result && !m_lost) {
-        (void)device.disarm(); // stopped by the board while nobody waits: it stays disarmed, time goes on
-    } else if (m_wait && device.clock().now_s() >= m_wait->end_s - Rounding_s) {
+        (void)m_device->disarm(); // stopped by the board while nobody waits: it stays disarmed, time goes on
+    } else if (m_wait && m_device->clock().now_s() >= m_wait->end_s - Rounding_s) {
         finishWait({});
     }
-    report(device, !result.has_value());
+    report(!result.has_value());
 }
 
 void Connection::finishWait(Result<void> result) {
@@ -236,35 +302,43 @@ void Connection::finishWait(Result<void> result) {
 
 void Connection::beginWait(devices::Device& device, double duration_s,
                            std::function<void(Result<void>)> done) {
+    if (&device != m_device.get()) {
+        done(device.clock().waitFor(duration_s)); // gone
+        return;
+    }
     const double wanted_s = std::max(duration_s, 0.0);
     m_wait = Wait{wanted_s, device.clock().now_s() + wanted_s, std::move(done)};
 }
 
 Result<void> Connection::startProcedureStream(devices::Device& device, const devices::StreamRequest& request,
                                               devices::BlockSink sink) {
-    m_isProcedureStreaming = true;
-    return device.startStream(request, displaySink(device.clock().now_s(), std::move(sink)));
+    m_isProcedureStreaming = m_isProcedureStreaming || (&device == m_device.get() && !m_isReturning);
+    return device.startStream(request, displaySink(std::move(sink)));
 }
 
 void Connection::stopProcedureStream(devices::Device& device) {
+    if (&device != m_device.get()) {
+        return;
+    }
     m_isProcedureStreaming = false;
     device.stopStream();
-    restartLiveStream(device);
+    restartLiveStream();
 }
 
-void Connection::restartLiveStream(devices::Device& device) {
-    device.stopStream();
+void Connection::restartLiveStream() {
+    m_device->stopStream();
     if (m_live.signals.empty() || isVirtual() || m_lost) {
         return;
     }
-    const Result<void> started = device.startStream(m_live, displaySink(device.clock().now_s(), {}));
+    const Result<void> started = m_device->startStream(m_live, displaySink({}));
     if (!started) {
         m_events.onStreamRefused(started.error());
     }
 }
 
-devices::BlockSink Connection::displaySink(double start_s, devices::BlockSink then) {
-    return [this, start_s, then = std::move(then)](SampleBlockPtr block) {
+/// For a stream that starts now.
+devices::BlockSink Connection::displaySink(devices::BlockSink then) {
+    return [this, start_s = displayTime_s(), then = std::move(then)](SampleBlockPtr block) {
         m_events.onBlock(shifted(block, start_s));
         if (then) {
             then(std::move(block));
@@ -272,15 +346,16 @@ devices::BlockSink Connection::displaySink(double start_s, devices::BlockSink th
     };
 }
 
-void Connection::report(devices::Device& device, bool isForced) {
+void Connection::report(bool isForced) {
     const Clock::time_point wall = Clock::now();
-    const devices::DeviceState board = device.state();
+    const devices::DeviceState board = m_device->state();
     if (!isForced && !isDifferent(board, m_reported) && wall - m_lastReport < ReportPeriod) {
         return;
     }
     m_lastReport = wall;
     m_reported = board;
-    m_events.onReport({board, device.statistics(), device.clock().now_s(), m_lost, m_isStoppedForSilence});
+    m_events.onReport({board, m_device->statistics(), displayTime_s(), m_lost, m_isReturning,
+                       m_isReturning ? m_return->reason().message : std::string(), m_isStoppedForSilence});
 }
 
 } // namespace halbench::app

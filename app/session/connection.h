@@ -3,6 +3,7 @@
 #include "control/base/result.h"
 #include "control/base/sample_block.h"
 #include "devices/device.h"
+#include "devices/device_return.h"
 #include "devices/link_orders.h"
 
 #include <atomic>
@@ -30,6 +31,8 @@ struct ConnectionReport {
     devices::LinkStatistics statistics;
     double deviceTime_s = 0.0;
     std::optional<Error> lost;        ///< why the link is gone
+    bool isReturning = false;         ///< it is gone, and the device is looked for
+    std::string notBack;              ///< why the last look did not find it; empty before there was one
     bool isStoppedForSilence = false; ///< the window did not answer while the actuator was armed
 };
 
@@ -38,16 +41,29 @@ struct ConnectionEvents {
     std::function<void(const devices::DeviceInfo&, const devices::Catalogue&)> onOpened;
     std::function<void(const Error&)> onRefused; ///< could not be opened; nothing follows
     std::function<void(const ConnectionReport&)> onReport;
+    /// A lost device is back, disarmed, after so many seconds; how often that happened so far. May be empty
+    /// for a device that cannot.
+    std::function<void(const devices::DeviceInfo&, double outage_s, std::uint64_t returns)> onReturned;
     std::function<void(SampleBlockPtr)> onBlock; ///< time since the device was opened
     std::function<void(const Error&)>
         onStreamRefused;            ///< the display's stream, e.g. signals without a common event
     std::function<void()> onClosed; ///< after close(), once the device is disarmed and closed; may be empty
 };
 
+/// How a lost device is found again.
+struct ReturnPlan {
+    devices::DeviceReturn::Opener open;
+    devices::ReturnTimes times;
+};
+
 /// One open device on a thread of its own (resources/help/architecture.md, threads). The thread serves the
 /// link without pause: it feeds the watchdog, delivers samples, runs the jobs it is given one after the other
 /// and obeys stop() between any two slices of 5 ms, whatever procedure, fit or picture is busy elsewhere.
 /// While a job waits for the board's answer, the link itself looks at the orders and sends the stop.
+///
+/// A device that is lost is looked for until close(), if there is a plan for it. It comes back disarmed, the
+/// display's stream goes on, and time has passed by the host's clock. Whatever was begun before the loss gets
+/// DeviceLost for ever: no procedure and no waiting order goes on with the device that came back.
 /// Public functions may be called from any thread, except where it says so.
 class Connection {
 public:
@@ -56,9 +72,10 @@ public:
 
     static constexpr double UsualPatience_s = 2.0;
 
-    /// `orders` are those that the opener gave to the link.
+    /// `orders` are those that the openers gave to the link.
     Connection(Opener open, Pace pace, ConnectionEvents events, double patience_s = UsualPatience_s,
-               std::shared_ptr<devices::LinkOrders> orders = std::make_shared<devices::LinkOrders>());
+               std::shared_ptr<devices::LinkOrders> orders = std::make_shared<devices::LinkOrders>(),
+               std::optional<ReturnPlan> plan = {});
     /// close() and the wait for its end. No event follows.
     ~Connection();
     Connection(const Connection&) = delete;
@@ -68,8 +85,9 @@ public:
     /// once; until onClosed a stop is obeyed as before.
     void close() noexcept;
 
-    /// Runs the job on the connection thread. A job of a device that could not be opened is never run.
-    void post(Job job);
+    /// Runs the job on the connection thread. A job of a device that could not be opened is never run. With
+    /// `returns`, the returns that its author knew of, it meets a lost device if there were more meanwhile.
+    void post(Job job, std::optional<std::uint64_t> returns = {});
     /// Emergency stop; returns at once.
     void stop() noexcept;
     /// Stops so far: a job that arms or releases compares it with what it was when the user asked, because a
@@ -99,33 +117,52 @@ private:
         std::function<void(Result<void>)> done;
     };
 
+    struct Order {
+        Job job;
+        std::optional<std::uint64_t> returns;
+    };
+
     void run();
-    void serve(devices::Device& device);
+    void serve();
+    void obeyStop();
     bool isStopWanted() const { return m_orders->stops != m_stopsServed; }
-    void stopIfSilent(devices::Device& device);
-    void runJobs(devices::Device& device);
-    void advance(devices::Device& device);
+    void stopIfSilent();
+    void runJobs();
+    void advance();
+    void lose(const Error& error);
+    void awaitReturn();
+    void takeBack(std::unique_ptr<devices::Device> device);
+    double displayTime_s() const { return m_start_s + m_device->clock().now_s(); }
     bool isVirtual() const { return m_isSimulated && m_speed_ratio <= 0.0; }
     std::optional<double> dueTime_s(double now_s);
     void idle(double duration_s);
-    void afterSlice(devices::Device& device, const Result<void>& result);
+    void afterSlice(const Result<void>& result);
     void finishWait(Result<void> result);
-    void report(devices::Device& device, bool isForced);
-    void restartLiveStream(devices::Device& device);
-    devices::BlockSink displaySink(double start_s, devices::BlockSink then);
+    void report(bool isForced);
+    void restartLiveStream();
+    devices::BlockSink displaySink(devices::BlockSink then);
 
     const Opener m_open;
     const ConnectionEvents m_events;
     const double m_patience_s;
+    const std::optional<ReturnPlan> m_plan;
 
     std::mutex m_mutex; ///< guards the two below
     std::condition_variable m_wake;
-    std::deque<Job> m_jobs;
+    std::deque<Order> m_jobs;
     bool m_isClosing = false;
     const std::shared_ptr<devices::LinkOrders> m_orders;
     std::atomic<std::chrono::steady_clock::time_point> m_lastAlive;
 
     // Used by the connection thread alone.
+    std::unique_ptr<devices::Device> m_device; ///< a devices::GoneDevice while it is looked for
+    std::unique_ptr<devices::Device> m_former; ///< what jobs from before the last return meet
+    std::optional<devices::DeviceReturn> m_return;
+    std::uint64_t m_returns = 0;
+    bool m_isReturning = false;
+    bool m_isStopOwed = false; ///< asked for while the device was away
+    std::chrono::steady_clock::time_point m_lostAt;
+    double m_start_s = 0.0; ///< of the device's clock since the first was opened
     double m_speed_ratio;
     std::uint64_t m_stopsServed = 0;
     std::optional<Wait> m_wait;

@@ -1,5 +1,7 @@
 #include "app/session/device_session.h"
 
+#include "devices/remembered_port.h"
+
 #include <QtCore/QLocale>
 
 #include <utility>
@@ -50,10 +52,38 @@ void DeviceSession::connectDevice(const QString& uri, Pace pace, std::optional<s
 void DeviceSession::open(const Wish& wish) {
     m_pace = wish.pace;
     m_report = {};
+    m_returns = 0;
     const auto orders = std::make_shared<devices::LinkOrders>();
+    const std::string address = wish.uri.toStdString();
+    const devices::OpenOptions options = optionsFor(wish, orders);
+    const auto port = std::make_shared<devices::RememberedPort>(); // the connection thread's
+    const auto open = [address, options, port] {
+        auto device = devices::openDevice(address, options);
+        if (device && !(*device)->info().isSimulated) {
+            *port = devices::rememberPort(address, devices::listDevices());
+        }
+        return device;
+    };
+    const auto reopen = [options, port]() -> Result<std::unique_ptr<devices::Device>> {
+        const Result<std::string> now = devices::addressNow(*port, devices::listDevices());
+        return now ? devices::openDevice(*now, options) : failure(now.error());
+    };
+    const bool hasLine = address.rfind("sim:", 0) != 0 && address.rfind("replay:", 0) != 0;
+    {
+        const std::lock_guard lock(m_connectionMutex);
+        m_connection = std::make_unique<Connection>(
+            open, wish.pace, events(), Connection::UsualPatience_s, orders,
+            hasLine ? std::optional<ReturnPlan>({reopen, m_returnTimes}) : std::nullopt);
+    }
+    setState(SessionState::Connecting);
+    message(MessageLevel::Info, tr("connection"), tr("connecting %1").arg(wish.uri));
+}
+
+devices::OpenOptions DeviceSession::optionsFor(const Wish& wish,
+                                               std::shared_ptr<devices::LinkOrders> orders) {
     devices::OpenOptions options;
     options.seed = wish.seed;
-    options.orders = orders;
+    options.orders = std::move(orders);
     options.cacheFolder = devices::userCacheFolder();
     options.onMessage = [this, valve = std::make_shared<LineValve>()](const std::string& text) {
         if (valve->waiting >= MostWaitingLines) {
@@ -71,14 +101,7 @@ void DeviceSession::open(const Wish& wish) {
             }
         });
     };
-    auto open = [address = wish.uri.toStdString(), options] { return devices::openDevice(address, options); };
-    {
-        const std::lock_guard lock(m_connectionMutex);
-        m_connection = std::make_unique<Connection>(std::move(open), wish.pace, events(),
-                                                    Connection::UsualPatience_s, orders);
-    }
-    setState(SessionState::Connecting);
-    message(MessageLevel::Info, tr("connection"), tr("connecting %1").arg(wish.uri));
+    return options;
 }
 
 void DeviceSession::disconnectDevice() {
@@ -153,6 +176,9 @@ ConnectionEvents DeviceSession::events() {
     events.onReport = [this, say](const ConnectionReport& report) {
         say([this, report] { reported(report); });
     };
+    events.onReturned = [this, say](const devices::DeviceInfo& info, double outage_s, std::uint64_t returns) {
+        say([this, info, outage_s, returns] { returned(info, outage_s, returns); });
+    };
     events.onClosed = [this, say] { say([this] { left(); }); };
     events.onStreamRefused = [this, say](const Error& error) {
         say([this, error] {
@@ -198,12 +224,12 @@ void DeviceSession::refused(const Error& error) {
 }
 
 void DeviceSession::reported(const ConnectionReport& report) {
-    const bool isNewlyLost = report.lost && !m_report.lost;
+    const bool isNewlyLost = report.lost && (!m_report.lost || m_report.isReturning != report.isReturning);
     const bool isNewlySilent = report.isStoppedForSilence && !m_report.isStoppedForSilence;
     m_report = report;
     if (isNewlyLost) {
         if (m_state != SessionState::Leaving) {
-            setState(SessionState::Lost);
+            setState(report.isReturning ? SessionState::Reconnecting : SessionState::Lost);
         }
         message(MessageLevel::Error, tr("connection"), QString::fromStdString(report.lost->message));
     }
@@ -212,6 +238,22 @@ void DeviceSession::reported(const ConnectionReport& report) {
                 tr("the window did not answer while the actuator was armed, so it was stopped"));
     }
     reportChanged();
+}
+
+void DeviceSession::returned(const devices::DeviceInfo& info, double outage_s, std::uint64_t returns) {
+    m_info = info; // its port may have another name now
+    m_returns = returns;
+    m_outage_s = outage_s;
+    m_report.deviceTime_s += outage_s;
+    m_report.lost.reset();
+    m_report.isReturning = false;
+    if (m_state == SessionState::Leaving) {
+        return;
+    }
+    setState(SessionState::Connected);
+    message(MessageLevel::Info, tr("connection"),
+            tr("%1 is back after %2 s, disarmed")
+                .arg(QString::fromStdString(m_info.id), QLocale().toString(outage_s, 'f', 1)));
 }
 
 void DeviceSession::setState(SessionState state) {
@@ -279,7 +321,7 @@ bool DeviceSession::startProcedure(const QString& name,
     }
     m_isAborting = false;
     m_procedure = name;
-    m_procedureDevice = std::make_unique<SharedDevice>(*m_connection, m_info, m_catalogue);
+    m_procedureDevice = std::make_unique<SharedDevice>(*m_connection, m_returns, m_info, m_catalogue);
     m_procedureThread = std::thread(
         [this, body = std::move(body), observer = observer()] { body(*m_procedureDevice, observer); });
     procedureChanged();

@@ -21,8 +21,10 @@
 
 namespace halbench::app {
 
-/// Leaving: what runs is being ended and the device disarmed; Disconnected follows by itself.
-enum class SessionState { Disconnected, Connecting, Connected, Lost, Leaving };
+/// Reconnecting: the device was lost and is looked for until disconnectDevice(); Connected follows by itself,
+/// disarmed. Lost: it cannot come back by itself. Leaving: what runs is being ended and the device disarmed;
+/// Disconnected follows by itself.
+enum class SessionState { Disconnected, Connecting, Connected, Reconnecting, Lost, Leaving };
 
 enum class MessageLevel { Debug, Info, Warning, Error };
 
@@ -47,6 +49,12 @@ public:
     void end();
 
     SessionState state() const { return m_state; }
+    /// How often the present device came back by itself; 0 after it was connected.
+    std::uint64_t returns() const { return m_returns; }
+    /// How long it was away the last time.
+    double outage_s() const { return m_outage_s; }
+    /// For the devices that are connected from now on.
+    void setReturnTimes(const devices::ReturnTimes& times) { m_returnTimes = times; }
     const devices::DeviceInfo& info() const { return m_info; }
     const devices::Catalogue& catalogue() const { return m_catalogue; }
     const ConnectionReport& report() const { return m_report; }
@@ -68,7 +76,7 @@ public:
     void stopActuator() noexcept;
 
     /// Runs `function(Device&) -> Result<T>` on the connection thread and `then(Result<T>)` afterwards on the
-    /// GUI thread; DeviceLost at once when nothing is connected.
+    /// GUI thread; DeviceLost at once when nothing is connected, and when the device is lost before its turn.
     template <typename Function, typename Then>
     void request(Function function, Then then);
     /// The same for what arms or releases: Interrupted if a stop came after this call, however long the
@@ -109,7 +117,9 @@ private:
     void disarmWhatStillRuns();
     void left();
     std::unique_ptr<Connection> takeConnection();
+    devices::OpenOptions optionsFor(const Wish& wish, std::shared_ptr<devices::LinkOrders> orders);
     void opened(const devices::DeviceInfo& info, const devices::Catalogue& catalogue);
+    void returned(const devices::DeviceInfo& info, double outage_s, std::uint64_t returns);
     void refused(const Error& error);
     void reported(const ConnectionReport& report);
     void setState(SessionState state);
@@ -126,6 +136,9 @@ private:
     Pace m_pace;
     QString m_procedure;
     std::optional<Wish> m_next; ///< connected once the present device is left
+    devices::ReturnTimes m_returnTimes;
+    std::uint64_t m_returns = 0;
+    double m_outage_s = 0.0;
 
     GuiQueue m_guiQueue;
     std::atomic<bool> m_isAborting = false;
@@ -154,10 +167,12 @@ void DeviceSession::request(Function function, Then then) {
         return;
     }
     m_connection->confirmAlive(); // who asks, lives: arming first thing after a pause is not stopped for it
-    m_connection->post([this, function, then](devices::Device& device) {
-        auto answer = std::make_shared<Answer>(function(device));
-        onGui([answer, then] { then(std::move(*answer)); });
-    });
+    m_connection->post(
+        [this, function, then](devices::Device& device) {
+            auto answer = std::make_shared<Answer>(function(device));
+            onGui([answer, then] { then(std::move(*answer)); });
+        },
+        m_returns);
 }
 
 template <typename Function, typename Then>

@@ -163,6 +163,8 @@ Result<void> Recorder::write(devices::RecordingWriter& writer, const SampleBlock
         const std::lock_guard lock(m_mutex);
         m_status.rows += part.rows();
         m_status.missingRows += part.lostRows;
+        m_status.gaps += part.lostRows > 0 ? 1 : 0;
+        m_status.gaps_s += static_cast<double>(part.lostRows) * m_layout->period_s;
         m_status.elapsed_s = m_last_s - *m_first_s;
     }
     return {};

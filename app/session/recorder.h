@@ -30,7 +30,9 @@ struct RecorderStatus {
     double elapsed_s = 0.0; ///< device time from the first row to the last
     std::uint64_t rows = 0; ///< on the disk
     std::uint64_t missingRows =
-        0; ///< gaps of the time axis: lost on the link, a restart of the stream, dropped
+        0;                  ///< gaps of the time axis: lost on the link, a restart of the stream, dropped
+    std::uint64_t gaps = 0; ///< stretches without rows
+    double gaps_s = 0.0;    ///< how long they are together
     std::uint64_t droppedRows = 0; ///< of the stream, because the disk did not keep up
     std::optional<Error> error;    ///< why it failed; what was written stays as `path.partial`
 };

@@ -5,22 +5,26 @@
 
 namespace halbench::app {
 
-SharedDevice::SharedDevice(Connection& connection, devices::DeviceInfo info, devices::Catalogue catalogue)
-    : m_connection(&connection), m_info(std::move(info)), m_catalogue(std::move(catalogue)), m_clock(*this) {}
+SharedDevice::SharedDevice(Connection& connection, std::uint64_t returns, devices::DeviceInfo info,
+                           devices::Catalogue catalogue)
+    : m_connection(&connection), m_returns(returns), m_info(std::move(info)),
+      m_catalogue(std::move(catalogue)), m_clock(*this) {}
 
 template <typename Function>
 auto SharedDevice::call(Function function) const {
     using Answer = decltype(function(std::declval<devices::Device&>()));
     std::promise<Answer> answer;
     std::future<Answer> future = answer.get_future();
-    m_connection->post([&](devices::Device& device) {
-        if constexpr (std::is_void_v<Answer>) {
-            function(device);
-            answer.set_value();
-        } else {
-            answer.set_value(function(device));
-        }
-    });
+    m_connection->post(
+        [&](devices::Device& device) {
+            if constexpr (std::is_void_v<Answer>) {
+                function(device);
+                answer.set_value();
+            } else {
+                answer.set_value(function(device));
+            }
+        },
+        m_returns);
     return future.get();
 }
 
@@ -92,13 +96,16 @@ Result<Recording> SharedDevice::readCapture() {
 }
 
 Result<void> SharedDevice::waitFor(double duration_s) {
-    m_connection->post([this, duration_s](devices::Device& device) {
-        m_connection->beginWait(device, duration_s, [this](Result<void> result) {
-            const std::lock_guard lock(m_mutex); // held while notifying: afterwards the waiter may be gone
-            m_waited = std::move(result);
-            m_arrived.notify_one();
-        });
-    });
+    m_connection->post(
+        [this, duration_s](devices::Device& device) {
+            m_connection->beginWait(device, duration_s, [this](Result<void> result) {
+                const std::lock_guard lock(
+                    m_mutex); // held while notifying: afterwards the waiter may be gone
+                m_waited = std::move(result);
+                m_arrived.notify_one();
+            });
+        },
+        m_returns);
     for (;;) {
         std::unique_lock lock(m_mutex);
         m_arrived.wait(lock, [this] { return m_waited.has_value() || !m_blocks.empty(); });

@@ -15,7 +15,9 @@ namespace halbench::app {
 /// procedure's thread, inside clock().waitFor(). Thread: the procedure's. The connection must outlive it.
 class SharedDevice final : public devices::Device {
 public:
-    SharedDevice(Connection& connection, devices::DeviceInfo info, devices::Catalogue catalogue);
+    /// `returns`: of the connection, so far; a procedure does not go on with a device that came back later.
+    SharedDevice(Connection& connection, std::uint64_t returns, devices::DeviceInfo info,
+                 devices::Catalogue catalogue);
 
     const devices::DeviceInfo& info() const override { return m_info; }
     const devices::Catalogue& catalogue() const override { return m_catalogue; }
@@ -51,6 +53,7 @@ private:
     Result<void> waitFor(double duration_s);
 
     Connection* m_connection;
+    std::uint64_t m_returns;
     devices::DeviceInfo m_info;
     devices::Catalogue m_catalogue;
     SharedClock m_clock;
