@@ -4030,6 +4030,54 @@
         <source>one row of the recording was lost</source>
         <translation>eine Zeile der Aufzeichnung ging verloren</translation>
     </message>
+    <message>
+        <source>{} came back and was lost again {} times in a row</source>
+        <translation>{} kam zurück und ging {} Mal hintereinander wieder verloren</translation>
+    </message>
+    <message>
+        <source>another program may be using it, or a plug is loose; then connect again</source>
+        <translation>vielleicht verwendet es ein anderes Programm oder ein Stecker ist lose; danach neu verbinden</translation>
+    </message>
+    <message>
+        <source>another device answers at {}: {} instead of {}</source>
+        <translation>an {} antwortet ein anderes Gerät: {} statt {}</translation>
+    </message>
+    <message>
+        <source>plug the former one in again, or disconnect and connect this one</source>
+        <translation>das frühere wieder einstecken, oder trennen und dieses verbinden</translation>
+    </message>
+    <message>
+        <source>{} came back with other firmware: {} instead of {}</source>
+        <translation>{} kam mit anderer Firmware zurück: {} statt {}</translation>
+    </message>
+    <message>
+        <source>its signals and parameters may be others: disconnect, then connect again</source>
+        <translation>seine Signale und Parameter können andere sein: trennen, dann neu verbinden</translation>
+    </message>
+    <message>
+        <source>no device with the serial number &apos;{}&apos; is plugged in</source>
+        <translation>kein Gerät mit der Seriennummer '{}' ist eingesteckt</translation>
+    </message>
+    <message>
+        <source>plug it in; any port will do</source>
+        <translation>einstecken; jeder Anschluss ist recht</translation>
+    </message>
+    <message>
+        <source>several ports have the serial number &apos;{}&apos;: {} and {}</source>
+        <translation>mehrere Anschlüsse haben die Seriennummer '{}': {} und {}</translation>
+    </message>
+    <message>
+        <source>name one of them</source>
+        <translation>einen davon nennen</translation>
+    </message>
+    <message>
+        <source>connection lost</source>
+        <translation>Verbindung verloren</translation>
+    </message>
+    <message>
+        <source>connection back</source>
+        <translation>Verbindung wieder da</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CalibratePanel</name>
@@ -4554,6 +4602,18 @@ Firmware %2</translation>
         <source>Ending what runs and disarming …</source>
         <translation>Laufendes wird beendet und der Aktor gesperrt …</translation>
     </message>
+    <message>
+        <source>%1, last used</source>
+        <translation>%1, zuletzt verwendet</translation>
+    </message>
+    <message>
+        <source>End the search for the device (Alt+C)</source>
+        <translation>Die Suche nach dem Gerät beenden (Alt+C)</translation>
+    </message>
+    <message>
+        <source>Connection lost. Looking for %1 …</source>
+        <translation>Verbindung verloren. %1 wird gesucht …</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DeviceSession</name>
@@ -4596,6 +4656,10 @@ Firmware %2</translation>
     <message>
         <source>%1 more lines came too fast to be shown</source>
         <translation>%1 weitere Zeilen kamen zu schnell, um gezeigt zu werden</translation>
+    </message>
+    <message>
+        <source>%1 is back after %2 s, disarmed</source>
+        <translation>%1 ist nach %2 s wieder da, gesperrt</translation>
     </message>
 </context>
 <context>
@@ -5747,6 +5811,10 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <source>, %1</source>
         <translation>, %1</translation>
     </message>
+    <message>
+        <source>link: lost, reconnecting</source>
+        <translation>Verbindung: verloren, wird gesucht</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::LiveHall</name>
@@ -6555,6 +6623,14 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <source>Start recording</source>
         <translation>Aufzeichnung starten</translation>
     </message>
+    <message>
+        <source>%1 (gaps: %2, %3 s)</source>
+        <translation>%1 (Lücken: %2, %3 s)</translation>
+    </message>
+    <message>
+        <source>Missing: %1; the sidecar says where.</source>
+        <translation>Es fehlen: %1; wo, steht in der Begleitdatei.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::RecordingControl</name>
@@ -6731,6 +6807,69 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::ReturnNotice</name>
+    <message>
+        <source>Values that differ from before</source>
+        <translation>Werte, die anders sind als vorher</translation>
+    </message>
+    <message>
+        <source>On the left before the connection was lost, on the right on the device now</source>
+        <translation>Links vor dem Abbruch der Verbindung, rechts jetzt im Gerät</translation>
+    </message>
+    <message>
+        <source>Write them back</source>
+        <translation>Zurückschreiben</translation>
+    </message>
+    <message>
+        <source>Writes the values of before to the device and reads them back</source>
+        <translation>Schreibt die Werte von vorher ins Gerät und liest sie zurück</translation>
+    </message>
+    <message>
+        <source>Keep the device&apos;s</source>
+        <translation>Die des Geräts behalten</translation>
+    </message>
+    <message>
+        <source>What is on the device now counts</source>
+        <translation>Es gilt, was jetzt im Gerät steht</translation>
+    </message>
+    <message>
+        <source>Looking for it again.</source>
+        <translation>Das Gerät wird gesucht.</translation>
+    </message>
+    <message>
+        <source>Looking for it again; last time: %1.</source>
+        <translation>Das Gerät wird gesucht; zuletzt: %1.</translation>
+    </message>
+    <message>
+        <source>Connection lost: %1.</source>
+        <translation>Verbindung verloren: %1.</translation>
+    </message>
+    <message>
+        <source>The board&apos;s watchdog ends its motion. A recording goes on with a gap. Disconnect ends the search.</source>
+        <translation>Der Watchdog der Platine beendet die Bewegung. Eine Aufzeichnung läuft mit einer Lücke weiter. Trennen beendet die Suche.</translation>
+    </message>
+    <message>
+        <source>Back after %1 s, disarmed.</source>
+        <translation>Nach %1 s wieder da, gesperrt.</translation>
+    </message>
+    <message>
+        <source>Its values are those of before, or were accepted.</source>
+        <translation>Seine Werte sind die von vorher oder wurden übernommen.</translation>
+    </message>
+    <message>
+        <source>Back after %1 s, disarmed. Values that differ from before: %2.</source>
+        <translation>Nach %1 s wieder da, gesperrt. Werte, die anders sind als vorher: %2.</translation>
+    </message>
+    <message>
+        <source>The device may have been restarted. Nothing was written.</source>
+        <translation>Das Gerät wurde vielleicht neu gestartet. Geschrieben wurde nichts.</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::SignalTree</name>
     <message>
         <source>Signals of the device</source>
@@ -6809,6 +6948,10 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>written: %1</source>
         <translation>geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>connection lost, reconnecting</source>
+        <translation>Verbindung verloren, wird gesucht</translation>
     </message>
 </context>
 <context>

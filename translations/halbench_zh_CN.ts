@@ -3996,7 +3996,7 @@
     </message>
     <message>
         <source>&apos;given&apos; must be a table</source>
-        <translation>'given' 必须是表</translation>
+        <translation>&apos;given&apos; 必须是表</translation>
     </message>
     <message>
         <source>given: {}</source>
@@ -4029,6 +4029,54 @@
     <message>
         <source>one row of the recording was lost</source>
         <translation>记录丢失了一行</translation>
+    </message>
+    <message>
+        <source>{} came back and was lost again {} times in a row</source>
+        <translation>{} 恢复后又连续断开 {} 次</translation>
+    </message>
+    <message>
+        <source>another program may be using it, or a plug is loose; then connect again</source>
+        <translation>可能有其他程序正在使用它，或插头松动；处理后重新连接</translation>
+    </message>
+    <message>
+        <source>another device answers at {}: {} instead of {}</source>
+        <translation>在 {} 应答的是另一台设备：{}，而不是 {}</translation>
+    </message>
+    <message>
+        <source>plug the former one in again, or disconnect and connect this one</source>
+        <translation>重新插入原来的设备，或断开后连接这一台</translation>
+    </message>
+    <message>
+        <source>{} came back with other firmware: {} instead of {}</source>
+        <translation>{} 恢复后固件不同：{}，而不是 {}</translation>
+    </message>
+    <message>
+        <source>its signals and parameters may be others: disconnect, then connect again</source>
+        <translation>其信号和参数可能已改变：请断开后重新连接</translation>
+    </message>
+    <message>
+        <source>no device with the serial number &apos;{}&apos; is plugged in</source>
+        <translation>未插入序列号为 '{}' 的设备</translation>
+    </message>
+    <message>
+        <source>plug it in; any port will do</source>
+        <translation>请插入设备；任何端口均可</translation>
+    </message>
+    <message>
+        <source>several ports have the serial number &apos;{}&apos;: {} and {}</source>
+        <translation>多个端口的序列号为 '{}'：{} 和 {}</translation>
+    </message>
+    <message>
+        <source>name one of them</source>
+        <translation>请指定其中一个</translation>
+    </message>
+    <message>
+        <source>connection lost</source>
+        <translation>连接已断开</translation>
+    </message>
+    <message>
+        <source>connection back</source>
+        <translation>连接已恢复</translation>
     </message>
 </context>
 <context>
@@ -4550,6 +4598,18 @@ Firmware %2</source>
         <source>Ending what runs and disarming …</source>
         <translation>正在结束运行中的任务并解除使能 …</translation>
     </message>
+    <message>
+        <source>%1, last used</source>
+        <translation>%1，上次使用</translation>
+    </message>
+    <message>
+        <source>End the search for the device (Alt+C)</source>
+        <translation>结束查找设备 (Alt+C)</translation>
+    </message>
+    <message>
+        <source>Connection lost. Looking for %1 …</source>
+        <translation>连接已断开。正在查找 %1 …</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DeviceSession</name>
@@ -4592,6 +4652,10 @@ Firmware %2</source>
     <message>
         <source>%1 more lines came too fast to be shown</source>
         <translation>另有 %1 行到达过快，未能显示</translation>
+    </message>
+    <message>
+        <source>%1 is back after %2 s, disarmed</source>
+        <translation>%1 在 %2 s 后恢复连接，处于锁定状态</translation>
     </message>
 </context>
 <context>
@@ -5743,6 +5807,10 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <source>, %1</source>
         <translation>，%1</translation>
     </message>
+    <message>
+        <source>link: lost, reconnecting</source>
+        <translation>链路：已断开，正在重连</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::LiveHall</name>
@@ -6550,6 +6618,14 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <source>Start recording</source>
         <translation>开始记录</translation>
     </message>
+    <message>
+        <source>%1 (gaps: %2, %3 s)</source>
+        <translation>%1（间断：%2 处，%3 s）</translation>
+    </message>
+    <message>
+        <source>Missing: %1; the sidecar says where.</source>
+        <translation>缺失：%1；位置见附属文件。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::RecordingControl</name>
@@ -6726,6 +6802,69 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::ReturnNotice</name>
+    <message>
+        <source>Values that differ from before</source>
+        <translation>与之前不同的值</translation>
+    </message>
+    <message>
+        <source>On the left before the connection was lost, on the right on the device now</source>
+        <translation>左侧为断开前的值，右侧为设备上现在的值</translation>
+    </message>
+    <message>
+        <source>Write them back</source>
+        <translation>写回原值</translation>
+    </message>
+    <message>
+        <source>Writes the values of before to the device and reads them back</source>
+        <translation>将之前的值写入设备并读回</translation>
+    </message>
+    <message>
+        <source>Keep the device&apos;s</source>
+        <translation>保留设备上的值</translation>
+    </message>
+    <message>
+        <source>What is on the device now counts</source>
+        <translation>以设备上现在的值为准</translation>
+    </message>
+    <message>
+        <source>Looking for it again.</source>
+        <translation>正在重新查找设备。</translation>
+    </message>
+    <message>
+        <source>Looking for it again; last time: %1.</source>
+        <translation>正在重新查找设备；上次结果：%1。</translation>
+    </message>
+    <message>
+        <source>Connection lost: %1.</source>
+        <translation>连接已断开：%1。</translation>
+    </message>
+    <message>
+        <source>The board&apos;s watchdog ends its motion. A recording goes on with a gap. Disconnect ends the search.</source>
+        <translation>控制板的看门狗会结束运动。录制继续进行，并标记间断。断开连接即结束查找。</translation>
+    </message>
+    <message>
+        <source>Back after %1 s, disarmed.</source>
+        <translation>%1 s 后恢复连接，处于锁定状态。</translation>
+    </message>
+    <message>
+        <source>Its values are those of before, or were accepted.</source>
+        <translation>其参数值与之前相同，或已被接受。</translation>
+    </message>
+    <message>
+        <source>Back after %1 s, disarmed. Values that differ from before: %2.</source>
+        <translation>%1 s 后恢复连接，处于锁定状态。与之前不同的值：%2 个。</translation>
+    </message>
+    <message>
+        <source>The device may have been restarted. Nothing was written.</source>
+        <translation>设备可能已重启。未写入任何值。</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>以及另外 %1 个</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::SignalTree</name>
     <message>
         <source>Signals of the device</source>
@@ -6804,6 +6943,10 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>written: %1</source>
         <translation>已写入：%1</translation>
+    </message>
+    <message>
+        <source>connection lost, reconnecting</source>
+        <translation>连接已断开，正在重连</translation>
     </message>
 </context>
 <context>

@@ -105,6 +105,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "close it there; if it is open nowhere, remove {}"),
     QT_TRANSLATE_NOOP("Phrases", "stopped by command"),
     QT_TRANSLATE_NOOP("Phrases", "stopped by watchdog"),
+    QT_TRANSLATE_NOOP("Phrases", "connection lost"),
+    QT_TRANSLATE_NOOP("Phrases", "connection back"),
     QT_TRANSLATE_NOOP("Phrases", "choose another preset"),
     QT_TRANSLATE_NOOP("Phrases", "'{}' is too large for a preset"),
     QT_TRANSLATE_NOOP("Phrases", "choose a preset file"),

@@ -17,6 +17,7 @@
 #include "app/workspaces/link_panel.h"
 #include "app/workspaces/monitor_panel.h"
 #include "app/workspaces/notes_panel.h"
+#include "app/workspaces/return_notice.h"
 #include "app/workspaces/tune_panel.h"
 #include "widgets/phrasebook.h"
 #include "widgets/theme_style.h"
@@ -78,6 +79,7 @@ MainWindow::MainWindow(Preferences preferences)
     });
     m_autosave.start(AutosavePeriod_ms);
     m_project.beginWith(shownProject());
+    m_devices->setRemembered(m_preferences.lastDevice);
     m_devices->setFocus(); // never STOP first: Enter after the start connects
     resize(FirstSize);
     restoreGeometry(m_preferences.geometry);
@@ -120,11 +122,11 @@ void MainWindow::buildCentre() {
     connect(calibrate, &CalibratePanel::helpRequested, this, &MainWindow::openHelp);
     m_work = new ProjectWork(m_bench,
                              {*identify, *calibrate, *static_cast<TunePanel*>(m_docks->panel("tune"))}, this);
-    column->addWidget(m_bar);
-    column->addWidget(m_message);
-    column->addWidget(m_refusal);
     m_unkept = new UnkeptBar(centre);
-    column->addWidget(m_unkept);
+    auto* notice = new ReturnNotice(m_bench, centre);
+    for (QWidget* line : std::initializer_list<QWidget*>{m_bar, m_message, m_refusal, m_unkept, notice}) {
+        column->addWidget(line);
+    }
     column->addWidget(m_docks->widget(), 1);
     column->addWidget(new LinkPanel(m_bench, centre));
     setCentralWidget(centre);

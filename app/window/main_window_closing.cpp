@@ -1,5 +1,6 @@
 #include "app/window/dock_layout.h"
 #include "app/window/main_window.h"
+#include "app/workspaces/device_panel.h"
 
 #include <QCloseEvent>
 
@@ -63,6 +64,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         return;
     }
     m_preferences.geometry = saveGeometry();
+    m_preferences.lastDevice = m_devices->remembered();
     m_preferences.arrangements = m_docks->arrangements();
     savePreferences(m_preferences);
     if (!m_hasLeft && m_bench.session().state() != SessionState::Disconnected) {

@@ -78,6 +78,8 @@ Preferences loadPreferences() {
                          speedUnit(settings.value("speed_unit").toString())};
     preferences.geometry = settings.value("geometry").toByteArray();
     preferences.perspective = settings.value("perspective").toString();
+    preferences.lastDevice = {settings.value("last_device").toString().toStdString(),
+                              settings.value("last_device_serial").toString().toStdString()};
     settings.beginGroup(ArrangementGroup);
     for (const QString& perspective : settings.childKeys()) {
         preferences.arrangements[perspective] = settings.value(perspective).toByteArray();
@@ -94,6 +96,8 @@ void savePreferences(const Preferences& preferences) {
     settings.setValue("speed_unit", word(preferences.units.speed));
     settings.setValue("geometry", preferences.geometry);
     settings.setValue("perspective", preferences.perspective);
+    settings.setValue("last_device", QString::fromStdString(preferences.lastDevice.uri));
+    settings.setValue("last_device_serial", QString::fromStdString(preferences.lastDevice.serial));
     settings.beginGroup(ArrangementGroup);
     const QHash<QString, QByteArray>& arrangements = preferences.arrangements;
     for (auto entry = arrangements.begin(); entry != arrangements.end(); ++entry) {

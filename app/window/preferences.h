@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/workspaces/display_quantity.h"
+#include "devices/remembered_port.h"
 
 #include <QByteArray>
 #include <QHash>
@@ -20,6 +21,7 @@ struct Preferences {
     DisplayUnits units;
     QByteArray geometry;
     QString perspective;
+    devices::RememberedPort lastDevice;      ///< the real one that was connected last
     QHash<QString, QByteArray> arrangements; ///< of the panels by perspective, for work without a project
 };
 

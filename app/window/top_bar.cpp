@@ -112,13 +112,15 @@ void TopBar::refresh() {
     const bool isConnected = session.state() == SessionState::Connected;
     m_stop->setLatched(m_bench.stopLatch().isLatched(), m_bench.stopLatch().isLocked(),
                        board.fault != 0 ? fault : stopReason(board));
-    if (isConnected) {
+    if (isConnected || session.state() == SessionState::Reconnecting) {
         m_strip->setDevice(QString::fromStdString(session.info().uri), session.info().isSimulated);
     } else {
         m_strip->clearDevice();
     }
     m_strip->setFaultLatched(isConnected && board.fault != 0);
-    if (session.state() == SessionState::Lost) {
+    if (session.state() == SessionState::Reconnecting) {
+        m_strip->setState(widgets::WorkState::Fault, tr("connection lost, reconnecting"));
+    } else if (session.state() == SessionState::Lost) {
         m_strip->setState(widgets::WorkState::Fault, tr("connection lost"));
     } else if (!isConnected) {
         m_strip->setState(widgets::WorkState::Disconnected);

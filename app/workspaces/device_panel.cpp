@@ -37,13 +37,12 @@ DevicePanel::DevicePanel(Workbench& bench, QWidget* parent) : QWidget(parent), m
     buildIdentity();
     column->addStretch(1);
     setFocusProxy(m_list);
-    showDevices(devices::listSimulatedDevices());
-    m_list->setCurrentRow(0);
+    takeDevices(devices::listSimulatedDevices());
     refresh();
     m_watcher =
         std::make_unique<devices::DeviceWatcher>([this](const std::vector<devices::DeviceListing>& list) {
             QMetaObject::invokeMethod(
-                this, [this, list] { showDevices(list); }, Qt::QueuedConnection);
+                this, [this, list] { takeDevices(list); }, Qt::QueuedConnection);
         });
     DeviceSession& session = m_bench.session();
     connect(&session, &DeviceSession::stateChanged, this, &DevicePanel::refresh);
@@ -82,6 +81,7 @@ void DevicePanel::buildChooser() {
     column->addLayout(speed);
 
     connect(m_list, &QListWidget::currentRowChanged, this, &DevicePanel::chooseRow);
+    connect(m_address, &QLineEdit::textEdited, this, [this] { m_hasChosen = true; });
     connect(m_list, &QListWidget::itemActivated, this, [this] { connectAddress(); });
     connect(m_address, &QLineEdit::returnPressed, this, &DevicePanel::connectAddress);
     connect(m_connect, &QPushButton::clicked, this, [this] {
@@ -105,31 +105,74 @@ void DevicePanel::buildIdentity() {
     layout()->addWidget(m_identity);
 }
 
-/// Devices that come and go change neither what is chosen nor what was typed.
-void DevicePanel::showDevices(const std::vector<devices::DeviceListing>& list) {
+void DevicePanel::takeDevices(std::vector<devices::DeviceListing> list) {
+    m_listed = std::move(list);
+    showDevices();
+}
+
+/// Devices that come and go change neither what the user chose nor what was typed.
+void DevicePanel::showDevices() {
     const QSignalBlocker quiet(m_list);
     const QListWidgetItem* current = m_list->currentItem();
     const QString chosen = current == nullptr ? QString() : current->data(Qt::UserRole).toString();
+    const auto last = m_remembered.uri.empty()
+                          ? m_remembered.uri
+                          : devices::addressNow(m_remembered, m_listed).value_or(std::string());
     m_list->clear();
-    for (const devices::DeviceListing& listing : list) {
-        const QString uri = words(listing.uri);
-        auto* item = new QListWidgetItem(
-            listing.name.empty() ? uri : QStringLiteral("%1 (%2)").arg(words(listing.name), uri), m_list);
-        item->setData(Qt::UserRole, uri);
-        item->setToolTip(listing.isAvailable ? words(listing.id)
-                                             : widgets::inWords(listing.reason + ". " + listing.hint));
-        if (!listing.isAvailable) {
-            item->setForeground(palette().brush(QPalette::Disabled, QPalette::Text));
+    if (!last.empty()) {
+        devices::DeviceListing listing;
+        listing.uri = last;
+        listing.id = m_remembered.serial;
+        listing.isAvailable = true;
+        const auto found =
+            std::find_if(m_listed.begin(), m_listed.end(), [&](const auto& one) { return one.uri == last; });
+        addDevice(found == m_listed.end() ? listing : *found, true);
+    }
+    for (const devices::DeviceListing& listing : m_listed) {
+        if (listing.uri != last) {
+            addDevice(listing, false);
         }
-        if (uri == chosen) {
-            m_list->setCurrentItem(item);
+    }
+    for (int row = 0; row < m_list->count(); ++row) {
+        if (m_hasChosen && m_list->item(row)->data(Qt::UserRole).toString() == chosen) {
+            m_list->setCurrentRow(row);
         }
+    }
+    if (!m_hasChosen && m_list->count() > 0) {
+        m_list->setCurrentRow(0);
+        m_address->setText(m_list->item(0)->data(Qt::UserRole).toString());
+    }
+}
+
+void DevicePanel::addDevice(const devices::DeviceListing& listing, bool isLast) {
+    const QString uri = words(listing.uri);
+    const QString text = listing.name.empty() ? uri : QStringLiteral("%1 (%2)").arg(words(listing.name), uri);
+    auto* item = new QListWidgetItem(isLast ? tr("%1, last used").arg(text) : text, m_list);
+    item->setData(Qt::UserRole, uri);
+    item->setToolTip(listing.isAvailable ? words(listing.id)
+                                         : widgets::inWords(listing.reason + ". " + listing.hint));
+    if (!listing.isAvailable) {
+        item->setForeground(palette().brush(QPalette::Disabled, QPalette::Text));
+    }
+}
+
+void DevicePanel::setRemembered(const devices::RememberedPort& port) {
+    m_remembered = port;
+    showDevices();
+}
+
+/// Only what a cable leads to: simulated devices are always there.
+void DevicePanel::remember() {
+    const devices::DeviceInfo& info = m_bench.session().info();
+    if (!info.isSimulated && info.transport != "replay") {
+        setRemembered(devices::rememberPort(info.uri, m_listed));
     }
 }
 
 void DevicePanel::chooseRow(int row) {
     if (const QListWidgetItem* item = m_list->item(row)) {
         m_address->setText(item->data(Qt::UserRole).toString());
+        m_hasChosen = true;
     }
 }
 
@@ -138,6 +181,7 @@ Pace DevicePanel::chosenPace() const {
 }
 
 void DevicePanel::setAddress(const QString& uri) {
+    m_hasChosen = true;
     m_address->setText(uri);
 }
 
@@ -167,10 +211,15 @@ void DevicePanel::refresh() {
     m_connect->setText(isFree ? tr("&Connect") : tr("Dis&connect"));
     m_connect->setIcon(widgets::themedIcon(isFree ? "connect" : "disconnect"));
     m_connect->setToolTip(isFree ? tr("Connect the device (Alt+C)")
-                                 : tr("End what runs, disarm and disconnect (Alt+C)"));
+                          : session.state() == SessionState::Reconnecting
+                              ? tr("End the search for the device (Alt+C)")
+                              : tr("End what runs, disarm and disconnect (Alt+C)"));
     const bool isSimulated = session.info().isSimulated || isFree;
     m_speed->setEnabled(isSimulated && session.procedure().isEmpty());
     m_speedLabel->setEnabled(m_speed->isEnabled());
+    if (session.state() == SessionState::Connected) {
+        remember();
+    }
     if (session.state() == SessionState::Lost && session.report().lost) {
         onFailed(widgets::inWords(session.report().lost->message),
                  widgets::inWords(session.report().lost->hint));
@@ -182,6 +231,9 @@ QString DevicePanel::identityText() const {
     const DeviceSession& session = m_bench.session();
     if (session.state() == SessionState::Leaving) {
         return tr("Ending what runs and disarming …");
+    }
+    if (session.state() == SessionState::Reconnecting) {
+        return tr("Connection lost. Looking for %1 …").arg(words(session.info().id));
     }
     return session.state() == SessionState::Connected
                ? tr("%1\nFirmware %2").arg(words(session.info().id), words(session.info().firmware))

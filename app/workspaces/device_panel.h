@@ -2,6 +2,7 @@
 
 #include "app/workspaces/workbench.h"
 #include "devices/device_watcher.h"
+#include "devices/remembered_port.h"
 
 #include <QWidget>
 
@@ -30,13 +31,21 @@ public:
     void setAddress(const QString& uri);
     QString address() const;
 
+    /// The real device that was connected last, known by its serial number: it is the first in the list,
+    /// under the name that its port has now, and chosen until the user chooses. Nothing is opened by itself.
+    void setRemembered(const devices::RememberedPort& port);
+    const devices::RememberedPort& remembered() const { return m_remembered; }
+
 public Q_SLOTS:
     void connectAddress();
 
 private:
     void buildChooser();
     void buildIdentity();
-    void showDevices(const std::vector<devices::DeviceListing>& list);
+    void takeDevices(std::vector<devices::DeviceListing> list);
+    void showDevices();
+    void addDevice(const devices::DeviceListing& listing, bool isLast);
+    void remember();
     void chooseRow(int row);
     void refresh();
     QString identityText() const;
@@ -51,6 +60,9 @@ private:
     QLabel* m_speedLabel = nullptr;
     QLabel* m_identity = nullptr;
     widgets::MessageBar* m_message = nullptr;
+    std::vector<devices::DeviceListing> m_listed;
+    devices::RememberedPort m_remembered;
+    bool m_hasChosen = false; ///< the user has: what comes and goes does not choose any more
     std::unique_ptr<devices::DeviceWatcher> m_watcher; ///< looks for ports, in a thread of its own
 };
 

@@ -38,8 +38,9 @@ LinkPanel::LinkPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_ben
 void LinkPanel::refresh() {
     const DeviceSession& session = m_bench.session();
     if (session.state() != SessionState::Connected) {
-        m_link->setText(session.state() == SessionState::Connecting ? tr("link: connecting")
-                                                                    : tr("link: none"));
+        m_link->setText(session.state() == SessionState::Connecting     ? tr("link: connecting")
+                        : session.state() == SessionState::Reconnecting ? tr("link: lost, reconnecting")
+                                                                        : tr("link: none"));
         m_board->clear();
         m_packets = 0;
         m_time_s = 0.0;

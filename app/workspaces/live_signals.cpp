@@ -22,8 +22,10 @@ double rateFor(const devices::DeviceInfo& info, const std::vector<const SignalSp
 
 LiveSignals::LiveSignals(DeviceSession& session, QObject* parent) : QObject(parent), m_session(session) {
     connect(&m_session, &DeviceSession::stateChanged, this, [this] {
-        m_streamed.clear();
-        m_rate_Hz = 0.0;
+        if (m_session.state() != SessionState::Reconnecting && m_session.returns() == 0) {
+            m_streamed.clear(); // what a device that comes back sent before, it sends again by itself
+            m_rate_Hz = 0.0;
+        }
         restart();
     });
 }

@@ -117,8 +117,8 @@ void MonitorPanel::connectStack() {
 /// Another device brings its own signals; the same one again keeps its plots.
 void MonitorPanel::onDevice() {
     const DeviceSession& session = m_bench.session();
-    if (session.state() != SessionState::Connected) {
-        return;
+    if (session.state() != SessionState::Connected || session.returns() > 0) {
+        return; // a device that came back finds everything as it was
     }
     const QString device = QString::fromStdString(session.info().model + session.info().id);
     m_pages->setCurrentIndex(1); // and stays: what was measured can be looked at without the device

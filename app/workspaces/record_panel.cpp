@@ -23,6 +23,15 @@ namespace {
 constexpr int Rates_Hz[] = {10, 20, 50, 100, 200, 500, 1000};
 constexpr int DefaultRate = 3;
 
+/// "312", or "312 (2 gaps, 3.1 s)"
+QString missingText(const RecorderStatus& status) {
+    const QString rows = QLocale().toString(static_cast<qulonglong>(status.missingRows));
+    return status.gaps == 0 ? rows
+                            : RecordPanel::tr("%1 (gaps: %2, %3 s)")
+                                  .arg(rows, QLocale().toString(static_cast<qulonglong>(status.gaps)),
+                                       QLocale().toString(status.gaps_s, 'f', 1));
+}
+
 } // namespace
 
 RecordPanel::RecordPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(bench) {
@@ -144,7 +153,7 @@ void RecordPanel::refresh() {
     if (isRecording) {
         m_elapsed->setText(widgets::durationText(status.elapsed_s));
         m_rows->setText(QLocale().toString(static_cast<qulonglong>(status.rows)));
-        m_missing->setText(QLocale().toString(static_cast<qulonglong>(status.missingRows)));
+        m_missing->setText(missingText(status));
         showRole(*m_missing, status.missingRows > 0 ? widgets::Role::Warn : widgets::Role::None);
     } else if (m_elapsed->text().isEmpty()) {
         for (QLabel* figure : {m_elapsed, m_rows, m_missing}) {
@@ -153,11 +162,14 @@ void RecordPanel::refresh() {
     }
 }
 
-void RecordPanel::onFinished(const QString& path, qulonglong rows) {
-    m_message->showMessage({widgets::Severity::Success,
-                            tr("%1 rows in %2").arg(QLocale().toString(rows), QDir::toNativeSeparators(path)),
-                            tr("What was measured, with its units; the sidecar beside it has the rest."),
-                            {}});
+void RecordPanel::onFinished(const QString& path, const RecorderStatus& status) {
+    const QString rows = QLocale().toString(static_cast<qulonglong>(status.rows));
+    m_message->showMessage(
+        {status.gaps > 0 ? widgets::Severity::Warning : widgets::Severity::Success,
+         tr("%1 rows in %2").arg(rows, QDir::toNativeSeparators(path)),
+         status.gaps > 0 ? tr("Missing: %1; the sidecar says where.").arg(missingText(status))
+                         : tr("What was measured, with its units; the sidecar beside it has the rest."),
+         {}});
 }
 
 } // namespace halbench::app

@@ -28,7 +28,7 @@ private:
     void toggle();
     void addMarker();
     void refresh();
-    void onFinished(const QString& path, qulonglong rows);
+    void onFinished(const QString& path, const RecorderStatus& status);
 
     Workbench& m_bench;
     widgets::MessageBar* m_message = nullptr;

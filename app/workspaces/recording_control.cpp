@@ -120,10 +120,21 @@ RecorderStatus RecordingControl::status() const {
     return m_recorder ? m_recorder->status() : RecorderStatus();
 }
 
-/// A device that goes away ends the recording; what came until then is kept.
+/// A device that is looked for leaves a gap, with a marker at each of its ends. One that goes away for good
+/// ends the recording; what came until then is kept.
 void RecordingControl::onSession() {
-    if (m_session.state() != SessionState::Connected && isRecording()) {
-        stop();
+    const bool isAway = m_session.state() == SessionState::Reconnecting;
+    if (!m_recorder || (m_session.state() != SessionState::Connected && !isAway)) {
+        m_isInterrupted = false;
+        if (isRecording()) {
+            stop();
+        }
+        return;
+    }
+    if (isAway != m_isInterrupted) {
+        m_isInterrupted = isAway;
+        const double now_s = m_session.report().deviceTime_s;
+        m_recorder->addMarker(now_s, isAway ? "connection lost" : "connection back");
     }
 }
 
@@ -131,7 +142,7 @@ void RecordingControl::look() {
     const RecorderStatus status = m_recorder->status();
     if (status.state == RecorderStatus::State::Done) {
         leave();
-        Q_EMIT finished(m_path, status.rows);
+        Q_EMIT finished(m_path, status);
     } else if (status.state == RecorderStatus::State::Failed) {
         leave();
         const Error error = status.error.value_or(Error());

@@ -44,14 +44,14 @@ public:
     /// Of the running recording or, after it, of the last one.
     const QString& path() const { return m_path; }
 
-    /// A mark at the newest sample, kept in the recording's sidecar.
+    /// A mark at a time of the device, kept in the recording's sidecar.
     void addMarker(double time_s, const QString& text);
     /// Values of the device as now known; changes are kept in the sidecar.
     void noteValues(const std::map<std::string, double>& values);
 
 Q_SIGNALS:
     void changed(); ///< ten times a second while recording
-    void finished(const QString& path, qulonglong rows);
+    void finished(const QString& path, const halbench::app::RecorderStatus& status);
     void failed(const QString& text, const QString& remedy);
 
 private:
@@ -70,6 +70,7 @@ private:
     bool m_isStarting = false;
     std::shared_ptr<Recorder> m_recorder;
     std::map<std::string, double> m_values; ///< at the last look, for changes
+    bool m_isInterrupted = false;           ///< the device is away; the recording waits for it
     QTimer m_look;
 };
 

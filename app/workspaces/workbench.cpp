@@ -1,5 +1,6 @@
 #include "app/workspaces/workbench.h"
 
+#include "app/batch/configuration_file.h"
 #include "app/batch/result_documents.h"
 
 #include <algorithm>
@@ -120,15 +121,66 @@ std::optional<double> Workbench::deviceValue(const std::string& parameter) const
 }
 
 void Workbench::onSessionState() {
-    if (m_session.state() == SessionState::Connected) {
+    if (m_session.state() == SessionState::Connected && m_session.returns() > 0) {
+        onReturn();
+    } else if (m_session.state() == SessionState::Connected) {
         clearHistory();
         m_values.clear(); // this device may lack names that the one before had
+        m_formerValues.clear();
+        m_differences.clear();
         refreshValues();
     } else if (m_session.state() == SessionState::Disconnected) {
         m_values.clear();
         valuesChanged();
     }
     deviceChanged();
+}
+
+/// The history stays, and so does what was wished before an earlier loss and is not decided yet.
+void Workbench::onReturn() {
+    if (m_formerValues.empty()) {
+        m_formerValues = m_values;
+        for (const ValueDifference& difference : m_differences) {
+            m_formerValues[difference.name] = difference.before;
+        }
+    }
+    readInPieces(m_session, parameterNames(m_session.catalogue()), [this](const Values& values) {
+        takeValues(values, false);
+        if (values) {
+            compareValues();
+        }
+    });
+}
+
+void Workbench::compareValues() {
+    m_differences.clear();
+    for (const ParameterSpec& spec : m_session.catalogue().parameters) {
+        const auto former = m_formerValues.find(spec.name);
+        const double now = m_values[spec.name];
+        if (isSetting(spec) && former != m_formerValues.end() && former->second != now) {
+            m_differences.push_back({spec.name, former->second, now});
+        }
+    }
+    m_formerValues.clear();
+    valuesCompared();
+}
+
+void Workbench::acceptDifferences() {
+    m_differences.clear();
+    valuesCompared();
+}
+
+void Workbench::writeDifferencesBack(std::function<void(Result<void>)> then) {
+    std::vector<ParameterValue> values;
+    for (const ValueDifference& difference : m_differences) {
+        values.push_back({difference.name, difference.before});
+    }
+    writeValues(std::move(values), [this, then = std::move(then)](const Result<void>& written) {
+        if (written) {
+            acceptDifferences();
+        }
+        then(written);
+    });
 }
 
 void Workbench::refreshValues() {

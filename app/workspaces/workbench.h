@@ -32,6 +32,13 @@ struct Provenance {
     ResultOrigin origin = ResultOrigin::Measured;
 };
 
+/// A setting that is not what it was before its device was lost.
+struct ValueDifference {
+    std::string name;
+    double before = 0.0;
+    double now = 0.0; ///< on the device
+};
+
 /// What all panels of the window share: the device, its samples and values, the identified motor, the design.
 /// Thread: GUI.
 class Workbench : public QObject {
@@ -70,6 +77,14 @@ public:
     /// One transaction, then all values are read back; `then` gets the outcome, after valuesChanged().
     void writeValues(std::vector<ParameterValue> values, std::function<void(Result<void>)> then);
 
+    /// What a device that came back has otherwise than before, until the user has decided. Nothing of it is
+    /// written by itself.
+    const std::vector<ValueDifference>& differences() const { return m_differences; }
+    /// The device's values count from now on.
+    void acceptDifferences();
+    /// Writes what it was before; `then` as in writeValues().
+    void writeDifferencesBack(std::function<void(Result<void>)> then);
+
     /// Units of measured values, as the user prefers them.
     const DisplayUnits& displayUnits() const { return m_displayUnits; }
     void setDisplayUnits(const DisplayUnits& units);
@@ -97,6 +112,7 @@ public:
 Q_SIGNALS:
     void deviceChanged(); ///< connected, lost or gone
     void valuesChanged();
+    void valuesCompared(); ///< with those before the loss; differences() may be empty
     void identificationChanged();
     void designChanged();
     void displayUnitsChanged();
@@ -105,6 +121,8 @@ Q_SIGNALS:
 
 private:
     void onSessionState();
+    void onReturn();
+    void compareValues();
     void readValues(bool areOurs);
     void takeValues(const Result<std::vector<double>>& values, bool areOurs);
 
@@ -116,6 +134,8 @@ private:
     control::SampleHistory m_history;
     std::map<std::string, double> m_values;
     bool m_areValuesOurs = false;
+    std::map<std::string, double> m_formerValues; ///< before the loss, until they are compared
+    std::vector<ValueDifference> m_differences;
     DisplayUnits m_displayUnits;
     std::optional<std::pair<double, double>> m_strayInterval95_T_per_A;
     std::optional<IdentifyResult> m_identification;

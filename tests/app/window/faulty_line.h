@@ -45,6 +45,10 @@ public:
     FaultyLine& operator=(const FaultyLine&) = delete;
 
     const std::string& uri() const { return m_uri; }
+    /// The board itself, past the line.
+    const std::string& boardUri() const { return m_board.uri(); }
+    /// From the next connection on another board is behind the line.
+    void plugInAnother() { m_isOther = true; }
     void spoil(Fault fault) { m_fault = fault; }
 
 private:
@@ -64,7 +68,7 @@ private:
             }
             const int master = ::accept(m_listener, nullptr, nullptr);
             const int board = ::socket(AF_INET, SOCK_STREAM, 0);
-            const std::string& served = m_board.uri();
+            const std::string& served = (m_isOther ? m_other : m_board).uri();
             const sockaddr_in address = loopback(std::stoi(served.substr(served.rfind(':') + 1)));
             ::connect(board, reinterpret_cast<const sockaddr*>(&address), sizeof address);
             m_inMessage = 0;
@@ -138,6 +142,8 @@ private:
     }
 
     devices::BoardServer m_board;
+    devices::BoardServer m_other{devices::ServedLine::Tcp, 2};
+    std::atomic<bool> m_isOther = false;
     int m_listener;
     std::string m_uri;
     std::atomic<Fault> m_fault = Fault::None;

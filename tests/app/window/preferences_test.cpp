@@ -16,6 +16,7 @@ TEST_F(PreferencesTest, comeBackAsTheyWereSaved) {
     saved.language = "de";
     saved.stopLockOut_ms = 5000;
     saved.perspective = "tune";
+    saved.lastDevice = {"serial:/dev/ttyACM0", "HB-17"};
     saved.arrangements = {{"tune", QByteArray("\x01\x00\xff", 3)}, {"monitor", "m"}};
     savePreferences(saved);
     const Preferences loaded = loadPreferences();
@@ -23,6 +24,8 @@ TEST_F(PreferencesTest, comeBackAsTheyWereSaved) {
     EXPECT_EQ(loaded.language, "de");
     EXPECT_EQ(loaded.stopLockOut_ms, 5000);
     EXPECT_EQ(loaded.perspective, "tune");
+    EXPECT_EQ(loaded.lastDevice.uri, "serial:/dev/ttyACM0");
+    EXPECT_EQ(loaded.lastDevice.serial, "HB-17");
     EXPECT_EQ(loaded.arrangements, saved.arrangements);
 }
 

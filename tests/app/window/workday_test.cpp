@@ -122,7 +122,7 @@ TEST_F(WorkdayTest, losingTheDeviceLeavesAWindowThatWorks) {
     session().request([](devices::Device& device) { return device.arm(); }, [](const Result<void>&) {});
     ASSERT_TRUE(wait([&] { return isArmed(); }));
     first.end(); // killed while armed
-    EXPECT_TRUE(wait([&] { return session().state() == SessionState::Lost; }));
+    EXPECT_TRUE(wait([&] { return session().state() == SessionState::Reconnecting; }));
     EXPECT_FALSE(session().report().board.isConnected);
     for (const Perspective perspective : AllPerspectives) {
         window->docks().setPerspective(perspective);

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -13,7 +14,8 @@ namespace halbench::devices {
 /// `halbench serve sim:htm` in a thread of the test.
 class BoardServer {
 public:
-    explicit BoardServer(ServedLine line = ServedLine::Tcp) : m_thread([this, line] { serve(line); }) {
+    explicit BoardServer(ServedLine line = ServedLine::Tcp, std::optional<std::uint64_t> seed = {})
+        : m_thread([this, line, seed] { serve(line, seed); }) {
         std::unique_lock lock(m_mutex);
         m_changed.wait(lock, [this] { return !m_address.empty(); });
     }
@@ -31,9 +33,9 @@ public:
     const std::string& uri() const { return m_address; }
 
 private:
-    void serve(ServedLine line) {
+    void serve(ServedLine line, std::optional<std::uint64_t> seed) {
         const auto served = serveDevice(
-            {"sim:htm?imperfections=off", line, line == ServedLine::Pty ? "" : "127.0.0.1:0", std::nullopt},
+            {"sim:htm?imperfections=off", line, line == ServedLine::Pty ? "" : "127.0.0.1:0", seed},
             [this](const std::string& address) { announce(address); }, m_interrupt);
         if (!served) {
             announce(served.error().message);

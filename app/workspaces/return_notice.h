@@ -1,0 +1,43 @@
+#pragma once
+
+#include "app/workspaces/workbench.h"
+
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+
+namespace halbench::widgets {
+class MessageBar;
+struct Message;
+} // namespace halbench::widgets
+
+namespace halbench::app {
+
+/// What became of a device that was lost: that it is looked for and why it is not back yet; then that it is,
+/// and which settings differ from before, to be written back or accepted. A strip of the window, seen in
+/// every perspective; never a box.
+class ReturnNotice : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ReturnNotice(Workbench& bench, QWidget* parent = nullptr);
+
+private:
+    void buildDifferences();
+    void onState();
+    void showSearch();
+    void showReturn();
+    void showDifferences();
+    void writeBack();
+    void say(const widgets::Message& message);
+
+    Workbench& m_bench;
+    widgets::MessageBar* m_message = nullptr;
+    QWidget* m_differences = nullptr;
+    QLabel* m_list = nullptr;
+    QPushButton* m_write = nullptr;
+    QPushButton* m_accept = nullptr;
+};
+
+} // namespace halbench::app
