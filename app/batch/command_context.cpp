@@ -4,8 +4,7 @@
 
 namespace halbench::app {
 
-Result<std::unique_ptr<devices::Device>> openDeviceFor(const CommandContext& context,
-                                                       const std::string& uri) {
+devices::OpenOptions openOptionsFor(const CommandContext& context) {
     devices::OpenOptions options;
     options.seed = context.global.seed;
     options.isRealtime = context.global.isRealtime;
@@ -14,7 +13,12 @@ Result<std::unique_ptr<devices::Device>> openDeviceFor(const CommandContext& con
     options.onMessage = [&console = context.console](const std::string& text) {
         console.log(LogLevel::Debug, text);
     };
-    return devices::openDevice(uri, options);
+    return options;
+}
+
+Result<std::unique_ptr<devices::Device>> openDeviceFor(const CommandContext& context,
+                                                       const std::string& uri) {
+    return devices::openDevice(uri, openOptionsFor(context));
 }
 
 Result<void> requireConsent(const CommandContext& context, devices::Device& device) {

@@ -25,7 +25,10 @@ struct CommandContext {
 /// A command ends with an exit code of its own (0 or 1), or with the error that stopped it.
 using CommandResult = Result<ExitCode>;
 
-/// Opens a device with the seed, pace and interrupt flag of the command line.
+/// The seed, pace and interrupt flag of the command line.
+devices::OpenOptions openOptionsFor(const CommandContext& context);
+
+/// Opens a device with them.
 Result<std::unique_ptr<devices::Device>> openDeviceFor(const CommandContext& context, const std::string& uri);
 
 /// The user's consent to arm: always given for a simulated device, with --arm for any other. --arm is also

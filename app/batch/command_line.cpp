@@ -89,6 +89,8 @@ void addMovingCommands(CLI::App& app, CommandOptions& options) {
         ->type_name("RATIO");
     record->add_option("--wait", options.wait, "Of a capture: longest wait for the trigger, default 10")
         ->type_name("S");
+    record->add_flag("--reconnect", options.isReconnecting,
+                     "Wait for a device that is lost and record on, with the gap marked; not with --capture");
     record->add_option("--out", options.out, "Recording")->required()->type_name("FILE.csv");
     CLI::App* move = addCommand(app, "move", "Follow a reference and measure how well");
     addDevice(move, options);

@@ -30,6 +30,7 @@ struct CommandOptions {
     std::string duration;
     std::string signals;
     std::string rate;
+    bool isReconnecting = false;           ///< record --reconnect
     std::string capture;                   ///< record --capture A,B
     std::string trigger, preTrigger, wait; ///< record --capture
     std::string reference;

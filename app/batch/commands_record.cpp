@@ -5,8 +5,13 @@
 #include "app/batch/result_header.h"
 #include "app/procedures/capture_procedure.h"
 #include "app/procedures/record_procedure.h"
+#include "devices/remembered_port.h"
+#include "devices/returning_device.h"
+#include "devices/transport/hotplug.h"
 
 #include <fmt/format.h>
+
+#include <chrono>
 
 namespace halbench::app {
 
@@ -50,6 +55,10 @@ Result<RecordConfig> recordConfigFrom(const CommandOptions& options) {
 }
 
 Result<CaptureConfig> captureConfigFrom(const CommandOptions& options) {
+    if (options.isReconnecting) {
+        return failure(ErrorCode::Usage, "--reconnect does not go with --capture",
+                       "the board loses a capture when it is restarted; capture again");
+    }
     if (!options.duration.empty() || !options.signals.empty()) {
         return failure(ErrorCode::Usage, "--duration and --signals do not go with --capture",
                        "a capture has 4096 rows of the signals that --capture names");
@@ -67,18 +76,69 @@ Result<CaptureConfig> captureConfigFrom(const CommandOptions& options) {
     return read ? Result<CaptureConfig>(std::move(config)) : failure(read.error());
 }
 
+/// What is told of a recording that is complete.
+struct Recorded {
+    std::size_t rows = 0;
+    std::uint64_t lostRows = 0;
+    std::uint64_t gaps = 0;
+    double gaps_s = 0.0;
+};
+
 CommandResult tell(CommandContext& context, const std::string& path, const ResultHeader& header,
-                   std::size_t rows, std::uint64_t lostRows) {
+                   const Recorded& recorded) {
     JsonValue document = toJson(header);
-    document.set("rows", static_cast<std::uint64_t>(rows)).set("lost_rows", lostRows);
-    context.console.log(LogLevel::Info, fmt::format("wrote {} ({} rows)", path, rows));
+    document.set("rows", static_cast<std::uint64_t>(recorded.rows))
+        .set("lost_rows", recorded.lostRows)
+        .set("gaps", recorded.gaps)
+        .set("gaps_s", recorded.gaps_s);
+    context.console.log(LogLevel::Info, fmt::format("wrote {} ({} rows)", path, recorded.rows));
     for (const Finding& finding : header.quality.findings) {
         context.console.log(LogLevel::Warning, finding.message + "; " + finding.hint);
+    }
+    if (recorded.gaps > 0) {
+        context.console.log(LogLevel::Info, fmt::format("gaps: {}, {:.3g} s together; the sidecar says where",
+                                                        recorded.gaps, recorded.gaps_s));
     }
     if (const Result<void> printed = context.console.printDocument(document); !printed) {
         return failure(printed.error());
     }
     return ExitCode::Done;
+}
+
+/// Something that is plugged in ends a wait early.
+devices::HostTime hostTime() {
+    using HostClock = std::chrono::steady_clock;
+    return {[] { return std::chrono::duration<double>(HostClock::now().time_since_epoch()).count(); },
+            [hotplug = std::make_shared<devices::Hotplug>()](double duration_s) {
+                hotplug->waitFor(duration_s);
+            }};
+}
+
+/// Looks for the device by its serial number where it has one.
+std::unique_ptr<devices::ReturningDevice> returning(CommandContext& context, const std::string& uri,
+                                                    std::unique_ptr<devices::Device> device) {
+    const devices::RememberedPort port = devices::rememberPort(uri, devices::listDevices());
+    const auto open = [port,
+                       options = openOptionsFor(context)]() -> Result<std::unique_ptr<devices::Device>> {
+        const Result<std::string> now = devices::addressNow(port, devices::listDevices());
+        return now ? devices::openDevice(*now, options) : failure(now.error());
+    };
+    devices::DeviceReturn back(device->info(), open);
+    return std::make_unique<devices::ReturningDevice>(std::move(device), std::move(back), hostTime());
+}
+
+devices::ReturningDevice::Events eventsTo(CommandContext& context, RecordingOutput& output) {
+    devices::ReturningDevice::Events events;
+    events.onLost = [&](const Error& why, double stream_s) {
+        output.addMarker(stream_s, "connection lost");
+        context.console.log(LogLevel::Warning, why.message + "; waiting for the device");
+    };
+    events.onReturned = [&](double outage_s, double stream_s) {
+        output.addMarker(stream_s, "connection back");
+        context.console.log(LogLevel::Warning,
+                            fmt::format("the device is back after {:.3g} s, recording goes on", outage_s));
+    };
+    return events;
 }
 
 CommandResult recordCapture(CommandContext& context, const CommandOptions& options) {
@@ -100,7 +160,7 @@ CommandResult recordCapture(CommandContext& context, const CommandOptions& optio
     if (!written) {
         return failure(written.error());
     }
-    return tell(context, options.out, header, capture->rows(), capture->lostRows);
+    return tell(context, options.out, header, {capture->rows(), capture->lostRows, 0, 0.0});
 }
 
 CommandResult recordStream(CommandContext& context, const CommandOptions& options) {
@@ -108,20 +168,29 @@ CommandResult recordStream(CommandContext& context, const CommandOptions& option
     if (!config) {
         return failure(config.error());
     }
-    const Result<std::unique_ptr<devices::Device>> device = openDeviceFor(context, options.device);
-    if (!device) {
-        return failure(device.error());
+    Result<std::unique_ptr<devices::Device>> opened = openDeviceFor(context, options.device);
+    if (!opened) {
+        return failure(opened.error());
     }
-    ResultHeader header = headerFor(context, "halbench.recorded/1", **device);
-    RecordingOutput output(context, **device, options.out, header.started);
+    const std::unique_ptr<devices::ReturningDevice> back =
+        options.isReconnecting ? returning(context, options.device, *std::move(opened)) : nullptr;
+    devices::Device& device = back ? *back : **opened;
+    ResultHeader header = headerFor(context, "halbench.recorded/1", device);
+    RecordingOutput output(context, device, options.out, header.started);
+    if (back) {
+        back->setEvents(eventsTo(context, output));
+    }
     const RecordOutlet outlet = output.outlet();
-    const Result<RecordResult> result = runRecord(**device, *config, observerFor(context), &outlet);
-    const Result<void> done = result ? output.finish() : failure(result.error());
+    const Result<RecordResult> result = runRecord(device, *config, observerFor(context), &outlet);
+    const bool isCut = result && back && back->lost(); // away when the time was over
+    const Result<void> done = isCut    ? failure(*back->lost())
+                              : result ? output.finish()
+                                       : failure(result.error());
     if (!done) {
         return failure(output.stopped(done.error()));
     }
     header.quality = result->quality;
-    return tell(context, options.out, header, result->rows, result->lostRows);
+    return tell(context, options.out, header, {result->rows, result->lostRows, result->gaps, result->gaps_s});
 }
 
 } // namespace

@@ -55,6 +55,12 @@ Result<void> RecordingOutput::begin(const StreamLayout& layout) {
     return {};
 }
 
+void RecordingOutput::addMarker(double time_s, const std::string& text) {
+    if (m_writer) {
+        m_writer->addMarker(time_s, text);
+    }
+}
+
 Result<void> RecordingOutput::finish() {
     return m_writer->finish();
 }

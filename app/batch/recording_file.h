@@ -36,6 +36,8 @@ public:
 
     /// For runRecord(); this object must outlive it. Errors: FileSystem, Usage.
     RecordOutlet outlet();
+    /// For the sidecar; time of the recording.
+    void addMarker(double time_s, const std::string& text);
     /// Gives the file its name. Error: FileSystem; see stopped().
     Result<void> finish();
     /// The error that ended the recording, with the place of what was recorded until then.

@@ -44,7 +44,7 @@ Result<void> checkRecord(const devices::Catalogue& catalogue, const RecordConfig
 class RowTaker {
 public:
     RowTaker(const RecordConfig& config, const RecordOutlet* outlet)
-        : m_outlet(outlet), m_end_s(config.duration_s - 0.5 / config.rate_Hz) {}
+        : m_outlet(outlet), m_rate_Hz(config.rate_Hz), m_end_s(config.duration_s - 0.5 / config.rate_Hz) {}
 
     Result<void> take(const SampleBlock& block) {
         SampleBlock wanted = block;
@@ -57,6 +57,7 @@ public:
         wanted.values.resize(wanted.rows() * wanted.layout->columns.size());
         m_rows += wanted.rows();
         m_lostRows += wanted.lostRows;
+        m_gaps += wanted.lostRows > 0 ? 1 : 0;
         if (m_outlet != nullptr) {
             return m_outlet->append(wanted);
         }
@@ -64,14 +65,23 @@ public:
         return {};
     }
 
-    RecordResult result() { return {std::move(m_recording), m_rows, m_lostRows, {}}; }
+    RecordResult result() {
+        return {std::move(m_recording),
+                m_rows,
+                m_lostRows,
+                m_gaps,
+                static_cast<double>(m_lostRows) / m_rate_Hz,
+                {}};
+    }
 
 private:
     const RecordOutlet* m_outlet;
+    double m_rate_Hz;
     double m_end_s;
     Recording m_recording;
     std::size_t m_rows = 0;
     std::uint64_t m_lostRows = 0;
+    std::uint64_t m_gaps = 0;
 };
 
 /// What the stream's blocks will look like.

@@ -18,7 +18,9 @@ struct RecordResult {
     Recording recording; ///< rows at t = 0, 1/R, ... < duration; none with an outlet
     std::size_t rows = 0;
     std::uint64_t lostRows = 0;
-    DataQuality quality; ///< doubtful when rows were lost
+    std::uint64_t gaps = 0; ///< stretches without rows
+    double gaps_s = 0.0;    ///< how long they are together
+    DataQuality quality;    ///< doubtful when rows were lost
 };
 
 /// Where rows go as they come, e.g. a file, instead of into memory.

@@ -156,6 +156,39 @@ class Departures(BoardCase):
         server.send_signal(signal.SIGCONT)
         self.accept("describe", uri)
 
+    def test_board_that_freezes_for_a_while_is_recorded_on(self):
+        server, uri = self.serve()
+        process = self.start_program("record", uri, "--duration", "9", "--reconnect", "--json", "--out", "f.csv")
+        time.sleep(1.0)
+        server.send_signal(signal.SIGSTOP)
+        time.sleep(2.5)         # longer than a board may be silent
+        server.send_signal(signal.SIGCONT)
+        out, err = process.communicate(timeout=30)
+        self.assertEqual(process.returncode, 0, err)
+        result = json.loads(out)
+        with open(self.path("f.meta.json"), encoding="utf-8") as file:
+            meta = json.load(file)
+        with open(self.path("f.csv"), encoding="utf-8") as file:
+            times = [float(row.split(",")[0]) for row in file.read().split("\n")[1:-1]]
+        self.assertEqual([m["text"] for m in meta["markers"]], ["connection lost", "connection back"])
+        self.assertEqual((result["gaps"], len(meta["gaps"])), (1, 1))
+        self.assertEqual(result["rows"] + result["lost_rows"], 900)
+        self.assertAlmostEqual(result["gaps_s"], result["lost_rows"] / 100)
+        self.assertGreater(result["gaps_s"], 2.0)
+        self.assertEqual(result["data_quality"]["verdict"], "doubtful")
+        self.assertEqual(times, [round(t * 100) / 100 for t in times], "on the grid of the rows before")
+        self.assertNotIn("f.csv.partial", os.listdir(self.path(".")))
+
+    def test_board_that_does_not_come_back_in_time_is_a_device_failure(self):
+        server, uri = self.serve()
+        process = self.start_program("record", uri, "--duration", "3", "--reconnect", "--out", "f.csv")
+        time.sleep(1.0)
+        server.kill()
+        _, err = process.communicate(timeout=20)
+        self.assertEqual(process.returncode, 3, err)
+        self.assertRegex(err, "waiting for the device")
+        self.assert_nothing_left("f.csv.partial", "f.meta.json.partial")
+
     def test_killed_program_leaves_a_board_that_stops_itself(self):
         _, uri = self.serve()
         parameters, _ = self.board(uri)
