@@ -104,7 +104,7 @@ LivePlot::LivePlot(QWidget* parent)
     m_overlay->attach(this);
     setFocusPolicy(Qt::StrongFocus);
     setAcceptDrops(true);
-    setMinimumHeight(5 * fontMetrics().height());
+    setMinimumHeight(3 * fontMetrics().height());
     // Half a label of the time axis reaches beyond the right end.
     setContentsMargins(Margin, Margin, 2 * fontMetrics().averageCharWidth() + Margin, Margin);
 }

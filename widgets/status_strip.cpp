@@ -1,7 +1,7 @@
 #include "widgets/status_strip.h"
 
+#include "widgets/elided_label.h"
 #include "widgets/icons.h"
-#include "widgets/progress_row.h"
 
 #include <QAccessible>
 #include <QEvent>
@@ -14,6 +14,9 @@ namespace halbench::widgets {
 namespace {
 
 constexpr int Symbol_px = 16;
+/// What is seen of long words when the window is narrow.
+constexpr int DeviceCharacters = 7;
+constexpr int StateCharacters = 13;
 
 Role roleOfState(WorkState state) {
     switch (state) {
@@ -52,13 +55,12 @@ QString iconOfState(WorkState state) {
 } // namespace
 
 StatusStrip::StatusStrip(QWidget* parent)
-    : QFrame(parent), m_deviceLabel(new QLabel(this)), m_simulatedBadge(new QLabel(this)),
-      m_stateSymbol(new QLabel(this)), m_stateBadge(new QLabel(this)), m_recordSymbol(new QLabel(this)),
-      m_recordLabel(new QLabel(this)) {
+    : QFrame(parent), m_deviceLabel(new ElidedLabel(DeviceCharacters, this)),
+      m_simulatedBadge(new QLabel(this)), m_stateSymbol(new QLabel(this)),
+      m_stateBadge(new ElidedLabel(StateCharacters, this)) {
     setProperty("surface", QStringLiteral("strip"));
     m_simulatedBadge->setProperty("badge", true);
     m_stateBadge->setProperty("badge", true);
-    m_recordLabel->setFont(tabularFont(font()));
     setRole(*m_simulatedBadge, Role::Simulated);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(PanelMargin_px, GridStep_px, PanelMargin_px, GridStep_px);
@@ -69,14 +71,11 @@ StatusStrip::StatusStrip(QWidget* parent)
     row->addWidget(m_stateSymbol);
     row->addWidget(m_stateBadge);
     row->addStretch(1);
-    row->addWidget(m_recordSymbol);
-    row->addWidget(m_recordLabel);
     connect(&m_blink, &QTimer::timeout, this, [this] {
         m_isSymbolShown = !m_isSymbolShown;
         refreshSymbol();
     });
     refresh();
-    refreshRecording();
 }
 
 void StatusStrip::setState(WorkState state, const QString& detail) {
@@ -111,12 +110,6 @@ void StatusStrip::clearDevice() {
     setDevice({}, false);
 }
 
-void StatusStrip::setRecording(bool isRecording, double elapsed_s) {
-    m_isRecording = isRecording;
-    m_elapsed_s = elapsed_s;
-    refreshRecording();
-}
-
 QString StatusStrip::stateText() const {
     switch (m_state) {
     case WorkState::Connected:
@@ -137,19 +130,18 @@ QString StatusStrip::stateText() const {
 
 void StatusStrip::refresh() {
     const Role role = roleOfState(m_state);
-    m_deviceLabel->setText(m_device.isEmpty() ? tr("No device") : m_device);
+    m_deviceLabel->setWords(m_device.isEmpty() ? tr("No device") : m_device);
     setRole(*m_deviceLabel, m_device.isEmpty() ? Role::Muted : Role::None);
     m_simulatedBadge->setText(tr("SIMULATED"));
     m_simulatedBadge->setToolTip(tr("This device is a simulation inside the program; nothing real moves"));
     m_simulatedBadge->setVisible(m_isSimulated);
     refreshSymbol();
-    m_stateBadge->setText(stateText());
-    m_stateBadge->setToolTip(stateText());
+    m_stateBadge->setWords(stateText());
     setRole(*m_stateBadge, role);
     setRole(*this, role);
     setAccessibleName(tr("State of the device"));
-    setAccessibleDescription(m_isSimulated ? tr("%1, simulated, %2").arg(m_deviceLabel->text(), stateText())
-                                           : tr("%1, %2").arg(m_deviceLabel->text(), stateText()));
+    setAccessibleDescription(m_isSimulated ? tr("%1, simulated, %2").arg(m_deviceLabel->words(), stateText())
+                                           : tr("%1, %2").arg(m_deviceLabel->words(), stateText()));
 }
 
 void StatusStrip::refreshSymbol() {
@@ -160,19 +152,10 @@ void StatusStrip::refreshSymbol() {
     m_stateSymbol->setPixmap(symbol);
 }
 
-void StatusStrip::refreshRecording() {
-    const Role role = m_isRecording ? Role::Bad : Role::Muted;
-    m_recordSymbol->setPixmap(themedIcon(QStringLiteral("record"), role).pixmap(16, 16));
-    m_recordLabel->setText(m_isRecording ? tr("Recording %1").arg(durationText(m_elapsed_s))
-                                         : tr("Not recording"));
-    setRole(*m_recordLabel, m_isRecording ? Role::None : Role::Muted);
-}
-
 void StatusStrip::changeEvent(QEvent* event) {
     QFrame::changeEvent(event);
     if (event->type() == QEvent::LanguageChange || event->type() == QEvent::StyleChange) {
         refresh();
-        refreshRecording();
     }
 }
 

@@ -8,10 +8,11 @@ class QLabel;
 
 namespace halbench::widgets {
 
+class ElidedLabel;
+
 enum class WorkState { Disconnected, Connected, Armed, Running, Stopped, Fault };
 
-/// The state of the work, said once for the whole window: device, SIMULATED, state with its detail,
-/// recording.
+/// The state of the work, said once for the whole window: device, SIMULATED, state with its detail.
 class StatusStrip : public QFrame {
     Q_OBJECT
 public:
@@ -24,7 +25,6 @@ public:
     void setFaultLatched(bool isLatched);
     void setDevice(const QString& name, bool isSimulated);
     void clearDevice();
-    void setRecording(bool isRecording, double elapsed_s = 0.0);
 
     WorkState state() const { return m_state; }
     QString stateText() const; ///< as shown, e.g. "Stopped (Esc)"
@@ -35,7 +35,6 @@ protected:
 private:
     void refresh();
     void refreshSymbol();
-    void refreshRecording();
 
     WorkState m_state = WorkState::Disconnected;
     QString m_detail;
@@ -43,14 +42,10 @@ private:
     QTimer m_blink;
     bool m_isSymbolShown = true;
     bool m_isSimulated = false;
-    bool m_isRecording = false;
-    double m_elapsed_s = 0.0;
-    QLabel* m_deviceLabel = nullptr;
+    ElidedLabel* m_deviceLabel = nullptr;
     QLabel* m_simulatedBadge = nullptr;
     QLabel* m_stateSymbol = nullptr;
-    QLabel* m_stateBadge = nullptr;
-    QLabel* m_recordSymbol = nullptr;
-    QLabel* m_recordLabel = nullptr;
+    ElidedLabel* m_stateBadge = nullptr;
 };
 
 } // namespace halbench::widgets

@@ -30,9 +30,9 @@ QSize StopButton::sizeHint() const {
     bold.setBold(true);
     const QFontMetrics metrics(bold);
     const bool isFull = m_variant == Variant::Full;
-    const int words = metrics.horizontalAdvance(isFull ? tr("STOPPED — re-arm") : tr("STOPPED"));
-    const int width = words + 6 * GridStep_px;
-    return isFull ? QSize(qMax(88, width), qMax(40, metrics.height() + 24))
+    const QSize words = metrics.size(0, isFull ? tr("STOPPED\nre-arm") : tr("STOPPED"));
+    const int width = words.width() + 6 * GridStep_px;
+    return isFull ? QSize(qMax(88, width), qMax(40, words.height() + 2 * GridStep_px))
                   : QSize(qMax(64, width), qMax(28, metrics.height() + 12));
 }
 
@@ -68,7 +68,7 @@ void StopButton::refresh() {
         setText(tr("STOP"));
         setToolTip(tr("Software stop: current to zero at once, latched until re-armed (Esc)"));
     } else {
-        setText(m_variant == Variant::Full && !m_isLocked ? tr("STOPPED — re-arm") : tr("STOPPED"));
+        setText(m_variant == Variant::Full && !m_isLocked ? tr("STOPPED\nre-arm") : tr("STOPPED"));
         const QString why = m_reason.isEmpty() ? tr("Stopped.") : tr("Stopped: %1.").arg(m_reason);
         setToolTip(m_isLocked
                        ? tr("%1 Re-arming is locked for a few seconds; Esc still stops.").arg(why)

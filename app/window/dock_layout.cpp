@@ -25,7 +25,7 @@ namespace {
 /// Of the arrangement files; raised when panels change so that an old arrangement no longer fits.
 constexpr int ArrangementVersion = 2;
 /// First sizes in characters and lines of text; the centre gets the rest.
-constexpr int LeftCharacters = 43;
+constexpr int LeftCharacters = 46;
 constexpr int RightCharacters = 43;
 constexpr int BottomLines = 10;
 constexpr int DeviceLines = 14;
@@ -195,22 +195,31 @@ void DockLayout::growCentre() {
 
 /// Focus stays where it was while that can be seen, else it goes to what is in the middle: never to STOP.
 void DockLayout::keepFocus(QWidget* before) {
-    if (before == nullptr) {
+    if (before != nullptr && before->isVisible()) {
+        before->setFocus(Qt::OtherFocusReason);
+    } else if (before != nullptr) {
+        focusCentre();
+    }
+}
+
+void DockLayout::focusCentre() {
+    const ads::CDockAreaWidget* centre = areaOf(PanelArea::Centre);
+    if (centre == nullptr) {
         return;
     }
-    ads::CDockAreaWidget* centre = areaOf(PanelArea::Centre);
-    if (before->isVisible()) {
-        before->setFocus(Qt::OtherFocusReason);
-    } else if (centre != nullptr) {
-        QWidget* panel = centre->currentDockWidget()->widget();
-        for (QWidget* next = panel->nextInFocusChain(); next != panel; next = next->nextInFocusChain()) {
-            if (panel->isAncestorOf(next) && next->isVisible() && next->isEnabled() &&
-                (next->focusPolicy() & Qt::TabFocus) != 0) {
-                next->setFocus(Qt::OtherFocusReason);
-                return;
-            }
+    QWidget* panel = centre->currentDockWidget()->widget();
+    for (QWidget* next = panel->nextInFocusChain(); next != panel; next = next->nextInFocusChain()) {
+        if (panel->isAncestorOf(next) && next->isVisible() && next->isEnabled() &&
+            (next->focusPolicy() & Qt::TabFocus) != 0) {
+            next->setFocus(Qt::OtherFocusReason);
+            return;
         }
     }
+}
+
+void DockLayout::enterPerspective(Perspective perspective) {
+    setPerspective(perspective);
+    focusCentre();
 }
 
 void DockLayout::setPerspective(Perspective perspective) {

@@ -30,6 +30,8 @@ public:
     QWidget* panel(const QString& id) const;
     Perspective perspective() const { return m_perspective; }
     void setPerspective(Perspective perspective);
+    /// The same on the user's wish: the focus goes into its main panel, so that Tab and F1 act there.
+    void enterPerspective(Perspective perspective);
     void reset();
 
     /// Name of the panel that holds the widget; empty when none does.
@@ -53,6 +55,7 @@ private:
     void addStop(ads::CFloatingDockContainer& window);
     void growCentre();
     void keepFocus(QWidget* before);
+    void focusCentre();
 
     std::vector<PanelSpec> m_specs;
     ads::CDockManager* m_manager = nullptr;

@@ -13,6 +13,7 @@
 #include "app/window/unkept_bar.h"
 #include "app/wizards/calibrate_panel.h"
 #include "app/wizards/identify_panel.h"
+#include "app/workspaces/arm_button.h"
 #include "app/workspaces/device_panel.h"
 #include "app/workspaces/link_panel.h"
 #include "app/workspaces/monitor_panel.h"
@@ -130,7 +131,12 @@ void MainWindow::buildCentre() {
     column->addWidget(m_docks->widget(), 1);
     column->addWidget(new LinkPanel(m_bench, centre));
     setCentralWidget(centre);
-    connect(m_bar, &TopBar::perspectiveChosen, m_docks, &DockLayout::setPerspective);
+    connect(m_bar, &TopBar::perspectiveChosen, m_docks, &DockLayout::enterPerspective);
+    connect(m_bar, &TopBar::consentNeeded, this, &MainWindow::askConsent);
+    ConnectButton& connection = m_bar->connection();
+    connection.setDevices([this] { return m_devices->devices(); });
+    connect(&connection, &ConnectButton::toggleRequested, m_devices, &DevicePanel::toggleConnection);
+    connect(&connection, &ConnectButton::deviceChosen, this, &MainWindow::connectDevice);
     connect(m_docks, &DockLayout::stopRequested, &m_bench.session(), &DeviceSession::stopActuator);
     connect(m_docks, &DockLayout::stopRequested, this,
             [this] { noteStop(tr("asked for by STOP of a panel")); });
@@ -301,100 +307,20 @@ void MainWindow::say(const widgets::Message& message, std::function<void()> reme
     m_message->showMessage(message);
 }
 
-void MainWindow::offerCopy(const QString& path) {
-    say({widgets::Severity::Warning, tr("%1 is open in another window.").arg(QFileInfo(path).fileName()),
-         tr("Close it there, or open a copy as a new project; the file itself stays with the other window."),
-         tr("Open a copy")},
-        [this, path] { m_projects->openCopy(path); });
-}
-
-/// The autosave failed: the work is in this window alone.
-void MainWindow::sayNotKept(const Error& error) {
-    say({widgets::Severity::Error, widgets::inWords(error.message), widgets::inWords(error.hint),
-         tr("Save project as…")},
-        [this] { m_projects->saveAs(); });
-    m_isNotKept = true;
-}
-
-void MainWindow::onKept() {
-    m_refusal->clear();
-    if (std::exchange(m_isNotKept, false)) {
+/// The question goes with its device: consent is never taken over to another one.
+void MainWindow::askConsent() {
+    say(armingWarning(), [this] {
         m_message->clear();
-    }
-}
-
-void MainWindow::openProject(const QString& path) {
-    m_projects->open(path);
-}
-
-void MainWindow::recoverUnnamed() {
-    if (const auto aside = m_project.setAsideDamaged({})) {
-        onMessage(widgets::Severity::Warning,
-                  tr("The autosave of the project could not be read; it was kept as %1.")
-                      .arg(QString::fromStdString(*aside)),
-                  {});
-    }
-    m_docks->setArrangements(m_preferences.arrangements);
-    if (const std::optional<Project> left = m_project.recoverable({});
-        left && !isSameWork(*left, m_project.project())) {
-        m_project.recover({}, *left);
-        takeOverProject();
-        onMessage(widgets::Severity::Information,
-                  tr("The project of the last session, which has no name yet, is open again."),
-                  tr("Save it under a name to keep it."));
-    }
-}
-
-/// What the panels show, as a project.
-Project MainWindow::shownProject() const {
-    Project project = m_project.project();
-    project.device = m_devices->address().toStdString();
-    project.notes = m_notes->notes().toStdString();
-    project.perspective = perspectiveId(m_docks->perspective()).toStdString();
-    const QHash<QString, QByteArray> arrangements = m_docks->arrangements();
-    project.layouts.clear();
-    for (auto entry = arrangements.begin(); entry != arrangements.end(); ++entry) {
-        project.layouts[entry.key().toStdString()] = entry.value().toStdString();
-    }
-    project.monitor = static_cast<MonitorPanel*>(m_docks->panel("monitor"))->view();
-    m_work->fill(project);
-    return project;
-}
-
-void MainWindow::collectProject() {
-    m_project.update(shownProject());
-}
-
-/// Nothing is connected or armed by opening a project: the address waits for Connect.
-void MainWindow::takeOverProject() {
-    const Project& project = m_project.project();
-    if (m_bench.session().state() == SessionState::Disconnected) {
-        m_devices->setAddress(QString::fromStdString(project.device));
-    }
-    m_notes->setNotes(QString::fromStdString(project.notes));
-    QHash<QString, QByteArray> arrangements;
-    for (const auto& [perspective, layout] : project.layouts) {
-        arrangements.insert(QString::fromStdString(perspective), QByteArray::fromStdString(layout));
-    }
-    m_docks->setArrangements(arrangements);
-    static_cast<MonitorPanel*>(m_docks->panel("monitor"))->setView(project.monitor);
-    if (const QStringList lost = m_work->restore(project); !lost.isEmpty()) {
-        onMessage(widgets::Severity::Warning,
-                  tr("Not everything of the project could be read: %1").arg(lost.join("; ")),
-                  tr("It stays in the file as it is; the rest is open."));
-    }
-    if (m_project.path().empty() && !m_project.isChanged()) {
-        m_project.beginWith(shownProject());
-    }
-    refreshTitle();
-}
-
-void MainWindow::refreshTitle() {
-    const QString name = m_project.path().empty()
-                             ? tr("unnamed project")
-                             : QFileInfo(QString::fromStdString(m_project.path())).fileName();
-    setWindowTitle(tr("%1[*] — Halbench").arg(name));
-    setWindowModified(m_project.isChanged());
+        m_bench.drive().giveConsent();
+        m_bench.drive().arm();
+    });
+    const auto asked = std::make_shared<QMetaObject::Connection>();
+    *asked = connect(&m_bench.session(), &DeviceSession::stateChanged, this, [this, asked] {
+        disconnect(*asked);
+        if (m_message->message().text == armingWarning().text) {
+            m_message->clear();
+        }
+    });
 }
 
 } // namespace halbench::app

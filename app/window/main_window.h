@@ -68,6 +68,7 @@ private:
     Project shownProject() const;
     void collectProject();
     void takeOverProject();
+    void askConsent();
     void offerCopy(const QString& path);
     void refreshTitle();
     void leaveThenClose();

@@ -1,31 +1,59 @@
 #include "app/window/top_bar.h"
 
+#include "app/window/perspective_bar.h"
+#include "app/window/record_button.h"
+#include "app/workspaces/arm_button.h"
 #include "app/workspaces/fault_words.h"
-#include "app/workspaces/recording_control.h"
-#include "widgets/icons.h"
+#include "app/workspaces/mode_box.h"
 #include "widgets/phrasebook.h"
 #include "widgets/status_strip.h"
 #include "widgets/stop_button.h"
 #include "widgets/theme_style.h"
 
-#include <QButtonGroup>
+#include <QEvent>
 #include <QHBoxLayout>
-#include <QToolButton>
+#include <QShortcut>
 
 namespace halbench::app {
 
+namespace {
+
+/// The state keeps so much room for longer words before a control gives up its own.
+constexpr int SpareCharacters = 8;
+
+} // namespace
+
 TopBar::TopBar(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(bench) {
-    m_strip = new widgets::StatusStrip(this);
-    m_stop = new widgets::StopButton(widgets::StopButton::Variant::Full, this);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(widgets::PanelMargin_px, widgets::GridStep_px, widgets::PanelMargin_px,
                             widgets::GridStep_px);
-    row->setSpacing(widgets::GroupSpacing_px);
+    row->setSpacing(widgets::PanelMargin_px);
+    buildControls();
+    row->addWidget(m_connection);
     row->addWidget(m_strip, 1);
-    buildRecord();
-    buildPerspectives();
-    row->addWidget(m_stop);
+    for (QWidget* control :
+         std::initializer_list<QWidget*>{m_arm, m_mode, m_record, m_perspectives, m_stop}) {
+        row->addWidget(control);
+    }
+    connectSession();
+    refresh();
+}
 
+void TopBar::buildControls() {
+    m_connection = new ConnectButton(m_bench, this);
+    m_strip = new widgets::StatusStrip(this);
+    m_arm = new ArmButton(m_bench.drive(), ArmButton::Key::Has, this);
+    m_mode = new ModeBox(m_bench.drive(), QStringLiteral("Ctrl+M"), this);
+    m_record = new RecordButton(m_bench, this);
+    m_perspectives = new PerspectiveBar(this);
+    m_stop = new widgets::StopButton(widgets::StopButton::Variant::Full, this);
+    auto* chooseMode = new QShortcut(QKeySequence(QStringLiteral("Ctrl+M")), this);
+    connect(chooseMode, &QShortcut::activated, this, [this] { m_mode->setFocus(Qt::ShortcutFocusReason); });
+    connect(m_arm, &ArmButton::consentNeeded, this, &TopBar::consentNeeded);
+    connect(m_perspectives, &PerspectiveBar::chosen, this, &TopBar::perspectiveChosen);
+}
+
+void TopBar::connectSession() {
     DeviceSession& session = m_bench.session();
     connect(m_stop, &widgets::StopButton::stopRequested, &session, &DeviceSession::stopActuator);
     connect(m_stop, &widgets::StopButton::stopRequested, this, &TopBar::stopPressed);
@@ -34,66 +62,57 @@ TopBar::TopBar(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(ben
     connect(&session, &DeviceSession::stateChanged, this, &TopBar::refresh);
     connect(&session, &DeviceSession::reportChanged, this, &TopBar::refresh);
     connect(&session, &DeviceSession::procedureChanged, this, &TopBar::refresh);
-    refresh();
-}
-
-void TopBar::buildPerspectives() {
-    auto* group = new QButtonGroup(this);
-    int number = 0;
-    for (const Perspective perspective : AllPerspectives) {
-        auto* button = new QToolButton(this);
-        button->setText(perspectiveTitle(perspective));
-        button->setCheckable(true);
-        button->setShortcut(QKeySequence(QString("Ctrl+%1").arg(++number)));
-        button->setToolTip(tr("Arrange the panels for %1 (%2)")
-                               .arg(perspectiveTitle(perspective).replace("&&", "&"),
-                                    button->shortcut().toString(QKeySequence::NativeText)));
-        button->setAccessibleName(tr("Perspective %1").arg(perspectiveTitle(perspective).replace("&&", "&")));
-        group->addButton(button);
-        m_perspectives.insert(static_cast<int>(perspective), button);
-        layout()->addWidget(button);
-        connect(button, &QToolButton::clicked, this, [this, perspective] { perspectiveChosen(perspective); });
-    }
-    setPerspective(Perspective::Monitor);
-}
-
-void TopBar::buildRecord() {
-    m_record = new QToolButton(this);
-    m_record->setText(tr("Record"));
-    m_record->setIcon(widgets::themedIcon(QStringLiteral("record"), widgets::Role::Bad));
-    static_cast<QToolButton*>(m_record)->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_record->setCheckable(true);
-    m_record->setShortcut(QKeySequence(tr("Ctrl+R")));
-    m_record->setToolTip(tr("Write what is measured to a file, or end that (Ctrl+R)"));
-    layout()->addWidget(m_record);
-    RecordingControl& recording = m_bench.recording();
-    connect(m_record, &QAbstractButton::clicked, this, [this, &recording](bool isWanted) {
-        if (isWanted) {
-            recording.start();
-        } else {
-            recording.stop();
-        }
-        refreshRecording();
-    });
-    connect(&recording, &RecordingControl::changed, this, &TopBar::refreshRecording);
-    connect(&recording, &RecordingControl::failed, this, [this](const QString& text, const QString& remedy) {
-        m_bench.session().message(MessageLevel::Error, tr("recording"), text + QLatin1Char(' ') + remedy);
-    });
-    connect(&recording, &RecordingControl::finished, this, [this](const QString& path) {
-        m_bench.session().message(MessageLevel::Info, tr("recording"), tr("written: %1").arg(path));
-    });
-    refreshRecording();
-}
-
-void TopBar::refreshRecording() {
-    const RecordingControl& recording = m_bench.recording();
-    m_record->setChecked(recording.isRecording());
-    m_record->setEnabled(recording.isRecording() || m_bench.session().state() == SessionState::Connected);
-    m_strip->setRecording(recording.isRecording(), recording.status().elapsed_s);
 }
 
 void TopBar::setPerspective(Perspective perspective) {
-    m_perspectives.value(static_cast<int>(perspective))->setChecked(true);
+    m_perspectives->setPerspective(perspective);
+}
+
+/// Against the widest form.
+int TopBar::saved_px(Room room) const {
+    if (room == Room::Wide) {
+        return 0;
+    }
+    const int words_px = m_connection->fontMetrics().horizontalAdvance(m_connection->text());
+    return words_px + m_record->saved_px() + (room == Room::Narrow ? m_perspectives->saved_px() : 0);
+}
+
+int TopBar::needed_px(Room room) const {
+    return layout()->totalMinimumSize().width() + saved_px(m_room) - saved_px(room);
+}
+
+QSize TopBar::minimumSizeHint() const {
+    return {needed_px(Room::Narrow), layout()->totalMinimumSize().height()};
+}
+
+void TopBar::fit() {
+    const int spare_px = fontMetrics().averageCharWidth() * SpareCharacters;
+    Room room = Room::Narrow;
+    for (const Room wider : {Room::Icons, Room::Wide}) {
+        room = needed_px(wider) + spare_px <= width() ? wider : room;
+    }
+    if (room == m_room) {
+        return;
+    }
+    m_room = room;
+    m_connection->setToolButtonStyle(room == Room::Wide ? Qt::ToolButtonTextBesideIcon
+                                                        : Qt::ToolButtonIconOnly);
+    m_record->setShort(room != Room::Wide);
+    m_perspectives->setCollapsed(room == Room::Narrow);
+}
+
+void TopBar::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fit();
+}
+
+/// Words became longer or shorter.
+bool TopBar::event(QEvent* event) {
+    const bool isDone = QWidget::event(event);
+    if (event->type() == QEvent::LayoutRequest) {
+        fit();
+    }
+    return isDone;
 }
 
 void TopBar::rearm() {
@@ -107,11 +126,12 @@ void TopBar::rearm() {
 void TopBar::refresh() {
     const DeviceSession& session = m_bench.session();
     const devices::DeviceState& board = session.report().board;
-    refreshRecording();
     const QString fault = widgets::inWords(board.faultText);
+    const QString reason = board.fault != 0                   ? fault
+                           : m_bench.stopLatch().hasStopped() ? stopReason(board)
+                                                              : tr("nothing was armed");
     const bool isConnected = session.state() == SessionState::Connected;
-    m_stop->setLatched(m_bench.stopLatch().isLatched(), m_bench.stopLatch().isLocked(),
-                       board.fault != 0 ? fault : stopReason(board));
+    m_stop->setLatched(m_bench.stopLatch().isLatched(), m_bench.stopLatch().isLocked(), reason);
     if (isConnected || session.state() == SessionState::Reconnecting) {
         m_strip->setDevice(QString::fromStdString(session.info().uri), session.info().isSimulated);
     } else {
@@ -127,7 +147,7 @@ void TopBar::refresh() {
     } else if (board.fault != 0) {
         m_strip->setState(widgets::WorkState::Fault, fault);
     } else if (board.isStopLatched) {
-        m_strip->setState(widgets::WorkState::Stopped, stopReason(board));
+        m_strip->setState(widgets::WorkState::Stopped, reason);
     } else if (!session.procedure().isEmpty()) {
         m_strip->setState(widgets::WorkState::Running, session.procedure());
     } else {

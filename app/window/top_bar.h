@@ -1,11 +1,9 @@
 #pragma once
 
+#include "app/window/connect_button.h"
 #include "app/window/panels.h"
 
-#include <QHash>
 #include <QWidget>
-
-class QAbstractButton;
 
 namespace halbench::widgets {
 class StatusStrip;
@@ -14,7 +12,14 @@ class StopButton;
 
 namespace halbench::app {
 
-/// The strip on top of every perspective: state, perspectives, STOP.
+class ArmButton;
+class ModeBox;
+class PerspectiveBar;
+class RecordButton;
+
+/// The strip on top of every perspective: connection, state, arming and mode, recording, perspectives, STOP.
+/// Where it is narrow, first connection and recording show their icons only, then the perspectives are a
+/// menu.
 class TopBar : public QWidget {
     Q_OBJECT
 
@@ -22,23 +27,39 @@ public:
     explicit TopBar(Workbench& bench, QWidget* parent = nullptr);
 
     void setPerspective(Perspective perspective);
+    ConnectButton& connection() { return *m_connection; }
+
+    QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
     void stopPressed(); ///< after the stop: for the log
     void perspectiveChosen(halbench::app::Perspective perspective);
+    void consentNeeded(); ///< a real actuator is to be armed
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    bool event(QEvent* event) override;
 
 private:
-    void buildPerspectives();
-    void buildRecord();
-    void refreshRecording();
+    enum class Room { Wide, Icons, Narrow };
+
+    void buildControls();
+    void connectSession();
     void refresh();
     void rearm();
+    int saved_px(Room room) const;
+    int needed_px(Room room) const;
+    void fit();
 
     Workbench& m_bench;
+    Room m_room = Room::Wide;
+    ConnectButton* m_connection = nullptr;
     widgets::StatusStrip* m_strip = nullptr;
+    ArmButton* m_arm = nullptr;
+    ModeBox* m_mode = nullptr;
+    RecordButton* m_record = nullptr;
+    PerspectiveBar* m_perspectives = nullptr;
     widgets::StopButton* m_stop = nullptr;
-    QAbstractButton* m_record = nullptr;
-    QHash<int, QAbstractButton*> m_perspectives;
 };
 
 } // namespace halbench::app

@@ -5,6 +5,7 @@
 #include "app/wizards/identify_form.h"
 #include "app/wizards/identify_result_view.h"
 #include "app/wizards/identify_words.h"
+#include "app/workspaces/pace_row.h"
 #include "app/workspaces/preflight.h"
 #include "widgets/figure_view.h"
 #include "widgets/icons.h"
@@ -79,6 +80,8 @@ QWidget* IdentifyPanel::buildPrepare() {
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_start);
     buttons->addWidget(m_loadFirst);
+    buttons->addSpacing(widgets::GroupSpacing_px);
+    buttons->addWidget(new PaceRow(bench(), PaceRow::Place::BesideStart, page));
     buttons->addStretch(1);
     for (QWidget* part : std::initializer_list<QWidget*>{m_intro, m_form, m_outlook, m_preflight}) {
         column->addWidget(part);

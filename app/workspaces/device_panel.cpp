@@ -1,12 +1,12 @@
 #include "app/workspaces/device_panel.h"
 
+#include "app/workspaces/pace_row.h"
 #include "devices/simulated/simulated_device.h"
 #include "widgets/icons.h"
 #include "widgets/message_bar.h"
 #include "widgets/phrasebook.h"
 #include "widgets/theme_style.h"
 
-#include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -18,9 +18,6 @@
 namespace halbench::app {
 
 namespace {
-
-/// Device seconds per wall second; 0 is virtual time.
-constexpr double Speeds_ratio[] = {1.0, 5.0, 20.0, 100.0, 0.0};
 
 QString words(const std::string& text) {
     return QString::fromStdString(text);
@@ -61,13 +58,6 @@ void DevicePanel::buildChooser() {
     m_address->setPlaceholderText(tr("sim:htm or tcp:HOST:PORT"));
     m_connect = new QPushButton(this);
     m_connect->setIcon(widgets::themedIcon("connect"));
-    m_speedLabel = new QLabel(tr("Simulated &time"), this);
-    m_speed = new QComboBox(this);
-    m_speed->setAccessibleName(tr("Speed of simulated time"));
-    m_speed->setToolTip(tr("How fast the simulated motor lives; a real device has its own time"));
-    m_speed->addItems(
-        {tr("real time"), tr("5 times"), tr("20 times"), tr("100 times"), tr("as fast as possible")});
-    m_speedLabel->setBuddy(m_speed);
     m_message = new widgets::MessageBar(this);
 
     auto* column = static_cast<QVBoxLayout*>(layout());
@@ -75,24 +65,13 @@ void DevicePanel::buildChooser() {
     column->addWidget(m_address);
     column->addWidget(m_connect);
     column->addWidget(m_message);
-    auto* speed = new QHBoxLayout;
-    speed->addWidget(m_speedLabel);
-    speed->addWidget(m_speed, 1);
-    column->addLayout(speed);
+    column->addWidget(new PaceRow(m_bench, PaceRow::Place::Devices, this));
 
     connect(m_list, &QListWidget::currentRowChanged, this, &DevicePanel::chooseRow);
     connect(m_address, &QLineEdit::textEdited, this, [this] { m_hasChosen = true; });
     connect(m_list, &QListWidget::itemActivated, this, [this] { connectAddress(); });
     connect(m_address, &QLineEdit::returnPressed, this, &DevicePanel::connectAddress);
-    connect(m_connect, &QPushButton::clicked, this, [this] {
-        if (m_bench.session().state() == SessionState::Disconnected) {
-            connectAddress();
-        } else {
-            m_bench.session().disconnectDevice();
-        }
-    });
-    connect(m_speed, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-            [this] { m_bench.session().setPace(chosenPace()); });
+    connect(m_connect, &QPushButton::clicked, this, &DevicePanel::toggleConnection);
 }
 
 void DevicePanel::buildIdentity() {
@@ -176,10 +155,6 @@ void DevicePanel::chooseRow(int row) {
     }
 }
 
-Pace DevicePanel::chosenPace() const {
-    return {Speeds_ratio[static_cast<std::size_t>(m_speed->currentIndex())]};
-}
-
 void DevicePanel::setAddress(const QString& uri) {
     m_hasChosen = true;
     m_address->setText(uri);
@@ -195,7 +170,23 @@ void DevicePanel::connectAddress() {
         onFailed(tr("No device is named."), tr("Choose one from the list or write its address."));
         return;
     }
-    m_bench.session().connectDevice(address(), chosenPace());
+    m_bench.session().connectDevice(address(), m_bench.pace());
+}
+
+void DevicePanel::toggleConnection() {
+    if (m_bench.session().state() == SessionState::Disconnected) {
+        connectAddress();
+    } else {
+        m_bench.session().disconnectDevice();
+    }
+}
+
+QList<QPair<QString, QString>> DevicePanel::devices() const {
+    QList<QPair<QString, QString>> list;
+    for (int row = 0; row < m_list->count(); ++row) {
+        list << qMakePair(m_list->item(row)->text(), m_list->item(row)->data(Qt::UserRole).toString());
+    }
+    return list;
 }
 
 void DevicePanel::onFailed(const QString& text, const QString& hint) {
@@ -214,9 +205,6 @@ void DevicePanel::refresh() {
                           : session.state() == SessionState::Reconnecting
                               ? tr("End the search for the device (Alt+C)")
                               : tr("End what runs, disarm and disconnect (Alt+C)"));
-    const bool isSimulated = session.info().isSimulated || isFree;
-    m_speed->setEnabled(isSimulated && session.procedure().isEmpty());
-    m_speedLabel->setEnabled(m_speed->isEnabled());
     if (session.state() == SessionState::Connected) {
         remember();
     }

@@ -9,7 +9,6 @@
 #include <memory>
 #include <vector>
 
-class QComboBox;
 class QLabel;
 class QLineEdit;
 class QListWidget;
@@ -30,6 +29,8 @@ public:
 
     void setAddress(const QString& uri);
     QString address() const;
+    /// What can be connected now: as the list shows it, and its address.
+    QList<QPair<QString, QString>> devices() const;
 
     /// The real device that was connected last, known by its serial number: it is the first in the list,
     /// under the name that its port has now, and chosen until the user chooses. Nothing is opened by itself.
@@ -38,6 +39,7 @@ public:
 
 public Q_SLOTS:
     void connectAddress();
+    void toggleConnection();
 
 private:
     void buildChooser();
@@ -50,14 +52,11 @@ private:
     void refresh();
     QString identityText() const;
     void onFailed(const QString& text, const QString& hint);
-    Pace chosenPace() const;
 
     Workbench& m_bench;
     QListWidget* m_list = nullptr;
     QLineEdit* m_address = nullptr;
     QPushButton* m_connect = nullptr;
-    QComboBox* m_speed = nullptr;
-    QLabel* m_speedLabel = nullptr;
     QLabel* m_identity = nullptr;
     widgets::MessageBar* m_message = nullptr;
     std::vector<devices::DeviceListing> m_listed;

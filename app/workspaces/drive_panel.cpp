@@ -1,23 +1,22 @@
 #include "app/workspaces/drive_panel.h"
 
+#include "app/workspaces/arm_button.h"
 #include "app/workspaces/drive_limits.h"
 #include "app/workspaces/fault_words.h"
 #include "app/workspaces/jog_row.h"
+#include "app/workspaces/mode_box.h"
 #include "app/workspaces/panel_parts.h"
 #include "app/workspaces/reference_form.h"
 #include "control/base/units.h"
-#include "widgets/icons.h"
 #include "widgets/message_bar.h"
 #include "widgets/phrasebook.h"
 #include "widgets/quantity_edit.h"
 #include "widgets/theme_style.h"
 
-#include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include <utility>
@@ -47,7 +46,7 @@ QString valueText(double value, BoardMode mode) {
 } // namespace
 
 DrivePanel::DrivePanel(Workbench& bench, QWidget* parent)
-    : QWidget(parent), m_bench(bench), m_control(bench), m_shownMode(m_control.mode()) {
+    : QWidget(parent), m_bench(bench), m_control(bench.drive()), m_shownMode(m_control.mode()) {
     QVBoxLayout* column = makeScrollingColumn(this);
     m_message = new widgets::MessageBar(this);
     column->addWidget(m_message);
@@ -73,26 +72,21 @@ void DrivePanel::buildArm(QVBoxLayout* column) {
     m_state = new QLabel(this);
     m_state->setProperty("badge", true);
     m_state->setToolTip(tr("What the board says of itself"));
-    m_arm = makeButton({}, this);
-    dressArm();
+    auto* arm = new ArmButton(m_control, ArmButton::Key::IsToldOnly, this);
     row->addWidget(m_state, 1);
-    row->addWidget(m_arm);
+    row->addWidget(arm);
     column->addLayout(row);
     auto* modeRow = new QHBoxLayout;
     auto* label = new QLabel(tr("&Mode"), this);
-    m_mode = new QComboBox(this);
-    m_mode->addItems({tr("Idle"), tr("Current"), tr("Position"), tr("D-axis")});
-    m_mode->setCurrentIndex(static_cast<int>(m_control.mode()));
-    m_mode->setAccessibleName(tr("Mode"));
-    m_mode->setToolTip(tr("Idle: no current. Current: torque by hand. Position: holds and follows.\n"
-                          "D-axis: current that holds the rotor without turning it (Alt+M)"));
-    label->setBuddy(m_mode);
+    auto* mode = new ModeBox(m_control, QStringLiteral("Alt+M"), this);
+    label->setBuddy(mode);
     modeRow->addWidget(label);
-    modeRow->addWidget(m_mode, 1);
+    modeRow->addWidget(mode, 1);
     column->addLayout(modeRow);
-    connect(m_arm, &QPushButton::clicked, this, &DrivePanel::onArm);
-    connect(m_mode, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-            [this](int index) { m_control.setMode(static_cast<BoardMode>(index)); });
+    connect(arm, &ArmButton::consentNeeded, this, [this] {
+        m_asking = Asking::Consent;
+        m_message->showMessage(armingWarning());
+    });
 }
 
 void DrivePanel::buildSetpoint(QVBoxLayout* column) {
@@ -156,19 +150,6 @@ void DrivePanel::buildLimits(QVBoxLayout* column) {
     connect(m_limits, &DriveLimits::failed, this, &DrivePanel::showError);
 }
 
-void DrivePanel::onArm() {
-    if (m_control.isArmed()) {
-        m_control.disarm();
-    } else if (m_control.needsConsent()) {
-        m_asking = Asking::Consent;
-        m_message->showMessage({widgets::Severity::Warning, tr("Armed, the actuator can move at any moment."),
-                                tr("Keep hands, hair, cables and loose parts away from it. Esc stops it."),
-                                tr("Arm it")});
-    } else {
-        m_control.arm();
-    }
-}
-
 void DrivePanel::onMessageAction() {
     const Asking asked = m_asking;
     m_asking = Asking::Nothing;
@@ -220,7 +201,7 @@ void DrivePanel::showError(const QString& text, const QString& remedy) {
 
 void DrivePanel::refresh() {
     refreshStop();
-    refreshArm();
+    refreshState();
     refreshMode();
     if (!std::exchange(m_wasArmed, m_control.isArmed()) && m_wasArmed) {
         m_setpoint->setValue(0.0); // what was typed before is no set-point of this arming
@@ -235,24 +216,18 @@ void DrivePanel::refresh() {
     describeMotion();
 }
 
-/// What the board was told, also when it could not be told another mode. While an answer is awaited the box
-/// keeps what was chosen, and stays enabled: who goes through the modes with the arrow keys keeps the focus.
 void DrivePanel::refreshMode() {
-    m_mode->setEnabled(m_control.isAvailable());
-    if (m_control.isPending()) {
-        return;
-    }
-    const QSignalBlocker quiet(m_mode);
-    m_mode->setCurrentIndex(static_cast<int>(m_control.mode()));
-    if (std::exchange(m_shownMode, m_control.mode()) != m_control.mode()) {
+    if (!m_control.isPending() && std::exchange(m_shownMode, m_control.mode()) != m_control.mode()) {
         refreshUnits();
     }
 }
 
 /// A latched stop stays in view until it is released on purpose.
 void DrivePanel::refreshStop() {
-    const FaultWords words =
-        m_control.isStopped() ? faultWords(m_bench.session().report().board) : FaultWords();
+    FaultWords words = m_control.isStopped() ? faultWords(m_bench.session().report().board) : FaultWords();
+    if (m_control.isStopped() && !m_bench.stopLatch().hasStopped()) {
+        words.what = tr("A stop came while nothing was armed");
+    }
     if (!words.what.isEmpty()) {
         const QString action = m_control.canRelease() ? tr("Release the stop") : QString();
         const widgets::Message& shown = m_message->message();
@@ -266,7 +241,7 @@ void DrivePanel::refreshStop() {
     }
 }
 
-void DrivePanel::refreshArm() {
+void DrivePanel::refreshState() {
     const bool isArmed = m_control.isArmed();
     const bool isConnected = m_bench.session().state() == SessionState::Connected;
     QString state = tr("No device");
@@ -285,27 +260,6 @@ void DrivePanel::refreshArm() {
     m_state->setText(state);
     m_state->setAccessibleName(tr("State: %1").arg(state));
     showRole(*m_state, role);
-    m_arm->setEnabled(m_control.isAvailable() && !m_control.isStopped() && !m_control.isPending());
-    const QString action = isArmed ? tr("Disarm") : tr("Arm");
-    if (m_arm->text() != action) {
-        m_arm->setText(action);
-        m_arm->setToolTip(isArmed ? tr("No current; set-points to zero (Ctrl+Shift+A)")
-                                  : tr("Lets the actuator move; set-points start at zero (Ctrl+Shift+A)"));
-        m_arm->setShortcut(QKeySequence(tr("Ctrl+Shift+A"))); // a new text forgets it
-    }
-    const widgets::Role armRole = isArmed ? widgets::Role::Armed : widgets::Role::None;
-    if (widgets::roleOf(*m_arm) != armRole) {
-        widgets::setRole(*m_arm, armRole);
-        dressArm();
-    }
-}
-
-/// The icon stands out from the armed colour.
-void DrivePanel::dressArm() {
-    const widgets::Theme theme = widgets::currentTheme();
-    const bool isArmed = widgets::roleOf(*m_arm) == widgets::Role::Armed;
-    m_arm->setIcon(widgets::colouredIcon(QStringLiteral("arm"),
-                                         isArmed ? widgets::readableOn(theme, theme.armed) : theme.text));
 }
 
 void DrivePanel::refreshUnits() {
@@ -360,8 +314,6 @@ void DrivePanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
         refresh();
-    } else if (event->type() == QEvent::StyleChange && m_arm != nullptr) {
-        dressArm();
     }
 }
 

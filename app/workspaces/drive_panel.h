@@ -6,7 +6,6 @@
 #include <QTimer>
 #include <QWidget>
 
-class QComboBox;
 class QGroupBox;
 class QLabel;
 class QPushButton;
@@ -39,7 +38,6 @@ private:
     void buildSetpoint(QVBoxLayout* column);
     void buildReference(QVBoxLayout* column);
     void buildLimits(QVBoxLayout* column);
-    void onArm();
     void onMessageAction();
     void onSetpoint();
     void onSetpointRefused(const QString& text);
@@ -47,8 +45,7 @@ private:
     void refresh();
     void refreshStop();
     void refreshMode();
-    void refreshArm();
-    void dressArm();
+    void refreshState();
     void refreshUnits();
     void refreshLive();
     void describeMotion();
@@ -57,15 +54,13 @@ private:
     enum class Asking { Nothing, Consent, Release };
 
     Workbench& m_bench;
-    DriveControl m_control;
+    DriveControl& m_control;
     Asking m_asking = Asking::Nothing;
     bool m_wasArmed = false;
     devices::BoardMode m_shownMode; ///< whose units the fields have
     QTimer m_frame;                 ///< ten times a second
     widgets::MessageBar* m_message = nullptr;
     QLabel* m_state = nullptr;
-    QPushButton* m_arm = nullptr;
-    QComboBox* m_mode = nullptr;
     widgets::QuantityEdit* m_setpoint = nullptr;
     QPushButton* m_go = nullptr;
     QPushButton* m_zero = nullptr;

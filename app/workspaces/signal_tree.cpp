@@ -76,8 +76,10 @@ void SignalTree::setSignals(const std::vector<SignalSpec>& specs, const DisplayU
         const QString name = QString::fromStdString(spec.name);
         item->setText(NameColumn, signalWords(spec.name));
         item->setData(NameColumn, NameRole, name);
-        item->setToolTip(NameColumn,
-                         spec.help.empty() ? name : name + QLatin1Char('\n') + widgets::inWords(spec.help));
+        item->setToolTip(
+            NameColumn,
+            item->text(NameColumn) + QLatin1Char('\n') + name +
+                (spec.help.empty() ? QString() : QLatin1Char('\n') + widgets::inWords(spec.help)));
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable |
                        Qt::ItemIsDragEnabled | Qt::ItemNeverHasChildren);
         item->setCheckState(NameColumn, Qt::Unchecked);

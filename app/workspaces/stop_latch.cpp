@@ -15,7 +15,7 @@ StopLatch::StopLatch(DeviceSession& session) : m_session(session) {
     m_lockOut.setInterval(LockOut_ms);
     connect(&m_lockOut, &QTimer::timeout, this, &StopLatch::changed);
     connect(&m_session, &DeviceSession::reportChanged, this, &StopLatch::onReport);
-    connect(&m_session, &DeviceSession::stateChanged, this, &StopLatch::onReport);
+    connect(&m_session, &DeviceSession::stateChanged, this, &StopLatch::onState);
 }
 
 void StopLatch::setLockOut_ms(int lockOut_ms) {
@@ -23,12 +23,23 @@ void StopLatch::setLockOut_ms(int lockOut_ms) {
 }
 
 void StopLatch::onReport() {
+    refresh();
+    m_wasArmed = m_session.report().board.isArmed;
+}
+
+void StopLatch::onState() {
+    m_wasArmed = true; // a board that is found latched may have been
+    refresh();
+}
+
+void StopLatch::refresh() {
     const devices::DeviceState& board = m_session.report().board;
     const bool isLatched =
         m_session.state() == SessionState::Connected && (board.isStopLatched || board.fault != 0);
     if (std::exchange(m_isLatched, isLatched) == isLatched) {
         return;
     }
+    m_hasStopped = m_wasArmed || board.fault != 0;
     if (isLatched) {
         m_lockOut.start();
     } else {

@@ -17,6 +17,8 @@ public:
     explicit StopLatch(DeviceSession& session);
 
     bool isLatched() const { return m_isLatched; }
+    /// It stopped something: the board was armed when it came, as far as the window knows.
+    bool hasStopped() const { return m_hasStopped; }
     bool isLocked() const { return m_lockOut.isActive(); }
     void setLockOut_ms(int lockOut_ms);
 
@@ -28,9 +30,13 @@ Q_SIGNALS:
 
 private:
     void onReport();
+    void onState();
+    void refresh();
 
     DeviceSession& m_session;
     bool m_isLatched = false;
+    bool m_wasArmed = true; ///< as the report before said
+    bool m_hasStopped = true;
     QTimer m_lockOut;
 };
 

@@ -2,6 +2,8 @@
 
 #include "app/batch/configuration_file.h"
 #include "app/batch/result_documents.h"
+#include "app/workspaces/drive_control.h"
+#include "app/workspaces/idle_reference.h"
 
 #include <algorithm>
 #include <utility>
@@ -67,7 +69,8 @@ void readInPieces(DeviceSession& session, const std::vector<std::string>& names,
 
 } // namespace
 
-Workbench::Workbench(QObject* parent) : QObject(parent), m_history(HistoryBudget_bytes) {
+Workbench::Workbench(QObject* parent)
+    : QObject(parent), m_history(HistoryBudget_bytes), m_drive(std::make_unique<DriveControl>(*this)) {
     connect(&m_session, &DeviceSession::stateChanged, this, &Workbench::onSessionState);
     connect(&m_session, &DeviceSession::procedureChanged, this, [this] {
         if (m_session.procedure().isEmpty()) {
@@ -102,12 +105,18 @@ ResultHeader Workbench::beginResult(const std::string& schema) const {
 void Workbench::drainSamples() {
     const std::vector<SampleBlockPtr> blocks = m_session.takeBlocks();
     for (const SampleBlockPtr& block : blocks) {
-        m_history.append(*block);
+        m_history.append(withoutIdleReference(*block, m_session.catalogue()));
     }
     if (!blocks.empty()) {
         m_freshness.samplesCame();
         samplesArrived();
     }
+}
+
+void Workbench::setPace(Pace pace) {
+    m_pace = pace;
+    m_session.setPace(pace);
+    paceChanged();
 }
 
 void Workbench::clearHistory() {

@@ -16,12 +16,15 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace halbench::app {
+
+class DriveControl;
 
 /// Where a result came into the window from.
 enum class ResultOrigin { Measured, File, Project };
@@ -55,6 +58,11 @@ public:
     LiveSignals& liveSignals() { return m_liveSignals; }
     /// Whether what is shown is still updated.
     const Freshness& freshness() const { return m_freshness; }
+    /// Moving by hand, for every control that does.
+    DriveControl& drive() { return *m_drive; }
+    /// How time of a simulated device runs, now and when one is connected.
+    Pace pace() const { return m_pace; }
+    void setPace(Pace pace);
     /// The recording of the panel and of the window's action.
     RecordingControl& recording() { return m_recording; }
     void setWallClock(const WallClock& clock);
@@ -117,6 +125,7 @@ Q_SIGNALS:
     void designChanged();
     void displayUnitsChanged();
     void strayIntervalChanged();
+    void paceChanged();
     void samplesArrived(); ///< at most once per frame
 
 private:
@@ -144,6 +153,8 @@ private:
     bool m_isDesignFromProject = false;
     ResultHeader m_designHeader;
     WallClock m_wallClock = wallClock;
+    Pace m_pace;
+    std::unique_ptr<DriveControl> m_drive;
 };
 
 } // namespace halbench::app

@@ -87,19 +87,16 @@ TEST_F(StatusWidgets, nothingBlinksWhereTheDesktopWantsNoBlinking) {
     QApplication::setCursorFlashTime(1000);
 }
 
-TEST_F(StatusWidgets, stripShowsSimulationAndRecording) {
+TEST_F(StatusWidgets, stripShowsDeviceAndSimulation) {
     StatusStrip strip;
     EXPECT_FALSE(showsText(strip, QStringLiteral("SIMULATED")));
     strip.setDevice(QStringLiteral("sim:htm"), true);
     EXPECT_TRUE(showsText(strip, QStringLiteral("SIMULATED")));
     EXPECT_TRUE(showsText(strip, QStringLiteral("sim:htm")));
     EXPECT_TRUE(strip.accessibleDescription().contains(QStringLiteral("simulated")));
-    strip.setRecording(true, 72.0);
-    EXPECT_TRUE(showsText(strip, QStringLiteral("Recording 1:12")));
     strip.clearDevice();
-    strip.setRecording(false);
     EXPECT_FALSE(showsText(strip, QStringLiteral("SIMULATED")));
-    EXPECT_TRUE(showsText(strip, QStringLiteral("Not recording")));
+    EXPECT_TRUE(showsText(strip, QStringLiteral("No device")));
 }
 
 TEST_F(StatusWidgets, numberKeepsItsDecimalsAndItsWidth) {

@@ -1,0 +1,62 @@
+#include "app/window/connect_button.h"
+
+#include "widgets/icons.h"
+
+#include <QKeyEvent>
+#include <QMenu>
+
+namespace halbench::app {
+
+ConnectButton::ConnectButton(Workbench& bench, QWidget* parent) : QToolButton(parent), m_bench(bench) {
+    setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    setPopupMode(QToolButton::MenuButtonPopup);
+    setMenu(new QMenu(this));
+    setFocusPolicy(Qt::StrongFocus);
+    connect(menu(), &QMenu::aboutToShow, this, &ConnectButton::fillMenu);
+    connect(this, &QToolButton::clicked, this, &ConnectButton::toggleRequested);
+    connect(&m_bench.session(), &DeviceSession::stateChanged, this, &ConnectButton::refresh);
+    refresh();
+}
+
+/// A device in use is left by Disconnect only.
+void ConnectButton::fillMenu() {
+    menu()->clear();
+    const bool isFree = m_bench.session().state() == SessionState::Disconnected;
+    for (const auto& [title, uri] : m_devices()) {
+        QAction* action = menu()->addAction(title, this, [this, uri = uri] { deviceChosen(uri); });
+        action->setEnabled(isFree);
+    }
+}
+
+void ConnectButton::refresh() {
+    const SessionState state = m_bench.session().state();
+    const bool isFree = state == SessionState::Disconnected;
+    setEnabled(state != SessionState::Leaving);
+    setText(isFree ? tr("Connect") : tr("Disconnect"));
+    setAccessibleName(text());
+    setIcon(widgets::themedIcon(isFree ? "connect" : "disconnect"));
+    setToolTip(isFree ? tr("Connect the device of the Devices panel; the menu lists what is there "
+                           "(Ctrl+Shift+C, Alt+Down)")
+               : state == SessionState::Reconnecting
+                   ? tr("End the search for the device (Ctrl+Shift+C)")
+                   : tr("End what runs, disarm and disconnect (Ctrl+Shift+C)"));
+    setAccessibleDescription(toolTip());
+    setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+C"))); // a new text forgets it
+}
+
+void ConnectButton::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Down && event->modifiers() == Qt::AltModifier) {
+        showMenu();
+    } else {
+        QToolButton::keyPressEvent(event);
+    }
+}
+
+void ConnectButton::changeEvent(QEvent* event) {
+    QToolButton::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        refresh();
+    }
+}
+
+} // namespace halbench::app

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "app/workspaces/workbench.h"
+
+#include <QList>
+#include <QPair>
+#include <QToolButton>
+
+#include <functional>
+
+namespace halbench::app {
+
+/// Connects the device whose address is in the Devices panel, or one of those its menu lists; disconnects the
+/// one that is connected.
+class ConnectButton : public QToolButton {
+    Q_OBJECT
+
+public:
+    /// As people read it, and its address.
+    using Devices = QList<QPair<QString, QString>>;
+
+    explicit ConnectButton(Workbench& bench, QWidget* parent = nullptr);
+
+    /// Asked whenever the menu opens.
+    void setDevices(std::function<Devices()> devices) { m_devices = std::move(devices); }
+
+Q_SIGNALS:
+    void toggleRequested();
+    void deviceChosen(const QString& uri);
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void fillMenu();
+    void refresh();
+
+    Workbench& m_bench;
+    std::function<Devices()> m_devices;
+};
+
+} // namespace halbench::app

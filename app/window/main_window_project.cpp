@@ -1,0 +1,111 @@
+// The project of the window: what its panels show, opened, collected, kept.
+#include "app/window/dock_layout.h"
+#include "app/window/main_window.h"
+#include "app/window/project_menu.h"
+#include "app/window/project_work.h"
+#include "app/workspaces/device_panel.h"
+#include "app/workspaces/monitor_panel.h"
+#include "app/workspaces/notes_panel.h"
+#include "widgets/phrasebook.h"
+
+#include <QFileInfo>
+
+namespace halbench::app {
+
+void MainWindow::offerCopy(const QString& path) {
+    say({widgets::Severity::Warning, tr("%1 is open in another window.").arg(QFileInfo(path).fileName()),
+         tr("Close it there, or open a copy as a new project; the file itself stays with the other window."),
+         tr("Open a copy")},
+        [this, path] { m_projects->openCopy(path); });
+}
+
+/// The autosave failed: the work is in this window alone.
+void MainWindow::sayNotKept(const Error& error) {
+    say({widgets::Severity::Error, widgets::inWords(error.message), widgets::inWords(error.hint),
+         tr("Save project as…")},
+        [this] { m_projects->saveAs(); });
+    m_isNotKept = true;
+}
+
+void MainWindow::onKept() {
+    m_refusal->clear();
+    if (std::exchange(m_isNotKept, false)) {
+        m_message->clear();
+    }
+}
+
+void MainWindow::openProject(const QString& path) {
+    m_projects->open(path);
+}
+
+void MainWindow::recoverUnnamed() {
+    if (const auto aside = m_project.setAsideDamaged({})) {
+        onMessage(widgets::Severity::Warning,
+                  tr("The autosave of the project could not be read; it was kept as %1.")
+                      .arg(QString::fromStdString(*aside)),
+                  {});
+    }
+    m_docks->setArrangements(m_preferences.arrangements);
+    if (const std::optional<Project> left = m_project.recoverable({});
+        left && !isSameWork(*left, m_project.project())) {
+        m_project.recover({}, *left);
+        takeOverProject();
+        onMessage(widgets::Severity::Information,
+                  tr("The project of the last session, which has no name yet, is open again."),
+                  tr("Save it under a name to keep it."));
+    }
+}
+
+/// What the panels show, as a project.
+Project MainWindow::shownProject() const {
+    Project project = m_project.project();
+    project.device = m_devices->address().toStdString();
+    project.notes = m_notes->notes().toStdString();
+    project.perspective = perspectiveId(m_docks->perspective()).toStdString();
+    const QHash<QString, QByteArray> arrangements = m_docks->arrangements();
+    project.layouts.clear();
+    for (auto entry = arrangements.begin(); entry != arrangements.end(); ++entry) {
+        project.layouts[entry.key().toStdString()] = entry.value().toStdString();
+    }
+    project.monitor = static_cast<MonitorPanel*>(m_docks->panel("monitor"))->view();
+    m_work->fill(project);
+    return project;
+}
+
+void MainWindow::collectProject() {
+    m_project.update(shownProject());
+}
+
+/// Nothing is connected or armed by opening a project: the address waits for Connect.
+void MainWindow::takeOverProject() {
+    const Project& project = m_project.project();
+    if (m_bench.session().state() == SessionState::Disconnected) {
+        m_devices->setAddress(QString::fromStdString(project.device));
+    }
+    m_notes->setNotes(QString::fromStdString(project.notes));
+    QHash<QString, QByteArray> arrangements;
+    for (const auto& [perspective, layout] : project.layouts) {
+        arrangements.insert(QString::fromStdString(perspective), QByteArray::fromStdString(layout));
+    }
+    m_docks->setArrangements(arrangements);
+    static_cast<MonitorPanel*>(m_docks->panel("monitor"))->setView(project.monitor);
+    if (const QStringList lost = m_work->restore(project); !lost.isEmpty()) {
+        onMessage(widgets::Severity::Warning,
+                  tr("Not everything of the project could be read: %1").arg(lost.join("; ")),
+                  tr("It stays in the file as it is; the rest is open."));
+    }
+    if (m_project.path().empty() && !m_project.isChanged()) {
+        m_project.beginWith(shownProject());
+    }
+    refreshTitle();
+}
+
+void MainWindow::refreshTitle() {
+    const QString name = m_project.path().empty()
+                             ? tr("unnamed project")
+                             : QFileInfo(QString::fromStdString(m_project.path())).fileName();
+    setWindowTitle(tr("%1[*] — Halbench").arg(name));
+    setWindowModified(m_project.isChanged());
+}
+
+} // namespace halbench::app

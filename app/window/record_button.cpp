@@ -1,0 +1,99 @@
+#include "app/window/record_button.h"
+
+#include "app/workspaces/recording_control.h"
+#include "widgets/icons.h"
+#include "widgets/progress_row.h"
+#include "widgets/theme_style.h"
+
+#include <QEvent>
+
+#include <algorithm>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr double LongTime_s = 3599.0; ///< as wide as a time usually is
+
+} // namespace
+
+RecordButton::RecordButton(Workbench& bench, QWidget* parent) : QToolButton(parent), m_bench(bench) {
+    setIcon(widgets::themedIcon(QStringLiteral("record"), widgets::Role::Bad));
+    setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    setCheckable(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setFont(widgets::tabularFont(font()));
+    RecordingControl& recording = m_bench.recording();
+    DeviceSession& session = m_bench.session();
+    connect(this, &QToolButton::clicked, this, &RecordButton::toggle);
+    connect(&recording, &RecordingControl::changed, this, &RecordButton::refresh);
+    connect(&session, &DeviceSession::stateChanged, this, &RecordButton::refresh);
+    connect(&session, &DeviceSession::reportChanged, this, &RecordButton::refresh);
+    connect(&recording, &RecordingControl::failed, this,
+            [&session](const QString& text, const QString& remedy) {
+                session.message(MessageLevel::Error, tr("recording"), text + QLatin1Char(' ') + remedy);
+            });
+    connect(&recording, &RecordingControl::finished, this, [&session](const QString& path) {
+        session.message(MessageLevel::Info, tr("recording"), tr("written: %1").arg(path));
+    });
+    refresh();
+}
+
+void RecordButton::toggle(bool isWanted) {
+    if (isWanted) {
+        m_bench.recording().start();
+    } else {
+        m_bench.recording().stop();
+    }
+    refresh();
+}
+
+void RecordButton::refresh() {
+    const RecordingControl& recording = m_bench.recording();
+    const bool isRecording = recording.isRecording();
+    setChecked(isRecording);
+    setEnabled(isRecording || m_bench.session().state() == SessionState::Connected);
+    const QString time = isRecording ? widgets::durationText(recording.status().elapsed_s) : QString();
+    const QString words = isRecording ? time : m_isShort ? QString() : tr("Record data");
+    const QString name = isRecording ? tr("Recording %1").arg(time) : tr("Record data");
+    if (words != text() || name != accessibleName()) {
+        setText(words);
+        setAccessibleName(name);
+        setToolTip(isRecording ? tr("Recording to a file; a click ends it (Ctrl+R)")
+                               : tr("Record data: write what is measured to a file (Ctrl+R)"));
+        setShortcut(QKeySequence(QStringLiteral("Ctrl+R"))); // a new text forgets it
+    }
+}
+
+void RecordButton::setShort(bool isShort) {
+    m_isShort = isShort;
+    refresh();
+    updateGeometry();
+}
+
+int RecordButton::time_px() const {
+    return fontMetrics().horizontalAdvance(widgets::durationText(LongTime_s));
+}
+
+int RecordButton::words_px() const {
+    return fontMetrics().horizontalAdvance(tr("Record data"));
+}
+
+int RecordButton::saved_px() const {
+    return std::max(words_px() - time_px(), 0);
+}
+
+QSize RecordButton::sizeHint() const {
+    const QSize now = QToolButton::sizeHint();
+    const int room_px = m_isShort ? time_px() : std::max(words_px(), time_px());
+    return {now.width() + std::max(room_px - fontMetrics().horizontalAdvance(text()), 0), now.height()};
+}
+
+void RecordButton::changeEvent(QEvent* event) {
+    QToolButton::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        refresh();
+    }
+}
+
+} // namespace halbench::app

@@ -1,0 +1,72 @@
+#include "app/workspaces/arm_button.h"
+
+#include "widgets/icons.h"
+
+#include <QEvent>
+
+namespace halbench::app {
+
+widgets::Message armingWarning() {
+    return {widgets::Severity::Warning, ArmButton::tr("Armed, the actuator can move at any moment."),
+            ArmButton::tr("Keep hands, hair, cables and loose parts away from it. Esc stops it."),
+            ArmButton::tr("Arm it")};
+}
+
+ArmButton::ArmButton(DriveControl& control, Key key, QWidget* parent)
+    : QPushButton(parent), m_control(control), m_key(key) {
+    connect(this, &QPushButton::clicked, this, &ArmButton::onClicked);
+    connect(&m_control, &DriveControl::changed, this, &ArmButton::refresh);
+    sayWords();
+    dress();
+    refresh();
+}
+
+void ArmButton::onClicked() {
+    if (m_control.isArmed()) {
+        m_control.disarm();
+    } else if (m_control.needsConsent()) {
+        Q_EMIT consentNeeded();
+    } else {
+        m_control.arm();
+    }
+}
+
+void ArmButton::refresh() {
+    setEnabled(m_control.isAvailable() && !m_control.isStopped() && !m_control.isPending());
+    const widgets::Role role = m_control.isArmed() ? widgets::Role::Armed : widgets::Role::None;
+    if (widgets::roleOf(*this) != role) {
+        widgets::setRole(*this, role);
+        sayWords();
+        dress();
+    }
+}
+
+void ArmButton::sayWords() {
+    const bool isArmed = widgets::roleOf(*this) == widgets::Role::Armed;
+    setText(isArmed ? tr("Disarm") : tr("Arm"));
+    setToolTip(isArmed ? tr("No current; set-points to zero (Ctrl+Shift+A)")
+                       : tr("Lets the actuator move; set-points start at zero (Ctrl+Shift+A)"));
+    setAccessibleDescription(toolTip());
+    if (m_key == Key::Has) {
+        setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+A"))); // a new text forgets it
+    }
+}
+
+/// The icon stands out from the armed colour.
+void ArmButton::dress() {
+    const widgets::Theme theme = widgets::currentTheme();
+    const bool isArmed = widgets::roleOf(*this) == widgets::Role::Armed;
+    setIcon(widgets::colouredIcon(QStringLiteral("arm"),
+                                  isArmed ? widgets::readableOn(theme, theme.armed) : theme.text));
+}
+
+void ArmButton::changeEvent(QEvent* event) {
+    QPushButton::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        sayWords();
+    } else if (event->type() == QEvent::StyleChange) {
+        dress();
+    }
+}
+
+} // namespace halbench::app

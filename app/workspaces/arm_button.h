@@ -1,0 +1,38 @@
+#pragma once
+
+#include "app/workspaces/drive_control.h"
+#include "widgets/message_bar.h"
+
+#include <QPushButton>
+
+namespace halbench::app {
+
+/// What is said before a real actuator is armed for the first time; the action arms it.
+widgets::Message armingWarning();
+
+/// Arms, or disarms what is armed. A real actuator is armed only after consent, which its place asks for.
+class ArmButton : public QPushButton {
+    Q_OBJECT
+
+public:
+    /// Of a window one has the key Ctrl+Shift+A.
+    enum class Key { Has, IsToldOnly };
+    ArmButton(DriveControl& control, Key key, QWidget* parent);
+
+Q_SIGNALS:
+    void consentNeeded();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void onClicked();
+    void refresh();
+    void sayWords();
+    void dress();
+
+    DriveControl& m_control;
+    Key m_key;
+};
+
+} // namespace halbench::app

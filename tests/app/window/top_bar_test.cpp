@@ -1,0 +1,191 @@
+#include "app/window/connect_button.h"
+#include "app/window/dock_layout.h"
+#include "app/window/help_window.h"
+#include "app/window/perspective_bar.h"
+#include "app/window/record_button.h"
+#include "app/window/top_bar.h"
+#include "app/workspaces/arm_button.h"
+#include "app/workspaces/drive_panel.h"
+#include "app/workspaces/mode_box.h"
+#include "app/workspaces/pace_row.h"
+#include "tests/app/window/window_test.h"
+#include "tests/devices/transport/served_board.h"
+#include "widgets/status_strip.h"
+
+#include <QComboBox>
+#include <QMenu>
+#include <QTextBrowser>
+
+#include <algorithm>
+
+namespace halbench::app {
+namespace {
+
+/// What stands on top of every perspective, by mouse and keys.
+class TopBarTest : public WindowTest {
+protected:
+    template <typename Widget>
+    Widget* inBar() {
+        return window->findChild<TopBar*>()->findChild<Widget*>();
+    }
+    void key(Qt::Key code, Qt::KeyboardModifiers modifiers) {
+        QTest::keyClick(window.get(), code, modifiers);
+    }
+    bool isArmed() { return session().report().board.isArmed; }
+    QToolButton* perspective(const QString& title) {
+        for (auto* button : inBar<PerspectiveBar>()->findChildren<QToolButton*>()) {
+            if (button->text() == title && button->isVisible()) {
+                return button;
+            }
+        }
+        return nullptr;
+    }
+    QString helpWords() {
+        // What F1 does; the platform without a screen gives no window the focus.
+        for (auto* action : window->findChildren<QAction*>()) {
+            if (action->shortcut() == QKeySequence::HelpContents) {
+                action->trigger();
+            }
+        }
+        auto* help = window->findChild<HelpWindow*>();
+        const QString words = help->findChild<QTextBrowser*>()->toPlainText();
+        delete help;
+        QApplication::setActiveWindow(window.get());
+        return words;
+    }
+    static QString pageWords(const QString& page) {
+        QTextBrowser text;
+        text.setMarkdown(helpText(page));
+        return text.toPlainText();
+    }
+};
+
+TEST_F(TopBarTest, connectsAndDisconnectsByButtonKeyAndMenu) {
+    open();
+    auto* button = inBar<ConnectButton>();
+    EXPECT_EQ(button->text(), "Connect");
+    QTest::mouseClick(button, Qt::LeftButton, Qt::NoModifier, QPoint(6, button->height() / 2));
+    ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
+    EXPECT_EQ(button->text(), "Disconnect");
+    key(Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+    ASSERT_TRUE(wait([&] { return session().state() == SessionState::Disconnected; }));
+    Q_EMIT button->menu()->aboutToShow(); // what opening it does; a menu is modal
+    ASSERT_FALSE(button->menu()->actions().isEmpty());
+    button->menu()->actions().first()->trigger();
+    EXPECT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
+}
+
+TEST_F(TopBarTest, armsAndChoosesTheModeInEveryPerspective) {
+    open();
+    connectMotor(1.0);
+    window->docks().setPerspective(Perspective::Field); // without the Drive panel
+    key(Qt::Key_M, Qt::ControlModifier);
+    auto* mode = inBar<ModeBox>();
+    EXPECT_EQ(window->focusWidget(), mode);
+    QTest::keyClick(mode, Qt::Key_Up); // current
+    ASSERT_TRUE(wait([&] { return window->bench().drive().mode() == devices::BoardMode::Current; }));
+    key(Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
+    ASSERT_TRUE(wait([&] { return isArmed(); }));
+    auto* arm = inBar<ArmButton>();
+    EXPECT_EQ(arm->text(), "Disarm");
+    ASSERT_TRUE(wait([&] { return arm->isEnabled(); }));
+    QTest::mouseClick(arm, Qt::LeftButton);
+    EXPECT_TRUE(wait([&] { return !isArmed(); }));
+    // The Drive panel says the same.
+    EXPECT_EQ(static_cast<DrivePanel*>(window->docks().panel("drive"))->findChild<ModeBox*>()->currentIndex(),
+              mode->currentIndex());
+}
+
+TEST_F(TopBarTest, aRealDeviceIsArmedOnlyAfterTheWarning) {
+    devices::BoardServer board;
+    open();
+    window->connectDevice(QString::fromStdString(board.uri()));
+    ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
+    auto* arm = inBar<ArmButton>();
+    ASSERT_TRUE(wait([&] { return arm->isEnabled(); }));
+    QTest::mouseClick(arm, Qt::LeftButton);
+    auto* message = window->findChild<widgets::MessageBar*>();
+    ASSERT_TRUE(message->isVisible());
+    EXPECT_EQ(message->message().text, armingWarning().text);
+    EXPECT_FALSE(isArmed());
+    Q_EMIT message->actionTriggered();
+    EXPECT_TRUE(wait([&] { return isArmed(); }));
+}
+
+TEST_F(TopBarTest, aPerspectivesButtonTakesTheFocusIntoItsMainPanel) {
+    open();
+    QApplication::setActiveWindow(window.get());
+    connectMotor(1.0);
+    const std::pair<const char*, const char*> pages[] = {
+        {"Identify", "identification.md"}, {"Tune", "tuning.md"}, {"Monitor", "monitor.md"}};
+    for (const auto& [title, page] : pages) {
+        QTest::mouseClick(perspective(title), Qt::LeftButton);
+        EXPECT_EQ(helpWords(), pageWords(page)) << title;
+    }
+    key(Qt::Key_2, Qt::ControlModifier);
+    EXPECT_EQ(helpWords(), pageWords("identification.md"));
+}
+
+TEST_F(TopBarTest, isNarrowWhereTheWindowIsAndItsKeysStay) {
+    const auto theme = widgets::loadTheme("light"); // the program's letters
+    ASSERT_TRUE(theme);
+    widgets::applyTheme(application, *theme, {QLocale(), widgets::Dress().fontSize_pt});
+    open();
+    window->resize(window->minimumSizeHint());
+    QTest::qWait(0);
+    EXPECT_LE(window->width(), 1280);
+    EXPECT_NE(perspective("Tune"), nullptr);
+    QWidget narrow;
+    TopBar bar(window->bench(), &narrow);
+    std::optional<Perspective> chosen;
+    QObject::connect(&bar, &TopBar::perspectiveChosen,
+                     [&chosen](Perspective perspective) { chosen = perspective; });
+    narrow.show();
+    bar.resize(bar.minimumSizeHint());
+    const auto buttons = bar.findChild<PerspectiveBar*>()->findChildren<QToolButton*>();
+    EXPECT_EQ(std::count_if(buttons.begin(), buttons.end(),
+                            [](const QToolButton* button) { return button->isVisible(); }),
+              1); // a menu now
+    QApplication::setActiveWindow(&narrow);
+    QTest::keyClick(&narrow, Qt::Key_3, Qt::ControlModifier);
+    EXPECT_EQ(chosen, Perspective::Tune);
+}
+
+TEST_F(TopBarTest, recordingAndThePerspectiveOfRecordingsHaveNamesOfTheirOwn) {
+    open();
+    EXPECT_EQ(inBar<RecordButton>()->accessibleName(), "Record data");
+    EXPECT_EQ(perspective("Record")->accessibleName(), "Perspective Record");
+}
+
+TEST_F(TopBarTest, aStopThatStoppedNothingSaysSo) {
+    open();
+    connectMotor(1.0);
+    ASSERT_TRUE(wait([&] { return inBar<ArmButton>()->isEnabled(); }));
+    key(Qt::Key_Escape, Qt::NoModifier);
+    auto* strip = window->findChild<widgets::StatusStrip*>();
+    ASSERT_TRUE(wait([&] { return strip->state() == widgets::WorkState::Stopped; }));
+    EXPECT_EQ(strip->stateText(), "Stopped (nothing was armed)");
+    ASSERT_TRUE(wait([&] { return window->bench().drive().canRelease(); }));
+    window->bench().drive().releaseStop();
+    ASSERT_TRUE(wait([&] { return strip->state() == widgets::WorkState::Connected; }));
+    key(Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
+    ASSERT_TRUE(wait([&] { return isArmed(); }));
+    key(Qt::Key_Escape, Qt::NoModifier);
+    ASSERT_TRUE(wait([&] { return strip->state() == widgets::WorkState::Stopped; }));
+    EXPECT_EQ(strip->stateText(), "Stopped (by command)");
+}
+
+TEST_F(TopBarTest, theSpeedOfSimulatedTimeIsBesideTheStartOfAProcedureToo) {
+    open();
+    auto* beside = window->docks().panel("identify")->findChild<PaceRow*>();
+    EXPECT_TRUE(beside->isHidden()); // a real device has its own time
+    connectMotor(1.0);
+    EXPECT_FALSE(beside->isHidden());
+    beside->findChild<QComboBox*>()->setCurrentIndex(2);
+    EXPECT_EQ(session().pace().speed_ratio, 20.0);
+    auto* devices = window->docks().panel("devices")->findChild<PaceRow*>()->findChild<QComboBox*>();
+    EXPECT_EQ(devices->currentIndex(), 2);
+}
+
+} // namespace
+} // namespace halbench::app
