@@ -29,9 +29,48 @@ QWidget* make(Workbench& bench) {
     return new Panel(bench);
 }
 
-std::vector<Perspective> everywhere() {
-    return {std::begin(AllPerspectives), std::end(AllPerspectives)};
+constexpr unsigned in(Perspective perspective) {
+    return 1U << static_cast<unsigned>(perspective);
 }
+
+constexpr unsigned Everywhere = ~0U;
+
+struct Row {
+    const char* id;
+    const char* title;
+    PanelArea area;
+    unsigned perspectives; ///< sum of in()
+    const char* helpPage;
+    QWidget* (*make)(Workbench&);
+};
+
+constexpr Row Rows[] = {
+    {"devices", QT_TRANSLATE_NOOP("Panels", "Devices"), PanelArea::Left, Everywhere, "command-line.md",
+     make<DevicePanel>},
+    {"signals", QT_TRANSLATE_NOOP("Panels", "Signals"), PanelArea::LeftBelow, Everywhere, "monitor.md",
+     make<SignalsPanel>},
+    {"monitor", QT_TRANSLATE_NOOP("Panels", "Monitor"), PanelArea::Centre,
+     in(Perspective::Monitor) | in(Perspective::Record), "monitor.md", make<MonitorPanel>},
+    {"field", QT_TRANSLATE_NOOP("Panels", "Field"), PanelArea::Centre, in(Perspective::Field), "monitor.md",
+     make<FieldPanel>},
+    {"drive", QT_TRANSLATE_NOOP("Panels", "Drive"), PanelArea::Right, in(Perspective::Monitor), "monitor.md",
+     make<DrivePanel>},
+    {"parameters", QT_TRANSLATE_NOOP("Panels", "Parameters"), PanelArea::Right,
+     in(Perspective::Monitor) | in(Perspective::Tune), "monitor.md", make<ParametersPanel>},
+    {"configuration", QT_TRANSLATE_NOOP("Panels", "Configuration"), PanelArea::Right,
+     in(Perspective::Monitor) | in(Perspective::Tune), "monitor.md", make<ConfigurationPanel>},
+    {"record", QT_TRANSLATE_NOOP("Panels", "Record"), PanelArea::Right,
+     in(Perspective::Monitor) | in(Perspective::Record), "monitor.md", make<RecordPanel>},
+    {"identify", QT_TRANSLATE_NOOP("Panels", "Identify"), PanelArea::Centre, in(Perspective::Identify),
+     "identification.md", make<IdentifyPanel>},
+    {"calibrate", QT_TRANSLATE_NOOP("Panels", "Calibrate"), PanelArea::Centre, in(Perspective::Identify),
+     "identification.md", make<CalibratePanel>},
+    {"tune", QT_TRANSLATE_NOOP("Panels", "Tune"), PanelArea::Centre, in(Perspective::Tune), "tuning.md",
+     make<TunePanel>},
+    {"log", QT_TRANSLATE_NOOP("Panels", "Log"), PanelArea::Bottom, Everywhere, "index.md", make<LogPanel>},
+    {"notes", QT_TRANSLATE_NOOP("Panels", "Notes"), PanelArea::Bottom, Everywhere, "projects.md",
+     make<NotesPanel>},
+};
 
 } // namespace
 
@@ -57,70 +96,17 @@ QString perspectiveId(Perspective perspective) {
 }
 
 std::vector<PanelSpec> panelSpecs() {
-    return {
-        {"devices", words(QT_TRANSLATE_NOOP("Panels", "Devices")), PanelArea::Left, everywhere(),
-         "command-line.md", make<DevicePanel>},
-        {"signals", words(QT_TRANSLATE_NOOP("Panels", "Signals")), PanelArea::LeftBelow, everywhere(),
-         "monitor.md", make<SignalsPanel>},
-        {"monitor",
-         words(QT_TRANSLATE_NOOP("Panels", "Monitor")),
-         PanelArea::Centre,
-         {Perspective::Monitor, Perspective::Record},
-         "monitor.md",
-         make<MonitorPanel>},
-        {"field",
-         words(QT_TRANSLATE_NOOP("Panels", "Field")),
-         PanelArea::Centre,
-         {Perspective::Field},
-         "monitor.md",
-         make<FieldPanel>},
-        {"drive",
-         words(QT_TRANSLATE_NOOP("Panels", "Drive")),
-         PanelArea::Right,
-         {Perspective::Monitor},
-         "monitor.md",
-         make<DrivePanel>},
-        {"parameters",
-         words(QT_TRANSLATE_NOOP("Panels", "Parameters")),
-         PanelArea::Right,
-         {Perspective::Monitor, Perspective::Tune},
-         "monitor.md",
-         make<ParametersPanel>},
-        {"configuration",
-         words(QT_TRANSLATE_NOOP("Panels", "Configuration")),
-         PanelArea::Right,
-         {Perspective::Monitor, Perspective::Tune},
-         "monitor.md",
-         make<ConfigurationPanel>},
-        {"record",
-         words(QT_TRANSLATE_NOOP("Panels", "Record")),
-         PanelArea::Right,
-         {Perspective::Monitor, Perspective::Record},
-         "monitor.md",
-         make<RecordPanel>},
-        {"identify",
-         words(QT_TRANSLATE_NOOP("Panels", "Identify")),
-         PanelArea::Centre,
-         {Perspective::Identify},
-         "identification.md",
-         make<IdentifyPanel>},
-        {"calibrate",
-         words(QT_TRANSLATE_NOOP("Panels", "Calibrate")),
-         PanelArea::Centre,
-         {Perspective::Identify},
-         "identification.md",
-         make<CalibratePanel>},
-        {"tune",
-         words(QT_TRANSLATE_NOOP("Panels", "Tune")),
-         PanelArea::Centre,
-         {Perspective::Tune},
-         "tuning.md",
-         make<TunePanel>},
-        {"log", words(QT_TRANSLATE_NOOP("Panels", "Log")), PanelArea::Bottom, everywhere(), "index.md",
-         make<LogPanel>},
-        {"notes", words(QT_TRANSLATE_NOOP("Panels", "Notes")), PanelArea::Bottom, everywhere(), "projects.md",
-         make<NotesPanel>},
-    };
+    std::vector<PanelSpec> specs;
+    for (const Row& row : Rows) {
+        PanelSpec spec{row.id, words(row.title), row.area, {}, row.helpPage, row.make};
+        for (const Perspective perspective : AllPerspectives) {
+            if ((row.perspectives & in(perspective)) != 0) {
+                spec.perspectives.push_back(perspective);
+            }
+        }
+        specs.push_back(std::move(spec));
+    }
+    return specs;
 }
 
 } // namespace halbench::app
