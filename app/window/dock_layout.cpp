@@ -105,7 +105,10 @@ void DockLayout::addPanel(const PanelSpec& spec, Workbench& bench) {
     auto* dock = new ads::CDockWidget(spec.title);
     dock->setObjectName(spec.id);
     dock->setWidget(spec.make(bench), ads::CDockWidget::ForceNoScrollArea);
-    dock->setMinimumSizeHintMode(ads::CDockWidget::MinimumSizeHintFromContent);
+    // The docking library lets the widest panel of an area decide, also one that is not open: one that never
+    // stands beside panels at the right has their room too.
+    dock->setMinimumSizeHintMode(hasRightNeighbour(spec) ? ads::CDockWidget::MinimumSizeHintFromContent
+                                                         : ads::CDockWidget::MinimumSizeHintFromDockWidget);
     ads::CDockAreaWidget* neighbour = nullptr;
     for (const PanelSpec& other : m_specs) {
         const auto placed = m_docks.find(other.id);
@@ -121,6 +124,14 @@ void DockLayout::addPanel(const PanelSpec& spec, Workbench& bench) {
         m_manager->addDockWidget(dockArea(spec.area), dock);
     }
     m_docks.insert(spec.id, dock);
+}
+
+bool DockLayout::hasRightNeighbour(const PanelSpec& spec) const {
+    return std::any_of(spec.perspectives.begin(), spec.perspectives.end(), [this](Perspective perspective) {
+        return std::any_of(m_specs.begin(), m_specs.end(), [perspective](const PanelSpec& other) {
+            return other.area == PanelArea::Right && isIn(other, perspective);
+        });
+    });
 }
 
 void DockLayout::arrange(Perspective perspective) {

@@ -48,6 +48,7 @@ Q_SIGNALS:
 
 private:
     void addPanel(const PanelSpec& spec, Workbench& bench);
+    bool hasRightNeighbour(const PanelSpec& spec) const;
     void arrange(Perspective perspective);
     ads::CDockAreaWidget* areaOf(PanelArea area) const; ///< null while all its panels are closed
     std::optional<int> firstLength(const QWidget& part, Qt::Orientation orientation) const;
