@@ -78,7 +78,7 @@ protected:
     }
 
     static constexpr int Fit_ms = 120000;
-    static constexpr QSize SmallScreen{1280, 720};
+    static constexpr QSize SmallScreen{1366, 768};
     QHash<QString, QString> phrases;
     QStringList findings;
 };
