@@ -4080,6 +4080,37 @@
     </message>
 </context>
 <context>
+    <name>halbench::app::ArmButton</name>
+    <message>
+        <source>Armed, the actuator can move at any moment.</source>
+        <translation>Freigegeben kann sich der Aktor jederzeit bewegen.</translation>
+    </message>
+    <message>
+        <source>Keep hands, hair, cables and loose parts away from it. Esc stops it.</source>
+        <translation>Halten Sie Hände, Haare, Kabel und lose Teile fern. Esc stoppt ihn.</translation>
+    </message>
+    <message>
+        <source>Arm it</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message>
+        <source>Disarm</source>
+        <translation>Sperren</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message>
+        <source>No current; set-points to zero (Ctrl+Shift+A)</source>
+        <translation>Kein Strom; Sollwerte auf null (Strg+Umschalt+A)</translation>
+    </message>
+    <message>
+        <source>Lets the actuator move; set-points start at zero (Ctrl+Shift+A)</source>
+        <translation>Lässt den Aktor sich bewegen; Sollwerte beginnen bei null (Strg+Umschalt+A)</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::CalibratePanel</name>
     <message>
         <source>Save calibration</source>
@@ -4507,6 +4538,25 @@
     </message>
 </context>
 <context>
+    <name>halbench::app::ConnectButton</name>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>Connect the device of the Devices panel; the menu lists what is there (Ctrl+Shift+C, Alt+Down)</source>
+        <translation>Das Gerät des Bereichs Geräte verbinden; das Menü nennt, was da ist (Strg+Umschalt+C, Alt+Ab)</translation>
+    </message>
+    <message>
+        <source>End what runs, disarm and disconnect (Ctrl+Shift+C)</source>
+        <translation>Beenden, was läuft, sperren und trennen (Strg+Umschalt+C)</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::DevicePanel</name>
     <message>
         <source>Devices that can be connected</source>
@@ -4527,38 +4577,6 @@
     <message>
         <source>sim:htm or tcp:HOST:PORT</source>
         <translation>sim:htm oder tcp:HOST:PORT</translation>
-    </message>
-    <message>
-        <source>Simulated &amp;time</source>
-        <translation>Simulierte &amp;Zeit</translation>
-    </message>
-    <message>
-        <source>Speed of simulated time</source>
-        <translation>Geschwindigkeit der simulierten Zeit</translation>
-    </message>
-    <message>
-        <source>How fast the simulated motor lives; a real device has its own time</source>
-        <translation>Wie schnell der simulierte Motor läuft; ein echtes Gerät hat seine eigene Zeit</translation>
-    </message>
-    <message>
-        <source>real time</source>
-        <translation>Echtzeit</translation>
-    </message>
-    <message>
-        <source>5 times</source>
-        <translation>5-fach</translation>
-    </message>
-    <message>
-        <source>20 times</source>
-        <translation>20-fach</translation>
-    </message>
-    <message>
-        <source>100 times</source>
-        <translation>100-fach</translation>
-    </message>
-    <message>
-        <source>as fast as possible</source>
-        <translation>so schnell wie möglich</translation>
     </message>
     <message>
         <source>Identity of the device</source>
@@ -4862,32 +4880,6 @@ Firmware %2</translation>
         <translation>&amp;Modus</translation>
     </message>
     <message>
-        <source>Idle</source>
-        <translation>Leerlauf</translation>
-    </message>
-    <message>
-        <source>Current</source>
-        <translation>Strom</translation>
-    </message>
-    <message>
-        <source>Position</source>
-        <translation>Position</translation>
-    </message>
-    <message>
-        <source>D-axis</source>
-        <translation>D-Achse</translation>
-    </message>
-    <message>
-        <source>Mode</source>
-        <translation>Modus</translation>
-    </message>
-    <message>
-        <source>Idle: no current. Current: torque by hand. Position: holds and follows.
-D-axis: current that holds the rotor without turning it (Alt+M)</source>
-        <translation>Leerlauf: kein Strom. Strom: Drehmoment von Hand. Position: hält und folgt.
-D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
-    </message>
-    <message>
         <source>Set-point and jog</source>
         <translation>Sollwert und Tippbetrieb</translation>
     </message>
@@ -4940,18 +4932,6 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <translation>Grenzwerte des Steuergeräts</translation>
     </message>
     <message>
-        <source>Armed, the actuator can move at any moment.</source>
-        <translation>Freigegeben kann sich der Aktor jederzeit bewegen.</translation>
-    </message>
-    <message>
-        <source>Keep hands, hair, cables and loose parts away from it. Esc stops it.</source>
-        <translation>Halten Sie Hände, Haare, Kabel und lose Teile fern. Esc stoppt ihn.</translation>
-    </message>
-    <message>
-        <source>Arm it</source>
-        <translation>Freigeben</translation>
-    </message>
-    <message>
         <source>Now %1</source>
         <translation>Jetzt %1</translation>
     </message>
@@ -4988,26 +4968,6 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <translation>Zustand: %1</translation>
     </message>
     <message>
-        <source>Disarm</source>
-        <translation>Sperren</translation>
-    </message>
-    <message>
-        <source>Arm</source>
-        <translation>Freigeben</translation>
-    </message>
-    <message>
-        <source>No current; set-points to zero (Ctrl+Shift+A)</source>
-        <translation>Kein Strom; Sollwerte auf null (Strg+Umschalt+A)</translation>
-    </message>
-    <message>
-        <source>Lets the actuator move; set-points start at zero (Ctrl+Shift+A)</source>
-        <translation>Lässt den Aktor sich bewegen; Sollwerte beginnen bei null (Strg+Umschalt+A)</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+A</source>
-        <translation>Ctrl+Shift+A</translation>
-    </message>
-    <message>
         <source>Set-point</source>
         <translation>Sollwert</translation>
     </message>
@@ -5038,6 +4998,10 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>Allowed: %1.</source>
         <translation>Erlaubt: %1.</translation>
+    </message>
+    <message>
+        <source>A stop came while nothing was armed</source>
+        <translation>Es kam ein Stopp, während nichts freigegeben war</translation>
     </message>
 </context>
 <context>
@@ -6049,6 +6013,35 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::ModeBox</name>
+    <message>
+        <source>Idle</source>
+        <translation>Leerlauf</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>D-axis</source>
+        <translation>D-Achse</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>Idle: no current. Current: torque by hand. Position: holds and follows.
+D-axis: current that holds the rotor without turning it (%1)</source>
+        <translation>Leerlauf: kein Strom. Strom: Drehmoment von Hand. Position: hält und folgt.
+D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::MonitorPanel</name>
     <message>
         <source>Plots</source>
@@ -6134,6 +6127,47 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>%1: &apos;%2&apos; cannot be used, nothing moves.</source>
         <translation>%1: „%2“ ist nicht verwendbar; es bewegt sich nichts.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::PaceRow</name>
+    <message>
+        <source>real time</source>
+        <translation>Echtzeit</translation>
+    </message>
+    <message>
+        <source>5 times</source>
+        <translation>5-fach</translation>
+    </message>
+    <message>
+        <source>20 times</source>
+        <translation>20-fach</translation>
+    </message>
+    <message>
+        <source>100 times</source>
+        <translation>100-fach</translation>
+    </message>
+    <message>
+        <source>as fast as possible</source>
+        <translation>so schnell wie möglich</translation>
+    </message>
+    <message>
+        <source>Simulated &amp;time</source>
+        <translation>Simulierte &amp;Zeit</translation>
+    </message>
+    <message>
+        <source>Simulated time</source>
+        <translation>Simulierte Zeit</translation>
+    </message>
+    <message>
+        <source>Speed of simulated time</source>
+        <translation>Geschwindigkeit der simulierten Zeit</translation>
+    </message>
+    <message>
+        <source>How fast the simulated motor lives: at 20 times a run of two minutes takes six seconds.
+A real device has its own time.</source>
+        <translation>Wie schnell der simulierte Motor lebt: bei 20-fach dauert ein Lauf von zwei Minuten sechs Sekunden.
+Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
 </context>
 <context>
@@ -6224,6 +6258,21 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>Kept as %1.</source>
         <translation>Als %1 behalten.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::PerspectiveBar</name>
+    <message>
+        <source>Arrange the panels for %1 (%2)</source>
+        <translation>Bereiche zum %1 anordnen (%2)</translation>
+    </message>
+    <message>
+        <source>Perspective %1</source>
+        <translation>Ansicht %1</translation>
+    </message>
+    <message>
+        <source>Arrange the panels for another task (Ctrl+1 to Ctrl+5)</source>
+        <translation>Die Bereiche für eine andere Aufgabe anordnen (Strg+1 bis Strg+5)</translation>
     </message>
 </context>
 <context>
@@ -6507,6 +6556,33 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
     <message>
         <source>calibration</source>
         <translation>Kalibrierung</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RecordButton</name>
+    <message>
+        <source>recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>written: %1</source>
+        <translation type="unfinished">geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Record data</source>
+        <translation>Daten aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation>Aufzeichnung %1</translation>
+    </message>
+    <message>
+        <source>Recording to a file; a click ends it (Ctrl+R)</source>
+        <translation>Zeichnet in eine Datei auf; ein Klick beendet es (Strg+R)</translation>
+    </message>
+    <message>
+        <source>Record data: write what is measured to a file (Ctrl+R)</source>
+        <translation>Daten aufzeichnen: schreibt, was gemessen wird, in eine Datei (Strg+R)</translation>
     </message>
 </context>
 <context>
@@ -6914,30 +6990,6 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
 <context>
     <name>halbench::app::TopBar</name>
     <message>
-        <source>Arrange the panels for %1 (%2)</source>
-        <translation>Bereiche zum %1 anordnen (%2)</translation>
-    </message>
-    <message>
-        <source>Perspective %1</source>
-        <translation>Ansicht %1</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>Aufzeichnen</translation>
-    </message>
-    <message>
-        <source>Ctrl+R</source>
-        <translation>Ctrl+R</translation>
-    </message>
-    <message>
-        <source>Write what is measured to a file, or end that (Ctrl+R)</source>
-        <translation>Was gemessen wird, in eine Datei schreiben, oder das beenden (Strg+R)</translation>
-    </message>
-    <message>
-        <source>recording</source>
-        <translation>Aufzeichnung</translation>
-    </message>
-    <message>
         <source>stop</source>
         <translation>Stopp</translation>
     </message>
@@ -6946,8 +6998,8 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (Alt+M)</translation>
         <translation>Verbindung verloren</translation>
     </message>
     <message>
-        <source>written: %1</source>
-        <translation>geschrieben: %1</translation>
+        <source>nothing was armed</source>
+        <translation>nichts war freigegeben</translation>
     </message>
     <message>
         <source>connection lost, reconnecting</source>
@@ -8282,14 +8334,6 @@ Hall b
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
-    <message>
-        <source>Recording %1</source>
-        <translation>Zeichnet auf: %1</translation>
-    </message>
-    <message>
-        <source>Not recording</source>
-        <translation>Keine Aufzeichnung</translation>
-    </message>
 </context>
 <context>
     <name>halbench::widgets::StepList</name>
@@ -8345,10 +8389,6 @@ Hall b
 <context>
     <name>halbench::widgets::StopButton</name>
     <message>
-        <source>STOPPED — re-arm</source>
-        <translation>GESTOPPT — aufheben</translation>
-    </message>
-    <message>
         <source>STOPPED</source>
         <translation>GESTOPPT</translation>
     </message>
@@ -8383,6 +8423,12 @@ Hall b
     <message>
         <source>Stop</source>
         <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>STOPPED
+re-arm</source>
+        <translation>GESTOPPT
+aufheben</translation>
     </message>
 </context>
 <context>

@@ -4080,6 +4080,37 @@
     </message>
 </context>
 <context>
+    <name>halbench::app::ArmButton</name>
+    <message>
+        <source>Armed, the actuator can move at any moment.</source>
+        <translation>使能后，执行器随时可能运动。</translation>
+    </message>
+    <message>
+        <source>Keep hands, hair, cables and loose parts away from it. Esc stops it.</source>
+        <translation>请让手、头发、线缆和松动的物件远离它。按 Esc 键停止。</translation>
+    </message>
+    <message>
+        <source>Arm it</source>
+        <translation>确认使能</translation>
+    </message>
+    <message>
+        <source>Disarm</source>
+        <translation>解除使能</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>No current; set-points to zero (Ctrl+Shift+A)</source>
+        <translation>无电流；设定值归零 (Ctrl+Shift+A)</translation>
+    </message>
+    <message>
+        <source>Lets the actuator move; set-points start at zero (Ctrl+Shift+A)</source>
+        <translation>允许执行器运动；设定值从零开始 (Ctrl+Shift+A)</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::CalibratePanel</name>
     <message>
         <source>Save calibration</source>
@@ -4503,6 +4534,25 @@
     </message>
 </context>
 <context>
+    <name>halbench::app::ConnectButton</name>
+    <message>
+        <source>Connect</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>断开</translation>
+    </message>
+    <message>
+        <source>Connect the device of the Devices panel; the menu lists what is there (Ctrl+Shift+C, Alt+Down)</source>
+        <translation>连接“设备”面板中的设备；菜单列出现有设备 (Ctrl+Shift+C, Alt+Down)</translation>
+    </message>
+    <message>
+        <source>End what runs, disarm and disconnect (Ctrl+Shift+C)</source>
+        <translation>结束正在运行的任务、解除使能并断开 (Ctrl+Shift+C)</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::DevicePanel</name>
     <message>
         <source>Devices that can be connected</source>
@@ -4523,38 +4573,6 @@
     <message>
         <source>sim:htm or tcp:HOST:PORT</source>
         <translation>sim:htm 或 tcp:HOST:PORT</translation>
-    </message>
-    <message>
-        <source>Simulated &amp;time</source>
-        <translation>仿真时间(&amp;T)</translation>
-    </message>
-    <message>
-        <source>Speed of simulated time</source>
-        <translation>仿真时间的快慢</translation>
-    </message>
-    <message>
-        <source>How fast the simulated motor lives; a real device has its own time</source>
-        <translation>仿真电机运行的快慢；真实设备有自己的时间</translation>
-    </message>
-    <message>
-        <source>real time</source>
-        <translation>实时</translation>
-    </message>
-    <message>
-        <source>5 times</source>
-        <translation>5 倍</translation>
-    </message>
-    <message>
-        <source>20 times</source>
-        <translation>20 倍</translation>
-    </message>
-    <message>
-        <source>100 times</source>
-        <translation>100 倍</translation>
-    </message>
-    <message>
-        <source>as fast as possible</source>
-        <translation>尽可能快</translation>
     </message>
     <message>
         <source>Identity of the device</source>
@@ -4858,32 +4876,6 @@ Firmware %2</source>
         <translation>模式(&amp;M)</translation>
     </message>
     <message>
-        <source>Idle</source>
-        <translation>空闲</translation>
-    </message>
-    <message>
-        <source>Current</source>
-        <translation>电流</translation>
-    </message>
-    <message>
-        <source>Position</source>
-        <translation>位置</translation>
-    </message>
-    <message>
-        <source>D-axis</source>
-        <translation>D 轴</translation>
-    </message>
-    <message>
-        <source>Mode</source>
-        <translation>模式</translation>
-    </message>
-    <message>
-        <source>Idle: no current. Current: torque by hand. Position: holds and follows.
-D-axis: current that holds the rotor without turning it (Alt+M)</source>
-        <translation>空闲：无电流。电流：手动给定转矩。位置：保持并跟随。
-D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
-    </message>
-    <message>
         <source>Set-point and jog</source>
         <translation>设定值与点动</translation>
     </message>
@@ -4936,18 +4928,6 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <translation>控制板限值</translation>
     </message>
     <message>
-        <source>Armed, the actuator can move at any moment.</source>
-        <translation>使能后，执行器随时可能运动。</translation>
-    </message>
-    <message>
-        <source>Keep hands, hair, cables and loose parts away from it. Esc stops it.</source>
-        <translation>请让手、头发、线缆和松动的物件远离它。按 Esc 键停止。</translation>
-    </message>
-    <message>
-        <source>Arm it</source>
-        <translation>确认使能</translation>
-    </message>
-    <message>
         <source>Now %1</source>
         <translation>当前 %1</translation>
     </message>
@@ -4984,26 +4964,6 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <translation>状态：%1</translation>
     </message>
     <message>
-        <source>Disarm</source>
-        <translation>解除使能</translation>
-    </message>
-    <message>
-        <source>Arm</source>
-        <translation>使能</translation>
-    </message>
-    <message>
-        <source>No current; set-points to zero (Ctrl+Shift+A)</source>
-        <translation>无电流；设定值归零 (Ctrl+Shift+A)</translation>
-    </message>
-    <message>
-        <source>Lets the actuator move; set-points start at zero (Ctrl+Shift+A)</source>
-        <translation>允许执行器运动；设定值从零开始 (Ctrl+Shift+A)</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+A</source>
-        <translation>Ctrl+Shift+A</translation>
-    </message>
-    <message>
         <source>Set-point</source>
         <translation>设定值</translation>
     </message>
@@ -5034,6 +4994,10 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>Allowed: %1.</source>
         <translation>允许：%1。</translation>
+    </message>
+    <message>
+        <source>A stop came while nothing was armed</source>
+        <translation>停止到来时没有任何设备使能</translation>
     </message>
 </context>
 <context>
@@ -6045,6 +6009,35 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::ModeBox</name>
+    <message>
+        <source>Idle</source>
+        <translation>空闲</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>电流</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>D-axis</source>
+        <translation>D 轴</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>模式</translation>
+    </message>
+    <message>
+        <source>Idle: no current. Current: torque by hand. Position: holds and follows.
+D-axis: current that holds the rotor without turning it (%1)</source>
+        <translation>空闲：无电流。电流：手动给定转矩。位置：保持并跟随。
+D 轴：保持转子而不使其转动的电流 (%1)</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::MonitorPanel</name>
     <message>
         <source>Plots</source>
@@ -6130,6 +6123,47 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>%1: &apos;%2&apos; cannot be used, nothing moves.</source>
         <translation>%1：“%2”无法使用，不会产生任何运动。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::PaceRow</name>
+    <message>
+        <source>real time</source>
+        <translation>实时</translation>
+    </message>
+    <message>
+        <source>5 times</source>
+        <translation>5 倍</translation>
+    </message>
+    <message>
+        <source>20 times</source>
+        <translation>20 倍</translation>
+    </message>
+    <message>
+        <source>100 times</source>
+        <translation>100 倍</translation>
+    </message>
+    <message>
+        <source>as fast as possible</source>
+        <translation>尽可能快</translation>
+    </message>
+    <message>
+        <source>Simulated &amp;time</source>
+        <translation>仿真时间(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Simulated time</source>
+        <translation>仿真时间</translation>
+    </message>
+    <message>
+        <source>Speed of simulated time</source>
+        <translation>仿真时间的快慢</translation>
+    </message>
+    <message>
+        <source>How fast the simulated motor lives: at 20 times a run of two minutes takes six seconds.
+A real device has its own time.</source>
+        <translation>仿真电机的时间流逝速度：20 倍时两分钟的运行只需六秒。
+真实设备有自己的时间。</translation>
     </message>
 </context>
 <context>
@@ -6219,6 +6253,21 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>Kept as %1.</source>
         <translation>已保留为 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::PerspectiveBar</name>
+    <message>
+        <source>Arrange the panels for %1 (%2)</source>
+        <translation>按“%1”布置面板 (%2)</translation>
+    </message>
+    <message>
+        <source>Perspective %1</source>
+        <translation>视角 %1</translation>
+    </message>
+    <message>
+        <source>Arrange the panels for another task (Ctrl+1 to Ctrl+5)</source>
+        <translation>为其他任务排列面板 (Ctrl+1 至 Ctrl+5)</translation>
     </message>
 </context>
 <context>
@@ -6502,6 +6551,33 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
     <message>
         <source>calibration</source>
         <translation>标定</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RecordButton</name>
+    <message>
+        <source>recording</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>written: %1</source>
+        <translation type="unfinished">已写入：%1</translation>
+    </message>
+    <message>
+        <source>Record data</source>
+        <translation>记录数据</translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation>正在记录 %1</translation>
+    </message>
+    <message>
+        <source>Recording to a file; a click ends it (Ctrl+R)</source>
+        <translation>正在记录到文件；单击结束 (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Record data: write what is measured to a file (Ctrl+R)</source>
+        <translation>记录数据：把测量值写入文件 (Ctrl+R)</translation>
     </message>
 </context>
 <context>
@@ -6909,30 +6985,6 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
 <context>
     <name>halbench::app::TopBar</name>
     <message>
-        <source>Arrange the panels for %1 (%2)</source>
-        <translation>按“%1”布置面板 (%2)</translation>
-    </message>
-    <message>
-        <source>Perspective %1</source>
-        <translation>视角 %1</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>记录</translation>
-    </message>
-    <message>
-        <source>Ctrl+R</source>
-        <translation>Ctrl+R</translation>
-    </message>
-    <message>
-        <source>Write what is measured to a file, or end that (Ctrl+R)</source>
-        <translation>把测量数据写入文件，或结束写入 (Ctrl+R)</translation>
-    </message>
-    <message>
-        <source>recording</source>
-        <translation>记录</translation>
-    </message>
-    <message>
         <source>stop</source>
         <translation>停止</translation>
     </message>
@@ -6941,8 +6993,8 @@ D 轴：保持转子而不使其转动的电流 (Alt+M)</translation>
         <translation>连接丢失</translation>
     </message>
     <message>
-        <source>written: %1</source>
-        <translation>已写入：%1</translation>
+        <source>nothing was armed</source>
+        <translation>当时未使能</translation>
     </message>
     <message>
         <source>connection lost, reconnecting</source>
@@ -8276,14 +8328,6 @@ Hall b
         <source>%1, %2</source>
         <translation>%1，%2</translation>
     </message>
-    <message>
-        <source>Recording %1</source>
-        <translation>正在记录 %1</translation>
-    </message>
-    <message>
-        <source>Not recording</source>
-        <translation>未记录</translation>
-    </message>
 </context>
 <context>
     <name>halbench::widgets::StepList</name>
@@ -8339,10 +8383,6 @@ Hall b
 <context>
     <name>halbench::widgets::StopButton</name>
     <message>
-        <source>STOPPED — re-arm</source>
-        <translation>已停止 — 解除</translation>
-    </message>
-    <message>
         <source>STOPPED</source>
         <translation>已停止</translation>
     </message>
@@ -8377,6 +8417,12 @@ Hall b
     <message>
         <source>Stop</source>
         <translation>停止</translation>
+    </message>
+    <message>
+        <source>STOPPED
+re-arm</source>
+        <translation>已停止
+解除</translation>
     </message>
 </context>
 <context>
