@@ -204,6 +204,11 @@ void ParameterTable::setSearch(const QString& words) {
     m_view->expandAll();
 }
 
+void ParameterTable::setAngleUnit(AngleUnit unit) {
+    m_angleUnit->setCurrentIndex(unit == AngleUnit::Radian ? 0 : 1);
+    onAngleUnitChosen(m_angleUnit->currentIndex());
+}
+
 void ParameterTable::onAngleUnitChosen(int index) {
     m_model->setAngleUnit(index == 0 ? AngleUnit::Radian : AngleUnit::Degree);
     showHelp();

@@ -33,6 +33,8 @@ public:
     void setSpecs(std::vector<ParameterSpec> specs);
     void setOnline(bool isOnline); ///< without a device nothing can be read or written; values are stale
     void setSearch(const QString& words);
+    /// Of what is shown and typed, until the user chooses another here.
+    void setAngleUnit(AngleUnit unit);
     MessageBar& messages() { return *m_messages; } ///< for refusals of the device
 
 Q_SIGNALS:

@@ -21,7 +21,10 @@ std::string utf8(const QString& text) {
 
 } // namespace
 
-widgets::Figure staticFrictionFigure(const std::vector<StaticFrictionPoint>& points) {
+widgets::Figure staticFrictionFigure(const std::vector<StaticFrictionPoint>& points,
+                                     widgets::AngleUnit unit) {
+    const bool isDegree = unit == widgets::AngleUnit::Degree;
+    const double turn = isDegree ? 360.0 : 2.0 * Pi;
     widgets::Panel panel;
     panel.y = {utf8(Words::tr("current at the first motion")), "A", false, {}, {}, {}};
     widgets::Curve forward{utf8(Words::tr("forward")), {}, {}, widgets::CurveStyle::Points, 0};
@@ -30,7 +33,7 @@ widgets::Figure staticFrictionFigure(const std::vector<StaticFrictionPoint>& poi
     for (const StaticFrictionPoint& point : points) {
         widgets::Curve& curve = point.current_A < 0.0 ? reverse : forward;
         const double turns = point.angle_rad / (2.0 * Pi);
-        curve.x.push_back(360.0 * (turns - std::floor(turns))); // the place on the rotor, whatever the turn
+        curve.x.push_back(turn * (turns - std::floor(turns))); // the place on the rotor, whatever the turn
         curve.y.push_back(std::abs(point.current_A));
     }
     for (widgets::Curve* curve : {&forward, &reverse}) {
@@ -39,7 +42,7 @@ widgets::Figure staticFrictionFigure(const std::vector<StaticFrictionPoint>& poi
         }
     }
     return {utf8(Words::tr("Static friction over the angle")),
-            {utf8(Words::tr("angle")), "deg", false, {}, {}, {}},
+            {utf8(Words::tr("angle")), isDegree ? "deg" : "rad", false, {}, {}, {}},
             {std::move(panel)}};
 }
 

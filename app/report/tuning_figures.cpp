@@ -47,22 +47,38 @@ void markMargins(widgets::BodeContent& content, const control::StabilityMargins&
     }
 }
 
-std::vector<double> inDegrees(const std::vector<double>& angle_rad, double start_rad = 0.0) {
-    std::vector<double> angle_deg;
-    angle_deg.reserve(angle_rad.size());
-    for (const double angle : angle_rad) {
-        angle_deg.push_back(radiansToDegrees(angle - start_rad));
+/// How angles are written in a picture.
+struct AngleScale {
+    std::string symbol;
+    double factor = 1.0;
+    widgets::AngleUnit unit = widgets::AngleUnit::Radian;
+
+    std::vector<double> of(const std::vector<double>& angle_rad, double start_rad = 0.0) const {
+        std::vector<double> shown;
+        shown.reserve(angle_rad.size());
+        for (const double angle : angle_rad) {
+            shown.push_back(factor * (angle - start_rad));
+        }
+        return shown;
     }
-    return angle_deg;
+    std::string text(double angle_rad, int significantDigits = 3) const {
+        const char* word = unit == widgets::AngleUnit::Degree ? "\u00b0" : " rad";
+        return fmt::format("{:.{}g}{}", factor * angle_rad, significantDigits, word);
+    }
+};
+
+AngleScale scaleOf(widgets::AngleUnit unit) {
+    return {unit == widgets::AngleUnit::Degree ? "deg" : "rad", widgets::displayUnit("rad", unit).factor,
+            unit};
 }
 
-widgets::Panel angleOverCurrent(widgets::Figure& figure) {
+widgets::Panel angleOverCurrent(widgets::Figure& figure, const AngleScale& scale) {
     widgets::Panel current;
     current.y = {utf8(Words::tr("current")), "A", false, {}, {}, {}};
     current.height_px = 110;
     figure.x = {utf8(Words::tr("time")), "s", false, {}, {}, {}};
     widgets::Panel angle;
-    angle.y = {utf8(Words::tr("angle")), "deg", false, {}, {}, {}};
+    angle.y = {utf8(Words::tr("angle")), scale.symbol, false, {}, {}, {}};
     figure.panels = {angle};
     return current;
 }
@@ -85,12 +101,14 @@ widgets::Figure openLoopFigure(const AnalysisResult& predicted,
 }
 
 std::optional<widgets::Figure> linearStepFigure(const AnalysisResult& predicted,
-                                                const std::optional<AnalysisResult>& present) {
+                                                const std::optional<AnalysisResult>& present,
+                                                widgets::AngleUnit unit) {
     if (predicted.stepCurve.time_s.empty()) {
         return std::nullopt;
     }
+    const AngleScale scale = scaleOf(unit);
     widgets::Panel response;
-    response.y = {utf8(Words::tr("response")), "rad", false, {}, {}, {}};
+    response.y = {utf8(Words::tr("response")), scale.symbol, false, {}, {}, {}};
     response.lines = {{Direction::Horizontal, 1.0, utf8(Words::tr("reference"))}};
     widgets::Panel current;
     current.y = {utf8(Words::tr("current")), "A", false, {}, {}, {}};
@@ -98,66 +116,121 @@ std::optional<widgets::Figure> linearStepFigure(const AnalysisResult& predicted,
     const auto add = [&](const AnalysisResult::Step& step, const std::string& label, CurveStyle style,
                          int colour) {
         response.curves.push_back({label, step.time_s, step.response_rad, style, colour});
-        current.curves.push_back({label, step.time_s, step.current_A, style, colour});
+        current.curves.push_back({label, step.time_s, {}, style, colour});
+        for (const double current_A : step.current_A) { // of a step of one unit: the loop is linear
+            current.curves.back().y.push_back(current_A / scale.factor);
+        }
     };
     if (present && !present->stepCurve.time_s.empty()) {
         add(present->stepCurve, utf8(Words::tr("before")), CurveStyle::DashedLine, 1);
     }
     add(predicted.stepCurve, present ? utf8(Words::tr("proposed")) : "", CurveStyle::Line, 0);
-    return widgets::Figure{utf8(Words::tr("Predicted step of 1 rad, linear loop")),
+    return widgets::Figure{utf8(Words::tr("Predicted step of %1, linear loop")
+                                    .arg(QString::fromStdString(scale.text(1.0 / scale.factor)))),
                            {utf8(Words::tr("time")), "s", false, {}, {}, {}},
                            {std::move(response), std::move(current)}};
 }
 
 std::optional<widgets::Figure> largeStepFigure(const AnalysisResult& predicted,
-                                               const std::optional<AnalysisResult>& present) {
+                                               const std::optional<AnalysisResult>& present,
+                                               widgets::AngleUnit unit) {
     if (!predicted.largeStep || predicted.largeStep->trace.time_s.empty()) {
         return std::nullopt;
     }
     widgets::Figure figure;
-    widgets::Panel current = angleOverCurrent(figure);
+    const AngleScale scale = scaleOf(unit);
+    widgets::Panel current = angleOverCurrent(figure, scale);
     widgets::Panel& angle = figure.panels.front();
     const auto add = [&](const LargeStep& step, const std::string& label, CurveStyle style, int colour) {
-        angle.curves.push_back({label, step.trace.time_s, inDegrees(step.trace.angle_rad), style, colour});
+        angle.curves.push_back({label, step.trace.time_s, scale.of(step.trace.angle_rad), style, colour});
         current.curves.push_back({label, step.trace.time_s, step.trace.current_A, style, colour});
     };
     if (present && present->largeStep) {
         add(*present->largeStep, utf8(Words::tr("before")), CurveStyle::DashedLine, 1);
     }
     add(*predicted.largeStep, present ? utf8(Words::tr("proposed")) : "", CurveStyle::Line, 0);
-    const double height_deg = radiansToDegrees(predicted.largeStep->amplitude_rad);
-    const double band_deg = radiansToDegrees(predicted.frictionBand_rad);
-    if (std::isfinite(band_deg) && band_deg < height_deg) {
-        angle.lines = {{Direction::Horizontal, height_deg + band_deg, utf8(Words::tr("friction band"))},
-                       {Direction::Horizontal, height_deg - band_deg, {}}};
+    const double height_rad = predicted.largeStep->amplitude_rad;
+    const double band_rad = predicted.frictionBand_rad;
+    if (std::isfinite(band_rad) && band_rad < height_rad) {
+        angle.lines = {
+            {Direction::Horizontal, scale.factor * (height_rad + band_rad), utf8(Words::tr("friction band"))},
+            {Direction::Horizontal, scale.factor * (height_rad - band_rad), {}}};
     }
-    figure.title = fmt::format(
-        "{} {:.0f}\u00b0", utf8(Words::tr("Predicted step with friction and current limit,")), height_deg);
+    figure.title = fmt::format("{} {}", utf8(Words::tr("Predicted step with friction and current limit,")),
+                               scale.text(height_rad));
     figure.panels.push_back(std::move(current));
     return figure;
 }
 
-widgets::Figure verificationFigure(const models::IdealTrace& predicted, const Recording& measured) {
+namespace {
+
+std::vector<double> difference(const std::vector<double>& one, const std::vector<double>& other) {
+    std::vector<double> result;
+    result.reserve(one.size());
+    for (std::size_t i = 0; i < one.size() && i < other.size(); ++i) {
+        result.push_back(one[i] - other[i]);
+    }
+    return result;
+}
+
+/// What is left of a curve to the set-point it should reach, around zero as far as the bands matter.
+widgets::Panel remainder(const VerificationBand& band, const AngleScale& scale, double end_s) {
+    constexpr double Around_ratio = 2.5; // of the allowed error: what is on its way leaves the panel
+    const double extent = Around_ratio * scale.factor * std::max(band.allowed_rad, band.friction_rad);
+    widgets::Panel panel;
+    panel.height_px = 150;
+    panel.y = {utf8(Words::tr("error")), scale.symbol, false, -extent, extent, {}};
+    const auto addBand = [&](const QString& name, double half_rad, CurveStyle style, int colour) {
+        const std::string label = utf8(name.arg(QString::fromStdString("\u00b1" + scale.text(half_rad, 2))));
+        for (const double side : {1.0, -1.0}) {
+            const double at = side * scale.factor * half_rad;
+            panel.curves.push_back({label, {0.0, end_s}, {at, at}, style, colour});
+        }
+    };
+    addBand(Words::tr("allowed %1"), band.allowed_rad, CurveStyle::DashedLine, 2);
+    addBand(Words::tr("friction band %1"), band.friction_rad, CurveStyle::DottedLine, 3);
+    return panel;
+}
+
+} // namespace
+
+widgets::Figure verificationFigure(const VerificationBand& band, const Recording& measured,
+                                   widgets::AngleUnit unit) {
+    const AngleScale scale = scaleOf(unit);
+    models::IdealTrace predicted = band.predicted;
+    const double end_s = measured.time_s.empty() ? 0.0 : measured.time_s.back();
     widgets::Figure figure;
     figure.title = utf8(Words::tr("Verification move"));
-    widgets::Panel current = angleOverCurrent(figure);
+    widgets::Panel current = angleOverCurrent(figure, scale);
+    widgets::Panel rest = remainder(band, scale, end_s);
     widgets::Panel& angle = figure.panels.front();
-    angle.curves = {{utf8(Words::tr("predicted")), predicted.time_s, inDegrees(predicted.angle_rad),
-                     CurveStyle::DashedLine, 1}};
-    current.curves = {
-        {utf8(Words::tr("predicted")), predicted.time_s, predicted.current_A, CurveStyle::DashedLine, 1}};
+    const std::string predictedWord = utf8(Words::tr("predicted"));
+    const std::string measuredWord = utf8(Words::tr("measured"));
+    const std::vector<double> reference = scale.of(predicted.reference_rad);
+    const auto addAngle = [&](const std::string& label, const std::vector<double>& time_s,
+                              std::vector<double> shown, const std::vector<double>& wanted, CurveStyle style,
+                              int colour) {
+        rest.curves.push_back({label, time_s, difference(wanted, shown), style, colour});
+        angle.curves.push_back({label, time_s, std::move(shown), style, colour});
+    };
+    angle.curves.push_back(
+        {utf8(Words::tr("set-point")), predicted.time_s, reference, CurveStyle::DottedLine, 7});
+    addAngle(predictedWord, predicted.time_s, scale.of(predicted.angle_rad), reference,
+             CurveStyle::DashedLine, 1);
+    current.curves = {{predictedWord, predicted.time_s, predicted.current_A, CurveStyle::DashedLine, 1}};
     const std::vector<double> position =
         measured.layout ? measured.column("position") : std::vector<double>{};
     if (!position.empty()) {
-        angle.curves.push_back({utf8(Words::tr("measured")), measured.time_s,
-                                inDegrees(position, position.front()), CurveStyle::Line, 0});
+        std::vector<double> wanted(position.size(), reference.empty() ? 0.0 : reference.back());
+        addAngle(measuredWord, measured.time_s, scale.of(position, position.front()), wanted,
+                 CurveStyle::Line, 0);
     }
     const std::vector<double> command =
         measured.layout ? measured.column("current_command") : std::vector<double>{};
     if (!command.empty()) {
-        current.curves.push_back(
-            {utf8(Words::tr("measured")), measured.time_s, command, CurveStyle::Line, 0});
+        current.curves.push_back({measuredWord, measured.time_s, command, CurveStyle::Line, 0});
     }
+    figure.panels.push_back(std::move(rest));
     figure.panels.push_back(std::move(current));
     return figure;
 }

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "app/procedures/analyse.h"
+#include "app/procedures/apply_procedure.h"
 #include "control/base/sample_block.h"
+#include "widgets/display_units.h"
 #include "widgets/figure.h"
 
 #include <optional>
@@ -13,16 +14,21 @@ namespace halbench::app {
 /// Open loop with its margins marked; `present` is the loop of the gains that run now, drawn beside it.
 widgets::Figure openLoopFigure(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present);
 
-/// Step of 1 rad of the linear loop with its current, `present` beside it; nothing for an unstable loop.
+/// Step of 1 rad or 1 degree of the linear loop with its current, `present` beside it; nothing for an
+/// unstable loop.
 std::optional<widgets::Figure> linearStepFigure(const AnalysisResult& predicted,
-                                                const std::optional<AnalysisResult>& present);
+                                                const std::optional<AnalysisResult>& present,
+                                                widgets::AngleUnit unit = widgets::AngleUnit::Radian);
 
-/// The large step with friction and current limit, in degrees, with the band in which friction may hold the
-/// rotor; `present` beside it. Nothing when it was not predicted.
+/// The large step with friction and current limit, with the band in which friction may hold the rotor;
+/// `present` beside it. Nothing when it was not predicted.
 std::optional<widgets::Figure> largeStepFigure(const AnalysisResult& predicted,
-                                               const std::optional<AnalysisResult>& present);
+                                               const std::optional<AnalysisResult>& present,
+                                               widgets::AngleUnit unit = widgets::AngleUnit::Degree);
 
-/// A verifying move: measured over predicted, in degrees from the start, with the current below.
-widgets::Figure verificationFigure(const models::IdealTrace& predicted, const Recording& measured);
+/// A verifying step from its start: measured over predicted with the set-point; what is left to the set-point
+/// with the error that the prediction allows and what friction may hold; the current.
+widgets::Figure verificationFigure(const VerificationBand& band, const Recording& measured,
+                                   widgets::AngleUnit unit = widgets::AngleUnit::Degree);
 
 } // namespace halbench::app

@@ -48,6 +48,12 @@ CalibratePanel::CalibratePanel(Workbench& workbench, QWidget* parent) : WizardPa
             m_progress->setText(widgets::inWords(text));
         }
     });
+    connect(&bench(), &Workbench::displayUnitsChanged, this, [this] {
+        refreshPlan();
+        if (m_result) {
+            showResult();
+        }
+    });
     m_frame.setInterval(Frame_ms);
     connect(&m_frame, &QTimer::timeout, this, &CalibratePanel::showLive);
     CalibratePanel::refreshWords();
@@ -191,7 +197,7 @@ CalibrateConfig CalibratePanel::config() const {
 }
 
 void CalibratePanel::refreshPlan() {
-    m_outlook->setText(calibrationOutlook(config()));
+    m_outlook->setText(calibrationOutlook(config(), bench().displayUnits()));
     m_start->setEnabled(!config().which.empty() && m_preflight->isPassed());
     const DeviceSession& session = bench().session();
     // Armed by hand, the angle that holds the rotor would jump with its calibration.

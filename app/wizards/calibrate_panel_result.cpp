@@ -64,10 +64,10 @@ void CalibratePanel::showResult() {
     showRows();
     showNote(*m_friction, breakawayNote(*m_result));
     m_provenance->setText(provenanceText(m_header, m_result->duration_s, std::nullopt));
-    m_gain->setText(calibrationGain(*m_result));
+    m_gain->setText(calibrationGain(*m_result, bench().displayUnits()));
     m_gain->setVisible(!m_gain->text().isEmpty());
     const bool hasFigure = !m_result->staticFriction.empty();
-    m_figure->setFigure(hasFigure ? staticFrictionFigure(m_result->staticFriction) : widgets::Figure{});
+    m_figure->setFigure(hasFigure ? staticFrictionFigure(m_result->staticFriction, bench().displayUnits().angle) : widgets::Figure{});
     m_figure->setVisible(hasFigure);
     refreshPlan();
 }
@@ -76,7 +76,8 @@ void CalibratePanel::showResult() {
 void CalibratePanel::showRows() {
     if (m_result) {
         const bool isKnown = bench().session().state() == SessionState::Connected && isOfThisDevice();
-        m_table->setRows(calibrationRows(*m_result, isKnown ? &bench().deviceValues() : nullptr));
+        m_table->setRows(calibrationRows(*m_result, isKnown ? &bench().deviceValues() : nullptr,
+                                         bench().displayUnits()));
     }
 }
 

@@ -2,7 +2,6 @@
 
 #include "app/wizards/identify_words.h"
 #include "control/base/unit_text.h"
-#include "control/base/units.h"
 #include "widgets/display_units.h"
 
 #include <QCoreApplication>
@@ -24,7 +23,7 @@ struct Shown {
     double factor;
 };
 
-Shown shownUnit(const std::string& unit) {
+Shown shownUnit(const std::string& unit, const DisplayUnits& units) {
     if (unit == "T") {
         return {QStringLiteral("mT"), 1e3};
     }
@@ -32,7 +31,8 @@ Shown shownUnit(const std::string& unit) {
         return {QStringLiteral("mT/A"), 1e3};
     }
     if (unit == "rad") {
-        return {QStringLiteral("\u00b0"), radiansToDegrees(1.0)};
+        const widgets::DisplayUnit shown = widgets::displayUnit("rad", units.angle);
+        return {shown.text, shown.factor};
     }
     return {QString::fromStdString(unitText(unit)), 1.0};
 }
@@ -83,7 +83,7 @@ QString besideText(const std::string& name, double factor, const CalibrateResult
 
 } // namespace
 
-QString calibrationOutlook(const CalibrateConfig& config) {
+QString calibrationOutlook(const CalibrateConfig& config, const DisplayUnits& units) {
     QStringList lines;
     for (const Calibration which : config.which) {
         switch (which) {
@@ -106,16 +106,18 @@ QString calibrationOutlook(const CalibrateConfig& config) {
     if (lines.isEmpty()) {
         return Words::tr("Choose at least one calibration.");
     }
-    lines << Words::tr("The board ends the motion at %1 rad/s. Nothing is changed until you apply it.")
-                 .arg(QLocale().toString(config.speedLimit_rad_s, 'f', 0));
+    const DisplayQuantity speed = displayQuantity("rad/s", units);
+    lines << Words::tr("The board ends the motion at %1 %2. Nothing is changed until you apply it.")
+                 .arg(QLocale().toString(config.speedLimit_rad_s * speed.factor, 'f', 0), speed.unit);
     return lines.join(QLatin1Char('\n'));
 }
 
 std::vector<widgets::EstimateRow> calibrationRows(const CalibrateResult& result,
-                                                  const std::map<std::string, double>* deviceValues) {
+                                                  const std::map<std::string, double>* deviceValues,
+                                                  const DisplayUnits& units) {
     std::vector<widgets::EstimateRow> rows;
     for (const CalibrationFigure& figure : result.figures) {
-        const Shown shown = shownUnit(figure.unit);
+        const Shown shown = shownUnit(figure.unit, units);
         const auto scaled = [&](double value) { return value * shown.factor; };
         widgets::EstimateRow row;
         row.name = nameOf(figure.name);
@@ -134,15 +136,12 @@ std::vector<widgets::EstimateRow> calibrationRows(const CalibrateResult& result,
     return rows;
 }
 
-QString calibrationGain(const CalibrateResult& result) {
+QString calibrationGain(const CalibrateResult& result, const DisplayUnits& units) {
     if (!(result.residualBefore_rad > 0.0)) {
         return {};
     }
-    const auto degrees = [](double angle_rad) {
-        return QLocale().toString(radiansToDegrees(angle_rad), 'f', 3) + QStringLiteral("\u00b0");
-    };
     return Words::tr("Residual angle error: %1 with the values from before, %2 with the proposed ones.")
-               .arg(degrees(result.residualBefore_rad), degrees(result.residualAfter_rad)) +
+               .arg(angleText(result.residualBefore_rad, units), angleText(result.residualAfter_rad, units)) +
            QLatin1Char(' ') +
            Words::tr("It is the root mean square (rms) over a turn of the distance between the angle that is "
                      "read and that of the ellipse, before the map.");

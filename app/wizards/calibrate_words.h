@@ -2,6 +2,7 @@
 
 #include "app/batch/result_header.h"
 #include "app/procedures/calibrate_procedure.h"
+#include "app/workspaces/display_quantity.h"
 #include "widgets/estimate_table.h"
 
 #include <QString>
@@ -13,15 +14,17 @@
 namespace halbench::app {
 
 /// What each calibration does to the rotor, before anything moves.
-QString calibrationOutlook(const CalibrateConfig& config);
+QString calibrationOutlook(const CalibrateConfig& config, const DisplayUnits& units);
 
 /// What was found, with the value that the device has now beside it where the figure is a parameter; without
-/// a device the one that it had. T and rad are shown as mT and degrees.
+/// a device the one that it had. T is shown as mT, an angle as the
+/// user prefers.
 std::vector<widgets::EstimateRow> calibrationRows(const CalibrateResult& result,
-                                                  const std::map<std::string, double>* deviceValues);
+                                                  const std::map<std::string, double>* deviceValues,
+                                                  const DisplayUnits& units);
 
 /// Residual angle error before and after, and what that is; empty where the sensors were not calibrated.
-QString calibrationGain(const CalibrateResult& result);
+QString calibrationGain(const CalibrateResult& result, const DisplayUnits& units);
 
 /// That the static breakaway current is not Identify's K_f/phi, with a link to the help; empty without it.
 QString breakawayNote(const CalibrateResult& result);

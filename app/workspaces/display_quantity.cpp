@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 
+#include <cmath>
 #include <string_view>
 
 namespace halbench::app {
@@ -95,6 +96,17 @@ DisplayQuantity displayQuantity(const std::string& symbol, const DisplayUnits& u
     const std::optional<Unit> unit = findUnit(symbol);
     const QString quantity = unit ? widgets::inWords(std::string(unit->quantity)) : QString();
     return {quantity, QString::fromStdString(unitText(symbol)), 1.0, 4, 999.0};
+}
+
+double shownStep(const DisplayQuantity& shown, double step) {
+    return std::pow(10.0, std::round(std::log10(step * shown.factor)));
+}
+
+QString angleText(double angle_rad, const DisplayUnits& units, int significantDigits) {
+    const widgets::DisplayUnit shown = widgets::displayUnit("rad", units.angle);
+    const bool isDegree = units.angle == widgets::AngleUnit::Degree;
+    return widgets::numberText(angle_rad * shown.factor, significantDigits) +
+           (isDegree ? QString::fromUtf8(Degree) : QStringLiteral(" rad"));
 }
 
 QString signalWords(const std::string& name) {

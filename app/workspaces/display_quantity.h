@@ -31,6 +31,12 @@ struct DisplayQuantity {
 /// user prefers, mT, A, °C. A unit that is not in it is shown as it is.
 DisplayQuantity displayQuantity(const std::string& symbol, const DisplayUnits& units);
 
+/// A power of ten near this step in SI, for a field that shows the quantity.
+double shownStep(const DisplayQuantity& shown, double step);
+
+/// An angle with its unit as the user prefers it: "8.21°", "0.143 rad".
+QString angleText(double angle_rad, const DisplayUnits& units, int significantDigits = 3);
+
 /// A signal in words ("Hall A"); the name itself when there are none.
 QString signalWords(const std::string& name);
 

@@ -36,13 +36,6 @@ std::vector<std::string> shownSignals() {
             "reference.running"};
 }
 
-QString valueText(double value, BoardMode mode) {
-    const bool isAngle = mode == BoardMode::Position;
-    const double shown = isAngle ? radiansToDegrees(value) : value;
-    return QLocale().toString(shown, 'f', isAngle ? 2 : 3) +
-           (isAngle ? QStringLiteral(" \u00b0") : QStringLiteral(" A"));
-}
-
 } // namespace
 
 DrivePanel::DrivePanel(Workbench& bench, QWidget* parent)
@@ -62,7 +55,9 @@ DrivePanel::DrivePanel(Workbench& bench, QWidget* parent)
     connect(&m_bench, &Workbench::valuesChanged, this, &DrivePanel::describeMotion);
     connect(&m_frame, &QTimer::timeout, this, &DrivePanel::refreshLive);
     m_frame.start(LivePeriod_ms);
+    connect(&m_bench, &Workbench::displayUnitsChanged, this, &DrivePanel::onUnits);
     m_bench.liveSignals().want(this, shownSignals());
+    onUnits();
     refreshUnits();
     refresh();
 }
@@ -171,15 +166,13 @@ void DrivePanel::onSetpoint() {
         return;
     }
     m_setpoint->interpretText();
-    const double shown = m_setpoint->value();
-    m_control.setSetpoint(m_control.mode() == BoardMode::Position ? degreesToRadians(shown) : shown);
+    m_control.setSetpoint(m_setpoint->value() / factor());
 }
 
 /// Nothing is sent; a field that was left shows what holds, so that a Go behind it moves nothing either.
 void DrivePanel::onSetpointRefused(const QString& text) {
     if (!m_setpoint->hasFocus()) {
-        const double now = m_control.setpoint();
-        m_setpoint->setValue(m_control.mode() == BoardMode::Position ? radiansToDegrees(now) : now);
+        m_setpoint->setValue(m_control.setpoint() * factor());
     }
     showError(tr("'%1' is not a set-point, nothing was sent.").arg(text.trimmed()),
               tr("Allowed: %1.").arg(m_setpoint->rangeText()));
@@ -211,7 +204,7 @@ void DrivePanel::refresh() {
     for (QWidget* mover : movers) {
         mover->setEnabled(canMove);
     }
-    m_setpointNow->setText(canMove ? tr("Now %1").arg(valueText(m_control.setpoint(), m_control.mode()))
+    m_setpointNow->setText(canMove ? tr("Now %1").arg(valueText(m_control.setpoint()))
                                    : tr("Arm first; set-points start at zero."));
     describeMotion();
 }
@@ -262,26 +255,54 @@ void DrivePanel::refreshState() {
     showRole(*m_state, role);
 }
 
-void DrivePanel::refreshUnits() {
+double DrivePanel::factor() const {
+    return m_control.mode() == BoardMode::Position ? displayQuantity("rad", m_units).factor : 1.0;
+}
+
+QString DrivePanel::valueText(double value) const {
+    const DisplayQuantity shown =
+        displayQuantity(m_control.mode() == BoardMode::Position ? "rad" : "A", m_units);
+    return QLocale().toString(value * shown.factor, 'f', shown.decimals) + QLatin1Char(' ') + shown.unit;
+}
+
+void DrivePanel::dressSetpoint() {
+    constexpr double Farthest_deg = 36000.0;
     const bool isAngle = m_control.mode() == BoardMode::Position;
-    dressNumberField(*m_setpoint, isAngle ? NumberField{tr("Set-point"),
-                                                        tr("Angle from where it was armed (Enter sends it)"),
-                                                        QStringLiteral("\u00b0"), 2, -36000.0, 36000.0, 1.0}
-                                          : NumberField{tr("Set-point"), tr("Current (Enter sends it)"),
-                                                        QStringLiteral("A"), 3, -4.0, 4.0, 0.1});
+    const DisplayQuantity shown = displayQuantity(isAngle ? "rad" : "A", m_units);
+    const double most = isAngle ? degreesToRadians(Farthest_deg) * shown.factor : 4.0;
+    const double step = isAngle ? shownStep(shown, degreesToRadians(1.0)) : 0.1;
+    dressNumberField(*m_setpoint, {tr("Set-point"),
+                                   isAngle ? tr("Angle from where it was armed (Enter sends it)")
+                                           : tr("Current (Enter sends it)"),
+                                   shown.unit, shown.decimals, -most, most, step});
+}
+
+/// Of another mode: what was typed meant something else.
+void DrivePanel::refreshUnits() {
+    dressSetpoint();
     m_setpoint->setValue(0.0);
-    m_jog->setAngular(isAngle);
+    m_jog->setAngular(m_control.mode() == BoardMode::Position);
     m_reference->setMode(m_control.mode());
     describeMotion();
+}
+
+/// Every field shows the same motion in the units that are preferred now.
+void DrivePanel::onUnits() {
+    const double value = m_setpoint->value() / factor();
+    m_units = m_bench.displayUnits();
+    dressSetpoint();
+    m_setpoint->setValue(value * factor());
+    m_jog->setUnits(m_units);
+    m_reference->setUnits(m_units);
+    refresh();
 }
 
 /// What starting would do, before it is done.
 void DrivePanel::describeMotion() {
     const BoardMode mode = m_control.mode();
     const double peak = m_reference->peak();
-    QString words = mode == BoardMode::Position
-                        ? tr("Moves up to %1 from where it is.").arg(valueText(peak, mode))
-                        : tr("Commands up to %1.").arg(valueText(peak, mode));
+    QString words = mode == BoardMode::Position ? tr("Moves up to %1 from where it is.").arg(valueText(peak))
+                                                : tr("Commands up to %1.").arg(valueText(peak));
     widgets::Role role = widgets::Role::Muted;
     const double window_rad = m_bench.deviceValue("window.position").value_or(0.0);
     const bool isWatched = m_bench.deviceValue("window.position_enabled").value_or(0.0) > 0.5;
@@ -306,7 +327,7 @@ void DrivePanel::refreshLive() {
     const bool isRunning = m_control.isArmed() && running && running->value > 0.5;
     m_end->setEnabled(isRunning && m_control.isAvailable());
     if (m_control.isJogging()) {
-        m_setpointNow->setText(tr("Now %1").arg(valueText(m_control.setpoint(), m_control.mode())));
+        m_setpointNow->setText(tr("Now %1").arg(valueText(m_control.setpoint())));
     }
 }
 

@@ -47,6 +47,10 @@ private:
     void refreshMode();
     void refreshState();
     void refreshUnits();
+    void dressSetpoint();
+    double factor() const; ///< of the set-point: shown over rad or A
+    QString valueText(double value) const;
+    void onUnits();
     void refreshLive();
     void describeMotion();
     void showError(const QString& text, const QString& remedy);
@@ -58,6 +62,7 @@ private:
     Asking m_asking = Asking::Nothing;
     bool m_wasArmed = false;
     devices::BoardMode m_shownMode; ///< whose units the fields have
+    DisplayUnits m_units;           ///< that they show
     QTimer m_frame;                 ///< ten times a second
     widgets::MessageBar* m_message = nullptr;
     QLabel* m_state = nullptr;

@@ -80,6 +80,10 @@ widgets::DisplayUnit GainEditor::unitOf(const Row& row) const {
                                                                    : widgets::AngleUnit::Degree);
 }
 
+void GainEditor::setAngleUnit(widgets::AngleUnit unit) {
+    m_unit->setCurrentIndex(unit == widgets::AngleUnit::Radian ? 0 : 1);
+}
+
 void GainEditor::refreshNumbers() {
     for (const Row& row : m_rows) {
         row.edit->setValue(row.value.value * unitOf(row).factor);

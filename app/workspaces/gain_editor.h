@@ -25,6 +25,8 @@ class GainEditor : public QWidget {
 public:
     explicit GainEditor(QWidget* parent = nullptr);
 
+    /// The preferred one; who chooses another here has it until the preference changes.
+    void setAngleUnit(widgets::AngleUnit unit);
     void setLaw(const control::PositionLaw& law);
     /// Errors: InvalidInput naming the field; of lawFromParameters.
     Result<control::PositionLaw> law() const;

@@ -14,6 +14,12 @@
 
 namespace halbench::app {
 
+namespace {
+
+constexpr double Speed_rad_s = degreesToRadians(45.0); ///< that jogging begins with
+
+} // namespace
+
 HoldButton::HoldButton(const QString& text, QWidget* parent) : QPushButton(text, parent) {
     setAutoDefault(false);
     connect(this, &QPushButton::pressed, this, &HoldButton::begin);
@@ -77,15 +83,31 @@ void JogRow::setAngular(bool isAngular) {
         return; // keeps the speed that was chosen
     }
     m_isAngular = isAngular;
-    if (isAngular) {
-        dressNumberField(*m_rate, {tr("Jog speed"), tr("How fast it moves while a button is held"),
-                                   QStringLiteral("\u00b0/s"), 1, 0.1, 3600.0, 10.0});
-        m_rate->setValue(45.0);
-    } else {
+    dress();
+    m_rate->setValue(isAngular ? Speed_rad_s * displayQuantity("rad/s", m_units).factor : 0.5);
+}
+
+void JogRow::setUnits(const DisplayUnits& units) {
+    const double factor = displayQuantity("rad/s", m_units).factor;
+    m_units = units;
+    if (*m_isAngular) {
+        const double speed_rad_s = m_rate->value() / factor;
+        dress();
+        m_rate->setValue(speed_rad_s * displayQuantity("rad/s", m_units).factor);
+    }
+}
+
+void JogRow::dress() {
+    if (!*m_isAngular) {
         dressNumberField(*m_rate, {tr("Jog current"), tr("The current while a button is held"),
                                    QStringLiteral("A"), 3, 0.01, 4.0, 0.1});
-        m_rate->setValue(0.5);
+        return;
     }
+    const DisplayQuantity shown = displayQuantity("rad/s", m_units);
+    dressNumberField(*m_rate,
+                     {tr("Jog speed"), tr("How fast it moves while a button is held"), shown.unit,
+                      shown.decimals + 1, degreesToRadians(0.1) * shown.factor,
+                      degreesToRadians(3600.0) * shown.factor, shownStep(shown, degreesToRadians(10.0))});
 }
 
 void JogRow::start(double sign) {
@@ -94,7 +116,7 @@ void JogRow::start(double sign) {
         Q_EMIT refused(widgets::inWords(rate.error().message), widgets::inWords(rate.error().hint));
         return;
     }
-    Q_EMIT jogStarted(sign * (*m_isAngular ? degreesToRadians(*rate) : *rate));
+    Q_EMIT jogStarted(sign * (*m_isAngular ? *rate / displayQuantity("rad/s", m_units).factor : *rate));
 }
 
 } // namespace halbench::app

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/workspaces/display_quantity.h"
+
 #include <QPushButton>
 #include <QWidget>
 
@@ -46,7 +48,8 @@ class JogRow : public QWidget {
 public:
     explicit JogRow(QWidget* parent = nullptr);
 
-    void setAngular(bool isAngular); ///< degrees per second, else ampere
+    void setAngular(bool isAngular); ///< a speed, else ampere
+    void setUnits(const DisplayUnits& units);
 
 Q_SIGNALS:
     void jogStarted(double rate); ///< rad/s or A
@@ -56,7 +59,9 @@ Q_SIGNALS:
 private:
     HoldButton* addButton(const QString& text, const QString& toolTip, double sign);
     void start(double sign);
+    void dress();
 
+    DisplayUnits m_units;
     std::optional<bool> m_isAngular;
     widgets::QuantityEdit* m_rate = nullptr;
     NumberCheck* m_check = nullptr; ///< of the rate

@@ -38,6 +38,9 @@ ParametersPanel::ParametersPanel(Workbench& bench, QWidget* parent, const QStrin
     connect(&m_bench, &Workbench::deviceChanged, this, &ParametersPanel::onDevice);
     connect(&m_bench, &Workbench::valuesChanged, this, &ParametersPanel::onValues);
     connect(&m_bench.session(), &DeviceSession::procedureChanged, this, &ParametersPanel::onDevice);
+    const auto useUnits = [this] { m_table->setAngleUnit(m_bench.displayUnits().angle); };
+    connect(&m_bench, &Workbench::displayUnitsChanged, this, useUnits);
+    useUnits();
     connect(&m_look, &QTimer::timeout, this, &ParametersPanel::look);
     m_look.start(LookPeriod_ms);
     onDevice();

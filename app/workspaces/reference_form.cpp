@@ -37,15 +37,15 @@ struct Range {
 struct FieldSpec {
     Field field;
     Words words;
-    const char* angleUnit; ///< in position mode
+    const char* angleUnit; ///< SI, in position mode
     const char* currentUnit;
-    Range angle;
+    Range angle; ///< of angles and speeds in degrees
     Range current;
 };
 
 constexpr Range Frequencies{0.001, 200.0, 1.0, 0.1, 3};
 
-/// The board's limits: resources/help/protocol.md 3.15. Angles are shown in degrees.
+/// The board's limits: resources/help/protocol.md 3.15. Shown as the user prefers.
 constexpr FieldSpec Fields[] = {
     {Field::Amplitude,
      {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Amplitude"),
@@ -53,14 +53,14 @@ constexpr FieldSpec Fields[] = {
           "halbench::app::ReferenceForm",
           "Height of the step or of one stair, amplitude of sine and chirp, rms of a multisine, "
           "end of a ramp (0: no end)")},
-     "\u00b0",
+     "rad",
      "A",
      {-36000.0, 36000.0, 30.0, 1.0, 2},
      {-4.0, 4.0, 0.5, 0.1, 3}},
     {Field::Rate,
      {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Slope"),
       QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "How fast the ramp rises; negative: backward")},
-     "\u00b0/s",
+     "rad/s",
      "A/s",
      {-36000.0, 36000.0, 90.0, 10.0, 2},
      {-100.0, 100.0, 0.5, 0.1, 3}},
@@ -105,7 +105,7 @@ constexpr FieldSpec Fields[] = {
      {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Base"),
       QT_TRANSLATE_NOOP("halbench::app::ReferenceForm",
                         "Constant motion, or constant current, added to the shape")},
-     "\u00b0/s",
+     "rad/s",
      "A",
      {-36000.0, 36000.0, 0.0, 10.0, 2},
      {-4.0, 4.0, 0.0, 0.1, 3}},
@@ -157,6 +157,11 @@ bool has(int shape, Field field) {
     return std::find(fields.begin(), fields.end(), field) != fields.end();
 }
 
+const FieldSpec& specOf(Field field) {
+    return *std::find_if(std::begin(Fields), std::end(Fields),
+                         [field](const FieldSpec& each) { return each.field == field; });
+}
+
 bool isAngular(Field field) {
     return field == Field::Amplitude || field == Field::Rate || field == Field::Base;
 }
@@ -190,9 +195,7 @@ void ReferenceForm::addNumber(Field field) {
     m_numbers[field] = box;
     m_checks[field] = new NumberCheck(*box);
     connect(m_checks.at(field), &NumberCheck::refused, this, &ReferenceForm::refused);
-    const auto* spec = std::find_if(std::begin(Fields), std::end(Fields),
-                                    [field](const FieldSpec& each) { return each.field == field; });
-    label(box, tr(spec->words.text));
+    label(box, tr(specOf(field).words.text));
     connect(box, QOverload<double>::of(&widgets::QuantityEdit::valueChanged), this, &ReferenceForm::changed);
 }
 
@@ -206,16 +209,55 @@ void ReferenceForm::fillShapes() {
     }
     m_shape->setCurrentIndex(std::clamp(before, 0, shapes - 1));
     for (const FieldSpec& spec : Fields) {
-        const Range& range = isPosition() ? spec.angle : spec.current;
         widgets::QuantityEdit* box = m_numbers.at(spec.field);
         const QSignalBlocker quietBox(box);
-        dressNumberField(*box, {tr(spec.words.text), tr(spec.words.help),
-                                QString::fromUtf8(isPosition() ? spec.angleUnit : spec.currentUnit),
-                                range.decimals, range.min, range.max, range.step});
+        dress(spec.field);
         if (before < 0 || isAngular(spec.field)) {
-            box->setValue(range.initial);
+            const Range& range = isPosition() ? spec.angle : spec.current;
+            const bool isInDegrees = isPosition() && isAngular(spec.field);
+            const double initial = isInDegrees ? degreesToRadians(range.initial) : range.initial;
+            box->setValue(initial * shownAs(spec.field).factor);
         }
     }
+}
+
+/// As shown by the field; only angles and speeds depend on what the user prefers.
+DisplayQuantity ReferenceForm::shownAs(Field field) const {
+    const FieldSpec& spec = specOf(field);
+    if (isPosition() && isAngular(field)) {
+        return displayQuantity(spec.angleUnit, m_units);
+    }
+    const QString unit = QString::fromUtf8(isPosition() ? spec.angleUnit : spec.currentUnit);
+    return {{}, unit, 1.0, (isPosition() ? spec.angle : spec.current).decimals, 1.0};
+}
+
+void ReferenceForm::dress(Field field) {
+    const FieldSpec& spec = specOf(field);
+    const DisplayQuantity shown = shownAs(field);
+    Range range = isPosition() ? spec.angle : spec.current;
+    if (isPosition() && isAngular(field)) {
+        range = {degreesToRadians(range.min) * shown.factor, degreesToRadians(range.max) * shown.factor, 0.0,
+                 shownStep(shown, degreesToRadians(range.step)), shown.decimals};
+    }
+    dressNumberField(*m_numbers.at(field), {tr(spec.words.text), tr(spec.words.help), shown.unit,
+                                            range.decimals, range.min, range.max, range.step});
+}
+
+void ReferenceForm::setUnits(const DisplayUnits& units) {
+    if (units == m_units) {
+        return;
+    }
+    std::map<Field, double> values;
+    for (const FieldSpec& spec : Fields) {
+        values[spec.field] = m_numbers.at(spec.field)->value() / shownAs(spec.field).factor;
+    }
+    m_units = units;
+    for (const auto& [field, value] : values) {
+        const QSignalBlocker quiet(m_numbers.at(field));
+        dress(field);
+        m_numbers.at(field)->setValue(value * shownAs(field).factor);
+    }
+    Q_EMIT changed();
 }
 
 void ReferenceForm::setMode(devices::BoardMode mode) {
@@ -261,8 +303,7 @@ double ReferenceForm::valueOf(Field field) const {
     if (!has(shape(), field)) {
         return 0.0;
     }
-    const double shown = m_numbers.at(field)->value();
-    return isPosition() && isAngular(field) ? degreesToRadians(shown) : shown;
+    return m_numbers.at(field)->value() / shownAs(field).factor;
 }
 
 /// In the current modes its angles are currents; the board's generator does not know the difference.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/procedures/move_reference.h"
+#include "app/workspaces/display_quantity.h"
 #include "devices/device.h"
 
 #include <QWidget>
@@ -31,6 +32,8 @@ public:
 
     explicit ReferenceForm(QWidget* parent = nullptr);
 
+    /// Fields show the same motion in other units.
+    void setUnits(const DisplayUnits& units);
     /// Angles in position mode, currents in the others; plateaus belong to the current modes.
     void setMode(devices::BoardMode mode);
     /// 1 ... 7, the board's codes; 7 are plateaus.
@@ -50,12 +53,15 @@ private:
     void label(QWidget* field, const QString& title);
     void refresh();
     void fillShapes();
+    void dress(Field field);
+    DisplayQuantity shownAs(Field field) const;
     double valueOf(Field field) const; ///< SI
     MoveReference reference() const;
     Result<std::vector<double>> plateaus_A() const;
     Result<std::vector<ParameterValue>> plateauValues() const;
     bool isPosition() const { return m_mode == devices::BoardMode::Position; }
 
+    DisplayUnits m_units;
     devices::BoardMode m_mode = devices::BoardMode::Position;
     QFormLayout* m_rows = nullptr;
     QComboBox* m_shape = nullptr;

@@ -10,7 +10,6 @@
 #include <QKeyEvent>
 
 #include <cmath>
-#include <functional>
 
 namespace halbench::app {
 namespace {
@@ -39,68 +38,106 @@ QString stepWords(const std::optional<control::StepMetrics>& step) {
                 : QStringLiteral("\u2013");
 }
 
-} // namespace
-
-std::vector<TuneNumber> tuneNumbers(const TuneResult& proposed,
-                                    const std::optional<AnalysisResult>& present) {
-    std::vector<TuneNumber> numbers;
-    const auto row = [&](const QString& name, const QString& help,
-                         const std::function<QString(const AnalysisResult&)>& text) {
-        numbers.push_back({name, text(proposed.predicted), present ? text(*present) : QString(), help});
-    };
-    row(Words::tr("Closed loop"), Words::tr("Poles of the sampled loop with the device's delay"),
-        [](const AnalysisResult& loop) {
-            return loop.isStable ? Words::tr("stable") : Words::tr("UNSTABLE");
-        });
-    row(Words::tr("Gain margin"),
-        Words::tr("Factor on the gain that makes the loop unstable; at least 2 is usual"),
-        [](const AnalysisResult& loop) {
-            return amount(loop.margins.gainMargin_ratio, QStringLiteral(" \u00d7"));
-        });
-    row(Words::tr("Phase margin"), Words::tr("At the gain crossover; at least 30\u00b0 is usual"),
-        [](const AnalysisResult& loop) {
-            return amount(loop.margins.phaseMargin_deg, QStringLiteral("\u00b0"));
-        });
-    numbers.push_back(
-        {Words::tr("\u2026 of 95 % of the motors"),
-         Words::tr("%1, %2").arg(amount(proposed.robust.gainMargin_ratio_p5, QStringLiteral(" \u00d7")),
-                                 amount(proposed.robust.phaseMargin_deg_p5, QStringLiteral("\u00b0"))),
-         {},
-         Words::tr("5th percentile over motors drawn from the identified uncertainty")});
-    numbers.push_back({Words::tr("Unstable motors"),
-                       amount(100.0 * proposed.robust.unstable_fraction, QStringLiteral(" %")),
-                       {},
-                       Words::tr("Share of the motors that the data allow which this loop makes unstable")});
-    row(Words::tr("Gain crossover"), Words::tr("Where the open loop has the gain 1"),
-        [](const AnalysisResult& loop) {
-            return amount(inHertz(loop.margins.gainCrossover_rad_s), QStringLiteral(" Hz"));
-        });
-    row(Words::tr("Delay margin"), Words::tr("Dead time that uses up the phase margin"),
-        [](const AnalysisResult& loop) {
-            return amount(1e3 * loop.margins.delayMargin_s, QStringLiteral(" ms"));
-        });
-    row(Words::tr("Modulus margin"),
-        Words::tr("Smallest distance of the open loop from -1; at least 0.5 is usual"),
-        [](const AnalysisResult& loop) { return amount(loop.margins.modulusMargin, {}); });
+/// What the motion shows; without intervals.
+template <typename Row>
+void appendMotion(const Row& row, const DisplayUnits& units) {
     row(Words::tr("Largest K_P"), Words::tr("Above it the sampled loop is unstable"),
         [](const AnalysisResult& loop) {
             return amount(loop.proportionalLimit_A_per_rad, QStringLiteral(" A/rad"));
         });
     row(Words::tr("Friction band at rest"),
-        Words::tr("Friction may hold the rotor this far from its reference"), [](const AnalysisResult& loop) {
-            return QStringLiteral("\u00b1") +
-                   amount(radiansToDegrees(loop.frictionBand_rad), QStringLiteral("\u00b0"));
+        Words::tr("Friction may hold the rotor this far from its reference"),
+        [&units](const AnalysisResult& loop) {
+            return std::isfinite(loop.frictionBand_rad)
+                       ? QStringLiteral("\u00b1") + angleText(loop.frictionBand_rad, units)
+                       : Words::tr("infinite");
         });
     row(Words::tr("Linear step"), Words::tr("Small steps, without friction and current limit"),
         [](const AnalysisResult& loop) { return stepWords(loop.step); });
-    row(Words::tr("Step of 100\u00b0"), Words::tr("With friction and current limit"),
-        [](const AnalysisResult& loop) {
+    row(Words::tr("Step of %1").arg(angleText(LargeStep_rad, units)),
+        Words::tr("With friction and current limit"), [](const AnalysisResult& loop) {
             return stepWords(loop.largeStep ? std::optional(loop.largeStep->metrics) : std::nullopt);
         });
+}
+
+} // namespace
+
+std::vector<TuneNumber> tuneNumbers(const TuneResult& proposed, const std::optional<AnalysisResult>& present,
+                                    const DisplayUnits& units) {
+    std::vector<TuneNumber> numbers;
+    const auto row = [&](const QString& name, const QString& help, const auto& text) {
+        numbers.push_back({name, text(proposed.predicted), {}, present ? text(*present) : QString(), help});
+    };
+    const auto interval = [&](const std::optional<control::Robustness::Interval>& spread,
+                              double factor = 1.0) {
+        numbers.back().interval =
+            spread
+                ? Words::tr("%1 to %2").arg(amount(factor * spread->p5, {}), amount(factor * spread->p95, {}))
+                : Words::tr("not known");
+    };
+    const control::Robustness& robust = proposed.robust;
+    row(Words::tr("Closed loop"), Words::tr("Poles of the sampled loop with the device's delay"),
+        [](const AnalysisResult& loop) {
+            return loop.isStable ? Words::tr("stable") : Words::tr("UNSTABLE");
+        });
+    numbers.push_back({Words::tr("Unstable motors"),
+                       robust.gainMargin_ratio
+                           ? amount(100.0 * robust.unstable_fraction, QStringLiteral(" %"))
+                           : Words::tr("not known"),
+                       {},
+                       {},
+                       Words::tr("Share of the motors that the data allow which this loop makes unstable")});
+    row(Words::tr("Gain margin"),
+        Words::tr("Factor on the gain that makes the loop unstable; at least 2 is usual"),
+        [](const AnalysisResult& loop) {
+            return amount(loop.margins.gainMargin_ratio, QStringLiteral(" \u00d7"));
+        });
+    interval(robust.gainMargin_ratio);
+    row(Words::tr("Phase margin"), Words::tr("At the gain crossover; at least 30\u00b0 is usual"),
+        [](const AnalysisResult& loop) {
+            return amount(loop.margins.phaseMargin_deg, QStringLiteral("\u00b0"));
+        });
+    interval(robust.phaseMargin_deg);
+    row(Words::tr("Delay margin"), Words::tr("Dead time that uses up the phase margin"),
+        [](const AnalysisResult& loop) {
+            return amount(1e3 * loop.margins.delayMargin_s, QStringLiteral(" ms"));
+        });
+    interval(robust.delayMargin_s, 1e3);
+    row(Words::tr("Modulus margin"),
+        Words::tr("Smallest distance of the open loop from -1; at least 0.5 is usual"),
+        [](const AnalysisResult& loop) { return amount(loop.margins.modulusMargin, {}); });
+    interval(robust.modulusMargin);
+    row(Words::tr("Gain crossover"), Words::tr("Where the open loop has the gain 1"),
+        [](const AnalysisResult& loop) {
+            return amount(inHertz(loop.margins.gainCrossover_rad_s), QStringLiteral(" Hz"));
+        });
+    interval(robust.gainCrossover_rad_s, 0.5 / Pi);
+    appendMotion(row, units);
     return numbers;
 }
 
-TuneNumbers::TuneNumbers(QWidget* parent) : QTableWidget(0, 3, parent) {
+QString agreementWords(const VerificationBand& band, const MoveFigures& measured, const DisplayUnits& units) {
+    const double rest_rad = std::abs(measured.finalError_rad);
+    const double excess_rad = rest_rad - band.allowed_rad;
+    QStringList parts = {excess_rad <= 0.0
+                             ? Words::tr("at rest %1 from the set-point, allowed are %2")
+                                   .arg(angleText(rest_rad, units, 2), angleText(band.allowed_rad, units, 2))
+                             : Words::tr("at rest %1 from the set-point, %2 more than allowed")
+                                   .arg(angleText(rest_rad, units, 2), angleText(excess_rad, units, 2))};
+    if (measured.overshoot_percent && band.allowedOvershoot_percent &&
+        *measured.overshoot_percent > *band.allowedOvershoot_percent) {
+        parts << Words::tr("overshoot %1 %, %2 % more than allowed")
+                     .arg(widgets::numberText(*measured.overshoot_percent, 2),
+                          widgets::numberText(*measured.overshoot_percent - *band.allowedOvershoot_percent,
+                                              3));
+    }
+    parts << Words::tr("at most %1 off the prediction, after %2 s")
+                 .arg(angleText(std::abs(band.largestOff_rad), units, 2),
+                      widgets::numberText(band.largestOffTime_s, 2));
+    return parts.join(QStringLiteral("; "));
+}
+
+TuneNumbers::TuneNumbers(QWidget* parent) : QTableWidget(0, 4, parent) {
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setTabKeyNavigation(false);
@@ -111,8 +148,10 @@ TuneNumbers::TuneNumbers(QWidget* parent) : QTableWidget(0, 3, parent) {
 }
 
 void TuneNumbers::refreshWords() {
-    setHorizontalHeaderLabels(
-        {tr("Prediction"), tr("Proposed"), m_isUndecided ? tr("Before the apply") : tr("On the device")});
+    setHorizontalHeaderLabels({tr("Prediction"), tr("Proposed"), tr("5 % to 95 %"),
+                               m_isUndecided ? tr("Before the apply") : tr("On the device")});
+    horizontalHeaderItem(2)->setToolTip(
+        tr("Of the motors that the identification's uncertainty allows; not known without one"));
     for (int column = 0; column < columnCount(); ++column) {
         horizontalHeaderItem(column)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     }
@@ -128,8 +167,8 @@ void TuneNumbers::setNumbers(const std::vector<TuneNumber>& numbers) {
     setRowCount(static_cast<int>(numbers.size()));
     for (int i = 0; i < rowCount(); ++i) {
         const TuneNumber& number = numbers[static_cast<std::size_t>(i)];
-        const QString texts[] = {number.name, number.proposed, number.present};
-        for (int column = 0; column < 3; ++column) {
+        const QString texts[] = {number.name, number.proposed, number.interval, number.present};
+        for (int column = 0; column < columnCount(); ++column) {
             auto* cell = new QTableWidgetItem(texts[column]);
             cell->setToolTip(number.help);
             setItem(i, column, cell);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "app/procedures/apply_procedure.h"
 #include "app/procedures/tune.h"
+#include "app/workspaces/display_quantity.h"
 
 #include <QTableWidget>
 
@@ -13,11 +15,20 @@ namespace halbench::app {
 struct TuneNumber {
     QString name;
     QString proposed;
+    QString interval; ///< of 5 % to 95 % of the motors that the data allow
     QString present;
     QString help;
 };
 /// Stability, margins with their robust bounds, friction band, steps; for those who read numbers.
-std::vector<TuneNumber> tuneNumbers(const TuneResult& proposed, const std::optional<AnalysisResult>& present);
+std::vector<TuneNumber> tuneNumbers(const TuneResult& proposed, const std::optional<AnalysisResult>& present,
+                                    const DisplayUnits& units);
+
+/// The steps that are predicted and made, in the panel's words too.
+constexpr double LargeStep_rad = 1.7453292519943295; ///< 100 degrees
+constexpr double VerificationStep_rad = 0.5;         ///< as `tune --apply` takes it
+
+/// How far a verification step was from what the prediction allows, in one sentence.
+QString agreementWords(const VerificationBand& band, const MoveFigures& measured, const DisplayUnits& units);
 
 /// These numbers as a table that is only read.
 class TuneNumbers : public QTableWidget {

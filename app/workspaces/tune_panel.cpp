@@ -5,25 +5,18 @@
 #include "app/workspaces/gain_editor.h"
 #include "app/workspaces/preflight.h"
 #include "app/workspaces/tune_form.h"
-#include "app/workspaces/tune_numbers.h"
 #include "widgets/empty_state.h"
 #include "widgets/estimate_table.h"
-#include "widgets/figure_view.h"
-#include "widgets/icons.h"
 #include "widgets/message_bar.h"
 #include "widgets/phrasebook.h"
 #include "widgets/progress_row.h"
-#include "widgets/verdict_view.h"
+#include "widgets/theme_style.h"
 
 #include <QEvent>
-#include <QGridLayout>
 #include <QLabel>
-#include <QPointer>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSplitter>
 #include <QStackedWidget>
-#include <QTabWidget>
 #include <QVBoxLayout>
 
 namespace halbench::app {
@@ -36,21 +29,6 @@ constexpr const char* DefaultModel = "htm";
 
 std::string modelOf(const DeviceSession& session) {
     return session.state() == SessionState::Connected ? session.info().model : DefaultModel;
-}
-
-QScrollArea* scrolled(QWidget* page) {
-    auto* scroll = new QScrollArea;
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setFocusPolicy(Qt::NoFocus); // it follows the focus of its controls
-    scroll->setWidget(page);
-    return scroll;
-}
-
-void say(QPushButton& button, const QString& text, const QString& help) {
-    button.setText(text);
-    button.setToolTip(help);
-    button.setAccessibleName(text);
 }
 
 } // namespace
@@ -66,7 +44,7 @@ TunePanel::TunePanel(Workbench& bench, QWidget* parent)
     column->addWidget(m_pages, 1);
     auto* splitter = new QSplitter(Qt::Horizontal, m_pages);
     splitter->setChildrenCollapsible(false);
-    QScrollArea* settings = scrolled(buildSettings());
+    QWidget* settings = buildSettings();
     settings->setMinimumWidth(44 * fontMetrics().averageCharWidth());
     splitter->addWidget(settings);
     splitter->addWidget(buildFigures());
@@ -75,75 +53,8 @@ TunePanel::TunePanel(Workbench& bench, QWidget* parent)
     m_pages->addWidget(m_empty);
     m_pages->addWidget(splitter);
     connectParts();
-    refreshWords();
     readConditions();
-    refreshModel();
-}
-
-QWidget* TunePanel::buildSettings() {
-    auto* page = new QWidget;
-    auto* column = new QVBoxLayout(page);
-    column->setContentsMargins(0, 0, widgets::PanelMargin_px, 0);
-    column->setSpacing(widgets::GroupSpacing_px);
-    m_model = new QLabel(page);
-    m_model->setWordWrap(true);
-    m_form = new TuneForm(page);
-    m_gains = new GainEditor(page);
-    m_verdict = new widgets::VerdictView(page);
-    m_preflight = new Preflight(m_bench, page);
-    m_progress = new widgets::ProgressRow(page);
-    m_progress->hide();
-    for (QWidget* part : std::initializer_list<QWidget*>{m_model, m_form, m_gains, m_verdict, m_preflight,
-                                                         m_progress, buildButtons()}) {
-        column->addWidget(part);
-    }
-    column->addStretch(1);
-    return page;
-}
-
-QWidget* TunePanel::buildButtons() {
-    auto* bar = new QWidget;
-    auto* grid = new QGridLayout(bar);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(widgets::PanelMargin_px);
-    m_apply = new QPushButton(bar);
-    m_keep = new QPushButton(bar);
-    m_restore = new QPushButton(bar);
-    m_save = new QPushButton(bar);
-    widgets::setRole(*m_apply, widgets::Role::Primary);
-    m_restore->setIcon(widgets::themedIcon(QStringLiteral("revert")));
-    m_save->setIcon(widgets::themedIcon(QStringLiteral("save")));
-    grid->addWidget(m_apply, 0, 0);
-    grid->addWidget(m_save, 0, 1);
-    grid->addWidget(m_keep, 1, 0);
-    grid->addWidget(m_restore, 1, 1);
-    grid->setColumnStretch(2, 1);
-    m_save->hide();
-    return bar;
-}
-
-QWidget* TunePanel::buildFigures() {
-    auto* splitter = new QSplitter(Qt::Vertical);
-    splitter->setChildrenCollapsible(false);
-    m_bode = new widgets::FigureView(splitter);
-    m_steps = new QTabWidget(splitter);
-    m_large = new widgets::FigureView(m_steps);
-    m_linear = new widgets::FigureView(m_steps);
-    m_numbers = new TuneNumbers(m_steps);
-    m_verification = new widgets::FigureView(m_steps);
-    for (QWidget* page : std::initializer_list<QWidget*>{m_large, m_linear, m_numbers, m_verification}) {
-        m_steps->addTab(page, {});
-    }
-    m_steps->setTabEnabled(m_steps->indexOf(m_verification), false);
-    splitter->addWidget(m_bode);
-    splitter->addWidget(m_steps);
-    for (widgets::FigureView* view : {m_bode, m_large, m_linear, m_verification}) {
-        connect(view, &widgets::FigureView::exportRequested, this, [this, view] {
-            savePicture(this, m_chooser, QStringLiteral("tuning.svg"), m_files, *view,
-                        [this](const Error& error) { showError(error); });
-        });
-    }
-    return splitter;
+    onUnits();
 }
 
 void TunePanel::connectParts() {
@@ -167,6 +78,7 @@ void TunePanel::connectParts() {
     connect(&m_bench, &Workbench::identificationChanged, this, &TunePanel::refreshModel);
     connect(&m_bench, &Workbench::valuesChanged, this, &TunePanel::readConditions);
     connect(&m_bench, &Workbench::strayIntervalChanged, this, &TunePanel::ask);
+    connect(&m_bench, &Workbench::displayUnitsChanged, this, &TunePanel::onUnits);
     connect(&m_bench, &Workbench::deviceChanged, this, [this] {
         m_before.clear(); // another device: nothing of it was replaced
         readConditions();
@@ -180,28 +92,6 @@ void TunePanel::connectParts() {
                     m_progress->setProgress(fraction);
                 }
             });
-}
-
-void TunePanel::refreshWords() {
-    m_empty->setWords(tr("No motor to tune yet"),
-                      tr("Gains are designed for an identified motor, with everything that is predicted of "
-                         "them, and proved by a move before they stay."),
-                      tr("Identify the motor"));
-    m_empty->setIconName(QStringLiteral("settings"));
-    say(*m_apply, tr("Apply and verify"),
-        tr("One transaction, then a step of 29\u00b0 that must go as predicted; Esc stops it"));
-    say(*m_keep, tr("Keep"), tr("The new gains stay until the device is switched off"));
-    say(*m_restore, tr("Restore"), tr("The gains from before run again"));
-    say(*m_save, tr("Save gains\u2026"), tr("Write the file that the program's analyse reads"));
-    const std::pair<QWidget*, QString> tabs[] = {{m_large, tr("Step of 100\u00b0")},
-                                                 {m_linear, tr("Small step")},
-                                                 {m_numbers, tr("Numbers")},
-                                                 {m_verification, tr("Verification")}};
-    for (const auto& [page, title] : tabs) {
-        m_steps->setTabText(m_steps->indexOf(page), title);
-    }
-    m_steps->setAccessibleName(tr("Predictions"));
-    refreshModel();
 }
 
 void TunePanel::refreshModel() {

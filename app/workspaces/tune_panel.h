@@ -17,7 +17,6 @@
 class QLabel;
 class QPushButton;
 class QStackedWidget;
-class QTabWidget;
 
 namespace halbench::widgets {
 class EmptyState;
@@ -30,6 +29,7 @@ class VerdictView;
 namespace halbench::app {
 
 class GainEditor;
+class PageChooser;
 class Preflight;
 class TuneForm;
 class TuneNumbers;
@@ -56,6 +56,7 @@ protected:
 private:
     QWidget* buildSettings();
     QWidget* buildFigures();
+    QWidget* buildVerification();
     QWidget* buildButtons();
     void connectParts();
     void refreshWords();
@@ -72,8 +73,9 @@ private:
     void focusNext();
     void keep();
     void apply();
-    void finishApply(const TuneResult& applied, const Result<ApplyResult>& result);
-    void drawVerification(const TuneResult& applied, const ApplyResult& result);
+    void finishApply(const Result<ApplyResult>& result);
+    void drawVerification();
+    void onUnits();
     void restore();
     void saveGains();
     void showError(const Error& error);
@@ -82,7 +84,6 @@ private:
     FileChooser m_chooser;
     LatestTask m_sketching; ///< what can be drawn at once
     LatestTask m_judging;   ///< the rest
-    LatestTask m_drawing;   ///< the verification; predictions must not overtake it
     FileQueue m_files;
     LoopConditions m_conditions;
     std::optional<control::PositionLaw> m_presentLaw; ///< that m_present is of
@@ -90,6 +91,7 @@ private:
     std::optional<AnalysisResult> m_present;          ///< of the gains on the device, or before an apply
     std::optional<TuneResult> m_shown;                ///< what the numbers say, and what would be applied
     std::vector<ParameterValue> m_before;             ///< what an apply replaced; empty when that is decided
+    std::optional<ApplyResult> m_verified;            ///< the last apply that moved
     bool m_isApplying = false;
 
     QStackedWidget* m_pages = nullptr;
@@ -105,10 +107,12 @@ private:
     QPushButton* m_save = nullptr;
     widgets::ProgressRow* m_progress = nullptr;
     widgets::FigureView* m_bode = nullptr;
-    QTabWidget* m_steps = nullptr;
+    PageChooser* m_figures = nullptr;
     widgets::FigureView* m_large = nullptr;
     widgets::FigureView* m_linear = nullptr;
+    QWidget* m_verificationPage = nullptr;
     widgets::FigureView* m_verification = nullptr;
+    widgets::VerdictView* m_agreement = nullptr; ///< of measured and predicted
     TuneNumbers* m_numbers = nullptr;
     widgets::VerdictView* m_verdict = nullptr;
 };

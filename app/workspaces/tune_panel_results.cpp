@@ -1,9 +1,9 @@
 // What the Tune panel shows of an answer and does with it.
 #include "app/batch/result_documents.h"
-#include "app/procedures/large_step.h"
 #include "app/report/tuning_figures.h"
 #include "app/workspaces/document_files.h"
 #include "app/workspaces/gain_editor.h"
+#include "app/workspaces/page_chooser.h"
 #include "app/workspaces/preflight.h"
 #include "app/workspaces/tune_form.h"
 #include "app/workspaces/tune_numbers.h"
@@ -16,14 +16,11 @@
 
 #include <QPointer>
 #include <QPushButton>
-#include <QTabWidget>
 
 #include <algorithm>
 
 namespace halbench::app {
 namespace {
-
-constexpr double VerificationStep_rad = 0.5; ///< as `tune --apply` takes it
 
 widgets::VerdictLevel levelOf(Verdict verdict) {
     return verdict == Verdict::Good       ? widgets::VerdictLevel::Good
@@ -54,9 +51,10 @@ void TunePanel::showSketch(const Result<TuneSketch>& sketch) {
         m_gains->setLaw(sketch->law);
     }
     m_present = sketch->present;
+    const widgets::AngleUnit unit = m_bench.displayUnits().angle;
     m_bode->setFigure(openLoopFigure(sketch->predicted, m_present));
-    m_linear->setFigure(linearStepFigure(sketch->predicted, m_present).value_or(widgets::Figure{}));
-    m_large->setFigure(largeStepFigure(sketch->predicted, m_present).value_or(widgets::Figure{}));
+    m_linear->setFigure(linearStepFigure(sketch->predicted, m_present, unit).value_or(widgets::Figure{}));
+    m_large->setFigure(largeStepFigure(sketch->predicted, m_present, unit).value_or(widgets::Figure{}));
 }
 
 void TunePanel::showAnswer(const Result<TuneResult>& answer) {
@@ -69,7 +67,7 @@ void TunePanel::showAnswer(const Result<TuneResult>& answer) {
     }
     const TuneResult& proposed = *answer;
     m_shown = proposed;
-    m_numbers->setNumbers(tuneNumbers(proposed, m_present));
+    m_numbers->setNumbers(tuneNumbers(proposed, m_present, m_bench.displayUnits()));
     const QString title = proposed.quality.verdict == Verdict::Good ? tr("Good: robustly stable")
                           : proposed.quality.verdict == Verdict::Doubtful
                               ? tr("Doubtful: read the warnings before you apply it")
@@ -135,9 +133,9 @@ void TunePanel::apply() {
         [config](devices::Device& device, const ProcedureObserver& observer) {
             return runApply(device, config, observer);
         },
-        [self, applied = *m_shown](const Result<ApplyResult>& result) {
+        [self](const Result<ApplyResult>& result) {
             if (self) {
-                self->finishApply(applied, result);
+                self->finishApply(result);
             }
         });
     m_message->clear();
@@ -150,7 +148,7 @@ void TunePanel::apply() {
     refreshButtons();
 }
 
-void TunePanel::finishApply(const TuneResult& applied, const Result<ApplyResult>& result) {
+void TunePanel::finishApply(const Result<ApplyResult>& result) {
     m_isApplying = false;
     m_progress->hide();
     if (!result) {
@@ -164,7 +162,10 @@ void TunePanel::finishApply(const TuneResult& applied, const Result<ApplyResult>
         return;
     }
     if (result->verification) {
-        drawVerification(applied, *result);
+        m_verified = *result;
+        drawVerification();
+        m_figures->setPageEnabled(m_verificationPage, true);
+        m_figures->setCurrent(m_verificationPage);
     }
     if (result->isKept) {
         for (const ParameterValue& old : result->before) {
@@ -191,25 +192,18 @@ void TunePanel::finishApply(const TuneResult& applied, const Result<ApplyResult>
     focusNext();
 }
 
-void TunePanel::drawVerification(const TuneResult& applied, const ApplyResult& result) {
-    m_drawing.run(
-        [applied, recording = result.verification->recording] {
-            // The prediction that runApply() judged by: the ideal loop of the identified motor.
-            auto step =
-                predictLargeStep(applied.plant, applied.law, applied.conditions, VerificationStep_rad);
-            models::IdealTrace trace = step ? std::move(step->trace) : models::IdealTrace{};
-            while (!trace.time_s.empty() && trace.time_s.back() > recording.time_s.back()) {
-                trace.time_s.pop_back();
-                trace.angle_rad.pop_back();
-                trace.current_A.pop_back();
-            }
-            return verificationFigure(trace, recording);
-        },
-        [this](widgets::Figure figure) {
-            m_verification->setFigure(std::move(figure));
-            m_steps->setTabEnabled(m_steps->indexOf(m_verification), true);
-            m_steps->setCurrentWidget(m_verification);
-        });
+void TunePanel::drawVerification() {
+    if (!m_verified || !m_verified->verification || !m_verified->band) {
+        return;
+    }
+    const DisplayUnits& units = m_bench.displayUnits();
+    m_verification->setFigure(
+        verificationFigure(*m_verified->band, m_verified->verification->recording, units.angle));
+    const bool isWithin = m_verified->quality.verdict != Verdict::Refused;
+    m_agreement->setVerdict(
+        isWithin ? widgets::VerdictLevel::Good : widgets::VerdictLevel::Refused,
+        isWithin ? tr("Within the predicted band") : tr("Outside the predicted band"),
+        {{agreementWords(*m_verified->band, m_verified->verification->measured, units), {}}});
 }
 
 void TunePanel::restore() {

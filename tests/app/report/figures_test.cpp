@@ -42,6 +42,9 @@ TEST(CalibrationFigures, staticFrictionLiesAtThePlaceOnTheRotorWithoutSign) {
     EXPECT_NEAR(curves[0].x.front(), 90.0, 1e-9);
     EXPECT_NEAR(curves[1].x.front(), 270.0, 1e-9); // -90 degrees
     EXPECT_EQ(curves[1].y.front(), 1.7);
+    const auto radians = staticFrictionFigure({{0.5 * M_PI, 1.6}}, widgets::AngleUnit::Radian);
+    EXPECT_EQ(radians.x.unit, "rad");
+    EXPECT_NEAR(radians.panels.at(0).curves.at(0).x.front(), 0.5 * M_PI, 1e-12);
 }
 
 bool hasLine(const widgets::Panel& panel, double at, const std::string& part) {
@@ -77,17 +80,71 @@ TEST(TuningFigures, theLargeStepIsInDegreesWithItsFrictionBand) {
     EXPECT_EQ(figure->panels.at(1).curves.size(), 2U);
 }
 
-TEST(TuningFigures, aVerificationCountsTheAngleFromItsStart) {
+Recording verification() {
     Recording measured;
     auto layout = std::make_shared<StreamLayout>();
     layout->columns = {{"position", "rad"}, {"current_command", "A"}};
     measured.layout = layout;
     measured.time_s = {0.0, 0.001};
     measured.values = {3.0, 1.0, 3.5, 2.0};
-    const auto figure = verificationFigure({{0.0}, {0.0}, {0.0}, {0.0}, {0.0}}, measured);
-    EXPECT_EQ(figure.panels.at(0).curves.at(1).y.front(), 0.0);
-    EXPECT_NEAR(figure.panels.at(0).curves.at(1).y.back(), 0.5 * 180.0 / M_PI, 1e-12);
-    EXPECT_EQ(figure.panels.at(1).curves.at(1).y, (std::vector<double>{1.0, 2.0}));
+    return measured;
+}
+
+VerificationBand verificationBand() {
+    VerificationBand band;
+    band.predicted.time_s = {0.0, 0.001};
+    band.predicted.angle_rad = {0.0, 0.45};
+    band.predicted.reference_rad = {0.5, 0.5};
+    band.predicted.current_A = {4.0, 0.0};
+    band.friction_rad = 0.01;
+    band.allowed_rad = 0.03;
+    return band;
+}
+
+const widgets::Curve& curveNamed(const widgets::Panel& panel, const std::string& part) {
+    const auto found =
+        std::find_if(panel.curves.begin(), panel.curves.end(), [&](const widgets::Curve& curve) {
+            return curve.label.find(part) != std::string::npos;
+        });
+    EXPECT_NE(found, panel.curves.end()) << part;
+    return *found;
+}
+
+TEST(TuningFigures, aVerificationCountsTheAngleFromItsStart) {
+    const auto figure = verificationFigure(verificationBand(), verification());
+    EXPECT_EQ(curveNamed(figure.panels.at(0), "measured").y.front(), 0.0);
+    EXPECT_NEAR(curveNamed(figure.panels.at(0), "measured").y.back(), 0.5 * 180.0 / M_PI, 1e-12);
+    EXPECT_NEAR(curveNamed(figure.panels.at(0), "set-point").y.back(), 0.5 * 180.0 / M_PI, 1e-12);
+    EXPECT_EQ(curveNamed(figure.panels.at(2), "measured").y, (std::vector<double>{1.0, 2.0}));
+}
+
+TEST(TuningFigures, aVerificationShowsWhatIsAllowedAndWhatFrictionHoldsByName) {
+    const auto figure = verificationFigure(verificationBand(), verification(), widgets::AngleUnit::Radian);
+    const widgets::Panel& rest = figure.panels.at(1);
+    EXPECT_EQ(rest.y.unit, "rad");
+    EXPECT_EQ(curveNamed(rest, "allowed \u00b10.03 rad").y.front(), 0.03);
+    EXPECT_EQ(curveNamed(rest, "friction band \u00b10.01 rad").y.front(), 0.01);
+    EXPECT_NEAR(curveNamed(rest, "predicted").y.back(), 0.05, 1e-12);
+    EXPECT_NEAR(curveNamed(rest, "measured").y.back(), 0.0, 1e-12);
+    EXPECT_GT(*rest.y.max, 0.03); // the bands are always in view
+    // both sides of a band are one entry of the legend
+    const auto count = std::count_if(rest.curves.begin(), rest.curves.end(), [](const widgets::Curve& curve) {
+        return curve.label.find("allowed") != std::string::npos;
+    });
+    EXPECT_EQ(count, 2);
+}
+
+TEST(TuningFigures, angleUnitsScaleTheCurvesNotTheMotion) {
+    AnalysisResult loop;
+    loop.stepCurve = {{0.0, 1.0}, {0.0, 1.1}, {40.0, 0.0}};
+    const auto degrees = linearStepFigure(loop, std::nullopt, widgets::AngleUnit::Degree);
+    EXPECT_EQ(degrees->panels.at(0).y.unit, "deg");
+    EXPECT_EQ(degrees->panels.at(0).curves.at(0).y.back(), 1.1); // of a step of 1 degree
+    EXPECT_NEAR(degrees->panels.at(1).curves.at(0).y.front(), 40.0 * M_PI / 180.0, 1e-12);
+    loop.largeStep = LargeStep{0.5, {}, {{0.0, 1.0}, {0.0, 0.5}, {}, {}, {4.0, 0.0}}};
+    const auto large = largeStepFigure(loop, std::nullopt, widgets::AngleUnit::Radian);
+    EXPECT_EQ(large->panels.at(0).curves.at(0).y.back(), 0.5);
+    EXPECT_NE(large->title.find("0.5 rad"), std::string::npos);
 }
 
 TEST(TuningFigures, anUnstableLoopHasNoPredictedStep) {

@@ -189,20 +189,20 @@ TEST(CalibrateWords, showsMillitesla) {
     CalibrateResult result;
     result.figures = {{"hall.offset_a", "T", {5.6e-3, std::pair(5.5e-3, 5.7e-3), {}, "T"}}};
     result.before = {{"hall.offset_a", 1e-3}};
-    const auto rows = calibrationRows(result, nullptr);
+    const auto rows = calibrationRows(result, nullptr, {});
     EXPECT_NEAR(*rows.at(0).value, 5.6, 1e-12);
     EXPECT_EQ(rows.at(0).unit, "mT");
     EXPECT_EQ(rows.at(0).source, "before 1"); // no device to ask
     const std::map<std::string, double> values = {{"hall.offset_a", 2e-3}};
-    EXPECT_EQ(calibrationRows(result, &values).at(0).source, "now 2");
+    EXPECT_EQ(calibrationRows(result, &values, {}).at(0).source, "now 2");
 }
 
 TEST(CalibrateWords, definesTheResidualAngleErrorOnce) {
     CalibrateResult result;
-    EXPECT_TRUE(calibrationGain(result).isEmpty());
+    EXPECT_TRUE(calibrationGain(result, {}).isEmpty());
     result.residualBefore_rad = degreesToRadians(2.0);
     result.residualAfter_rad = degreesToRadians(0.25);
-    const QString text = calibrationGain(result);
+    const QString text = calibrationGain(result, {});
     EXPECT_TRUE(text.startsWith("Residual angle error: 2.000\u00b0")) << text.toStdString();
     EXPECT_TRUE(text.contains("0.250\u00b0 with the proposed"));
     EXPECT_TRUE(text.contains("root mean square (rms)"));
@@ -213,6 +213,23 @@ TEST(CalibrateWords, saysThatTheBreakawayCurrentIsNotFrictionWhileMoving) {
     EXPECT_TRUE(breakawayNote(result).isEmpty());
     result.staticFriction = {{0.5, 1.6}};
     EXPECT_TRUE(breakawayNote(result).contains("identification.md#62-two-currents-of-friction"));
+}
+
+TEST(CalibrateWords, showsAnglesAndSpeedsAsPreferred) {
+    CalibrateResult result;
+    result.figures = {{"hall.quadrature", "rad", {0.01, std::pair(0.009, 0.011), {}, "rad"}}};
+    result.residualBefore_rad = 0.02;
+    result.residualAfter_rad = 0.002;
+    const DisplayUnits radians{widgets::AngleUnit::Radian, SpeedUnit::RadiansPerSecond};
+    EXPECT_NEAR(*calibrationRows(result, nullptr, {}).at(0).value, 0.01 * 180.0 / M_PI, 1e-12);
+    EXPECT_EQ(calibrationRows(result, nullptr, radians).at(0).unit, "rad");
+    EXPECT_EQ(*calibrationRows(result, nullptr, radians).at(0).value, 0.01);
+    EXPECT_TRUE(calibrationGain(result, {}).contains("1.15\u00b0")); // 0.02 rad
+    EXPECT_TRUE(calibrationGain(result, radians).contains("0.02 rad"));
+    CalibrateConfig config;
+    config.speedLimit_rad_s = 30.0;
+    EXPECT_TRUE(calibrationOutlook(config, radians).contains("at 30 rad/s"));
+    EXPECT_TRUE(calibrationOutlook(config, {}).contains("at 286 r/min")); // 30 30/pi
 }
 
 } // namespace

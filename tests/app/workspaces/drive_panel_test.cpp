@@ -78,6 +78,35 @@ TEST_F(DrivePanelTest, sendsTheSetpointOnEnterAndNotOnLeavingTheField) {
     EXPECT_EQ(parameter("hb.setpoint"), 0.0);
 }
 
+TEST_F(DrivePanelTest, commandsFollowThePreferredUnits) {
+    connectTo("sim:htm", 5.0);
+    armByClick();
+    auto* field = find<QDoubleSpinBox>(*panel, "Set-point");
+    auto* jog = find<QDoubleSpinBox>(*panel, "Jog speed");
+    EXPECT_TRUE(field->suffix().endsWith("\u00b0") && jog->suffix().endsWith("r/min"));
+    type(field, "12");
+    QTest::keyClick(field, Qt::Key_Return);
+    ASSERT_NEAR(parameter("hb.setpoint"), degreesToRadians(12.0), 1e-6);
+    bench().setDisplayUnits({widgets::AngleUnit::Radian, SpeedUnit::DegreesPerSecond});
+    EXPECT_TRUE(field->suffix().endsWith("rad") && jog->suffix().endsWith("\u00b0/s"));
+    EXPECT_NEAR(field->value(), degreesToRadians(12.0), 5e-5);           // the same angle, in four decimals
+    EXPECT_NEAR(jog->value(), 45.0, 1e-9);                               // and the same speed
+    EXPECT_NEAR(parameter("hb.setpoint"), degreesToRadians(12.0), 1e-6); // nothing was sent
+    type(field, "0.1");
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_NEAR(parameter("hb.setpoint"), 0.1, 1e-6);
+    QStringList texts;
+    for (const auto* label : panel->findChildren<QLabel*>()) {
+        texts << label->text();
+    }
+    const QString all = texts.join('\n');
+    EXPECT_TRUE(all.contains("Now 0.1000 rad")) << all.toStdString();
+    EXPECT_TRUE(all.contains("Moves up to 0.5236 rad")) << all.toStdString();
+    for (const auto* box : panel->findChildren<QDoubleSpinBox*>()) {
+        EXPECT_FALSE(box->suffix().contains("r/min")) << box->accessibleName().toStdString();
+    }
+}
+
 TEST_F(DrivePanelTest, aTextThatIsNoSetpointSendsNothing) {
     connectTo("sim:htm", 5.0);
     armByClick();
@@ -161,9 +190,9 @@ TEST_F(DrivePanelTest, aJogSpeedThatIsNoNumberMovesNothing) {
     connectTo("sim:htm", 5.0);
     armByClick();
     auto* forward = find<QPushButton>(*panel, "Forward +");
-    type(find<QDoubleSpinBox>(*panel, "Jog speed"), "4000"); // more than 3600 degrees per second
-    forward->setFocus();                                     // as by a click
-    EXPECT_EQ(find<QDoubleSpinBox>(*panel, "Jog speed")->value(), 45.0);
+    type(find<QDoubleSpinBox>(*panel, "Jog speed"), "4000");            // more than 600 r/min
+    forward->setFocus();                                                // as by a click
+    EXPECT_EQ(find<QDoubleSpinBox>(*panel, "Jog speed")->value(), 7.5); // 45 degrees per second
     EXPECT_TRUE(message().contains("'4000")) << message().toStdString();
     QTest::mousePress(forward, Qt::LeftButton);
     QTest::qWait(100); // five periods of the jog

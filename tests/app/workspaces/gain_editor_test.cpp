@@ -31,6 +31,15 @@ TEST_F(GainEditorTest, whatWasSetComesBackToTheLastDigit) {
     EXPECT_EQ(found->coulomb_A, law.coulomb_A);
 }
 
+TEST_F(GainEditorTest, theUnitIsThatOfTheOwnerAndTheLawStays) {
+    control::PositionLaw law;
+    law.gains.proportional = 40.0;
+    editor.setLaw(law);
+    editor.setAngleUnit(widgets::AngleUnit::Degree);
+    EXPECT_NEAR(*editor.findChild<widgets::OptionalNumberEdit*>("gain.kp")->value(), 40.0 / 57.29578, 1e-5);
+    EXPECT_EQ(editor.law()->gains.proportional, 40.0);
+}
+
 TEST_F(GainEditorTest, aMissingNumberIsNamed) {
     auto* edit = editor.findChild<widgets::OptionalNumberEdit*>("gain.ki");
     edit->setFocus();

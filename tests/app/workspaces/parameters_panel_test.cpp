@@ -27,6 +27,7 @@ protected:
         panel->resize(700, 600);
         panel->show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(panel.get()));
+        bench().setDisplayUnits({widgets::AngleUnit::Radian, SpeedUnit::RadiansPerSecond}); // as the board
         connectTo("sim:htm", 5.0);
     }
     void TearDown() override { panel.reset(); }
@@ -170,6 +171,24 @@ TEST(UserPresetsTest, aNameThatIsNoFileNameIsRefused) {
     EXPECT_FALSE(saveUserPreset(preset, folder.path()));
     preset.name = "fine 1.2";
     EXPECT_TRUE(saveUserPreset(preset, folder.path()));
+}
+
+TEST_F(ParametersPanelTest, startsFromThePreferredAngleAndMayBeOverriddenInPlace) {
+    const auto kp = [&] { return cell("gain.kp", Model::DeviceColumn).toDouble(); };
+    ASSERT_TRUE(wait([&] { return kp() == 10.0; }));
+    bench().setDisplayUnits({widgets::AngleUnit::Degree, SpeedUnit::TurnsPerMinute});
+    EXPECT_NEAR(kp(), 10.0 / 57.29578, 1e-6);
+    auto* unit = find<QComboBox>(table(), "Angle unit");
+    EXPECT_EQ(unit->currentText(), "deg");
+    unit->setFocus();
+    QTest::keyClick(unit, Qt::Key_Up); // to rad, here only
+    EXPECT_EQ(kp(), 10.0);
+    EXPECT_EQ(bench().displayUnits().angle, widgets::AngleUnit::Degree);
+    ASSERT_TRUE(model().edit("gain.kp", 12.0)); // SI whatever is shown
+    writeByKey();
+    EXPECT_TRUE(wait([&] { return parameter("gain.kp") == 12.0; }));
+    ParametersPanel another(bench(), nullptr, folder.path());
+    EXPECT_EQ(find<QComboBox>(another, "Angle unit")->currentText(), "deg");
 }
 
 } // namespace

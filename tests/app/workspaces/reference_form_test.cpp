@@ -62,6 +62,26 @@ TEST_F(ReferenceFormTest, anglesAreRadiansForTheBoard) {
     EXPECT_NEAR(form().peak(), Pi / 2.0, 1e-12);
 }
 
+TEST_F(ReferenceFormTest, thePreferredUnitShowsTheSameMotion) {
+    choose(2);
+    find<QDoubleSpinBox>(form(), "Slope")->setValue(15.0); // r/min, the preference at first
+    find<QDoubleSpinBox>(form(), "Amplitude")->setValue(90.0);
+    EXPECT_NEAR(valueOf("reference.rate"), 15.0 * Pi / 30.0, 1e-12);
+    form().setUnits({widgets::AngleUnit::Radian, SpeedUnit::DegreesPerSecond});
+    EXPECT_NEAR(find<QDoubleSpinBox>(form(), "Slope")->value(), 90.0, 1e-9);
+    EXPECT_TRUE(find<QDoubleSpinBox>(form(), "Slope")->suffix().endsWith("\u00b0/s"));
+    EXPECT_TRUE(find<QDoubleSpinBox>(form(), "Base")->suffix().endsWith("\u00b0/s"));
+    EXPECT_TRUE(find<QDoubleSpinBox>(form(), "Amplitude")->suffix().endsWith("rad"));
+    EXPECT_NEAR(valueOf("reference.amplitude"), Pi / 2.0, 5e-5); // four decimals are shown
+    EXPECT_NEAR(valueOf("reference.rate"), Pi / 2.0, 1e-12);
+    EXPECT_NEAR(find<QDoubleSpinBox>(form(), "Amplitude")->maximum(), degreesToRadians(36000.0), 1e-4);
+    form().setMode(devices::BoardMode::Current); // no angle there
+    EXPECT_TRUE(find<QDoubleSpinBox>(form(), "Amplitude")->suffix().endsWith("A"));
+    form().setUnits({widgets::AngleUnit::Degree, SpeedUnit::RadiansPerSecond});
+    find<QDoubleSpinBox>(form(), "Amplitude")->setValue(0.7);
+    EXPECT_EQ(valueOf("reference.amplitude"), 0.7);
+}
+
 TEST_F(ReferenceFormTest, currentsStayAmpereAndTheBaseAddsToThePeak) {
     form().setMode(devices::BoardMode::Current);
     choose(1);

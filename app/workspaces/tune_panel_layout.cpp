@@ -1,0 +1,155 @@
+// What the Tune panel is made of, and its words.
+#include "app/workspaces/document_files.h"
+#include "app/workspaces/gain_editor.h"
+#include "app/workspaces/page_chooser.h"
+#include "app/workspaces/preflight.h"
+#include "app/workspaces/tune_form.h"
+#include "app/workspaces/tune_numbers.h"
+#include "app/workspaces/tune_panel.h"
+#include "widgets/empty_state.h"
+#include "widgets/figure_view.h"
+#include "widgets/icons.h"
+#include "widgets/progress_row.h"
+#include "widgets/theme_style.h"
+#include "widgets/verdict_view.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+namespace halbench::app {
+namespace {
+
+QScrollArea* scrolled(QWidget* page) {
+    auto* scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus); // it follows the focus of its controls
+    scroll->setWidget(page);
+    return scroll;
+}
+
+void say(QPushButton& button, const QString& text, const QString& help) {
+    button.setText(text);
+    button.setToolTip(help);
+    button.setAccessibleName(text);
+}
+
+} // namespace
+
+QWidget* TunePanel::buildSettings() {
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, widgets::PanelMargin_px, 0);
+    column->setSpacing(widgets::GroupSpacing_px);
+    m_model = new QLabel(page);
+    m_model->setWordWrap(true);
+    m_form = new TuneForm(page);
+    m_gains = new GainEditor(page);
+    m_verdict = new widgets::VerdictView(page);
+    m_verdict->setObjectName(QStringLiteral("design"));
+    m_preflight = new Preflight(m_bench, page);
+    m_progress = new widgets::ProgressRow(page);
+    m_progress->hide();
+    for (QWidget* part : std::initializer_list<QWidget*>{m_model, m_form, m_gains, m_verdict, m_preflight}) {
+        column->addWidget(part);
+    }
+    column->addStretch(1);
+    auto* settings = new QWidget;
+    auto* all = new QVBoxLayout(settings);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->setSpacing(widgets::PanelMargin_px);
+    all->addWidget(scrolled(page), 1);
+    all->addWidget(m_progress); // what is decided stays in sight, however far the rest is scrolled
+    all->addWidget(buildButtons());
+    return settings;
+}
+
+QWidget* TunePanel::buildButtons() {
+    auto* bar = new QWidget;
+    auto* grid = new QGridLayout(bar);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(widgets::PanelMargin_px);
+    m_apply = new QPushButton(bar);
+    m_keep = new QPushButton(bar);
+    m_restore = new QPushButton(bar);
+    m_save = new QPushButton(bar);
+    widgets::setRole(*m_apply, widgets::Role::Primary);
+    m_restore->setIcon(widgets::themedIcon(QStringLiteral("revert")));
+    m_save->setIcon(widgets::themedIcon(QStringLiteral("save")));
+    grid->addWidget(m_apply, 0, 0);
+    grid->addWidget(m_save, 0, 1);
+    grid->addWidget(m_keep, 1, 0);
+    grid->addWidget(m_restore, 1, 1);
+    grid->setColumnStretch(2, 1);
+    m_save->hide();
+    return bar;
+}
+
+QWidget* TunePanel::buildFigures() {
+    m_figures = new PageChooser;
+    m_bode = new widgets::FigureView(m_figures);
+    m_large = new widgets::FigureView(m_figures);
+    m_linear = new widgets::FigureView(m_figures);
+    m_numbers = new TuneNumbers(m_figures);
+    m_verificationPage = buildVerification();
+    for (QWidget* page :
+         std::initializer_list<QWidget*>{m_bode, m_large, m_linear, m_numbers, m_verificationPage}) {
+        m_figures->addPage(page);
+    }
+    m_figures->setPageEnabled(m_verificationPage, false);
+    for (widgets::FigureView* view : {m_bode, m_large, m_linear, m_verification}) {
+        connect(view, &widgets::FigureView::exportRequested, this, [this, view] {
+            savePicture(this, m_chooser, QStringLiteral("tuning.svg"), m_files, *view,
+                        [this](const Error& error) { showError(error); });
+        });
+    }
+    return m_figures;
+}
+
+QWidget* TunePanel::buildVerification() {
+    auto* page = new QWidget(m_figures);
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(widgets::GridStep_px);
+    m_agreement = new widgets::VerdictView(page);
+    m_agreement->setObjectName(QStringLiteral("agreement"));
+    m_verification = new widgets::FigureView(page);
+    column->addWidget(m_agreement);
+    column->addWidget(m_verification, 1);
+    return page;
+}
+
+void TunePanel::refreshWords() {
+    const DisplayUnits& units = m_bench.displayUnits();
+    m_empty->setWords(tr("No motor to tune yet"),
+                      tr("Gains are designed for an identified motor, with everything that is predicted of "
+                         "them, and proved by a move before they stay."),
+                      tr("Identify the motor"));
+    m_empty->setIconName(QStringLiteral("settings"));
+    say(*m_apply, tr("Apply and verify"),
+        tr("One transaction, then a step of %1 that must go as predicted; Esc stops it")
+            .arg(angleText(VerificationStep_rad, units, 2)));
+    say(*m_keep, tr("Keep"), tr("The new gains stay until the device is switched off"));
+    say(*m_restore, tr("Restore"), tr("The gains from before run again"));
+    say(*m_save, tr("Save gains\u2026"), tr("Write the file that the program's analyse reads"));
+    m_figures->setTitle(m_bode, tr("Open loop"), tr("Magnitude and phase with their margins"));
+    m_figures->setTitle(m_large, tr("Step of %1").arg(angleText(LargeStep_rad, units)),
+                        tr("A large step with friction and current limit"));
+    m_figures->setTitle(m_linear, tr("Small step"), tr("The step of the linear loop"));
+    m_figures->setTitle(m_numbers, tr("Numbers"), tr("Every predicted figure, margins with their interval"));
+    m_figures->setTitle(m_verificationPage, tr("Verification"),
+                        tr("The measured move over its prediction; there is one after Apply and verify"));
+    m_figures->setAccessibleName(tr("Predictions"));
+    drawVerification();
+    refreshModel();
+}
+
+void TunePanel::onUnits() {
+    m_gains->setAngleUnit(m_bench.displayUnits().angle);
+    refreshWords(); // and every picture with them
+}
+
+} // namespace halbench::app
