@@ -20,7 +20,7 @@ namespace halbench::widgets {
 namespace {
 
 constexpr double PlainFont_px = 13.0; ///< of the application, at which the figure has its own size
-constexpr int LeastPanel_px = 52;     ///< three tick labels
+constexpr int LeastPanel_px = 44;     ///< two tick labels and their space
 constexpr double Reach_px = 14.0;
 constexpr int LeastWidth_px = 260;
 
