@@ -4284,10 +4284,6 @@
         <translation>Wählen Sie mindestens eine Kalibrierung.</translation>
     </message>
     <message>
-        <source>The board ends the motion at %1 rad/s. Nothing is changed until you apply it.</source>
-        <translation>Das Steuergerät beendet die Bewegung bei %1 rad/s. Nichts wird geändert, bis Sie es übernehmen.</translation>
-    </message>
-    <message>
         <source>a figure only</source>
         <translation>nur eine Kennzahl</translation>
     </message>
@@ -4342,6 +4338,10 @@
     <message>
         <source>What is the difference?</source>
         <translation>Worin liegt der Unterschied?</translation>
+    </message>
+    <message>
+        <source>The board ends the motion at %1 %2. Nothing is changed until you apply it.</source>
+        <translation>Das Steuergerät beendet die Bewegung bei %1 %2. Nichts wird geändert, bis Sie es übernehmen.</translation>
     </message>
 </context>
 <context>
@@ -6566,7 +6566,7 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
     <message>
         <source>written: %1</source>
-        <translation type="unfinished">geschrieben: %1</translation>
+        <translation>geschrieben: %1</translation>
     </message>
     <message>
         <source>Record data</source>
@@ -7120,18 +7120,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Bei der Durchtrittsfrequenz; üblich sind mindestens 30°</translation>
     </message>
     <message>
-        <source>… of 95 % of the motors</source>
-        <translation>… für 95 % der Motoren</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>5th percentile over motors drawn from the identified uncertainty</source>
-        <translation>5. Perzentil über Motoren aus der identifizierten Unsicherheit</translation>
-    </message>
-    <message>
         <source>Unstable motors</source>
         <translation>Instabile Motoren</translation>
     </message>
@@ -7188,12 +7176,36 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Kleine Sprünge, ohne Reibung und Stromgrenze</translation>
     </message>
     <message>
-        <source>Step of 100°</source>
-        <translation>Sprung um 100°</translation>
-    </message>
-    <message>
         <source>With friction and current limit</source>
         <translation>Mit Reibung und Stromgrenze</translation>
+    </message>
+    <message>
+        <source>Step of %1</source>
+        <translation>Sprung um %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>at rest %1 from the set-point, allowed are %2</source>
+        <translation>in Ruhe %1 vom Sollwert entfernt, zulässig sind %2</translation>
+    </message>
+    <message>
+        <source>at rest %1 from the set-point, %2 more than allowed</source>
+        <translation>in Ruhe %1 vom Sollwert entfernt, %2 mehr als zulässig</translation>
+    </message>
+    <message>
+        <source>overshoot %1 %, %2 % more than allowed</source>
+        <translation>Überschwingen %1 %, %2 % mehr als zulässig</translation>
+    </message>
+    <message>
+        <source>at most %1 off the prediction, after %2 s</source>
+        <translation>höchstens %1 neben der Vorhersage, nach %2 s</translation>
     </message>
 </context>
 <context>
@@ -7217,6 +7229,14 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Before the apply</source>
         <translation>Vor dem Übernehmen</translation>
+    </message>
+    <message>
+        <source>5 % to 95 %</source>
+        <translation>5 % bis 95 %</translation>
+    </message>
+    <message>
+        <source>Of the motors that the identification&apos;s uncertainty allows; not known without one</source>
+        <translation>Der Motoren, die die Unsicherheit der Identifikation zulässt; ohne sie nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -7242,10 +7262,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Übernehmen und nachweisen</translation>
     </message>
     <message>
-        <source>One transaction, then a step of 29° that must go as predicted; Esc stops it</source>
-        <translation>Ein Vorgang, dann ein Sprung um 29°, der wie vorhergesagt ablaufen muss; Esc stoppt ihn</translation>
-    </message>
-    <message>
         <source>Keep</source>
         <translation>Behalten</translation>
     </message>
@@ -7268,10 +7284,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Write the file that the program&apos;s analyse reads</source>
         <translation>Die Datei schreiben, die analyse des Programms liest</translation>
-    </message>
-    <message>
-        <source>Step of 100°</source>
-        <translation>Sprung um 100°</translation>
     </message>
     <message>
         <source>Small step</source>
@@ -7361,6 +7373,46 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>The new gains are kept.</source>
         <translation>Die neuen Verstärkungen bleiben.</translation>
     </message>
+    <message>
+        <source>One transaction, then a step of %1 that must go as predicted; Esc stops it</source>
+        <translation>Eine Transaktion, dann ein Sprung um %1, der wie vorhergesagt verlaufen muss; Esc hält ihn an</translation>
+    </message>
+    <message>
+        <source>Open loop</source>
+        <translation>Offener Kreis</translation>
+    </message>
+    <message>
+        <source>Magnitude and phase with their margins</source>
+        <translation>Betrag und Phase mit ihren Reserven</translation>
+    </message>
+    <message>
+        <source>Step of %1</source>
+        <translation>Sprung um %1</translation>
+    </message>
+    <message>
+        <source>A large step with friction and current limit</source>
+        <translation>Ein großer Sprung mit Reibung und Stromgrenze</translation>
+    </message>
+    <message>
+        <source>The step of the linear loop</source>
+        <translation>Der Sprung des linearen Kreises</translation>
+    </message>
+    <message>
+        <source>Every predicted figure, margins with their interval</source>
+        <translation>Alle vorhergesagten Werte, Reserven mit ihrem Intervall</translation>
+    </message>
+    <message>
+        <source>The measured move over its prediction; there is one after Apply and verify</source>
+        <translation>Die gemessene Bewegung über ihrer Vorhersage; es gibt sie nach „Übernehmen und nachweisen“</translation>
+    </message>
+    <message>
+        <source>Within the predicted band</source>
+        <translation>Im vorhergesagten Band</translation>
+    </message>
+    <message>
+        <source>Outside the predicted band</source>
+        <translation>Außerhalb des vorhergesagten Bands</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuningFigures</name>
@@ -7405,10 +7457,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Führungsgröße</translation>
     </message>
     <message>
-        <source>Predicted step of 1 rad, linear loop</source>
-        <translation>Vorhergesagter Sprung um 1 rad, linearer Kreis</translation>
-    </message>
-    <message>
         <source>friction band</source>
         <translation>Reibungsband</translation>
     </message>
@@ -7427,6 +7475,26 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Verification move</source>
         <translation>Prüfbewegung</translation>
+    </message>
+    <message>
+        <source>Predicted step of %1, linear loop</source>
+        <translation>Vorhergesagter Sprung um %1, linearer Kreis</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>allowed %1</source>
+        <translation>zulässig %1</translation>
+    </message>
+    <message>
+        <source>friction band %1</source>
+        <translation>Reibungsband %1</translation>
+    </message>
+    <message>
+        <source>set-point</source>
+        <translation>Sollwert</translation>
     </message>
 </context>
 <context>

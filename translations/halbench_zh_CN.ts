@@ -4284,10 +4284,6 @@
         <translation>请至少选择一项标定。</translation>
     </message>
     <message>
-        <source>The board ends the motion at %1 rad/s. Nothing is changed until you apply it.</source>
-        <translation>转速达到 %1 rad/s 时控制板结束运动。应用之前不会更改任何内容。</translation>
-    </message>
-    <message>
         <source>a figure only</source>
         <translation>仅为数值</translation>
     </message>
@@ -4342,6 +4338,10 @@
     <message>
         <source>What is the difference?</source>
         <translation>有何区别？</translation>
+    </message>
+    <message>
+        <source>The board ends the motion at %1 %2. Nothing is changed until you apply it.</source>
+        <translation>转速达到 %1 %2 时控制板结束运动。应用之前不会更改任何内容。</translation>
     </message>
 </context>
 <context>
@@ -6561,7 +6561,7 @@ A real device has its own time.</source>
     </message>
     <message>
         <source>written: %1</source>
-        <translation type="unfinished">已写入：%1</translation>
+        <translation>已写入:%1</translation>
     </message>
     <message>
         <source>Record data</source>
@@ -7115,18 +7115,6 @@ A real device has its own time.</source>
         <translation>在增益穿越频率处；通常至少 30°</translation>
     </message>
     <message>
-        <source>… of 95 % of the motors</source>
-        <translation>… 95 % 的电机</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1，%2</translation>
-    </message>
-    <message>
-        <source>5th percentile over motors drawn from the identified uncertainty</source>
-        <translation>按辨识不确定度抽取的电机的第 5 百分位</translation>
-    </message>
-    <message>
         <source>Unstable motors</source>
         <translation>不稳定的电机</translation>
     </message>
@@ -7183,12 +7171,36 @@ A real device has its own time.</source>
         <translation>小阶跃，无摩擦和电流限制</translation>
     </message>
     <message>
-        <source>Step of 100°</source>
-        <translation>100° 阶跃</translation>
-    </message>
-    <message>
         <source>With friction and current limit</source>
         <translation>含摩擦和电流限制</translation>
+    </message>
+    <message>
+        <source>Step of %1</source>
+        <translation>%1 阶跃</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>at rest %1 from the set-point, allowed are %2</source>
+        <translation>静止时距设定值 %1，允许 %2</translation>
+    </message>
+    <message>
+        <source>at rest %1 from the set-point, %2 more than allowed</source>
+        <translation>静止时距设定值 %1，超出允许值 %2</translation>
+    </message>
+    <message>
+        <source>overshoot %1 %, %2 % more than allowed</source>
+        <translation>超调 %1 %，超出允许值 %2 %</translation>
+    </message>
+    <message>
+        <source>at most %1 off the prediction, after %2 s</source>
+        <translation>与预测最多相差 %1，在 %2 s 时</translation>
     </message>
 </context>
 <context>
@@ -7212,6 +7224,14 @@ A real device has its own time.</source>
     <message>
         <source>Before the apply</source>
         <translation>应用之前</translation>
+    </message>
+    <message>
+        <source>5 % to 95 %</source>
+        <translation>5 % 至 95 %</translation>
+    </message>
+    <message>
+        <source>Of the motors that the identification&apos;s uncertainty allows; not known without one</source>
+        <translation>辨识不确定度所允许的电机；没有不确定度则未知</translation>
     </message>
 </context>
 <context>
@@ -7237,10 +7257,6 @@ A real device has its own time.</source>
         <translation>应用并验证</translation>
     </message>
     <message>
-        <source>One transaction, then a step of 29° that must go as predicted; Esc stops it</source>
-        <translation>一次事务，然后做 29° 阶跃，必须与预测一致；按 Esc 键停止</translation>
-    </message>
-    <message>
         <source>Keep</source>
         <translation>保留</translation>
     </message>
@@ -7263,10 +7279,6 @@ A real device has its own time.</source>
     <message>
         <source>Write the file that the program&apos;s analyse reads</source>
         <translation>写出供本程序 analyse 读取的文件</translation>
-    </message>
-    <message>
-        <source>Step of 100°</source>
-        <translation>100° 阶跃</translation>
     </message>
     <message>
         <source>Small step</source>
@@ -7356,6 +7368,46 @@ A real device has its own time.</source>
         <source>The new gains are kept.</source>
         <translation>保留新增益。</translation>
     </message>
+    <message>
+        <source>One transaction, then a step of %1 that must go as predicted; Esc stops it</source>
+        <translation>一次事务，然后做 %1 的阶跃，必须与预测一致；Esc 停止</translation>
+    </message>
+    <message>
+        <source>Open loop</source>
+        <translation>开环</translation>
+    </message>
+    <message>
+        <source>Magnitude and phase with their margins</source>
+        <translation>幅值和相位及其裕度</translation>
+    </message>
+    <message>
+        <source>Step of %1</source>
+        <translation>%1 阶跃</translation>
+    </message>
+    <message>
+        <source>A large step with friction and current limit</source>
+        <translation>带摩擦和电流限制的大阶跃</translation>
+    </message>
+    <message>
+        <source>The step of the linear loop</source>
+        <translation>线性回路的阶跃</translation>
+    </message>
+    <message>
+        <source>Every predicted figure, margins with their interval</source>
+        <translation>所有预测值，裕度附区间</translation>
+    </message>
+    <message>
+        <source>The measured move over its prediction; there is one after Apply and verify</source>
+        <translation>实测运动与其预测；“应用并验证”之后才有</translation>
+    </message>
+    <message>
+        <source>Within the predicted band</source>
+        <translation>在预测范围之内</translation>
+    </message>
+    <message>
+        <source>Outside the predicted band</source>
+        <translation>超出预测范围</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuningFigures</name>
@@ -7400,10 +7452,6 @@ A real device has its own time.</source>
         <translation>参考值</translation>
     </message>
     <message>
-        <source>Predicted step of 1 rad, linear loop</source>
-        <translation>预测的 1 rad 阶跃，线性回路</translation>
-    </message>
-    <message>
         <source>friction band</source>
         <translation>摩擦带</translation>
     </message>
@@ -7422,6 +7470,26 @@ A real device has its own time.</source>
     <message>
         <source>Verification move</source>
         <translation>验证运动</translation>
+    </message>
+    <message>
+        <source>Predicted step of %1, linear loop</source>
+        <translation>预测的 %1 阶跃，线性回路</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>误差</translation>
+    </message>
+    <message>
+        <source>allowed %1</source>
+        <translation>允许 %1</translation>
+    </message>
+    <message>
+        <source>friction band %1</source>
+        <translation>摩擦带 %1</translation>
+    </message>
+    <message>
+        <source>set-point</source>
+        <translation>设定值</translation>
     </message>
 </context>
 <context>

@@ -67,7 +67,9 @@ void CalibratePanel::showResult() {
     m_gain->setText(calibrationGain(*m_result, bench().displayUnits()));
     m_gain->setVisible(!m_gain->text().isEmpty());
     const bool hasFigure = !m_result->staticFriction.empty();
-    m_figure->setFigure(hasFigure ? staticFrictionFigure(m_result->staticFriction, bench().displayUnits().angle) : widgets::Figure{});
+    m_figure->setFigure(hasFigure
+                            ? staticFrictionFigure(m_result->staticFriction, bench().displayUnits().angle)
+                            : widgets::Figure{});
     m_figure->setVisible(hasFigure);
     refreshPlan();
 }
@@ -76,8 +78,8 @@ void CalibratePanel::showResult() {
 void CalibratePanel::showRows() {
     if (m_result) {
         const bool isKnown = bench().session().state() == SessionState::Connected && isOfThisDevice();
-        m_table->setRows(calibrationRows(*m_result, isKnown ? &bench().deviceValues() : nullptr,
-                                         bench().displayUnits()));
+        m_table->setRows(
+            calibrationRows(*m_result, isKnown ? &bench().deviceValues() : nullptr, bench().displayUnits()));
     }
 }
 

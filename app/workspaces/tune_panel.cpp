@@ -1,7 +1,6 @@
 #include "app/workspaces/tune_panel.h"
 
 #include "app/batch/loop_conditions.h"
-#include "app/workspaces/document_files.h"
 #include "app/workspaces/gain_editor.h"
 #include "app/workspaces/preflight.h"
 #include "app/workspaces/tune_form.h"

@@ -203,8 +203,8 @@ TEST(CalibrateWords, definesTheResidualAngleErrorOnce) {
     result.residualBefore_rad = degreesToRadians(2.0);
     result.residualAfter_rad = degreesToRadians(0.25);
     const QString text = calibrationGain(result, {});
-    EXPECT_TRUE(text.startsWith("Residual angle error: 2.000\u00b0")) << text.toStdString();
-    EXPECT_TRUE(text.contains("0.250\u00b0 with the proposed"));
+    EXPECT_TRUE(text.startsWith("Residual angle error: 2\u00b0")) << text.toStdString();
+    EXPECT_TRUE(text.contains("0.25\u00b0 with the proposed"));
     EXPECT_TRUE(text.contains("root mean square (rms)"));
 }
 
