@@ -4056,7 +4056,7 @@
     </message>
     <message>
         <source>no device with the serial number &apos;{}&apos; is plugged in</source>
-        <translation>kein Gerät mit der Seriennummer '{}' ist eingesteckt</translation>
+        <translation>kein Gerät mit der Seriennummer &apos;{}&apos; ist eingesteckt</translation>
     </message>
     <message>
         <source>plug it in; any port will do</source>
@@ -4064,7 +4064,7 @@
     </message>
     <message>
         <source>several ports have the serial number &apos;{}&apos;: {} and {}</source>
-        <translation>mehrere Anschlüsse haben die Seriennummer '{}': {} und {}</translation>
+        <translation>mehrere Anschlüsse haben die Seriennummer &apos;{}&apos;: {} und {}</translation>
     </message>
     <message>
         <source>name one of them</source>
@@ -4554,6 +4554,10 @@
     <message>
         <source>End what runs, disarm and disconnect (Ctrl+Shift+C)</source>
         <translation>Beenden, was läuft, sperren und trennen (Strg+Umschalt+C)</translation>
+    </message>
+    <message>
+        <source>End the search for the device (Ctrl+Shift+C)</source>
+        <translation>Die Suche nach dem Gerät beenden (Strg+Umschalt+C)</translation>
     </message>
 </context>
 <context>

@@ -4056,7 +4056,7 @@
     </message>
     <message>
         <source>no device with the serial number &apos;{}&apos; is plugged in</source>
-        <translation>未插入序列号为 '{}' 的设备</translation>
+        <translation>未插入序列号为 &apos;{}&apos; 的设备</translation>
     </message>
     <message>
         <source>plug it in; any port will do</source>
@@ -4064,7 +4064,7 @@
     </message>
     <message>
         <source>several ports have the serial number &apos;{}&apos;: {} and {}</source>
-        <translation>多个端口的序列号为 '{}'：{} 和 {}</translation>
+        <translation>多个端口的序列号为 &apos;{}&apos;：{} 和 {}</translation>
     </message>
     <message>
         <source>name one of them</source>
@@ -4550,6 +4550,10 @@
     <message>
         <source>End what runs, disarm and disconnect (Ctrl+Shift+C)</source>
         <translation>结束正在运行的任务、解除使能并断开 (Ctrl+Shift+C)</translation>
+    </message>
+    <message>
+        <source>End the search for the device (Ctrl+Shift+C)</source>
+        <translation>结束查找设备 (Ctrl+Shift+C)</translation>
     </message>
 </context>
 <context>
