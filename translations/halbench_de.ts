@@ -7022,7 +7022,7 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
     <message>
         <source>Gains &amp;by</source>
-        <translation>Reglerparameter a&amp;us</translation>
+        <translation>A&amp;uslegung nach</translation>
     </message>
     <message>
         <source>Where the gains come from</source>
@@ -7263,7 +7263,7 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
     <message>
         <source>Apply and verify</source>
-        <translation>Übernehmen und nachweisen</translation>
+        <translation>Übernehmen, prüfen</translation>
     </message>
     <message>
         <source>Keep</source>
@@ -7407,7 +7407,7 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
     <message>
         <source>The measured move over its prediction; there is one after Apply and verify</source>
-        <translation>Die gemessene Bewegung über ihrer Vorhersage; es gibt sie nach „Übernehmen und nachweisen“</translation>
+        <translation>Die gemessene Bewegung über ihrer Vorhersage; es gibt sie nach „Übernehmen, prüfen“</translation>
     </message>
     <message>
         <source>Within the predicted band</source>

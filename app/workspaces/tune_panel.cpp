@@ -44,7 +44,7 @@ TunePanel::TunePanel(Workbench& bench, QWidget* parent)
     auto* splitter = new QSplitter(Qt::Horizontal, m_pages);
     splitter->setChildrenCollapsible(false);
     QWidget* settings = buildSettings();
-    settings->setMinimumWidth(44 * fontMetrics().averageCharWidth());
+    settings->setMinimumWidth(47 * fontMetrics().averageCharWidth());
     splitter->addWidget(settings);
     splitter->addWidget(buildFigures());
     splitter->setStretchFactor(1, 1);
