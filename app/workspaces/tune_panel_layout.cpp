@@ -116,9 +116,9 @@ QWidget* TunePanel::buildVerification() {
     column->setSpacing(widgets::GridStep_px);
     m_agreement = new widgets::VerdictView(page);
     m_agreement->setObjectName(QStringLiteral("agreement"));
-    m_verification = new widgets::FigureView(page);
+    m_verification = new widgets::FigureView;
     column->addWidget(m_agreement);
-    column->addWidget(m_verification, 1);
+    column->addWidget(scrolled(m_verification), 1); // three plots want more height than a small screen has
     return page;
 }
 
