@@ -138,8 +138,9 @@ TEST_F(FaultyDeviceTest, aBoardThatFloodsLeavesTheWindowAndItsStopWorking) {
     QElapsedTimer timer;
     timer.start();
     QTest::keyClick(window.get(), Qt::Key_Escape);
-    EXPECT_TRUE(wait(
-        [&] { return session().report().board.isStopLatched || session().state() == SessionState::Reconnecting; }));
+    EXPECT_TRUE(wait([&] {
+        return session().report().board.isStopLatched || session().state() == SessionState::Reconnecting;
+    }));
     EXPECT_LT(timer.elapsed(), 2000); // gate 6 of resources/help/protocol.md: no hang above 2 s
     EXPECT_TRUE(!session().report().board.isArmed || session().state() == SessionState::Reconnecting);
     line.spoil(Fault::None);

@@ -241,7 +241,8 @@ TEST_F(IdentifyPanelTest, aDeviceLostMidWayIsSaidInPlaceAndThePanelStaysUsable) 
     click(panel, "Start identification");
     ASSERT_TRUE(wait([&] { return bench.session().report().board.isArmed; }));
     board.kill();
-    ASSERT_TRUE(wait([&] { return bench.session().state() == SessionState::Reconnecting && !message().isEmpty(); }));
+    ASSERT_TRUE(
+        wait([&] { return bench.session().state() == SessionState::Reconnecting && !message().isEmpty(); }));
     EXPECT_TRUE(bench.session().procedure().isEmpty());
     EXPECT_FALSE(isEnabled(panel, "Start identification"));
     EXPECT_NE(button(panel, "Start identification"), nullptr);
