@@ -117,8 +117,8 @@ Result<void> ReturningDevice::look(double longest_s) {
 }
 
 Result<void> ReturningDevice::takeBack(std::unique_ptr<Device> device) {
-    if (device->state().isArmed) {
-        (void)device->disarm();
+    if (device->state().isArmed && !device->disarm()) {
+        device->stop();
     }
     const double outage_s = m_time.now_s() - m_lostHost_s;
     m_start_s = now_s() - device->clock().now_s();

@@ -4078,6 +4078,14 @@
         <source>connection back</source>
         <translation>Verbindung wieder da</translation>
     </message>
+    <message>
+        <source>the device was changed before anything was written</source>
+        <translation>das Gerät wurde gewechselt, bevor etwas geschrieben war</translation>
+    </message>
+    <message>
+        <source>look at the rows again, then restore</source>
+        <translation>sehen Sie die Zeilen noch einmal an, dann stellen Sie wieder her</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

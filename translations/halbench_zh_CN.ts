@@ -4078,6 +4078,14 @@
         <source>connection back</source>
         <translation>连接已恢复</translation>
     </message>
+    <message>
+        <source>the device was changed before anything was written</source>
+        <translation>在写入任何内容之前设备已更换</translation>
+    </message>
+    <message>
+        <source>look at the rows again, then restore</source>
+        <translation>请再次查看各行,然后恢复</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

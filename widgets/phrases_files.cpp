@@ -103,6 +103,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "a project begins with schema = \"{}\""),
     QT_TRANSLATE_NOOP("Phrases", "{} is open in another window (process {} on {})"),
     QT_TRANSLATE_NOOP("Phrases", "close it there; if it is open nowhere, remove {}"),
+    QT_TRANSLATE_NOOP("Phrases", "the device was changed before anything was written"),
+    QT_TRANSLATE_NOOP("Phrases", "look at the rows again, then restore"),
     QT_TRANSLATE_NOOP("Phrases", "stopped by command"),
     QT_TRANSLATE_NOOP("Phrases", "stopped by watchdog"),
     QT_TRANSLATE_NOOP("Phrases", "connection lost"),

@@ -232,7 +232,9 @@ void Connection::awaitReturn() {
 
 void Connection::takeBack(std::unique_ptr<devices::Device> device) {
     if (device->state().isArmed) {
-        (void)device->disarm(); // boards of ours are by their CONNECT
+        if (!device->disarm()) { // boards of ours are disarmed by their CONNECT
+            device->stop();
+        }
     }
     if (std::exchange(m_isStopOwed, false)) {
         device->stop();

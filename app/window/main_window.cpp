@@ -292,7 +292,8 @@ void MainWindow::openHelp(const QString& page) {
 
 /// The stop itself is on its way already; what the board made of it follows in the log.
 void MainWindow::noteStop(const QString& who) {
-    if (m_bench.session().state() == SessionState::Connected) {
+    const SessionState state = m_bench.session().state();
+    if (state == SessionState::Connected || state == SessionState::Reconnecting) {
         m_bench.session().message(MessageLevel::Warning, tr("stop"), who);
     }
 }

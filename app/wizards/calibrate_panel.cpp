@@ -215,11 +215,13 @@ void CalibratePanel::refreshPlan() {
 void CalibratePanel::onDevice() {
     if (bench().session().state() == SessionState::Connected) {
         ++m_connection;
-        if (m_result && !m_isFromProject) {
+        if (m_result && !m_isFromProject && bench().session().returns() == 0) {
             forget();
         } else if (m_result) {
             m_result->isApplied = false; // the board starts with the values that it keeps
-            sayProject();
+            if (m_isFromProject) {
+                sayProject();
+            }
             endStep(ApplyStep, widgets::StepState::Waiting);
         }
     } else if (m_result && m_isFromProject) {

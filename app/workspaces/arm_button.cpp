@@ -3,6 +3,7 @@
 #include "widgets/icons.h"
 
 #include <QEvent>
+#include <QMouseEvent>
 
 namespace halbench::app {
 
@@ -58,6 +59,10 @@ void ArmButton::dress() {
     const bool isArmed = widgets::roleOf(*this) == widgets::Role::Armed;
     setIcon(widgets::colouredIcon(QStringLiteral("arm"),
                                   isArmed ? widgets::readableOn(theme, theme.armed) : theme.text));
+}
+
+void ArmButton::mouseDoubleClickEvent(QMouseEvent* event) {
+    event->accept();
 }
 
 void ArmButton::changeEvent(QEvent* event) {

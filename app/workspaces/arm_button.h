@@ -24,6 +24,8 @@ Q_SIGNALS:
 
 protected:
     void changeEvent(QEvent* event) override;
+    /// The second click of a double click on Disarm must not arm again.
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
 
 private:
     void onClicked();

@@ -42,7 +42,10 @@ ConfigurationPanel::ConfigurationPanel(Workbench& bench, QWidget* parent, const 
     connect(m_save, &QPushButton::clicked, this, &ConfigurationPanel::save);
     connect(m_open, &QPushButton::clicked, this, &ConfigurationPanel::open);
     connect(&m_bench, &Workbench::valuesChanged, this, [this] { compare(true); });
-    connect(&m_bench, &Workbench::deviceChanged, this, [this] { compare(false); });
+    connect(&m_bench, &Workbench::deviceChanged, this, [this] {
+        ++m_connections;
+        compare(false);
+    });
     connect(&m_bench, &Workbench::samplesArrived, this, &ConfigurationPanel::refresh);
     connect(&m_bench.session(), &DeviceSession::procedureChanged, this, &ConfigurationPanel::refresh);
     connect(&m_bench.session(), &DeviceSession::reportChanged, this, &ConfigurationPanel::refresh);
@@ -211,10 +214,18 @@ void ConfigurationPanel::backUpAndRestore() {
     m_isRestoring = true;
     refresh();
     m_files.run([before, folder = m_backups] { return backUpConfiguration(before, folder); },
-                [this, values = *values](const Result<std::string>& path) {
+                [this, values = *values, id = session.info().id,
+                 connection = m_connections](const Result<std::string>& path) {
                     if (!path) {
                         m_isRestoring = false;
                         tell(path.error());
+                        refresh();
+                        return;
+                    }
+                    if (m_bench.session().info().id != id || m_connections != connection) {
+                        m_isRestoring = false;
+                        tell({ErrorCode::DeviceLost, "the device was changed before anything was written",
+                              "look at the rows again, then restore"});
                         refresh();
                         return;
                     }

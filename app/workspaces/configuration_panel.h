@@ -54,6 +54,7 @@ private:
     FileQueue m_files;
     std::optional<Configuration> m_file;
     bool m_isRestoring = false;
+    int m_connections = 0; ///< what was chosen for one is not written to another
     std::optional<ConfigurationComparison> m_comparison;
     QPushButton* m_save = nullptr;
     QPushButton* m_open = nullptr;

@@ -135,8 +135,8 @@ void DriveControl::finish(const Result<void>& done, const std::function<void()>&
 }
 
 void DriveControl::arm() {
-    if (!isAvailable() || needsConsent() || isPending()) {
-        return;
+    if (!isAvailable() || needsConsent() || isPending() || isArmed()) {
+        return; // to arm what is armed would set the set-point to zero: a leap
     }
     change(
         [mode = m_mode](devices::Device& device) {

@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QSignalBlocker>
+#include <QWheelEvent>
 
 namespace halbench::app {
 
@@ -35,6 +36,10 @@ void ModeBox::refresh() {
         const QSignalBlocker quiet(this);
         setCurrentIndex(static_cast<int>(m_control.mode()));
     }
+}
+
+void ModeBox::wheelEvent(QWheelEvent* event) {
+    event->ignore();
 }
 
 void ModeBox::changeEvent(QEvent* event) {

@@ -16,6 +16,8 @@ public:
 
 protected:
     void changeEvent(QEvent* event) override;
+    /// A wheel that turns while the pointer passes must not take the current from a load.
+    void wheelEvent(QWheelEvent* event) override;
 
 private:
     void refresh();

@@ -35,6 +35,8 @@ ReturnNotice::ReturnNotice(Workbench& bench, QWidget* parent) : QWidget(parent),
     column->addWidget(m_differences);
     connect(&m_bench.session(), &DeviceSession::stateChanged, this, &ReturnNotice::onState);
     connect(&m_bench.session(), &DeviceSession::reportChanged, this, &ReturnNotice::showSearch);
+    connect(&m_bench.session(), &DeviceSession::reportChanged, this, &ReturnNotice::refreshWrite);
+    connect(&m_bench.session(), &DeviceSession::procedureChanged, this, &ReturnNotice::refreshWrite);
     connect(&m_bench, &Workbench::valuesCompared, this, &ReturnNotice::showReturn);
     connect(m_accept, &QPushButton::clicked, &m_bench, &Workbench::acceptDifferences);
     connect(m_write, &QPushButton::clicked, this, &ReturnNotice::writeBack);
@@ -72,8 +74,15 @@ void ReturnNotice::onState() {
         m_message->clear();
         m_differences->hide();
     }
-    m_write->setEnabled(state == SessionState::Connected);
     m_accept->setEnabled(state == SessionState::Connected);
+    refreshWrite();
+}
+
+/// Values of a loop that runs are not changed all at once.
+void ReturnNotice::refreshWrite() {
+    const DeviceSession& session = m_bench.session();
+    m_write->setEnabled(session.state() == SessionState::Connected && session.procedure().isEmpty() &&
+                        !session.report().board.isArmed);
 }
 
 /// What is shown already is left alone: it is said anew ten times a second.
@@ -140,7 +149,7 @@ void ReturnNotice::writeBack() {
         if (!self) {
             return;
         }
-        self->m_write->setEnabled(self->m_bench.session().state() == SessionState::Connected);
+        self->refreshWrite();
         if (!written) {
             self->say({widgets::Severity::Error,
                        widgets::inWords(written.error().message),

@@ -26,6 +26,7 @@ public:
 private:
     void buildDifferences();
     void onState();
+    void refreshWrite();
     void showSearch();
     void showReturn();
     void showDifferences();

@@ -79,7 +79,9 @@ void TunePanel::connectParts() {
     connect(&m_bench, &Workbench::strayIntervalChanged, this, &TunePanel::ask);
     connect(&m_bench, &Workbench::displayUnitsChanged, this, &TunePanel::onUnits);
     connect(&m_bench, &Workbench::deviceChanged, this, [this] {
-        m_before.clear(); // another device: nothing of it was replaced
+        if (m_bench.session().state() == SessionState::Connected && m_bench.session().returns() == 0) {
+            m_before.clear(); // another device: nothing of it was replaced
+        }
         readConditions();
         ask(); // its presets may be others
     });

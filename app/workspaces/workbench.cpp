@@ -182,7 +182,9 @@ void Workbench::acceptDifferences() {
 void Workbench::writeDifferencesBack(std::function<void(Result<void>)> then) {
     std::vector<ParameterValue> values;
     for (const ValueDifference& difference : m_differences) {
-        values.push_back({difference.name, difference.before});
+        if (deviceValue(difference.name) == difference.now) { // not changed on purpose since
+            values.push_back({difference.name, difference.before});
+        }
     }
     writeValues(std::move(values), [this, then = std::move(then)](const Result<void>& written) {
         if (written) {
