@@ -83,7 +83,28 @@ QWidget* IdentifyResultView::buildWords() {
 void IdentifyResultView::setResult(const IdentifyResult& result, const ResultHeader& header) {
     m_result = result;
     m_header = header;
+    m_isShared = false;
     refresh();
+    if (isVisible()) {
+        shareWidth();
+    }
+}
+
+/// The table is as wide as its columns where that leaves room for the pictures.
+void IdentifyResultView::shareWidth() {
+    m_isShared = true;
+    const int table_px = m_table->neededWidth() + 2 * widgets::PanelMargin_px +
+                         style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    const int words_px = std::min(table_px, static_cast<int>(MostWords_ratio * width()));
+    m_splitter->setSizes({words_px, std::max(1, width() - words_px)});
+}
+
+/// A page that was never shown has no width to share before.
+void IdentifyResultView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    if (!m_isShared) {
+        shareWidth();
+    }
 }
 
 void IdentifyResultView::refresh() {
@@ -95,11 +116,6 @@ void IdentifyResultView::refresh() {
     m_missing->setText(missingText(m_result));
     m_missing->setVisible(!m_missing->text().isEmpty());
     m_provenance->setText(provenanceText(m_header, m_result.duration_s, m_result.highestTemperature_degC));
-    // The table is as wide as its columns where that leaves room for the pictures.
-    const int table_px = m_table->neededWidth() + 2 * widgets::PanelMargin_px +
-                         style()->pixelMetric(QStyle::PM_ScrollBarExtent);
-    const int words_px = std::min(table_px, static_cast<int>(MostWords_ratio * m_splitter->width()));
-    m_splitter->setSizes({words_px, std::max(1, m_splitter->width() - words_px)});
     const auto fit = steadySpeedFigure(m_result);
     const auto region = jointRegion(m_result);
     m_fit->setFigure(fit.value_or(widgets::Figure{}));

@@ -36,8 +36,10 @@ Q_SIGNALS:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void shareWidth();
     QWidget* buildWords();
     void refresh();
 
@@ -51,6 +53,7 @@ private:
     QLabel* m_missing = nullptr;
     QLabel* m_provenance = nullptr;
     QSplitter* m_splitter = nullptr;
+    bool m_isShared = false; ///< the width, between words and pictures; later the user's affair
     QTabWidget* m_figures = nullptr;
     widgets::FigureView* m_fit = nullptr;
     widgets::FigureView* m_region = nullptr;

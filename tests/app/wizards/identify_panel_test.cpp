@@ -13,6 +13,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QProcess>
+#include <QSplitter>
 #include <QTemporaryDir>
 
 namespace halbench::app {
@@ -148,6 +149,10 @@ TEST_F(IdentifyPanelTest, aResultCarriesTheWallClocksStartAndTheDevicesDuration)
                             label->text().contains("minutes of device time"));
     }
     EXPECT_TRUE(isSaid);
+    // The page was never shown before; still the numbers have their place beside the pictures.
+    const int needed_px = child<widgets::EstimateTable>()->neededWidth();
+    const auto* splitter = child<QSplitter>();
+    EXPECT_GE(splitter->sizes().at(0), std::min(needed_px, splitter->width() * 2 / 5));
 }
 
 TEST_F(IdentifyPanelTest, aResultOfTheProjectSaysWhetherItsDeviceIsTheOneThatIsConnected) {

@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QWheelEvent>
 
 #include <atomic>
 #include <future>
@@ -62,6 +63,40 @@ TEST_F(DrivePanelTest, armsASimulatedMotorAtOnceAndDisarms) {
     click(*panel, "Disarm");
     EXPECT_TRUE(wait([&] { return !isArmed(); }));
     EXPECT_TRUE(wait([&] { return !find<QPushButton>(*panel, "Go")->isEnabled(); }));
+}
+
+TEST_F(DrivePanelTest, aDoubleClickOnDisarmDoesNotArmAgain) {
+    connectTo("sim:htm", 5.0);
+    armByClick();
+    auto* button = find<QPushButton>(*panel, "Disarm");
+    QTest::mouseClick(button, Qt::LeftButton);
+    ASSERT_TRUE(wait([&] { return !isArmed() && button->isEnabled(); }));
+    // The second half of a double click comes when the board is disarmed already.
+    QTest::mouseDClick(button, Qt::LeftButton);
+    QTest::mouseRelease(button, Qt::LeftButton);
+    QTest::qWait(100);
+    EXPECT_EQ(parameter("hb.arm"), 0.0);
+}
+
+TEST_F(DrivePanelTest, aWheelThatPassesChangesNoMode) {
+    connectTo("sim:htm", 5.0);
+    auto* box = find<QComboBox>(*panel, "Mode");
+    const QPointF middle = box->rect().center();
+    QWheelEvent turn(middle, box->mapToGlobal(middle.toPoint()), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                     Qt::NoScrollPhase, false);
+    QApplication::sendEvent(box, &turn);
+    EXPECT_EQ(mode(), 2);
+}
+
+TEST_F(DrivePanelTest, toArmWhatIsArmedMovesNoSetpoint) {
+    connectTo("sim:htm", 5.0);
+    armByClick();
+    auto* field = find<QDoubleSpinBox>(*panel, "Set-point");
+    type(field, "12");
+    QTest::keyClick(field, Qt::Key_Return);
+    ASSERT_TRUE(wait([&] { return parameter("hb.setpoint") != 0.0; }));
+    bench().drive().arm(); // a question that stood somewhere else
+    EXPECT_NEAR(parameter("hb.setpoint"), degreesToRadians(12.0), 1e-6);
 }
 
 TEST_F(DrivePanelTest, sendsTheSetpointOnEnterAndNotOnLeavingTheField) {
