@@ -140,9 +140,15 @@ void Connection::obeyStop() {
         return;
     }
     m_stopsServed = stops();
-    m_isStopOwed = m_isReturning;
+    m_isStopOwed = true; // until the board says that it is latched: the link may be dead already
     m_device->stop();
+    settleStop();
     report(true);
+}
+
+void Connection::settleStop() {
+    const devices::DeviceState board = m_device->state();
+    m_isStopOwed = m_isStopOwed && !(board.isConnected && board.isStopLatched);
 }
 
 void Connection::stopIfSilent() {
@@ -236,12 +242,13 @@ void Connection::takeBack(std::unique_ptr<devices::Device> device) {
             device->stop();
         }
     }
-    if (std::exchange(m_isStopOwed, false)) {
+    if (m_isStopOwed) {
         device->stop();
     }
     const double outage_s = seconds(Clock::now() - m_lostAt);
     m_start_s = displayTime_s() + outage_s - device->clock().now_s();
     m_former = std::exchange(m_device, std::move(device));
+    settleStop();
     m_lost.reset();
     m_isReturning = false;
     ++m_returns;

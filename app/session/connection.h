@@ -125,6 +125,7 @@ private:
     void run();
     void serve();
     void obeyStop();
+    void settleStop();
     bool isStopWanted() const { return m_orders->stops != m_stopsServed; }
     void stopIfSilent();
     void runJobs();
@@ -160,7 +161,7 @@ private:
     std::optional<devices::DeviceReturn> m_return;
     std::uint64_t m_returns = 0;
     bool m_isReturning = false;
-    bool m_isStopOwed = false; ///< asked for while the device was away
+    bool m_isStopOwed = false; ///< asked for and not confirmed by the board: it is sent again after a return
     std::chrono::steady_clock::time_point m_lostAt;
     double m_start_s = 0.0; ///< of the device's clock since the first was opened
     double m_speed_ratio;

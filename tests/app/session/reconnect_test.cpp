@@ -175,6 +175,24 @@ TEST_F(ReconnectTest, aStopPressedWhileTheDeviceIsAwayReachesItWhenItIsBack) {
     EXPECT_TRUE(wait([&] { return report.board.isStopLatched; }));
 }
 
+TEST_F(ReconnectTest, aStopIntoALinkThatIsDeadButNotYetMissedIsOwedToo) {
+    connect(0.0);
+    isPlugged = false;
+    std::promise<void> cut;
+    connection->post([&](devices::Device&) {
+        motor.faults().isUnplugged = true; // nobody waits: the loss is not seen yet
+        cut.set_value();
+    });
+    cut.get_future().wait();
+    connection->stop();
+    connection->post(
+        [this](devices::Device& device) { connection->beginWait(device, 0.01, [](const Result<void>&) {}); });
+    ASSERT_TRUE(wait([&] { return report.lost && report.isReturning; }));
+    EXPECT_FALSE(latest().board.isStopLatched);
+    plugIn();
+    EXPECT_TRUE(wait([&] { return report.board.isStopLatched; }));
+}
+
 TEST_F(ReconnectTest, aStopOfBeforeTheLossIsNotSentAgain) {
     connect(0.0);
     connection->stop();
