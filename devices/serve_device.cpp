@@ -1,5 +1,6 @@
 #include "devices/serve_device.h"
 
+#include "devices/served_simulation.h"
 #include "devices/simulated/simulated_device.h"
 #include "devices/sxi_framing.h"
 #include "devices/transport/pty_server.h"
@@ -16,23 +17,6 @@ namespace {
 constexpr std::uint64_t LineStream = 101;
 constexpr std::uint64_t FrameStream = 102;
 constexpr std::uint8_t Sync = 0x9A; // resources/help/protocol.md 3.3.3
-
-class ServedSimulation : public ServedBoard {
-public:
-    explicit ServedSimulation(SimulatedBoard& board) : m_board(&board) {}
-
-    void advanceTo(double time_s) override { m_board->advanceTo(time_s); }
-    void receive(std::span<const std::uint8_t> packet) override { m_board->receive(packet); }
-    bool transmit(std::vector<std::uint8_t>& packet, std::uint16_t& counter) override {
-        packet.resize(HB_MAX_DTO);
-        packet.resize(m_board->transmit(packet));
-        counter = m_board->messageCounter();
-        return !packet.empty();
-    }
-
-private:
-    SimulatedBoard* m_board;
-};
 
 /// What the board says of its line in its own description (resources/help/protocol.md 3.13).
 SimulatedBoard::Line lineOf(ServedLine line) {

@@ -2,6 +2,7 @@
 
 #include "app/workspaces/number_check.h"
 #include "app/workspaces/panel_parts.h"
+#include "app/workspaces/reference_fields.h"
 #include "control/base/units.h"
 #include "widgets/display_units.h"
 #include "widgets/quantity_edit.h"
@@ -20,151 +21,7 @@ namespace halbench::app {
 
 namespace {
 
-using Field = ReferenceForm::Field;
-constexpr int Plateaus = 7;
 constexpr std::size_t MostPlateaus = 32;
-
-struct Words {
-    const char* text;
-    const char* help;
-};
-
-struct Range {
-    double min, max, initial, step;
-    int decimals;
-};
-
-struct FieldSpec {
-    Field field;
-    Words words;
-    const char* angleUnit; ///< SI, in position mode
-    const char* currentUnit;
-    Range angle; ///< of angles and speeds in degrees
-    Range current;
-};
-
-constexpr Range Frequencies{0.001, 200.0, 1.0, 0.1, 3};
-
-/// The board's limits: resources/help/protocol.md 3.15. Shown as the user prefers.
-constexpr FieldSpec Fields[] = {
-    {Field::Amplitude,
-     {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Amplitude"),
-      QT_TRANSLATE_NOOP(
-          "halbench::app::ReferenceForm",
-          "Height of the step or of one stair, amplitude of sine and chirp, rms of a multisine, "
-          "end of a ramp (0: no end)")},
-     "rad",
-     "A",
-     {-36000.0, 36000.0, 30.0, 1.0, 2},
-     {-4.0, 4.0, 0.5, 0.1, 3}},
-    {Field::Rate,
-     {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Slope"),
-      QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "How fast the ramp rises; negative: backward")},
-     "rad/s",
-     "A/s",
-     {-36000.0, 36000.0, 90.0, 10.0, 2},
-     {-100.0, 100.0, 0.5, 0.1, 3}},
-    {Field::Frequency,
-     {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Frequency"),
-      QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Of the sine; the first one of chirp and multisine")},
-     "Hz",
-     "Hz",
-     Frequencies,
-     Frequencies},
-    {Field::FrequencyEnd,
-     {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Last frequency"),
-      QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Where chirp and multisine end")},
-     "Hz",
-     "Hz",
-     {0.001, 200.0, 10.0, 1.0, 3},
-     {0.001, 200.0, 10.0, 1.0, 3}},
-    {Field::Period,
-     {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Time of a stair"),
-      QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "How long every stair is held")},
-     "s",
-     "s",
-     {0.001, 3600.0, 1.0, 0.1, 3},
-     {0.001, 3600.0, 1.0, 0.1, 3}},
-    {Field::Count,
-     {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Count"),
-      QT_TRANSLATE_NOOP("halbench::app::ReferenceForm",
-                        "Stairs of a staircase, lines of a multisine (at most 32)")},
-     "",
-     "",
-     {1.0, 1000.0, 8.0, 1.0, 0},
-     {1.0, 1000.0, 8.0, 1.0, 0}},
-    {Field::Seed,
-     {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Seed"),
-      QT_TRANSLATE_NOOP("halbench::app::ReferenceForm",
-                        "Phases of the multisine; 0: those that keep its peak low")},
-     "",
-     "",
-     {0.0, 4294967295.0, 0.0, 1.0, 0},
-     {0.0, 4294967295.0, 0.0, 1.0, 0}},
-    {Field::Base,
-     {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Base"),
-      QT_TRANSLATE_NOOP("halbench::app::ReferenceForm",
-                        "Constant motion, or constant current, added to the shape")},
-     "rad/s",
-     "A",
-     {-36000.0, 36000.0, 0.0, 10.0, 2},
-     {-4.0, 4.0, 0.0, 0.1, 3}},
-    {Field::Duration,
-     {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Duration"),
-      QT_TRANSLATE_NOOP("halbench::app::ReferenceForm",
-                        "Then a position is held and a current goes to zero")},
-     "s",
-     "s",
-     {0.01, 3600.0, 5.0, 1.0, 2},
-     {0.01, 3600.0, 5.0, 1.0, 2}},
-    {Field::Dwell,
-     {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Time of a plateau"),
-      QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "How long every current is held")},
-     "s",
-     "s",
-     {0.01, 3600.0, 2.0, 0.5, 2},
-     {0.01, 3600.0, 2.0, 0.5, 2}},
-};
-
-struct Shape {
-    const char* words;
-    std::initializer_list<Field> fields;
-};
-
-/// In the order of the board's codes, from 1.
-const Shape& shapeOf(int code) {
-    static const Shape shapes[] = {
-        {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Step"),
-         {Field::Amplitude, Field::Base, Field::Duration}},
-        {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Ramp"),
-         {Field::Rate, Field::Amplitude, Field::Base, Field::Duration}},
-        {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Sine"),
-         {Field::Amplitude, Field::Frequency, Field::Base, Field::Duration}},
-        {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Staircase"),
-         {Field::Amplitude, Field::Period, Field::Count, Field::Base}},
-        {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Chirp"),
-         {Field::Amplitude, Field::Frequency, Field::FrequencyEnd, Field::Base, Field::Duration}},
-        {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Multisine"),
-         {Field::Amplitude, Field::Frequency, Field::FrequencyEnd, Field::Count, Field::Seed, Field::Base,
-          Field::Duration}},
-        {QT_TRANSLATE_NOOP("halbench::app::ReferenceForm", "Speed plateaus"), {Field::Dwell}},
-    };
-    return shapes[code - 1];
-}
-
-bool has(int shape, Field field) {
-    const auto& fields = shapeOf(shape).fields;
-    return std::find(fields.begin(), fields.end(), field) != fields.end();
-}
-
-const FieldSpec& specOf(Field field) {
-    return *std::find_if(std::begin(Fields), std::end(Fields),
-                         [field](const FieldSpec& each) { return each.field == field; });
-}
-
-bool isAngular(Field field) {
-    return field == Field::Amplitude || field == Field::Rate || field == Field::Base;
-}
 
 } // namespace
 
@@ -176,7 +33,7 @@ ReferenceForm::ReferenceForm(QWidget* parent) : QWidget(parent) {
     m_shape->setAccessibleName(tr("Shape of the reference"));
     m_shape->setToolTip(tr("What the board's generator adds to the set-point"));
     m_rows->addRow(tr("Shape"), m_shape);
-    for (const FieldSpec& spec : Fields) {
+    for (const ReferenceFieldSpec& spec : referenceFields()) {
         addNumber(spec.field);
     }
     m_currents = new QLineEdit(QStringLiteral("1.6; 2; 2.4; 2.8"), this);
@@ -195,7 +52,7 @@ void ReferenceForm::addNumber(Field field) {
     m_numbers[field] = box;
     m_checks[field] = new NumberCheck(*box);
     connect(m_checks.at(field), &NumberCheck::refused, this, &ReferenceForm::refused);
-    label(box, tr(specOf(field).words.text));
+    label(box, tr(referenceField(field).title));
     connect(box, QOverload<double>::of(&widgets::QuantityEdit::valueChanged), this, &ReferenceForm::changed);
 }
 
@@ -203,17 +60,17 @@ void ReferenceForm::fillShapes() {
     const QSignalBlocker quiet(m_shape);
     const int before = m_shape->currentIndex();
     m_shape->clear();
-    const int shapes = isPosition() ? Plateaus - 1 : Plateaus;
+    const int shapes = isPosition() ? PlateausShape - 1 : PlateausShape;
     for (int code = 1; code <= shapes; ++code) {
-        m_shape->addItem(tr(shapeOf(code).words));
+        m_shape->addItem(tr(referenceShape(code).title));
     }
     m_shape->setCurrentIndex(std::clamp(before, 0, shapes - 1));
-    for (const FieldSpec& spec : Fields) {
+    for (const ReferenceFieldSpec& spec : referenceFields()) {
         widgets::QuantityEdit* box = m_numbers.at(spec.field);
         const QSignalBlocker quietBox(box);
         dress(spec.field);
         if (before < 0 || isAngular(spec.field)) {
-            const Range& range = isPosition() ? spec.angle : spec.current;
+            const ReferenceRange& range = isPosition() ? spec.angle : spec.current;
             const bool isInDegrees = isPosition() && isAngular(spec.field);
             const double initial = isInDegrees ? degreesToRadians(range.initial) : range.initial;
             box->setValue(initial * shownAs(spec.field).factor);
@@ -223,7 +80,7 @@ void ReferenceForm::fillShapes() {
 
 /// As shown by the field; only angles and speeds depend on what the user prefers.
 DisplayQuantity ReferenceForm::shownAs(Field field) const {
-    const FieldSpec& spec = specOf(field);
+    const ReferenceFieldSpec& spec = referenceField(field);
     if (isPosition() && isAngular(field)) {
         return displayQuantity(spec.angleUnit, m_units);
     }
@@ -232,15 +89,15 @@ DisplayQuantity ReferenceForm::shownAs(Field field) const {
 }
 
 void ReferenceForm::dress(Field field) {
-    const FieldSpec& spec = specOf(field);
+    const ReferenceFieldSpec& spec = referenceField(field);
     const DisplayQuantity shown = shownAs(field);
-    Range range = isPosition() ? spec.angle : spec.current;
+    ReferenceRange range = isPosition() ? spec.angle : spec.current;
     if (isPosition() && isAngular(field)) {
         range = {degreesToRadians(range.min) * shown.factor, degreesToRadians(range.max) * shown.factor, 0.0,
                  shownStep(shown, degreesToRadians(range.step)), shown.decimals};
     }
-    dressNumberField(*m_numbers.at(field), {tr(spec.words.text), tr(spec.words.help), shown.unit,
-                                            range.decimals, range.min, range.max, range.step});
+    dressNumberField(*m_numbers.at(field), {tr(spec.title), tr(spec.help), shown.unit, range.decimals,
+                                            range.min, range.max, range.step});
 }
 
 void ReferenceForm::setUnits(const DisplayUnits& units) {
@@ -248,7 +105,7 @@ void ReferenceForm::setUnits(const DisplayUnits& units) {
         return;
     }
     std::map<Field, double> values;
-    for (const FieldSpec& spec : Fields) {
+    for (const ReferenceFieldSpec& spec : referenceFields()) {
         values[spec.field] = m_numbers.at(spec.field)->value() / shownAs(spec.field).factor;
     }
     m_units = units;
@@ -292,15 +149,15 @@ void ReferenceForm::refresh() {
         field->setVisible(isShown);
         m_labels.at(field)->setVisible(isShown);
     };
-    for (const FieldSpec& spec : Fields) {
-        show(m_numbers.at(spec.field), has(shape(), spec.field));
+    for (const ReferenceFieldSpec& spec : referenceFields()) {
+        show(m_numbers.at(spec.field), hasField(shape(), spec.field));
     }
-    show(m_currents, shape() == Plateaus);
+    show(m_currents, shape() == PlateausShape);
     Q_EMIT changed();
 }
 
 double ReferenceForm::valueOf(Field field) const {
-    if (!has(shape(), field)) {
+    if (!hasField(shape(), field)) {
         return 0.0;
     }
     return m_numbers.at(field)->value() / shownAs(field).factor;
@@ -348,7 +205,7 @@ Result<std::vector<ParameterValue>> ReferenceForm::plateauValues() const {
     if (!currents_A) {
         return failure(currents_A.error());
     }
-    std::vector<ParameterValue> values{{"reference.shape", Plateaus},
+    std::vector<ParameterValue> values{{"reference.shape", PlateausShape},
                                        {"reference.base", 0.0},
                                        {"plateau.dwell", valueOf(Field::Dwell)},
                                        {"plateau.count", static_cast<double>(currents_A->size())}};
@@ -360,14 +217,14 @@ Result<std::vector<ParameterValue>> ReferenceForm::plateauValues() const {
 
 Result<std::vector<ParameterValue>> ReferenceForm::takeValues() {
     for (const auto& [field, check] : m_checks) {
-        if (!has(shape(), field)) {
+        if (!hasField(shape(), field)) {
             continue;
         }
         if (const Result<double> taken = check->take(); !taken) {
             return failure(taken.error());
         }
     }
-    if (shape() == Plateaus) {
+    if (shape() == PlateausShape) {
         return plateauValues();
     }
     const MoveReference wanted = reference();
@@ -385,7 +242,7 @@ Result<std::vector<ParameterValue>> ReferenceForm::takeValues() {
 }
 
 double ReferenceForm::peak() const {
-    if (shape() == Plateaus) {
+    if (shape() == PlateausShape) {
         const Result<std::vector<double>> currents_A = plateaus_A();
         double peak_A = 0.0;
         for (const double current_A : currents_A ? *currents_A : std::vector<double>()) {

@@ -2,6 +2,7 @@
 
 #include "app/procedures/move_reference.h"
 #include "app/workspaces/display_quantity.h"
+#include "app/workspaces/reference_fields.h"
 #include "devices/device.h"
 
 #include <QWidget>
@@ -28,7 +29,7 @@ class ReferenceForm : public QWidget {
     Q_OBJECT
 
 public:
-    enum class Field { Amplitude, Rate, Frequency, FrequencyEnd, Period, Count, Base, Seed, Duration, Dwell };
+    using Field = ReferenceField;
 
     explicit ReferenceForm(QWidget* parent = nullptr);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "devices/served_simulation.h"
 #include "devices/simulated/simulated_device.h"
 #include "devices/transport/faulty_line.h"
 #include "devices/transport/message_stream.h"
@@ -53,24 +54,8 @@ public:
     std::string description() const override { return "virtual line"; }
 
 private:
-    class Served : public ServedBoard {
-    public:
-        explicit Served(SimulatedBoard& board) : m_board(&board) {}
-        void advanceTo(double time_s) override { m_board->advanceTo(time_s); }
-        void receive(std::span<const std::uint8_t> packet) override { m_board->receive(packet); }
-        bool transmit(std::vector<std::uint8_t>& packet, std::uint16_t& counter) override {
-            packet.resize(HB_MAX_DTO);
-            packet.resize(m_board->transmit(packet));
-            counter = m_board->messageCounter();
-            return !packet.empty();
-        }
-
-    private:
-        SimulatedBoard* m_board;
-    };
-
     std::unique_ptr<SimulatedBoard> m_board;
-    Served m_served;
+    ServedSimulation m_served;
     LineTraffic m_traffic;
     FaultyBoard m_line;
     TransportStatistics m_statistics;

@@ -1,0 +1,107 @@
+#pragma once
+
+#include "app/batch/model_file.h"
+#include "app/workspaces/preflight.h"
+#include "app/workspaces/tune_form.h"
+#include "app/workspaces/tune_numbers.h"
+#include "app/workspaces/tune_panel.h"
+#include "tests/app/workspaces/panel_fixture.h"
+#include "tests/app/workspaces/published_motor.h"
+#include "widgets/figure_view.h"
+#include "widgets/message_bar.h"
+#include "widgets/optional_number_edit.h"
+#include "widgets/verdict_view.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QProcess>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace halbench::app {
+
+class TunePanelTest : public PanelTest {
+protected:
+    void SetUp() override {
+        PanelTest::SetUp();
+        bench.setDisplayUnits(
+            {widgets::AngleUnit::Radian, SpeedUnit::RadiansPerSecond}); // as the board counts
+        panel.setFileChooser({[this](QWidget*, const FileQuestion&) { return gainsPath(); }, {}});
+        show(panel);
+    }
+
+    QString gainsPath() const { return m_folder.filePath("gains.json"); }
+    widgets::OptionalNumberEdit* edit(const char* name) const {
+        return panel.findChild<widgets::OptionalNumberEdit*>(name);
+    }
+    double shown(const char* name) const { return edit(name)->value().value_or(-1.0); }
+    QString message() const { return panel.findChild<widgets::MessageBar*>()->message().text; }
+    QString verdict() const { return panel.findChild<widgets::VerdictView*>("design")->text(); }
+    QString agreement() const { return panel.findChild<widgets::VerdictView*>("agreement")->text(); }
+    bool canApply() const { return isEnabled(panel, "Apply and verify"); }
+
+    void type(const char* name, const char* text) {
+        edit(name)->setFocus();
+        QTest::keyClick(edit(name), Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClicks(edit(name), text);
+    }
+
+    void choose(const QString& accessibleName, const QString& text) {
+        for (auto* box : panel.findChildren<QComboBox*>()) {
+            if (box->accessibleName() == accessibleName) {
+                ASSERT_GE(box->findText(text), 0) << text.toStdString();
+                box->setFocus();
+                QTest::keyClick(box, Qt::Key_Home);
+                for (int i = 0; i < box->findText(text); ++i) {
+                    QTest::keyClick(box, Qt::Key_Down);
+                }
+                ASSERT_EQ(box->currentText(), text);
+                return;
+            }
+        }
+        FAIL() << accessibleName.toStdString();
+    }
+
+    const widgets::FigureView* figure(const QString& title) const {
+        for (auto* view : panel.findChildren<widgets::FigureView*>()) {
+            if (view->accessibleName().startsWith(title)) {
+                return view;
+            }
+        }
+        return nullptr;
+    }
+    /// The curve of this name in the upper panel of a picture.
+    std::vector<double> curve(const QString& title, const std::string& label) const {
+        const widgets::FigureView* view = figure(title);
+        for (const widgets::Curve& each : view->figure().panels.at(0).curves) {
+            if (each.label == label) {
+                return each.y;
+            }
+        }
+        return {};
+    }
+    static QString focused() {
+        const QWidget* widget = QApplication::focusWidget();
+        return widget == nullptr ? QString() : widget->accessibleName();
+    }
+
+    /// A motor that is known and a device that could take the recommended gains.
+    void prepare(const QString& uri = "sim:htm?seed=4", double speed_ratio = 0.0) {
+        connectMotor(uri, speed_ratio);
+        bench.setIdentification(publishedMotor());
+        ASSERT_TRUE(wait([&] { return canApply(); })) << verdict().toStdString();
+    }
+
+    QTemporaryDir m_folder;
+    TunePanel panel{bench};
+};
+
+} // namespace halbench::app

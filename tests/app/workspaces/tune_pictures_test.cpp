@@ -1,0 +1,100 @@
+#include "tests/app/workspaces/tune_panel_fixture.h"
+
+namespace halbench::app {
+namespace {
+
+class TunePicturesTest : public TunePanelTest {};
+
+const TuneNumber& number(const std::vector<TuneNumber>& numbers, const QString& part) {
+    const auto found = std::find_if(numbers.begin(), numbers.end(),
+                                    [&](const TuneNumber& each) { return each.name.contains(part); });
+    EXPECT_NE(found, numbers.end()) << part.toStdString();
+    return *found;
+}
+
+TEST_F(TunePicturesTest, theNumbersHaveTheirUnits) {
+    bench.setIdentification(publishedMotor());
+    ASSERT_TRUE(wait([&] { return bench.design().has_value(); }));
+    const auto numbers = tuneNumbers(*bench.design(), std::nullopt, {});
+    // i_f/K_P = 1.434 A/(40 A/rad) = 2.05 degrees, of which the assist takes 90 %: what the analysis says
+    const QString band = number(numbers, "band").proposed;
+    EXPECT_TRUE(band.startsWith("\u00b1") && band.endsWith("\u00b0")) << band.toStdString();
+    const auto radians =
+        tuneNumbers(*bench.design(), std::nullopt, {widgets::AngleUnit::Radian, SpeedUnit::RadiansPerSecond});
+    EXPECT_TRUE(number(radians, "band").proposed.endsWith(" rad"));
+    EXPECT_EQ(number(radians, "Step of").name, "Step of 1.75 rad");
+    EXPECT_EQ(panel.findChild<TuneNumbers*>()->rowCount(), static_cast<int>(numbers.size()));
+}
+
+TEST_F(TunePicturesTest, marginsHaveTheIntervalOfTheIdentificationOrSayThatNoneIsKnown) {
+    bench.setIdentification(publishedMotor());
+    ASSERT_TRUE(wait([&] { return bench.design().has_value(); }));
+    TuneResult design = *bench.design();
+    design.robust.gainMargin_ratio = control::Robustness::Interval{4.1, 4.3};
+    design.robust.phaseMargin_deg = control::Robustness::Interval{36.5, 39.0};
+    design.robust.delayMargin_s = control::Robustness::Interval{0.0138, 0.0151};
+    design.robust.modulusMargin = control::Robustness::Interval{0.55, 0.61};
+    const auto known = tuneNumbers(design, std::nullopt, {});
+    EXPECT_EQ(number(known, "Gain margin").interval, "4.1 to 4.3");
+    EXPECT_EQ(number(known, "Phase margin").interval, "36.5 to 39");
+    EXPECT_EQ(number(known, "Delay margin").interval, "13.8 to 15.1");
+    EXPECT_EQ(number(known, "Modulus").interval, "0.55 to 0.61");
+    EXPECT_TRUE(number(known, "Largest").interval.isEmpty()); // has none, which is something else
+    design.robust = {};
+    const auto unknown = tuneNumbers(design, std::nullopt, {});
+    for (const char* margin : {"Gain margin", "Phase margin", "Delay margin", "Modulus"}) {
+        EXPECT_EQ(number(unknown, margin).interval, "not known") << margin;
+    }
+}
+
+TEST_F(TunePicturesTest, figuresAndGainsFollowThePreferredAngle) {
+    prepare();
+    click(panel, "Apply and verify");
+    ASSERT_TRUE(wait([&] { return button(panel, "Keep") != nullptr; })) << message().toStdString();
+    const auto unit = [&](const QString& title) { return figure(title)->figure().panels.at(0).y.unit; };
+    for (const char* title : {"Predicted step with", "Predicted step of", "Verification"}) {
+        EXPECT_EQ(unit(title), "rad") << title;
+    }
+    const double rad = curve("Verification", "measured").back();
+    EXPECT_NE(button(panel, "Step of 1.75 rad"), nullptr);
+    bench.setDisplayUnits({widgets::AngleUnit::Degree, SpeedUnit::TurnsPerMinute});
+    ASSERT_TRUE(wait([&] { return unit("Predicted step with") == "deg"; }));
+    EXPECT_EQ(unit("Predicted step of"), "deg");
+    EXPECT_EQ(unit("Verification"), "deg");
+    EXPECT_NEAR(curve("Verification", "measured").back(), rad * 180.0 / M_PI, 1e-9);
+    EXPECT_NE(button(panel, "Step of 100\u00b0"), nullptr);
+    EXPECT_TRUE(agreement().contains("\u00b0 off the prediction")) << agreement().toStdString();
+    EXPECT_NEAR(shown("gain.kp"), 40.0 / 57.29578, 1e-4);
+    choose("Unit of the gains", "A/rad"); // in place
+    EXPECT_NEAR(shown("gain.kp"), 40.0, 1e-4);
+}
+
+TEST_F(TunePicturesTest, everyPictureIsReachedByItsButtonAndTheArrowKeys) {
+    prepare();
+    EXPECT_FALSE(button(panel, "Verification")->isEnabled()); // nothing was measured
+    click(panel, "Small step");
+    EXPECT_TRUE(figure("Predicted step of")->isVisible());
+    EXPECT_FALSE(figure("Open loop")->isVisible());
+    QApplication::setActiveWindow(&panel);
+    button(panel, "Small step")->setFocus();
+    QTest::keyClick(button(panel, "Small step"), Qt::Key_Left);
+    EXPECT_TRUE(figure("Predicted step with")->isVisible());
+}
+
+TEST_F(TunePicturesTest, theTitlesOfThePicturesAreWholeInANarrowPanelToo) {
+    prepare();
+    panel.resize(700, 500);
+    const QStringList titles = {"Open loop", "Step of 1.75 rad", "Small step", "Numbers", "Verification"};
+    const auto areWhole = [&] {
+        return std::all_of(titles.begin(), titles.end(), [&](const QString& title) {
+            const QAbstractButton* chooser = button(panel, title);
+            return chooser != nullptr && chooser->width() >= chooser->sizeHint().width();
+        });
+    };
+    EXPECT_TRUE(wait(areWhole));
+    const auto rowOf = [&](const char* title) { return button(panel, title)->mapTo(&panel, QPoint()).y(); };
+    EXPECT_GT(rowOf("Verification"), rowOf("Open loop")); // they took another row
+}
+
+} // namespace
+} // namespace halbench::app
