@@ -135,7 +135,9 @@ class Master:
     # ---- session -----------------------------------------------------------------------------------------
 
     def connect(self):
+        lost = self.lost
         answer = self.command(wire.CONNECT, "B", 0)
+        self.lost = lost                    # what an older session left on its way is discarded, not lost
         assert len(answer) == 7, f"CONNECT answers 8 octets, got {len(answer) + 1}"
         self.resource, self.comm_mode = answer[0], answer[1]
         self.order = ">" if self.comm_mode & 1 else "<"
