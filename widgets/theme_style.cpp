@@ -158,12 +158,27 @@ QFont tabularFont(const QFont& font) {
 }
 
 void applyTheme(QApplication& application, const Theme& theme, const Dress& dress) {
+    applyThemeWithoutSheet(application, theme, dress);
+    applySheet(application);
+}
+
+void applyThemeWithoutSheet(QApplication& application, const Theme& theme, const Dress& dress) {
     application.setProperty(ThemeProperty, QVariant::fromValue(theme));
     application.setStyleSheet(QString());
     application.setStyle(new ThemeProxy(theme)); // the application owns it
     application.setFont(applicationFont(dress));
     application.setPalette(paletteOf(theme));
-    application.setStyleSheet(styleSheetOf(theme, QFontMetrics(application.font()).height()));
+}
+
+void applySheet(QApplication& application) {
+    application.setStyleSheet(styleSheetOf(currentTheme(), QFontMetrics(application.font()).height()));
+}
+
+void buildUndressed(QApplication& application, const std::function<void()>& build) {
+    const QString sheet = application.styleSheet();
+    application.setStyleSheet({});
+    build();
+    application.setStyleSheet(sheet);
 }
 
 Theme currentTheme() {

@@ -6,6 +6,8 @@
 #include <QLocale>
 #include <QPalette>
 
+#include <functional>
+
 class QApplication;
 class QWidget;
 
@@ -28,6 +30,14 @@ struct Dress {
 /// Sets style, palette, font and the one style sheet of the application; may be called again at any time.
 /// Widgets learn of it through QEvent::StyleChange. Main thread only.
 void applyTheme(QApplication& application, const Theme& theme, const Dress& dress = {});
+
+/// The same but for the style sheet, and then the sheet: widgets made between the two are dressed once, while
+/// under a sheet each move of a widget under construction dresses all that is in it anew.
+void applyThemeWithoutSheet(QApplication& application, const Theme& theme, const Dress& dress = {});
+void applySheet(QApplication& application);
+
+/// Builds widgets for an application that runs: its sheet is taken off and put on again when all are there.
+void buildUndressed(QApplication& application, const std::function<void()>& build);
 
 /// The theme last applied; the light one before that.
 Theme currentTheme();

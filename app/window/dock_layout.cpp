@@ -66,10 +66,15 @@ bool isIn(const PanelSpec& spec, Perspective perspective) {
 
 } // namespace
 
-DockLayout::DockLayout(Workbench& bench, QWidget* container) : QObject(container), m_specs(panelSpecs()) {
+DockLayout::DockLayout(QWidget* container) : QObject(container), m_specs(panelSpecs()) {
     configureDocking();
     m_manager = new ads::CDockManager(container);
     widgets::clearOwnSheet(*m_manager);
+    connect(m_manager, &ads::CDockManager::floatingWidgetCreated, this,
+            [this](ads::CFloatingDockContainer* window) { addStop(*window); });
+}
+
+void DockLayout::furnish(Workbench& bench) {
     for (const PanelArea area :
          {PanelArea::Centre, PanelArea::Left, PanelArea::LeftBelow, PanelArea::Right, PanelArea::Bottom}) {
         for (const PanelSpec& spec : m_specs) {
@@ -80,8 +85,6 @@ DockLayout::DockLayout(Workbench& bench, QWidget* container) : QObject(container
     }
     m_first = m_manager->saveState(ArrangementVersion);
     arrange(m_perspective);
-    connect(m_manager, &ads::CDockManager::floatingWidgetCreated, this,
-            [this](ads::CFloatingDockContainer* window) { addStop(*window); });
 }
 
 /// Below the panels, so that it never covers one; it goes with the floating window.
@@ -94,7 +97,8 @@ void DockLayout::addStop(ads::CFloatingDockContainer& window) {
 }
 
 QWidget* DockLayout::panel(const QString& id) const {
-    return m_docks.value(id)->widget();
+    const ads::CDockWidget* dock = m_docks.value(id);
+    return dock == nullptr ? nullptr : dock->widget();
 }
 
 QWidget* DockLayout::widget() const {
@@ -235,6 +239,11 @@ void DockLayout::enterPerspective(Perspective perspective) {
 
 void DockLayout::setPerspective(Perspective perspective) {
     if (perspective == m_perspective) {
+        return;
+    }
+    if (m_docks.isEmpty()) {
+        m_perspective = perspective;
+        perspectiveChanged();
         return;
     }
     QWidget* focused =

@@ -23,10 +23,14 @@ class DockLayout : public QObject {
     Q_OBJECT
 
 public:
-    DockLayout(Workbench& bench, QWidget* container);
+    /// Without panels until furnish().
+    explicit DockLayout(QWidget* container);
+
+    /// Makes the panels and arranges them. Once; before it only the perspective can be chosen.
+    void furnish(Workbench& bench);
 
     QWidget* widget() const;
-    /// The panel with this id. One behind another tab has no parent: the window's findChild() misses it.
+    /// The panel with this id; null before furnish(). One behind another tab has no parent: the window's findChild() misses it.
     QWidget* panel(const QString& id) const;
     Perspective perspective() const { return m_perspective; }
     void setPerspective(Perspective perspective);

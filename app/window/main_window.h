@@ -9,8 +9,10 @@
 #include <QTimer>
 
 #include <functional>
+#include <memory>
 
 class QActionGroup;
+class QMenu;
 
 namespace halbench::app {
 
@@ -30,11 +32,15 @@ public:
     explicit MainWindow(Preferences preferences);
     ~MainWindow() override;
 
+    /// Makes the panels: by itself right after the window was painted first, so that it is there soon, or
+    /// earlier by whoever needs them. Again does nothing.
+    void furnish();
+
     Workbench& bench() { return m_bench; }
     DockLayout& docks() { return *m_docks; }
     const Preferences& preferences() const { return m_preferences; }
 
-    ProjectSession& project() { return m_project; }
+    ProjectSession& project() { return *m_project; } ///< after furnish()
     void openProject(const QString& path);
     /// Opens again what had no name yet when the window was closed or the program was interrupted, with the
     /// panels as they were.
@@ -43,15 +49,24 @@ public:
     /// As if the user had written the address and pressed Connect.
     void connectDevice(const QString& uri);
 
+Q_SIGNALS:
+    void furnished();
+
 protected:
+    bool event(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
 
 private:
     void buildCentre();
-    void createActions();
-    void createViewMenu();
+    void connectPanels();
+    void usePreferredPerspective();
+    void createMenus();
+    void fillMenus();
+    void fillFileMenu();
+    void createProjects();
+    void fillViewMenu();
     void createLanguageMenu(QMenu& menu);
-    void createHelpMenu();
+    void fillHelpMenu();
     void chooseTheme(ThemeChoice choice);
     void chooseLanguage(const QString& id);
     void askPreferences();
@@ -66,6 +81,7 @@ private:
     void onKept();
     void closeAnyway();
     Project shownProject() const;
+    void autosave();
     void collectProject();
     void takeOverProject();
     void askConsent();
@@ -73,13 +89,14 @@ private:
     void refreshTitle();
     void leaveThenClose();
 
+    bool m_isFurnished = false;
     bool m_isClosing = false; ///< waits for the device
     bool m_hasLeft = false;   ///< the device is left, or waiting for it was given up
     Preferences m_preferences;
     Workbench m_bench;
-    ProjectSession m_project;
-    QTimer m_frame;    ///< one for all that moves
-    QTimer m_autosave; ///< at most so much work is lost in a crash
+    std::unique_ptr<ProjectSession> m_project; ///< since furnish(): taking its lock waits for the disk
+    QTimer m_frame;                            ///< one for all that moves
+    QTimer m_autosave;                         ///< at most so much work is lost in a crash
     widgets::MessageBar* m_message = nullptr;
     std::function<void()> m_remedy;           ///< what the button of the message does
     widgets::MessageBar* m_refusal = nullptr; ///< why the window did not close
@@ -89,6 +106,9 @@ private:
     ProjectMenu* m_projects = nullptr;
     ProjectWork* m_work = nullptr;
     TopBar* m_bar = nullptr;
+    QMenu* m_fileMenu = nullptr;
+    QMenu* m_viewMenu = nullptr;
+    QMenu* m_helpMenu = nullptr;
     QActionGroup* m_themes = nullptr;
     QActionGroup* m_languages = nullptr;
     DockLayout* m_docks = nullptr;

@@ -54,8 +54,9 @@ void MainWindow::leaveThenClose() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    furnish(); // what it keeps is in the panels
     collectProject();
-    if (const Result<void> kept = m_project.autosaveNow(); !kept && !m_isLossAccepted) {
+    if (const Result<void> kept = m_project->autosaveNow(); !kept && !m_isLossAccepted) {
         event->ignore();
         sayNotKept(kept.error());
         m_refusal->showMessage(

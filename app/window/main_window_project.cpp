@@ -35,20 +35,22 @@ void MainWindow::onKept() {
 }
 
 void MainWindow::openProject(const QString& path) {
+    furnish();
     m_projects->open(path);
 }
 
 void MainWindow::recoverUnnamed() {
-    if (const auto aside = m_project.setAsideDamaged({})) {
+    furnish();
+    if (const auto aside = m_project->setAsideDamaged({})) {
         onMessage(widgets::Severity::Warning,
                   tr("The autosave of the project could not be read; it was kept as %1.")
                       .arg(QString::fromStdString(*aside)),
                   {});
     }
     m_docks->setArrangements(m_preferences.arrangements);
-    if (const std::optional<Project> left = m_project.recoverable({});
-        left && !isSameWork(*left, m_project.project())) {
-        m_project.recover({}, *left);
+    if (const std::optional<Project> left = m_project->recoverable({});
+        left && !isSameWork(*left, m_project->project())) {
+        m_project->recover({}, *left);
         takeOverProject();
         onMessage(widgets::Severity::Information,
                   tr("The project of the last session, which has no name yet, is open again."),
@@ -58,7 +60,7 @@ void MainWindow::recoverUnnamed() {
 
 /// What the panels show, as a project.
 Project MainWindow::shownProject() const {
-    Project project = m_project.project();
+    Project project = m_project->project();
     project.device = m_devices->address().toStdString();
     project.notes = m_notes->notes().toStdString();
     project.perspective = perspectiveId(m_docks->perspective()).toStdString();
@@ -72,13 +74,26 @@ Project MainWindow::shownProject() const {
     return project;
 }
 
+void MainWindow::autosave() {
+    collectProject();
+    m_project->autosave([this](const Result<void>& saved) {
+        if (saved) {
+            onKept();
+        } else {
+            sayNotKept(saved.error());
+        }
+    });
+}
+
 void MainWindow::collectProject() {
-    m_project.update(shownProject());
+    furnish();
+    m_project->update(shownProject());
 }
 
 /// Nothing is connected or armed by opening a project: the address waits for Connect.
 void MainWindow::takeOverProject() {
-    const Project& project = m_project.project();
+    furnish();
+    const Project& project = m_project->project();
     if (m_bench.session().state() == SessionState::Disconnected) {
         m_devices->setAddress(QString::fromStdString(project.device));
     }
@@ -94,18 +109,18 @@ void MainWindow::takeOverProject() {
                   tr("Not everything of the project could be read: %1").arg(lost.join("; ")),
                   tr("It stays in the file as it is; the rest is open."));
     }
-    if (m_project.path().empty() && !m_project.isChanged()) {
-        m_project.beginWith(shownProject());
+    if (m_project->path().empty() && !m_project->isChanged()) {
+        m_project->beginWith(shownProject());
     }
     refreshTitle();
 }
 
 void MainWindow::refreshTitle() {
-    const QString name = m_project.path().empty()
+    const QString name = m_project->path().empty()
                              ? tr("unnamed project")
-                             : QFileInfo(QString::fromStdString(m_project.path())).fileName();
+                             : QFileInfo(QString::fromStdString(m_project->path())).fileName();
     setWindowTitle(tr("%1[*] — Halbench").arg(name));
-    setWindowModified(m_project.isChanged());
+    setWindowModified(m_project->isChanged());
 }
 
 } // namespace halbench::app

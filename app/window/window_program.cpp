@@ -46,10 +46,11 @@ bool hasDisplay() {
            !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
 }
 
+/// All but the style sheet.
 void dress(QApplication& application, const Preferences& preferences) {
     const Result<widgets::Theme> theme = widgets::loadTheme(themeName(preferences.theme).toStdString());
     if (theme) {
-        widgets::applyTheme(application, *theme, {QLocale(), widgets::Dress().fontSize_pt});
+        widgets::applyThemeWithoutSheet(application, *theme, {QLocale(), widgets::Dress().fontSize_pt});
     }
 }
 
@@ -80,20 +81,27 @@ int runWindow(const std::vector<std::string>& arguments) {
     char* words[] = {name, nullptr};
     QApplication application(count, words);
     std::setlocale(LC_NUMERIC, "C"); // files; the screen asks QLocale
-    const Preferences preferences = loadPreferences();
+    const std::unique_ptr<MainWindow> window = makeWindow(application, loadPreferences());
+    QObject::connect(window.get(), &MainWindow::furnished, window.get(), [&] {
+        if (call->project) {
+            window->openProject(*call->project);
+        } else {
+            window->recoverUnnamed();
+        }
+        if (call->device) {
+            window->connectDevice(*call->device);
+        }
+    });
+    window->show();
+    return QApplication::exec();
+}
+
+std::unique_ptr<MainWindow> makeWindow(QApplication& application, const Preferences& preferences) {
     speak(application, chosenLanguage(preferences.language, QLocale::system().uiLanguages()));
     dress(application, preferences);
-    MainWindow window(preferences);
-    window.show();
-    if (call->project) {
-        window.openProject(*call->project);
-    } else {
-        window.recoverUnnamed();
-    }
-    if (call->device) {
-        window.connectDevice(*call->device);
-    }
-    return QApplication::exec();
+    auto window = std::make_unique<MainWindow>(preferences);
+    widgets::applySheet(application);
+    return window;
 }
 
 } // namespace halbench::app

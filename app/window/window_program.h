@@ -1,9 +1,16 @@
 #pragma once
 
+#include "app/window/preferences.h"
+
+#include <memory>
 #include <string>
 #include <vector>
 
+class QApplication;
+
 namespace halbench::app {
+
+class MainWindow;
 
 /// Whether these arguments ask for the window: none, or only those of the window.
 bool isWindowCall(const std::vector<std::string>& arguments);
@@ -11,5 +18,8 @@ bool isWindowCall(const std::vector<std::string>& arguments);
 /// Opens the workstation: `halbench [--project FILE] [--connect DEVICE]`. Gives the exit code; 2 with one
 /// line on stderr without a display or with an option that makes no sense.
 int runWindow(const std::vector<std::string>& arguments);
+
+/// The window as runWindow() shows it first: in the language and the theme of the preferences.
+std::unique_ptr<MainWindow> makeWindow(QApplication& application, const Preferences& preferences);
 
 } // namespace halbench::app

@@ -8,6 +8,7 @@ namespace halbench::bench {
 
 std::unique_ptr<app::MainWindow> openWindow() {
     auto window = std::make_unique<app::MainWindow>(app::Preferences());
+    window->furnish();
     window->resize(1600, 900);
     window->show();
     (void)QTest::qWaitForWindowExposed(window.get());

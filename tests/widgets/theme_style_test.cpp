@@ -11,6 +11,8 @@
 #include <QPushButton>
 #include <QtTest/QTest>
 
+#include <memory>
+
 namespace halbench::widgets {
 namespace {
 
@@ -40,6 +42,22 @@ TEST_F(ThemeStyle, dressesTheWholeApplicationAnewAtRunTime) {
         EXPECT_EQ(qApp->palette().color(QPalette::ToolTipText), theme.text);
         EXPECT_EQ(qApp->palette().color(QPalette::Link), theme.accent);
     }
+}
+
+TEST_F(ThemeStyle, whatWasBuiltUndressedIsDressedAsIfItHadNotBeen) {
+    dress("dark");
+    QPushButton before(QStringLiteral("word"));
+    before.ensurePolished();
+    std::unique_ptr<QPushButton> built;
+    buildUndressed(*qApp, [&built] {
+        EXPECT_TRUE(qApp->styleSheet().isEmpty());
+        built = std::make_unique<QPushButton>(QStringLiteral("word"));
+        built->ensurePolished();
+    });
+    EXPECT_FALSE(qApp->styleSheet().isEmpty());
+    before.resize(before.sizeHint());
+    built->resize(built->sizeHint());
+    EXPECT_EQ(built->grab().toImage(), before.grab().toImage());
 }
 
 TEST_F(ThemeStyle, leavesNoTokenUnresolvedInTheSheet) {

@@ -222,6 +222,7 @@ TEST_F(KeepingWorkTest, thePanelsOfAWindowWithoutAProjectAreWhereTheyWereLeft) {
     window->docks().docks().value("notes")->closeDockWidget();
     EXPECT_TRUE(window->close());
     window = std::make_unique<MainWindow>(loadPreferences());
+    window->furnish();
     window->show();
     window->recoverUnnamed();
     EXPECT_TRUE(isNotesClosed());

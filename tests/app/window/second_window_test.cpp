@@ -20,6 +20,7 @@ protected:
         qputenv("XDG_CONFIG_HOME", folder.path().toUtf8());
         open();
         second = std::make_unique<MainWindow>(Preferences{});
+        second->furnish();
         second->show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(second.get()));
     }

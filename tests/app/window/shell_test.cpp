@@ -38,6 +38,61 @@ protected:
     QString helpWords() { return help()->findChild<QTextBrowser*>()->toPlainText(); }
 };
 
+/// What the window has at its first paint.
+class FirstPaint : public QObject {
+public:
+    explicit FirstPaint(MainWindow& window) : QObject(&window), m_window(window) {
+        window.installEventFilter(this);
+    }
+
+    bool isSeen = false;
+    bool hasPanels = false;
+    bool hasStop = false;
+
+protected:
+    bool eventFilter(QObject*, QEvent* event) override {
+        if (event->type() == QEvent::Paint && !isSeen) {
+            isSeen = true;
+            hasPanels = !m_window.docks().docks().isEmpty();
+            const auto* stop = m_window.findChild<widgets::StopButton*>();
+            hasStop = stop != nullptr && stop->isVisible() && stop->isEnabled();
+        }
+        return false;
+    }
+
+private:
+    MainWindow& m_window;
+};
+
+TEST_F(ShellTest, thePanelsFollowTheFirstPaintAndStopIsThereBefore) {
+    window = std::make_unique<MainWindow>(Preferences{});
+    const auto* first = new FirstPaint(*window);
+    window->show();
+    ASSERT_TRUE(wait([&] { return window->docks().panel("devices") != nullptr; }));
+    EXPECT_TRUE(first->isSeen);
+    EXPECT_TRUE(first->hasStop);
+    EXPECT_FALSE(first->hasPanels);
+    EXPECT_TRUE(window->docks().panel("devices")->isAncestorOf(window->focusWidget()));
+    EXPECT_NE(action(QKeySequence::Quit), nullptr);
+}
+
+TEST_F(ShellTest, aWindowThatWasNeverPaintedHasItsPanelsAsSoonAsTheyAreNeeded) {
+    window = std::make_unique<MainWindow>(Preferences{});
+    window->connectDevice("sim:htm");
+    EXPECT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
+}
+
+TEST_F(ShellTest, thePerspectiveOfTheLastSessionIsThereWithItsPanels) {
+    Preferences last;
+    last.perspective = perspectiveId(Perspective::Tune);
+    window = std::make_unique<MainWindow>(last);
+    EXPECT_EQ(window->docks().perspective(), Perspective::Tune);
+    window->furnish();
+    window->show();
+    EXPECT_TRUE(wait([&] { return window->docks().panel("tune")->isVisible(); }));
+    EXPECT_FALSE(window->docks().panel("monitor")->isVisible());
+}
+
 TEST_F(ShellTest, devicesBehindAnotherTabAreStillCollectedAndConnected) {
     open();
     dock("devices").dockManager()->addDockWidget(ads::CenterDockWidgetArea, &dock("devices"),

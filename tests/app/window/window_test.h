@@ -32,6 +32,7 @@ protected:
 
     void open(const Preferences& preferences = {}) {
         window = std::make_unique<MainWindow>(preferences);
+        window->furnish();
         window->show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
     }

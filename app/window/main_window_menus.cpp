@@ -1,0 +1,164 @@
+// The menus of the window, and what is chosen there.
+#include "app/window/dock_layout.h"
+#include "app/window/file_dialogs.h"
+#include "app/window/language.h"
+#include "app/window/main_window.h"
+#include "app/window/preferences_dialog.h"
+#include "app/window/project_menu.h"
+#include "app/window/unkept_bar.h"
+#include "widgets/phrasebook.h"
+#include "widgets/theme_style.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QMenuBar>
+#include <qtadvanceddocking/DockWidget.h>
+
+namespace halbench::app {
+
+namespace {
+
+/// The preferences dialog and the menu choose the same.
+void check(const QActionGroup& group, const QVariant& choice) {
+    for (QAction* action : group.actions()) {
+        action->setChecked(action->data() == choice);
+    }
+}
+
+} // namespace
+
+/// Their titles only: what they hold is made with the panels.
+void MainWindow::createMenus() {
+    m_fileMenu = menuBar()->addMenu(tr("&File"));
+    m_viewMenu = menuBar()->addMenu(tr("&View"));
+    m_helpMenu = menuBar()->addMenu(tr("&Help"));
+}
+
+void MainWindow::fillMenus() {
+    fillFileMenu();
+    fillViewMenu();
+    fillHelpMenu();
+}
+
+void MainWindow::fillFileMenu() {
+    QAction* simulated =
+        m_fileMenu->addAction(tr("Connect the s&imulated motor"), this, [this] { connectDevice("sim:htm"); });
+    simulated->setShortcut(QKeySequence("Ctrl+Shift+M"));
+    const auto allow = [this, simulated] { // a device in use is left by Disconnect only
+        simulated->setEnabled(m_bench.session().state() == SessionState::Disconnected);
+    };
+    connect(&m_bench.session(), &DeviceSession::stateChanged, simulated, allow);
+    m_fileMenu->addSeparator();
+    createProjects();
+    m_projects->addTo(*m_fileMenu);
+    m_fileMenu->addSeparator();
+    QAction* preferences = m_fileMenu->addAction(tr("&Preferences…"), this, &MainWindow::askPreferences);
+    preferences->setShortcut(QKeySequence("Ctrl+,"));
+    m_fileMenu->addSeparator();
+    QAction* quit = m_fileMenu->addAction(tr("&Quit"), this, &QWidget::close);
+    quit->setShortcut(QKeySequence::Quit);
+}
+
+void MainWindow::createProjects() {
+    m_projects = new ProjectMenu(*m_project, fileDialogs(m_bench), this);
+    connect(m_projects, &ProjectMenu::opened, this, &MainWindow::takeOverProject);
+    connect(m_projects, &ProjectMenu::refused, this, [this](const QString& text, const QString& hint) {
+        onMessage(widgets::Severity::Error, text, hint);
+    });
+    connect(m_projects, &ProjectMenu::recovered, this, [this](const QString& text, const QString& hint) {
+        onMessage(widgets::Severity::Information, text, hint);
+    });
+    connect(m_projects, &ProjectMenu::collecting, this, &MainWindow::collectProject);
+    connect(m_projects, &ProjectMenu::locked, this, &MainWindow::offerCopy);
+    connect(m_projects, &ProjectMenu::unkept, m_unkept, &UnkeptBar::showError);
+    for (auto signal : {&ProjectMenu::opened, &ProjectMenu::saved}) {
+        connect(m_projects, signal, m_unkept, &QWidget::hide);
+    }
+    connect(m_unkept, &UnkeptBar::tryAgainRequested, m_projects, &ProjectMenu::tryAgain);
+    connect(m_unkept, &UnkeptBar::saveAsRequested, m_projects, &ProjectMenu::saveAs);
+    connect(m_unkept, &UnkeptBar::discardRequested, m_projects, &ProjectMenu::discard);
+    connect(m_unkept, &UnkeptBar::stayRequested, m_projects, &ProjectMenu::stay);
+    connect(m_projects, &ProjectMenu::saved, this, &MainWindow::onKept);
+    connect(m_project.get(), &ProjectSession::notKept, this, [this](const Error& error) {
+        onMessage(widgets::Severity::Error, widgets::inWords(error.message), widgets::inWords(error.hint));
+    });
+}
+
+void MainWindow::fillViewMenu() {
+    for (ads::CDockWidget* dock : m_docks->docks()) {
+        m_viewMenu->addAction(dock->toggleViewAction());
+    }
+    m_viewMenu->addSeparator();
+    m_viewMenu->addAction(tr("&Reset the arrangement"), m_docks, &DockLayout::reset);
+    m_viewMenu->addSeparator();
+    QMenu* themes = m_viewMenu->addMenu(tr("&Theme"));
+    m_themes = new QActionGroup(this);
+    const std::pair<ThemeChoice, QString> choices[] = {{ThemeChoice::System, tr("&System")},
+                                                       {ThemeChoice::Light, tr("&Light")},
+                                                       {ThemeChoice::Dark, tr("&Dark")}};
+    for (const auto& [choice, title] : choices) {
+        QAction* action = themes->addAction(title, this, [this, choice = choice] { chooseTheme(choice); });
+        action->setCheckable(true);
+        action->setData(static_cast<int>(choice));
+        m_themes->addAction(action);
+    }
+    check(*m_themes, static_cast<int>(m_preferences.theme));
+    createLanguageMenu(*m_viewMenu->addMenu(tr("Lan&guage")));
+}
+
+void MainWindow::createLanguageMenu(QMenu& menu) {
+    m_languages = new QActionGroup(this);
+    const auto add = [&](const QString& title, const QString& id) {
+        QAction* action = menu.addAction(title, this, [this, id] { chooseLanguage(id); });
+        action->setCheckable(true);
+        action->setData(id);
+        m_languages->addAction(action);
+    };
+    add(tr("&System"), {});
+    for (const Language& language : languages()) {
+        add(language.name, language.id);
+    }
+    check(*m_languages, m_preferences.language);
+}
+
+void MainWindow::fillHelpMenu() {
+    m_helpMenu->addAction(tr("&First steps"), this, [this] { openHelp("index.md"); });
+    QAction* onPanel = m_helpMenu->addAction(tr("&Help on this panel"), this, &MainWindow::showHelp);
+    onPanel->setShortcut(QKeySequence::HelpContents);
+}
+
+void MainWindow::chooseTheme(ThemeChoice choice) {
+    m_preferences.theme = choice;
+    check(*m_themes, static_cast<int>(choice));
+    if (const Result<widgets::Theme> theme = widgets::loadTheme(themeName(choice).toStdString())) {
+        widgets::applyTheme(*qApp, *theme, {QLocale(), widgets::Dress().fontSize_pt});
+    }
+    savePreferences(m_preferences);
+}
+
+void MainWindow::chooseLanguage(const QString& id) {
+    m_preferences.language = id;
+    check(*m_languages, id);
+    savePreferences(m_preferences);
+    onMessage(widgets::Severity::Information, tr("The language changes at the next start."), {});
+}
+
+void MainWindow::askPreferences() {
+    PreferencesDialog dialog(m_preferences, m_bench, this);
+    if (dialog.exec() == QDialog::Accepted) {
+        usePreferences(dialog.chosen());
+    }
+}
+
+void MainWindow::usePreferences(const Preferences& chosen) {
+    m_preferences.stopLockOut_ms = chosen.stopLockOut_ms;
+    m_bench.stopLatch().setLockOut_ms(chosen.stopLockOut_ms);
+    m_preferences.units = chosen.units;
+    m_bench.setDisplayUnits(chosen.units);
+    if (chosen.language != m_preferences.language) {
+        chooseLanguage(chosen.language);
+    }
+    chooseTheme(chosen.theme);
+}
+
+} // namespace halbench::app
