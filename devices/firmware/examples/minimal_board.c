@@ -6,8 +6,8 @@
 
 enum { DEFAULT_WATCHDOG_MS = 1000, MODE_POSITION = 2 };
 
-static const char StatusChoices[] HB_ROM = "idle|armed|stopped by command|stopped by watchdog|fault";
-static const char ModeChoices[] HB_ROM = "idle|current|position";
+static hb_rom_char StatusChoices[] = "idle|armed|stopped by command|stopped by watchdog|fault";
+static hb_rom_char ModeChoices[] = "idle|current|position";
 
 static const hb_signal Signals[] HB_ROM = {
     HB_SIGNAL("position", "rad", HB_FLOAT32, minimal_signals, position_rad, 1.0F, -7.0F, 7.0F, NULL, "Angle"),
@@ -48,9 +48,9 @@ static void release(minimal_board* board) {
 }
 
 static uint16_t liveOffset(uint16_t parameter) {
-    hb_parameter_numbers numbers;
+    hb_parameter numbers;
     hb_parameter_read(&Parameters[parameter], &numbers);
-    return numbers.space == HB_LIVE ? numbers.offset : 0xFFFF;
+    return numbers.space == HB_LIVE ? numbers.entry.offset : 0xFFFF;
 }
 
 static uint8_t check(void* context, uint16_t parameter, float value) {

@@ -13,9 +13,9 @@ enum { LOOP_TICKS = 10 / HB_TICK_MS };
 #define DAC_HIGHEST 4095.0F
 
 static uint16_t liveOffset(uint16_t parameter) {
-    hb_parameter_numbers numbers;
+    hb_parameter numbers;
     hb_parameter_read(&hb_htm_parameter_table[parameter], &numbers);
-    return numbers.space == HB_LIVE ? numbers.offset : 0xFFFF;
+    return numbers.space == HB_LIVE ? numbers.entry.offset : 0xFFFF;
 }
 
 static uint8_t drivesCurrent(const hb_htm* board) {
@@ -115,7 +115,7 @@ static uint8_t resetByCommand(void* context) {
 }
 
 #if HB_FEATURE_CAPTURE
-static void readCapture(void* context, uint32_t offset, uint8_t* destination, uint16_t count) {
+static void readCapture(void* context, hb_address offset, uint8_t* destination, uint16_t count) {
     const hb_htm* board = (const hb_htm*)context;
     for (uint16_t i = 0; i < count; i++) {
         uint32_t octet = offset + i;
@@ -161,7 +161,9 @@ static void describe(hb_htm* board, const hb_htm_config* config, hb_xcp_descript
     description->signals[0].entries = hb_htm_signal_table;
     description->signals[0].count = hb_htm_signal_count;
     description->signals[0].base = &board->signals;
+#if HB_FEATURE_FULL
     description->signals[1] = config->extra;
+#endif
     description->parameters = hb_htm_parameter_table;
     description->parameter_count = hb_htm_parameter_count;
     description->events = hb_htm_event_table;
@@ -253,7 +255,7 @@ static void publish(hb_htm* board) {
 
 static float signalValue(const hb_htm* board, uint8_t handle) {
     const hb_signal_table* table = &board->xcp.description.signals[0];
-    hb_signal_numbers signal;
+    hb_signal signal;
     if (handle >= table->count) {
         handle = (uint8_t)(handle - table->count);
         table = &board->xcp.description.signals[1];
@@ -262,7 +264,8 @@ static float signalValue(const hb_htm* board, uint8_t handle) {
         return 0.0F;
     }
     hb_signal_read(&table->entries[handle], &signal);
-    return hb_value_as_float(signal.type, (const uint8_t*)table->base + signal.offset) * signal.scale;
+    return hb_value_as_float(signal.entry.type, (const uint8_t*)table->base + signal.entry.offset) *
+           signal.scale;
 }
 
 static void capture(hb_htm* board) {

@@ -96,8 +96,8 @@ typedef struct {
 #if HB_FEATURE_FULL
     const char* transport_a2l; /* A2L block of the line the board is served on; NULL: HB_A2L_TRANSPORT */
     uint16_t max_dto;          /* longest measurement packet that line carries; 0: HB_MAX_DTO */
+    hb_signal_table extra;     /* further signals of the caller, e.g. the simulated truth; count 0: none */
 #endif
-    hb_signal_table extra; /* further signals of the caller, e.g. the simulated truth; count 0: none */
     /* Stores a page in non-volatile memory; 1 = done. NULL: SET_REQUEST is answered with an error. */
     uint8_t (*store)(void* context, const hb_htm_calibration* page);
     void* store_context;

@@ -16,7 +16,7 @@ extern const uint16_t hb_htm_parameter_count;
 extern const hb_event hb_htm_event_table[];
 enum { HB_HTM_EVENT_FAST, HB_HTM_EVENT_POSITION, HB_HTM_EVENT_COUNT };
 /* The words of a fault: HB_ROM text up to its end or to '|'. */
-const char* hb_htm_fault_text(uint8_t fault);
+hb_rom_char* hb_htm_fault_text(uint8_t fault);
 
 /* hb_htm_drive.c: arming and its opposite. */
 /* Starts the mode in force from the present position with set-points at zero. */

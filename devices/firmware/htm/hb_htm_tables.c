@@ -8,27 +8,27 @@
 #define ANGLE_LIMIT 51471.0F /* 8192 turns */
 #define LARGEST_ULONG 4294967296.0F
 
-static const char StatusChoices[] HB_ROM = "idle|armed|stopped by command|stopped by watchdog|fault";
-static const char FaultChoices[] HB_ROM =
+static hb_rom_char StatusChoices[] = "idle|armed|stopped by command|stopped by watchdog|fault";
+static hb_rom_char FaultChoices[] =
     "none|coil temperature above its limit|current above its limit|speed above its window|position left its "
     "window|"
     "angle jumped (ambiguous decode)|sensor out of range|value not finite|output converter does not answer";
-static const char OffOn[] HB_ROM = "off|on";
-static const char LawChoices[] HB_ROM = "positional|literal difference equation|literal with clamped memory";
-static const char DecodeChoices[] HB_ROM = "arctangent|linear";
-static const char DelayChoices[] HB_ROM = "none|one sample|two samples";
-static const char ArmChoices[] HB_ROM = "disarmed|armed";
-static const char ModeChoices[] HB_ROM = "idle|current|position|d-axis";
-static const char StopChoices[] HB_ROM = "run|stop";
+static hb_rom_char OffOn[] = "off|on";
+static hb_rom_char LawChoices[] = "positional|literal difference equation|literal with clamped memory";
+static hb_rom_char DecodeChoices[] = "arctangent|linear";
+static hb_rom_char DelayChoices[] = "none|one sample|two samples";
+static hb_rom_char ArmChoices[] = "disarmed|armed";
+static hb_rom_char ModeChoices[] = "idle|current|position|d-axis";
+static hb_rom_char StopChoices[] = "run|stop";
 #if HB_FEATURE_GENERATOR
-static const char ShapeChoices[] HB_ROM = "none|step|ramp|sine|staircase|chirp|multisine|plateaus";
+static hb_rom_char ShapeChoices[] = "none|step|ramp|sine|staircase|chirp|multisine|plateaus";
 #else
-static const char ShapeChoices[] HB_ROM = "none|step|ramp|sine|staircase|-|-|plateaus";
+static hb_rom_char ShapeChoices[] = "none|step|ramp|sine|staircase|-|-|plateaus";
 #endif
 #if HB_FEATURE_CAPTURE
-static const char CaptureChoices[] HB_ROM = "idle|filling|waiting|running|full";
-static const char TriggerChoices[] HB_ROM = "immediate|level|reference start";
-static const char SlopeChoices[] HB_ROM = "rising|falling";
+static hb_rom_char CaptureChoices[] = "idle|filling|waiting|running|full";
+static hb_rom_char TriggerChoices[] = "immediate|level|reference start";
+static hb_rom_char SlopeChoices[] = "rising|falling";
 #endif
 
 #define SIGNAL(name, unit, type, member, scale, limit, choices, text)                                        \
@@ -197,20 +197,23 @@ const hb_parameter hb_htm_parameter_table[] HB_ROM = {
          "Milliseconds per sample"),
     LIVE("capture.start", "", HB_UBYTE, capture_start, 0.0F, 0.0F, 1.0F, NULL,
          "1 starts, 0 stops the capture"),
-    {{HB_FLOAT32, HB_BLOCK, 0, HB_CAPTURE_SAMPLES, HB_CAPTURE_SIGNALS, 0.0F, -1.0e6F, 1.0e6F, NULL},
-     "capture.data",
-     "",
-     "Captured samples, channel after channel, oldest first"},
+    {{-1.0e6F, 1.0e6F,
+      HB_WORDS("capture.data\0" HB_TEXT("Captured samples, channel after channel, oldest first")), NULL, 0,
+      HB_FLOAT32},
+     0.0F,
+     HB_BLOCK,
+     HB_CAPTURE_SAMPLES,
+     HB_CAPTURE_SIGNALS},
 #endif
 };
 const uint16_t hb_htm_parameter_count = sizeof hb_htm_parameter_table / sizeof hb_htm_parameter_table[0];
 
 const hb_event hb_htm_event_table[] HB_ROM = {{"fast", HB_TICK_MS, 6}, {"position", 10, 6}};
 
-const char* hb_htm_fault_text(uint8_t fault) {
-    const char* at = FaultChoices;
-    for (; fault > 0 && hb_rom_octet(at); at++) {
-        fault = (uint8_t)(fault - (hb_rom_octet(at) == '|'));
+hb_rom_char* hb_htm_fault_text(uint8_t fault) {
+    hb_rom_char* at = FaultChoices;
+    for (; fault > 0 && *at; at++) {
+        fault = (uint8_t)(fault - (*at == '|'));
     }
     return at;
 }

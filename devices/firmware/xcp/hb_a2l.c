@@ -1,23 +1,33 @@
 /* SPDX-License-Identifier: MIT */
+#include "devices/firmware/xcp/hb_a2l_texts.h"
 #include "devices/firmware/xcp/hb_text.h"
 #include "devices/firmware/xcp/hb_xcp_internal.h"
 
 #include <string.h>
 
-/* The A2L text is never stored: a cursor renders it item by item and keeps only the octets asked for. An item
- * is the prologue, one signal, one parameter or the epilogue (resources/help/protocol.md 3.7, 3.13). */
-
-#ifdef __AVR__
-#define TEXT(literal) PSTR(literal)
-#else
-#define TEXT(literal) (literal)
-#endif
+/* The A2L text is never stored: a cursor renders it item by item from templates and keeps only the octets
+ * asked for. An item is a part of the prologue, one signal, one parameter or the epilogue. */
 
 typedef struct {
+    hb_xcp* slave;
     uint8_t* destination;
-    hb_text_offset start, end; /* wanted part of the whole text */
-    hb_text_offset position;
+    hb_address start, end; /* wanted part of the whole text */
+    hb_address position;
+    /* What the fields of the present item stand for. */
+    hb_entry entry;
+    float scale; /* 1 for a parameter */
+#if HB_NUMBER_DIGITS > 6
+    hb_rom_char* digits;
+#endif
+#if HB_FEATURE_CAPTURE
+    hb_extent columns, rows; /* of a block */
+#endif
+    hb_extent row; /* of a list, from 1 on; 0: a value by itself */
+    uint32_t address;
+    uint8_t index; /* of an event */
 } writer;
+
+static void putText(writer* out, hb_rom_char* text);
 
 static void putChar(writer* out, char c) {
     if (out->position >= out->start && out->position < out->end) {
@@ -31,26 +41,10 @@ static uint8_t isServed(const writer* out) {
     return out->end > 0 && out->position >= out->end;
 }
 
-/* Text in program memory; `put` below is its twin for text in RAM. */
-static void putRom(writer* out, const char* text) {
-    for (char c = (char)hb_rom_octet(text); c && !isServed(out); c = (char)hb_rom_octet(++text)) {
-        putChar(out, c);
-    }
-}
-
 static void put(writer* out, const char* text) {
-    while (*text && !isServed(out)) {
+    while (*text) {
         putChar(out, *text++);
     }
-}
-
-static void putFloat(writer* out, float value) {
-    char text[HB_NUMBER_CAPACITY];
-    if (isServed(out)) {
-        return;
-    }
-    hb_format_float(value, text);
-    put(out, text);
 }
 
 static void putUnsigned(writer* out, uint32_t value) {
@@ -65,361 +59,333 @@ static void putHex(writer* out, uint32_t value) {
     put(out, text);
 }
 
-static void putQuoted(writer* out, const char* text) {
-    putRom(out, TEXT(" \""));
+static void putFloat(writer* out, float value) {
+    char text[HB_NUMBER_CAPACITY];
+    hb_format_float(value, text);
     put(out, text);
-    putChar(out, '"');
 }
 
-#if HB_FEATURE_TEXTS
-#define putDescription(out, entry) putQuoted(out, (entry)->text)
-#else
-#define putDescription(out, entry) putRom(out, TEXT(" \"\""))
-#endif
-
-static void putTypeName(writer* out, uint8_t type) {
-    switch (type) {
-    case HB_UBYTE:
-        putRom(out, TEXT("UBYTE"));
-        break;
-    case HB_SBYTE:
-        putRom(out, TEXT("SBYTE"));
-        break;
-    case HB_UWORD:
-        putRom(out, TEXT("UWORD"));
-        break;
-    case HB_SWORD:
-        putRom(out, TEXT("SWORD"));
-        break;
-    case HB_ULONG:
-        putRom(out, TEXT("ULONG"));
-        break;
-    case HB_SLONG:
-        putRom(out, TEXT("SLONG"));
-        break;
-    case HB_FLOAT32:
-        putRom(out, TEXT("FLOAT32_IEEE"));
-        break;
-    default:
-        putRom(out, TEXT("FLOAT64_IEEE"));
-        break;
+/* The largest ULONG is not a float: its neighbour would lie above the type. */
+static void putUpper(writer* out) {
+    if (out->entry.type == HB_ULONG && out->entry.upper >= 4294967296.0F) {
+        putText(out, LargestUlong);
+    } else {
+        putFloat(out, out->entry.upper);
     }
 }
 
-static void putModuleParameters(writer* out, hb_xcp* slave) {
-    char epk[HB_EPK_CAPACITY];
-    hb_a2l_epk(slave, epk);
-    putRom(out, TEXT("/begin MOD_PAR \"\"\nEPK"));
-    putQuoted(out, epk);
-    putRom(out, TEXT("\n/begin MEMORY_SEGMENT Calibration \"\" DATA RAM INTERN "));
-    putHex(out, HB_ADDRESS_SEGMENT);
-    putChar(out, ' ');
-    putHex(out, slave->description.page_octets);
-    putRom(out, TEXT(" -1 -1 -1 -1 -1\n/begin IF_DATA XCP\n/begin SEGMENT 0 2 0 0 0\n"));
-    for (uint8_t page = 0; page < 2; page++) {
-        putRom(out, TEXT("/begin PAGE "));
-        putUnsigned(out, page);
-        putRom(
-            out,
-            TEXT(" ECU_ACCESS_DONT_CARE XCP_READ_ACCESS_DONT_CARE XCP_WRITE_ACCESS_DONT_CARE /end PAGE\n"));
-    }
-    putRom(out, TEXT("/end SEGMENT\n/end IF_DATA\n/end MEMORY_SEGMENT\n/end MOD_PAR\n"));
-}
-
-static void putEvents(writer* out, const hb_xcp* slave) {
-    for (uint8_t i = 0; i < slave->description.event_count; i++) {
-        hb_event event;
-        hb_rom_copy(&event, &slave->description.events[i], sizeof event);
-        putRom(out, TEXT("/begin EVENT"));
-        putQuoted(out, event.name);
-        putQuoted(out, event.name);
-        putChar(out, ' ');
-        putUnsigned(out, i);
-        putRom(out, TEXT(" DAQ "));
-        putUnsigned(out, HB_DAQ_LISTS);
-        putChar(out, ' ');
-        putUnsigned(out, event.cycle);
-        putChar(out, ' ');
-        putUnsigned(out, event.time_unit);
-        putRom(out, TEXT(" 0 /end EVENT\n"));
-    }
-}
-
-static void putTransport(writer* out, const hb_xcp* slave) {
-#if HB_FEATURE_FULL
-    if (slave->description.transport_a2l) {
-        put(out, slave->description.transport_a2l);
+static void putScale(writer* out) {
+#if HB_NUMBER_DIGITS > 6
+    if (out->digits) {
+        putText(out, out->digits);
         return;
     }
-#else
-    (void)slave;
 #endif
-    putRom(out, TEXT(HB_A2L_TRANSPORT));
+    putFloat(out, out->scale);
 }
 
-static void putInterface(writer* out, const hb_xcp* slave) {
-    putRom(out, TEXT("/begin IF_DATA XCP\n/begin PROTOCOL_LAYER 0x0100 1000 200 0 0 0 0 0 "));
-    putUnsigned(out, HB_MAX_CTO);
-    putChar(out, ' ');
-    putUnsigned(out, hb_xcp_max_dto(&slave->description));
-    putRom(out, TEXT(" BYTE_ORDER_MSB_LAST ADDRESS_GRANULARITY_BYTE\n/end PROTOCOL_LAYER\n"
-                     "/begin DAQ DYNAMIC "));
-    putUnsigned(out, HB_DAQ_LISTS);
-    putChar(out, ' ');
-    putUnsigned(out, slave->description.event_count);
-    putRom(out, TEXT(" 0 OPTIMISATION_TYPE_DEFAULT ADDRESS_EXTENSION_FREE IDENTIFICATION_FIELD_TYPE_ABSOLUTE "
-                     "GRANULARITY_ODT_ENTRY_SIZE_DAQ_BYTE 8 OVERLOAD_INDICATION_EVENT\n"
-                     "/begin TIMESTAMP_SUPPORTED 1 SIZE_DWORD UNIT_1US /end TIMESTAMP_SUPPORTED\n"));
-    putEvents(out, slave);
-    putRom(out, TEXT("/end DAQ\n"));
-    putTransport(out, slave);
-    putRom(out, TEXT("/end IF_DATA\n"));
-}
-
-static void putPrologue(writer* out, hb_xcp* slave) {
-    putRom(out, TEXT("ASAP2_VERSION 1 61\n/begin PROJECT "));
-    put(out, slave->description.model);
-    putRom(out, TEXT(" \"\"\n/begin MODULE "));
-    put(out, slave->description.model);
-    putRom(out, TEXT(" \"\"\n/begin MOD_COMMON \"\"\nBYTE_ORDER MSB_LAST\n/end MOD_COMMON\n"));
-    putModuleParameters(out, slave);
-    putInterface(out, slave);
-    for (uint8_t type = HB_UBYTE; type <= HB_FLOAT64; type++) {
-        putRom(out, TEXT("/begin RECORD_LAYOUT RL."));
-        putTypeName(out, type);
-        putRom(out, TEXT(" FNC_VALUES 1 "));
-        putTypeName(out, type);
-        putRom(out, TEXT(" ROW_DIR DIRECT /end RECORD_LAYOUT\n"));
-    }
-}
-
-/* Names of the values, "|" between them in the table. */
-static void putChoices(writer* out, const char* name, const char* choices) {
+/* Number of the words, then each with its value; '|' between them in the table. */
+static void putChoices(writer* out) {
     uint8_t count = 1;
-    const char* at;
-    for (at = choices; hb_rom_octet(at); at++) {
-        count = (uint8_t)(count + (hb_rom_octet(at) == '|'));
+    uint8_t value = 0;
+    hb_rom_char* at;
+    for (at = out->entry.choices; *at; at++) {
+        count = (uint8_t)(count + (*at == '|'));
     }
-    putRom(out, TEXT("/begin COMPU_VTAB VT."));
-    put(out, name);
-    putRom(out, TEXT(" \"\" TAB_VERB "));
     putUnsigned(out, count);
-    at = choices;
-    for (uint8_t value = 0; value < count; value++) {
+    at = out->entry.choices;
+    for (; value < count; value++) {
         putChar(out, ' ');
         putUnsigned(out, value);
-        putRom(out, TEXT(" \""));
-        for (; hb_rom_octet(at) && hb_rom_octet(at) != '|'; at++) {
-            putChar(out, (char)hb_rom_octet(at));
+        putChar(out, ' ');
+        putChar(out, '"');
+        for (; *at && *at != '|'; at++) {
+            putChar(out, *at);
         }
         at++;
         putChar(out, '"');
     }
-    putRom(out, TEXT(" /end COMPU_VTAB\n"));
 }
 
-/* How a raw value becomes a physical one. */
-typedef struct {
-    float scale;
-    const char* digits; /* the factor as text, where a float is not exact enough; or NULL */
-    const char* choices;
-} conversion;
-
-/* Conversion of one entry; returns 0 if it needs none. */
-static uint8_t putConversion(writer* out, const char* name, const char* unit, conversion rule) {
-    if (!rule.choices && rule.scale == 1.0F) {
-        return 0;
-    }
-    if (rule.choices) {
-        putChoices(out, name, rule.choices);
-    }
-    putRom(out, TEXT("/begin COMPU_METHOD CM."));
-    put(out, name);
-    putRom(out, TEXT(" \"\" "));
-    putRom(out, rule.choices ? TEXT("TAB_VERB \"%.0f\"") : TEXT("LINEAR \"%.6g\""));
-    putQuoted(out, unit);
-    if (rule.choices) {
-        putRom(out, TEXT(" COMPU_TAB_REF VT."));
-        put(out, name);
-    } else {
-        putRom(out, TEXT(" COEFFS_LINEAR "));
-        if (rule.digits) {
-            putRom(out, rule.digits);
-        } else {
-            putFloat(out, rule.scale);
-        }
-        putRom(out, TEXT(" 0"));
-    }
-    putRom(out, TEXT(" /end COMPU_METHOD\n"));
-    return 1;
-}
-
-static void putConversionName(writer* out, const char* name, uint8_t has_conversion) {
-    if (has_conversion) {
-        putRom(out, TEXT("CM."));
-        put(out, name);
-    } else {
-        putRom(out, TEXT("NO_COMPU_METHOD"));
-    }
-    putChar(out, ' ');
-}
-
-/* The largest ULONG is not a float: its neighbour would lie above the type. */
-static void putLimits(writer* out, uint8_t type, float lower, float upper) {
-    putFloat(out, lower);
-    putChar(out, ' ');
-    if (type == HB_ULONG && upper >= 4294967296.0F) {
-        putRom(out, TEXT("4294967295"));
-    } else {
-        putFloat(out, upper);
-    }
-    putChar(out, '\n');
-}
-
-static void putUnit(writer* out, const char* unit) {
-    if (unit[0]) {
-        putRom(out, TEXT("PHYS_UNIT"));
-        putQuoted(out, unit);
-        putChar(out, '\n');
+static void putEvents(writer* out, hb_rom_char* text) {
+    for (uint8_t i = 0; i < out->slave->description.event_count; i++) {
+        out->index = i;
+        putText(out, text);
     }
 }
 
-static conversion conversionOf(const hb_signal* signal) {
-    conversion rule = {signal->numbers.scale, NULL, signal->numbers.choices};
-#if HB_NUMBER_DIGITS > 6
-    rule.digits = signal->numbers.digits;
-#endif
-    return rule;
-}
-
-static void putSignal(writer* out, const hb_xcp* slave, const hb_signal* entry, uint16_t handle) {
-    hb_signal signal;
-    uint8_t has_conversion;
-    hb_rom_copy(&signal, entry, sizeof signal);
-    has_conversion = putConversion(out, signal.name, signal.unit, conversionOf(&signal));
-    putRom(out, TEXT("/begin MEASUREMENT "));
-    put(out, signal.name);
-    putDescription(out, &signal);
-    putChar(out, ' ');
-    putTypeName(out, signal.numbers.type);
-    putChar(out, ' ');
-    putConversionName(out, signal.name, has_conversion);
-    putRom(out, TEXT("0 0 "));
-    putLimits(out, signal.numbers.type, signal.numbers.lower, signal.numbers.upper);
-    putRom(out, TEXT("ECU_ADDRESS "));
-    putHex(out, 8U * (uint32_t)handle);
-    putChar(out, '\n');
-    putUnit(out, signal.unit);
-    putRom(out, TEXT("/begin IF_DATA XCP /begin DAQ_EVENT VARIABLE /begin AVAILABLE_EVENT_LIST"));
-    for (uint8_t i = 0; i < slave->description.event_count; i++) {
-        putRom(out, TEXT(" EVENT "));
-        putUnsigned(out, i);
-    }
-    putRom(out, TEXT(" /end AVAILABLE_EVENT_LIST /end DAQ_EVENT /end IF_DATA\n/end MEASUREMENT\n"));
-}
-
-static uint32_t addressOf(const hb_parameter_numbers* parameter) {
-    switch (parameter->space) {
-    case HB_PAGED:
-        return HB_ADDRESS_SEGMENT + parameter->offset;
-    case HB_LIVE:
-        return HB_ADDRESS_LIVE + parameter->offset;
-    default:
-        return parameter->offset;
+static void putLayouts(writer* out) {
+    for (uint8_t type = HB_UBYTE; type <= HB_FLOAT64; type++) {
+        out->entry.type = type;
+        putText(out, Layout);
     }
 }
 
-static void putCharacteristic(writer* out, const hb_parameter* parameter) {
-    conversion words = {1.0F, NULL, parameter->numbers.choices};
-    uint8_t has_conversion = putConversion(out, parameter->name, parameter->unit, words);
-    putRom(out, TEXT("/begin CHARACTERISTIC "));
-    put(out, parameter->name);
-    putDescription(out, parameter);
-    putRom(out, parameter->numbers.space == HB_BLOCK ? TEXT(" VAL_BLK ") : TEXT(" VALUE "));
-    putHex(out, addressOf(&parameter->numbers));
-    putRom(out, TEXT(" RL."));
-    putTypeName(out, parameter->numbers.type);
-    putRom(out, TEXT(" 0 "));
-    putConversionName(out, parameter->name, has_conversion);
-    putLimits(out, parameter->numbers.type, parameter->numbers.lower, parameter->numbers.upper);
-    putUnit(out, parameter->unit);
-#if HB_FEATURE_CAPTURE
-    if (parameter->numbers.space == HB_BLOCK) {
-        putRom(out, TEXT("ECU_ADDRESS_EXTENSION 2\nREAD_ONLY\nMATRIX_DIM "));
-        putUnsigned(out, parameter->numbers.columns);
-        putChar(out, ' ');
-        putUnsigned(out, parameter->numbers.rows);
-        putRom(out, TEXT(" 1\n"));
-    }
-#endif
-    putRom(out, TEXT("/end CHARACTERISTIC\n"));
-}
-
-static void putParameter(writer* out, const hb_parameter* entry) {
-    hb_parameter parameter;
-    size_t end;
-    hb_rom_copy(&parameter, entry, sizeof parameter);
-    if (parameter.numbers.space == HB_BLOCK || parameter.numbers.rows == 1) {
-        putCharacteristic(out, &parameter);
+static void putTransport(writer* out) {
+#if HB_FEATURE_FULL
+    if (out->slave->description.transport_a2l) {
+        put(out, out->slave->description.transport_a2l);
         return;
     }
-    end = strlen(parameter.name);
-    parameter.name[end] = '_';
-    for (hb_extent row = 1; row <= parameter.numbers.rows; row++) {
-        char number[HB_NUMBER_CAPACITY];
-        hb_format_unsigned(row, number);
-        strncpy(&parameter.name[end + 1], number, sizeof parameter.name - end - 2U);
-        putCharacteristic(out, &parameter);
-        parameter.numbers.offset =
-            (uint16_t)(parameter.numbers.offset + hb_type_size(parameter.numbers.type));
-    }
+#endif
+    putText(out, Transport);
 }
 
-/* Returns 0 behind the last item. */
-static uint8_t putItem(writer* out, hb_xcp* slave, uint16_t item) {
-    const hb_xcp_description* description = &slave->description;
-    uint16_t own = description->signals[0].count;
-    uint16_t signals = (uint16_t)(own + description->signals[1].count);
-    if (item == 0) {
-        putPrologue(out, slave);
-    } else if (item <= own) {
-        putSignal(out, slave, &description->signals[0].entries[item - 1], (uint16_t)(item - 1));
-    } else if (item <= signals) {
-        putSignal(out, slave, &description->signals[1].entries[item - 1 - own], (uint16_t)(item - 1));
-    } else if (item <= signals + description->parameter_count) {
-        putParameter(out, &description->parameters[item - 1 - signals]);
+static void putFieldOfEvent(writer* out, uint8_t field) {
+    hb_event event;
+    hb_rom_copy(&event, &out->slave->description.events[out->index], sizeof event);
+    if (field == FIELD_EVENT_NAME) {
+        put(out, event.name);
     } else {
-        putRom(out, TEXT("/end MODULE\n/end PROJECT\n"));
-        return 0;
+        putUnsigned(out, field == FIELD_CYCLE ? event.cycle : event.time_unit);
     }
-    return 1;
 }
 
-uint32_t hb_a2l_length(hb_xcp* slave) {
-    if (slave->a2l.length == 0) {
-        writer out = {NULL, 0, 0, 0};
-        uint16_t item = 0;
-        while (putItem(&out, slave, item)) {
-            item++;
+static void putFieldOfBoard(writer* out, uint8_t field) {
+    const hb_xcp_description* description = &out->slave->description;
+    char epk[HB_EPK_CAPACITY];
+    switch (field) {
+    case FIELD_MODEL:
+        put(out, description->model);
+        break;
+    case FIELD_EPK:
+        hb_a2l_epk(out->slave, epk);
+        put(out, epk);
+        break;
+    case FIELD_PAGE_OCTETS:
+        putHex(out, description->page_octets);
+        break;
+    case FIELD_MAX_DTO:
+        putUnsigned(out, hb_xcp_max_dto(description));
+        break;
+    case FIELD_EVENT_COUNT:
+        putUnsigned(out, description->event_count);
+        break;
+    case FIELD_EVENTS:
+        putEvents(out, Event);
+        break;
+    case FIELD_EVENT_LIST:
+        putEvents(out, EventNumber);
+        break;
+    case FIELD_TRANSPORT:
+        putTransport(out);
+        break;
+    case FIELD_LAYOUTS:
+        putLayouts(out);
+        break;
+    case FIELD_INDEX:
+        putUnsigned(out, out->index);
+        break;
+    default:
+        putFieldOfEvent(out, field);
+        break;
+    }
+}
+
+static void putFieldOfEntry(writer* out, uint8_t field) {
+    uint8_t has_method = out->entry.choices != NULL || out->scale != 1.0F;
+    switch (field) {
+    case FIELD_NAME:
+        putText(out, out->entry.words);
+        if (out->row > 0) {
+            putChar(out, '_');
+            putUnsigned(out, out->row);
         }
+        break;
+    case FIELD_UNIT:
+        putText(out, hb_words_at(out->entry.words, 1));
+        break;
+#if HB_FEATURE_TEXTS
+    case FIELD_DESCRIPTION:
+        putText(out, hb_words_at(out->entry.words, 2));
+        break;
+#endif
+    case FIELD_TYPE:
+        putText(out, hb_words_at(Types, out->entry.type));
+        break;
+    case FIELD_SCALE:
+        putScale(out);
+        break;
+    case FIELD_LOWER:
+        putFloat(out, out->entry.lower);
+        break;
+    case FIELD_UPPER:
+        putUpper(out);
+        break;
+    case FIELD_ADDRESS:
+        putHex(out, out->address);
+        break;
+    case FIELD_CHOICES:
+        putChoices(out);
+        break;
+    case FIELD_CONVERSION:
+        putText(out, has_method ? NamedMethod : NoMethod);
+        break;
+    case FIELD_UNIT_LINE:
+        if (*hb_words_at(out->entry.words, 1)) {
+            putText(out, PhysicalUnit);
+        }
+        break;
+#if HB_FEATURE_CAPTURE
+    case FIELD_KIND:
+        putText(out, out->columns ? BlockKind : ValueKind);
+        break;
+    case FIELD_BLOCK_LINES:
+        if (out->columns) {
+            putText(out, Block);
+        }
+        break;
+    case FIELD_COLUMNS:
+        putUnsigned(out, out->columns);
+        break;
+    case FIELD_ROWS:
+        putUnsigned(out, out->rows);
+        break;
+#endif
+    default:
+        break;
+    }
+}
+
+static void putText(writer* out, hb_rom_char* text) {
+    for (; *text && !isServed(out); text++) {
+        uint8_t octet = (uint8_t)*text;
+        if (octet >= FIRST_WORD) {
+            putText(out, hb_words_at(Dictionary, (uint8_t)(octet - FIRST_WORD)));
+        } else if (octet >= FIRST_TEXT || octet == '\n') {
+            putChar(out, (char)octet);
+        } else if (octet < FIELD_NAME) {
+            putFieldOfBoard(out, octet);
+        } else {
+            putFieldOfEntry(out, octet);
+        }
+    }
+}
+
+static void putMethod(writer* out) {
+    if (out->entry.choices) {
+        putText(out, VerbalMethod);
+    } else if (out->scale != 1.0F) {
+        putText(out, LinearMethod);
+    }
+}
+
+static void putSignal(writer* out, const hb_signal* entry) {
+    hb_signal signal;
+    hb_signal_read(entry, &signal);
+    out->entry = signal.entry;
+    out->scale = signal.scale;
+#if HB_NUMBER_DIGITS > 6
+    out->digits = signal.digits;
+#endif
+    putMethod(out);
+    putText(out, Measurement);
+}
+
+static uint32_t addressOf(const hb_parameter* parameter) {
+    switch (parameter->space) {
+    case HB_PAGED:
+        return HB_ADDRESS_SEGMENT + parameter->entry.offset;
+    case HB_LIVE:
+        return HB_ADDRESS_LIVE + parameter->entry.offset;
+    default:
+        return parameter->entry.offset;
+    }
+}
+
+/* One row of a parameter; returns 1 if there is another one. */
+static uint8_t putParameter(writer* out, const hb_parameter* entry, hb_extent row) {
+    hb_parameter parameter;
+    hb_extent rows;
+    hb_parameter_read(entry, &parameter);
+    out->entry = parameter.entry;
+    out->scale = 1.0F;
+    out->address = addressOf(&parameter) + (uint32_t)hb_type_size(parameter.entry.type) * row;
+    rows = parameter.rows;
+#if HB_FEATURE_CAPTURE
+    out->columns = 0;
+    if (parameter.space == HB_BLOCK) {
+        out->columns = parameter.columns;
+        out->rows = parameter.rows;
+        rows = 1;
+    }
+#endif
+    row++;
+    out->row = rows > 1 ? row : 0U;
+    putMethod(out);
+    putText(out, Value);
+    return row < rows;
+}
+
+enum { FIRST_SIGNAL = 3 };
+enum item_end { ITEM_LAST, ITEM_ENDED, ITEM_HAS_MORE };
+
+static enum item_end putItem(writer* out, uint16_t item, hb_extent row) {
+    const hb_xcp_description* description = &out->slave->description;
+    uint16_t index = (uint16_t)(item - FIRST_SIGNAL);
+    const hb_signal_table* table;
+    if (item == 0) {
+        putText(out, Head);
+        return ITEM_ENDED;
+    }
+    if (item < FIRST_SIGNAL) {
+        putText(out, item == 1 ? Interface : InterfaceEnd);
+        return ITEM_ENDED;
+    }
+    out->address = 8U * (uint32_t)index;
+    table = hb_memory_signal_table(out->slave, &index);
+    if (table) {
+        putSignal(out, &table->entries[index]);
+        return ITEM_ENDED;
+    }
+    if (index < description->parameter_count) {
+        return putParameter(out, &description->parameters[index], row) ? ITEM_HAS_MORE : ITEM_ENDED;
+    }
+    putText(out, Tail);
+    return ITEM_LAST;
+}
+
+/* From here on, until what is wanted is there. A read that goes on where the last one ended renders little
+ * twice. */
+static void putItems(writer* out, hb_a2l_cursor* cursor) {
+    for (;;) {
+        enum item_end end = putItem(out, cursor->item, cursor->row);
+        if (isServed(out) || end == ITEM_LAST) {
+            return;
+        }
+        cursor->item_offset = out->position;
+        cursor->row = end == ITEM_HAS_MORE ? (hb_extent)(cursor->row + 1U) : 0U;
+        cursor->item = (uint16_t)(cursor->item + (end == ITEM_ENDED ? 1U : 0U));
+    }
+}
+
+static void rewindCursor(hb_a2l_cursor* cursor) {
+    cursor->item = 0;
+    cursor->row = 0;
+    cursor->item_offset = 0;
+}
+hb_address hb_a2l_length(hb_xcp* slave) {
+    if (slave->a2l.length == 0) {
+        writer out;
+        memset(&out, 0, sizeof out);
+        out.slave = slave;
+        rewindCursor(&slave->a2l);
+        putItems(&out, &slave->a2l);
         slave->a2l.length = out.position;
     }
     return slave->a2l.length;
 }
 
-void hb_a2l_read(hb_xcp* slave, uint32_t offset, uint8_t* destination, uint16_t count) {
-    writer out = {destination, (hb_text_offset)offset, (hb_text_offset)(offset + count), 0};
-    uint16_t item = 0;
-    if (offset >= slave->a2l.item_offset) {
-        item = slave->a2l.item;
-        out.position = slave->a2l.item_offset;
+void hb_a2l_read(hb_xcp* slave, hb_address offset, uint8_t* destination, uint16_t count) {
+    writer out;
+    memset(&out, 0, sizeof out);
+    out.slave = slave;
+    out.destination = destination;
+    out.start = offset;
+    out.end = (hb_address)(offset + count);
+    if (offset < slave->a2l.item_offset) {
+        rewindCursor(&slave->a2l);
     }
-    for (;;) {
-        slave->a2l.item = item;
-        slave->a2l.item_offset = out.position;
-        if (!putItem(&out, slave, item) || out.position >= offset + count) {
-            return;
-        }
-        item++;
-    }
+    out.position = slave->a2l.item_offset;
+    putItems(&out, &slave->a2l);
 }

@@ -63,10 +63,19 @@
 #ifndef HB_SPEED_WINDOW
 #define HB_SPEED_WINDOW 32 /* samples of the speed estimate */
 #endif
-#if HB_FEATURE_FULL
-typedef uint32_t hb_text_offset;
+#if HB_RING_OCTETS <= 256
+typedef uint8_t hb_length; /* of a packet */
 #else
-typedef uint16_t hb_text_offset; /* the description of a small board is shorter than 64 kB */
+typedef uint16_t hb_length;
+#endif
+#if HB_FEATURE_FULL
+typedef uint32_t hb_address;
+typedef uint16_t hb_daq_count;
+enum { HB_SIGNAL_TABLES = 2 };
+#else
+typedef uint16_t hb_address;  /* the description of a small board is shorter than 64 kB */
+typedef uint8_t hb_daq_count; /* fewer than 256 entries, and packets shorter than 256 octets */
+enum { HB_SIGNAL_TABLES = 1 };
 #endif
 
 /* Where the control tick may interrupt everything else, it waits between these two. They enclose what it must
@@ -75,24 +84,26 @@ typedef uint16_t hb_text_offset; /* the description of a small board is shorter 
 #define HB_LOCK() ((void)0)
 #define HB_UNLOCK() ((void)0)
 #endif
-#ifndef HB_A2L_TRANSPORT
+/* A board on a serial line gives HB_SXI_BAUD instead. */
+#if !defined HB_A2L_TRANSPORT && !defined HB_SXI_BAUD
 #define HB_A2L_TRANSPORT "/begin XCP_ON_TCP_IP 0x0100 5555 ADDRESS \"127.0.0.1\" /end XCP_ON_TCP_IP\n"
 #endif
 
 #if HB_FEATURE_TEXTS
-#define HB_TEXT(text) , text
-enum {
-    HB_NAME_CAPACITY = 28,
-    HB_UNIT_CAPACITY = 12,
-    HB_SIGNAL_TEXT_CAPACITY = 60,
-    HB_PARAMETER_TEXT_CAPACITY = 92
-};
+#define HB_TEXT(text) "\0" text
 #else
 #define HB_TEXT(text)
-enum { HB_NAME_CAPACITY = 26, HB_UNIT_CAPACITY = 10 };
 #endif
 
-/* Constant tables live in flash on machines with separate program memory. */
+/* Where the compiler would copy a function to each of its callers, which on a small processor is longer. */
+#ifdef __AVR__
+#define HB_NOINLINE __attribute__((noinline))
+#else
+#define HB_NOINLINE
+#endif
+
+/* Constant tables and their words live in flash on machines with separate program memory; there they are C
+ * with GNU extensions (-std=gnu11), because only those give a string of a table its place in flash. */
 #ifdef __AVR__
 #include <avr/pgmspace.h>
 #define HB_ROM PROGMEM
@@ -105,6 +116,13 @@ enum { HB_NAME_CAPACITY = 26, HB_UNIT_CAPACITY = 10 };
 #define hb_rom_copy(destination, source, octets) memcpy((destination), (source), (octets))
 #define hb_rom_octet(address) (*(const unsigned char*)(address))
 #define hb_rom_word(address) (*(address))
+#endif
+#if defined(__AVR__) && !defined(__cplusplus)
+typedef const __flash char hb_rom_char;
+#define HB_WORDS(words) ((hb_rom_char[]){words})
+#else
+typedef const char hb_rom_char;
+#define HB_WORDS(words) words
 #endif
 
 #endif

@@ -8,57 +8,50 @@ void hb_queue_clear(hb_queue* queue) {
     queue->tail = 0;
 }
 
-uint16_t hb_queue_free(const hb_queue* queue) {
-    uint16_t used = (uint16_t)((uint16_t)(queue->head - queue->tail) & RING_MASK);
-    return (uint16_t)(RING_MASK - used);
+hb_length hb_queue_free(const hb_queue* queue) {
+    return (hb_length)((queue->tail - queue->head - 1U) & RING_MASK);
 }
 
-static void putOctet(hb_queue* queue, uint8_t octet) {
-    queue->octets[queue->head] = octet;
-    queue->head = (hb_ring_index)((queue->head + 1U) & RING_MASK);
-}
-
-static uint8_t takeOctet(hb_queue* queue) {
-    uint8_t octet = queue->octets[queue->tail];
-    queue->tail = (hb_ring_index)((queue->tail + 1U) & RING_MASK);
-    return octet;
-}
-
-void hb_queue_begin(hb_queue* queue, uint16_t length) {
-    putOctet(queue, (uint8_t)length);
-    putOctet(queue, (uint8_t)(length >> 8));
-    putOctet(queue, (uint8_t)queue->counter);
-    putOctet(queue, (uint8_t)(queue->counter >> 8));
-    queue->counter++;
-}
-
-void hb_queue_put(hb_queue* queue, const uint8_t* source, uint16_t count) {
-    hb_ring_index head = queue->head;
-    for (uint16_t i = 0; i < count; i++) {
-        queue->octets[head] = source[i];
-        head = (hb_ring_index)((head + 1U) & RING_MASK);
+void hb_queue_put(hb_queue* queue, const uint8_t* source, hb_length count) {
+    hb_length head = queue->head;
+    for (; count > 0; count--) {
+        queue->octets[head] = *source++;
+        head = (hb_length)((head + 1U) & RING_MASK);
     }
     queue->head = head;
 }
 
-void hb_queue_skip(hb_queue* queue, uint16_t packets) {
+static void takeOctets(hb_queue* queue, uint8_t* destination, hb_length count) {
+    hb_length tail = queue->tail;
+    for (; count > 0; count--) {
+        *destination++ = queue->octets[tail];
+        tail = (hb_length)((tail + 1U) & RING_MASK);
+    }
+    queue->tail = tail;
+}
+
+/* Both in the processor's order of octets: they never leave it. */
+void hb_queue_begin(hb_queue* queue, hb_length length) {
+    hb_queue_put(queue, (const uint8_t*)&length, sizeof length);
+    hb_queue_put(queue, (const uint8_t*)&queue->counter, sizeof queue->counter);
+    queue->counter++;
+}
+
+void hb_queue_skip(hb_queue* queue, uint8_t packets) {
     queue->counter = (uint16_t)(queue->counter + packets);
 }
 
-uint16_t hb_queue_take(hb_queue* queue, uint8_t* packet, uint16_t capacity, uint16_t* counter) {
-    uint16_t length;
+hb_length hb_queue_take(hb_queue* queue, uint8_t* packet, hb_length capacity, uint16_t* counter) {
+    hb_length length;
     if (queue->head == queue->tail) {
         return 0;
     }
-    length = takeOctet(queue);
-    length = (uint16_t)(length | (uint16_t)(takeOctet(queue) << 8));
-    *counter = takeOctet(queue);
-    *counter = (uint16_t)(*counter | (uint16_t)(takeOctet(queue) << 8));
-    for (uint16_t i = 0; i < length; i++) {
-        uint8_t octet = takeOctet(queue);
-        if (i < capacity) {
-            packet[i] = octet;
-        }
+    takeOctets(queue, (uint8_t*)&length, sizeof length);
+    takeOctets(queue, (uint8_t*)counter, sizeof *counter);
+    if (length > capacity) {
+        queue->tail = (hb_length)((queue->tail + length) & RING_MASK);
+        return 0;
     }
-    return length <= capacity ? length : 0;
+    takeOctets(queue, packet, length);
+    return length;
 }

@@ -6,17 +6,17 @@
 enum { SYNC = 0x9A, ESCAPE = 0x9B, ESCAPED_ESCAPE = 0, ESCAPED_SYNC = 1, HEADER_OCTETS = 2, SUM_OCTETS = 2 };
 
 /* Sum of little-endian words; `octets` is even. */
-static uint16_t wordSum(const uint8_t* frame, uint16_t octets) {
+static uint16_t wordSum(const uint8_t* frame, hb_sxi_count octets) {
     uint16_t sum = 0;
-    for (uint16_t i = 0; i < octets; i = (uint16_t)(i + 2)) {
+    for (hb_sxi_count i = 0; i < octets; i = (hb_sxi_count)(i + 2U)) {
         sum = (uint16_t)(sum + (frame[i] | ((uint16_t)frame[i + 1] << 8)));
     }
     return sum;
 }
 
 /* Header, packet and the fill octet that makes them even. */
-static uint16_t summedOctets(uint8_t length) {
-    return (uint16_t)((HEADER_OCTETS + length + 1U) & ~1U);
+static hb_sxi_count summedOctets(uint8_t length) {
+    return (hb_sxi_count)((HEADER_OCTETS + length + 1U) & ~1U);
 }
 
 void hb_sxi_receiver_init(hb_sxi_receiver* receiver) {
@@ -48,7 +48,7 @@ static uint8_t isLength(uint16_t length) {
 
 uint16_t hb_sxi_receive(hb_sxi_receiver* receiver, uint8_t octet) {
     uint8_t* frame = receiver->packet;
-    uint16_t summed;
+    hb_sxi_count summed;
     uint16_t sum;
     if (octet == SYNC) {
         restart(receiver);
@@ -85,7 +85,7 @@ void hb_sxi_send(hb_sxi_sender* sender, const uint8_t* packet, uint16_t length, 
 }
 
 void hb_sxi_start(hb_sxi_sender* sender, uint16_t length, uint16_t counter) {
-    uint16_t summed = summedOctets((uint8_t)length);
+    hb_sxi_count summed = summedOctets((uint8_t)length);
     uint16_t sum;
     sender->frame[0] = (uint8_t)length;
     sender->frame[1] = (uint8_t)counter;
@@ -93,7 +93,7 @@ void hb_sxi_start(hb_sxi_sender* sender, uint16_t length, uint16_t counter) {
     sum = wordSum(sender->frame, summed);
     sender->frame[summed] = (uint8_t)sum;
     sender->frame[summed + 1] = (uint8_t)(sum >> 8);
-    sender->length = (uint16_t)(summed + SUM_OCTETS);
+    sender->length = (hb_sxi_count)(summed + SUM_OCTETS);
     sender->next = 0;
     sender->started = 0;
     sender->escaped = 0;

@@ -16,15 +16,21 @@ extern "C" {
 
 enum { HB_SXI_LONGEST_PACKET = HB_MAX_DTO < 255 ? HB_MAX_DTO : 255, HB_SXI_EXTRA = 5 };
 
+#if HB_MAX_DTO + 5 < 256 && HB_MAX_CTO + 5 < 256
+typedef uint8_t hb_sxi_count;
+#else
+typedef uint16_t hb_sxi_count;
+#endif
+
 typedef struct {
     uint8_t packet[HB_MAX_CTO + HB_SXI_EXTRA]; /* LEN, CTR, packet, fill, sum */
-    uint16_t filled;
+    hb_sxi_count filled;
     uint8_t hunting, escaped;
 } hb_sxi_receiver;
 
 typedef struct {
     uint8_t frame[HB_SXI_LONGEST_PACKET + HB_SXI_EXTRA];
-    uint16_t length, next;
+    hb_sxi_count length, next;
     uint8_t started, escaped;
 } hb_sxi_sender;
 

@@ -18,25 +18,23 @@ extern "C" {
 /* Integers without sign are even, their twins with sign follow. */
 enum hb_type { HB_UBYTE, HB_SBYTE, HB_UWORD, HB_SWORD, HB_ULONG, HB_SLONG, HB_FLOAT32, HB_FLOAT64 };
 
-/* One measured variable: physical value = raw * scale. `choices` names the values 0, 1, 2... ("idle|armed"),
- * or is NULL. `offset` counts from the base pointer of the table, so one table serves many instances. */
+/* What signals and parameters have in common. `words` are name, unit and, in a build with texts, description,
+ * a zero behind each. `choices` names the values 0, 1, 2... ("idle|armed"), or is NULL. `offset` counts from
+ * the base pointer of the table, so one table serves many instances. Limits are physical. */
 typedef struct {
-    uint8_t type;
+    float lower, upper;
+    hb_rom_char* words;
+    hb_rom_char* choices;
     uint16_t offset;
-    float scale;
-    float lower, upper; /* physical */
-    const char* choices;
-#if HB_NUMBER_DIGITS > 6
-    const char* digits; /* the scale in decimal, where a float is not exact enough for a host; or NULL */
-#endif
-} hb_signal_numbers;
+    uint8_t type;
+} hb_entry;
 
+/* One measured variable: physical value = raw * scale. */
 typedef struct {
-    hb_signal_numbers numbers;
-    char name[HB_NAME_CAPACITY];
-    char unit[HB_UNIT_CAPACITY];
-#if HB_FEATURE_TEXTS
-    char text[HB_SIGNAL_TEXT_CAPACITY];
+    hb_entry entry;
+    float scale;
+#if HB_NUMBER_DIGITS > 6
+    hb_rom_char* digits; /* the scale in decimal, where a float is not exact enough for a host; or NULL */
 #endif
 } hb_signal;
 
@@ -64,25 +62,13 @@ typedef uint8_t hb_extent;
  * a HB_BLOCK the size, with `columns`. A finite value outside the limits is clamped, a value that is not
  * finite is refused. */
 typedef struct {
-    uint8_t type;
+    hb_entry entry;
+    float initial;
     uint8_t space;
-    uint16_t offset;
 #if HB_FEATURE_CAPTURE
     hb_extent columns; /* 1 for a value */
 #endif
     hb_extent rows;
-    float initial;
-    float lower, upper;
-    const char* choices;
-} hb_parameter_numbers;
-
-typedef struct {
-    hb_parameter_numbers numbers;
-    char name[HB_NAME_CAPACITY];
-    char unit[HB_UNIT_CAPACITY];
-#if HB_FEATURE_TEXTS
-    char text[HB_PARAMETER_TEXT_CAPACITY];
-#endif
 } hb_parameter;
 
 typedef struct {
@@ -96,41 +82,37 @@ typedef struct {
 #else
 #define HB_DIGITS(digits)
 #endif
-#define HB_SIGNAL(name, unit, type, structure, member, scale, lower, upper, choices, text)                   \
+#define HB_ENTRY(name, unit, type, structure, member, lower, upper, choices, text)                           \
     {                                                                                                        \
-        {type, (uint16_t)offsetof(structure, member), scale, lower, upper, choices HB_DIGITS(NULL)}, name,   \
-            unit HB_TEXT(text)                                                                               \
+        lower, upper, HB_WORDS(name "\0" unit HB_TEXT(text)), choices,                                       \
+            (uint16_t)offsetof(structure, member), type                                                      \
     }
+#define HB_SIGNAL(name, unit, type, structure, member, scale, lower, upper, choices, text)                   \
+    { HB_ENTRY(name, unit, type, structure, member, lower, upper, choices, text), scale HB_DIGITS(NULL) }
 /* A signal whose scale is a literal of double precision without suffix, given to the host in full. */
 #define HB_SIGNAL_EXACT(name, unit, type, structure, member, literal, lower, upper, text)                    \
     {                                                                                                        \
-        {type,                                                                                               \
-         (uint16_t)offsetof(structure, member),                                                              \
-         (float)(literal),                                                                                   \
-         lower,                                                                                              \
-         upper,                                                                                              \
-         NULL HB_DIGITS(#literal)},                                                                          \
-            name, unit HB_TEXT(text)                                                                         \
+        HB_ENTRY(name, unit, type, structure, member, lower, upper, NULL, text),                             \
+            (float)(literal)HB_DIGITS(HB_WORDS(#literal))                                                    \
     }
 #define HB_PARAM(space, name, unit, type, structure, member, initial, lower, upper, choices, text)           \
     {                                                                                                        \
-        {                                                                                                    \
-            type,  space,  (uint16_t)offsetof(structure, member), HB_COLUMNS(1) 1, initial, lower,           \
-            upper, choices},                                                                                 \
-            name, unit HB_TEXT(text)                                                                         \
+        HB_ENTRY(name, unit, type, structure, member, lower, upper, choices, text), initial, space,          \
+            HB_COLUMNS(1) 1                                                                                  \
     }
 
 /* `count` values of an array, each with the same name, its number behind it. */
 #define HB_PARAM_LIST(space, name, unit, type, structure, member, count, initial, lower, upper, text)        \
     {                                                                                                        \
-        {type,  space, (uint16_t)offsetof(structure, member), HB_COLUMNS(1) count, initial, lower,           \
-         upper, NULL},                                                                                       \
-            name, unit HB_TEXT(text)                                                                         \
+        HB_ENTRY(name, unit, type, structure, member, lower, upper, NULL, text), initial, space,             \
+            HB_COLUMNS(1) count                                                                              \
     }
 
-/* The numbers of one entry, without its strings. */
-void hb_signal_read(const hb_signal* entry, hb_signal_numbers* numbers);
-void hb_parameter_read(const hb_parameter* entry, hb_parameter_numbers* numbers);
+/* Copies of an entry out of the memory that tables lie in. */
+void hb_signal_read(const hb_signal* entry, hb_signal* signal);
+void hb_parameter_read(const hb_parameter* entry, hb_parameter* parameter);
+/* The text `count` texts behind this one. */
+hb_rom_char* hb_words_at(hb_rom_char* words, uint8_t count);
 /* Octets of a value of this type. */
 uint8_t hb_type_size(uint8_t type);
 /* The value at `source`, which need not be aligned, as float. HB_FLOAT64 reads as 0 on a processor whose

@@ -3,16 +3,36 @@
 
 #include <string.h>
 
-/* Fixed point with four bits above the fraction: room for the factor 10 of one digit. The small form has 32
- * bits, which give six sure digits; the full one finds the shortest text that reads back as the same float.
- */
+enum base { DECIMAL = 10, HEXADECIMAL = 16 };
+
+static char* putDigits(char* text, uint32_t value, enum base base, uint8_t least) {
+    char reversed[10];
+    uint8_t count = 0;
+    do {
+        uint8_t digit = (uint8_t)(value % base);
+        reversed[count++] = (char)(digit < 10 ? '0' + digit : 'A' + digit - 10);
+        value /= base;
+    } while (value > 0 || count < least);
+    while (count > 0) {
+        *text++ = reversed[--count];
+    }
+    *text = 0;
+    return text;
+}
+
+void hb_format_unsigned(uint32_t value, char text[HB_NUMBER_CAPACITY]) {
+    (void)putDigits(text, value, DECIMAL, 1);
+}
+
+void hb_format_hex(uint32_t value, uint8_t digits, char text[HB_NUMBER_CAPACITY]) {
+    (void)putDigits(text, value, HEXADECIMAL, digits);
+}
+
 #if HB_NUMBER_DIGITS > 6
+
+/* Fixed point with four bits above the fraction: room for the factor 10 of one digit. */
 typedef uint64_t wide_number;
 enum { FRACTION_BITS = 56 };
-#else
-typedef uint32_t wide_number;
-enum { FRACTION_BITS = 28 };
-#endif
 enum { FLOAT_MANTISSA_BITS = 23, FLOAT_BIAS = 150 };
 #define ONE ((wide_number)1 << FRACTION_BITS)
 #define HIGHEST_BIT ((wide_number)1 << (FRACTION_BITS + 3))
@@ -25,16 +45,11 @@ typedef struct {
 
 /* Distance at which a decimal still stands for the value. */
 static wide_number toleranceOf(wide_number scaled, uint32_t mantissa) {
-#if HB_NUMBER_DIGITS > 6
     wide_number tolerance = scaled / (2 * (wide_number)mantissa);
     if (mantissa == 0x800000UL) {
         tolerance /= 2; /* below a power of two the floats lie twice as close */
     }
     return tolerance - tolerance / 64; /* keeps clear of ties and of the truncation above */
-#else
-    (void)mantissa;
-    return scaled >> 21;
-#endif
 }
 
 /* value = mantissa * 2^power -> scaled decimal. Each step truncates one unit of 2^-(FRACTION_BITS + 3); at
@@ -157,30 +172,35 @@ void hb_format_float(float value, char text[HB_NUMBER_CAPACITY]) {
     *text = 0;
 }
 
-void hb_format_unsigned(uint32_t value, char text[HB_NUMBER_CAPACITY]) {
-    char reversed[10];
-    uint8_t count = 0;
-    do {
-        reversed[count++] = (char)('0' + value % 10);
-        value /= 10;
-    } while (value > 0);
-    while (count > 0) {
-        *text++ = reversed[--count];
+#else
+
+/* Six digits as a whole number and a power of ten: what 24 bits of a float give without wider arithmetic. */
+void hb_format_float(float value, char text[HB_NUMBER_CAPACITY]) {
+    int8_t exponent = 0;
+    uint32_t digits;
+    if (value < 0.0F) {
+        *text++ = '-';
+        value = -value;
     }
-    *text = 0;
+    for (; value >= 999999.5F; exponent++) {
+        value *= 0.1F;
+    }
+    for (; value < 99999.95F && value > 0.0F; exponent--) {
+        value *= 10.0F;
+    }
+    digits = (uint32_t)(value + 0.5F);
+    for (; exponent != 0 && digits % 10U == 0; exponent++) {
+        digits /= 10U;
+    }
+    text = putDigits(text, digits, DECIMAL, 1);
+    if (exponent != 0) {
+        *text++ = 'e';
+        if (exponent < 0) {
+            *text++ = '-';
+            exponent = (int8_t)-exponent;
+        }
+        (void)putDigits(text, (uint8_t)exponent, DECIMAL, 1);
+    }
 }
 
-void hb_format_hex(uint32_t value, uint8_t digits, char text[HB_NUMBER_CAPACITY]) {
-    while (digits < 8 && (value >> (4 * digits)) != 0) {
-        digits++;
-    }
-    *text++ = '0';
-    *text++ = 'x';
-    while (digits > 0) {
-        uint8_t nibble;
-        digits--;
-        nibble = (uint8_t)((value >> (4 * digits)) & 0x0F);
-        *text++ = (char)(nibble < 10 ? '0' + nibble : 'A' + nibble - 10);
-    }
-    *text = 0;
-}
+#endif

@@ -14,11 +14,11 @@ extern "C" {
 
 enum { HB_NUMBER_CAPACITY = 20 };
 
-/* Shortest decimal that reads back as the same float (with HB_NUMBER_DIGITS 6: within 5e-7); "0", "-1.5",
- * "2.3968449e-05". Finite values only. */
+/* Shortest decimal that reads back as the same float; "0", "-1.5", "2.3968449e-05". With HB_NUMBER_DIGITS 6:
+ * six digits and an exponent, "-15e-1". Finite values only. */
 void hb_format_float(float value, char text[HB_NUMBER_CAPACITY]);
 void hb_format_unsigned(uint32_t value, char text[HB_NUMBER_CAPACITY]);
-/* "0x" and at least `digits` digits. */
+/* At least `digits` hexadecimal digits. */
 void hb_format_hex(uint32_t value, uint8_t digits, char text[HB_NUMBER_CAPACITY]);
 
 #ifdef __cplusplus

@@ -47,7 +47,14 @@ enum hb_xcp_event_code {
  * names. */
 #define HB_ADDRESS_LIVE ((uint32_t)0x8000)
 #define HB_ADDRESS_SEGMENT ((uint32_t)0x10000)
-enum hb_xcp_extension { HB_EXT_VALUES = 0, HB_EXT_A2L = 1, HB_EXT_BLOCK = 2, HB_EXT_NAMES = 3 };
+enum hb_xcp_extension {
+    HB_EXT_VALUES = 0,
+    HB_EXT_A2L = 1,
+    HB_EXT_BLOCK = 2,
+    HB_EXT_NAMES = 3,
+    HB_EXT_SEGMENT = 4, /* these two not on the wire: segment 0 from its start, nothing */
+    HB_EXT_NONE = 5
+};
 
 /* What the board tells the slave. Every hook may be NULL. `parameter` is the index into the parameter table.
  */
@@ -57,15 +64,15 @@ typedef struct {
     void (*written)(void* board, uint16_t parameter);
     uint8_t (*stop)(void* board);  /* USER_CMD 45; returns the latch code for the response */
     uint8_t (*reset)(void* board); /* USER_CMD 52 */
-    void (*read_block)(void* board, uint32_t offset, uint8_t* destination, uint16_t count);
+    void (*read_block)(void* board, hb_address offset, uint8_t* destination, uint16_t count);
     uint8_t (*store)(void* board, const void* page, uint16_t octets); /* SET_REQUEST; 1 = stored */
 } hb_xcp_hooks;
 
 typedef struct {
-    const char* model;          /* GET_ID 1: name of the A2L without extension, e.g. "htm" */
-    const char* device;         /* GET_ID 0: e.g. "sim-htm-1" */
-    const char* variant;        /* appended to the EPK; may be empty */
-    hb_signal_table signals[2]; /* handles run through both; the second may be empty */
+    const char* model;                         /* GET_ID 1: name of the A2L without extension, e.g. "htm" */
+    const char* device;                        /* GET_ID 0: e.g. "sim-htm-1" */
+    const char* variant;                       /* appended to the EPK; may be empty */
+    hb_signal_table signals[HB_SIGNAL_TABLES]; /* handles run through them; the second may be empty */
     const hb_parameter* parameters;
     uint16_t parameter_count;
     const hb_event* events;
@@ -74,7 +81,7 @@ typedef struct {
     uint16_t page_octets;
     uint8_t* live;
     uint16_t live_octets;
-    uint32_t block_octets;
+    hb_address block_octets;
 #if HB_FEATURE_FULL            /* a small board knows its line when it is compiled */
     const char* transport_a2l; /* A2L block of the line this board is served on; NULL: HB_A2L_TRANSPORT */
     uint16_t max_dto;          /* longest measurement packet that line carries; 0: HB_MAX_DTO */
@@ -89,9 +96,9 @@ typedef struct {
 } hb_daq_entry;
 
 typedef struct {
-    uint16_t first_entry;
-    uint16_t entry_count;
-    uint16_t octets; /* of all entries written so far */
+    hb_daq_count first_entry;
+    hb_daq_count entry_count;
+    hb_daq_count octets; /* of all entries written so far */
 } hb_daq_odt;
 
 typedef struct {
@@ -105,24 +112,25 @@ enum { HB_DAQ_TIMESTAMP = 0x10, HB_DAQ_SELECTED = 0x01, HB_DAQ_RUNNING = 0x40 };
 typedef struct {
     uint8_t stage; /* 0 none, 1 freed, 2 lists, 3 ODTs, 4 entries */
     uint8_t list_count, odt_count;
-    uint16_t entry_count;
-    uint8_t write_list, write_odt;
-    uint16_t write_entry;
-    uint8_t write_valid, overload_reported;
+    hb_daq_count entry_count;
+    hb_daq_odt* write_odt; /* what the next WRITE_DAQ fills; NULL: nothing */
+    hb_daq_count write_entry;
+    uint8_t writes_first_odt; /* the one with the time stamp */
+    uint8_t overload_reported;
     hb_daq_list lists[HB_DAQ_LISTS];
     hb_daq_odt odts[HB_DAQ_ODTS];
     hb_daq_entry entries[HB_DAQ_ENTRIES];
 } hb_daq;
 
 typedef struct {
-    hb_text_offset length; /* 0 = not yet known */
-    uint32_t epk_hash;     /* over all tables; 0 = not yet known */
-    uint16_t item;         /* where the last read left off */
-    hb_text_offset item_offset;
+    hb_address length; /* 0 = not yet known */
+    uint32_t epk_hash; /* over all tables */
+    uint16_t item;     /* where the last read left off */
+    hb_extent row;
+    hb_address item_offset;
 } hb_a2l_cursor;
 
 typedef struct hb_xcp {
-    hb_xcp_description description;
     uint32_t time_us; /* device clock, set by the board before its events */
     uint16_t silent_ms;
     uint8_t connected;
@@ -131,10 +139,11 @@ typedef struct hb_xcp {
     uint8_t xcp_page;    /* what the master reads and writes */
     uint8_t mta_extension;
     uint8_t block_left; /* octets of a block-mode UPLOAD still to be sent */
-    uint32_t mta_address;
+    hb_address mta_address;
     uint16_t last_counter;
-    uint16_t response_length;
+    uint8_t response_length;
     uint8_t response[HB_MAX_CTO];
+    hb_xcp_description description; /* behind what small processors reach with short instructions */
     hb_a2l_cursor a2l;
     hb_daq daq;
     hb_queue queue;
@@ -155,7 +164,7 @@ uint8_t hb_xcp_watchdog_expired(hb_xcp* slave, uint16_t limit_ms);
 /* Ends the session from the slave's side: EV 07 with `reason`, DAQ stopped. */
 void hb_xcp_end_session(hb_xcp* slave, uint8_t reason);
 /* EV FE with one octet, and the same in words as SERV text: HB_ROM text up to its end or to '|'. */
-void hb_xcp_report_user_event(hb_xcp* slave, uint8_t code, const char* text);
+void hb_xcp_report_user_event(hb_xcp* slave, uint8_t code, hb_rom_char* text);
 /* Start of a control cycle: takes the page switch with one store and returns the active page. */
 const void* hb_xcp_take_page(hb_xcp* slave);
 

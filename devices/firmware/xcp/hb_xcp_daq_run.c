@@ -4,7 +4,7 @@
 #include <string.h>
 
 enum { PROPERTIES = 0x93 /* dynamic, prescaler, time stamp, overload by event */ };
-enum { EVENT_IS_DAQ = 0x04, TIMESTAMP_4_OCTETS_1_US = 0x34, PAYLOAD_U32 = 1 };
+enum { EVENT_IS_DAQ = 0x04, PAYLOAD_U32 = 1 };
 enum { LIST_STOP, LIST_START, LIST_SELECT };
 enum { SYNCH_STOP_ALL, SYNCH_START_SELECTED, SYNCH_STOP_SELECTED, SYNCH_PREPARE };
 /* Room that samples leave for an answer and two events. */
@@ -25,15 +25,13 @@ void hb_daq_stop_all(hb_xcp* slave) {
     }
 }
 
-uint8_t hb_cmd_set_daq_list_mode(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
-    uint16_t list = hb_get16(&packet[2]);
+uint8_t hb_cmd_set_daq_list_mode(hb_xcp* slave, const uint8_t* packet, hb_length length) {
+    hb_daq_list* entry = hb_daq_list_at(slave, packet);
     uint16_t event = hb_get16(&packet[4]);
-    hb_daq_list* entry;
     (void)length;
-    if (list >= slave->daq.list_count || event >= slave->description.event_count || packet[6] == 0) {
+    if (!entry || event >= slave->description.event_count || packet[6] == 0) {
         return HB_ERR_OUT_OF_RANGE;
     }
-    entry = &slave->daq.lists[list];
     if (entry->mode & HB_DAQ_RUNNING) {
         return HB_ERR_DAQ_ACTIVE;
     }
@@ -49,17 +47,13 @@ uint8_t hb_cmd_set_daq_list_mode(hb_xcp* slave, const uint8_t* packet, uint16_t 
 
 #if HB_FEATURE_FULL
 
-uint8_t hb_cmd_get_daq_list_mode(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
-    uint16_t list = hb_get16(&packet[2]);
-    const hb_daq_list* entry;
+uint8_t hb_cmd_get_daq_list_mode(hb_xcp* slave, const uint8_t* packet, hb_length length) {
+    const hb_daq_list* entry = hb_daq_list_at(slave, packet);
     (void)length;
-    if (list >= slave->daq.list_count) {
+    if (!entry) {
         return HB_ERR_OUT_OF_RANGE;
     }
-    entry = &slave->daq.lists[list];
     slave->response[1] = entry->mode;
-    slave->response[2] = 0;
-    slave->response[3] = 0;
     hb_put16(&slave->response[4], entry->event);
     slave->response[6] = entry->prescaler;
     slave->response[7] = entry->priority;
@@ -73,7 +67,7 @@ uint8_t hb_cmd_get_daq_list_mode(hb_xcp* slave, const uint8_t* packet, uint16_t 
 static uint8_t isComplete(const hb_daq* daq, const hb_daq_list* list) {
     for (uint8_t i = 0; i < list->odt_count; i++) {
         const hb_daq_odt* odt = &daq->odts[list->first_odt + i];
-        for (uint16_t k = 0; k < odt->entry_count; k++) {
+        for (hb_daq_count k = 0; k < odt->entry_count; k++) {
             if (daq->entries[odt->first_entry + k].size == 0) {
                 return 0;
             }
@@ -91,31 +85,31 @@ static void startList(hb_daq* daq, hb_daq_list* list) {
     daq->overload_reported = 0;
 }
 
-uint8_t hb_cmd_start_stop_daq_list(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+uint8_t hb_cmd_start_stop_daq_list(hb_xcp* slave, const uint8_t* packet, hb_length length) {
     hb_daq* daq = &slave->daq;
-    uint16_t list = hb_get16(&packet[2]);
+    hb_daq_list* list = hb_daq_list_at(slave, packet);
     (void)length;
-    if (list >= daq->list_count) {
+    if (!list) {
         return HB_ERR_OUT_OF_RANGE;
     }
     if (packet[1] > LIST_SELECT) {
         return HB_ERR_MODE_NOT_VALID;
     }
     if (packet[1] == LIST_STOP) {
-        daq->lists[list].mode &= (uint8_t) ~(HB_DAQ_RUNNING | HB_DAQ_SELECTED);
-    } else if (!isComplete(daq, &daq->lists[list])) {
+        list->mode &= (uint8_t) ~(HB_DAQ_RUNNING | HB_DAQ_SELECTED);
+    } else if (!isComplete(daq, list)) {
         return HB_ERR_DAQ_CONFIG;
     } else if (packet[1] == LIST_START) {
-        startList(daq, &daq->lists[list]);
+        startList(daq, list);
     } else {
-        daq->lists[list].mode |= HB_DAQ_SELECTED;
+        list->mode |= HB_DAQ_SELECTED;
     }
-    slave->response[1] = daq->lists[list].first_odt;
+    slave->response[1] = list->first_odt;
     slave->response_length = 2;
     return HB_OK;
 }
 
-uint8_t hb_cmd_start_stop_synch(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+uint8_t hb_cmd_start_stop_synch(hb_xcp* slave, const uint8_t* packet, hb_length length) {
     hb_daq* daq = &slave->daq;
     (void)length;
     if (packet[1] > SYNCH_PREPARE) {
@@ -138,43 +132,26 @@ uint8_t hb_cmd_start_stop_synch(hb_xcp* slave, const uint8_t* packet, uint16_t l
     return HB_OK;
 }
 
-uint8_t hb_cmd_get_daq_clock(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+uint8_t hb_cmd_get_daq_clock(hb_xcp* slave, const uint8_t* packet, hb_length length) {
     (void)packet;
     (void)length;
-    slave->response[1] = 0;
-    slave->response[2] = 0;
     slave->response[3] = PAYLOAD_U32;
     hb_put32(&slave->response[4], slave->time_us);
     slave->response_length = 8;
     return HB_OK;
 }
 
-uint8_t hb_cmd_get_daq_processor_info(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+uint8_t hb_cmd_get_daq_processor_info(hb_xcp* slave, const uint8_t* packet, hb_length length) {
     (void)packet;
     (void)length;
     slave->response[1] = PROPERTIES;
     hb_put16(&slave->response[2], HB_DAQ_LISTS);
     hb_put16(&slave->response[4], slave->description.event_count);
-    slave->response[6] = 0;
-    slave->response[7] = 0; /* identification field 0: absolute ODT number */
     slave->response_length = 8;
     return HB_OK;
 }
 
-uint8_t hb_cmd_get_daq_resolution_info(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
-    (void)packet;
-    (void)length;
-    slave->response[1] = 1;
-    slave->response[2] = HB_MAX_ENTRY_OCTETS;
-    slave->response[3] = 1;
-    slave->response[4] = 0;
-    slave->response[5] = TIMESTAMP_4_OCTETS_1_US;
-    hb_put16(&slave->response[6], 1);
-    slave->response_length = 8;
-    return HB_OK;
-}
-
-uint8_t hb_cmd_get_daq_event_info(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+uint8_t hb_cmd_get_daq_event_info(hb_xcp* slave, const uint8_t* packet, hb_length length) {
     uint16_t index = hb_get16(&packet[2]);
     hb_event event;
     (void)length;
@@ -187,28 +164,27 @@ uint8_t hb_cmd_get_daq_event_info(hb_xcp* slave, const uint8_t* packet, uint16_t
     slave->response[3] = (uint8_t)strlen(event.name);
     slave->response[4] = event.cycle;
     slave->response[5] = event.time_unit;
-    slave->response[6] = 0;
     slave->response_length = 7;
     slave->mta_extension = HB_EXT_NAMES;
-    slave->mta_address = HB_EVENT_NAMES + 16U * (uint32_t)index;
+    slave->mta_address = (hb_address)(HB_EVENT_NAMES + 16U * index);
     return HB_OK;
 }
 
 /* Octets of a packet of this ODT. */
-static uint16_t odtOctets(const hb_daq* daq, const hb_daq_list* list, uint8_t odt) {
-    uint16_t octets = daq->odts[list->first_odt + odt].octets;
+static hb_length odtOctets(const hb_daq* daq, const hb_daq_list* list, uint8_t odt) {
+    hb_length octets = (hb_length)(daq->odts[list->first_odt + odt].octets + HB_PID_OCTETS);
     if (odt == 0 && (list->mode & HB_DAQ_TIMESTAMP)) {
-        octets = (uint16_t)(octets + HB_TIMESTAMP_OCTETS);
+        octets = (hb_length)(octets + HB_TIMESTAMP_OCTETS);
     }
-    return (uint16_t)(octets + HB_PID_OCTETS);
+    return octets;
 }
 
 /* One sample over all ODTs of a list: enters the queue whole or is dropped whole, its counters used up. */
 static void sendSample(hb_xcp* slave, const hb_daq_list* list) {
     hb_daq* daq = &slave->daq;
-    uint32_t needed = RESERVED_OCTETS;
+    uint16_t needed = RESERVED_OCTETS;
     for (uint8_t i = 0; i < list->odt_count; i++) {
-        needed += (uint32_t)odtOctets(daq, list, i) + HB_PACKET_OVERHEAD;
+        needed = (uint16_t)(needed + odtOctets(daq, list, i) + HB_PACKET_OVERHEAD);
     }
     if (hb_queue_free(&slave->queue) < needed) {
         hb_queue_skip(&slave->queue, list->odt_count);
@@ -226,7 +202,7 @@ static void sendSample(hb_xcp* slave, const hb_daq_list* list) {
         hb_put32(&header[1], slave->time_us);
         hb_queue_begin(&slave->queue, odtOctets(daq, list, i));
         hb_queue_put(&slave->queue, header, i == 0 && (list->mode & HB_DAQ_TIMESTAMP) ? sizeof header : 1);
-        for (uint16_t k = 0; k < odt->entry_count; k++) {
+        for (hb_daq_count k = 0; k < odt->entry_count; k++) {
             const hb_daq_entry* entry = &daq->entries[odt->first_entry + k];
             hb_queue_put(&slave->queue, entry->source, entry->size);
         }

@@ -22,7 +22,7 @@ static const char* identification(hb_xcp* slave, uint8_t type, char text[HB_EPK_
 
 #if HB_FEATURE_FULL
 
-static uint8_t identificationOctet(hb_xcp* slave, uint32_t address, uint8_t* octet) {
+static uint8_t identificationOctet(hb_xcp* slave, hb_address address, uint8_t* octet) {
     char epk[HB_EPK_CAPACITY];
     const char* text = identification(slave, (uint8_t)(address >> 8), epk);
     if (!text || strlen(text) <= (address & 0xFF)) {
@@ -34,10 +34,10 @@ static uint8_t identificationOctet(hb_xcp* slave, uint32_t address, uint8_t* oct
 
 #endif
 
-uint8_t hb_names_octet(hb_xcp* slave, uint32_t address, uint8_t* octet) {
+uint8_t hb_names_octet(hb_xcp* slave, hb_address address, uint8_t* octet) {
     const hb_xcp_description* description = &slave->description;
     if (address >= HB_EVENT_NAMES) {
-        uint32_t index = (address - HB_EVENT_NAMES) / EVENT_STRIDE;
+        hb_address index = (hb_address)(address - HB_EVENT_NAMES) / EVENT_STRIDE;
         hb_event event;
         if (index >= description->event_count || address % EVENT_STRIDE >= sizeof event.name) {
             return 0;
@@ -53,27 +53,26 @@ uint8_t hb_names_octet(hb_xcp* slave, uint32_t address, uint8_t* octet) {
 #endif
 }
 
-uint8_t hb_cmd_get_id(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+uint8_t hb_cmd_get_id(hb_xcp* slave, const uint8_t* packet, hb_length length) {
     char epk[HB_EPK_CAPACITY];
     const char* text = identification(slave, packet[1], epk);
-    uint32_t octets = 0;
+    hb_address octets = 0;
     (void)length;
-    memset(&slave->response[1], 0, 7);
     slave->response_length = INLINE_HEADER;
     if (packet[1] == ID_A2L) {
         slave->mta_extension = HB_EXT_A2L;
         slave->mta_address = 0;
         octets = hb_a2l_length(slave);
     } else if (text) {
-        octets = (uint32_t)strlen(text);
+        octets = (hb_address)strlen(text);
         if (octets + INLINE_HEADER <= HB_MAX_CTO) {
             slave->response[1] = 1;
             memcpy(&slave->response[INLINE_HEADER], text, octets);
-            slave->response_length = (uint16_t)(INLINE_HEADER + octets);
+            slave->response_length = (uint8_t)(INLINE_HEADER + octets);
         } else {
 #if HB_FEATURE_FULL
             slave->mta_extension = HB_EXT_NAMES;
-            slave->mta_address = (uint32_t)packet[1] << 8;
+            slave->mta_address = (hb_address)packet[1] << 8;
 #else
             return HB_ERR_OUT_OF_RANGE; /* a small board's names fit into one answer */
 #endif
@@ -87,12 +86,11 @@ uint8_t hb_cmd_get_id(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
 
 #if HB_FEATURE_FULL
 
-uint8_t hb_cmd_get_version(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+uint8_t hb_cmd_get_version(hb_xcp* slave, const uint8_t* packet, hb_length length) {
     (void)length;
     if (packet[1] != 0) {
         return HB_ERR_CMD_UNKNOWN;
     }
-    slave->response[1] = 0;
     slave->response[2] = 1; /* protocol 1.4, transport 1.4 */
     slave->response[3] = 4;
     slave->response[4] = 1;

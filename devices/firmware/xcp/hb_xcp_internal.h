@@ -43,71 +43,78 @@ static inline uint16_t hb_xcp_max_dto(const hb_xcp_description* description) {
 }
 
 /* Response of `length` octets whose first is the packet identifier. */
-void hb_xcp_send(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+void hb_xcp_send(hb_xcp* slave, const uint8_t* packet, hb_length length);
+/* slave->response for HB_OK, else the error. */
+void hb_xcp_answer(hb_xcp* slave, uint8_t result);
 
 /* hb_xcp_memory.c: every access goes through the tables. */
-uint8_t hb_memory_read(hb_xcp* slave, uint8_t extension, uint32_t address, uint8_t* destination,
-                       uint16_t count);
-uint8_t hb_memory_write(hb_xcp* slave, uint8_t extension, uint32_t address, const uint8_t* source,
-                        uint8_t count);
+/* Takes extension and address as they come in a command. */
+void hb_memory_set_mta(hb_xcp* slave, uint8_t extension, const uint8_t address[4]);
+/* `count` octets at the MTA, which moves behind them if all is well. */
+uint8_t hb_memory_read(hb_xcp* slave, uint8_t* destination, uint8_t count);
+uint8_t hb_memory_write(hb_xcp* slave, const uint8_t* source, uint8_t count);
+/* The table that holds signal `index`, which becomes the index within that table; NULL behind the last. */
+const hb_signal_table* hb_memory_signal_table(const hb_xcp* slave, uint16_t* index);
 /* Variable behind the address of one signal; NULL if there is none of at least `size` octets. */
-const uint8_t* hb_memory_signal(const hb_xcp* slave, uint32_t address, uint8_t size);
+const uint8_t* hb_memory_signal(const hb_xcp* slave, hb_address address, uint8_t size);
 /* 1 if every parameter of the page is finite and within its limits. */
 uint8_t hb_memory_page_is_valid(const hb_xcp* slave, uint8_t page);
-uint8_t hb_cmd_set_mta(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_upload(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_short_upload(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_build_checksum(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_download(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_short_download(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_set_mta(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_upload(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_short_upload(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_build_checksum(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_download(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_short_download(hb_xcp* slave, const uint8_t* packet, hb_length length);
 /* Sends what is left of a block-mode UPLOAD, as far as there is room. */
 void hb_memory_continue_block(hb_xcp* slave);
 
 /* hb_xcp_info.c */
-uint8_t hb_cmd_get_id(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_get_id(hb_xcp* slave, const uint8_t* packet, hb_length length);
 /* Texts at extension 3: GET_ID types at 256 * type, event names at 0x1000 + 16 * event. */
-uint8_t hb_names_octet(hb_xcp* slave, uint32_t address, uint8_t* octet);
-#define HB_EVENT_NAMES ((uint32_t)0x1000)
+uint8_t hb_names_octet(hb_xcp* slave, hb_address address, uint8_t* octet);
+#define HB_EVENT_NAMES ((hb_address)0x1000)
 /* hb_xcp_pages.c */
-uint8_t hb_cmd_set_cal_page(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_get_cal_page(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_get_pag_processor_info(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_copy_cal_page(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_set_cal_page(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_get_cal_page(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_copy_cal_page(hb_xcp* slave, const uint8_t* packet, hb_length length);
 #if HB_FEATURE_FULL
-uint8_t hb_cmd_get_segment_info(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_get_page_info(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_set_request(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_get_version(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_write_daq_multiple(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_get_daq_list_mode(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_get_segment_info(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_get_page_info(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_set_request(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_get_version(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_write_daq_multiple(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_get_daq_list_mode(hb_xcp* slave, const uint8_t* packet, hb_length length);
 #endif
 
 /* Octets of a measurement packet: its number, the time in the first of a list, the longest entry. */
 enum { HB_PID_OCTETS = 1, HB_TIMESTAMP_OCTETS = 4, HB_MAX_ENTRY_OCTETS = 8 };
 
 /* hb_xcp_daq.c (allocation, contents) and hb_xcp_daq_run.c (modes, start, samples) */
-uint8_t hb_cmd_free_daq(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_alloc_daq(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_alloc_odt(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_alloc_odt_entry(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_set_daq_ptr(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_write_daq(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_set_daq_list_mode(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_start_stop_daq_list(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_start_stop_synch(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_get_daq_clock(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_get_daq_processor_info(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_get_daq_resolution_info(hb_xcp* slave, const uint8_t* packet, uint16_t length);
-uint8_t hb_cmd_get_daq_event_info(hb_xcp* slave, const uint8_t* packet, uint16_t length);
+uint8_t hb_cmd_free_daq(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_alloc_daq(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_alloc_odt(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_alloc_odt_entry(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_set_daq_ptr(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_write_daq(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_set_daq_list_mode(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_start_stop_daq_list(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_start_stop_synch(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_get_daq_clock(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_get_daq_processor_info(hb_xcp* slave, const uint8_t* packet, hb_length length);
+uint8_t hb_cmd_get_daq_event_info(hb_xcp* slave, const uint8_t* packet, hb_length length);
+/* The list that octets 2 and 3 of a command name; NULL if there is none. */
+hb_daq_list* hb_daq_list_at(hb_xcp* slave, const uint8_t* packet);
 void hb_daq_clear(hb_xcp* slave);
 void hb_daq_stop_all(hb_xcp* slave);
 uint8_t hb_daq_is_running(const hb_xcp* slave);
 
 /* hb_a2l.c, hb_epk.c */
-uint32_t hb_a2l_length(hb_xcp* slave);
-void hb_a2l_read(hb_xcp* slave, uint32_t offset, uint8_t* destination, uint16_t count);
-/* "0.1.0-1A2B3C4D" plus the variant, zero ended. */
-enum { HB_EPK_CAPACITY = 64 };
+hb_address hb_a2l_length(hb_xcp* slave);
+void hb_a2l_read(hb_xcp* slave, hb_address offset, uint8_t* destination, uint16_t count);
+/* Computes what the EPK says about the tables: some milliseconds on a small processor. */
+void hb_a2l_identify(hb_xcp* slave);
+/* "0.1.0-0x1A2B3C4D" plus the variant, zero ended. */
+enum { HB_EPK_CAPACITY = HB_FEATURE_FULL ? 64 : 20 };
 void hb_a2l_epk(hb_xcp* slave, char text[HB_EPK_CAPACITY]);
 
 #ifdef __cplusplus

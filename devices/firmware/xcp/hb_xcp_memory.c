@@ -5,307 +5,317 @@
 
 enum { SIGNAL_STRIDE = 8, VALUE_OCTETS = 8 };
 
-/* The table that holds signal `index`, which becomes the index within that table. */
-static const hb_signal_table* tableOf(const hb_xcp* slave, uint16_t* index) {
-    const hb_signal_table* tables = slave->description.signals;
-    if (*index < tables[0].count) {
-        return &tables[0];
+/* Inside, the segment has an extension of its own, so that offsets are short on small processors. An address
+ * they cannot have becomes one where nothing is. */
+void hb_memory_set_mta(hb_xcp* slave, uint8_t extension, const uint8_t address[4]) {
+    uint16_t high = hb_get16(&address[2]);
+    slave->mta_address = hb_get16(address);
+    if (extension == HB_EXT_VALUES && high == HB_ADDRESS_SEGMENT >> 16) {
+        extension = HB_EXT_SEGMENT;
+    } else if (extension >= HB_EXT_SEGMENT) {
+        extension = HB_EXT_NONE;
+    } else if (high > 0) {
+#if HB_FEATURE_FULL
+        slave->mta_address = hb_get32(address);
+#else
+        extension = extension == HB_EXT_VALUES ? HB_EXT_SEGMENT : extension;
+        slave->mta_address = UINT16_MAX;
+#endif
     }
-    *index = (uint16_t)(*index - tables[0].count);
-    return *index < tables[1].count ? &tables[1] : NULL;
+    slave->mta_extension = extension;
 }
 
-/* The variable of the signal at this address and its octets; NULL if there is none. */
-static const uint8_t* signalAt(const hb_xcp* slave, uint32_t address, uint8_t* octets) {
+const hb_signal_table* hb_memory_signal_table(const hb_xcp* slave, uint16_t* index) {
+    const hb_signal_table* table = slave->description.signals;
+    for (uint8_t i = 0; i < HB_SIGNAL_TABLES; i++) {
+        if (*index < table->count) {
+            return table;
+        }
+        *index = (uint16_t)(*index - table->count);
+        table++;
+    }
+    return NULL;
+}
+
+const uint8_t* hb_memory_signal(const hb_xcp* slave, hb_address address, uint8_t size) {
+    uint8_t inside = (uint8_t)address % SIGNAL_STRIDE;
+    uint16_t index = (uint16_t)(address / SIGNAL_STRIDE);
     const hb_signal_table* table;
-    hb_signal_numbers signal;
-    uint16_t index = (uint16_t)((uint16_t)address / SIGNAL_STRIDE);
+    hb_entry signal;
     if (address >= HB_ADDRESS_LIVE) {
         return NULL;
     }
-    table = tableOf(slave, &index);
+    table = hb_memory_signal_table(slave, &index);
     if (!table) {
         return NULL;
     }
-    hb_signal_read(&table->entries[index], &signal);
-    *octets = hb_type_size(signal.type);
-    return (const uint8_t*)table->base + signal.offset;
-}
-
-const uint8_t* hb_memory_signal(const hb_xcp* slave, uint32_t address, uint8_t size) {
-    uint8_t inside = (uint8_t)address % SIGNAL_STRIDE;
-    uint8_t octets = 0;
-    const uint8_t* variable = signalAt(slave, address, &octets);
-    return variable && inside + size <= octets ? variable + inside : NULL;
+    hb_rom_copy(&signal, &table->entries[index].entry, sizeof signal);
+    if (inside + size > hb_type_size(signal.type)) {
+        return NULL;
+    }
+    return (const uint8_t*)table->base + signal.offset + inside;
 }
 
 /* A value is never read half old and half new; the gap behind a short one reads as 0. */
-static uint8_t readSignals(const hb_xcp* slave, uint32_t address, uint8_t* destination, uint16_t count) {
+static uint8_t readSignals(const hb_xcp* slave, uint8_t* destination, uint8_t count) {
+    hb_address address = slave->mta_address;
     while (count > 0) {
         uint8_t inside = (uint8_t)address % SIGNAL_STRIDE;
-        uint8_t part = (uint8_t)(SIGNAL_STRIDE - inside);
-        uint8_t octets = 0;
-        const uint8_t* variable = signalAt(slave, address, &octets);
-        if (!variable) {
+        if (!hb_memory_signal(slave, (hb_address)(address - inside), 1)) {
             return HB_ERR_OUT_OF_RANGE;
         }
-        part = part < count ? part : (uint8_t)count;
         HB_LOCK();
-        for (uint8_t i = 0; i < part; i++) {
-            destination[i] = inside + i < octets ? variable[inside + i] : 0;
+        for (; inside < SIGNAL_STRIDE && count > 0; inside++) {
+            const uint8_t* octet = hb_memory_signal(slave, address, 1);
+            *destination = octet ? *octet : 0;
+            destination++;
+            address++;
+            count--;
         }
         HB_UNLOCK();
-        address += part;
-        destination += part;
-        count = (uint16_t)(count - part);
     }
     return HB_OK;
 }
 
-/* Variables of the live or paged space at an address; NULL if [address, address + count) is not inside. */
-static uint8_t* variablesAt(const hb_xcp* slave, uint32_t address, uint16_t count, uint8_t* space,
-                            uint16_t* offset) {
+/* Variables of the live or paged space behind the MTA; NULL if not `count` octets are inside. */
+static uint8_t* variablesAt(const hb_xcp* slave, uint8_t count, uint16_t* offset) {
     const hb_xcp_description* description = &slave->description;
-    uint32_t base = address >= HB_ADDRESS_SEGMENT ? HB_ADDRESS_SEGMENT : HB_ADDRESS_LIVE;
-    uint32_t octets = address >= HB_ADDRESS_SEGMENT ? description->page_octets : description->live_octets;
-    if (address < base || address - base > octets || octets - (address - base) < count) {
+    uint16_t octets = description->page_octets;
+    uint8_t* base = description->pages[slave->xcp_page];
+    hb_address inside = slave->mta_address;
+    if (slave->mta_extension == HB_EXT_VALUES) {
+        octets = description->live_octets;
+        base = description->live;
+        inside = (hb_address)(inside - HB_ADDRESS_LIVE);
+    }
+    if (inside > octets || octets - inside < count) {
         return NULL;
     }
-    *space = base == HB_ADDRESS_SEGMENT ? HB_PAGED : HB_LIVE;
-    *offset = (uint16_t)(address - base);
-    return *space == HB_PAGED ? description->pages[slave->xcp_page] : description->live;
+    *offset = (uint16_t)inside;
+    return base;
 }
 
-static uint8_t readBlock(hb_xcp* slave, uint32_t address, uint8_t* destination, uint16_t count) {
-    const hb_xcp_description* description = &slave->description;
-    if (!description->hooks.read_block || address > description->block_octets ||
-        description->block_octets - address < count) {
+static uint8_t readVariables(const hb_xcp* slave, uint8_t* destination, uint8_t count) {
+    uint16_t offset;
+    const uint8_t* variables = variablesAt(slave, count, &offset);
+    if (!variables) {
         return HB_ERR_OUT_OF_RANGE;
     }
-    description->hooks.read_block(description->board, address, destination, count);
+    HB_LOCK();
+    memcpy(destination, variables + offset, count);
+    HB_UNLOCK();
     return HB_OK;
 }
 
-static uint8_t readText(hb_xcp* slave, uint8_t extension, uint32_t address, uint8_t* destination,
-                        uint16_t count) {
-    if (extension == HB_EXT_A2L) {
-        uint32_t octets = hb_a2l_length(slave);
-        if (address > octets || octets - address < count) {
-            return HB_ERR_OUT_OF_RANGE;
-        }
-        hb_a2l_read(slave, address, destination, count);
-        return HB_OK;
+static uint8_t isInside(hb_address address, uint8_t count, hb_address octets) {
+    return address <= octets && octets - address >= count;
+}
+
+static uint8_t readBlock(hb_xcp* slave, uint8_t* destination, uint8_t count) {
+    const hb_xcp_description* description = &slave->description;
+    if (!description->hooks.read_block || !isInside(slave->mta_address, count, description->block_octets)) {
+        return HB_ERR_OUT_OF_RANGE;
     }
-    for (uint16_t i = 0; i < count; i++) {
-        if (!hb_names_octet(slave, address + i, &destination[i])) {
+    description->hooks.read_block(description->board, slave->mta_address, destination, count);
+    return HB_OK;
+}
+
+static uint8_t readText(hb_xcp* slave, uint8_t* destination, uint8_t count) {
+    if (!isInside(slave->mta_address, count, hb_a2l_length(slave))) {
+        return HB_ERR_OUT_OF_RANGE;
+    }
+    hb_a2l_read(slave, slave->mta_address, destination, count);
+    return HB_OK;
+}
+
+static uint8_t readNames(hb_xcp* slave, uint8_t* destination, uint8_t count) {
+    for (uint8_t i = 0; i < count; i++) {
+        if (!hb_names_octet(slave, (hb_address)(slave->mta_address + i), &destination[i])) {
             return HB_ERR_OUT_OF_RANGE;
         }
     }
     return HB_OK;
 }
 
-uint8_t hb_memory_read(hb_xcp* slave, uint8_t extension, uint32_t address, uint8_t* destination,
-                       uint16_t count) {
-    uint8_t space;
-    uint16_t offset;
-    const uint8_t* variables;
-    switch (extension) {
+static HB_NOINLINE uint8_t readAny(hb_xcp* slave, uint8_t* destination, uint8_t count) {
+    switch (slave->mta_extension) {
     case HB_EXT_VALUES:
-        if (address < HB_ADDRESS_LIVE) {
-            return readSignals(slave, address, destination, count);
-        }
-        variables = variablesAt(slave, address, count, &space, &offset);
-        if (!variables) {
-            return HB_ERR_OUT_OF_RANGE;
-        }
-        HB_LOCK();
-        memcpy(destination, variables + offset, count);
-        HB_UNLOCK();
-        return HB_OK;
-    case HB_EXT_BLOCK:
-        return readBlock(slave, address, destination, count);
+        return slave->mta_address < HB_ADDRESS_LIVE ? readSignals(slave, destination, count)
+                                                    : readVariables(slave, destination, count);
+    case HB_EXT_SEGMENT:
+        return readVariables(slave, destination, count);
     case HB_EXT_A2L:
+        return readText(slave, destination, count);
+    case HB_EXT_BLOCK:
+        return readBlock(slave, destination, count);
     case HB_EXT_NAMES:
-        return readText(slave, extension, address, destination, count);
+        return readNames(slave, destination, count);
     default:
         return HB_ERR_OUT_OF_RANGE;
     }
 }
 
-/* One write command: `count` octets at `offset` of one space. */
+uint8_t hb_memory_read(hb_xcp* slave, uint8_t* destination, uint8_t count) {
+    uint8_t result = readAny(slave, destination, count);
+    if (result == HB_OK) {
+        slave->mta_address = (hb_address)(slave->mta_address + count);
+    }
+    return result;
+}
+
+/* One write command: the octets from `offset` on of one space. */
 typedef struct {
     uint8_t* variables;
-    const uint8_t* source;
-    uint16_t offset;
-    uint8_t count;
+    uint8_t* octets; /* copied, so that limits can be applied before anything is stored */
+    uint16_t offset, end;
     uint8_t space;
-    uint8_t acts_now;    /* the control loop may read the result before the next command */
-    uint16_t first, end; /* table entries that it touches */
+    uint8_t acts_now;       /* the control loop may read the result before the next command */
+    uint16_t first, behind; /* table entries that it touches */
 } write_request;
 
-static uint8_t overlaps(const hb_parameter_numbers* parameter, const write_request* request) {
-    return parameter->space == request->space && parameter->offset < request->offset + request->count &&
-           request->offset < parameter->offset + hb_type_size(parameter->type);
-}
-
-/* The value as it will be: what is there now with the new octets over it. */
-static void composeValue(const hb_parameter_numbers* parameter, const write_request* request,
-                         uint8_t* value) {
-    uint8_t size = hb_type_size(parameter->type);
-    memcpy(value, request->variables + parameter->offset, size);
-    for (uint8_t i = 0; i < size; i++) {
-        uint16_t position = (uint16_t)(parameter->offset + i);
-        if (position >= request->offset && position < request->offset + request->count) {
-            value[i] = request->source[position - request->offset];
+/* The value as it will be is what is there now with the new octets over it; the other way round, what became
+ * of the value goes back to the new octets. */
+static void exchangeOctets(const hb_entry* entry, const write_request* request, uint8_t* value,
+                           uint8_t is_back) {
+    uint16_t position = entry->offset;
+    for (uint8_t i = 0; i < hb_type_size(entry->type); i++) {
+        if (position >= request->offset && position < request->end) {
+            uint8_t* octet = &request->octets[position - request->offset];
+            if (is_back) {
+                *octet = value[i];
+            } else {
+                value[i] = *octet;
+            }
         }
+        position++;
     }
 }
 
-/* 1 if the request ends in the middle of this value. */
-static uint8_t endsInside(const hb_parameter_numbers* parameter, const write_request* request) {
-    return request->offset + request->count < parameter->offset + hb_type_size(parameter->type);
+static uint8_t isWithinLimits(const hb_entry* entry, const uint8_t* value) {
+    float physical = hb_value_as_float(entry->type, value);
+    return physical >= entry->lower && physical <= entry->upper;
 }
 
-static uint8_t isWithinLimits(const hb_parameter_numbers* parameter, const uint8_t* value) {
-    float physical = hb_value_as_float(parameter->type, value);
-    return physical >= parameter->lower && physical <= parameter->upper;
-}
-
-static void clampValue(const hb_parameter_numbers* parameter, uint8_t* value) {
-    float physical = hb_value_as_float(parameter->type, value);
-    if (physical < parameter->lower) {
-        hb_value_from_float(parameter->type, value, parameter->lower);
-    } else if (physical > parameter->upper) {
-        hb_value_from_float(parameter->type, value, parameter->upper);
-    }
-}
-
-/* Half-written values are tolerated on the idle page only (a tool may cut a page anywhere): the page switch
- * checks every value again. */
-static uint8_t checkOne(hb_xcp* slave, uint16_t index, const hb_parameter_numbers* parameter,
+/* A finite value outside the limits becomes the limit. Half-written values are tolerated on the idle page
+ * only (a tool may cut a page anywhere): the page switch checks every value again. */
+static uint8_t checkOne(const hb_xcp* slave, uint16_t index, const hb_entry* entry,
                         const write_request* request) {
     const hb_xcp_description* description = &slave->description;
     uint8_t value[VALUE_OCTETS];
-    composeValue(parameter, request, value);
-    if (endsInside(parameter, request)) {
-        if (request->acts_now &&
-            (!hb_value_is_finite(parameter->type, value) || !isWithinLimits(parameter, value))) {
-            return HB_ERR_OUT_OF_RANGE;
-        }
-        return HB_OK;
+    float physical;
+    memcpy(value, request->variables + entry->offset, hb_type_size(entry->type));
+    exchangeOctets(entry, request, value, 0);
+    if (request->end < entry->offset + hb_type_size(entry->type)) {
+        return request->acts_now && !isWithinLimits(entry, value) ? (uint8_t)HB_ERR_OUT_OF_RANGE
+                                                                  : (uint8_t)HB_OK;
     }
-    if (!hb_value_is_finite(parameter->type, value)) {
+    if (!hb_value_is_finite(entry->type, value)) {
         return HB_ERR_OUT_OF_RANGE;
     }
-    clampValue(parameter, value);
-    if (!description->hooks.check) {
-        return HB_OK;
+    physical = hb_value_as_float(entry->type, value);
+    if (!isWithinLimits(entry, value)) {
+        physical = physical < entry->lower ? entry->lower : entry->upper;
+        hb_value_from_float(entry->type, value, physical);
+        exchangeOctets(entry, request, value, 1);
     }
-    return description->hooks.check(description->board, index, hb_value_as_float(parameter->type, value));
+    return description->hooks.check ? description->hooks.check(description->board, index, physical)
+                                    : (uint8_t)HB_OK;
 }
 
-static void storeOne(const hb_parameter_numbers* parameter, const write_request* request) {
-    uint8_t value[VALUE_OCTETS];
-    composeValue(parameter, request, value);
-    if (!endsInside(parameter, request)) {
-        clampValue(parameter, value);
-    }
-    memcpy(request->variables + parameter->offset, value, hb_type_size(parameter->type));
-}
+enum write_step { STEP_CHECK, STEP_NOTIFY };
 
-enum write_step { STEP_CHECK, STEP_STORE, STEP_NOTIFY };
-
-/* Narrows the request to the entries it touches: what follows may have to be quick. */
-static void findEntries(const hb_xcp_description* description, write_request* request) {
-    request->first = description->parameter_count;
-    request->end = 0;
-    for (uint16_t i = 0; i < description->parameter_count; i++) {
-        hb_parameter_numbers parameter;
-        hb_rom_copy(&parameter, &description->parameters[i], offsetof(hb_parameter_numbers, initial));
-        if (parameter.space == request->space && parameter.offset < request->offset + request->count &&
-            request->offset < parameter.offset + hb_type_size(parameter.type) * parameter.rows) {
-            request->first = request->first < i ? request->first : i;
-            request->end = (uint16_t)(i + 1U);
-        }
-    }
-}
-
-static uint8_t stepOne(hb_xcp* slave, uint16_t index, const hb_parameter_numbers* parameter,
+static uint8_t stepOne(const hb_xcp* slave, uint16_t index, const hb_entry* entry,
                        const write_request* request, enum write_step step) {
     const hb_xcp_description* description = &slave->description;
     if (step == STEP_CHECK) {
-        return checkOne(slave, index, parameter, request);
+        return checkOne(slave, index, entry, request);
     }
-    if (step == STEP_STORE) {
-        storeOne(parameter, request);
-    } else if (description->hooks.written) {
+    if (description->hooks.written) {
         description->hooks.written(description->board, index);
     }
     return HB_OK;
 }
 
 static uint8_t forEachWritten(hb_xcp* slave, const write_request* request, enum write_step step) {
-    for (uint16_t i = request->first; i < request->end; i++) {
-        hb_parameter_numbers parameter;
+    for (uint16_t i = request->first; i < request->behind; i++) {
+        hb_parameter parameter;
         hb_parameter_read(&slave->description.parameters[i], &parameter);
-        for (hb_extent row = 0; row < parameter.rows; row++) {
-            if (overlaps(&parameter, request)) {
-                uint8_t result = stepOne(slave, i, &parameter, request, step);
+        for (; parameter.rows > 0 && parameter.space == request->space; parameter.rows--) {
+            uint16_t behind = (uint16_t)(parameter.entry.offset + hb_type_size(parameter.entry.type));
+            if (parameter.entry.offset < request->end && request->offset < behind) {
+                uint8_t result = stepOne(slave, i, &parameter.entry, request, step);
                 if (result != HB_OK) {
                     return result;
                 }
             }
-            parameter.offset = (uint16_t)(parameter.offset + hb_type_size(parameter.type));
+            parameter.entry.offset = behind;
         }
     }
     return HB_OK;
 }
 
-uint8_t hb_memory_write(hb_xcp* slave, uint8_t extension, uint32_t address, const uint8_t* source,
-                        uint8_t count) {
+/* Narrows the request to the entries it touches: what follows may have to be quick. */
+static void findEntries(const hb_xcp_description* description, write_request* request) {
+    request->first = description->parameter_count;
+    request->behind = 0;
+    for (uint16_t i = 0; i < description->parameter_count; i++) {
+        hb_parameter parameter;
+        hb_parameter_read(&description->parameters[i], &parameter);
+        if (parameter.space == request->space && parameter.entry.offset < request->end &&
+            request->offset < parameter.entry.offset + hb_type_size(parameter.entry.type) * parameter.rows) {
+            request->first = request->first < i ? request->first : i;
+            request->behind = (uint16_t)(i + 1U);
+        }
+    }
+}
+
+static uint8_t writeVariables(hb_xcp* slave, const uint8_t* source, uint8_t count) {
     write_request request;
     uint8_t result;
-    if (extension != HB_EXT_VALUES) {
-        return HB_ERR_WRITE_PROTECTED;
-    }
-    if (address < HB_ADDRESS_LIVE) {
-        return hb_memory_signal(slave, address, 1) ? HB_ERR_WRITE_PROTECTED : HB_ERR_OUT_OF_RANGE;
-    }
-    request.variables = variablesAt(slave, address, count, &request.space, &request.offset);
+    request.variables = variablesAt(slave, count, &request.offset);
     if (!request.variables) {
         return HB_ERR_OUT_OF_RANGE;
     }
-    request.source = source;
-    request.count = count;
+    request.octets = &slave->response[1]; /* nothing is answered from there */
+    memcpy(request.octets, source, count);
+    request.end = (uint16_t)(request.offset + count);
+    request.space = slave->mta_extension == HB_EXT_SEGMENT ? HB_PAGED : HB_LIVE;
     request.acts_now = request.space == HB_LIVE || slave->xcp_page == slave->active_page ||
                        slave->xcp_page == slave->next_page;
     findEntries(&slave->description, &request);
     result = forEachWritten(slave, &request, STEP_CHECK);
-    if (result != HB_OK) {
-        return result;
+    if (result == HB_OK) {
+        HB_LOCK();
+        memcpy(request.variables + request.offset, request.octets, count);
+        (void)forEachWritten(slave, &request, STEP_NOTIFY);
+        HB_UNLOCK();
     }
-    HB_LOCK();
-    (void)forEachWritten(slave, &request, STEP_STORE);
-    (void)forEachWritten(slave, &request, STEP_NOTIFY);
-    HB_UNLOCK();
-    return HB_OK;
+    return result;
+}
+
+uint8_t hb_memory_write(hb_xcp* slave, const uint8_t* source, uint8_t count) {
+    uint8_t result;
+    if (slave->mta_extension != HB_EXT_SEGMENT &&
+        (slave->mta_extension != HB_EXT_VALUES || hb_memory_signal(slave, slave->mta_address, 1))) {
+        return HB_ERR_WRITE_PROTECTED;
+    }
+    result = writeVariables(slave, source, count);
+    if (result == HB_OK) {
+        slave->mta_address = (hb_address)(slave->mta_address + count);
+    }
+    return result;
 }
 
 uint8_t hb_memory_page_is_valid(const hb_xcp* slave, uint8_t page) {
     const hb_xcp_description* description = &slave->description;
     for (uint16_t i = 0; i < description->parameter_count; i++) {
-        hb_parameter_numbers parameter;
-        const uint8_t* value;
+        hb_parameter parameter;
         hb_parameter_read(&description->parameters[i], &parameter);
-        if (parameter.space != HB_PAGED) {
-            continue;
-        }
-        value = description->pages[page] + parameter.offset;
-        for (hb_extent row = 0; row < parameter.rows; row++) {
-            if (!hb_value_is_finite(parameter.type, value) || !isWithinLimits(&parameter, value)) {
+        for (; parameter.rows > 0 && parameter.space == HB_PAGED; parameter.rows--) {
+            if (!isWithinLimits(&parameter.entry, description->pages[page] + parameter.entry.offset)) {
                 return 0;
             }
-            value += hb_type_size(parameter.type);
+            parameter.entry.offset = (uint16_t)(parameter.entry.offset + hb_type_size(parameter.entry.type));
         }
     }
     return 1;

@@ -6,7 +6,7 @@
 enum { MODE_ECU = 0x01, MODE_XCP = 0x02, MODE_ALL = 0x80, PAGES = 2 };
 enum { PAGE_READ_WRITE_ALWAYS = 0x3F };
 
-uint8_t hb_cmd_set_cal_page(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+uint8_t hb_cmd_set_cal_page(hb_xcp* slave, const uint8_t* packet, hb_length length) {
     uint8_t mode = packet[1];
     (void)length;
     if ((mode & (MODE_ECU | MODE_XCP)) == 0 || (mode & (uint8_t) ~(MODE_ECU | MODE_XCP | MODE_ALL)) != 0) {
@@ -32,7 +32,7 @@ uint8_t hb_cmd_set_cal_page(hb_xcp* slave, const uint8_t* packet, uint16_t lengt
 
 /* The page last ordered, even when the control loop has not begun its next cycle: a master must never take
  * the page that is about to run for the idle one. */
-uint8_t hb_cmd_get_cal_page(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+uint8_t hb_cmd_get_cal_page(hb_xcp* slave, const uint8_t* packet, hb_length length) {
     (void)length;
     if (packet[1] != MODE_ECU && packet[1] != MODE_XCP) {
         return HB_ERR_MODE_NOT_VALID;
@@ -40,23 +40,12 @@ uint8_t hb_cmd_get_cal_page(hb_xcp* slave, const uint8_t* packet, uint16_t lengt
     if (packet[2] != 0) {
         return HB_ERR_SEGMENT_NOT_VALID;
     }
-    slave->response[1] = 0;
-    slave->response[2] = 0;
     slave->response[3] = packet[1] == MODE_ECU ? slave->next_page : slave->xcp_page;
     slave->response_length = 4;
     return HB_OK;
 }
 
-uint8_t hb_cmd_get_pag_processor_info(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
-    (void)packet;
-    (void)length;
-    slave->response[1] = 1;
-    slave->response[2] = 0;
-    slave->response_length = 3;
-    return HB_OK;
-}
-
-uint8_t hb_cmd_copy_cal_page(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+uint8_t hb_cmd_copy_cal_page(hb_xcp* slave, const uint8_t* packet, hb_length length) {
     const hb_xcp_description* description = &slave->description;
     (void)length;
     if (packet[1] != 0 || packet[3] != 0) {
@@ -74,12 +63,11 @@ uint8_t hb_cmd_copy_cal_page(hb_xcp* slave, const uint8_t* packet, uint16_t leng
 
 #if HB_FEATURE_FULL
 
-uint8_t hb_cmd_get_segment_info(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+uint8_t hb_cmd_get_segment_info(hb_xcp* slave, const uint8_t* packet, hb_length length) {
     (void)length;
     if (packet[2] != 0) {
         return HB_ERR_SEGMENT_NOT_VALID;
     }
-    memset(&slave->response[1], 0, 7);
     slave->response_length = 8;
     if (packet[1] == 0 && packet[3] == 0) {
         hb_put32(&slave->response[4], HB_ADDRESS_SEGMENT);
@@ -95,7 +83,7 @@ uint8_t hb_cmd_get_segment_info(hb_xcp* slave, const uint8_t* packet, uint16_t l
     return HB_OK;
 }
 
-uint8_t hb_cmd_get_page_info(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+uint8_t hb_cmd_get_page_info(hb_xcp* slave, const uint8_t* packet, hb_length length) {
     (void)length;
     if (packet[2] != 0) {
         return HB_ERR_SEGMENT_NOT_VALID;
@@ -104,13 +92,12 @@ uint8_t hb_cmd_get_page_info(hb_xcp* slave, const uint8_t* packet, uint16_t leng
         return HB_ERR_PAGE_NOT_VALID;
     }
     slave->response[1] = PAGE_READ_WRITE_ALWAYS;
-    slave->response[2] = 0;
     slave->response_length = 3;
     return HB_OK;
 }
 
 /* Stores the page the control loop runs on. */
-uint8_t hb_cmd_set_request(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
+uint8_t hb_cmd_set_request(hb_xcp* slave, const uint8_t* packet, hb_length length) {
     const hb_xcp_description* description = &slave->description;
     uint8_t event[2];
     (void)length;

@@ -147,9 +147,9 @@ private:
 /// One more signal of the caller's own, as the simulation adds its truth.
 inline hb_signal truthSignal() {
     hb_signal signal{};
-    signal.numbers.type = HB_FLOAT64;
-    signal.numbers.scale = 1.0F;
-    std::strcpy(signal.name, "truth.position");
+    signal.entry.type = HB_FLOAT64;
+    signal.entry.words = "truth.position\0\0";
+    signal.scale = 1.0F;
     return signal;
 }
 

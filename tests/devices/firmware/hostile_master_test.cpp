@@ -46,7 +46,7 @@ Octets randomPacket(Noise& noise) {
 /// Every parameter of the page the loop runs on, and every live one, is finite and within its limits.
 void expectSafeParameters(hb_htm& board) {
     for (std::uint16_t i = 0; i < hb_htm_parameter_count; ++i) {
-        hb_parameter_numbers p;
+        hb_parameter p;
         hb_parameter_read(&hb_htm_parameter_table[i], &p);
         if (p.space == HB_BLOCK) {
             continue;
@@ -54,10 +54,11 @@ void expectSafeParameters(hb_htm& board) {
         const auto* base = p.space == HB_LIVE
                                ? reinterpret_cast<const std::uint8_t*>(&board.live)
                                : reinterpret_cast<const std::uint8_t*>(&board.pages[board.xcp.active_page]);
-        ASSERT_TRUE(hb_value_is_finite(p.type, base + p.offset)) << hb_htm_parameter_table[i].name;
-        const float value = hb_value_as_float(p.type, base + p.offset);
-        ASSERT_GE(value, p.lower) << hb_htm_parameter_table[i].name;
-        ASSERT_LE(value, p.upper) << hb_htm_parameter_table[i].name;
+        ASSERT_TRUE(hb_value_is_finite(p.entry.type, base + p.entry.offset))
+            << hb_htm_parameter_table[i].entry.words;
+        const float value = hb_value_as_float(p.entry.type, base + p.entry.offset);
+        ASSERT_GE(value, p.entry.lower) << hb_htm_parameter_table[i].entry.words;
+        ASSERT_LE(value, p.entry.upper) << hb_htm_parameter_table[i].entry.words;
     }
 }
 

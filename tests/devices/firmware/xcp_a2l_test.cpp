@@ -235,9 +235,9 @@ TEST(NumberText, writesWholeNumbersAndAddresses) {
     hb_format_unsigned(4294967295U, text);
     EXPECT_STREQ(text, "4294967295");
     hb_format_hex(0x10004, 4, text);
-    EXPECT_STREQ(text, "0x10004");
+    EXPECT_STREQ(text, "10004");
     hb_format_hex(0xAB, 8, text);
-    EXPECT_STREQ(text, "0x000000AB");
+    EXPECT_STREQ(text, "000000AB");
 }
 
 } // namespace

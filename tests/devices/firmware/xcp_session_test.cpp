@@ -94,7 +94,7 @@ TEST(XcpSession, changesTheEpkWhenATableChanges) {
     };
     const hb_signal one = truthSignal();
     hb_signal two = one;
-    two.numbers.upper = 1.0F;
+    two.entry.upper = 1.0F;
     EXPECT_NE(epkWith(nullptr), epkWith(&one));
     EXPECT_NE(epkWith(&one), epkWith(&two));
     EXPECT_EQ(epkWith(&one), epkWith(&one));

@@ -18,10 +18,7 @@
 #define HB_FEATURE_TABLE_TRIG 1
 #define HB_NUMBER_DIGITS 6
 #define HB_PLATEAUS 16
-#define HB_A2L_TRANSPORT                                                                                     \
-    "/begin XCP_ON_SxI 0x0100 115200 /begin ASYNCH_FULL_DUPLEX_MODE PARITY_NONE ONE_STOP_BIT "               \
-    "/begin FRAMING 0x9A 0x9B /end FRAMING /end ASYNCH_FULL_DUPLEX_MODE HEADER_LEN_CTR_BYTE CHECKSUM_WORD "  \
-    "/end XCP_ON_SxI\n"
+#define HB_SXI_BAUD 115200
 
 /* The fastest tick that divides the 10 ms of the position loop and whose longest run takes at most 80 % of
  * it: tests/devices/firmware/avr/budget_test.cpp measures. The speed is taken over the same 32 ms as on the

@@ -8,7 +8,7 @@ root=$(CDPATH= cd -- "$(dirname -- "$0")/../../../.." && pwd)
 firmware=$root/devices/firmware
 mkdir -p "$output"
 avr-gcc -mmcu=atmega328p -Os -flto -mstrict-X -mcall-prologues -fno-move-loop-invariants -fno-tree-fre -fno-split-wide-types -fno-jump-tables \
-  -std=c11 -Wall -Wextra -Werror -DF_CPU=16000000UL \
+  -std=gnu11 -gdwarf-2 -Wall -Wextra -Werror -DF_CPU=16000000UL \
   '-DHB_BOARD_CONFIG="devices/firmware/boards/htm_atmega328p/board_config.h"' \
   -ffunction-sections -fdata-sections -Wl,--gc-sections -Wl,--relax -I "$root" \
   "$firmware"/xcp/*.c "$firmware"/control/*.c "$firmware"/htm/*.c "$firmware"/boards/htm_atmega328p/*.c \
