@@ -6,6 +6,7 @@
 #include <QLocale>
 #include <QRegularExpression>
 
+#include <algorithm>
 #include <cmath>
 
 namespace halbench::widgets {
@@ -41,6 +42,13 @@ QString numberText(double value, int significantDigits) {
     return locale.toString(value, 'g', significantDigits);
 }
 
+QString settingText(double value) {
+    constexpr int LeastDigits = 5;
+    constexpr int MostDigits = 7; // a board's numbers have no more
+    const double whole = std::floor(std::log10(std::max(std::abs(value), 1.0))) + 1.0;
+    return numberText(value, static_cast<int>(std::clamp(whole, double(LeastDigits), double(MostDigits))));
+}
+
 QString fixedText(const std::optional<double>& value, int decimals) {
     if (!value) {
         return QStringLiteral("\u2013");
@@ -53,9 +61,13 @@ QString fixedText(const std::optional<double>& value, int decimals) {
 
 std::optional<double> parseNumber(const QString& text, const QString& unitText) {
     QString number = text.trimmed();
-    if (!unitText.isEmpty() && number.endsWith(unitText)) {
-        number.chop(unitText.size());
-        number = number.trimmed();
+    const QString spelled = QString(unitText).replace(QChar(0x00b0), QStringLiteral("deg"));
+    for (const QString& unit : {unitText, spelled}) {
+        if (!unit.isEmpty() && number.endsWith(unit)) {
+            number.chop(unit.size());
+            number = number.trimmed();
+            break;
+        }
     }
     number.replace(QChar(0x2212), QLatin1Char('-')); // the minus sign of typography
     const auto read = [&number](QLocale locale) {

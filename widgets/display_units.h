@@ -11,7 +11,7 @@ enum class AngleUnit { Radian, Degree };
 
 /// How a value in an SI unit is shown: shown = value * factor.
 struct DisplayUnit {
-    QString text; ///< as people write it, e.g. "A/deg"
+    QString text; ///< as people write it, e.g. "A/°"
     double factor = 1.0;
 };
 
@@ -19,14 +19,19 @@ struct DisplayUnit {
 DisplayUnit displayUnit(const std::string& symbol, AngleUnit angleUnit);
 
 /// At most that many significant digits in the user's notation, without group separators.
-QString numberText(double value, int significantDigits = 7);
+QString numberText(double value, int significantDigits);
+
+/// A setting as it is shown: five significant digits, more where its whole part has more. Who edits it starts
+/// from these; files and boards keep every digit of what is not edited.
+QString settingText(double value);
 
 /// So many decimals in the user's notation, without group separators and never "-0.0", which would flicker
 /// beside "0.0"; a dash where there is no number.
 QString fixedText(const std::optional<double>& value, int decimals);
 
 /// A finite number in the user's notation or in the C one; the unit may stand behind it. Nothing is read as
-/// thousands, and what could be meant as such is refused: "1,500" in English, "1.500" in German.
+/// thousands, and what could be meant as such is refused: "1,500" in English, "1.500" in German. The sign of
+/// degrees in the unit may be spelled "deg", as in files.
 std::optional<double> parseNumber(const QString& text, const QString& unitText = {});
 
 /// Whether a board with single-precision numbers holds the same in both cases: 2^-23 relative.

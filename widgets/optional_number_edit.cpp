@@ -21,9 +21,10 @@ void OptionalNumberEdit::setLimits(const NumberLimits& limits) {
 }
 
 void OptionalNumberEdit::setValue(std::optional<double> value) {
-    setText(value ? numberText(*value) : QString());
+    m_exact = value;
+    m_exactText = value ? settingText(*value) : QString();
+    setText(m_exactText);
     read();
-    m_value = m_problem.isEmpty() ? value : std::nullopt; // all digits, not only those shown
 }
 
 void OptionalNumberEdit::setExplanation(const QString& text) {
@@ -35,14 +36,15 @@ void OptionalNumberEdit::read() {
     m_value.reset();
     m_problem.clear();
     if (!text().trimmed().isEmpty()) {
-        const auto number = parseNumber(text());
+        // What was set has more digits than it shows; as long as its text stands it keeps them.
+        const auto number = m_exact && text() == m_exactText ? m_exact : parseNumber(text());
         if (!number) {
             m_problem = tr("This is not a number");
         } else if (*number < m_limits.min || (*number == m_limits.min && !m_limits.isMinAllowed)) {
-            m_problem = m_limits.isMinAllowed ? tr("At least %1").arg(numberText(m_limits.min))
-                                              : tr("More than %1").arg(numberText(m_limits.min));
+            m_problem = m_limits.isMinAllowed ? tr("At least %1").arg(numberText(m_limits.min, 7))
+                                              : tr("More than %1").arg(numberText(m_limits.min, 7));
         } else if (*number > m_limits.max) {
-            m_problem = tr("At most %1").arg(numberText(m_limits.max));
+            m_problem = tr("At most %1").arg(numberText(m_limits.max, 7));
         } else {
             m_value = number;
         }
@@ -62,9 +64,7 @@ void OptionalNumberEdit::refreshWords() {
 void OptionalNumberEdit::changeEvent(QEvent* event) {
     QLineEdit::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
-        const auto kept = m_value;
         read();
-        m_value = m_value ? kept : m_value;
     }
 }
 

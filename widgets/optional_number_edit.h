@@ -42,6 +42,8 @@ private:
 
     NumberLimits m_limits;
     std::optional<double> m_value;
+    std::optional<double> m_exact; ///< as it was set, with every digit
+    QString m_exactText;           ///< what it showed of that
     QString m_problem;
     QString m_explanation;
 };

@@ -219,16 +219,16 @@ void ParameterTable::onEditRefused(const QString& name, const QString& message, 
     m_refusedName = name.toStdString();
     m_suggestion = suggestion;
     const ParameterSpec* spec = m_model->specAt(m_model->indexOf(m_refusedName));
-    const QString action =
-        suggestion && spec != nullptr
-            ? tr("Use %1").arg(numberText(*suggestion * displayUnit(spec->unit, m_model->angleUnit()).factor))
-            : QString();
+    const QString action = suggestion && spec != nullptr
+                               ? tr("Use %1").arg(numberText(
+                                     *suggestion * displayUnit(spec->unit, m_model->angleUnit()).factor, 7))
+                               : QString();
     m_messages->showMessage({Severity::Error, message, remedy, action});
 }
 
 QString ParameterTable::helpText(const ParameterSpec& spec) const {
     const DisplayUnit unit = displayUnit(spec.unit, m_model->angleUnit());
-    const auto shown = [&unit](double value) { return numberText(value * unit.factor); };
+    const auto shown = [&unit](double value) { return settingText(value * unit.factor); };
     QStringList facts = {tr("%1 to %2 %3, default %4")
                              .arg(shown(spec.min), shown(spec.max), unit.text, shown(spec.defaultValue))};
     if (spec.isTransactional) {
@@ -276,7 +276,7 @@ void ParameterTable::retranslate() {
     m_changedOnly->setAccessibleName(tr("Changed only"));
     const int unit = m_angleUnit->currentIndex();
     m_angleUnit->clear();
-    m_angleUnit->addItems({tr("rad"), tr("deg")});
+    m_angleUnit->addItems({QStringLiteral("rad"), QStringLiteral("\u00b0")});
     m_angleUnit->setCurrentIndex(qMax(0, unit));
     m_angleUnit->setToolTip(tr("Angle unit of what is shown and typed here"));
     m_angleUnit->setAccessibleName(tr("Angle unit"));

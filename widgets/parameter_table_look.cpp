@@ -16,7 +16,7 @@ QString nameInGroup(const ParameterSpec& spec) {
 
 } // namespace
 
-QString ParameterTableModel::shownValue(const Row& row, std::optional<double> value) const {
+QString ParameterTableModel::shownValue(const Row& row, std::optional<double> value, Digits digits) const {
     if (!value) {
         return QStringLiteral("—");
     }
@@ -25,7 +25,9 @@ QString ParameterTableModel::shownValue(const Row& row, std::optional<double> va
     if (choice >= 0 && choice < choices.size() && *value == choice) {
         return choices.at(choice);
     }
-    return numberText(*value * displayUnit(row.spec.unit, m_angleUnit).factor);
+    const double shown = *value * displayUnit(row.spec.unit, m_angleUnit).factor;
+    constexpr int AllDigits = 7; // that a board's single-precision number has
+    return digits == Digits::All ? numberText(shown, AllDigits) : settingText(shown);
 }
 
 QString ParameterTableModel::cellText(const Row& row, int column) const {
@@ -33,17 +35,17 @@ QString ParameterTableModel::cellText(const Row& row, int column) const {
     case NameColumn:
         return nameInGroup(row.spec);
     case DeviceColumn:
-        return shownValue(row, row.device);
-    case EditedColumn:
-        return shownValue(row, row.edited ? row.edited : row.device);
+        return shownValue(row, row.device, Digits::Few);
+    case EditedColumn: // an edit is seen as it was typed
+        return row.edited ? shownValue(row, row.edited) : shownValue(row, row.device, Digits::Few);
     case DefaultColumn:
-        return shownValue(row, row.spec.defaultValue);
+        return shownValue(row, row.spec.defaultValue, Digits::Few);
     case UnitColumn:
         return displayUnit(row.spec.unit, m_angleUnit).text;
     case MinColumn:
-        return choicesOf(row.spec).isEmpty() ? shownValue(row, row.spec.min) : QString();
+        return choicesOf(row.spec).isEmpty() ? shownValue(row, row.spec.min, Digits::Few) : QString();
     case MaxColumn:
-        return choicesOf(row.spec).isEmpty() ? shownValue(row, row.spec.max) : QString();
+        return choicesOf(row.spec).isEmpty() ? shownValue(row, row.spec.max, Digits::Few) : QString();
     default:
         return {};
     }
@@ -124,8 +126,12 @@ QVariant ParameterTableModel::data(const QModelIndex& index, int role) const {
         return groupData(m_groups[static_cast<std::size_t>(index.row())], index.column(), role);
     }
     switch (role) {
-    case Qt::DisplayRole:
     case Qt::EditRole:
+        if (index.column() == EditedColumn) {
+            return shownValue(*row, row->edited ? row->edited : row->device);
+        }
+        return cellText(*row, index.column());
+    case Qt::DisplayRole:
         return cellText(*row, index.column());
     case Qt::ToolTipRole:
         return toolTip(*row, index.column());

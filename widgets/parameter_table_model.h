@@ -96,7 +96,8 @@ private:
     void show(std::size_t row, std::optional<double> value);
     void announce(std::size_t row);
     void announceCount();
-    QString shownValue(const Row& row, std::optional<double> value) const;
+    enum class Digits { All, Few };
+    QString shownValue(const Row& row, std::optional<double> value, Digits digits = Digits::All) const;
     QString cellText(const Row& row, int column) const;
     QString toolTip(const Row& row, int column) const;
     QVariant groupData(const Group& group, int column, int role) const;

@@ -164,6 +164,21 @@ std::optional<QStringList> sentences(const QString& english) {
     return said;
 }
 
+/// Files are ASCII; on the screen each of these has one spelling.
+QString withSigns(QString words) {
+    static const std::pair<QRegularExpression, QString> signs[] = {
+        {QRegularExpression(QStringLiteral("(?<![^ ])\\+-(?=[ 0-9])")), QStringLiteral("\u00b1")},
+        {QRegularExpression(QStringLiteral("(?<=[0-9]) deg\\b")), QStringLiteral("\u00b0")},
+        {QRegularExpression(QStringLiteral("(?<=[0-9]) degC\\b")), QStringLiteral(" \u00b0C")},
+        {QRegularExpression(QStringLiteral("(?<=\\bA/)deg\\b")), QStringLiteral("\u00b0")},
+        {QRegularExpression(QStringLiteral("/\\(deg s\\)")), QStringLiteral("/(\u00b0\u00b7s)")},
+        {QRegularExpression(QStringLiteral("/\\(rad s\\)")), QStringLiteral("/(rad\u00b7s)")}};
+    for (const auto& [ascii, sign] : signs) {
+        words.replace(ascii, sign);
+    }
+    return words;
+}
+
 } // namespace
 
 QString inWords(const QString& english) {
@@ -175,8 +190,7 @@ QString inWords(const QString& english) {
     } else if (const auto several = sentences(english)) {
         words = several->join(QStringLiteral(". "));
     }
-    static const QRegularExpression plusMinus(QStringLiteral("(?<![^ ])\\+-(?=[ 0-9])")); // files are ASCII
-    return words.replace(plusMinus, QStringLiteral("\u00b1"));
+    return withSigns(words);
 }
 
 QString inWords(const std::string& english) {

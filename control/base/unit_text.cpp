@@ -6,18 +6,12 @@
 namespace halbench {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> Signs = {
-    {{"*", "\u00b7"}, {"^2", "\u00b2"}, {"^3", "\u00b3"}, {"Ohm", "\u03a9"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> Signs = {
+    {{"*", "\u00b7"}, {"^2", "\u00b2"}, {"^3", "\u00b3"}, {"Ohm", "\u03a9"}, {"deg", "\u00b0"}}};
 
 } // namespace
 
 std::string unitText(std::string_view symbol) {
-    if (symbol == "degC") {
-        return "\u00b0C";
-    }
-    if (symbol == "deg") {
-        return "\u00b0";
-    }
     std::string text(symbol);
     for (const auto& [plain, sign] : Signs) {
         for (std::size_t at = text.find(plain); at != std::string::npos;

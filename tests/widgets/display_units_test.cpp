@@ -17,7 +17,7 @@ TEST(DisplayUnits, turnRadiansAboveAndBelowTheLine) {
     EXPECT_NEAR(572.958 * displayUnit("A/rad", AngleUnit::Degree).factor, 10.0, 1e-5);
     EXPECT_DOUBLE_EQ(displayUnit("A/(rad*s)", AngleUnit::Degree).factor, Pi / 180.0);
     EXPECT_DOUBLE_EQ(displayUnit("A*s/rad", AngleUnit::Degree).factor, Pi / 180.0);
-    EXPECT_EQ(displayUnit("A*s/rad", AngleUnit::Degree).text, QStringLiteral("A·s/deg"));
+    EXPECT_EQ(displayUnit("A*s/rad", AngleUnit::Degree).text, QStringLiteral("A·s/°"));
     EXPECT_EQ(displayUnit("N*m", AngleUnit::Degree).factor, 1.0);
     EXPECT_EQ(displayUnit("A/rad", AngleUnit::Radian).factor, 1.0);
 }
@@ -28,8 +28,25 @@ TEST(DisplayUnits, numbersAreReadInTheUsersNotationAndTheProgrammers) {
     EXPECT_EQ(parseNumber(QStringLiteral("1,5")), 1.5);
     EXPECT_EQ(parseNumber(QStringLiteral("1.5")), 1.5);
     EXPECT_EQ(parseNumber(QStringLiteral("−2,5 A"), QStringLiteral("A")), -2.5);
-    EXPECT_EQ(numberText(1234.5), QStringLiteral("1234,5"));
+    EXPECT_EQ(numberText(1234.5, 7), QStringLiteral("1234,5"));
     QLocale::setDefault(before);
+}
+
+TEST(DisplayUnits, degreesAreReadAsASignAndAsAWord) {
+    const QString unit = displayUnit("A/(rad*s)", AngleUnit::Degree).text;
+    EXPECT_EQ(unit, QStringLiteral("A/(°·s)"));
+    EXPECT_EQ(parseNumber(QStringLiteral("0.1 A/(°·s)"), unit), 0.1);
+    EXPECT_EQ(parseNumber(QStringLiteral("0.1 A/(deg·s)"), unit), 0.1);
+    EXPECT_EQ(parseNumber(QStringLiteral("0.1 A/(rad·s)"), unit), std::nullopt);
+}
+
+TEST(DisplayUnits, aSettingHasFiveDigitsAndNeverLosesWholeOnes) {
+    EXPECT_EQ(settingText(0.17453292), QStringLiteral("0.17453"));
+    EXPECT_EQ(settingText(-1.0404561), QStringLiteral("-1.0405"));
+    EXPECT_EQ(settingText(115200.0), QStringLiteral("115200"));
+    EXPECT_EQ(settingText(40.0), QStringLiteral("40"));
+    EXPECT_EQ(settingText(0.0), QStringLiteral("0"));
+    EXPECT_EQ(settingText(1e9), QStringLiteral("1e+09"));
 }
 
 TEST(DisplayUnits, aNumberIsReadRightOrRefusedAndNeverOffByThousands) {

@@ -115,6 +115,7 @@ TEST(UnitText, writesProductsAndPowersAsPeopleDo) {
     EXPECT_EQ(unitText("A*s^2/rad"), "A·s²/rad");
     EXPECT_EQ(unitText("degC"), "°C");
     EXPECT_EQ(unitText("deg"), "°");
+    EXPECT_EQ(unitText("A/(deg*s)"), "A/(°·s)");
     EXPECT_EQ(unitText(""), "");
 }
 

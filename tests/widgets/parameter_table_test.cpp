@@ -141,8 +141,9 @@ TEST_F(ParameterTableTest, typesAndShowsDegreesButKeepsRadians) {
     Model model;
     fill(model);
     model.setAngleUnit(AngleUnit::Degree);
-    EXPECT_EQ(cell(model, "gain.kp", Model::UnitColumn), QStringLiteral("A/deg"));
-    ASSERT_TRUE(model.setData(model.indexOf("gain.kp"), QStringLiteral("10 A/deg")));
+    EXPECT_EQ(cell(model, "gain.kp", Model::UnitColumn), QStringLiteral("A/°"));
+    ASSERT_TRUE(model.setData(model.indexOf("gain.kp"), QStringLiteral("9 A/°")));
+    ASSERT_TRUE(model.setData(model.indexOf("gain.kp"), QStringLiteral("10 A/deg"))); // as files write it
     // resources/help/htm-theory.md section 10, 12; the figure has six digits
     EXPECT_NEAR(model.changedValues()[0].value, 572.958, 5e-4);
 }
@@ -152,6 +153,8 @@ TEST_F(ParameterTableTest, openingAndClosingAnEditorChangesNothing) {
     model.setSpecs(someSpecs());
     model.setDeviceValues({{"gain.kp", 1.0 / 3.0}}, Model::Origin::Read); // more digits than are shown
     const QModelIndex kp = model.indexOf("gain.kp");
+    EXPECT_EQ(kp.data().toString(), QStringLiteral("0.33333"));
+    EXPECT_EQ(kp.data(Qt::EditRole).toString(), QStringLiteral("0.3333333")); // who edits sees all that count
     EXPECT_TRUE(model.setData(kp, kp.data(Qt::EditRole)));
     EXPECT_EQ(model.changedCount(), 0);
     EXPECT_FALSE(model.undoStack().canUndo());

@@ -103,8 +103,17 @@ TEST_F(PhrasebookTest, leavesUnknownWordsAsTheyAre) {
 
 TEST(Phrasebook, writesPlusMinusAsASignOnTheScreen) {
     EXPECT_EQ(inWords(QStringLiteral("friction holds the rotor within +-8.2 deg of the reference")),
-              QStringLiteral("friction holds the rotor within \u00b18.2 deg of the reference"));
+              QStringLiteral("friction holds the rotor within \u00b18.2\u00b0 of the reference"));
     EXPECT_EQ(inWords(QStringLiteral("'a+-1.csv' is not there")), QStringLiteral("'a+-1.csv' is not there"));
+}
+
+TEST(Phrasebook, writesDegreesAsASignOnTheScreen) {
+    EXPECT_EQ(inWords(QStringLiteral("Gains read in degrees: 10 A/deg, 0.1 A/(deg s)")),
+              QStringLiteral("Gains read in degrees: 10 A/\u00b0, 0.1 A/(\u00b0\u00b7s)"));
+    EXPECT_EQ(inWords(QStringLiteral("the coils would reach 91 degC, 10 A/rad, 0.1 A/(rad s)")),
+              QStringLiteral("the coils would reach 91 \u00b0C, 10 A/rad, 0.1 A/(rad\u00b7s)"));
+    EXPECT_EQ(inWords(QStringLiteral("amplitude_deg=100 and 'sim/deg.csv'")),
+              QStringLiteral("amplitude_deg=100 and 'sim/deg.csv'"));
 }
 
 TEST(Phrasebook, speaksEnglishLetterByLetterWithoutATranslator) {

@@ -106,6 +106,12 @@ TEST_F(OptionalNumberTest, neverHasAValueThatIsNotFiniteOrOutOfItsLimits) {
 TEST_F(OptionalNumberTest, keepsAllDigitsOfAValueThatWasNotEdited) {
     edit.setValue(1.0 / 3.0);
     EXPECT_EQ(edit.value(), 1.0 / 3.0);
+    EXPECT_EQ(edit.text(), "0.33333"); // enough to read
+    edit.setLimits({0.0, 5.0, false}); // reads it again
+    QTest::keyClicks(&edit, "4");
+    EXPECT_EQ(edit.value(), 0.333334);
+    QTest::keyClick(&edit, Qt::Key_Backspace);
+    EXPECT_EQ(edit.value(), 1.0 / 3.0); // as if it had not been touched
     edit.setValue(std::nullopt);
     EXPECT_TRUE(edit.text().isEmpty());
 }

@@ -177,9 +177,9 @@ TEST_F(ParametersPanelTest, startsFromThePreferredAngleAndMayBeOverriddenInPlace
     const auto kp = [&] { return cell("gain.kp", Model::DeviceColumn).toDouble(); };
     ASSERT_TRUE(wait([&] { return kp() == 10.0; }));
     bench().setDisplayUnits({widgets::AngleUnit::Degree, SpeedUnit::TurnsPerMinute});
-    EXPECT_NEAR(kp(), 10.0 / 57.29578, 1e-6);
+    EXPECT_NEAR(kp(), 10.0 / 57.29578, 5e-6); // five digits are shown
     auto* unit = find<QComboBox>(table(), "Angle unit");
-    EXPECT_EQ(unit->currentText(), "deg");
+    EXPECT_EQ(unit->currentText(), "\u00b0");
     unit->setFocus();
     QTest::keyClick(unit, Qt::Key_Up); // to rad, here only
     EXPECT_EQ(kp(), 10.0);
@@ -188,7 +188,7 @@ TEST_F(ParametersPanelTest, startsFromThePreferredAngleAndMayBeOverriddenInPlace
     writeByKey();
     EXPECT_TRUE(wait([&] { return parameter("gain.kp") == 12.0; }));
     ParametersPanel another(bench(), nullptr, folder.path());
-    EXPECT_EQ(find<QComboBox>(another, "Angle unit")->currentText(), "deg");
+    EXPECT_EQ(find<QComboBox>(another, "Angle unit")->currentText(), "\u00b0");
 }
 
 } // namespace
