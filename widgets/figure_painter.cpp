@@ -83,8 +83,9 @@ public:
         }
     }
 
-    /// Drawn after the curves, where none of them runs; else on a patch of background that keeps it readable.
-    void drawReferenceLabel(const ReferenceLine& line, const std::vector<Curve>& curves) {
+    /// Drawn after the curves, where nothing else is drawn; else at least within the panel, on a patch of
+    /// background that keeps it readable.
+    void drawReferenceLabel(const ReferenceLine& line, const Panel& panel) {
         const std::optional<double> at_px = placeOf(line);
         if (!at_px || line.label.empty()) {
             return;
@@ -92,14 +93,22 @@ public:
         const QString label = QString::fromStdString(line.label);
         const QSizeF size(QFontMetricsF(figureFont()).horizontalAdvance(label) + 4.0, 14.0);
         const std::vector<QRectF> places = labelPlaces(line, *at_px, size);
-        const auto isFree = [&](const QRectF& place) {
-            return m_canvas.contains(place) && !isCrossed(place, curves);
+        const auto isInside = [&](const QRectF& place) { return m_canvas.contains(place); };
+        const auto isOffCurves = [&](const QRectF& place) {
+            return isInside(place) && !isTaken(place) && !isCrossed(place, panel.curves);
         };
-        const auto found = std::find_if(places.begin(), places.end(), isFree);
+        const auto isFree = [&](const QRectF& place) {
+            return isOffCurves(place) && !isCrossed(place, panel.lines);
+        };
+        auto found = std::find_if(places.begin(), places.end(), isFree);
+        const bool needsPatch = found == places.end();
+        found = needsPatch ? std::find_if(places.begin(), places.end(), isOffCurves) : found;
+        found = found == places.end() ? std::find_if(places.begin(), places.end(), isInside) : found;
         const QRectF place = found != places.end() ? *found : places.front();
-        if (found == places.end()) {
+        if (needsPatch) {
             m_painter.fillRect(place, m_theme.plotBackground);
         }
+        m_labels.push_back(place);
         m_painter.setFont(figureFont());
         m_painter.setPen(m_theme.muted);
         m_painter.drawText(QPointF(place.left() + 2.0, place.bottom() - 3.0), label);
@@ -165,6 +174,19 @@ private:
         return false;
     }
 
+    bool isCrossed(const QRectF& place, const std::vector<ReferenceLine>& lines) const {
+        return std::any_of(lines.begin(), lines.end(), [&](const ReferenceLine& line) {
+            const std::optional<double> at_px = placeOf(line);
+            return at_px && (isHorizontal(line) ? place.top() <= *at_px && *at_px <= place.bottom()
+                                                : place.left() <= *at_px && *at_px <= place.right());
+        });
+    }
+
+    bool isTaken(const QRectF& place) const {
+        return std::any_of(m_labels.begin(), m_labels.end(),
+                           [&](const QRectF& label) { return label.intersects(place); });
+    }
+
     /// Pixel row or column of the line; nothing when it lies outside the panel.
     std::optional<double> placeOf(const ReferenceLine& line) const {
         const double at_px = std::round((isHorizontal(line) ? m_yMap : m_xMap).transform(line.at));
@@ -204,6 +226,7 @@ private:
     const FigureScale& m_y;
     QwtScaleMap m_xMap;
     QwtScaleMap m_yMap;
+    std::vector<QRectF> m_labels; ///< that are drawn already
 };
 
 void drawLegend(QPainter& painter, const FigureLayout::PanelPlace& place, const Theme& theme) {
@@ -267,7 +290,7 @@ void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& la
             panelPainter.drawCurve(panel.curves[k], theme.curves[static_cast<std::size_t>(colour)]);
         }
         for (const ReferenceLine& line : panel.lines) {
-            panelPainter.drawReferenceLabel(line, panel.curves);
+            panelPainter.drawReferenceLabel(line, panel);
         }
         panelPainter.drawScale(QwtScaleDraw::LeftScale, true);
         panelPainter.drawScale(QwtScaleDraw::BottomScale, isLast);

@@ -15,6 +15,20 @@ namespace {
 
 constexpr int PlotWidth_px = 880;
 
+/// Findings are ASCII as in files; what begins a word and leads a number is the sign, "a+-1" is a name.
+std::string withPlusMinus(std::string text) {
+    constexpr std::string_view Ascii = "+-";
+    constexpr std::string_view Sign = "\u00b1";
+    for (std::size_t at = text.find(Ascii); at != std::string::npos; at = text.find(Ascii, at + 1)) {
+        const bool begins = at == 0 || text[at - 1] == ' ';
+        const char next = at + Ascii.size() < text.size() ? text[at + Ascii.size()] : '\0';
+        if (begins && (next == '\0' || next == ' ' || (next >= '0' && next <= '9'))) {
+            text.replace(at, Ascii.size(), Sign);
+        }
+    }
+    return text;
+}
+
 std::string escaped(std::string_view text) {
     std::string result;
     result.reserve(text.size());
@@ -36,7 +50,7 @@ std::string escaped(std::string_view text) {
             result += c;
         }
     }
-    return result;
+    return withPlusMinus(std::move(result));
 }
 
 /// Findings are written as clauses; a report sets several of them side by side.

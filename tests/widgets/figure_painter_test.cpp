@@ -90,6 +90,36 @@ TEST(FigurePainter, drawsEveryCurveInItsColourInsideItsPanel) {
     }
 }
 
+TEST(FigurePainter, noLineRunsThroughALabel) {
+    const auto application = OffscreenApplication::ensure();
+    const Theme theme = loadTheme("light").value();
+    Figure figure = twoPanels();
+    figure.panels.resize(1);
+    using Direction = ReferenceLine::Direction;
+    // No room to the right of its line, and the other line everywhere to the left; blanks have no pixels.
+    figure.panels[0].curves = {{{}, {0.0, 1.0}, {0.0, 1.0}, CurveStyle::Line, 0}};
+    figure.panels[0].lines = {{Direction::Vertical, 0.90, {}},
+                              {Direction::Vertical, 0.99, std::string(30, ' ') + "."}};
+    const FigureLayout layout = layOut(figure, 600);
+    QImage image(layout.size, QImage::Format_RGB32);
+    image.fill(theme.panel);
+    QPainter painter(&image);
+    paintFigure(painter, figure, layout, theme);
+    painter.end();
+    const QRectF& canvas = layout.panels[0].canvas;
+    const double at_px = canvas.left() + 0.90 * canvas.width();
+    const QRectF column(at_px - 3.0, canvas.top() + 2.0, 6.0, canvas.height() - 4.0);
+    int longestGap_px = 0;
+    int gap_px = 0;
+    for (int row = 0; row < static_cast<int>(column.height()); ++row) {
+        const QRectF pixels(column.left(), column.top() + row, column.width(), 1.0);
+        gap_px = pixelsOf(image, pixels, theme.muted) > 0 ? 0 : gap_px + 1;
+        longestGap_px = std::max(longestGap_px, gap_px);
+    }
+    EXPECT_GE(longestGap_px, 10); // a label is 14 high, the gap between two dashes is less than 5
+    EXPECT_LE(longestGap_px, 20); // and the line is there elsewhere
+}
+
 TEST(FigureAxis, labelsOfOneAxisHaveTheSameDecimals) {
     const auto application = OffscreenApplication::ensure();
     Panel panel;

@@ -60,6 +60,17 @@ TEST(Report, saysEverythingInWords) {
     }
 }
 
+TEST(Report, writesPlusMinusAsASign) {
+    ReportContent content = sample();
+    content.sections = {{"Friction",
+                         {ReportQuality{{Verdict::Good, {{"friction_band", "held within +-8.2 deg", ""}}}},
+                          ReportParagraph{"half width, +-"}, ReportParagraph{"the file a+-1.csv"}}}};
+    const std::string html = renderReport(content).value();
+    for (const char* words : {"Held within \u00b18.2 deg.", "half width, \u00b1", "a+-1.csv"}) {
+        EXPECT_NE(html.find(words), std::string::npos) << words;
+    }
+}
+
 TEST(Report, isSelfContained) {
     const std::string html = renderReport(sample()).value();
     for (const char* foreign : {"<script", "<link", "<img", "src=", "url(", "@import", "<iframe"}) {
