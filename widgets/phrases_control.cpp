@@ -53,7 +53,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "the target {} = {} is not between 0 and {}"),
     QT_TRANSLATE_NOOP("Phrases", "there is no design method '{}'"),
     QT_TRANSLATE_NOOP("Phrases", "choose one of: {}"),
-    QT_TRANSLATE_NOOP("Phrases", "the product's own loop, scaled to the identified motor"),
+    QT_TRANSLATE_NOOP("Phrases", "recommended by the program for this motor"),
     QT_TRANSLATE_NOOP("Phrases", "PI with the asked dominant pair, as far as the motor damps"),
     QT_TRANSLATE_NOOP("Phrases", "the recommended shape at the asked closed-loop bandwidth"),
     QT_TRANSLATE_NOOP("Phrases", "the stiffest loop with the asked phase margin"),

@@ -60,7 +60,9 @@ PreflightItem temperatureItem(const PreflightFacts& facts) {
     const QString now = Words::tr("Coils %1 now").arg(degrees(*facts.temperature_degC));
     const double warmest_degC = facts.forecast_degC.value_or(*facts.temperature_degC);
     const QString both =
-        facts.forecast_degC ? Words::tr("%1, at most %2 by forecast").arg(now, degrees(warmest_degC)) : now;
+        facts.forecast_degC
+            ? Words::tr("%1, up to %2 expected during the run").arg(now, degrees(warmest_degC))
+            : now;
     if (warmest_degC < facts.refuse_degC) {
         return {true, both, {}};
     }

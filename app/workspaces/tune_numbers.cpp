@@ -38,6 +38,48 @@ QString stepWords(const std::optional<control::StepMetrics>& step) {
                 : QStringLiteral("\u2013");
 }
 
+/// What 5 % to 95 % of the motors that the data allow have, times the factor of the unit that is shown.
+QString intervalWords(const std::optional<control::Robustness::Interval>& spread, double factor = 1.0) {
+    return spread
+               ? Words::tr("%1 to %2").arg(amount(factor * spread->p5, {}), amount(factor * spread->p95, {}))
+               : Words::tr("not known");
+}
+
+/// How far the loop is from instability, each with its interval.
+template <typename Row>
+void appendMargins(const Row& row, const control::Robustness& robust) {
+    row(
+        Words::tr("Gain margin"),
+        Words::tr("Factor on the gain that makes the loop unstable; at least 2 is usual"),
+        [](const AnalysisResult& loop) {
+            return amount(loop.margins.gainMargin_ratio, QStringLiteral(" \u00d7"));
+        },
+        intervalWords(robust.gainMargin_ratio));
+    row(
+        Words::tr("Phase margin"), Words::tr("At the gain crossover; at least 30\u00b0 is usual"),
+        [](const AnalysisResult& loop) {
+            return amount(loop.margins.phaseMargin_deg, QStringLiteral("\u00b0"));
+        },
+        intervalWords(robust.phaseMargin_deg));
+    row(
+        Words::tr("Delay margin"), Words::tr("Dead time that uses up the phase margin"),
+        [](const AnalysisResult& loop) {
+            return amount(1e3 * loop.margins.delayMargin_s, QStringLiteral(" ms"));
+        },
+        intervalWords(robust.delayMargin_s, 1e3));
+    row(
+        Words::tr("Modulus margin"),
+        Words::tr("Smallest distance of the open loop from -1; at least 0.5 is usual"),
+        [](const AnalysisResult& loop) { return amount(loop.margins.modulusMargin, {}); },
+        intervalWords(robust.modulusMargin));
+    row(
+        Words::tr("Gain crossover"), Words::tr("Where the open loop has the gain 1"),
+        [](const AnalysisResult& loop) {
+            return amount(inHertz(loop.margins.gainCrossover_rad_s), QStringLiteral(" Hz"));
+        },
+        intervalWords(robust.gainCrossover_rad_s, 0.5 / Pi));
+}
+
 /// What the motion shows; without intervals.
 template <typename Row>
 void appendMotion(const Row& row, const DisplayUnits& units) {
@@ -65,15 +107,10 @@ void appendMotion(const Row& row, const DisplayUnits& units) {
 std::vector<TuneNumber> tuneNumbers(const TuneResult& proposed, const std::optional<AnalysisResult>& present,
                                     const DisplayUnits& units) {
     std::vector<TuneNumber> numbers;
-    const auto row = [&](const QString& name, const QString& help, const auto& text) {
-        numbers.push_back({name, text(proposed.predicted), {}, present ? text(*present) : QString(), help});
-    };
-    const auto interval = [&](const std::optional<control::Robustness::Interval>& spread,
-                              double factor = 1.0) {
-        numbers.back().interval =
-            spread
-                ? Words::tr("%1 to %2").arg(amount(factor * spread->p5, {}), amount(factor * spread->p95, {}))
-                : Words::tr("not known");
+    const auto row = [&](const QString& name, const QString& help, const auto& text,
+                         const QString& interval = {}) {
+        numbers.push_back(
+            {name, text(proposed.predicted), interval, present ? text(*present) : QString(), help});
     };
     const control::Robustness& robust = proposed.robust;
     row(Words::tr("Closed loop"), Words::tr("Poles of the sampled loop with the device's delay"),
@@ -87,31 +124,7 @@ std::vector<TuneNumber> tuneNumbers(const TuneResult& proposed, const std::optio
                        {},
                        {},
                        Words::tr("Share of the motors that the data allow which this loop makes unstable")});
-    row(Words::tr("Gain margin"),
-        Words::tr("Factor on the gain that makes the loop unstable; at least 2 is usual"),
-        [](const AnalysisResult& loop) {
-            return amount(loop.margins.gainMargin_ratio, QStringLiteral(" \u00d7"));
-        });
-    interval(robust.gainMargin_ratio);
-    row(Words::tr("Phase margin"), Words::tr("At the gain crossover; at least 30\u00b0 is usual"),
-        [](const AnalysisResult& loop) {
-            return amount(loop.margins.phaseMargin_deg, QStringLiteral("\u00b0"));
-        });
-    interval(robust.phaseMargin_deg);
-    row(Words::tr("Delay margin"), Words::tr("Dead time that uses up the phase margin"),
-        [](const AnalysisResult& loop) {
-            return amount(1e3 * loop.margins.delayMargin_s, QStringLiteral(" ms"));
-        });
-    interval(robust.delayMargin_s, 1e3);
-    row(Words::tr("Modulus margin"),
-        Words::tr("Smallest distance of the open loop from -1; at least 0.5 is usual"),
-        [](const AnalysisResult& loop) { return amount(loop.margins.modulusMargin, {}); });
-    interval(robust.modulusMargin);
-    row(Words::tr("Gain crossover"), Words::tr("Where the open loop has the gain 1"),
-        [](const AnalysisResult& loop) {
-            return amount(inHertz(loop.margins.gainCrossover_rad_s), QStringLiteral(" Hz"));
-        });
-    interval(robust.gainCrossover_rad_s, 0.5 / Pi);
+    appendMargins(row, robust);
     appendMotion(row, units);
     return numbers;
 }
@@ -131,7 +144,7 @@ QString agreementWords(const VerificationBand& band, const MoveFigures& measured
                           widgets::numberText(*measured.overshoot_percent - *band.allowedOvershoot_percent,
                                               3));
     }
-    parts << Words::tr("at most %1 off the prediction, after %2 s")
+    parts << Words::tr("farthest from the prediction, %1, after %2 s")
                  .arg(angleText(std::abs(band.largestOff_rad), units, 2),
                       widgets::numberText(band.largestOffTime_s, 2));
     return parts.join(QStringLiteral("; "));

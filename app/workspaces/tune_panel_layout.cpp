@@ -130,9 +130,11 @@ void TunePanel::refreshWords() {
                       tr("Identify the motor"));
     m_empty->setIconName(QStringLiteral("settings"));
     say(*m_apply, tr("Apply and verify"),
-        tr("One transaction, then a step of %1 that must go as predicted; Esc stops it")
+        tr("All gains at once, then a step of %1 that must go as predicted; Esc stops it")
             .arg(angleText(VerificationStep_rad, units, 2)));
-    say(*m_keep, tr("Keep"), tr("The new gains stay until the device is switched off"));
+    say(*m_keep, tr("Keep"),
+        tr("The new gains stay until the device is switched off; Save in the device, in the Parameters "
+           "panel, keeps them longer"));
     say(*m_restore, tr("Restore"), tr("The gains from before run again"));
     say(*m_save, tr("Save gains\u2026"), tr("Write the file that the program's analyse reads"));
     m_figures->setTitle(m_bode, tr("Open loop"), tr("Magnitude and phase with their margins"));

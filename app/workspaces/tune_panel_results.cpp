@@ -5,6 +5,7 @@
 #include "app/workspaces/gain_editor.h"
 #include "app/workspaces/page_chooser.h"
 #include "app/workspaces/preflight.h"
+#include "app/workspaces/rest_ripple.h"
 #include "app/workspaces/tune_form.h"
 #include "app/workspaces/tune_numbers.h"
 #include "app/workspaces/tune_panel.h"
@@ -34,6 +35,40 @@ std::vector<widgets::Remark> remarksOf(const std::vector<Finding>& findings) {
         remarks.push_back({widgets::inWords(finding.message), widgets::inWords(finding.hint)});
     }
     return remarks;
+}
+
+/// What the judgement takes for granted because nobody measured it (resources/help/tuning.md, "Warnings").
+bool isAssumption(const Finding& finding) {
+    return finding.code == "stray_field_not_calibrated" || finding.code == "model_without_covariance";
+}
+
+/// A verdict that rests on an assumption says so, and does not look like one that rests on data.
+void showVerdict(widgets::VerdictView& view, const TuneResult& proposed) {
+    const auto& warnings = proposed.warnings;
+    const Verdict verdict = proposed.quality.verdict;
+    const bool isAssumed =
+        verdict == Verdict::Good && std::any_of(warnings.begin(), warnings.end(), isAssumption);
+    const QString title = isAssumed ? TunePanel::tr("Stable, if what is assumed here is true:")
+                          : verdict == Verdict::Good ? TunePanel::tr("Good: robustly stable")
+                          : verdict == Verdict::Doubtful
+                              ? TunePanel::tr("Doubtful: read the warnings before you apply it")
+                              : TunePanel::tr("Refused: this loop is unstable");
+    view.setVerdict(isAssumed ? widgets::VerdictLevel::Doubtful : levelOf(verdict), title,
+                    remarksOf(warnings));
+}
+
+/// Why the current of a verification is not quiet at its end; nothing for one that did not get there.
+QString rippleOf(const ApplyResult& verified, const LoopConditions& conditions, const DisplayUnits& units) {
+    std::map<std::string, double> values;
+    for (const ParameterValue& value : verified.after) {
+        values[value.name] = value.value;
+    }
+    const auto law = lawFromParameters(values);
+    const auto ripple =
+        law && verified.quality.verdict != Verdict::Refused
+            ? restRipple(verified.verification->recording, law->gains, conditions.timing.period_s)
+            : std::nullopt;
+    return ripple ? rippleWords(*ripple, units) : QString();
 }
 
 QString firstFinding(const DataQuality& quality) {
@@ -68,11 +103,7 @@ void TunePanel::showAnswer(const Result<TuneResult>& answer) {
     const TuneResult& proposed = *answer;
     m_shown = proposed;
     m_numbers->setNumbers(tuneNumbers(proposed, m_present, m_bench.displayUnits()));
-    const QString title = proposed.quality.verdict == Verdict::Good ? tr("Good: robustly stable")
-                          : proposed.quality.verdict == Verdict::Doubtful
-                              ? tr("Doubtful: read the warnings before you apply it")
-                              : tr("Refused: this loop is unstable");
-    m_verdict->setVerdict(levelOf(proposed.quality.verdict), title, remarksOf(proposed.warnings));
+    showVerdict(*m_verdict, proposed);
     if (m_restored) {
         m_bench.setDesignOfProject(proposed, m_restored->started);
     } else {
@@ -107,8 +138,12 @@ void TunePanel::focusNext() {
 
 void TunePanel::keep() {
     m_before.clear();
-    m_bench.session().message(MessageLevel::Info, tr("Tune"), tr("The new gains are kept."));
-    m_message->clear();
+    const QString until = tr("The new gains run until the device is switched off.");
+    m_bench.session().message(MessageLevel::Info, tr("Tune"), until);
+    m_message->showMessage({widgets::Severity::Information,
+                            until,
+                            tr("To have them after that too: Save in the device, in the Parameters panel."),
+                            {}});
     refreshButtons();
     focusNext();
     readConditions(); // the gains on the device are those to compare with from now on
@@ -178,7 +213,8 @@ void TunePanel::finishApply(const Result<ApplyResult>& result) {
         }
         m_message->showMessage({widgets::Severity::Success,
                                 tr("Applied, and the verification move went as predicted."),
-                                tr("Keep the new gains, or restore those from before."),
+                                tr("Keep the new gains until the device is switched off, or restore those "
+                                   "from before."),
                                 {}});
     } else {
         m_message->showMessage(
@@ -200,10 +236,14 @@ void TunePanel::drawVerification() {
     m_verification->setFigure(
         verificationFigure(*m_verified->band, m_verified->verification->recording, units.angle));
     const bool isWithin = m_verified->quality.verdict != Verdict::Refused;
-    m_agreement->setVerdict(
-        isWithin ? widgets::VerdictLevel::Good : widgets::VerdictLevel::Refused,
-        isWithin ? tr("Within the predicted band") : tr("Outside the predicted band"),
-        {{agreementWords(*m_verified->band, m_verified->verification->measured, units), {}}});
+    std::vector<widgets::Remark> remarks = {
+        {agreementWords(*m_verified->band, m_verified->verification->measured, units), {}}};
+    if (const QString ripple = rippleOf(*m_verified, m_conditions, units); !ripple.isEmpty()) {
+        remarks.push_back({ripple, {}});
+    }
+    m_agreement->setVerdict(isWithin ? widgets::VerdictLevel::Good : widgets::VerdictLevel::Refused,
+                            isWithin ? tr("Within the predicted band") : tr("Outside the predicted band"),
+                            remarks);
 }
 
 void TunePanel::restore() {

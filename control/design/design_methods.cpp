@@ -296,7 +296,7 @@ Result<DesignMethod> findMethod(std::string_view name) {
 
 const std::vector<DesignMethod>& designMethods() {
     static const std::vector<DesignMethod> methods = {
-        {"recommended", "", "the product's own loop, scaled to the identified motor"},
+        {"recommended", "", "recommended by the program for this motor"},
         {"pole-placement", "zeta, omega-rad-s", "PI with the asked dominant pair, as far as the motor damps"},
         {"bandwidth", "bandwidth-hz", "the recommended shape at the asked closed-loop bandwidth"},
         {"phase-margin", "phase-margin-deg, omega-rad-s", "the stiffest loop with the asked phase margin"},

@@ -124,7 +124,7 @@ TEST_F(TunePanelTest, appliesVerifiesDrawsAndRestores) {
     }
     const QString words = agreement();
     EXPECT_TRUE(words.startsWith("Within the predicted band")) << words.toStdString();
-    EXPECT_TRUE(words.contains("rad off the prediction")) << words.toStdString();
+    EXPECT_TRUE(words.contains("farthest from the prediction")) << words.toStdString();
     click(panel, "Restore");
     ASSERT_TRUE(wait([&] { return message().contains("before run again"); }));
     EXPECT_EQ(valuesNow(), before);
