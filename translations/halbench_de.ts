@@ -664,11 +664,11 @@
     </message>
     <message>
         <source>Micro-step: error in degrees, 5 A/deg, 0.05 A/(deg s)</source>
-        <translation>Mikroschritt: Fehler in Grad, 5 A/Grad, 0,05 A/(Grad s)</translation>
+        <translation>Mikroschritt: Fehler in Grad, 5 A/°, 0,05 A/(°·s)</translation>
     </message>
     <message>
         <source>Published gains read in degrees: 10 A/deg, 0.1 A/(deg s)</source>
-        <translation>Veröffentlichte Werte in Grad gelesen: 10 A/Grad, 0,1 A/(Grad s)</translation>
+        <translation>Veröffentlichte Werte in Grad gelesen: 10 A/°, 0,1 A/(°·s)</translation>
     </message>
     <message>
         <source>Published: 10 A/rad, 0.1 A/(rad s)</source>
@@ -859,10 +859,6 @@
         <translation>wählen Sie eines von: {}</translation>
     </message>
     <message>
-        <source>the product&apos;s own loop, scaled to the identified motor</source>
-        <translation>der Regelkreis dieses Programms, an den identifizierten Motor angepasst</translation>
-    </message>
-    <message>
         <source>PI with the asked dominant pair, as far as the motor damps</source>
         <translation>PI mit dem verlangten dominanten Polpaar, soweit der Motor dämpft</translation>
     </message>
@@ -884,7 +880,7 @@
     </message>
     <message>
         <source>5 A/deg and 0.05 A/(deg s), for steps of a few tenths of a degree</source>
-        <translation>5 A/Grad und 0,05 A/(Grad s), für Sprünge von einigen Zehntelgrad</translation>
+        <translation>5 A/° und 0,05 A/(°·s), für Sprünge von einigen Zehntelgrad</translation>
     </message>
     <message>
         <source>the printed numbers read per degree; large steps end in a limit cycle</source>
@@ -4086,6 +4082,10 @@
         <source>look at the rows again, then restore</source>
         <translation>sehen Sie die Zeilen noch einmal an, dann stellen Sie wieder her</translation>
     </message>
+    <message>
+        <source>recommended by the program for this motor</source>
+        <translation>vom Programm für diesen Motor empfohlen</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -4680,16 +4680,19 @@ Firmware %2</translation>
         <translation>Das Fenster antwortete nicht, während der Aktor freigegeben war; deshalb wurde er gestoppt</translation>
     </message>
     <message>
-        <source>%1 rows came faster than the window could show them and are not drawn</source>
-        <translation>%1 Zeilen kamen schneller, als das Fenster sie zeigen konnte, und sind nicht gezeichnet</translation>
-    </message>
-    <message>
         <source>%1 more lines came too fast to be shown</source>
         <translation>%1 weitere Zeilen kamen zu schnell, um gezeigt zu werden</translation>
     </message>
     <message>
         <source>%1 is back after %2 s, disarmed</source>
         <translation>%1 ist nach %2 s wieder da, gesperrt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln row(s) came faster than the window could show them and are not drawn</source>
+        <translation>
+            <numerusform>%Ln Zeile kam schneller, als das Fenster sie zeigen konnte, und ist nicht gezeichnet</numerusform>
+            <numerusform>%Ln Zeilen kamen schneller, als das Fenster sie zeigen konnte, und sind nicht gezeichnet</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6004,24 +6007,28 @@ Firmware %2</translation>
         <translation>STOP und Esc wirken bis dahin.</translation>
     </message>
     <message>
-        <source>asked for by Esc</source>
-        <translation>mit Esc verlangt</translation>
-    </message>
-    <message>
-        <source>asked for by STOP of a panel</source>
-        <translation>mit STOPP eines Felds verlangt</translation>
-    </message>
-    <message>
-        <source>asked for by STOP</source>
-        <translation>mit STOPP verlangt</translation>
-    </message>
-    <message>
-        <source>asked for by STOP of the help</source>
-        <translation>mit STOPP der Hilfe verlangt</translation>
-    </message>
-    <message>
         <source>stop</source>
         <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>by Esc</source>
+        <translation>mit Esc</translation>
+    </message>
+    <message>
+        <source>by STOP of a panel</source>
+        <translation>mit STOPP eines Felds</translation>
+    </message>
+    <message>
+        <source>by STOP</source>
+        <translation>mit STOPP</translation>
+    </message>
+    <message>
+        <source>by STOP of the help</source>
+        <translation>mit STOPP der Hilfe</translation>
+    </message>
+    <message>
+        <source>asked for %1</source>
+        <translation>%1 verlangt</translation>
     </message>
 </context>
 <context>
@@ -6080,10 +6087,6 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
         <translation>Zeit vergeht nur, solange ein Vorgang läuft</translation>
     </message>
     <message>
-        <source>%1 signals, %2 Hz, %3 rows lost</source>
-        <translation>%1 Signale, %2 Hz, %3 Zeilen verloren</translation>
-    </message>
-    <message>
         <source>Signals of the project that this device does not have: %1</source>
         <translation>Signale aus dem Projekt, die dieses Gerät nicht hat: %1</translation>
     </message>
@@ -6102,6 +6105,13 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
     <message>
         <source>Connect the simulated motor</source>
         <translation>Simulierten Motor verbinden</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s), %1 Hz, rows lost: %2</source>
+        <translation>
+            <numerusform>%n Signal, %1 Hz, Zeilen verloren: %2</numerusform>
+            <numerusform>%n Signale, %1 Hz, Zeilen verloren: %2</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6456,10 +6466,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Spulen jetzt %1</translation>
     </message>
     <message>
-        <source>%1, at most %2 by forecast</source>
-        <translation>%1, nach Vorhersage höchstens %2</translation>
-    </message>
-    <message>
         <source>%1; the run waits where they would come near %2</source>
         <translation>%1; der Ablauf wartet, wo sie nahe %2 kämen</translation>
     </message>
@@ -6478,6 +6484,10 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Look, then say so below</source>
         <translation>Sehen Sie nach, und bestätigen Sie es unten</translation>
+    </message>
+    <message>
+        <source>%1, up to %2 expected during the run</source>
+        <translation>%1, im Lauf werden bis zu %2 erwartet</translation>
     </message>
 </context>
 <context>
@@ -6596,6 +6606,10 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>Record data: write what is measured to a file (Ctrl+R)</source>
         <translation>Daten aufzeichnen: schreibt, was gemessen wird, in eine Datei (Strg+R)</translation>
     </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnahme</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::RecordPanel</name>
@@ -6700,10 +6714,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Schreibt, was gemessen wird, in eine Datei (Strg+R)</translation>
     </message>
     <message>
-        <source>%1 rows in %2</source>
-        <translation>%1 Zeilen in %2</translation>
-    </message>
-    <message>
         <source>What was measured, with its units; the sidecar beside it has the rest.</source>
         <translation>Was gemessen wurde, mit Einheiten; die Begleitdatei daneben enthält das Übrige.</translation>
     </message>
@@ -6718,6 +6728,13 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Missing: %1; the sidecar says where.</source>
         <translation>Es fehlen: %1; wo, steht in der Begleitdatei.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln row(s) in %1</source>
+        <translation>
+            <numerusform>%Ln Zeile in %1</numerusform>
+            <numerusform>%Ln Zeilen in %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6892,6 +6909,17 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>The board takes 1 to 32.</source>
         <translation>Das Steuergerät nimmt 1 bis 32.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RestRippleWords</name>
+    <message>
+        <source>at rest the current ripples by about %1 A: that is the noise of the measured angle (%2) times these gains, while friction holds the rotor still</source>
+        <translation>in Ruhe schwankt der Strom um etwa %1 A: das ist das Rauschen des gemessenen Winkels (%2) mal diesen Verstärkungen, während Reibung den Rotor festhält</translation>
+    </message>
+    <message>
+        <source>at rest the current ripples by about %1 A, more than the noise of the measured angle (%2) explains: the loop may hunt; a smaller K_D or K_P calms it</source>
+        <translation>in Ruhe schwankt der Strom um etwa %1 A, mehr als das Rauschen des gemessenen Winkels (%2) erklärt: der Regelkreis pendelt vielleicht; weniger K_D oder K_P beruhigt ihn</translation>
     </message>
 </context>
 <context>
@@ -7216,8 +7244,8 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Überschwingen %1 %, %2 % mehr als zulässig</translation>
     </message>
     <message>
-        <source>at most %1 off the prediction, after %2 s</source>
-        <translation>höchstens %1 neben der Vorhersage, nach %2 s</translation>
+        <source>farthest from the prediction, %1, after %2 s</source>
+        <translation>am weitesten von der Vorhersage, um %1, nach %2 s</translation>
     </message>
 </context>
 <context>
@@ -7276,10 +7304,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Keep</source>
         <translation>Behalten</translation>
-    </message>
-    <message>
-        <source>The new gains stay until the device is switched off</source>
-        <translation>Die neuen Reglerparameter gelten, bis das Gerät ausgeschaltet wird</translation>
     </message>
     <message>
         <source>Restore</source>
@@ -7346,10 +7370,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Übernommen, und der Nachweis verlief wie vorhergesagt.</translation>
     </message>
     <message>
-        <source>Keep the new gains, or restore those from before.</source>
-        <translation>Behalten Sie die neuen Reglerparameter, oder setzen Sie auf die vorigen zurück.</translation>
-    </message>
-    <message>
         <source>Not kept, the gains from before run again: %1</source>
         <translation>Nicht behalten, die vorigen Reglerparameter laufen wieder: %1</translation>
     </message>
@@ -7380,14 +7400,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Tune</source>
         <translation>Auslegen</translation>
-    </message>
-    <message>
-        <source>The new gains are kept.</source>
-        <translation>Die neuen Verstärkungen bleiben.</translation>
-    </message>
-    <message>
-        <source>One transaction, then a step of %1 that must go as predicted; Esc stops it</source>
-        <translation>Eine Transaktion, dann ein Sprung um %1, der wie vorhergesagt verlaufen muss; Esc hält ihn an</translation>
     </message>
     <message>
         <source>Open loop</source>
@@ -7424,6 +7436,30 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Outside the predicted band</source>
         <translation>Außerhalb des vorhergesagten Bands</translation>
+    </message>
+    <message>
+        <source>All gains at once, then a step of %1 that must go as predicted; Esc stops it</source>
+        <translation>Alle Verstärkungen auf einmal, dann ein Sprung um %1, der wie vorhergesagt gehen muss; Esc stoppt ihn</translation>
+    </message>
+    <message>
+        <source>The new gains stay until the device is switched off; Save in the device, in the Parameters panel, keeps them longer</source>
+        <translation>Die neuen Verstärkungen bleiben, bis das Gerät ausgeschaltet wird; „Im Gerät speichern“ im Feld Parameter behält sie länger</translation>
+    </message>
+    <message>
+        <source>Stable, if what is assumed here is true:</source>
+        <translation>Stabil, falls zutrifft, was hier angenommen ist:</translation>
+    </message>
+    <message>
+        <source>The new gains run until the device is switched off.</source>
+        <translation>Die neuen Verstärkungen gelten, bis das Gerät ausgeschaltet wird.</translation>
+    </message>
+    <message>
+        <source>To have them after that too: Save in the device, in the Parameters panel.</source>
+        <translation>Sollen sie auch danach gelten: „Im Gerät speichern“ im Feld Parameter.</translation>
+    </message>
+    <message>
+        <source>Keep the new gains until the device is switched off, or restore those from before.</source>
+        <translation>Behalten Sie die neuen Verstärkungen bis zum Ausschalten des Geräts, oder stellen Sie die früheren wieder her.</translation>
     </message>
 </context>
 <context>
@@ -7902,6 +7938,18 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>Message</source>
         <translation>Meldung</translation>
     </message>
+    <message>
+        <source>Time of day where this window runs</source>
+        <translation>Uhrzeit dort, wo dieses Fenster läuft</translation>
+    </message>
+    <message>
+        <source>Time on the device&apos;s own clock, as in its recordings</source>
+        <translation>Zeit auf der eigenen Uhr des Geräts, wie in seinen Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Clock</source>
+        <translation>Uhrzeit</translation>
+    </message>
 </context>
 <context>
     <name>halbench::widgets::LogView</name>
@@ -8108,14 +8156,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Show only values edited here or changed outside</source>
         <translation>Nur Werte zeigen, die hier bearbeitet oder anderswo geändert wurden</translation>
-    </message>
-    <message>
-        <source>rad</source>
-        <translation>rad</translation>
-    </message>
-    <message>
-        <source>deg</source>
-        <translation>°</translation>
     </message>
     <message>
         <source>Angle unit of what is shown and typed here</source>

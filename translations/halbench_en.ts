@@ -52,4 +52,34 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>halbench::app::RecordPanel</name>
+    <message numerus="yes">
+        <source>%Ln row(s) in %1</source>
+        <translation>
+            <numerusform>%Ln row in %1</numerusform>
+            <numerusform>%Ln rows in %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::MonitorPanel</name>
+    <message numerus="yes">
+        <source>%n signal(s), %1 Hz, rows lost: %2</source>
+        <translation>
+            <numerusform>%n signal, %1 Hz, rows lost: %2</numerusform>
+            <numerusform>%n signals, %1 Hz, rows lost: %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::DeviceSession</name>
+    <message numerus="yes">
+        <source>%Ln row(s) came faster than the window could show them and are not drawn</source>
+        <translation>
+            <numerusform>%Ln row came faster than the window could show it and is not drawn</numerusform>
+            <numerusform>%Ln rows came faster than the window could show them and are not drawn</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -664,11 +664,11 @@
     </message>
     <message>
         <source>Micro-step: error in degrees, 5 A/deg, 0.05 A/(deg s)</source>
-        <translation>微步：误差以度计，5 A/度，0.05 A/(度 s)</translation>
+        <translation>微步：误差以度计，5 A/°，0.05 A/(°·s)</translation>
     </message>
     <message>
         <source>Published gains read in degrees: 10 A/deg, 0.1 A/(deg s)</source>
-        <translation>已发表的增益按度理解：10 A/度，0.1 A/(度 s)</translation>
+        <translation>已发表的增益按度理解：10 A/°，0.1 A/(°·s)</translation>
     </message>
     <message>
         <source>Published: 10 A/rad, 0.1 A/(rad s)</source>
@@ -859,10 +859,6 @@
         <translation>请选择其一：{}</translation>
     </message>
     <message>
-        <source>the product&apos;s own loop, scaled to the identified motor</source>
-        <translation>本程序自己的回路，按辨识的电机缩放</translation>
-    </message>
-    <message>
         <source>PI with the asked dominant pair, as far as the motor damps</source>
         <translation>具有所要求主导极点对的 PI，以电机阻尼所及为限</translation>
     </message>
@@ -884,7 +880,7 @@
     </message>
     <message>
         <source>5 A/deg and 0.05 A/(deg s), for steps of a few tenths of a degree</source>
-        <translation>5 A/度和 0.05 A/(度 s)，用于零点几度的阶跃</translation>
+        <translation>5 A/° 和 0.05 A/(°·s)，用于零点几度的阶跃</translation>
     </message>
     <message>
         <source>the printed numbers read per degree; large steps end in a limit cycle</source>
@@ -4086,6 +4082,10 @@
         <source>look at the rows again, then restore</source>
         <translation>请再次查看各行,然后恢复</translation>
     </message>
+    <message>
+        <source>recommended by the program for this motor</source>
+        <translation>程序为该电机推荐</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -4676,16 +4676,18 @@ Firmware %2</source>
         <translation>执行器处于使能状态时窗口没有响应，因此已将其停止</translation>
     </message>
     <message>
-        <source>%1 rows came faster than the window could show them and are not drawn</source>
-        <translation>%1 行到达过快，窗口来不及显示，因此未绘制</translation>
-    </message>
-    <message>
         <source>%1 more lines came too fast to be shown</source>
         <translation>另有 %1 行到达过快，未能显示</translation>
     </message>
     <message>
         <source>%1 is back after %2 s, disarmed</source>
         <translation>%1 在 %2 s 后恢复连接，处于锁定状态</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln row(s) came faster than the window could show them and are not drawn</source>
+        <translation>
+            <numerusform>%Ln 行到达过快，窗口来不及显示，因此未绘制</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6000,24 +6002,28 @@ Firmware %2</source>
         <translation>在此之前 STOP 和 Esc 仍然有效。</translation>
     </message>
     <message>
-        <source>asked for by Esc</source>
-        <translation>由 Esc 请求</translation>
-    </message>
-    <message>
-        <source>asked for by STOP of a panel</source>
-        <translation>由面板的“停止”请求</translation>
-    </message>
-    <message>
-        <source>asked for by STOP</source>
-        <translation>由“停止”请求</translation>
-    </message>
-    <message>
-        <source>asked for by STOP of the help</source>
-        <translation>由帮助窗口的“停止”请求</translation>
-    </message>
-    <message>
         <source>stop</source>
         <translation>停止</translation>
+    </message>
+    <message>
+        <source>by Esc</source>
+        <translation>由 Esc</translation>
+    </message>
+    <message>
+        <source>by STOP of a panel</source>
+        <translation>由面板的“停止”</translation>
+    </message>
+    <message>
+        <source>by STOP</source>
+        <translation>由“停止”</translation>
+    </message>
+    <message>
+        <source>by STOP of the help</source>
+        <translation>由帮助窗口的“停止”</translation>
+    </message>
+    <message>
+        <source>asked for %1</source>
+        <translation>%1请求</translation>
     </message>
 </context>
 <context>
@@ -6076,10 +6082,6 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
         <translation>仅在任务运行时时间才流逝</translation>
     </message>
     <message>
-        <source>%1 signals, %2 Hz, %3 rows lost</source>
-        <translation>%1 个信号，%2 Hz，丢失 %3 行</translation>
-    </message>
-    <message>
         <source>Signals of the project that this device does not have: %1</source>
         <translation>项目中该设备没有的信号：%1</translation>
     </message>
@@ -6098,6 +6100,12 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
     <message>
         <source>Connect the simulated motor</source>
         <translation>连接仿真电机</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s), %1 Hz, rows lost: %2</source>
+        <translation>
+            <numerusform>%n 个信号，%1 Hz，丢失 %2 行</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6451,10 +6459,6 @@ A real device has its own time.</source>
         <translation>线圈当前 %1</translation>
     </message>
     <message>
-        <source>%1, at most %2 by forecast</source>
-        <translation>%1，预测最高 %2</translation>
-    </message>
-    <message>
         <source>%1; the run waits where they would come near %2</source>
         <translation>%1；将接近 %2 时运行会等待</translation>
     </message>
@@ -6473,6 +6477,10 @@ A real device has its own time.</source>
     <message>
         <source>Look, then say so below</source>
         <translation>请查看，然后在下面确认</translation>
+    </message>
+    <message>
+        <source>%1, up to %2 expected during the run</source>
+        <translation>%1，运行中预计最高 %2</translation>
     </message>
 </context>
 <context>
@@ -6591,6 +6599,10 @@ A real device has its own time.</source>
         <source>Record data: write what is measured to a file (Ctrl+R)</source>
         <translation>记录数据：把测量值写入文件 (Ctrl+R)</translation>
     </message>
+    <message>
+        <source>Record</source>
+        <translation>记录</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::RecordPanel</name>
@@ -6695,10 +6707,6 @@ A real device has its own time.</source>
         <translation>把测量数据写入文件 (Ctrl+R)</translation>
     </message>
     <message>
-        <source>%1 rows in %2</source>
-        <translation>%2 中有 %1 行</translation>
-    </message>
-    <message>
         <source>What was measured, with its units; the sidecar beside it has the rest.</source>
         <translation>测量数据及其单位；旁边的附属文件包含其余信息。</translation>
     </message>
@@ -6713,6 +6721,12 @@ A real device has its own time.</source>
     <message>
         <source>Missing: %1; the sidecar says where.</source>
         <translation>缺失：%1；位置见附属文件。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln row(s) in %1</source>
+        <translation>
+            <numerusform>%1 中有 %Ln 行</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6887,6 +6901,17 @@ A real device has its own time.</source>
     <message>
         <source>The board takes 1 to 32.</source>
         <translation>控制板接受 1 到 32 个。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RestRippleWords</name>
+    <message>
+        <source>at rest the current ripples by about %1 A: that is the noise of the measured angle (%2) times these gains, while friction holds the rotor still</source>
+        <translation>静止时电流波动约 %1 A：这是测得角度的噪声（%2）乘以这些增益，而转子被摩擦保持不动</translation>
+    </message>
+    <message>
+        <source>at rest the current ripples by about %1 A, more than the noise of the measured angle (%2) explains: the loop may hunt; a smaller K_D or K_P calms it</source>
+        <translation>静止时电流波动约 %1 A，超过测得角度的噪声（%2）所能解释的：回路可能在振荡；减小 K_D 或 K_P 可使其平静</translation>
     </message>
 </context>
 <context>
@@ -7211,8 +7236,8 @@ A real device has its own time.</source>
         <translation>超调 %1 %，超出允许值 %2 %</translation>
     </message>
     <message>
-        <source>at most %1 off the prediction, after %2 s</source>
-        <translation>与预测最多相差 %1，在 %2 s 时</translation>
+        <source>farthest from the prediction, %1, after %2 s</source>
+        <translation>与预测相差最大处为 %1，在 %2 s</translation>
     </message>
 </context>
 <context>
@@ -7271,10 +7296,6 @@ A real device has its own time.</source>
     <message>
         <source>Keep</source>
         <translation>保留</translation>
-    </message>
-    <message>
-        <source>The new gains stay until the device is switched off</source>
-        <translation>新增益在设备断电之前有效</translation>
     </message>
     <message>
         <source>Restore</source>
@@ -7341,10 +7362,6 @@ A real device has its own time.</source>
         <translation>已应用，验证运动与预测一致。</translation>
     </message>
     <message>
-        <source>Keep the new gains, or restore those from before.</source>
-        <translation>请保留新增益，或恢复之前的增益。</translation>
-    </message>
-    <message>
         <source>Not kept, the gains from before run again: %1</source>
         <translation>未保留，重新运行之前的增益：%1</translation>
     </message>
@@ -7375,14 +7392,6 @@ A real device has its own time.</source>
     <message>
         <source>Tune</source>
         <translation>整定</translation>
-    </message>
-    <message>
-        <source>The new gains are kept.</source>
-        <translation>保留新增益。</translation>
-    </message>
-    <message>
-        <source>One transaction, then a step of %1 that must go as predicted; Esc stops it</source>
-        <translation>一次事务，然后做 %1 的阶跃，必须与预测一致；Esc 停止</translation>
     </message>
     <message>
         <source>Open loop</source>
@@ -7419,6 +7428,30 @@ A real device has its own time.</source>
     <message>
         <source>Outside the predicted band</source>
         <translation>超出预测范围</translation>
+    </message>
+    <message>
+        <source>All gains at once, then a step of %1 that must go as predicted; Esc stops it</source>
+        <translation>一次写入全部增益，然后做 %1 的阶跃，它必须与预测一致；Esc 停止</translation>
+    </message>
+    <message>
+        <source>The new gains stay until the device is switched off; Save in the device, in the Parameters panel, keeps them longer</source>
+        <translation>新增益保留到设备断电为止；在“参数”面板中选择“保存到设备”可长期保留</translation>
+    </message>
+    <message>
+        <source>Stable, if what is assumed here is true:</source>
+        <translation>稳定，前提是以下假设成立：</translation>
+    </message>
+    <message>
+        <source>The new gains run until the device is switched off.</source>
+        <translation>新增益在设备断电前有效。</translation>
+    </message>
+    <message>
+        <source>To have them after that too: Save in the device, in the Parameters panel.</source>
+        <translation>若断电后也要保留：在“参数”面板中选择“保存到设备”。</translation>
+    </message>
+    <message>
+        <source>Keep the new gains until the device is switched off, or restore those from before.</source>
+        <translation>保留新增益直到设备断电，或恢复之前的增益。</translation>
     </message>
 </context>
 <context>
@@ -7897,6 +7930,18 @@ A real device has its own time.</source>
         <source>Message</source>
         <translation>消息</translation>
     </message>
+    <message>
+        <source>Time of day where this window runs</source>
+        <translation>本窗口所在计算机的时间</translation>
+    </message>
+    <message>
+        <source>Time on the device&apos;s own clock, as in its recordings</source>
+        <translation>设备自身时钟的时间，与其记录一致</translation>
+    </message>
+    <message>
+        <source>Clock</source>
+        <translation>时钟</translation>
+    </message>
 </context>
 <context>
     <name>halbench::widgets::LogView</name>
@@ -8103,14 +8148,6 @@ A real device has its own time.</source>
     <message>
         <source>Show only values edited here or changed outside</source>
         <translation>仅显示在此编辑或在外部更改的值</translation>
-    </message>
-    <message>
-        <source>rad</source>
-        <translation>rad</translation>
-    </message>
-    <message>
-        <source>deg</source>
-        <translation>deg</translation>
     </message>
     <message>
         <source>Angle unit of what is shown and typed here</source>

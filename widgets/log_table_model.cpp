@@ -46,6 +46,7 @@ bool LogTableModel::countRepetition(const LogEntry& entry) {
     }
     ++m_rows.back().times;
     m_rows.back().entry.time_s = entry.time_s;
+    m_rows.back().entry.wall = entry.wall;
     const int last = static_cast<int>(m_rows.size()) - 1;
     Q_EMIT dataChanged(index(last, 0), index(last, TextColumn));
     return true;
@@ -76,8 +77,8 @@ void LogTableModel::clear() {
 
 QString LogTableModel::lineText(int row) const {
     const Row& line = m_rows[static_cast<std::size_t>(row)];
-    return QStringList{cellText(line, TimeColumn), levelText(line.entry.level), line.entry.source,
-                       cellText(line, TextColumn)}
+    return QStringList{cellText(line, ClockColumn), cellText(line, TimeColumn), levelText(line.entry.level),
+                       line.entry.source, cellText(line, TextColumn)}
         .join(QLatin1Char('\t'));
 }
 
@@ -91,6 +92,8 @@ int LogTableModel::columnCount(const QModelIndex& parent) const {
 
 QString LogTableModel::cellText(const Row& row, int column) const {
     switch (column) {
+    case ClockColumn:
+        return row.entry.wall.toLocalTime().toString(QStringLiteral("HH:mm:ss"));
     case TimeColumn:
         return QLocale().toString(row.entry.time_s, 'f', TimeDecimals);
     case LevelColumn:
@@ -107,21 +110,24 @@ QVariant LogTableModel::data(const QModelIndex& index, int role) const {
         return {};
     }
     const Row& row = m_rows[static_cast<std::size_t>(index.row())];
+    const bool isTime = index.column() == ClockColumn || index.column() == TimeColumn;
     switch (role) {
     case Qt::DisplayRole:
         return cellText(row, index.column());
     case Qt::ToolTipRole:
-        return cellText(row, TextColumn);
+        return index.column() == ClockColumn
+                   ? QLocale().toString(row.entry.wall.toLocalTime(), QLocale::LongFormat)
+                   : cellText(row, TextColumn);
     case Qt::AccessibleTextRole:
         return cellText(row, index.column());
     case Qt::ForegroundRole:
-        return index.column() == TimeColumn || index.column() == SourceColumn
+        return isTime || index.column() == SourceColumn
                    ? currentTheme().muted
                    : roleColour(currentTheme(), roleOfLevel(row.entry.level));
     case Qt::FontRole:
-        return index.column() == TimeColumn ? QVariant(tabularFont(QFont())) : QVariant();
+        return isTime ? QVariant(tabularFont(QFont())) : QVariant();
     case Qt::TextAlignmentRole:
-        return QVariant((index.column() == TimeColumn ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        return QVariant((isTime ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     case LevelRole:
         return static_cast<int>(row.entry.level);
     default:
@@ -130,10 +136,18 @@ QVariant LogTableModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant LogTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
+    if (orientation != Qt::Horizontal) {
         return {};
     }
-    return QStringList{tr("Time [s]"), tr("Level"), tr("Source"), tr("Message")}.value(section);
+    if (role == Qt::ToolTipRole) {
+        return QStringList{tr("Time of day where this window runs"),
+                           tr("Time on the device's own clock, as in its recordings")}
+            .value(section);
+    }
+    if (role != Qt::DisplayRole) {
+        return {};
+    }
+    return QStringList{tr("Clock"), tr("Time [s]"), tr("Level"), tr("Source"), tr("Message")}.value(section);
 }
 
 } // namespace halbench::widgets

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <QDateTime>
 #include <QString>
 
 #include <deque>
@@ -15,6 +16,7 @@ struct LogEntry {
     LogLevel level = LogLevel::Information;
     QString source; ///< e.g. "link", "board", "identify"
     QString text;
+    QDateTime wall = {}; ///< on the wall's clock; invalid where nobody looked at it
 };
 
 /// The last messages. What is said again right after itself is counted, not repeated, so that a flood neither
@@ -22,7 +24,7 @@ struct LogEntry {
 class LogTableModel : public QAbstractTableModel {
     Q_OBJECT
 public:
-    enum Column { TimeColumn, LevelColumn, SourceColumn, TextColumn };
+    enum Column { ClockColumn, TimeColumn, LevelColumn, SourceColumn, TextColumn };
     static constexpr int Columns = TextColumn + 1;
     enum DataRole { LevelRole = Qt::UserRole };
     static constexpr std::size_t MostEntries = 10000;

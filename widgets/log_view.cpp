@@ -62,6 +62,7 @@ void LogView::createView() {
     const auto setWidth = [this, &metrics](int column, const QString& widest) {
         m_view->setColumnWidth(column, metrics.horizontalAdvance(widest) + GroupSpacing_px);
     };
+    setWidth(LogTableModel::ClockColumn, QStringLiteral("00:00:00"));
     setWidth(LogTableModel::TimeColumn, QStringLiteral("000,000.00"));
     setWidth(LogTableModel::LevelColumn, QStringLiteral("information"));
     setWidth(LogTableModel::SourceColumn, QStringLiteral("identification"));

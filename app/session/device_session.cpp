@@ -280,8 +280,8 @@ std::vector<SampleBlockPtr> DeviceSession::takeBlocks() {
     const std::uint64_t skipped = m_inbox.skippedRows();
     if (const std::uint64_t more = skipped - std::exchange(m_skippedRows, skipped); more > 0) {
         message(MessageLevel::Warning, tr("samples"),
-                tr("%1 rows came faster than the window could show them and are not drawn")
-                    .arg(QLocale().toString(static_cast<qulonglong>(more))));
+                tr("%Ln row(s) came faster than the window could show them and are not drawn", nullptr,
+                   static_cast<int>(more)));
     }
     return m_inbox.take();
 }

@@ -59,7 +59,7 @@ MainWindow::MainWindow(Preferences preferences) : m_preferences(std::move(prefer
     createMenus();
     auto* guard = new StopGuard(this);
     connect(guard, &StopGuard::stopRequested, &m_bench.session(), &DeviceSession::stopActuator);
-    connect(guard, &StopGuard::escapePressed, this, [this] { noteStop(tr("asked for by Esc")); });
+    connect(guard, &StopGuard::escapePressed, this, [this] { noteStop(tr("by Esc")); });
     connect(&m_frame, &QTimer::timeout, &m_bench, &Workbench::drainSamples);
     m_frame.start(FramePeriod_ms);
     connect(&m_autosave, &QTimer::timeout, this, &MainWindow::autosave);
@@ -160,9 +160,8 @@ void MainWindow::buildCentre() {
     });
     connect(&connection, &ConnectButton::deviceChosen, this, &MainWindow::connectDevice);
     connect(m_docks, &DockLayout::stopRequested, &m_bench.session(), &DeviceSession::stopActuator);
-    connect(m_docks, &DockLayout::stopRequested, this,
-            [this] { noteStop(tr("asked for by STOP of a panel")); });
-    connect(m_bar, &TopBar::stopPressed, this, [this] { noteStop(tr("asked for by STOP")); });
+    connect(m_docks, &DockLayout::stopRequested, this, [this] { noteStop(tr("by STOP of a panel")); });
+    connect(m_bar, &TopBar::stopPressed, this, [this] { noteStop(tr("by STOP")); });
     connect(m_docks, &DockLayout::perspectiveChanged, this, &MainWindow::onPerspective);
 }
 
@@ -186,16 +185,16 @@ void MainWindow::openHelp(const QString& page) {
     auto* window = new HelpWindow(page, this);
     window->setAttribute(Qt::WA_DeleteOnClose);
     connect(window, &HelpWindow::stopRequested, &m_bench.session(), &DeviceSession::stopActuator);
-    connect(window, &HelpWindow::stopRequested, this,
-            [this] { noteStop(tr("asked for by STOP of the help")); });
+    connect(window, &HelpWindow::stopRequested, this, [this] { noteStop(tr("by STOP of the help")); });
     window->show();
 }
 
 /// The stop itself is on its way already; what the board made of it follows in the log.
-void MainWindow::noteStop(const QString& who) {
+void MainWindow::noteStop(const QString& by) {
     const SessionState state = m_bench.session().state();
     if (state == SessionState::Connected || state == SessionState::Reconnecting) {
-        m_bench.session().message(MessageLevel::Warning, tr("stop"), who);
+        m_bench.setStopAsker(by);
+        m_bench.session().message(MessageLevel::Warning, tr("stop"), tr("asked for %1").arg(by));
     }
 }
 

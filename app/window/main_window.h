@@ -73,7 +73,7 @@ private:
     void usePreferences(const Preferences& chosen);
     void showHelp();
     void openHelp(const QString& page);
-    void noteStop(const QString& who);
+    void noteStop(const QString& by);
     void onPerspective();
     void onMessage(widgets::Severity severity, const QString& text, const QString& hint);
     void say(const widgets::Message& message, std::function<void()> remedy);

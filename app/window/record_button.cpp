@@ -54,7 +54,7 @@ void RecordButton::refresh() {
     setChecked(isRecording);
     setEnabled(isRecording || m_bench.session().state() == SessionState::Connected);
     const QString time = isRecording ? widgets::durationText(recording.status().elapsed_s) : QString();
-    const QString words = isRecording ? time : m_isShort ? QString() : tr("Record data");
+    const QString words = isRecording ? time : idleWords(m_isShort);
     const QString name = isRecording ? tr("Recording %1").arg(time) : tr("Record data");
     if (words != text() || name != accessibleName()) {
         setText(words);
@@ -75,18 +75,23 @@ int RecordButton::time_px() const {
     return fontMetrics().horizontalAdvance(widgets::durationText(LongTime_s));
 }
 
-int RecordButton::words_px() const {
-    return fontMetrics().horizontalAdvance(tr("Record data"));
+/// The room for the time is there anyway: a short word costs nothing.
+QString RecordButton::idleWords(bool isShort) {
+    return isShort ? tr("Record") : tr("Record data");
+}
+
+int RecordButton::room_px(bool isShort) const {
+    return std::max(fontMetrics().horizontalAdvance(idleWords(isShort)), time_px());
 }
 
 int RecordButton::saved_px() const {
-    return std::max(words_px() - time_px(), 0);
+    return room_px(false) - room_px(true);
 }
 
 QSize RecordButton::sizeHint() const {
     const QSize now = QToolButton::sizeHint();
-    const int room_px = m_isShort ? time_px() : std::max(words_px(), time_px());
-    return {now.width() + std::max(room_px - fontMetrics().horizontalAdvance(text()), 0), now.height()};
+    return {now.width() + std::max(room_px(m_isShort) - fontMetrics().horizontalAdvance(text()), 0),
+            now.height()};
 }
 
 void RecordButton::changeEvent(QEvent* event) {

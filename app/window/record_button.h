@@ -13,7 +13,7 @@ class RecordButton : public QToolButton {
 public:
     explicit RecordButton(Workbench& bench, QWidget* parent = nullptr);
 
-    /// Short: without words while it does not record.
+    /// Short: one short word while it does not record.
     void setShort(bool isShort);
     int saved_px() const; ///< by being short
     /// Its width never changes while it records.
@@ -26,7 +26,8 @@ private:
     void toggle(bool isWanted);
     void refresh();
     int time_px() const;
-    int words_px() const;
+    int room_px(bool isShort) const;
+    static QString idleWords(bool isShort);
 
     Workbench& m_bench;
     bool m_isShort = false;

@@ -128,7 +128,7 @@ void TopBar::refresh() {
     const devices::DeviceState& board = session.report().board;
     const QString fault = widgets::inWords(board.faultText);
     const QString reason = board.fault != 0                   ? fault
-                           : m_bench.stopLatch().hasStopped() ? stopReason(board)
+                           : m_bench.stopLatch().hasStopped() ? stopReason(board, m_bench.stopAsker())
                                                               : tr("nothing was armed");
     const bool isConnected = session.state() == SessionState::Connected;
     m_stop->setLatched(m_bench.stopLatch().isLatched(), m_bench.stopLatch().isLocked(), reason);

@@ -23,7 +23,7 @@
 namespace halbench::app {
 namespace {
 
-constexpr double MostWords_ratio = 0.55; ///< of the width; the pictures get the rest
+constexpr double MostWords_ratio = 0.6; ///< of the width; the pictures get the rest
 
 } // namespace
 
@@ -96,7 +96,7 @@ void IdentifyResultView::shareWidth() {
     const int table_px = m_table->neededWidth() + 2 * widgets::PanelMargin_px +
                          style()->pixelMetric(QStyle::PM_ScrollBarExtent);
     const int words_px = std::min(table_px, static_cast<int>(MostWords_ratio * width()));
-    m_splitter->setSizes({words_px, std::max(1, width() - words_px)});
+    m_splitter->setSizes({words_px, std::max(1, width() - words_px - m_splitter->handleWidth())});
 }
 
 /// A page that was never shown has no width to share before.

@@ -7,6 +7,7 @@
 #include "widgets/phrasebook.h"
 #include "widgets/theme_style.h"
 
+#include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -51,7 +52,6 @@ void DevicePanel::buildChooser() {
     m_list = new QListWidget(this);
     m_list->setAccessibleName(tr("Devices that can be connected"));
     m_list->setToolTip(tr("Enter or double click connects"));
-    m_list->setMaximumHeight(fontMetrics().height() * 5);
     m_address = new QLineEdit(this);
     m_address->setAccessibleName(tr("Device address"));
     m_address->setToolTip(tr("For example sim:htm?seed=7 or tcp:HOST:PORT"));
@@ -120,6 +120,57 @@ void DevicePanel::showDevices() {
     if (!m_hasChosen && m_list->count() > 0) {
         m_list->setCurrentRow(0);
         m_address->setText(m_list->item(0)->data(Qt::UserRole).toString());
+    }
+    markConnected();
+    fitRows();
+}
+
+QListWidgetItem* DevicePanel::itemOf(const QString& uri) const {
+    for (int row = 0; row < m_list->count(); ++row) {
+        if (m_list->item(row)->data(Qt::UserRole).toString() == uri) {
+            return m_list->item(row);
+        }
+    }
+    return nullptr;
+}
+
+/// While one is connected its row is the current one, none when it is not in the list; by the user's choice
+/// otherwise.
+void DevicePanel::markConnected() {
+    const DeviceSession& session = m_bench.session();
+    const bool isBusy = session.state() != SessionState::Disconnected;
+    if (!isBusy) {
+        return;
+    }
+    const QSignalBlocker quiet(m_list);
+    QListWidgetItem* connected = itemOf(words(session.info().uri));
+    m_list->setCurrentItem(connected != nullptr ? connected : itemOf(address()));
+}
+
+/// As many whole rows as there are devices, from two to five: half a row looks like the last one.
+void DevicePanel::fitRows() {
+    constexpr int FewestRows = 2;
+    constexpr int MostRows = 5;
+    constexpr int MostAtOnce = 3; // of a small window; it can be scrolled
+    const int row_px = std::max(m_list->sizeHintForRow(0), fontMetrics().height());
+    const int frame_px = 2 * m_list->frameWidth();
+    const auto height_px = [&](int most) {
+        return std::clamp(m_list->count(), FewestRows, most) * row_px + frame_px;
+    };
+    m_list->setMinimumHeight(height_px(MostAtOnce));
+    m_list->setMaximumHeight(height_px(MostRows));
+}
+
+void DevicePanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    fitRows();
+}
+
+/// Another dress has other rows.
+void DevicePanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (m_list != nullptr && (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange)) {
+        fitRows();
     }
 }
 
@@ -213,6 +264,7 @@ void DevicePanel::refresh() {
                  widgets::inWords(session.report().lost->hint));
     }
     m_identity->setText(identityText());
+    markConnected();
 }
 
 QString DevicePanel::identityText() const {

@@ -12,6 +12,7 @@
 class QLabel;
 class QLineEdit;
 class QListWidget;
+class QListWidgetItem;
 class QPushButton;
 
 namespace halbench::widgets {
@@ -41,12 +42,19 @@ public Q_SLOTS:
     void connectAddress();
     void toggleConnection();
 
+protected:
+    void showEvent(QShowEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
 private:
     void buildChooser();
     void buildIdentity();
     void takeDevices(std::vector<devices::DeviceListing> list);
     void showDevices();
     void addDevice(const devices::DeviceListing& listing, bool isLast);
+    QListWidgetItem* itemOf(const QString& uri) const;
+    void markConnected();
+    void fitRows();
     void remember();
     void chooseRow(int row);
     void refresh();

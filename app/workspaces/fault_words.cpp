@@ -54,19 +54,20 @@ struct Reason {
 
 } // namespace
 
-QString stopReason(const devices::DeviceState& board) {
+QString stopReason(const devices::DeviceState& board, const QString& asker) {
     constexpr std::array Reasons = {
         Reason{"stopped by command", QT_TRANSLATE_NOOP("halbench::app::FaultWords", "by command")},
         Reason{"stopped by watchdog", QT_TRANSLATE_NOOP("halbench::app::FaultWords", "by the watchdog")}};
     for (const Reason& reason : Reasons) {
         if (board.faultText == reason.said) {
-            return QCoreApplication::translate(Context, reason.words);
+            const bool isAsked = &reason == &Reasons.front();
+            return isAsked && !asker.isEmpty() ? asker : QCoreApplication::translate(Context, reason.words);
         }
     }
     return widgets::inWords(board.faultText);
 }
 
-FaultWords faultWords(const devices::DeviceState& board) {
+FaultWords faultWords(const devices::DeviceState& board, const QString& asker) {
     if (board.fault == 0 && !board.isStopLatched) {
         return {};
     }
@@ -77,8 +78,9 @@ FaultWords faultWords(const devices::DeviceState& board) {
     }
     const Words& words = Table[board.fault];
     if (board.fault == 0 && !said.isEmpty()) {
-        return {say(QT_TRANSLATE_NOOP("halbench::app::FaultWords", "Stopped: %1")).arg(stopReason(board)),
-                say(words.remedy)};
+        return {
+            say(QT_TRANSLATE_NOOP("halbench::app::FaultWords", "Stopped: %1")).arg(stopReason(board, asker)),
+            say(words.remedy)};
     }
     return {say(words.what), say(words.remedy)};
 }

@@ -13,9 +13,11 @@ struct FaultWords {
 };
 
 /// Words for a latched stop or fault; both empty when there is none. An unknown code keeps the board's words.
-FaultWords faultWords(const devices::DeviceState& board);
+/// `asker` as stopReason takes it.
+FaultWords faultWords(const devices::DeviceState& board, const QString& asker = {});
 
-/// Why a stop is latched, to be said behind "Stopped"; empty when the board gives no reason.
-QString stopReason(const devices::DeviceState& board);
+/// Why a stop is latched, to be said behind "Stopped"; empty when the board gives no reason. A board knows
+/// only that it was told to: who told it, as "by Esc", is said where it is known.
+QString stopReason(const devices::DeviceState& board, const QString& asker = {});
 
 } // namespace halbench::app

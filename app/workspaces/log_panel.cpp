@@ -53,7 +53,7 @@ void LogPanel::onReport() {
     const bool isLatched = isThere && (board.isStopLatched || board.fault != 0);
     if (std::exchange(m_wasLatched, isLatched) != isLatched && isThere) {
         if (isLatched) {
-            add(MessageLevel::Warning, tr("stop"), faultWords(board).what);
+            add(MessageLevel::Warning, tr("stop"), faultWords(board, m_bench.stopAsker()).what);
         } else {
             note(tr("stop"), tr("released"));
         }
@@ -88,8 +88,8 @@ QString LogPanel::text() const {
 }
 
 void LogPanel::add(MessageLevel level, const QString& source, const QString& words) {
-    m_view->append(
-        {{m_bench.session().report().deviceTime_s, levelOf(level), source, widgets::inWords(words)}});
+    m_view->append({{m_bench.session().report().deviceTime_s, levelOf(level), source, widgets::inWords(words),
+                     m_bench.now()}});
 }
 
 } // namespace halbench::app

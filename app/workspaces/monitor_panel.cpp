@@ -290,10 +290,10 @@ void MonitorPanel::refreshStream() {
     } else if (isVirtual) {
         m_stream->setText(tr("time passes only while a procedure runs"));
     } else {
-        m_stream->setText(tr("%1 signals, %2 Hz, %3 rows lost")
-                              .arg(static_cast<int>(live.streamed().size()))
-                              .arg(locale.toString(live.rate_Hz(), 'f', 0),
-                                   locale.toString(static_cast<qulonglong>(m_bench.history().lostRows()))));
+        m_stream->setText(
+            tr("%n signal(s), %1 Hz, rows lost: %2", nullptr, static_cast<int>(live.streamed().size()))
+                .arg(locale.toString(live.rate_Hz(), 'f', 0),
+                     locale.toString(static_cast<qulonglong>(m_bench.history().lostRows()))));
     }
 }
 

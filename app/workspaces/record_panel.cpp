@@ -163,10 +163,10 @@ void RecordPanel::refresh() {
 }
 
 void RecordPanel::onFinished(const QString& path, const RecorderStatus& status) {
-    const QString rows = QLocale().toString(static_cast<qulonglong>(status.rows));
+    const auto rows = static_cast<int>(status.rows);
     m_message->showMessage(
         {status.gaps > 0 ? widgets::Severity::Warning : widgets::Severity::Success,
-         tr("%1 rows in %2").arg(rows, QDir::toNativeSeparators(path)),
+         tr("%Ln row(s) in %1", nullptr, rows).arg(QDir::toNativeSeparators(path)),
          status.gaps > 0 ? tr("Missing: %1; the sidecar says where.").arg(missingText(status))
                          : tr("What was measured, with its units; the sidecar beside it has the rest."),
          {}});

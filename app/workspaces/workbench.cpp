@@ -77,11 +77,22 @@ Workbench::Workbench(QObject* parent)
             readValues(true); // what the procedure wrote or restored
         }
     });
+    connect(&m_stopLatch, &StopLatch::changed, this, [this] {
+        if (std::exchange(m_wasStopped, m_stopLatch.isLatched()) && !m_wasStopped) {
+            m_stopAsker.clear(); // who asked for the next one is not known yet
+        }
+    });
 }
 
 Workbench::~Workbench() {
     m_session.disconnect(this); // panels that hear of it may be gone already
     m_session.end();
+}
+
+void Workbench::setStopAsker(const QString& by) {
+    if (!m_stopLatch.isLatched()) {
+        m_stopAsker = by;
+    }
 }
 
 void Workbench::setWallClock(const WallClock& clock) {

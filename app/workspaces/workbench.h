@@ -54,6 +54,9 @@ public:
     DeviceSession& session() { return m_session; }
     /// Whether a stop is latched, and its release.
     StopLatch& stopLatch() { return m_stopLatch; }
+    /// Which control of this window asked for the stop that is latched ("by Esc"); empty when none did.
+    const QString& stopAsker() const { return m_stopAsker; }
+    void setStopAsker(const QString& by); ///< the first counts
     /// What the panels want to see of the device while no procedure streams.
     LiveSignals& liveSignals() { return m_liveSignals; }
     /// Whether what is shown is still updated.
@@ -66,6 +69,7 @@ public:
     /// The recording of the panel and of the window's action.
     RecordingControl& recording() { return m_recording; }
     void setWallClock(const WallClock& clock);
+    QDateTime now() const { return m_wallClock(); } ///< on the wall
     /// Header of a result that begins now, on the device if one is connected. Virtual time begins in 1970, so
     /// that equal seeds give the same bytes as in batch mode.
     ResultHeader beginResult(const std::string& schema) const;
@@ -137,6 +141,8 @@ private:
 
     DeviceSession m_session;
     StopLatch m_stopLatch{m_session};
+    QString m_stopAsker;
+    bool m_wasStopped = false;
     Freshness m_freshness{m_session};
     LiveSignals m_liveSignals{m_session};
     RecordingControl m_recording{m_session, m_liveSignals};

@@ -68,12 +68,24 @@ TEST_F(LogViewTest, copiesWhatIsSelectedOrAllThatIsShown) {
     table->clearSelection();
     EXPECT_EQ(view.text().count(QLatin1Char('\n')), 1);
     QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
-    EXPECT_EQ(QGuiApplication::clipboard()->text(), QStringLiteral("12.50\tnote\tlink\tone\n"
-                                                                   "12.50\tnote\tlink\ttwo"));
+    EXPECT_EQ(QGuiApplication::clipboard()->text(), QStringLiteral("\t12.50\tnote\tlink\tone\n"
+                                                                   "\t12.50\tnote\tlink\ttwo"));
     table->selectRow(1);
     QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
     EXPECT_TRUE(QGuiApplication::clipboard()->text().endsWith(QStringLiteral("two")));
     EXPECT_FALSE(QGuiApplication::clipboard()->text().contains(QStringLiteral("one")));
+}
+
+TEST_F(LogViewTest, saysTheTimeOfDayBesideTheDevices) {
+    LogTableModel model;
+    LogEntry said = entry("armed");
+    said.wall = QDateTime(QDate(2026, 11, 21), QTime(21, 15, 42)); // local time
+    model.append({said});
+    EXPECT_EQ(model.index(0, LogTableModel::ClockColumn).data().toString(), QStringLiteral("21:15:42"));
+    EXPECT_EQ(model.index(0, LogTableModel::TimeColumn).data().toString(), QStringLiteral("12.50"));
+    said.wall = said.wall.addSecs(2);
+    model.append({said}); // counted: when it was said last
+    EXPECT_TRUE(model.lineText(0).startsWith(QStringLiteral("21:15:44\t12.50\t")));
 }
 
 TEST_F(LogViewTest, followsUntilTheUserScrollsUp) {

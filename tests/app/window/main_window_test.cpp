@@ -44,6 +44,24 @@ TEST_F(MainWindowTest, enterInTheDeviceListConnectsTheSimulatedMotor) {
     EXPECT_TRUE(session().info().isSimulated);
 }
 
+TEST_F(MainWindowTest, theListMarksTheDeviceThatIsConnectedAndNoOther) {
+    open();
+    auto* devices = window->findChild<DevicePanel*>();
+    auto* list = devices->findChild<QListWidget*>();
+    // Two rows fit whole, however few there are: half a row looks like the last one.
+    EXPECT_GE(list->viewport()->height(), 2 * list->visualItemRect(list->item(0)).height());
+    list->setCurrentRow(list->count() - 1);
+    window->connectDevice("sim:htm");
+    ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
+    ASSERT_NE(list->currentItem(), nullptr);
+    EXPECT_EQ(list->currentItem()->data(Qt::UserRole).toString(), "sim:htm");
+    devices->toggleConnection();
+    ASSERT_TRUE(wait([&] { return session().state() == SessionState::Disconnected; }));
+    window->connectDevice("sim:htm?seed=9"); // not in the list
+    ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
+    EXPECT_EQ(list->currentItem(), nullptr);
+}
+
 TEST_F(MainWindowTest, escapeStopsWhateverHasTheFocus) {
     open();
     connectMotor(1.0);

@@ -121,8 +121,8 @@ TEST_F(ShellTest, theLogTellsWhatTheActuatorDidAndWhoStoppedIt) {
     ASSERT_TRUE(wait([&] { return tells("\tarmed"); })) << log->text().toStdString();
     QTest::keyClick(window.get(), Qt::Key_Escape);
     ASSERT_TRUE(wait([&] { return tells("disarmed"); })) << log->text().toStdString();
-    EXPECT_LT(log->text().indexOf("asked for by Esc"), log->text().indexOf("Stopped: by command"));
-    EXPECT_LT(log->text().indexOf("Stopped: by command"), log->text().indexOf("disarmed"));
+    EXPECT_LT(log->text().indexOf("asked for by Esc"), log->text().indexOf("Stopped: by Esc"));
+    EXPECT_LT(log->text().indexOf("Stopped: by Esc"), log->text().indexOf("disarmed"));
     const QTemporaryDir folder;
     window->bench().recording().setFolder(folder.path());
     window->bench().recording().start();

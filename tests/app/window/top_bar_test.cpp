@@ -172,7 +172,7 @@ TEST_F(TopBarTest, aStopThatStoppedNothingSaysSo) {
     ASSERT_TRUE(wait([&] { return isArmed(); }));
     key(Qt::Key_Escape, Qt::NoModifier);
     ASSERT_TRUE(wait([&] { return strip->state() == widgets::WorkState::Stopped; }));
-    EXPECT_EQ(strip->stateText(), "Stopped (by command)");
+    EXPECT_EQ(strip->stateText(), "Stopped (by Esc)");
 }
 
 TEST_F(TopBarTest, theSpeedOfSimulatedTimeIsBesideTheStartOfAProcedureToo) {

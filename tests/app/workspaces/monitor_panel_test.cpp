@@ -240,6 +240,8 @@ TEST(FaultWordsTest, everyFaultHasWordsAndARemedy) {
     EXPECT_TRUE(faultWords(board).what.contains("Stopped"));
     board.faultText = "stopped by command"; // devices/firmware/htm/hb_htm_tables.c
     EXPECT_EQ(stopReason(board), "by command");
+    EXPECT_EQ(stopReason(board, "by Esc"), "by Esc");
+    EXPECT_EQ(faultWords(board, "by Esc").what, "Stopped: by Esc");
     EXPECT_EQ(faultWords(board).what, "Stopped: by command");
 }
 
