@@ -98,7 +98,7 @@ typedef struct {
     uint16_t max_dto;          /* longest measurement packet that line carries; 0: HB_MAX_DTO */
     hb_signal_table extra;     /* further signals of the caller, e.g. the simulated truth; count 0: none */
 #endif
-    /* Stores a page in non-volatile memory; 1 = done. NULL: SET_REQUEST is answered with an error. */
+    /* Stores a page in non-volatile memory: one of hb_store. NULL: SET_REQUEST is answered with an error. */
     uint8_t (*store)(void* context, const hb_htm_calibration* page);
     void* store_context;
     const hb_htm_calibration* stored; /* page to start with; NULL: the defaults (preset "published") */

@@ -31,6 +31,9 @@
 #ifndef HB_FEATURE_FULL
 #define HB_FEATURE_FULL 1 /* commands marked F in resources/help/protocol.md 3.5 */
 #endif
+#ifndef HB_FEATURE_STORE
+#define HB_FEATURE_STORE HB_FEATURE_FULL /* SET_REQUEST: the calibration in non-volatile memory */
+#endif
 #ifndef HB_FEATURE_CAPTURE
 #define HB_FEATURE_CAPTURE 1
 #endif

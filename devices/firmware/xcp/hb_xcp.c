@@ -80,6 +80,7 @@ static uint8_t getStatus(hb_xcp* slave, const uint8_t* packet, hb_length length)
     (void)packet;
     (void)length;
     slave->response[1] = hb_daq_is_running(slave) ? SESSION_DAQ_RUNNING : 0;
+    slave->response[1] |= slave->is_storing; /* bit 0 */
     slave->response_length = 6;
     return HB_OK;
 }
@@ -163,8 +164,10 @@ static const command Commands[] HB_ROM = {
     {0xD5, 4, hb_cmd_alloc_daq},
     {0xD4, 5, hb_cmd_alloc_odt},
     {0xD3, 6, hb_cmd_alloc_odt_entry},
-#if HB_FEATURE_FULL
+#if HB_FEATURE_STORE
     {0xF9, 4, hb_cmd_set_request},
+#endif
+#if HB_FEATURE_FULL
     {0xE8, 5, hb_cmd_get_segment_info},
     {0xE7, 4, hb_cmd_get_page_info},
     {0xDF, 4, hb_cmd_get_daq_list_mode},

@@ -56,6 +56,9 @@ enum hb_xcp_extension {
     HB_EXT_NONE = 5
 };
 
+/* HB_STORE_BEGUN: hb_xcp_stored() will follow. */
+enum hb_store { HB_STORE_REFUSED, HB_STORE_DONE, HB_STORE_BEGUN };
+
 /* What the board tells the slave. Every hook may be NULL. `parameter` is the index into the parameter table.
  */
 typedef struct {
@@ -65,7 +68,8 @@ typedef struct {
     uint8_t (*stop)(void* board);  /* USER_CMD 45; returns the latch code for the response */
     uint8_t (*reset)(void* board); /* USER_CMD 52 */
     void (*read_block)(void* board, hb_address offset, uint8_t* destination, uint16_t count);
-    uint8_t (*store)(void* board, const void* page, uint16_t octets); /* SET_REQUEST; 1 = stored */
+    /* SET_REQUEST; what comes of it is one of hb_store. */
+    uint8_t (*store)(void* board, const void* page, uint16_t octets);
 } hb_xcp_hooks;
 
 typedef struct {
@@ -138,6 +142,7 @@ typedef struct hb_xcp {
     uint8_t next_page;   /* what it will take at the start of its next cycle */
     uint8_t xcp_page;    /* what the master reads and writes */
     uint8_t mta_extension;
+    uint8_t is_storing;
     uint8_t block_left; /* octets of a block-mode UPLOAD still to be sent */
     hb_address mta_address;
     uint16_t last_counter;
@@ -163,6 +168,8 @@ void hb_xcp_event(hb_xcp* slave, uint8_t event);
 uint8_t hb_xcp_watchdog_expired(hb_xcp* slave, uint16_t limit_ms);
 /* Ends the session from the slave's side: EV 07 with `reason`, DAQ stopped. */
 void hb_xcp_end_session(hb_xcp* slave, uint8_t reason);
+/* A save that took its time has ended. */
+void hb_xcp_stored(hb_xcp* slave);
 /* EV FE with one octet, and the same in words as SERV text: HB_ROM text up to its end or to '|'. */
 void hb_xcp_report_user_event(hb_xcp* slave, uint8_t code, hb_rom_char* text);
 /* Start of a control cycle: takes the page switch with one store and returns the active page. */

@@ -77,10 +77,12 @@ uint8_t hb_names_octet(hb_xcp* slave, hb_address address, uint8_t* octet);
 uint8_t hb_cmd_set_cal_page(hb_xcp* slave, const uint8_t* packet, hb_length length);
 uint8_t hb_cmd_get_cal_page(hb_xcp* slave, const uint8_t* packet, hb_length length);
 uint8_t hb_cmd_copy_cal_page(hb_xcp* slave, const uint8_t* packet, hb_length length);
+#if HB_FEATURE_STORE
+uint8_t hb_cmd_set_request(hb_xcp* slave, const uint8_t* packet, hb_length length);
+#endif
 #if HB_FEATURE_FULL
 uint8_t hb_cmd_get_segment_info(hb_xcp* slave, const uint8_t* packet, hb_length length);
 uint8_t hb_cmd_get_page_info(hb_xcp* slave, const uint8_t* packet, hb_length length);
-uint8_t hb_cmd_set_request(hb_xcp* slave, const uint8_t* packet, hb_length length);
 uint8_t hb_cmd_get_version(hb_xcp* slave, const uint8_t* packet, hb_length length);
 uint8_t hb_cmd_write_daq_multiple(hb_xcp* slave, const uint8_t* packet, hb_length length);
 uint8_t hb_cmd_get_daq_list_mode(hb_xcp* slave, const uint8_t* packet, hb_length length);

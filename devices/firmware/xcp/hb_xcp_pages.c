@@ -96,10 +96,26 @@ uint8_t hb_cmd_get_page_info(hb_xcp* slave, const uint8_t* packet, hb_length len
     return HB_OK;
 }
 
+#endif
+
+#if HB_FEATURE_STORE
+
+static void sendStored(hb_xcp* slave) {
+    const uint8_t event[2] = {0xFD, HB_EV_STORE_CAL};
+    hb_xcp_send(slave, event, sizeof event);
+}
+
+void hb_xcp_stored(hb_xcp* slave) {
+    slave->is_storing = 0;
+    if (slave->connected) {
+        sendStored(slave);
+    }
+}
+
 /* Stores the page the control loop runs on. */
 uint8_t hb_cmd_set_request(hb_xcp* slave, const uint8_t* packet, hb_length length) {
     const hb_xcp_description* description = &slave->description;
-    uint8_t event[2];
+    uint8_t result;
     (void)length;
     if (packet[1] != 0x01) {
         return HB_ERR_MODE_NOT_VALID;
@@ -107,15 +123,17 @@ uint8_t hb_cmd_set_request(hb_xcp* slave, const uint8_t* packet, hb_length lengt
     if (!description->hooks.store) {
         return HB_ERR_ACCESS_DENIED;
     }
-    if (!description->hooks.store(description->board, description->pages[slave->next_page],
-                                  description->page_octets)) {
+    result = description->hooks.store(description->board, description->pages[slave->next_page],
+                                      description->page_octets);
+    if (result == HB_STORE_REFUSED) {
         return HB_ERR_GENERIC;
     }
-    event[0] = 0xFD;
-    event[1] = HB_EV_STORE_CAL;
-    hb_xcp_send(slave, slave->response, slave->response_length);
-    hb_xcp_send(slave, event, 2);
-    slave->response_length = 0; /* already answered, before the event */
+    slave->is_storing = result == HB_STORE_BEGUN;
+    if (result == HB_STORE_DONE) {
+        hb_xcp_send(slave, slave->response, slave->response_length);
+        sendStored(slave);
+        slave->response_length = 0; /* already answered, before the event */
+    }
     return HB_OK;
 }
 

@@ -10,6 +10,7 @@
  * done. */
 
 #include "devices/firmware/boards/htm_atmega328p/outputs.h"
+#include "devices/firmware/boards/htm_atmega328p/stored_page.h"
 #include "devices/firmware/htm/hb_htm.h"
 #include "devices/firmware/xcp/hb_sxi.h"
 
@@ -17,6 +18,7 @@
 #include <avr/io.h>
 #include <avr/sleep.h>
 #include <avr/wdt.h>
+#include <string.h>
 
 enum { RECEIVE_RING = 64, CHANNELS = 4, LAST_HALL = 1, LAST_CHANNEL = 3 };
 enum { TIMER_COUNTS = 2000 * HB_TICK_MS }; /* of 0.5 us */
@@ -184,6 +186,24 @@ static uint8_t serveSender(void) {
     return 1;
 }
 
+static uint8_t store(void* context, const hb_htm_calibration* page) {
+    const board_state* board = (const board_state*)context;
+    return stored_page_begin(page, board->motor.xcp.a2l.epk_hash) ? HB_STORE_BEGUN : HB_STORE_REFUSED;
+}
+
+/* Twice where something is stored: what names the tables is known behind the first time. */
+static void startMotor(void) {
+    hb_htm_config config;
+    memset(&config, 0, sizeof config);
+    config.store = store;
+    config.store_context = &Board;
+    hb_htm_init(&Board.motor, &config);
+    config.stored = stored_page_load(Board.motor.xcp.a2l.epk_hash);
+    if (config.stored) {
+        hb_htm_init(&Board.motor, &config);
+    }
+}
+
 /* Until the next interrupt; an octet that came since the last look is not slept over. */
 static void sleep(void) {
     cli();
@@ -200,7 +220,7 @@ static void sleep(void) {
 static void __attribute__((noinline)) start(void) {
     MCUSR = 0; /* else a reset by the watchdog would keep it on with its shortest time */
     wdt_enable(WDTO_120MS);
-    hb_htm_init(&Board.motor, NULL);
+    startMotor();
     hb_sxi_receiver_init(&Board.receiver);
     outputs_start();
     startUart();
@@ -215,6 +235,9 @@ int main(void) {
     for (;;) {
         uint8_t was_busy = serveReceiver();
         was_busy |= serveSender();
+        if (stored_page_take_end()) {
+            hb_xcp_stored(&Board.motor.xcp);
+        }
         if (!was_busy) {
             sleep();
         }
