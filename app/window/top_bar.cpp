@@ -89,7 +89,10 @@ void TopBar::fit() {
     const int spare_px = fontMetrics().averageCharWidth() * SpareCharacters;
     Room room = Room::Narrow;
     for (const Room wider : {Room::Icons, Room::Wide}) {
-        room = needed_px(wider) + spare_px <= width() ? wider : room;
+        // What a form saves is known to a few pixels: without a gap between growing and shrinking it would
+        // do both in turn where they meet.
+        const bool isGrowth = wider < m_room;
+        room = needed_px(wider) + (isGrowth ? 2 : 1) * spare_px <= width() ? wider : room;
     }
     if (room == m_room) {
         return;
