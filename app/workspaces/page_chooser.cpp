@@ -1,5 +1,6 @@
 #include "app/workspaces/page_chooser.h"
 
+#include "control/base/assert.h"
 #include "widgets/theme_style.h"
 
 #include <QButtonGroup>
@@ -7,6 +8,7 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QResizeEvent>
+#include <QSplitter>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -35,36 +37,103 @@ void PageChooser::addPage(QWidget* page) {
     button->setCheckable(true);
     button->setAutoDefault(false);
     m_group->addButton(button, m_pages->addWidget(page));
-    m_buttons.push_back(button);
-    button->setChecked(m_buttons.size() == 1);
+    m_content.push_back({page, button, {}});
+    button->setChecked(m_content.size() == 1);
     placeButtons();
 }
 
-QPushButton* PageChooser::buttonOf(QWidget* page) const {
-    return m_buttons.at(static_cast<std::size_t>(m_pages->indexOf(page)));
+PageChooser::Page& PageChooser::pageOf(QWidget* content) {
+    const auto found = std::find_if(m_content.begin(), m_content.end(),
+                                    [&](const Page& page) { return page.content == content; });
+    HB_ASSERT(found != m_content.end());
+    return *found;
+}
+
+bool PageChooser::isBeside(const Page& page) const {
+    return m_pair.isTogether && page.content == m_pair.second;
 }
 
 void PageChooser::setTitle(QWidget* page, const QString& title, const QString& toolTip) {
-    QPushButton* button = buttonOf(page);
-    button->setText(title);
-    button->setAccessibleName(title);
-    button->setToolTip(toolTip);
+    pageOf(page).title = title;
+    pageOf(page).button->setToolTip(toolTip);
+    refreshTitles();
+}
+
+void PageChooser::refreshTitles() {
+    for (const Page& page : m_content) {
+        const bool isPair = m_pair.isTogether && page.content == m_pair.first;
+        const QString title =
+            isPair ? QStringLiteral("%1, %2").arg(page.title, pageOf(m_pair.second).title) : page.title;
+        page.button->setText(title);
+        page.button->setAccessibleName(title);
+    }
     placeButtons();
 }
 
 void PageChooser::setPageEnabled(QWidget* page, bool isEnabled) {
-    buttonOf(page)->setEnabled(isEnabled);
+    pageOf(page).button->setEnabled(isEnabled);
 }
 
 void PageChooser::setCurrent(QWidget* page) {
-    buttonOf(page)->setChecked(true);
+    pageOf(isBeside(pageOf(page)) ? m_pair.first : page).button->setChecked(true);
+}
+
+void PageChooser::pairWhenWide(QWidget* first, QWidget* second, int least_px) {
+    m_pair = {first, second, new QSplitter(Qt::Horizontal), new QWidget, least_px, false};
+    m_pair.splitter->setChildrenCollapsible(false);
+    auto* column = new QVBoxLayout(m_pair.box);
+    column->setContentsMargins(0, 0, 0, 0);
+    const int current = m_pages->currentIndex();
+    const auto replace = [this](QWidget* content, QWidget* place) {
+        const int index = m_pages->indexOf(content);
+        m_pages->removeWidget(content);
+        m_pages->insertWidget(index, place);
+        content->show(); // a stack hides what leaves it
+    };
+    replace(first, m_pair.splitter);
+    replace(second, m_pair.box);
+    m_pair.splitter->addWidget(first);
+    column->addWidget(second);
+    m_pages->setCurrentIndex(current);
+    placePair();
+}
+
+void PageChooser::placePair() {
+    const bool isTogether = m_pair.splitter != nullptr && width() >= m_pair.least_px;
+    if (isTogether == m_pair.isTogether) {
+        return;
+    }
+    m_pair.isTogether = isTogether;
+    if (isTogether) {
+        if (pageOf(m_pair.second).button->isChecked()) {
+            pageOf(m_pair.first).button->setChecked(true);
+        }
+        m_pair.splitter->addWidget(m_pair.second);
+        m_pair.splitter->setSizes({width() / 2, width() / 2});
+    } else {
+        m_pair.box->layout()->addWidget(m_pair.second);
+    }
+    m_pair.second->show();
+    pageOf(m_pair.second).button->setVisible(!isTogether);
+    refreshTitles();
+}
+
+/// Of the pages one at a time.
+int PageChooser::narrowest_px() const {
+    int widest_px = 0;
+    for (const Page& page : m_content) {
+        widest_px = std::max(widest_px, page.content->minimumSizeHint().width());
+    }
+    return widest_px;
 }
 
 /// As wide as its widest title: the layout's own wish is the row as it is now, which would never break.
 QSize PageChooser::minimumSizeHint() const {
-    int widest_px = m_pages->minimumSizeHint().width();
-    for (const QPushButton* button : m_buttons) {
-        widest_px = std::max(widest_px, button->sizeHint().width());
+    // Side by side asks for nothing: a chooser that becomes narrow shows one page again.
+    int widest_px = m_pair.isTogether ? narrowest_px() : m_pages->minimumSizeHint().width();
+    for (const Page& page : m_content) {
+        const bool isOfPair = m_pair.isTogether && (page.content == m_pair.first || isBeside(page));
+        widest_px = std::max(widest_px, isOfPair ? 0 : page.button->sizeHint().width());
     }
     return {widest_px, QWidget::minimumSizeHint().height()};
 }
@@ -76,7 +145,11 @@ void PageChooser::placeButtons() {
     }
     QHBoxLayout* row = nullptr;
     int left_px = 0;
-    for (QPushButton* button : m_buttons) {
+    for (const Page& page : m_content) {
+        QPushButton* button = page.button;
+        if (isBeside(page)) {
+            continue;
+        }
         const int width_px = button->sizeHint().width();
         if (row == nullptr || width_px > left_px) {
             row = new QHBoxLayout;
@@ -92,6 +165,7 @@ void PageChooser::placeButtons() {
 void PageChooser::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     if (event->oldSize().width() != event->size().width()) {
+        placePair();
         placeButtons();
     }
 }

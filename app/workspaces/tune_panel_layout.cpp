@@ -99,6 +99,8 @@ QWidget* TunePanel::buildFigures() {
          std::initializer_list<QWidget*>{m_bode, m_large, m_linear, m_numbers, m_verificationPage}) {
         m_figures->addPage(page);
     }
+    constexpr int CharactersOfAPicture = 52; // less squeezes its axes
+    m_figures->pairWhenWide(m_bode, m_large, 2 * CharactersOfAPicture * fontMetrics().averageCharWidth());
     m_figures->setPageEnabled(m_verificationPage, false);
     for (widgets::FigureView* view : {m_bode, m_large, m_linear, m_verification}) {
         connect(view, &widgets::FigureView::exportRequested, this, [this, view] {

@@ -36,7 +36,7 @@ protected:
     bool isWhole() const {
         const auto all = buttons();
         return std::all_of(all.begin(), all.end(), [](const QPushButton* button) {
-            return button->width() >= button->sizeHint().width();
+            return button->isHidden() || button->width() >= button->sizeHint().width();
         });
     }
     int rows() const {
@@ -82,6 +82,34 @@ TEST_F(PageChooserTest, aButtonShowsItsPageAndOnlyThat) {
     chooser.setCurrent(pages[4]);
     EXPECT_TRUE(pages[4]->isVisible());
     EXPECT_TRUE(buttons().at(4)->isChecked());
+}
+
+TEST_F(PageChooserTest, twoPagesStandSideBySideWhereThereIsRoom) {
+    const QList<QPushButton*> all = buttons();
+    chooser.pairWhenWide(pages[0], pages[1], 800);
+    showAt(600);
+    EXPECT_TRUE(pages[0]->isVisible());
+    EXPECT_FALSE(pages[1]->isVisible());
+    QTest::mouseClick(all.at(1), Qt::LeftButton);
+    EXPECT_TRUE(pages[1]->isVisible());
+    EXPECT_FALSE(pages[0]->isVisible());
+    showAt(900);
+    EXPECT_TRUE(pages[0]->isVisible());
+    EXPECT_TRUE(pages[1]->isVisible());
+    EXPECT_FALSE(all.at(1)->isVisible());
+    EXPECT_EQ(all.at(0)->text(), "Open loop, Step of 100");
+    EXPECT_LE(chooser.minimumSizeHint().width(), 600); // it can become narrow again
+    QTest::mouseClick(all.at(3), Qt::LeftButton);
+    EXPECT_FALSE(pages[0]->isVisible());
+    EXPECT_FALSE(pages[1]->isVisible());
+    chooser.setCurrent(pages[1]);
+    EXPECT_TRUE(pages[0]->isVisible());
+    EXPECT_TRUE(pages[1]->isVisible());
+    showAt(600);
+    EXPECT_TRUE(pages[0]->isVisible());
+    EXPECT_FALSE(pages[1]->isVisible());
+    EXPECT_EQ(all.at(0)->text(), "Open loop");
+    EXPECT_TRUE(all.at(1)->isVisible());
 }
 
 } // namespace
