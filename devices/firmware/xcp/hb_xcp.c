@@ -45,6 +45,7 @@ static void startSession(hb_xcp* slave) {
     hb_daq_clear(slave);
     hb_queue_clear(&slave->queue);
     slave->block_left = 0;
+    slave->sum_left = 0;
     slave->mta_extension = 0;
     slave->mta_address = 0;
     slave->xcp_page = slave->next_page;
@@ -239,6 +240,10 @@ void hb_xcp_receive(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
         receiveUnconnected(slave, packet, (hb_length)length);
         return;
     }
+    if (slave->sum_left > 0) { /* whoever asks for more has the stop answered before the rest of a checksum */
+        slave->sum_left = 0;
+        hb_xcp_answer(slave, HB_ERR_BUSY);
+    }
     memset(slave->response, 0, SHORT_RESPONSE);
     slave->response[0] = RES;
     slave->response_length = 1;
@@ -249,7 +254,7 @@ void hb_xcp_receive(hb_xcp* slave, const uint8_t* packet, uint16_t length) {
         HB_UNLOCK();
     }
     hb_xcp_answer(slave, result);
-    hb_memory_continue_block(slave);
+    hb_memory_continue(slave);
 }
 
 uint16_t hb_xcp_transmit(hb_xcp* slave, uint8_t* packet, uint16_t capacity) {
@@ -258,7 +263,7 @@ uint16_t hb_xcp_transmit(hb_xcp* slave, uint8_t* packet, uint16_t capacity) {
     HB_LOCK();
     length = hb_queue_take(&slave->queue, packet, room, &slave->last_counter);
     HB_UNLOCK();
-    hb_memory_continue_block(slave);
+    hb_memory_continue(slave);
     return length;
 }
 

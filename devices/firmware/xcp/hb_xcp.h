@@ -145,6 +145,8 @@ typedef struct hb_xcp {
     uint8_t is_storing;
     uint8_t block_left; /* octets of a block-mode UPLOAD still to be sent */
     hb_address mta_address;
+    hb_address sum_left; /* octets of a BUILD_CHECKSUM still to be read */
+    uint16_t sum;
     uint16_t last_counter;
     uint8_t response_length;
     uint8_t response[HB_MAX_CTO];

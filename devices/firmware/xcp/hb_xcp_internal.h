@@ -65,8 +65,9 @@ uint8_t hb_cmd_short_upload(hb_xcp* slave, const uint8_t* packet, hb_length leng
 uint8_t hb_cmd_build_checksum(hb_xcp* slave, const uint8_t* packet, hb_length length);
 uint8_t hb_cmd_download(hb_xcp* slave, const uint8_t* packet, hb_length length);
 uint8_t hb_cmd_short_download(hb_xcp* slave, const uint8_t* packet, hb_length length);
-/* Sends what is left of a block-mode UPLOAD, as far as there is room. */
-void hb_memory_continue_block(hb_xcp* slave);
+/* Goes on with a block-mode UPLOAD or a BUILD_CHECKSUM; on a small board one step, so that a stop never waits
+ * for the rest. */
+void hb_memory_continue(hb_xcp* slave);
 
 /* hb_xcp_info.c */
 uint8_t hb_cmd_get_id(hb_xcp* slave, const uint8_t* packet, hb_length length);

@@ -6,7 +6,8 @@
 
 /* The commands that move octets between the master and the memory at the MTA. */
 
-enum { CHECKSUM_CRC16_CCITT = 8, LONG_HEADER = 2, SHORT_HEADER = 8 };
+enum { CHECKSUM_CRC16_CCITT = 8, SUM_PART = 16, SUM_ANSWER = 8 };
+enum { LONG_HEADER = 2, SHORT_HEADER = 8 };
 #if HB_FEATURE_FULL
 #define LONGEST_CHECKSUM 0x10000UL
 #else
@@ -41,13 +42,43 @@ uint8_t hb_cmd_upload(hb_xcp* slave, const uint8_t* packet, hb_length length) {
     return result;
 }
 
-void hb_memory_continue_block(hb_xcp* slave) {
-    while (slave->block_left > 0 && hb_queue_free(&slave->queue) >= HB_MAX_CTO + HB_PACKET_OVERHEAD) {
+static void continueBlock(hb_xcp* slave) {
+    if (hb_queue_free(&slave->queue) >= HB_MAX_CTO + HB_PACKET_OVERHEAD) {
         uint8_t part = slave->block_left < HB_MAX_CTO - 1 ? slave->block_left : HB_MAX_CTO - 1;
         uint8_t result = uploadPart(slave, part);
         slave->block_left = result == HB_OK ? (uint8_t)(slave->block_left - part) : 0U;
         hb_xcp_answer(slave, result);
     }
+}
+
+static void continueChecksum(hb_xcp* slave) {
+    uint8_t octets[SUM_PART];
+    uint8_t part = slave->sum_left < SUM_PART ? (uint8_t)slave->sum_left : (uint8_t)SUM_PART;
+    uint8_t result = hb_memory_read(slave, octets, part);
+    slave->sum = hb_crc16(slave->sum, octets, part);
+    slave->sum_left = result == HB_OK ? (hb_address)(slave->sum_left - part) : 0U;
+    if (slave->sum_left == 0) {
+        memset(slave->response, 0, SUM_ANSWER);
+        slave->response[0] = 0xFF;
+        slave->response[1] = CHECKSUM_CRC16_CCITT;
+        hb_put16(&slave->response[4], slave->sum);
+        slave->response_length = SUM_ANSWER;
+        hb_xcp_answer(slave, result);
+    }
+}
+
+void hb_memory_continue(hb_xcp* slave) {
+    if (slave->block_left > 0) {
+        continueBlock(slave);
+    }
+    if (slave->sum_left > 0) {
+        continueChecksum(slave);
+    }
+#if HB_FEATURE_FULL
+    while (slave->sum_left > 0) {
+        continueChecksum(slave);
+    }
+#endif
 }
 
 uint8_t hb_cmd_short_upload(hb_xcp* slave, const uint8_t* packet, hb_length length) {
@@ -59,25 +90,14 @@ uint8_t hb_cmd_short_upload(hb_xcp* slave, const uint8_t* packet, hb_length leng
 }
 
 uint8_t hb_cmd_build_checksum(hb_xcp* slave, const uint8_t* packet, hb_length length) {
-    uint32_t left = hb_get32(&packet[4]);
-    uint16_t crc = HB_CRC_START;
+    uint32_t octets = hb_get32(&packet[4]);
     (void)length;
-    if (left == 0 || left > LONGEST_CHECKSUM) {
+    if (octets == 0 || octets > LONGEST_CHECKSUM) {
         return HB_ERR_OUT_OF_RANGE;
     }
-    while (left > 0) {
-        uint8_t octets[16];
-        uint8_t part = left < sizeof octets ? (uint8_t)left : (uint8_t)sizeof octets;
-        uint8_t result = hb_memory_read(slave, octets, part);
-        if (result != HB_OK) {
-            return result;
-        }
-        crc = hb_crc16(crc, octets, part);
-        left -= part;
-    }
-    slave->response[1] = CHECKSUM_CRC16_CCITT;
-    hb_put16(&slave->response[4], crc);
-    slave->response_length = 8;
+    slave->sum = HB_CRC_START;
+    slave->sum_left = (hb_address)octets;
+    slave->response_length = 0; /* the answer comes when all is read */
     return HB_OK;
 }
 

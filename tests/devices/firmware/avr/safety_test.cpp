@@ -85,23 +85,34 @@ TEST(AvrSafety, theWatchdogStopsWithinOneControlCycleOfItsTime) {
 }
 
 TEST(AvrSafety, aStopActsWithinTwentyMillisecondsWhileAnotherCommandIsPending) {
-    const auto board = makeBoard(perfectMotor());
-    AvrBench bench = connect(board);
-    ASSERT_TRUE(bench.device);
-    turn(bench);
-    // The longest command there is: a checksum over the whole page, and the stop right behind it.
-    const double sent_s = board->time_s();
-    std::vector<std::uint8_t> line;
-    devices::SxiFraming framing;
-    framing.append(line, 0, std::vector<std::uint8_t>{0xF6, 0, 0, 0, 0, 0, 1, 0});
-    framing.append(line, 1, std::vector<std::uint8_t>{0xF3, 0, 0, 0, 100, 0, 0, 0});
-    framing.append(line, 2, std::vector<std::uint8_t>{0xF1, 0x45});
-    board->core().send(line);
-    while (board->dacCode(0) != 2048 || board->dacCode(1) != 2048) {
-        board->advanceTo(board->time_s() + 1e-4);
-        ASSERT_LT(board->time_s() - sent_s, 0.1);
+    using Command = std::vector<std::uint8_t>;
+    // The longest commands there are, and the stop right behind them: a checksum over the page and over 16 kB
+    // of description, an upload of 255 octets of it, its length.
+    const std::vector<std::vector<Command>> pending = {
+        {{0xF6, 0, 0, 0, 0, 0, 1, 0}, {0xF3, 0, 0, 0, 100, 0, 0, 0}},
+        {{0xF6, 0, 0, 1, 0, 0, 0, 0}, {0xF3, 0, 0, 0, 0, 0x3F, 0, 0}},
+        {{0xF6, 0, 0, 1, 0, 0, 0, 0}, {0xF5, 255}},
+        {{0xFA, 4}}};
+    for (std::size_t i = 0; i < pending.size(); ++i) {
+        const auto board = makeBoard(perfectMotor());
+        AvrBench bench = connect(board);
+        ASSERT_TRUE(bench.device);
+        turn(bench);
+        const double sent_s = board->time_s();
+        std::vector<std::uint8_t> line;
+        devices::SxiFraming framing;
+        std::uint8_t counter = 0;
+        for (const Command& command : pending[i]) {
+            framing.append(line, counter++, command);
+        }
+        framing.append(line, counter, Command{0xF1, 0x45});
+        board->core().send(line);
+        while (board->dacCode(0) != 2048 || board->dacCode(1) != 2048) {
+            board->advanceTo(board->time_s() + 1e-4);
+            ASSERT_LT(board->time_s() - sent_s, 0.1) << i;
+        }
+        EXPECT_LT(board->time_s() - sent_s, 0.020) << i; // resources/help/protocol.md, gate 3
     }
-    EXPECT_LT(board->time_s() - sent_s, 0.020); // resources/help/protocol.md, gate 3
 }
 
 TEST(AvrSafety, aResetInTheMiddleOfAMotionEndsIt) {
