@@ -41,16 +41,16 @@ TunePanel::TunePanel(Workbench& bench, QWidget* parent)
     column->setSpacing(widgets::PanelMargin_px);
     column->addWidget(m_message);
     column->addWidget(m_pages, 1);
-    auto* splitter = new QSplitter(Qt::Horizontal, m_pages);
-    splitter->setChildrenCollapsible(false);
+    m_splitter = new QSplitter(Qt::Horizontal, m_pages);
+    m_splitter->setChildrenCollapsible(false);
+    m_splitter->installEventFilter(this);
+    connect(m_splitter, &QSplitter::splitterMoved, this, [this] { m_isWidthChosen = true; });
     QWidget* settings = buildSettings();
     settings->setMinimumWidth(47 * fontMetrics().averageCharWidth());
-    splitter->addWidget(settings);
-    splitter->addWidget(buildFigures());
-    splitter->setStretchFactor(1, 1);
-    splitter->setSizes({1, 1000}); // the settings keep their smallest width, the pictures get the rest
+    m_splitter->addWidget(settings);
+    m_splitter->addWidget(buildFigures());
     m_pages->addWidget(m_empty);
-    m_pages->addWidget(splitter);
+    m_pages->addWidget(m_splitter);
     connectParts();
     readConditions();
     onUnits();
@@ -234,6 +234,21 @@ void TunePanel::forgetRestored() {
         m_restored.reset();
         m_message->clear();
     }
+}
+
+/// The settings keep their smallest width, the pictures get the rest: enough for two where there is room.
+void TunePanel::shareWidth() {
+    if (!m_isWidthChosen) {
+        m_splitter->setSizes({m_splitter->widget(0)->minimumWidth(), m_splitter->width()});
+    }
+}
+
+/// Shared once the splitter has given its parts their places: whoever arranges docks has set its stretch.
+bool TunePanel::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_splitter && event->type() == QEvent::Resize) {
+        QMetaObject::invokeMethod(this, &TunePanel::shareWidth, Qt::QueuedConnection);
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 void TunePanel::changeEvent(QEvent* event) {

@@ -16,6 +16,7 @@
 
 class QLabel;
 class QPushButton;
+class QSplitter;
 class QStackedWidget;
 
 namespace halbench::widgets {
@@ -52,8 +53,10 @@ Q_SIGNALS:
 
 protected:
     void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void shareWidth();
     QWidget* buildSettings();
     QWidget* buildFigures();
     QWidget* buildVerification();
@@ -93,7 +96,9 @@ private:
     std::vector<ParameterValue> m_before;             ///< what an apply replaced; empty when that is decided
     std::optional<ApplyResult> m_verified;            ///< the last apply that moved
     bool m_isApplying = false;
+    bool m_isWidthChosen = false; ///< by who moved the line between settings and pictures
 
+    QSplitter* m_splitter = nullptr;
     QStackedWidget* m_pages = nullptr;
     widgets::EmptyState* m_empty = nullptr;
     widgets::MessageBar* m_message = nullptr;

@@ -1,11 +1,27 @@
 #include "tests/app/workspaces/tune_panel_fixture.h"
 
 #include <QRegularExpression>
+#include <QSplitter>
 
 namespace halbench::app {
 namespace {
 
 class TunePicturesTest : public TunePanelTest {};
+
+TEST_F(TunePicturesTest, aWideWindowShowsTheOpenLoopBesideTheStep) {
+    bench.setIdentification(publishedMotor());
+    auto* splitter = panel.findChild<QSplitter*>();
+    splitter->setStretchFactor(0, 1); // as the docks do with every splitter
+    const auto isBoth = [&] {
+        return figure("Open loop") != nullptr && figure("Open loop")->isVisible() &&
+               figure("Predicted step with") != nullptr && figure("Predicted step with")->isVisible();
+    };
+    panel.resize(1500, 700);
+    EXPECT_TRUE(wait(isBoth));
+    EXPECT_LE(splitter->widget(0)->width(), splitter->widget(0)->minimumWidth() + 2);
+    panel.resize(900, 700);
+    EXPECT_TRUE(wait([&] { return figure("Open loop")->isVisible() && !isBoth(); }));
+}
 
 const TuneNumber& number(const std::vector<TuneNumber>& numbers, const QString& part) {
     const auto found = std::find_if(numbers.begin(), numbers.end(),
