@@ -83,6 +83,11 @@ public:
     /// function had to wait for its turn.
     template <typename Function, typename Then>
     void requestUnlessStopped(Function function, Then then);
+    /// And for what was decided earlier, when stops() was `stops`: whatever had to be done first.
+    template <typename Function, typename Then>
+    void requestUnlessStoppedSince(std::uint64_t stops, Function function, Then then);
+    /// Stops that this connection was asked for.
+    std::uint64_t stops() const { return m_connection ? m_connection->stops() : 0; }
 
     /// Name of the running procedure; empty when none runs.
     const QString& procedure() const { return m_procedure; }
@@ -177,9 +182,13 @@ void DeviceSession::request(Function function, Then then) {
 
 template <typename Function, typename Then>
 void DeviceSession::requestUnlessStopped(Function function, Then then) {
+    requestUnlessStoppedSince(stops(), std::move(function), std::move(then));
+}
+
+template <typename Function, typename Then>
+void DeviceSession::requestUnlessStoppedSince(std::uint64_t stops, Function function, Then then) {
     using Answer = std::invoke_result_t<Function, devices::Device&>;
     const Connection* connection = m_connection.get(); // outlives its jobs
-    const std::uint64_t stops = connection != nullptr ? connection->stops() : 0;
     request(
         [function, connection, stops](devices::Device& device) -> Answer {
             if (connection->stops() != stops) {

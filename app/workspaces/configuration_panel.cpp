@@ -214,7 +214,7 @@ void ConfigurationPanel::backUpAndRestore() {
     m_isRestoring = true;
     refresh();
     m_files.run([before, folder = m_backups] { return backUpConfiguration(before, folder); },
-                [this, values = *values, id = session.info().id,
+                [this, values = *values, id = session.info().id, stops = session.stops(),
                  connection = m_connections](const Result<std::string>& path) {
                     if (!path) {
                         m_isRestoring = false;
@@ -229,13 +229,15 @@ void ConfigurationPanel::backUpAndRestore() {
                         refresh();
                         return;
                     }
-                    restore(values, QString::fromStdString(*path));
+                    restore(values, QString::fromStdString(*path), stops);
                 });
 }
 
-void ConfigurationPanel::restore(const std::vector<ParameterValue>& values, const QString& backup) {
-    m_bench.session().requestUnlessStopped(
-        [values](devices::Device& device) { return restoreValues(device, values); },
+/// A stop while the copy was written means that nothing is written to the device.
+void ConfigurationPanel::restore(const std::vector<ParameterValue>& values, const QString& backup,
+                                 std::uint64_t stops) {
+    m_bench.session().requestUnlessStoppedSince(
+        stops, [values](devices::Device& device) { return restoreValues(device, values); },
         [self = QPointer(this), backup](const Result<std::vector<RowOutcome>>& outcomes) {
             if (self) {
                 self->restored(outcomes, backup);
@@ -256,6 +258,7 @@ void ConfigurationPanel::restored(const Result<std::vector<RowOutcome>>& outcome
                                        [](const RowOutcome& row) { return !row.isRestored; });
     const auto count = static_cast<int>(outcomes->size()) - static_cast<int>(refused);
     const QString kept = tr("What the device had before is kept in %1.").arg(backup);
+    const QString until = tr("They last until power-down; Save in the device, in Parameters, keeps them.");
     if (refused > 0) {
         m_messages->showMessage(
             {widgets::Severity::Error,
@@ -264,8 +267,10 @@ void ConfigurationPanel::restored(const Result<std::vector<RowOutcome>>& outcome
              {}});
         return;
     }
-    m_messages->showMessage(
-        {widgets::Severity::Success, tr("%n row(s) restored and read back.", nullptr, count), kept, {}});
+    m_messages->showMessage({widgets::Severity::Success,
+                             tr("%n row(s) restored and read back.", nullptr, count),
+                             until + QLatin1Char('\n') + kept,
+                             {}});
 }
 
 } // namespace halbench::app

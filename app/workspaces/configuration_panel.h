@@ -44,7 +44,7 @@ private:
     void opened(const QString& path, const Result<Configuration>& file);
     void compare(bool keepTicks);
     void backUpAndRestore();
-    void restore(const std::vector<ParameterValue>& values, const QString& backup);
+    void restore(const std::vector<ParameterValue>& values, const QString& backup, std::uint64_t stops);
     void restored(const Result<std::vector<RowOutcome>>& outcomes, const QString& backup);
     void tell(const Error& error);
 

@@ -90,6 +90,18 @@ TEST_F(ConfigurationPanelTest, keepsWhatTheDeviceHadBeforeARestore) {
     EXPECT_EQ(readConfiguration(path.toStdString())->values.at("gain.kp").value, 10.0);
 }
 
+TEST_F(ConfigurationPanelTest, aStopWhileTheCopyIsWrittenMeansThatNothingIsRestored) {
+    saveAndEdit("'gain.kp' = { value = 10,", "'gain.kp' = { value = 25,");
+    open();
+    click(*panel, "Restore 1 row(s)"); // the copy is on its way
+    session().stopActuator();
+    ASSERT_TRUE(wait([&] { return !message().text.isEmpty(); }));
+    EXPECT_EQ(message().severity, widgets::Severity::Error);
+    EXPECT_TRUE(message().text.contains("stop")) << message().text.toStdString();
+    EXPECT_EQ(parameter("gain.kp"), 10.0);
+    EXPECT_EQ(kept().size(), 1);
+}
+
 TEST_F(ConfigurationPanelTest, writesNothingWhenTheCopyCannotBeKept) {
     makePanel("/dev/null/x");
     saveAndEdit("'gain.kp' = { value = 10,", "'gain.kp' = { value = 25,");
