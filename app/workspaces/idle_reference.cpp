@@ -10,7 +10,8 @@ constexpr double ArmedStatus = 1.0; ///< devices/firmware/control/hb_safety.h
 
 } // namespace
 
-SampleBlock withoutIdleReference(const SampleBlock& block, const devices::Catalogue& catalogue) {
+SampleBlock withoutIdleReference(const SampleBlock& block, const devices::Catalogue& catalogue,
+                                 bool isAngle) {
     SampleBlock shown = block;
     const int reference = block.layout->indexOf(catalogue.signalForRole("reference"));
     const int status = block.layout->indexOf(catalogue.signalForRole("status"));
@@ -19,9 +20,9 @@ SampleBlock withoutIdleReference(const SampleBlock& block, const devices::Catalo
     }
     const std::size_t columns = block.layout->columns.size();
     for (std::size_t row = 0; row < block.rows(); ++row) {
-        if (block.value(row, static_cast<std::size_t>(status)) != ArmedStatus) {
-            shown.values[row * columns + static_cast<std::size_t>(reference)] =
-                std::numeric_limits<double>::quiet_NaN();
+        double& value = shown.values[row * columns + static_cast<std::size_t>(reference)];
+        if (!isAngle || value == 0.0 || block.value(row, static_cast<std::size_t>(status)) != ArmedStatus) {
+            value = std::numeric_limits<double>::quiet_NaN();
         }
     }
     return shown;

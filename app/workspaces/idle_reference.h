@@ -5,8 +5,10 @@
 
 namespace halbench::app {
 
-/// The block for showing: while the board is not armed there is no reference, although the board sends zero
-/// for it; those samples become gaps. A block that says nothing of the board's state stays as it is.
-SampleBlock withoutIdleReference(const SampleBlock& block, const devices::Catalogue& catalogue);
+/// The block for showing: while the board is not armed, and until its mode uses one, there is no reference,
+/// although the board sends exactly zero for it; an angle of many turns beside that would be flattened. Those
+/// samples become gaps, and all where it is no angle. A block that says nothing of the board's state stays as
+/// it is.
+SampleBlock withoutIdleReference(const SampleBlock& block, const devices::Catalogue& catalogue, bool isAngle);
 
 } // namespace halbench::app

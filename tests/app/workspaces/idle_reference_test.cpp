@@ -31,7 +31,7 @@ TEST(IdleReference, isAGapWhileTheBoardIsNotArmedAndNothingElseChanges) {
     // idle, armed, stopped
     const SampleBlock block =
         blockWith({{"ref", "rad"}, {"speed", "rad/s"}, {"state", ""}}, {0, 5, 0, 1.5, 6, 1, 0, 7, 2});
-    const SampleBlock shown = withoutIdleReference(block, motor());
+    const SampleBlock shown = withoutIdleReference(block, motor(), true);
     EXPECT_TRUE(std::isnan(shown.value(0, 0)));
     EXPECT_EQ(shown.value(1, 0), 1.5);
     EXPECT_TRUE(std::isnan(shown.value(2, 0)));
@@ -39,10 +39,19 @@ TEST(IdleReference, isAGapWhileTheBoardIsNotArmedAndNothingElseChanges) {
     EXPECT_EQ(block.value(0, 0), 0.0); // recordings get what the board sent
 }
 
+TEST(IdleReference, isAGapUntilTheModeUsesItAndWhereItIsNoAngle) {
+    // The board arms, and computes its first reference in the next cycle of its position loop.
+    const SampleBlock block = blockWith({{"ref", "rad"}, {"state", ""}}, {0, 0, 0, 1, 62.5, 1});
+    const SampleBlock shown = withoutIdleReference(block, motor(), true);
+    EXPECT_TRUE(std::isnan(shown.value(1, 0)));
+    EXPECT_EQ(shown.value(2, 0), 62.5);
+    EXPECT_TRUE(std::isnan(withoutIdleReference(block, motor(), false).value(2, 0))); // ampere
+}
+
 TEST(IdleReference, staysWhereTheBoardsStateIsNotKnown) {
     const SampleBlock block = blockWith({{"ref", "rad"}}, {0.0, 1.0});
-    EXPECT_EQ(withoutIdleReference(block, motor()).values, block.values);
-    EXPECT_EQ(withoutIdleReference(block, devices::Catalogue()).values, block.values);
+    EXPECT_EQ(withoutIdleReference(block, motor(), true).values, block.values);
+    EXPECT_EQ(withoutIdleReference(block, devices::Catalogue(), true).values, block.values);
 }
 
 } // namespace
