@@ -195,9 +195,7 @@ void Workbench::acceptDifferences() {
 void Workbench::writeDifferencesBack(std::function<void(Result<void>)> then) {
     std::vector<ParameterValue> values;
     for (const ValueDifference& difference : m_differences) {
-        if (deviceValue(difference.name) == difference.now) { // not changed on purpose since
-            values.push_back({difference.name, difference.before});
-        }
+        values.push_back({difference.name, difference.before});
     }
     writeValues(std::move(values), [this, then = std::move(then)](const Result<void>& written) {
         if (written) {
@@ -229,7 +227,18 @@ void Workbench::takeValues(const Result<std::vector<double>>& values, bool areOu
     }
     m_areValuesOurs = areOurs;
     m_recording.noteValues(m_values);
+    forgetDecidedDifferences();
     valuesChanged();
+}
+
+/// One that was changed since is decided: it is neither shown nor written back any more.
+void Workbench::forgetDecidedDifferences() {
+    const auto isDecided = [this](const ValueDifference& difference) {
+        return deviceValue(difference.name) != difference.now;
+    };
+    if (std::erase_if(m_differences, isDecided) > 0) {
+        valuesCompared();
+    }
 }
 
 void Workbench::writeValues(std::vector<ParameterValue> values, std::function<void(Result<void>)> then) {

@@ -136,6 +136,7 @@ private:
     void onSessionState();
     void onReturn();
     void compareValues();
+    void forgetDecidedDifferences();
     void readValues(bool areOurs);
     void takeValues(const Result<std::vector<double>>& values, bool areOurs);
 

@@ -163,6 +163,20 @@ TEST_F(WindowReconnectTest, valuesThatDifferAreListedAndWrittenBackOnlyByTheUser
     EXPECT_FALSE(list->isVisible());
 }
 
+TEST_F(WindowReconnectTest, aDifferenceThatWasDecidedElsewhereIsListedNoMore) {
+    connectBoard();
+    const double before = *window->bench().deviceValue("gain.kp");
+    unplug();
+    changeBehindTheWindow({"gain.kp", before + 1.5});
+    plugIn();
+    ASSERT_TRUE(wait([&] { return window->bench().differences().size() == 1; }));
+    bool isWritten = false; // as the Parameters panel does
+    window->bench().writeValues({{"gain.kp", before + 3.0}}, [&](const Result<void>&) { isWritten = true; });
+    ASSERT_TRUE(wait([&] { return isWritten; }));
+    EXPECT_TRUE(window->bench().differences().empty());
+    EXPECT_FALSE(named<QLabel>("Values that differ from before")->isVisible());
+}
+
 TEST_F(WindowReconnectTest, differencesThatNobodyDecidedOutliveTheNextLoss) {
     connectBoard();
     const double before = *window->bench().deviceValue("gain.kp");
