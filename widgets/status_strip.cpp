@@ -115,7 +115,7 @@ QString StatusStrip::stateText() const {
     case WorkState::Connected:
         return tr("Connected");
     case WorkState::Armed:
-        return tr("Armed");
+        return m_detail.isEmpty() ? tr("Armed") : tr("Armed, %1").arg(m_detail);
     case WorkState::Running:
         return m_detail.isEmpty() ? tr("Running") : tr("Running %1").arg(m_detail);
     case WorkState::Stopped:

@@ -18,7 +18,8 @@ class StatusStrip : public QFrame {
 public:
     explicit StatusStrip(QWidget* parent = nullptr);
 
-    /// Detail: the procedure's name when running, why when stopped, what when faulty; else unused.
+    /// Detail: the procedure's name when running, what runs by hand when armed, why when stopped, what when
+    /// faulty; else unused.
     void setState(WorkState state, const QString& detail = {});
     /// A latched fault: its symbol blinks slowly, its words stay; not where the desktop's cursor does not
     /// blink.

@@ -12,15 +12,16 @@ StopButton::StopButton(Variant variant, QWidget* parent) : QPushButton(parent), 
     setAutoDefault(false);
     setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
     setRole(*this, Role::Stop);
-    connect(this, &QPushButton::pressed, this, &StopButton::onPressed);
-    connect(this, &QPushButton::clicked, this, &StopButton::onClicked);
+    connect(this, &QPushButton::pressed, this, &StopButton::stopRequested);
     refresh();
 }
 
-void StopButton::setLatched(bool isLatched, bool isLocked, const QString& reason) {
+void StopButton::setLatched(bool isLatched, const QString& reason) {
+    if (isLatched == m_isLatched && reason == m_reason) {
+        return;
+    }
     m_reason = reason;
     m_isLatched = isLatched;
-    m_isLocked = isLocked;
     refresh();
 }
 
@@ -30,22 +31,9 @@ QSize StopButton::sizeHint() const {
     bold.setBold(true);
     const QFontMetrics metrics(bold);
     const bool isFull = m_variant == Variant::Full;
-    const QSize words = metrics.size(0, isFull ? tr("STOPPED\nre-arm") : tr("STOPPED"));
-    const int width = words.width() + 6 * GridStep_px;
-    return isFull ? QSize(qMax(88, width), qMax(40, words.height() + 2 * GridStep_px))
+    const int width = metrics.horizontalAdvance(tr("STOPPED")) + 6 * GridStep_px;
+    return isFull ? QSize(qMax(88, width), qMax(40, metrics.height() + 2 * GridStep_px))
                   : QSize(qMax(64, width), qMax(28, metrics.height() + 12));
-}
-
-void StopButton::onPressed() {
-    m_wasReadyToRearm = m_isLatched && !m_isLocked;
-    Q_EMIT stopRequested();
-}
-
-void StopButton::onClicked() {
-    if (m_isLatched && m_wasReadyToRearm) {
-        m_wasReadyToRearm = false;
-        Q_EMIT rearmRequested();
-    }
 }
 
 void StopButton::keyPressEvent(QKeyEvent* event) {
@@ -66,15 +54,14 @@ void StopButton::changeEvent(QEvent* event) {
 void StopButton::refresh() {
     if (!m_isLatched) {
         setText(tr("STOP"));
-        setToolTip(tr("Software stop: current to zero at once, latched until re-armed (Esc)"));
+        setToolTip(tr("Software stop: current to zero at once, latched until it is released (Esc)"));
     } else {
-        setText(m_variant == Variant::Full && !m_isLocked ? tr("STOPPED\nre-arm") : tr("STOPPED"));
+        setText(tr("STOPPED"));
         const QString why = m_reason.isEmpty() ? tr("Stopped.") : tr("Stopped: %1.").arg(m_reason);
-        setToolTip(m_isLocked
-                       ? tr("%1 Re-arming is locked for a few seconds; Esc still stops.").arg(why)
-                       : tr("%1 Click to re-arm; set-points start at zero. Esc still stops.").arg(why));
+        setToolTip(
+            tr("%1 This and Esc still stop; Release, beside the state, takes the stop back.").arg(why));
     }
-    setAccessibleName(m_isLatched ? tr("Stopped, re-arm") : tr("Stop"));
+    setAccessibleName(m_isLatched ? tr("Stopped, stop again") : tr("Stop"));
     setAccessibleDescription(toolTip());
     setProperty("latched", m_isLatched);
     style()->unpolish(this);

@@ -3,8 +3,11 @@
 #include "app/window/perspective_bar.h"
 #include "app/window/record_button.h"
 #include "app/workspaces/arm_button.h"
+#include "app/workspaces/drive_words.h"
 #include "app/workspaces/fault_words.h"
+#include "app/workspaces/focus_rest.h"
 #include "app/workspaces/mode_box.h"
+#include "app/workspaces/panel_parts.h"
 #include "widgets/phrasebook.h"
 #include "widgets/status_strip.h"
 #include "widgets/stop_button.h"
@@ -12,6 +15,7 @@
 
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QPushButton>
 #include <QShortcut>
 
 namespace halbench::app {
@@ -31,6 +35,7 @@ TopBar::TopBar(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(ben
     buildControls();
     row->addWidget(m_connection);
     row->addWidget(m_strip, 1);
+    row->addWidget(m_release); // from the place of the state: nothing else moves when it comes
     for (QWidget* control :
          std::initializer_list<QWidget*>{m_arm, m_mode, m_record, m_perspectives, m_stop}) {
         row->addWidget(control);
@@ -46,6 +51,13 @@ void TopBar::buildControls() {
     m_mode = new ModeBox(m_bench.drive(), QStringLiteral("Ctrl+M"), this);
     m_record = new RecordButton(m_bench, this);
     m_perspectives = new PerspectiveBar(this);
+    m_release =
+        makeButton({tr("Release"),
+                    tr("Takes the latched stop back and arms nothing; right after a stop it is locked "
+                       "(Space)"),
+                    {}},
+                   this);
+    connect(m_release, &QPushButton::clicked, this, &TopBar::release);
     m_stop = new widgets::StopButton(widgets::StopButton::Variant::Full, this);
     auto* chooseMode = new QShortcut(QKeySequence(QStringLiteral("Ctrl+M")), this);
     connect(chooseMode, &QShortcut::activated, this, [this] { m_mode->setFocus(Qt::ShortcutFocusReason); });
@@ -57,8 +69,8 @@ void TopBar::connectSession() {
     DeviceSession& session = m_bench.session();
     connect(m_stop, &widgets::StopButton::stopRequested, &session, &DeviceSession::stopActuator);
     connect(m_stop, &widgets::StopButton::stopRequested, this, &TopBar::stopPressed);
-    connect(m_stop, &widgets::StopButton::rearmRequested, this, &TopBar::rearm);
     connect(&m_bench.stopLatch(), &StopLatch::changed, this, &TopBar::refresh);
+    connect(&m_bench.drive(), &DriveControl::changed, this, &TopBar::refresh);
     connect(&session, &DeviceSession::stateChanged, this, &TopBar::refresh);
     connect(&session, &DeviceSession::reportChanged, this, &TopBar::refresh);
     connect(&session, &DeviceSession::procedureChanged, this, &TopBar::refresh);
@@ -78,7 +90,8 @@ int TopBar::saved_px(Room room) const {
 }
 
 int TopBar::needed_px(Room room) const {
-    return layout()->totalMinimumSize().width() + saved_px(m_room) - saved_px(room);
+    const int release_px = m_release->isHidden() ? m_release->sizeHint().width() + layout()->spacing() : 0;
+    return layout()->totalMinimumSize().width() + release_px + saved_px(m_room) - saved_px(room);
 }
 
 QSize TopBar::minimumSizeHint() const {
@@ -118,7 +131,7 @@ bool TopBar::event(QEvent* event) {
     return isDone;
 }
 
-void TopBar::rearm() {
+void TopBar::release() {
     m_bench.stopLatch().release([&session = m_bench.session()](const Result<void>& cleared) {
         if (!cleared) {
             session.message(MessageLevel::Error, tr("stop"), widgets::inWords(cleared.error().message));
@@ -134,7 +147,10 @@ void TopBar::refresh() {
                            : m_bench.stopLatch().hasStopped() ? stopReason(board, m_bench.stopAsker())
                                                               : tr("nothing was armed");
     const bool isConnected = session.state() == SessionState::Connected;
-    m_stop->setLatched(m_bench.stopLatch().isLatched(), m_bench.stopLatch().isLocked(), reason);
+    const StopLatch& latch = m_bench.stopLatch();
+    m_stop->setLatched(latch.isLatched(), reason);
+    FocusRest(*this).setEnabled(*m_release, latch.isLatched() && !latch.isLocked());
+    m_release->setVisible(latch.isLatched());
     if (isConnected || session.state() == SessionState::Reconnecting) {
         m_strip->setDevice(QString::fromStdString(session.info().uri), session.info().isSimulated);
     } else {
@@ -154,7 +170,8 @@ void TopBar::refresh() {
     } else if (!session.procedure().isEmpty()) {
         m_strip->setState(widgets::WorkState::Running, session.procedure());
     } else {
-        m_strip->setState(board.isArmed ? widgets::WorkState::Armed : widgets::WorkState::Connected);
+        m_strip->setState(board.isArmed ? widgets::WorkState::Armed : widgets::WorkState::Connected,
+                          board.isArmed ? drivenWords(m_bench.drive()) : QString());
     }
 }
 

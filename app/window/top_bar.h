@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+class QPushButton;
+
 namespace halbench::widgets {
 class StatusStrip;
 class StopButton;
@@ -46,7 +48,7 @@ private:
     void buildControls();
     void connectSession();
     void refresh();
-    void rearm();
+    void release();
     int saved_px(Room room) const;
     int needed_px(Room room) const;
     void fit();
@@ -59,6 +61,7 @@ private:
     ModeBox* m_mode = nullptr;
     RecordButton* m_record = nullptr;
     PerspectiveBar* m_perspectives = nullptr;
+    QPushButton* m_release = nullptr; ///< of a latched stop; only while there is one
     widgets::StopButton* m_stop = nullptr;
 };
 

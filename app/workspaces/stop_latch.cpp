@@ -36,7 +36,13 @@ void StopLatch::refresh() {
     const devices::DeviceState& board = m_session.report().board;
     const bool isLatched =
         m_session.state() == SessionState::Connected && (board.isStopLatched || board.fault != 0);
+    const std::uint64_t stops = m_session.stops();
+    const bool isPressed = std::exchange(m_stops, stops) != stops;
     if (std::exchange(m_isLatched, isLatched) == isLatched) {
+        if (isLatched && isPressed) { // who presses again is not done with stopping
+            m_lockOut.start();
+            Q_EMIT changed();
+        }
         return;
     }
     m_hasStopped = m_wasArmed || board.fault != 0;
@@ -49,6 +55,7 @@ void StopLatch::refresh() {
 }
 
 void StopLatch::release(std::function<void(const Result<void>&)> then) {
+    refresh(); // a stop of this moment
     if (isLocked()) {
         then(failure(ErrorCode::Refused, tr("The stop cannot be released yet.").toStdString(),
                      tr("Wait a moment, look, then release it.").toStdString()));

@@ -9,8 +9,9 @@
 
 namespace halbench::app {
 
-/// The stop or fault that the board holds latched, and the time after it in which it cannot be released, so
-/// that hammering on a control never does. Every control that releases uses this one. Thread: GUI.
+/// The stop or fault that the board holds latched, and the time after it, and after every further stop, in
+/// which it cannot be released, so that hammering on a control never does. Every control that releases uses
+/// this one. Thread: GUI.
 class StopLatch : public QObject {
     Q_OBJECT
 public:
@@ -35,7 +36,8 @@ private:
 
     DeviceSession& m_session;
     bool m_isLatched = false;
-    bool m_wasArmed = true; ///< as the report before said
+    std::uint64_t m_stops = 0; ///< asked for, as seen last
+    bool m_wasArmed = true;    ///< as the report before said
     bool m_hasStopped = true;
     QTimer m_lockOut;
 };

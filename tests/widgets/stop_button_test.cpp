@@ -28,33 +28,14 @@ TEST_F(StopButtonTest, stopsBySpaceAndReturn) {
     EXPECT_EQ(stops.count(), 2);
 }
 
-TEST_F(StopButtonTest, hammeringOnItNeverRearms) {
+TEST_F(StopButtonTest, everyPressStopsLatchedOrNot) {
     StopButton button(StopButton::Variant::Full);
     QSignalSpy stops(&button, &StopButton::stopRequested);
-    QSignalSpy rearms(&button, &StopButton::rearmRequested);
-    QObject::connect(&button, &StopButton::stopRequested, &button,
-                     [&button] { button.setLatched(true, true); });
+    QObject::connect(&button, &StopButton::stopRequested, &button, [&button] { button.setLatched(true); });
     for (int i = 0; i < 5; ++i) {
         QTest::mouseClick(&button, Qt::LeftButton);
     }
     EXPECT_EQ(stops.count(), 5);
-    EXPECT_EQ(rearms.count(), 0);
-}
-
-TEST_F(StopButtonTest, asksForRearmingOnPurposeOnceItIsNotLocked) {
-    StopButton button(StopButton::Variant::Full);
-    QSignalSpy stops(&button, &StopButton::stopRequested);
-    QSignalSpy rearms(&button, &StopButton::rearmRequested);
-    button.setLatched(true, true, QStringLiteral("Esc"));
-    EXPECT_FALSE(button.text().contains(QStringLiteral("re-arm")));
-    button.setLatched(true, false, QStringLiteral("Esc"));
-    EXPECT_TRUE(button.text().contains(QStringLiteral("re-arm")));
-    QTest::mouseClick(&button, Qt::LeftButton);
-    EXPECT_EQ(rearms.count(), 1);
-    EXPECT_EQ(stops.count(), 1); // stopping twice is harmless, not stopping is not
-    button.setLatched(false, false);
-    QTest::mouseClick(&button, Qt::LeftButton);
-    EXPECT_EQ(rearms.count(), 1);
 }
 
 TEST_F(StopButtonTest, isLargeSaysWhyAndKeepsItsSize) {
@@ -65,7 +46,7 @@ TEST_F(StopButtonTest, isLargeSaysWhyAndKeepsItsSize) {
     EXPECT_EQ(roleOf(button), Role::Stop);
     EXPECT_FALSE(button.accessibleName().isEmpty());
     EXPECT_TRUE(button.toolTip().contains(QStringLiteral("Esc")));
-    button.setLatched(true, false, QStringLiteral("link lost"));
+    button.setLatched(true, QStringLiteral("link lost"));
     EXPECT_EQ(button.sizeHint(), size);
     EXPECT_TRUE(button.toolTip().contains(QStringLiteral("link lost")));
 }

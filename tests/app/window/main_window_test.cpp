@@ -97,7 +97,7 @@ TEST_F(MainWindowTest, theStopButtonIsThereInEveryPerspectiveAtTheSamePlace) {
     }
 }
 
-TEST_F(MainWindowTest, aLatchedStopIsReleasedOnlyOnPurpose) {
+TEST_F(MainWindowTest, aLatchedStopIsReleasedOnPurposeAndNeverByStop) {
     Preferences preferences;
     preferences.stopLockOut_ms = 0;
     open(preferences);
@@ -107,10 +107,23 @@ TEST_F(MainWindowTest, aLatchedStopIsReleasedOnlyOnPurpose) {
     QTest::mouseClick(stop, Qt::LeftButton);
     ASSERT_TRUE(wait([&] { return stop->isLatched(); }));
     EXPECT_FALSE(session().report().board.isArmed);
-    ASSERT_TRUE(wait([&] { return stop->text().contains("re-arm"); })); // the lock-out has passed
+    QPushButton* release = nullptr;
+    for (auto* button : window->findChildren<QPushButton*>()) {
+        release = button->text() == "Release" ? button : release;
+    }
+    ASSERT_NE(release, nullptr);
+    const QPoint place = stop->mapTo(window.get(), QPoint());
+    ASSERT_TRUE(wait([&] { return release->isEnabled(); })); // the lock-out has passed
     QTest::mouseClick(stop, Qt::LeftButton);
+    QTest::qWait(300); // three reports of the board
+    EXPECT_TRUE(stop->isLatched());
+    ASSERT_TRUE(wait([&] { return release->isEnabled(); }));
+    EXPECT_TRUE(release->isVisible());
+    QTest::mouseClick(release, Qt::LeftButton);
     ASSERT_TRUE(wait([&] { return !stop->isLatched(); }));
     EXPECT_FALSE(session().report().board.isArmed); // released, not armed
+    EXPECT_FALSE(release->isVisible());
+    EXPECT_EQ(stop->mapTo(window.get(), QPoint()), place); // nothing moved to make room
 }
 
 TEST_F(MainWindowTest, fitsItsFirstSizeInEveryPerspective) {

@@ -28,5 +28,21 @@ TEST_F(StopLatchTest, isReleasedOnPurposeAndNotBeforeTheLockOutHasPassed) {
     EXPECT_FALSE(session().report().board.isArmed);
 }
 
+TEST_F(StopLatchTest, everyFurtherStopLocksAnew) {
+    connectTo("sim:htm", 5.0);
+    StopLatch& latch = bench().stopLatch();
+    latch.setLockOut_ms(300);
+    session().stopActuator();
+    ASSERT_TRUE(wait([&] { return latch.isLatched() && !latch.isLocked(); }));
+    session().stopActuator();
+    std::optional<ErrorCode> refused; // though no report has come since
+    latch.release(
+        [&](const Result<void>& done) { refused = done ? std::nullopt : std::optional(done.error().code); });
+    EXPECT_EQ(refused, ErrorCode::Refused);
+    EXPECT_TRUE(latch.isLocked());
+    EXPECT_TRUE(wait([&] { return !latch.isLocked(); }));
+    EXPECT_TRUE(latch.isLatched());
+}
+
 } // namespace
 } // namespace halbench::app
