@@ -4477,6 +4477,10 @@
             <numerusform>%n Zeilen wiederhergestellt und zurückgelesen.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>They last until power-down; Save in the device, in Parameters, keeps them.</source>
+        <translation>Sie gelten bis zum Ausschalten; „Im Gerät speichern“ unter Parameter behält sie.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ConfigurationTable</name>
@@ -4826,6 +4830,17 @@ Firmware %2</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::DriveControl</name>
+    <message>
+        <source>Not started: this firmware (%1) begins where it was armed, so the rotor would leap.</source>
+        <translation>Nicht gestartet: Diese Firmware (%1) beginnt, wo freigegeben wurde; der Rotor würde springen.</translation>
+    </message>
+    <message>
+        <source>Disarm and arm, then start. Firmware from 0.2.0 on goes on from where it holds.</source>
+        <translation>Sperren und freigeben, dann starten. Firmware ab 0.2.0 geht von dort weiter, wo sie hält.</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::DriveLimits</name>
     <message>
         <source>Current</source>
@@ -4872,16 +4887,16 @@ Firmware %2</translation>
         <translation>Grenzwert: %1</translation>
     </message>
     <message>
-        <source>Enter writes it</source>
-        <translation>Die Eingabetaste schreibt ihn</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; is not a limit, nothing was written.</source>
         <translation>„%1“ ist keine Grenze; es wurde nichts geschrieben.</translation>
     </message>
     <message>
         <source>Allowed: %1.</source>
         <translation>Erlaubt: %1.</translation>
+    </message>
+    <message>
+        <source>Enter writes it; until power-down, unless it is saved in the device</source>
+        <translation>Enter schreibt ihn; bis zum Ausschalten, wenn er nicht im Gerät gespeichert wird</translation>
     </message>
 </context>
 <context>
@@ -4987,10 +5002,6 @@ Firmware %2</translation>
         <translation>Sollwert</translation>
     </message>
     <message>
-        <source>Angle from where it was armed (Enter sends it)</source>
-        <translation>Winkel von der Stelle der Freigabe aus (Eingabetaste sendet ihn)</translation>
-    </message>
-    <message>
         <source>Current (Enter sends it)</source>
         <translation>Strom (Eingabetaste sendet ihn)</translation>
     </message>
@@ -5017,6 +5028,91 @@ Firmware %2</translation>
     <message>
         <source>A stop came while nothing was armed</source>
         <translation>Es kam ein Stopp, während nichts freigegeben war</translation>
+    </message>
+    <message>
+        <source>%1 is beyond the excursion window, nothing was sent.</source>
+        <translation>%1 liegt außerhalb der zulässigen Auslenkung, nichts wurde gesendet.</translation>
+    </message>
+    <message>
+        <source>From %1 to %2 now. Widen the window on purpose, or disarm and arm to count anew.</source>
+        <translation>Jetzt von %1 bis %2. Das Fenster mit Absicht erweitern, oder sperren und freigeben, um neu zu zählen.</translation>
+    </message>
+    <message>
+        <source>Now %1, beside %2 of the reference</source>
+        <translation>Jetzt %1, dazu %2 der Führungsgröße</translation>
+    </message>
+    <message>
+        <source>Armed, %1</source>
+        <translation>Freigegeben, %1</translation>
+    </message>
+    <message>
+        <source>Angle from where it was armed or the mode chosen, beside what
+a reference has moved it (Enter sends it)</source>
+        <translation>Winkel von dort, wo freigegeben oder die Betriebsart gewählt wurde,
+neben dem, was eine Führungsgröße bewegt hat (Enter sendet ihn)</translation>
+    </message>
+    <message>
+        <source>They last until power-down; Save in the device, in Parameters, keeps them.</source>
+        <translation>Sie gelten bis zum Ausschalten; „Im Gerät speichern“ unter Parameter behält sie.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::DriveWords</name>
+    <message>
+        <source>reference</source>
+        <translation>Führungsgröße</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>Rampe</translation>
+    </message>
+    <message>
+        <source>sine</source>
+        <translation>Sinus</translation>
+    </message>
+    <message>
+        <source>staircase</source>
+        <translation>Treppe</translation>
+    </message>
+    <message>
+        <source>chirp</source>
+        <translation>Chirp</translation>
+    </message>
+    <message>
+        <source>multisine</source>
+        <translation>Multisinus</translation>
+    </message>
+    <message>
+        <source>plateaus</source>
+        <translation>Plateaus</translation>
+    </message>
+    <message>
+        <source>idle</source>
+        <translation>Leerlauf</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>d-axis</source>
+        <translation>D-Achse</translation>
+    </message>
+    <message>
+        <source>jogging</source>
+        <translation>Tippbetrieb</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 auf %2</translation>
     </message>
 </context>
 <context>
@@ -7045,6 +7141,14 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>connection lost, reconnecting</source>
         <translation>Verbindung verloren, wird gesucht</translation>
     </message>
+    <message>
+        <source>Release</source>
+        <translation>Aufheben</translation>
+    </message>
+    <message>
+        <source>Takes the latched stop back and arms nothing; right after a stop it is locked (Space)</source>
+        <translation>Hebt den gehaltenen Stopp auf und gibt nichts frei; kurz nach einem Stopp gesperrt (Leertaste)</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuneForm</name>
@@ -8454,6 +8558,10 @@ Hall b
         <source>%1, %2</source>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>Armed, %1</source>
+        <translation>Freigegeben, %1</translation>
+    </message>
 </context>
 <context>
     <name>halbench::widgets::StepList</name>
@@ -8517,10 +8625,6 @@ Hall b
         <translation>STOPP</translation>
     </message>
     <message>
-        <source>Software stop: current to zero at once, latched until re-armed (Esc)</source>
-        <translation>Software-Stopp: sofort Strom null, verriegelt bis zum Aufheben (Esc)</translation>
-    </message>
-    <message>
         <source>Stopped.</source>
         <translation>Gestoppt.</translation>
     </message>
@@ -8529,26 +8633,20 @@ Hall b
         <translation>Gestoppt: %1.</translation>
     </message>
     <message>
-        <source>%1 Re-arming is locked for a few seconds; Esc still stops.</source>
-        <translation>%1 Das Aufheben ist für einige Sekunden gesperrt; Esc stoppt weiterhin.</translation>
-    </message>
-    <message>
-        <source>%1 Click to re-arm; set-points start at zero. Esc still stops.</source>
-        <translation>%1 Klicken hebt den Stopp auf; Sollwerte beginnen bei null. Esc stoppt weiterhin.</translation>
-    </message>
-    <message>
-        <source>Stopped, re-arm</source>
-        <translation>Gestoppt, aufheben</translation>
-    </message>
-    <message>
         <source>Stop</source>
         <translation>Stopp</translation>
     </message>
     <message>
-        <source>STOPPED
-re-arm</source>
-        <translation>GESTOPPT
-aufheben</translation>
+        <source>Software stop: current to zero at once, latched until it is released (Esc)</source>
+        <translation>Software-Stopp: Strom sofort auf null, gehalten, bis er aufgehoben wird (Esc)</translation>
+    </message>
+    <message>
+        <source>Stopped, stop again</source>
+        <translation>Gestoppt, erneut stoppen</translation>
+    </message>
+    <message>
+        <source>%1 This and Esc still stop; Release, beside the state, takes the stop back.</source>
+        <translation>%1 Diese Taste und Esc stoppen weiterhin; „Aufheben“ neben dem Zustand nimmt den Stopp zurück.</translation>
     </message>
 </context>
 <context>

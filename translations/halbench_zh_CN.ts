@@ -4473,6 +4473,10 @@
             <numerusform>已恢复并读回 %n 行。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>They last until power-down; Save in the device, in Parameters, keeps them.</source>
+        <translation>断电前有效；用“参数”中的“保存到设备”可长期保留。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ConfigurationTable</name>
@@ -4821,6 +4825,17 @@ Firmware %2</source>
     </message>
 </context>
 <context>
+    <name>halbench::app::DriveControl</name>
+    <message>
+        <source>Not started: this firmware (%1) begins where it was armed, so the rotor would leap.</source>
+        <translation>未启动：此固件 (%1) 会从使能处开始，转子会突跳。</translation>
+    </message>
+    <message>
+        <source>Disarm and arm, then start. Firmware from 0.2.0 on goes on from where it holds.</source>
+        <translation>请先解除使能再使能，然后启动。0.2.0 及以后的固件会从保持处继续。</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::DriveLimits</name>
     <message>
         <source>Current</source>
@@ -4867,16 +4882,16 @@ Firmware %2</source>
         <translation>%1的限值</translation>
     </message>
     <message>
-        <source>Enter writes it</source>
-        <translation>按回车键写入</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; is not a limit, nothing was written.</source>
         <translation>“%1”不是限值，未写入任何内容。</translation>
     </message>
     <message>
         <source>Allowed: %1.</source>
         <translation>允许：%1。</translation>
+    </message>
+    <message>
+        <source>Enter writes it; until power-down, unless it is saved in the device</source>
+        <translation>按 Enter 写入；断电前有效，除非保存到设备</translation>
     </message>
 </context>
 <context>
@@ -4982,10 +4997,6 @@ Firmware %2</source>
         <translation>设定值</translation>
     </message>
     <message>
-        <source>Angle from where it was armed (Enter sends it)</source>
-        <translation>相对使能位置的角度（按回车键发送）</translation>
-    </message>
-    <message>
         <source>Current (Enter sends it)</source>
         <translation>电流（按回车键发送）</translation>
     </message>
@@ -5012,6 +5023,91 @@ Firmware %2</source>
     <message>
         <source>A stop came while nothing was armed</source>
         <translation>停止到来时没有任何设备使能</translation>
+    </message>
+    <message>
+        <source>%1 is beyond the excursion window, nothing was sent.</source>
+        <translation>%1 超出偏移窗口，未发送任何内容。</translation>
+    </message>
+    <message>
+        <source>From %1 to %2 now. Widen the window on purpose, or disarm and arm to count anew.</source>
+        <translation>当前为 %1 至 %2。请有意放宽窗口，或解除使能后再使能以重新计数。</translation>
+    </message>
+    <message>
+        <source>Now %1, beside %2 of the reference</source>
+        <translation>当前 %1，另加参考信号的 %2</translation>
+    </message>
+    <message>
+        <source>Armed, %1</source>
+        <translation>已使能，%1</translation>
+    </message>
+    <message>
+        <source>Angle from where it was armed or the mode chosen, beside what
+a reference has moved it (Enter sends it)</source>
+        <translation>从使能或选择模式处算起的角度，
+不含参考信号已移动的部分（按 Enter 发送）</translation>
+    </message>
+    <message>
+        <source>They last until power-down; Save in the device, in Parameters, keeps them.</source>
+        <translation>断电前有效；用“参数”中的“保存到设备”可长期保留。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::DriveWords</name>
+    <message>
+        <source>reference</source>
+        <translation>参考信号</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>阶跃</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>斜坡</translation>
+    </message>
+    <message>
+        <source>sine</source>
+        <translation>正弦</translation>
+    </message>
+    <message>
+        <source>staircase</source>
+        <translation>阶梯</translation>
+    </message>
+    <message>
+        <source>chirp</source>
+        <translation>扫频</translation>
+    </message>
+    <message>
+        <source>multisine</source>
+        <translation>多正弦</translation>
+    </message>
+    <message>
+        <source>plateaus</source>
+        <translation>平台</translation>
+    </message>
+    <message>
+        <source>idle</source>
+        <translation>空闲</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>电流</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>d-axis</source>
+        <translation>D 轴</translation>
+    </message>
+    <message>
+        <source>jogging</source>
+        <translation>点动</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%2上的%1</translation>
     </message>
 </context>
 <context>
@@ -7037,6 +7133,14 @@ A real device has its own time.</source>
         <source>connection lost, reconnecting</source>
         <translation>连接已断开，正在重连</translation>
     </message>
+    <message>
+        <source>Release</source>
+        <translation>解除</translation>
+    </message>
+    <message>
+        <source>Takes the latched stop back and arms nothing; right after a stop it is locked (Space)</source>
+        <translation>解除已锁存的停止，但不使能；刚停止后会锁定（空格键）</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuneForm</name>
@@ -8445,6 +8549,10 @@ Hall b
         <source>%1, %2</source>
         <translation>%1，%2</translation>
     </message>
+    <message>
+        <source>Armed, %1</source>
+        <translation>已使能，%1</translation>
+    </message>
 </context>
 <context>
     <name>halbench::widgets::StepList</name>
@@ -8508,10 +8616,6 @@ Hall b
         <translation>停止</translation>
     </message>
     <message>
-        <source>Software stop: current to zero at once, latched until re-armed (Esc)</source>
-        <translation>软件停止：电流立即归零，锁存直至解除 (Esc)</translation>
-    </message>
-    <message>
         <source>Stopped.</source>
         <translation>已停止。</translation>
     </message>
@@ -8520,26 +8624,20 @@ Hall b
         <translation>已停止：%1。</translation>
     </message>
     <message>
-        <source>%1 Re-arming is locked for a few seconds; Esc still stops.</source>
-        <translation>%1 几秒内禁止解除；Esc 键仍可停止。</translation>
-    </message>
-    <message>
-        <source>%1 Click to re-arm; set-points start at zero. Esc still stops.</source>
-        <translation>%1 单击解除停止；设定值从零开始。Esc 键仍可停止。</translation>
-    </message>
-    <message>
-        <source>Stopped, re-arm</source>
-        <translation>已停止，解除</translation>
-    </message>
-    <message>
         <source>Stop</source>
         <translation>停止</translation>
     </message>
     <message>
-        <source>STOPPED
-re-arm</source>
-        <translation>已停止
-解除</translation>
+        <source>Software stop: current to zero at once, latched until it is released (Esc)</source>
+        <translation>软件停止：电流立即归零，并锁存到解除为止（Esc）</translation>
+    </message>
+    <message>
+        <source>Stopped, stop again</source>
+        <translation>已停止，再次停止</translation>
+    </message>
+    <message>
+        <source>%1 This and Esc still stop; Release, beside the state, takes the stop back.</source>
+        <translation>%1 此按钮和 Esc 仍会停止；状态旁的“解除”可取消停止。</translation>
     </message>
 </context>
 <context>

@@ -210,14 +210,15 @@ void MainWindow::say(const widgets::Message& message, std::function<void()> reme
 
 /// The question goes with its device: consent is never taken over to another one.
 void MainWindow::askConsent() {
-    say(armingWarning(), [this] {
-        m_message->clear();
-        m_bench.drive().giveConsent();
-        m_bench.drive().arm();
+    DriveControl& drive = m_bench.drive();
+    say(armingWarning(), [&drive] {
+        drive.giveConsent();
+        drive.arm();
     });
-    const auto asked = std::make_shared<QMetaObject::Connection>();
-    *asked = connect(&m_bench.session(), &DeviceSession::stateChanged, this, [this, asked] {
-        disconnect(*asked);
+    auto* asked = new QObject(this); // as long as the question stands
+    connect(m_message, &widgets::MessageBar::dismissed, asked, [&drive] { drive.dismissConsent(); });
+    connect(&drive, &DriveControl::consentSettled, asked, [this, asked] {
+        asked->deleteLater();
         if (m_message->message().text == armingWarning().text) {
             m_message->clear();
         }

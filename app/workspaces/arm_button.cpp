@@ -4,6 +4,7 @@
 
 #include <QEvent>
 #include <QMouseEvent>
+#include <QShortcut>
 
 namespace halbench::app {
 
@@ -14,9 +15,15 @@ widgets::Message armingWarning() {
 }
 
 ArmButton::ArmButton(DriveControl& control, Key key, QWidget* parent)
-    : QPushButton(parent), m_control(control), m_key(key) {
+    : QPushButton(parent), m_control(control), m_rest(*parent) {
     connect(this, &QPushButton::clicked, this, &ArmButton::onClicked);
     connect(&m_control, &DriveControl::changed, this, &ArmButton::refresh);
+    if (key == Key::Has) {
+        // Not the button's own shortcut, which a key that is held repeats: arm, disarm, arm.
+        auto* press = new QShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+A")), this);
+        press->setAutoRepeat(false);
+        connect(press, &QShortcut::activated, this, &QPushButton::click);
+    }
     sayWords();
     dress();
     refresh();
@@ -26,6 +33,7 @@ void ArmButton::onClicked() {
     if (m_control.isArmed()) {
         m_control.disarm();
     } else if (m_control.needsConsent()) {
+        m_control.askConsent();
         Q_EMIT consentNeeded();
     } else {
         m_control.arm();
@@ -33,7 +41,7 @@ void ArmButton::onClicked() {
 }
 
 void ArmButton::refresh() {
-    setEnabled(m_control.isAvailable() && !m_control.isStopped() && !m_control.isPending());
+    m_rest.setEnabled(*this, m_control.isAvailable() && !m_control.isStopped() && !m_control.isPending());
     const widgets::Role role = m_control.isArmed() ? widgets::Role::Armed : widgets::Role::None;
     if (widgets::roleOf(*this) != role) {
         widgets::setRole(*this, role);
@@ -48,9 +56,6 @@ void ArmButton::sayWords() {
     setToolTip(isArmed ? tr("No current; set-points to zero (Ctrl+Shift+A)")
                        : tr("Lets the actuator move; set-points start at zero (Ctrl+Shift+A)"));
     setAccessibleDescription(toolTip());
-    if (m_key == Key::Has) {
-        setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+A"))); // a new text forgets it
-    }
 }
 
 /// The icon stands out from the armed colour.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/workspaces/drive_control.h"
+#include "app/workspaces/focus_rest.h"
 #include "widgets/message_bar.h"
 
 #include <QPushButton>
@@ -15,7 +16,7 @@ class ArmButton : public QPushButton {
     Q_OBJECT
 
 public:
-    /// Of a window one has the key Ctrl+Shift+A.
+    /// Of a window one has the key Ctrl+Shift+A: a press is one click, however long it is held.
     enum class Key { Has, IsToldOnly };
     ArmButton(DriveControl& control, Key key, QWidget* parent);
 
@@ -34,7 +35,7 @@ private:
     void dress();
 
     DriveControl& m_control;
-    Key m_key;
+    FocusRest m_rest; ///< its parent
 };
 
 } // namespace halbench::app

@@ -55,6 +55,7 @@ DriveControl::DriveControl(Workbench& bench, QObject* parent) : QObject(parent),
     connect(&session, &DeviceSession::reportChanged, this, &DriveControl::onReport);
     connect(&session, &DeviceSession::stateChanged, this, &DriveControl::onDevice);
     connect(&session, &DeviceSession::procedureChanged, this, &DriveControl::onReport);
+    connect(&m_bench, &Workbench::samplesArrived, this, &DriveControl::onSamples);
 }
 
 bool DriveControl::isAvailable() const {
@@ -83,7 +84,9 @@ bool DriveControl::canMove() const {
 
 void DriveControl::onDevice() {
     m_hasConsent = false;
+    settleConsent();
     m_origin_rad.reset();
+    m_reference.clear();
     m_isJogPending = false;
     m_pending = 0;
     onReport();
@@ -94,11 +97,40 @@ void DriveControl::onReport() {
     if (m_wasArmed != isArmedNow) {
         m_wasArmed = isArmedNow;
         m_setpoint = 0.0; // the board's rule: arming and every end of it zero the set-point
+        m_reference.clear();
+    }
+    if (!isAvailable() || isArmedNow || isStopped()) {
+        settleConsent(); // there is nothing to arm
     }
     if (!isArmedNow) {
         m_jog.stop();
     }
     Q_EMIT changed();
+}
+
+void DriveControl::onSamples() {
+    const bool wasRunning = isRunning();
+    const bool isPosition = m_mode == devices::BoardMode::Position;
+    m_reference.look(m_bench.history(), isArmed() && isAvailable(), isPosition ? m_origin_rad : std::nullopt,
+                     m_setpoint);
+    if (isRunning() != wasRunning) {
+        Q_EMIT changed();
+    }
+}
+
+void DriveControl::giveConsent() {
+    m_hasConsent = true;
+    settleConsent();
+}
+
+void DriveControl::dismissConsent() {
+    settleConsent();
+}
+
+void DriveControl::settleConsent() {
+    if (std::exchange(m_isAsking, false)) {
+        Q_EMIT consentSettled();
+    }
 }
 
 void DriveControl::run(Action action, std::function<void()> then) {
@@ -161,6 +193,8 @@ void DriveControl::releaseStop() {
 
 void DriveControl::takeOrigin() {
     m_setpoint = 0.0;
+    m_reference.clear();
+    m_startedShape.reset();
     const auto latest = m_bench.history().latest("position");
     m_origin_rad = latest ? std::optional(latest->value) : std::nullopt;
 }
@@ -168,6 +202,15 @@ void DriveControl::takeOrigin() {
 double DriveControl::excursion_rad() const {
     const auto latest = m_bench.history().latest("position");
     return isArmed() && m_origin_rad && latest ? std::abs(latest->value - *m_origin_rad) : 0.0;
+}
+
+std::optional<std::pair<double, double>> DriveControl::setpointRange_rad(double share_ratio) const {
+    if (m_mode != devices::BoardMode::Position ||
+        m_bench.deviceValue("window.position_enabled").value_or(0.0) < 0.5) {
+        return std::nullopt;
+    }
+    const double end_rad = share_ratio * m_bench.deviceValue("window.position").value_or(0.0);
+    return std::pair(-end_rad - held_rad(), end_rad - held_rad());
 }
 
 void DriveControl::setMode(devices::BoardMode mode) {
@@ -215,11 +258,7 @@ void DriveControl::jogStep() {
     std::vector<ParameterValue> values;
     double next = m_setpoint;
     if (m_mode == devices::BoardMode::Position) {
-        next += m_jogRate * step_s;
-        if (m_bench.deviceValue("window.position_enabled").value_or(0.0) > 0.5) {
-            const double end_rad = WindowShare_ratio * m_bench.deviceValue("window.position").value_or(0.0);
-            next = std::clamp(next, -end_rad, end_rad);
-        }
+        next = nextJogSetpoint(step_s);
         values = inMode(m_mode, {{"hb.setpoint", next}});
     } else if (m_sinceJogStep.elapsed() >= static_cast<qint64>(JogHold_s * 500.0) || step_s < 1e-3) {
         values = inMode(m_mode, heldCurrent(m_jogRate));
@@ -237,6 +276,17 @@ void DriveControl::jogStep() {
                               });
 }
 
+/// Jogging ends before the window does; what is beyond that end already stays, or comes back.
+double DriveControl::nextJogSetpoint(double step_s) const {
+    const double next = m_setpoint + m_jogRate * step_s;
+    const auto range_rad = setpointRange_rad(WindowShare_ratio);
+    if (!range_rad) {
+        return next;
+    }
+    return m_jogRate > 0.0 ? std::min(next, std::max(range_rad->second, m_setpoint))
+                           : std::max(next, std::min(range_rad->first, m_setpoint));
+}
+
 void DriveControl::stopJog() {
     if (!m_jog.isActive()) {
         return;
@@ -252,10 +302,29 @@ void DriveControl::startReference(std::vector<ParameterValue> generator) {
     if (!canMove()) {
         return;
     }
+    const std::string& firmware = m_bench.session().info().firmware;
+    if (m_mode == devices::BoardMode::Position && m_reference.hasRun() && !continuesReference(firmware)) {
+        Q_EMIT failed(
+            tr("Not started: this firmware (%1) begins where it was armed, so the rotor would leap.")
+                .arg(QString::fromStdString(firmware)),
+            tr("Disarm and arm, then start. Firmware from 0.2.0 on goes on from where it holds."));
+        return;
+    }
+    m_reference.begin();
+    m_startedShape.reset();
+    for (const ParameterValue& value : generator) {
+        m_startedShape = value.name == "reference.shape" ? std::optional(value.value) : m_startedShape;
+    }
     generator.push_back({"reference.start", 1.0});
     run([motion =
              inMode(m_mode, std::move(generator))](devices::Device& device) { return write(device, motion); },
         [this] { m_bench.refreshValues(); });
+}
+
+std::size_t DriveControl::runningShape() const {
+    const double code =
+        m_startedShape ? *m_startedShape : m_bench.deviceValue("reference.shape").value_or(0.0);
+    return static_cast<std::size_t>(std::max(code, 0.0));
 }
 
 void DriveControl::stopReference() {

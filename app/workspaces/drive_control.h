@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/workspaces/held_reference.h"
 #include "app/workspaces/workbench.h"
 #include "control/base/result.h"
 #include "devices/device.h"
@@ -11,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace halbench::app {
@@ -33,7 +35,10 @@ public:
     bool isPending() const { return m_pending != 0; }
     /// A device that is not simulated asks once per connection before it is armed the first time.
     bool needsConsent() const;
-    void giveConsent() { m_hasConsent = true; }
+    /// Several places can ask; one answer, or nothing to arm any more, ends the question everywhere.
+    void askConsent() { m_isAsking = true; }
+    void giveConsent();
+    void dismissConsent();
 
     void arm(); ///< refused without consent
     void disarm();
@@ -44,9 +49,14 @@ public:
     devices::BoardMode mode() const { return m_mode; }
     /// At once; while armed with the set-point at zero and the angle counted from where the rotor is.
     void setMode(devices::BoardMode mode);
-    /// rad from where it was armed, or A, by mode.
+    /// rad, added to where the mode was entered and to what a reference holds; or A, by mode.
     double setpoint() const { return m_setpoint; }
     void setSetpoint(double value);
+    /// What keeps set-point and held angle together inside the board's excursion window; nothing in other
+    /// modes and while the window is off.
+    std::optional<std::pair<double, double>> setpointRange_rad(double share_ratio = 1.0) const;
+    /// Angle at which a reference stands or is held, beside the set-point.
+    double held_rad() const { return m_reference.angle_rad(); }
     /// Angle from which the position mode counts; nothing before it was seen.
     std::optional<double> origin_rad() const { return m_origin_rad; }
     /// How far the rotor is from there, as the board's excursion window counts; 0 while that is not known.
@@ -58,13 +68,19 @@ public:
     void stopJog();
     bool isJogging() const { return m_jog.isActive(); }
 
-    /// Values of the board's generator. In position mode it begins at the angle that is held.
+    /// Values of the board's generator. In position mode it begins at the angle that is held; refused where
+    /// the board would leap back instead (continuesReference()).
     void startReference(std::vector<ParameterValue> generator);
     void stopReference();
+    /// The board's generator runs, or has just been told to.
+    bool isRunning() const { return m_reference.isRunning(); }
+    /// Its shape by the board's code; 0 when that is not known.
+    std::size_t runningShape() const;
 
 Q_SIGNALS:
     void changed();
     void failed(const QString& text, const QString& remedy);
+    void consentSettled();
 
 private:
     using Action = std::function<Result<void>(devices::Device&)>;
@@ -77,12 +93,18 @@ private:
     void onDevice();
     void jogStep();
     void takeOrigin();
+    void onSamples();
+    void settleConsent();
+    double nextJogSetpoint(double step_s) const;
 
     Workbench& m_bench;
     devices::BoardMode m_mode = devices::BoardMode::Position;
     double m_setpoint = 0.0;
     std::optional<double> m_origin_rad;
+    HeldReference m_reference;
+    std::optional<double> m_startedShape;
     bool m_hasConsent = false;
+    bool m_isAsking = false;
     bool m_wasArmed = false;
     bool m_isJogPending = false;
     std::uint64_t m_changes = 0;

@@ -120,9 +120,11 @@ void DriveLimits::showValue(Row& row) {
     const DisplayQuantity shown = displayQuantity(spec->unit, m_bench.displayUnits());
     row.factor = shown.factor;
     const QSignalBlocker quiet(row.limit);
-    dressNumberField(*row.limit, {tr("Limit of %1").arg(row.title),
-                                  row.toolTip + QLatin1Char('\n') + tr("Enter writes it"), shown.unit,
-                                  shown.decimals, spec->min * shown.factor, spec->max * shown.factor, 1.0});
+    dressNumberField(*row.limit,
+                     {tr("Limit of %1").arg(row.title),
+                      row.toolTip + QLatin1Char('\n') +
+                          tr("Enter writes it; until power-down, unless it is saved in the device"),
+                      shown.unit, shown.decimals, spec->min * shown.factor, spec->max * shown.factor, 1.0});
     row.limit->setValue(*value * shown.factor);
     row.live->setFormat({shown.decimals, shown.unit, 0.0, shown.typical});
 }

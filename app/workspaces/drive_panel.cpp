@@ -2,6 +2,7 @@
 
 #include "app/workspaces/arm_button.h"
 #include "app/workspaces/drive_limits.h"
+#include "app/workspaces/drive_words.h"
 #include "app/workspaces/fault_words.h"
 #include "app/workspaces/jog_row.h"
 #include "app/workspaces/mode_box.h"
@@ -39,17 +40,23 @@ std::vector<std::string> shownSignals() {
 } // namespace
 
 DrivePanel::DrivePanel(Workbench& bench, QWidget* parent)
-    : QWidget(parent), m_bench(bench), m_control(bench.drive()), m_shownMode(m_control.mode()) {
+    : QWidget(parent), m_bench(bench), m_control(bench.drive()), m_shownMode(m_control.mode()),
+      m_state(new QLabel(this)), m_rest(*m_state) {
     QVBoxLayout* column = makeScrollingColumn(this);
     m_message = new widgets::MessageBar(this);
-    column->addWidget(m_message);
     buildArm(column);
     buildSetpoint(column);
     buildReference(column);
     buildLimits(column);
     column->addStretch(1);
+    layout()->addWidget(m_message); // at the end, so that nothing moves away from under the mouse
     connect(m_message, &widgets::MessageBar::actionTriggered, this, &DrivePanel::onMessageAction);
-    connect(m_message, &widgets::MessageBar::dismissed, this, [this] { m_asking = Asking::Nothing; });
+    connect(m_message, &widgets::MessageBar::dismissed, this, [this] {
+        if (std::exchange(m_asking, Asking::Nothing) == Asking::Consent) {
+            m_control.dismissConsent();
+        }
+    });
+    connect(&m_control, &DriveControl::consentSettled, this, &DrivePanel::endQuestion);
     connect(&m_control, &DriveControl::changed, this, &DrivePanel::refresh);
     connect(&m_control, &DriveControl::failed, this, &DrivePanel::showError);
     connect(&m_bench, &Workbench::valuesChanged, this, &DrivePanel::describeMotion);
@@ -64,7 +71,6 @@ DrivePanel::DrivePanel(Workbench& bench, QWidget* parent)
 
 void DrivePanel::buildArm(QVBoxLayout* column) {
     auto* row = new QHBoxLayout;
-    m_state = new QLabel(this);
     m_state->setProperty("badge", true);
     m_state->setToolTip(tr("What the board says of itself"));
     auto* arm = new ArmButton(m_control, ArmButton::Key::IsToldOnly, this);
@@ -96,6 +102,7 @@ void DrivePanel::buildSetpoint(QVBoxLayout* column) {
     row->addWidget(m_zero);
     section->addLayout(row);
     m_setpointNow = makeNote(this);
+    reserveLines(*m_setpointNow, 2);
     section->addWidget(m_setpointNow);
     m_jog = new JogRow(this);
     section->addWidget(m_jog);
@@ -116,8 +123,6 @@ void DrivePanel::buildReference(QVBoxLayout* column) {
     QVBoxLayout* section = addSection(column, tr("Reference generator"), this);
     m_reference = new ReferenceForm(this);
     section->addWidget(m_reference);
-    m_motion = makeNote(this);
-    section->addWidget(m_motion);
     auto* row = new QHBoxLayout;
     row->setSpacing(widgets::GridStep_px);
     m_start = makeButton({tr("Start"), tr("Starts the reference from where the rotor is (Ctrl+Shift+R)"),
@@ -132,6 +137,9 @@ void DrivePanel::buildReference(QVBoxLayout* column) {
     row->addWidget(m_start, 1);
     row->addWidget(m_end, 1);
     section->addLayout(row);
+    m_motion = makeNote(this);
+    reserveLines(*m_motion, 3);
+    section->addWidget(m_motion);
     connect(m_reference, &ReferenceForm::changed, this, &DrivePanel::describeMotion);
     connect(m_reference, &ReferenceForm::refused, this, &DrivePanel::showError);
     connect(m_start, &QPushButton::clicked, this, &DrivePanel::onStartReference);
@@ -142,6 +150,9 @@ void DrivePanel::buildLimits(QVBoxLayout* column) {
     QVBoxLayout* section = addSection(column, tr("Limits of the board"), this);
     m_limits = new DriveLimits(m_bench, m_control, this);
     section->addWidget(m_limits);
+    QLabel* until = makeNote(this);
+    until->setText(tr("They last until power-down; Save in the device, in Parameters, keeps them."));
+    section->addWidget(until);
     connect(m_limits, &DriveLimits::failed, this, &DrivePanel::showError);
 }
 
@@ -157,6 +168,14 @@ void DrivePanel::onMessageAction() {
     }
 }
 
+/// Answered here or at another place that asked.
+void DrivePanel::endQuestion() {
+    if (m_asking == Asking::Consent) {
+        m_asking = Asking::Nothing;
+        m_message->clear();
+    }
+}
+
 void DrivePanel::onSetpoint() {
     if (!m_go->isEnabled()) {
         return;
@@ -166,7 +185,16 @@ void DrivePanel::onSetpoint() {
         return;
     }
     m_setpoint->interpretText();
-    m_control.setSetpoint(m_setpoint->value() / factor());
+    const double wanted = m_setpoint->value() / factor();
+    const auto range_rad = m_control.setpointRange_rad();
+    if (range_rad && (wanted < range_rad->first || wanted > range_rad->second)) {
+        showError(tr("%1 is beyond the excursion window, nothing was sent.").arg(valueText(wanted)),
+                  tr("From %1 to %2 now. Widen the window on purpose, or disarm and arm to count anew.")
+                      .arg(valueText(range_rad->first), valueText(range_rad->second)));
+        return;
+    }
+    forgetError();
+    m_control.setSetpoint(wanted);
 }
 
 /// Nothing is sent; a field that was left shows what holds, so that a Go behind it moves nothing either.
@@ -184,7 +212,15 @@ void DrivePanel::onStartReference() {
         showError(widgets::inWords(values.error().message), widgets::inWords(values.error().hint));
         return;
     }
+    forgetError();
     m_control.startReference(*values);
+}
+
+/// What was refused before is over when the next one is tried.
+void DrivePanel::forgetError() {
+    if (m_asking == Asking::Nothing) {
+        m_message->clear();
+    }
 }
 
 void DrivePanel::showError(const QString& text, const QString& remedy) {
@@ -200,13 +236,24 @@ void DrivePanel::refresh() {
         m_setpoint->setValue(0.0); // what was typed before is no set-point of this arming
     }
     const bool canMove = m_control.canMove();
-    QWidget* const movers[] = {m_go, m_zero, m_jog, m_start, m_end};
+    QWidget* const movers[] = {m_go, m_zero, m_jog, m_start};
     for (QWidget* mover : movers) {
-        mover->setEnabled(canMove);
+        m_rest.setEnabled(*mover, canMove);
     }
-    m_setpointNow->setText(canMove ? tr("Now %1").arg(valueText(m_control.setpoint()))
-                                   : tr("Arm first; set-points start at zero."));
+    m_rest.setEnabled(*m_end, m_control.isArmed() && m_control.isAvailable() && m_control.isRunning());
+    showSetpoint();
     describeMotion();
+}
+
+void DrivePanel::showSetpoint() {
+    const double held_rad = m_control.held_rad();
+    QString words = m_control.canMove() ? tr("Now %1").arg(valueText(m_control.setpoint()))
+                                        : tr("Arm first; set-points start at zero.");
+    if (m_control.canMove() && m_control.mode() == BoardMode::Position && held_rad != 0.0) {
+        words = tr("Now %1, beside %2 of the reference")
+                    .arg(valueText(m_control.setpoint()), valueText(held_rad));
+    }
+    m_setpointNow->setText(words);
 }
 
 void DrivePanel::refreshMode() {
@@ -245,7 +292,8 @@ void DrivePanel::refreshState() {
     } else if (!m_bench.session().procedure().isEmpty()) {
         state = tr("%1 is running").arg(m_bench.session().procedure());
     } else if (isArmed) {
-        state = tr("Armed");
+        const QString driven = drivenWords(m_control);
+        state = driven.isEmpty() ? tr("Armed") : tr("Armed, %1").arg(driven);
         role = widgets::Role::Armed;
     } else if (isConnected) {
         state = tr("Disarmed");
@@ -271,10 +319,12 @@ void DrivePanel::dressSetpoint() {
     const DisplayQuantity shown = displayQuantity(isAngle ? "rad" : "A", m_units);
     const double most = isAngle ? degreesToRadians(Farthest_deg) * shown.factor : 4.0;
     const double step = isAngle ? shownStep(shown, degreesToRadians(1.0)) : 0.1;
-    dressNumberField(*m_setpoint, {tr("Set-point"),
-                                   isAngle ? tr("Angle from where it was armed (Enter sends it)")
-                                           : tr("Current (Enter sends it)"),
-                                   shown.unit, shown.decimals, -most, most, step});
+    dressNumberField(*m_setpoint,
+                     {tr("Set-point"),
+                      isAngle ? tr("Angle from where it was armed or the mode chosen, beside what\n"
+                                   "a reference has moved it (Enter sends it)")
+                              : tr("Current (Enter sends it)"),
+                      shown.unit, shown.decimals, -most, most, step});
 }
 
 /// Of another mode: what was typed meant something else.
@@ -323,12 +373,7 @@ void DrivePanel::refreshLive() {
         return;
     }
     m_limits->refreshLive();
-    const auto running = m_bench.history().latest("reference.running");
-    const bool isRunning = m_control.isArmed() && running && running->value > 0.5;
-    m_end->setEnabled(isRunning && m_control.isAvailable());
-    if (m_control.isJogging()) {
-        m_setpointNow->setText(tr("Now %1").arg(valueText(m_control.setpoint())));
-    }
+    showSetpoint();
 }
 
 void DrivePanel::changeEvent(QEvent* event) {

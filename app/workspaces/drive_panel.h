@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/workspaces/drive_control.h"
+#include "app/workspaces/focus_rest.h"
 #include "app/workspaces/workbench.h"
 
 #include <QTimer>
@@ -39,6 +40,8 @@ private:
     void buildReference(QVBoxLayout* column);
     void buildLimits(QVBoxLayout* column);
     void onMessageAction();
+    void endQuestion();
+    void showSetpoint();
     void onSetpoint();
     void onSetpointRefused(const QString& text);
     void onStartReference();
@@ -53,6 +56,7 @@ private:
     void onUnits();
     void refreshLive();
     void describeMotion();
+    void forgetError();
     void showError(const QString& text, const QString& remedy);
 
     enum class Asking { Nothing, Consent, Release };
@@ -65,7 +69,8 @@ private:
     DisplayUnits m_units;           ///< that they show
     QTimer m_frame;                 ///< ten times a second
     widgets::MessageBar* m_message = nullptr;
-    QLabel* m_state = nullptr;
+    QLabel* m_state;  ///< of the board
+    FocusRest m_rest; ///< there
     widgets::QuantityEdit* m_setpoint = nullptr;
     QPushButton* m_go = nullptr;
     QPushButton* m_zero = nullptr;

@@ -80,4 +80,9 @@ QLabel* makeNote(QWidget* parent) {
     return label;
 }
 
+void reserveLines(QLabel& note, int lines) {
+    note.setMinimumHeight(lines * note.fontMetrics().lineSpacing());
+    note.setAlignment(Qt::AlignLeft | Qt::AlignTop);
+}
+
 } // namespace halbench::app

@@ -51,5 +51,7 @@ void showRole(QWidget& widget, widgets::Role role);
 
 /// A small label in muted words that wraps.
 QLabel* makeNote(QWidget* parent);
+/// Keeps the place of so many lines, so that longer words move nothing below them.
+void reserveLines(QLabel& note, int lines);
 
 } // namespace halbench::app

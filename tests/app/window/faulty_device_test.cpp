@@ -3,9 +3,11 @@
 #include "devices/acquisition/recording_file.h"
 #include "tests/app/window/faulty_line.h"
 #include "tests/app/window/window_test.h"
+#include "widgets/message_bar.h"
 #include "widgets/status_strip.h"
 
 #include <QElapsedTimer>
+#include <QPushButton>
 #include <QTemporaryDir>
 
 namespace halbench::app {
@@ -65,6 +67,50 @@ protected:
 
     widgets::StatusStrip& strip() { return *window->findChild<widgets::StatusStrip*>(); }
 };
+
+TEST_F(FaultyDeviceTest, aSecondReferenceIsRefusedWhereAnOlderFirmwareWouldLeap) {
+    open();
+    FaultyLine line;
+    line.ageFirmware();
+    connectBoard(line);
+    ASSERT_EQ(session().info().firmware.substr(0, 6), "0.1.0-");
+    auto* drive = window->docks().panel("drive");
+    auto* message = drive->findChild<widgets::MessageBar*>();
+    const auto button = [&](const char* text) -> QPushButton* {
+        for (auto* one : drive->findChildren<QPushButton*>()) {
+            if (one->text() == text) {
+                return one;
+            }
+        }
+        return nullptr;
+    };
+    const auto arm = [&] {
+        ASSERT_TRUE(wait([&] { return button("Arm") != nullptr && button("Arm")->isEnabled(); }));
+        button("Arm")->click();
+        if (!message->message().actionText.isEmpty()) {
+            Q_EMIT message->actionTriggered();
+        }
+        ASSERT_TRUE(wait([&] { return button("Start")->isEnabled(); }));
+    };
+    const auto run = [&] {
+        button("Start")->click();
+        ASSERT_TRUE(wait([&] { return window->bench().history().latest("reference.running")->value > 0.5; }));
+        button("End")->click();
+        ASSERT_TRUE(wait([&] { return !button("End")->isEnabled(); }));
+    };
+    arm();
+    run();
+    const double held_rad = window->bench().history().latest("reference")->value;
+    button("Start")->click();
+    EXPECT_TRUE(message->message().text.contains("would leap")) << message->message().text.toStdString();
+    EXPECT_FALSE(message->message().remedy.isEmpty());
+    QTest::qWait(100);
+    EXPECT_EQ(window->bench().history().latest("reference")->value, held_rad);
+    button("Disarm")->click(); // as the hint says
+    arm();
+    run();
+    EXPECT_FALSE(message->isVisibleTo(drive) && message->message().text.contains("would leap"));
+}
 
 TEST_F(FaultyDeviceTest, aBoardThatVanishesWhileArmedAndRecordingIsSaidInEveryPerspective) {
     open();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "devices/firmware/xcp/hb_xcp.h"
 #include "tests/devices/transport/served_board.h"
 
 #include <arpa/inet.h>
@@ -8,6 +9,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -50,6 +52,8 @@ public:
     /// From the next connection on another board is behind the line.
     void plugInAnother() { m_isOther = true; }
     void spoil(Fault fault) { m_fault = fault; }
+    /// From now on the board says that its library is an older one.
+    void ageFirmware() { m_isOld = true; }
 
 private:
     static sockaddr_in loopback(int port) {
@@ -114,9 +118,18 @@ private:
         }
         if (isBoard) {
             follow(octets.data(), static_cast<std::size_t>(count));
+            age(octets.data(), octets.data() + count);
         }
         return (isBoard && m_fault == Fault::Stalled) ||
                sendAll(to, octets.data(), static_cast<std::size_t>(count));
+    }
+
+    void age(std::uint8_t* begin, std::uint8_t* end) const {
+        const std::string now = HB_LIBRARY_VERSION "-0x";
+        const std::string old = "0.1.0-0x";
+        while (m_isOld && (begin = std::search(begin, end, now.begin(), now.end())) != end) {
+            begin = std::copy(old.begin(), old.end(), begin);
+        }
     }
 
     /// Follows the messages `LEN u16 | CTR u16 | PACKET` of the board, so that a flood comes between two of
@@ -144,6 +157,7 @@ private:
     devices::BoardServer m_board;
     devices::BoardServer m_other{devices::ServedLine::Tcp, 2};
     std::atomic<bool> m_isOther = false;
+    std::atomic<bool> m_isOld = false;
     int m_listener;
     std::string m_uri;
     std::atomic<Fault> m_fault = Fault::None;

@@ -10,11 +10,13 @@
 #include "app/workspaces/pace_row.h"
 #include "tests/app/window/window_test.h"
 #include "tests/devices/transport/served_board.h"
+#include "widgets/message_bar.h"
 #include "widgets/status_strip.h"
 
 #include <QComboBox>
 #include <QMenu>
 #include <QTextBrowser>
+#include <QToolButton>
 
 #include <algorithm>
 
@@ -110,6 +112,83 @@ TEST_F(TopBarTest, aRealDeviceIsArmedOnlyAfterTheWarning) {
     EXPECT_FALSE(isArmed());
     Q_EMIT message->actionTriggered();
     EXPECT_TRUE(wait([&] { return isArmed(); }));
+}
+
+TEST_F(TopBarTest, oneAnswerEndsTheQuestionInTheWindowAndInTheDrivePanel) {
+    devices::BoardServer board;
+    open();
+    window->connectDevice(QString::fromStdString(board.uri()));
+    ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
+    auto* drive = window->docks().panel("drive");
+    auto* inPanel = drive->findChild<widgets::MessageBar*>();
+    auto* inWindow = window->findChild<widgets::MessageBar*>();
+    const auto ask = [&] {
+        QTest::mouseClick(inBar<ArmButton>(), Qt::LeftButton);
+        QTest::mouseClick(drive->findChild<ArmButton*>(), Qt::LeftButton);
+        ASSERT_EQ(inPanel->message().text, armingWarning().text);
+        ASSERT_EQ(inWindow->message().text, armingWarning().text);
+    };
+    ASSERT_TRUE(wait([&] { return inBar<ArmButton>()->isEnabled(); }));
+    ask();
+    inWindow->findChild<QToolButton*>()->click(); // dismissed
+    EXPECT_TRUE(inPanel->message().text.isEmpty());
+    ask();
+    inPanel->findChild<QToolButton*>()->click();
+    EXPECT_TRUE(inWindow->message().text.isEmpty());
+    ask();
+    Q_EMIT inPanel->actionTriggered();
+    EXPECT_TRUE(inWindow->message().text.isEmpty() && inPanel->message().text.isEmpty());
+    EXPECT_TRUE(wait([&] { return isArmed(); }));
+}
+
+TEST_F(TopBarTest, aKeyThatIsHeldArmsOrDisarmsOnce) {
+    open();
+    QApplication::setActiveWindow(window.get());
+    connectMotor(1.0);
+    ASSERT_TRUE(wait([&] { return inBar<ArmButton>()->isEnabled(); }));
+    const auto hold = [&] {
+        for (int i = 0; i < 8; ++i) {
+            QTest::simulateEvent(static_cast<QWidget*>(window.get()), true, Qt::Key_A,
+                                 Qt::ControlModifier | Qt::ShiftModifier, {}, i > 0);
+            QTest::qWait(50); // the board has answered in between
+        }
+    };
+    hold();
+    EXPECT_TRUE(isArmed());
+    ASSERT_TRUE(wait([&] { return inBar<ArmButton>()->isEnabled(); }));
+    hold();
+    EXPECT_FALSE(isArmed());
+}
+
+TEST_F(TopBarTest, theStateSaysWhatRuns) {
+    open();
+    connectMotor(1.0);
+    auto* drive = window->docks().panel("drive");
+    const auto button = [&](const char* text) -> QPushButton* {
+        for (auto* one : drive->findChildren<QPushButton*>()) {
+            if (one->text() == text) {
+                return one;
+            }
+        }
+        return nullptr;
+    };
+    ASSERT_TRUE(wait([&] { return inBar<ArmButton>()->isEnabled(); }));
+    QTest::mouseClick(inBar<ArmButton>(), Qt::LeftButton);
+    ASSERT_TRUE(wait([&] { return button("Start")->isEnabled(); }));
+    auto* strip = window->findChild<widgets::StatusStrip*>();
+    EXPECT_EQ(strip->stateText(), "Armed");
+    EXPECT_FALSE(button("End")->isEnabled()); // of nothing
+    for (auto* box : drive->findChildren<QComboBox*>()) {
+        if (box->accessibleName() == "Shape of the reference") {
+            box->setCurrentIndex(2);
+        }
+    }
+    button("Start")->click();
+    ASSERT_TRUE(wait([&] { return button("End")->isEnabled(); }));
+    EXPECT_EQ(strip->stateText(), "Armed, sine on position");
+    button("End")->click();
+    EXPECT_TRUE(wait([&] { return !button("End")->isEnabled(); }));
+    EXPECT_EQ(strip->stateText(), "Armed");
 }
 
 TEST_F(TopBarTest, aPerspectivesButtonTakesTheFocusIntoItsMainPanel) {

@@ -229,6 +229,66 @@ TEST_F(DrivePanelTest, theNextReferenceBeginsAtTheAngleThatIsHeld) {
     EXPECT_NEAR(step(), first_rad + degreesToRadians(30.0), 1e-5); // float of some radians
 }
 
+TEST_F(DrivePanelTest, heldAngleAndSetpointTogetherStayInsideTheWindow) {
+    connectTo("sim:htm", 5.0);
+    bench().writeValues({{"window.position", degreesToRadians(60.0)}, {"window.position_enabled", 1.0}},
+                        [](const Result<void>&) {});
+    ASSERT_TRUE(wait([&] { return bench().deviceValue("window.position_enabled") == 1.0; }));
+    armByClick();
+    click(*panel, "Start"); // a step by 30 degrees
+    ASSERT_TRUE(wait([&] { return latest("reference.running") > 0.5; }));
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "End")->isEnabled(); }));
+    click(*panel, "End");
+    ASSERT_TRUE(wait([&] { return !find<QPushButton>(*panel, "End")->isEnabled(); }));
+    auto* field = find<QDoubleSpinBox>(*panel, "Set-point");
+    type(field, "45"); // 75 degrees from where it was armed
+    QTest::keyClick(field, Qt::Key_Return);
+    EXPECT_EQ(parameter("hb.setpoint"), 0.0);
+    EXPECT_TRUE(message().contains("beyond the excursion window")) << message().toStdString();
+    auto* forward = find<QPushButton>(*panel, "Forward +");
+    type(find<QDoubleSpinBox>(*panel, "Jog speed"), "100"); // r/min: at the end within 0.1 s
+    QTest::mousePress(forward, Qt::LeftButton);
+    QTest::qWait(500);
+    QTest::mouseRelease(forward, Qt::LeftButton);
+    // 90 % of the window less what is held; the origin is known to a sample of the angle.
+    EXPECT_NEAR(parameter("hb.setpoint"), degreesToRadians(0.9 * 60.0 - 30.0), degreesToRadians(0.5));
+}
+
+TEST_F(DrivePanelTest, aStopLeavesTheFocusWhereNoKeyChangesAnything) {
+    connectTo("sim:htm", 5.0);
+    armByClick();
+    auto* start = find<QPushButton>(*panel, "Start");
+    start->setFocus();
+    session().stopActuator();
+    ASSERT_TRUE(wait([&] { return !start->isEnabled(); }));
+    const QWidget* focus = panel->focusWidget();
+    EXPECT_NE(qobject_cast<const QLabel*>(focus), nullptr) << focus->accessibleName().toStdString();
+}
+
+TEST_F(DrivePanelTest, messagesMoveNoControl) {
+    connectTo("sim:htm", 5.0);
+    armByClick();
+    QTest::qWait(50); // laid out
+    const auto places = [&] {
+        QString all;
+        for (const char* words : {"Go", "Start", "Disarm", "Limit of Current"}) {
+            const QWidget* one = find<QWidget>(*panel, words);
+            all += QString("%1: %2 ").arg(words).arg(one->mapTo(panel.get(), QPoint()).y());
+        }
+        return all;
+    };
+    const QString before = places();
+    auto* field = find<QDoubleSpinBox>(*panel, "Set-point");
+    type(field, "400000");
+    QTest::keyClick(field, Qt::Key_Return);
+    ASSERT_FALSE(message().isEmpty());
+    QTest::qWait(50);
+    EXPECT_EQ(places(), before);
+    find<QDoubleSpinBox>(*panel, "Amplitude")->setValue(9000.0); // far: a warning in the line below Start
+    QTest::qWait(50);
+    EXPECT_EQ(places(), before);
+}
+
 TEST_F(DrivePanelTest, windowsAreSwitchedAndWarnBeforeTheMotion) {
     connectTo("sim:htm", 5.0);
     auto* excursion = find<QDoubleSpinBox>(*panel, "Limit of Excursion");
