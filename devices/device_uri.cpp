@@ -1,5 +1,7 @@
 #include "devices/device_uri.h"
 
+#include <QtCore/QByteArray>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -108,6 +110,17 @@ std::optional<std::string> DeviceUri::option(const std::string& key) const {
     return std::nullopt;
 }
 
+std::optional<std::string> DeviceUri::takeOption(const std::string& key) {
+    const auto found = std::find_if(options.begin(), options.end(),
+                                    [&key](const auto& option) { return option.first == key; });
+    if (found == options.end()) {
+        return std::nullopt;
+    }
+    std::string value = std::move(found->second);
+    options.erase(found);
+    return value;
+}
+
 Result<DeviceUri> parseDeviceUri(const std::string& text) {
     DeviceUri uri;
     uri.text = text;
@@ -130,6 +143,33 @@ Result<DeviceUri> parseDeviceUri(const std::string& text) {
         }
     }
     return uri;
+}
+
+std::string fileOfOption(const std::string& value) {
+    return QByteArray::fromPercentEncoding(QByteArray::fromStdString(value)).toStdString();
+}
+
+Result<std::string> withDescription(const std::string& address, const std::string& path) {
+    Result<DeviceUri> uri = parseDeviceUri(address);
+    if (!uri) {
+        return failure(uri.error());
+    }
+    if (uri->scheme == "sim" || uri->scheme == "replay") {
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("device '{}' describes itself and takes no file", address),
+                       "name the port of the board first, like tcp:HOST:PORT");
+    }
+    (void)uri->takeOption("a2l");
+    std::string file;
+    for (const char letter : path) {
+        file += letter == '&' ? "%26" : letter == '%' ? "%25" : std::string(1, letter);
+    }
+    uri->options.emplace_back("a2l", file);
+    std::string text = uri->scheme + ":" + uri->address;
+    for (std::size_t i = 0; i < uri->options.size(); ++i) {
+        text += fmt::format("{}{}={}", i == 0 ? '?' : '&', uri->options[i].first, uri->options[i].second);
+    }
+    return text;
 }
 
 } // namespace halbench::devices

@@ -18,9 +18,17 @@ struct DeviceUri {
     std::string text;                                         ///< as given
 
     std::optional<std::string> option(const std::string& key) const;
+    /// Takes an option out, for those who read the others.
+    std::optional<std::string> takeOption(const std::string& key);
 };
 
 /// Errors: InvalidInput with the place of the first wrong character; UnknownName for an unknown scheme.
 Result<DeviceUri> parseDeviceUri(const std::string& text);
+
+/// The address with the option `a2l=FILE` in place of one it may have had. '&' and '%' of the file's name are
+/// written %26 and %25. Errors: as parseDeviceUri(); InvalidInput for a device that needs no description.
+Result<std::string> withDescription(const std::string& address, const std::string& path);
+/// The file name that such an option stands for.
+std::string fileOfOption(const std::string& value);
 
 } // namespace halbench::devices

@@ -7,8 +7,10 @@
 #include "devices/transport/port_listing.h"
 #include "devices/transport/tcp_transport.h"
 #include "devices/transport/udp_transport.h"
+#include "devices/xcp/a2l.h"
 #include "devices/xcp/xcp_device.h"
 
+#include <QtCore/QFile>
 #include <QtCore/QStandardPaths>
 
 #include <fmt/format.h>
@@ -43,12 +45,41 @@ Result<std::unique_ptr<Transport>> makeTransport(const DeviceUri& uri) {
     return networkTransport(uri);
 }
 
-Result<std::unique_ptr<Device>> openBoard(const DeviceUri& uri, const OpenOptions& options) {
+/// A board's description from a file (`?a2l=FILE`). Errors: FileSystem, InvalidInput with the file.
+Result<std::string> readDescriptionFile(const std::string& path) {
+    QFile file(QString::fromStdString(path));
+    if (!file.open(QIODevice::ReadOnly)) {
+        return failure(
+            ErrorCode::FileSystem,
+            fmt::format("the description '{}' cannot be read: {}", path, file.errorString().toStdString()),
+            "give the A2L file that belongs to the board's firmware");
+    }
+    if (file.size() > static_cast<qint64>(xcp::MaxA2lSize)) {
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("the description '{}' has {} octets", path, file.size()),
+                       fmt::format("at most {} are read", xcp::MaxA2lSize));
+    }
+    std::string text = file.readAll().toStdString();
+    if (const Result<xcp::A2lDescription> description = xcp::parseA2l(text); !description) {
+        return failure(ErrorCode::InvalidInput, fmt::format("{}: {}", path, description.error().message),
+                       "give the A2L file that belongs to the board's firmware");
+    }
+    return text;
+}
+
+Result<std::unique_ptr<Device>> openBoard(DeviceUri uri, const OpenOptions& options) {
+    XcpDeviceOptions device;
+    if (const std::optional<std::string> file = uri.takeOption("a2l")) {
+        Result<std::string> text = readDescriptionFile(fileOfOption(*file));
+        if (!text) {
+            return failure(text.error());
+        }
+        device.description = *std::move(text);
+    }
     Result<std::unique_ptr<Transport>> transport = makeTransport(uri);
     if (!transport) {
         return failure(transport.error());
     }
-    XcpDeviceOptions device;
     device.identity.uri = uri.text;
     device.identity.transport = uri.scheme;
     device.interruptSignal = options.interruptSignal;

@@ -134,7 +134,7 @@ Result<SerialAddress> parseSerialAddress(const DeviceUri& uri) {
         if (!*known) {
             return failure(ErrorCode::UnknownName,
                            fmt::format("device '{}': unknown option '{}'", uri.text, key),
-                           "known are baud, dtr, low_latency, framing, header, checksum, sync, escape");
+                           "known are baud, dtr, low_latency, framing, header, checksum, sync, escape, a2l");
         }
     }
     if (profile.sync == profile.escape) {
@@ -165,7 +165,7 @@ Result<void> refuseOptions(const DeviceUri& uri) {
     }
     return failure(ErrorCode::UnknownName,
                    fmt::format("device '{}': unknown option '{}'", uri.text, uri.options.front().first),
-                   fmt::format("a {}: address has no options", uri.scheme));
+                   fmt::format("a {}: address has no option but a2l", uri.scheme));
 }
 
 Result<std::unique_ptr<Transport>> makeUsbTransport(const DeviceUri& uri) {

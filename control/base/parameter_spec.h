@@ -37,6 +37,7 @@ struct SignalSpec {
     double maxRate_Hz = 0.0;
     std::string help;
     std::vector<std::string> choices;
+    std::vector<int> events = {}; ///< of the board at which it can be sampled; only those of one go together
 };
 
 /// A name and the value it shall take.

@@ -70,6 +70,7 @@ void BoardDescription::addSignal(const A2lMeasurement& measurement) {
     spec.choices = choicesOf(measurement.conversion);
     for (const auto& [event, rate_Hz] : eventRates(measurement)) {
         spec.maxRate_Hz = std::max(spec.maxRate_Hz, rate_Hz);
+        spec.events.push_back(event);
     }
     m_catalogue.signals.push_back(std::move(spec));
 }
@@ -105,6 +106,15 @@ void BoardDescription::nameGroups() {
         const auto found = groupOf.find(spec.name);
         // Without a group in the description the part before the first dot is one.
         spec.group = found != groupOf.end() ? found->second : spec.name.substr(0, spec.name.find('.'));
+    }
+}
+
+void BoardDescription::makeReadOnly(const A2lSegment& segment) {
+    for (ParameterSpec& spec : m_catalogue.parameters) {
+        const A2lCharacteristic* object = characteristic(spec.name);
+        if (segment.contains(object->address, sizeOf(object->type) * object->count)) {
+            spec.access = ParameterAccess::ReadOnly;
+        }
     }
 }
 

@@ -23,6 +23,9 @@ public:
     const Catalogue& catalogue() const { return m_catalogue; }
     const A2lDescription& a2l() const { return m_a2l; }
 
+    /// Its running page takes no writes: what lies in it can only be read.
+    void makeReadOnly(const A2lSegment& segment);
+
     const A2lMeasurement* measurement(const std::string& name) const;
     const A2lCharacteristic* characteristic(const std::string& name) const;
 

@@ -152,7 +152,19 @@ Result<void> XcpDevice::readIdentity() {
     return {};
 }
 
-/// The board's own text, or a copy of it that an earlier connection kept under the same name and EPK (3.7).
+/// What the user gave, else the board's own text, or a copy of it that an earlier connection kept under the
+/// same name and EPK (3.7).
+Result<A2lDescription> XcpDevice::givenOrUploaded() {
+    if (m_options.description.empty()) {
+        return cachedOrUploaded();
+    }
+    Result<A2lDescription> description = parseA2l(m_options.description);
+    if (description) {
+        warnOfOtherFirmware(*description);
+    }
+    return description;
+}
+
 Result<A2lDescription> XcpDevice::cachedOrUploaded() {
     const DescriptionCache cache(m_options.cacheFolder);
     DescriptionKey key{m_options.identity.model, m_options.identity.firmware, 0};
@@ -199,7 +211,7 @@ void XcpDevice::warnOfOtherFirmware(const A2lDescription& description) const {
 }
 
 Result<void> XcpDevice::readDescription() {
-    Result<A2lDescription> description = cachedOrUploaded();
+    Result<A2lDescription> description = givenOrUploaded();
     if (!description) {
         return failure(description.error());
     }
@@ -232,31 +244,89 @@ Result<void> XcpDevice::readDescription() {
     return {};
 }
 
-/// Without a profile a parameter's default is the value the board had when it was opened.
-Result<void> XcpDevice::readDefaults() {
+/// Reads and writes go to the page that the control loop runs on. What lies on a page that takes no writes
+/// can only be read; a board that does not tell its page is taken at its description's word.
+Result<void> XcpDevice::choosePages() {
     for (const A2lSegment& segment : m_board.a2l().segments) {
-        if (!segment.hasTwoWritablePages()) {
+        if (segment.hasTwoWritablePages()) {
+            if (Result<void> done = readRunningPage(m_master, segment); !done) {
+                return done;
+            }
             continue;
         }
-        if (Result<void> done = readRunningPage(m_master, segment); !done) {
-            return done;
+        if (segment.pages.empty()) {
+            continue;
         }
+        const Result<std::uint8_t> running = m_master.page(PageAccess::ControlLoop, segment.number);
+        if (!running && running.error().code != ErrorCode::DeviceRefused) {
+            return failure(running.error());
+        }
+        const Result<void> chosen =
+            running ? m_master.setPage(PageAccess::Master, segment.number, *running) : Result<void>();
+        if (!chosen && chosen.error().code != ErrorCode::DeviceRefused) {
+            return chosen;
+        }
+        const auto canTake = [&](const A2lPage& page) {
+            return page.isWritable && (!running || page.number == *running);
+        };
+        if (std::none_of(segment.pages.begin(), segment.pages.end(), canTake)) {
+            m_board.makeReadOnly(segment);
+            message(
+                fmt::format("the parameters of '{}' can only be read: the board runs on a page of it that "
+                            "takes no writes",
+                            segment.name));
+        }
+    }
+    return {};
+}
+
+/// Without a profile a parameter's default is the value the board had when it was opened.
+Result<void> XcpDevice::readDefaults() {
+    if (Result<void> chosen = choosePages(); !chosen) {
+        return chosen;
     }
     std::vector<std::string> names;
     for (const ParameterSpec& spec : m_board.catalogue().parameters) {
         names.push_back(spec.name);
     }
     const Result<std::vector<double>> values = readParameters(names);
+    if (!values && values.error().code == ErrorCode::DeviceRefused) {
+        return readWhatCanBeRead(names);
+    }
     if (!values) {
         return failure(values.error());
     }
     for (std::size_t i = 0; i < names.size(); ++i) {
         m_board.catalogue().parameters[i].defaultValue = (*values)[i];
     }
+    useProfile();
+    return {};
+}
+
+/// A description may name what the board keeps to itself: the rest is of use all the same.
+Result<void> XcpDevice::readWhatCanBeRead(const std::vector<std::string>& names) {
+    std::vector<ParameterSpec> readable;
+    for (const std::string& name : names) {
+        const Result<std::vector<double>> value = readParameters(std::span(&name, 1));
+        if (!value && value.error().code != ErrorCode::DeviceRefused) {
+            return failure(value.error());
+        }
+        if (!value) {
+            message(fmt::format("parameter '{}' is left out: {}", name, value.error().message));
+            continue;
+        }
+        readable.push_back(*m_board.catalogue().findParameter(name));
+        readable.back().defaultValue = value->front();
+    }
+    m_board.catalogue().parameters = std::move(readable);
+    useProfile();
+    return {};
+}
+
+void XcpDevice::useProfile() {
     if (m_options.profile) {
         applyProfile(*m_options.profile, m_board.catalogue());
     }
-    return {};
 }
 
 LinkStatistics XcpDevice::statistics() const {

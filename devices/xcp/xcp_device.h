@@ -33,6 +33,8 @@ struct XcpDeviceOptions {
     /// Folder where descriptions of boards are kept, so that the next connection need not read them; empty:
     /// none.
     std::string cacheFolder;
+    /// Description (A2L) of a board that holds none, or another one than its own; empty: the board is asked.
+    std::string description;
     /// Asks the board for its clock once a second while streaming, to tell its drift (3.9). Not for a board
     /// on a virtual clock: its clock is the host's.
     bool measuresClock = false;

@@ -67,9 +67,13 @@ private:
     // opening (xcp_device.cpp)
     Result<void> readIdentity();
     Result<void> readDescription();
+    Result<A2lDescription> givenOrUploaded();
     Result<A2lDescription> cachedOrUploaded();
     void warnOfOtherFirmware(const A2lDescription& description) const;
+    Result<void> choosePages();
     Result<void> readDefaults();
+    Result<void> readWhatCanBeRead(const std::vector<std::string>& names);
+    void useProfile();
     void installHandlers();
 
     // values (xcp_device_values.cpp)

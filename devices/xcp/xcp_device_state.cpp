@@ -166,6 +166,9 @@ void XcpDevice::stop() noexcept {
         }
     }
     m_state.isConnected = m_state.isConnected && !m_link.lost();
+    if (m_board.measurement(StatusName) == nullptr) {
+        message("this board does not say whether it stopped: use the switch at the actuator");
+    }
 }
 
 Result<void> XcpDevice::clearStop() {

@@ -63,12 +63,13 @@ Result<std::string> XcpMaster::description(const KnownDescription& known) {
             }
             return *decoded;
         });
+        const bool isRefusedText = !id && id.error().code == ErrorCode::DeviceRefused;
+        if (isRefusedText || (id && id->length == 0)) {
+            return failure(ErrorCode::Protocol, "the board holds no description of itself",
+                           "give the A2L file that belongs to it: DEVICE?a2l=FILE");
+        }
         if (!id) {
             return failure(id.error());
-        }
-        if (id->length == 0) {
-            return failure(ErrorCode::Protocol, "the board holds no description of itself",
-                           "only boards that deliver their description (GET_ID 4) can be used");
         }
         if (id->length > MaxA2lSize) {
             return failure(ErrorCode::Protocol,

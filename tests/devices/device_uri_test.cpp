@@ -69,6 +69,22 @@ TEST(OpenDevice, refusesWhatIsNotBuiltWithAClearWord) {
     }
     EXPECT_EQ(openDevice("replay:/nowhere/x.csv", {}).error().code, ErrorCode::FileSystem);
     EXPECT_EQ(openDevice("tcp:nonsense", {}).error().code, ErrorCode::InvalidInput);
+    EXPECT_EQ(openDevice("tcp:127.0.0.1:1?a2l=/nowhere/x.a2l", {}).error().code, ErrorCode::FileSystem);
+}
+
+TEST(DeviceUri, aDescriptionFileOfAnyNameGoesIntoTheAddressAndComesOut) {
+    const std::string path = "/tmp/maker's & 100% = board?.a2l";
+    const auto address = withDescription("serial:/dev/ttyUSB0?baud=9600&a2l=old.a2l", path);
+    ASSERT_TRUE(address) << address.error().message;
+    EXPECT_EQ(address->rfind("serial:/dev/ttyUSB0?baud=9600&a2l=", 0), 0U) << *address;
+    auto uri = parseDeviceUri(*address);
+    ASSERT_TRUE(uri) << uri.error().message;
+    EXPECT_EQ(fileOfOption(uri->takeOption("a2l").value_or("")), path);
+    EXPECT_FALSE(uri->takeOption("a2l"));
+    EXPECT_EQ(uri->option("baud"), "9600");
+    for (const char* self : {"sim:htm", "replay:run.csv", "nothing"}) {
+        EXPECT_FALSE(withDescription(self, path)) << self;
+    }
 }
 
 } // namespace

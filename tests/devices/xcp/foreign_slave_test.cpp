@@ -168,6 +168,69 @@ TEST(ForeignSlaveParameters, withPagesTheSetChangesByOneSwitch) {
     EXPECT_EQ(opened.slave->parameter(before, 0), 0.0F) << "the page that ran stays as it was";
 }
 
+TEST(ForeignSlaveParameters, whatLiesOnARunningPageWithoutWritesCanOnlyBeRead) {
+    auto slave =
+        std::make_unique<TestSlave>(with([](SlaveTraits& foreign) { foreign.isPage1ReadOnly = true; }));
+    slave->bendAnswers = [](const Packet& command, std::deque<Packet>& answers) {
+        if (command[0] == static_cast<std::uint8_t>(Command::GetCalPage)) {
+            answers = {{0xFF, 0, 0, 1}};
+        }
+    };
+    std::vector<std::string> messages;
+    XcpDeviceOptions options;
+    options.onMessage = [&](const std::string& text) { messages.push_back(text); };
+    const auto device = openXcpDevice(std::move(slave), std::move(options));
+    ASSERT_TRUE(device) << device.error().message;
+    EXPECT_EQ((*device)->catalogue().findParameter("p.a")->access, ParameterAccess::ReadOnly);
+    ASSERT_EQ(messages.size(), 1U);
+    EXPECT_NE(messages[0].find("can only be read"), std::string::npos) << messages[0];
+    const ParameterValue change{"p.a", 1.0};
+    const auto written = (*device)->writeParameters({&change, 1});
+    ASSERT_FALSE(written);
+    EXPECT_NE(written.error().message.find("read only"), std::string::npos) << written.error().message;
+    EXPECT_EQ((*device)->readParameters({&change.name, 1}).value()[0], 0.0);
+}
+
+TEST(ForeignSlaveParameters, whatTheBoardKeepsToItselfIsLeftOutByName) {
+    auto slave = std::make_unique<TestSlave>();
+    slave->bendAnswers = [](const Packet& command, std::deque<Packet>& answers) {
+        const bool isRead = command[0] == static_cast<std::uint8_t>(Command::ShortUpload);
+        if (isRead && command[4] == 16 && command[5] == 0x40) { // p.n, at 0x4010
+            answers = slaveError(SlaveError::AccessDenied);
+        }
+    };
+    std::vector<std::string> messages;
+    XcpDeviceOptions options;
+    options.onMessage = [&](const std::string& text) { messages.push_back(text); };
+    const auto device = openXcpDevice(std::move(slave), std::move(options));
+    ASSERT_TRUE(device) << device.error().message;
+    EXPECT_EQ((*device)->catalogue().parameters.size(), 2U);
+    EXPECT_EQ((*device)->catalogue().findParameter("p.n"), nullptr);
+    ASSERT_EQ(messages.size(), 1U);
+    EXPECT_NE(messages[0].find("'p.n' is left out"), std::string::npos) << messages[0];
+}
+
+TEST(ForeignSlaveDescription, aGivenOneStandsForTheBoardsOwn) {
+    auto slave = std::make_unique<TestSlave>();
+    XcpDeviceOptions options;
+    options.description = slave->ownDescription();
+    slave->bendAnswers = [](const Packet& command, std::deque<Packet>& answers) {
+        if (command[0] == static_cast<std::uint8_t>(Command::GetId) && command[1] == 4) {
+            answers = slaveError(SlaveError::CommandUnknown);
+        }
+    };
+    TestSlave without;
+    without.bendAnswers = slave->bendAnswers;
+    const auto device = openXcpDevice(std::move(slave), std::move(options));
+    ASSERT_TRUE(device) << device.error().message;
+    EXPECT_NE((*device)->catalogue().findSignal("wave"), nullptr);
+    EXPECT_EQ((*device)->catalogue().findSignal("wave")->events, std::vector<int>{0});
+    const auto refused = openXcpDevice(std::make_unique<TestSlave>(std::move(without)), {});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message, "the board holds no description of itself");
+    EXPECT_NE(refused.error().hint.find("?a2l=FILE"), std::string::npos);
+}
+
 TEST(ForeignSlaveStream, slowerRatesComeFromThePrescalerAndTheHost) {
     const Opened opened = openSlave({});
     ASSERT_TRUE(opened.device);

@@ -70,6 +70,8 @@ public:
     std::uint8_t runningPage() const { return m_runningPage; }
     std::size_t count(Command command) const;
 
+    std::string ownDescription() const;
+
     // Transport
     Result<void> open() override;
     void close() noexcept override {}
@@ -105,7 +107,7 @@ private:
     void refreshSignals();
     std::uint64_t word(const Packet& packet, std::size_t place, std::size_t size) const;
     Packet response(std::initializer_list<std::pair<std::uint64_t, std::size_t>> fields) const;
-    std::string ownDescription() const;
+
     bool isUnplugged() const;
 
     SlaveTraits m_traits;
