@@ -50,6 +50,8 @@ void addLookingCommands(CLI::App& app, CommandOptions& options) {
     CLI::App* devices = addCommand(app, "devices", "List what can be connected; opens nothing");
     devices->add_flag("--udev-rules", options.printsUdevRules,
                       "Print the rules that let a user open boards without being root");
+    devices->add_flag("--desktop-file", options.printsDesktopFile,
+                      "Print the entry that puts the window into the desktop's menu");
     addDevice(addCommand(app, "describe", "Identity, signals and parameters of a device"), options);
     CLI::App* get = addCommand(app, "get", "Read signals and parameters");
     addDevice(get, options);

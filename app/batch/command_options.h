@@ -23,6 +23,7 @@ struct CommandOptions {
     std::string device;             ///< DEVICE, or MODEL.json / FILE.csv where the command takes those
     std::vector<std::string> names; ///< NAME... or NAME=VALUE...
     bool printsUdevRules = false;   ///< devices --udev-rules
+    bool printsDesktopFile = false; ///< devices --desktop-file
     bool isSaved = false;           ///< --save
     bool isApplied = false;         ///< calibrate --apply
     std::string applyDevice;        ///< tune --apply DEVICE

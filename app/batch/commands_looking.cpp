@@ -83,12 +83,14 @@ std::string descriptionText(const devices::Device& device, const std::vector<dou
 } // namespace
 
 CommandResult runDevicesCommand(CommandContext& context, const CommandOptions& options) {
-    if (options.printsUdevRules) {
-        if (context.global.style.isJson) {
-            return failure(ErrorCode::Usage, "--udev-rules prints a file, not a document",
-                           "leave out --json");
+    if (options.printsUdevRules || options.printsDesktopFile) {
+        if (context.global.style.isJson || (options.printsUdevRules && options.printsDesktopFile)) {
+            return failure(ErrorCode::Usage,
+                           fmt::format("{} prints a file, not a document",
+                                       options.printsUdevRules ? "--udev-rules" : "--desktop-file"),
+                           "leave out --json and the other one");
         }
-        context.console.print(devices::udevRules());
+        context.console.print(options.printsUdevRules ? devices::udevRules() : devices::desktopFile());
         return ExitCode::Done;
     }
     JsonValue list = JsonValue::array();

@@ -72,12 +72,21 @@ std::optional<std::string> holderOf(const std::string& node) {
     return std::nullopt;
 }
 
-PortTrouble permissionTrouble(const std::string& node) {
+bool isUdevRunning() {
+    return ::access("/run/udev/control", F_OK) == 0;
+}
+
+PortTrouble permissionTrouble(const std::string& node, bool hasUdev) {
     struct stat status {};
     const bool isKnown = ::stat(node.c_str(), &status) == 0;
     const std::string group = isKnown && (status.st_mode & S_IRGRP) != 0 ? groupOf(status) : std::string();
     std::string hint =
-        "install the rules that 'halbench devices --udev-rules' prints, then plug the device in again";
+        hasUdev
+            ? "install the rules that 'halbench devices --udev-rules' prints, then plug the device in again"
+            : fmt::format(
+                  "no udev runs here, so that rules have no effect: allow it with 'sudo chmod a+rw {}' "
+                  "each time it was plugged in",
+                  node);
     if (!group.empty() && group != "root") {
         hint += fmt::format(", or join the group with 'sudo usermod -aG {} $USER' and log in again", group);
     }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <condition_variable>
+#include <filesystem>
 #include <mutex>
 
 namespace halbench::devices {
@@ -83,6 +84,13 @@ TEST(SystemFiles, theRulesGrantAccessAndSayHowTheyAreInstalled) {
                              "/etc/udev/rules.d/70-halbench.rules", "ID_MM_DEVICE_IGNORE"}) {
         EXPECT_NE(rules.find(part), std::string::npos) << part;
     }
+}
+
+TEST(SystemFiles, theMenuEntryStartsThisProgramWhereverItIs) {
+    const std::string entry = desktopFile();
+    EXPECT_EQ(entry.rfind("[Desktop Entry]\nType=Application\n", 0), 0U);
+    const auto self = std::filesystem::read_symlink("/proc/self/exe").string();
+    EXPECT_NE(entry.find("\nExec=\"" + self + "\"\n"), std::string::npos) << entry;
 }
 
 } // namespace

@@ -17,11 +17,20 @@ TEST(PortAccess, aNodeThatIsNotThereSaysWhereToLook) {
 
 TEST(PortAccess, missingPermissionNamesTheRulesAndTheGroup) {
     const PtyLine line; // pseudo terminals belong to the group tty
-    const PortTrouble trouble = permissionTrouble(line.path());
+    const PortTrouble trouble = permissionTrouble(line.path(), true);
     EXPECT_EQ(trouble.reason, "no permission to use " + line.path());
     EXPECT_NE(trouble.hint.find("--udev-rules"), std::string::npos);
-    EXPECT_EQ(permissionTrouble("/dev/null").hint.find("usermod"), std::string::npos)
+    EXPECT_EQ(permissionTrouble("/dev/null", true).hint.find("usermod"), std::string::npos)
         << "nobody is told to join the group root";
+}
+
+TEST(PortAccess, whereNoUdevRunsNobodyIsToldToInstallRules) {
+    const PtyLine line;
+    const PortTrouble trouble = permissionTrouble(line.path(), false);
+    EXPECT_EQ(trouble.reason, "no permission to use " + line.path());
+    EXPECT_EQ(trouble.hint.find("--udev-rules"), std::string::npos) << trouble.hint;
+    EXPECT_NE(trouble.hint.find("no udev runs here"), std::string::npos) << trouble.hint;
+    EXPECT_NE(trouble.hint.find("sudo chmod a+rw " + line.path()), std::string::npos) << trouble.hint;
 }
 
 TEST(PortAccess, theHolderOfAPortIsNamed) {
