@@ -33,4 +33,8 @@ std::string Catalogue::parameterForRole(const std::string& role) const {
     return spec ? spec->name : std::string{};
 }
 
+bool Catalogue::hasProcedure(const std::string& name) const {
+    return std::find(procedures.begin(), procedures.end(), name) != procedures.end();
+}
+
 } // namespace halbench::devices

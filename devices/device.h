@@ -41,6 +41,7 @@ struct Catalogue {
     /// Name of the signal or parameter that plays a role ("coil_temperature.a"); empty if none does.
     std::string signalForRole(const std::string& role) const;
     std::string parameterForRole(const std::string& role) const;
+    bool hasProcedure(const std::string& name) const;
 };
 
 enum class BoardMode { Idle = 0, Current = 1, Position = 2, DAxis = 3 };

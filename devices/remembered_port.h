@@ -13,6 +13,8 @@ namespace halbench::devices {
 struct RememberedPort {
     std::string uri;    ///< as it was named, with its options
     std::string serial; ///< serial number of the hardware; empty: it has none, or its port is not listed
+
+    bool operator==(const RememberedPort&) const = default;
 };
 
 /// The port that an address names among those that are plugged in.

@@ -1651,10 +1651,6 @@
         <translation>Gerät „{}“: unbekannte Option „{}“</translation>
     </message>
     <message>
-        <source>a {}: address has no options</source>
-        <translation>eine Adresse mit {}: hat keine Optionen</translation>
-    </message>
-    <message>
         <source>must be &quot;{}&quot;</source>
         <translation>muss „{}“ sein</translation>
     </message>
@@ -2281,10 +2277,6 @@
     <message>
         <source>the board holds no description of itself</source>
         <translation>das Steuergerät enthält keine Beschreibung seiner selbst</translation>
-    </message>
-    <message>
-        <source>only boards that deliver their description (GET_ID 4) can be used</source>
-        <translation>nur Steuergeräte, die ihre Beschreibung liefern (GET_ID 4), können verwendet werden</translation>
     </message>
     <message>
         <source>the board&apos;s description has {} octets</source>
@@ -3515,10 +3507,6 @@
         <translation>geben Sie eine ganze Zahl von {} bis {} an</translation>
     </message>
     <message>
-        <source>known are baud, dtr, low_latency, framing, header, checksum, sync, escape</source>
-        <translation>bekannt sind baud, dtr, low_latency, framing, header, checksum, sync, escape</translation>
-    </message>
-    <message>
         <source>device &apos;{}&apos;: sync and escape are the same</source>
         <translation>Gerät „{}“: sync und escape sind gleich</translation>
     </message>
@@ -4086,6 +4074,54 @@
         <source>recommended by the program for this motor</source>
         <translation>vom Programm für diesen Motor empfohlen</translation>
     </message>
+    <message>
+        <source>device &apos;{}&apos; describes itself and takes no file</source>
+        <translation>Das Gerät &apos;{}&apos; beschreibt sich selbst und nimmt keine Datei</translation>
+    </message>
+    <message>
+        <source>name the port of the board first, like tcp:HOST:PORT</source>
+        <translation>zuerst den Anschluss der Platine nennen, etwa tcp:HOST:PORT</translation>
+    </message>
+    <message>
+        <source>the description &apos;{}&apos; cannot be read: {}</source>
+        <translation>Die Beschreibung &apos;{}&apos; lässt sich nicht lesen: {}</translation>
+    </message>
+    <message>
+        <source>give the A2L file that belongs to the board&apos;s firmware</source>
+        <translation>die A2L-Datei angeben, die zur Firmware der Platine gehört</translation>
+    </message>
+    <message>
+        <source>the description &apos;{}&apos; has {} octets</source>
+        <translation>Die Beschreibung &apos;{}&apos; hat {} Oktette</translation>
+    </message>
+    <message>
+        <source>known are baud, dtr, low_latency, framing, header, checksum, sync, escape, a2l</source>
+        <translation>bekannt sind baud, dtr, low_latency, framing, header, checksum, sync, escape, a2l</translation>
+    </message>
+    <message>
+        <source>a {}: address has no option but a2l</source>
+        <translation>Eine {}:-Adresse hat keine Option außer a2l</translation>
+    </message>
+    <message>
+        <source>no udev runs here, so that rules have no effect: allow it with &apos;sudo chmod a+rw {}&apos; each time it was plugged in</source>
+        <translation>Hier läuft kein udev, Regeln wirken daher nicht: nach jedem Anstecken mit &apos;sudo chmod a+rw {}&apos; erlauben</translation>
+    </message>
+    <message>
+        <source>the parameters of &apos;{}&apos; can only be read: the board runs on a page of it that takes no writes</source>
+        <translation>Die Parameter von &apos;{}&apos; lassen sich nur lesen: Die Platine läuft auf einer Seite davon, die kein Schreiben annimmt</translation>
+    </message>
+    <message>
+        <source>parameter &apos;{}&apos; is left out: {}</source>
+        <translation>Parameter &apos;{}&apos; wird weggelassen: {}</translation>
+    </message>
+    <message>
+        <source>this board does not say whether it stopped: use the switch at the actuator</source>
+        <translation>Diese Platine sagt nicht, ob sie angehalten hat: den Schalter am Aktor verwenden</translation>
+    </message>
+    <message>
+        <source>give the A2L file that belongs to it: DEVICE?a2l=FILE</source>
+        <translation>die zugehörige A2L-Datei angeben: GERÄT?a2l=DATEI</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -4648,6 +4684,26 @@ Firmware %2</translation>
         <source>Connection lost. Looking for %1 …</source>
         <translation>Verbindung verloren. %1 wird gesucht …</translation>
     </message>
+    <message>
+        <source>&amp;Description file…</source>
+        <translation>&amp;Beschreibungsdatei…</translation>
+    </message>
+    <message>
+        <source>For a board that does not describe itself: the A2L file that its maker gives with it (Alt+D)</source>
+        <translation>Für eine Platine, die sich nicht selbst beschreibt: die A2L-Datei, die der Hersteller mitgibt (Alt+B)</translation>
+    </message>
+    <message>
+        <source>Description of the board</source>
+        <translation>Beschreibung der Platine</translation>
+    </message>
+    <message>
+        <source>Description (*.a2l)</source>
+        <translation>Beschreibung (*.a2l)</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>nicht genannt</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DeviceSession</name>
@@ -5054,6 +5110,18 @@ neben dem, was eine Führungsgröße bewegt hat (Enter sendet ihn)</translation>
     <message>
         <source>They last until power-down; Save in the device, in Parameters, keeps them.</source>
         <translation>Sie gelten bis zum Ausschalten; „Im Gerät speichern“ unter Parameter behält sie.</translation>
+    </message>
+    <message>
+        <source>This device cannot be armed, driven or stopped from here: it has no parameter hb.arm.</source>
+        <translation>Dieses Gerät lässt sich von hier weder freigeben noch bewegen noch anhalten: Es hat keinen Parameter hb.arm.</translation>
+    </message>
+    <message>
+        <source>Use its maker&apos;s program and the switch at the actuator. Signals, Parameters and Record work with it by name.</source>
+        <translation>Das Programm des Herstellers und den Schalter am Aktor verwenden. Signale, Parameter und Aufnahme arbeiten mit seinen Namen.</translation>
+    </message>
+    <message>
+        <source>Not known</source>
+        <translation>Nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -6209,6 +6277,14 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
             <numerusform>%n Signale, %1 Hz, Zeilen verloren: %2</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Not shown: %1</source>
+        <translation>Nicht gezeigt: %1</translation>
+    </message>
+    <message>
+        <source>The device samples them at other moments than the rest, or at none that repeat. Plot signals of one event together.</source>
+        <translation>Das Gerät tastet sie zu anderen Zeitpunkten ab als die übrigen oder zu keinen, die sich wiederholen. Signale eines Ereignisses gemeinsam zeichnen.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::NoteLabel</name>
@@ -6376,6 +6452,18 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Kept as %1.</source>
         <translation>Als %1 behalten.</translation>
+    </message>
+    <message>
+        <source>Parameters that can only be read: %1.</source>
+        <translation>Parameter, die sich nur lesen lassen: %1.</translation>
+    </message>
+    <message>
+        <source>The device takes no writes to them or to the page that it runs on.</source>
+        <translation>Das Gerät nimmt für sie oder für die Seite, auf der es läuft, kein Schreiben an.</translation>
+    </message>
+    <message>
+        <source>This device cannot switch a whole set: values that do not lie side by side changed one by one.</source>
+        <translation>Dieses Gerät kann keinen ganzen Satz umschalten: Werte, die nicht nebeneinander liegen, haben sich einzeln geändert.</translation>
     </message>
 </context>
 <context>
@@ -6584,6 +6672,22 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>%1, up to %2 expected during the run</source>
         <translation>%1, im Lauf werden bis zu %2 erwartet</translation>
+    </message>
+    <message>
+        <source>The connection is lost; the device is being looked for</source>
+        <translation>Die Verbindung ist verloren; das Gerät wird gesucht</translation>
+    </message>
+    <message>
+        <source>Plug it in again or switch it on</source>
+        <translation>Wieder anstecken oder einschalten</translation>
+    </message>
+    <message>
+        <source>Nothing is known of the motor behind this device: it has no profile here</source>
+        <translation>Vom Motor hinter diesem Gerät ist nichts bekannt: Es hat hier kein Profil</translation>
+    </message>
+    <message>
+        <source>Watch, record and set it by name in Signals, Record and Parameters</source>
+        <translation>In Signale, Aufnahme und Parameter nach Namen beobachten, aufnehmen und einstellen</translation>
     </message>
 </context>
 <context>

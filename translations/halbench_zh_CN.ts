@@ -1651,10 +1651,6 @@
         <translation>设备“{}”：未知的选项“{}”</translation>
     </message>
     <message>
-        <source>a {}: address has no options</source>
-        <translation>{}: 地址没有选项</translation>
-    </message>
-    <message>
         <source>must be &quot;{}&quot;</source>
         <translation>必须是“{}”</translation>
     </message>
@@ -2281,10 +2277,6 @@
     <message>
         <source>the board holds no description of itself</source>
         <translation>控制板不含自身的描述</translation>
-    </message>
-    <message>
-        <source>only boards that deliver their description (GET_ID 4) can be used</source>
-        <translation>只能使用可提供自身描述（GET_ID 4）的控制板</translation>
     </message>
     <message>
         <source>the board&apos;s description has {} octets</source>
@@ -3515,10 +3507,6 @@
         <translation>请给出 {} 到 {} 的整数</translation>
     </message>
     <message>
-        <source>known are baud, dtr, low_latency, framing, header, checksum, sync, escape</source>
-        <translation>已知的有 baud、dtr、low_latency、framing、header、checksum、sync、escape</translation>
-    </message>
-    <message>
         <source>device &apos;{}&apos;: sync and escape are the same</source>
         <translation>设备“{}”：sync 与 escape 相同</translation>
     </message>
@@ -4086,6 +4074,54 @@
         <source>recommended by the program for this motor</source>
         <translation>程序为该电机推荐</translation>
     </message>
+    <message>
+        <source>device &apos;{}&apos; describes itself and takes no file</source>
+        <translation>设备 &apos;{}&apos; 自带描述，不接受文件</translation>
+    </message>
+    <message>
+        <source>name the port of the board first, like tcp:HOST:PORT</source>
+        <translation>请先指定板卡的端口，例如 tcp:HOST:PORT</translation>
+    </message>
+    <message>
+        <source>the description &apos;{}&apos; cannot be read: {}</source>
+        <translation>无法读取描述文件 &apos;{}&apos;：{}</translation>
+    </message>
+    <message>
+        <source>give the A2L file that belongs to the board&apos;s firmware</source>
+        <translation>请给出与板卡固件对应的 A2L 文件</translation>
+    </message>
+    <message>
+        <source>the description &apos;{}&apos; has {} octets</source>
+        <translation>描述文件 &apos;{}&apos; 有 {} 个字节</translation>
+    </message>
+    <message>
+        <source>known are baud, dtr, low_latency, framing, header, checksum, sync, escape, a2l</source>
+        <translation>已知的有 baud、dtr、low_latency、framing、header、checksum、sync、escape、a2l</translation>
+    </message>
+    <message>
+        <source>a {}: address has no option but a2l</source>
+        <translation>{}: 地址除 a2l 外没有其他选项</translation>
+    </message>
+    <message>
+        <source>no udev runs here, so that rules have no effect: allow it with &apos;sudo chmod a+rw {}&apos; each time it was plugged in</source>
+        <translation>此处没有运行 udev，规则不起作用：每次插上后请用 &apos;sudo chmod a+rw {}&apos; 允许访问</translation>
+    </message>
+    <message>
+        <source>the parameters of &apos;{}&apos; can only be read: the board runs on a page of it that takes no writes</source>
+        <translation>&apos;{}&apos; 的参数只能读取：板卡正运行在其不接受写入的页上</translation>
+    </message>
+    <message>
+        <source>parameter &apos;{}&apos; is left out: {}</source>
+        <translation>参数 &apos;{}&apos; 被略去：{}</translation>
+    </message>
+    <message>
+        <source>this board does not say whether it stopped: use the switch at the actuator</source>
+        <translation>此板卡不说明是否已停止：请使用执行器上的开关</translation>
+    </message>
+    <message>
+        <source>give the A2L file that belongs to it: DEVICE?a2l=FILE</source>
+        <translation>请给出其 A2L 文件：设备?a2l=文件</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -4644,6 +4680,26 @@ Firmware %2</source>
         <source>Connection lost. Looking for %1 …</source>
         <translation>连接已断开。正在查找 %1 …</translation>
     </message>
+    <message>
+        <source>&amp;Description file…</source>
+        <translation>描述文件(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>For a board that does not describe itself: the A2L file that its maker gives with it (Alt+D)</source>
+        <translation>用于不自带描述的板卡：制造商随附的 A2L 文件 (Alt+D)</translation>
+    </message>
+    <message>
+        <source>Description of the board</source>
+        <translation>板卡描述</translation>
+    </message>
+    <message>
+        <source>Description (*.a2l)</source>
+        <translation>描述 (*.a2l)</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>未说明</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DeviceSession</name>
@@ -5049,6 +5105,18 @@ a reference has moved it (Enter sends it)</source>
     <message>
         <source>They last until power-down; Save in the device, in Parameters, keeps them.</source>
         <translation>断电前有效；用“参数”中的“保存到设备”可长期保留。</translation>
+    </message>
+    <message>
+        <source>This device cannot be armed, driven or stopped from here: it has no parameter hb.arm.</source>
+        <translation>无法从这里使能、驱动或停止此设备：它没有参数 hb.arm。</translation>
+    </message>
+    <message>
+        <source>Use its maker&apos;s program and the switch at the actuator. Signals, Parameters and Record work with it by name.</source>
+        <translation>请使用其制造商的程序和执行器上的开关。“信号”、“参数”和“记录”可按名称使用。</translation>
+    </message>
+    <message>
+        <source>Not known</source>
+        <translation>未知</translation>
     </message>
 </context>
 <context>
@@ -6203,6 +6271,14 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
             <numerusform>%n 个信号，%1 Hz，丢失 %2 行</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Not shown: %1</source>
+        <translation>未显示：%1</translation>
+    </message>
+    <message>
+        <source>The device samples them at other moments than the rest, or at none that repeat. Plot signals of one event together.</source>
+        <translation>设备对它们的采样时刻与其余信号不同，或没有周期性采样。请一起绘制同一事件的信号。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::NoteLabel</name>
@@ -6369,6 +6445,18 @@ A real device has its own time.</source>
     <message>
         <source>Kept as %1.</source>
         <translation>已保留为 %1。</translation>
+    </message>
+    <message>
+        <source>Parameters that can only be read: %1.</source>
+        <translation>只能读取的参数：%1。</translation>
+    </message>
+    <message>
+        <source>The device takes no writes to them or to the page that it runs on.</source>
+        <translation>设备不接受对它们或其所运行页的写入。</translation>
+    </message>
+    <message>
+        <source>This device cannot switch a whole set: values that do not lie side by side changed one by one.</source>
+        <translation>此设备不能整组切换：不相邻的值是逐个改变的。</translation>
     </message>
 </context>
 <context>
@@ -6577,6 +6665,22 @@ A real device has its own time.</source>
     <message>
         <source>%1, up to %2 expected during the run</source>
         <translation>%1，运行中预计最高 %2</translation>
+    </message>
+    <message>
+        <source>The connection is lost; the device is being looked for</source>
+        <translation>连接已丢失；正在寻找设备</translation>
+    </message>
+    <message>
+        <source>Plug it in again or switch it on</source>
+        <translation>请重新插上或接通电源</translation>
+    </message>
+    <message>
+        <source>Nothing is known of the motor behind this device: it has no profile here</source>
+        <translation>不了解此设备所连的电机：此处没有它的配置</translation>
+    </message>
+    <message>
+        <source>Watch, record and set it by name in Signals, Record and Parameters</source>
+        <translation>可在“信号”、“记录”和“参数”中按名称观察、记录和设置</translation>
     </message>
 </context>
 <context>

@@ -109,6 +109,7 @@ void MainWindow::furnish() {
     m_project->beginWith(shownProject());
     m_autosave.start(AutosavePeriod_ms);
     m_devices->setRemembered(m_preferences.lastDevice);
+    connect(&m_bench.session(), &DeviceSession::stateChanged, this, &MainWindow::keepLastDevice);
     m_devices->setFocus(); // Enter after the start connects
     furnished();
 }
@@ -168,6 +169,15 @@ void MainWindow::buildCentre() {
 void MainWindow::onPerspective() {
     m_bar->setPerspective(m_docks->perspective());
     m_preferences.perspective = perspectiveId(m_docks->perspective());
+}
+
+/// At once, so that a crash does not forget it.
+void MainWindow::keepLastDevice() {
+    if (m_bench.session().state() == SessionState::Connected &&
+        m_preferences.lastDevice != m_devices->remembered()) {
+        m_preferences.lastDevice = m_devices->remembered();
+        savePreferences(m_preferences);
+    }
 }
 
 void MainWindow::connectDevice(const QString& uri) {

@@ -74,6 +74,7 @@ private:
     void showHelp();
     void openHelp(const QString& page);
     void noteStop(const QString& by);
+    void keepLastDevice();
     void onPerspective();
     void onMessage(widgets::Severity severity, const QString& text, const QString& hint);
     void say(const widgets::Message& message, std::function<void()> remedy);

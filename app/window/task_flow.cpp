@@ -56,6 +56,7 @@ void connectTaskFlow(DockLayout& docks, Workbench& bench) {
     calibrate->setFileChooser(fileDialogs(bench));
     tune->setFileChooser(fileDialogs(bench));
     configuration->setFileChooser(fileDialogs(bench));
+    panelOf<DevicePanel>(docks, "devices")->setFileChooser(fileDialogs(bench));
 }
 
 } // namespace halbench::app

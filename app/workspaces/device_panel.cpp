@@ -1,6 +1,7 @@
 #include "app/workspaces/device_panel.h"
 
 #include "app/workspaces/pace_row.h"
+#include "devices/device_uri.h"
 #include "devices/simulated/simulated_device.h"
 #include "widgets/icons.h"
 #include "widgets/message_bar.h"
@@ -56,6 +57,11 @@ void DevicePanel::buildChooser() {
     m_address->setAccessibleName(tr("Device address"));
     m_address->setToolTip(tr("For example sim:htm?seed=7 or tcp:HOST:PORT"));
     m_address->setPlaceholderText(tr("sim:htm or tcp:HOST:PORT"));
+    m_description = new QPushButton(tr("&Description file…"), this);
+    m_description->setToolTip(
+        tr("For a board that does not describe itself: the A2L file that its maker gives "
+           "with it (Alt+D)"));
+    m_description->hide(); // until there is a way to ask for a file
     m_connect = new QPushButton(this);
     m_connect->setIcon(widgets::themedIcon("connect"));
     m_message = new widgets::MessageBar(this);
@@ -63,6 +69,7 @@ void DevicePanel::buildChooser() {
     auto* column = static_cast<QVBoxLayout*>(layout());
     column->addWidget(m_list);
     column->addWidget(m_address);
+    column->addWidget(m_description);
     column->addWidget(m_connect);
     column->addWidget(m_message);
     column->addWidget(new PaceRow(m_bench, PaceRow::Place::Devices, this));
@@ -72,6 +79,7 @@ void DevicePanel::buildChooser() {
     connect(m_list, &QListWidget::itemActivated, this, [this] { connectAddress(); });
     connect(m_address, &QLineEdit::returnPressed, this, &DevicePanel::connectAddress);
     connect(m_connect, &QPushButton::clicked, this, &DevicePanel::toggleConnection);
+    connect(m_description, &QPushButton::clicked, this, &DevicePanel::chooseDescription);
 }
 
 void DevicePanel::buildIdentity() {
@@ -206,6 +214,28 @@ void DevicePanel::chooseRow(int row) {
     }
 }
 
+void DevicePanel::setFileChooser(FileChooser chooser) {
+    m_chooser = std::move(chooser);
+    m_description->setVisible(bool(m_chooser.open));
+}
+
+/// Into the address, so that it is seen, remembered and changed like the rest of it.
+void DevicePanel::chooseDescription() {
+    const QString file =
+        m_chooser.open(this, {tr("Description of the board"), {}, tr("Description (*.a2l)")});
+    if (file.isEmpty()) {
+        return;
+    }
+    const auto described = devices::withDescription(address().toStdString(), file.toStdString());
+    if (!described) {
+        onFailed(words(described.error().message), words(described.error().hint));
+        return;
+    }
+    m_message->clear();
+    setAddress(words(*described));
+    m_connect->setFocus(Qt::OtherFocusReason);
+}
+
 void DevicePanel::setAddress(const QString& uri) {
     m_hasChosen = true;
     m_address->setText(uri);
@@ -249,6 +279,7 @@ void DevicePanel::refresh() {
     const bool isFree = session.state() == SessionState::Disconnected;
     m_list->setEnabled(isFree);
     m_address->setEnabled(isFree);
+    m_description->setEnabled(isFree);
     m_connect->setEnabled(session.state() != SessionState::Leaving);
     m_connect->setText(isFree ? tr("&Connect") : tr("Dis&connect"));
     m_connect->setIcon(widgets::themedIcon(isFree ? "connect" : "disconnect"));
@@ -275,9 +306,12 @@ QString DevicePanel::identityText() const {
     if (session.state() == SessionState::Reconnecting) {
         return tr("Connection lost. Looking for %1 …").arg(words(session.info().id));
     }
-    return session.state() == SessionState::Connected
-               ? tr("%1\nFirmware %2").arg(words(session.info().id), words(session.info().firmware))
-               : QString();
+    if (session.state() != SessionState::Connected) {
+        return {};
+    }
+    const devices::DeviceInfo& info = session.info();
+    const QString name = words(!info.id.empty() ? info.id : !info.model.empty() ? info.model : info.uri);
+    return tr("%1\nFirmware %2").arg(name, info.firmware.empty() ? tr("not told") : words(info.firmware));
 }
 
 } // namespace halbench::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/workspaces/file_chooser.h"
 #include "app/workspaces/workbench.h"
 #include "devices/device_watcher.h"
 #include "devices/remembered_port.h"
@@ -27,6 +28,9 @@ class DevicePanel : public QWidget {
 
 public:
     explicit DevicePanel(Workbench& bench, QWidget* parent = nullptr);
+
+    /// How a description file is asked for; without it there is no button.
+    void setFileChooser(FileChooser chooser);
 
     void setAddress(const QString& uri);
     QString address() const;
@@ -57,6 +61,7 @@ private:
     void fitRows();
     void remember();
     void chooseRow(int row);
+    void chooseDescription();
     void refresh();
     QString identityText() const;
     void onFailed(const QString& text, const QString& hint);
@@ -64,6 +69,8 @@ private:
     Workbench& m_bench;
     QListWidget* m_list = nullptr;
     QLineEdit* m_address = nullptr;
+    QPushButton* m_description = nullptr;
+    FileChooser m_chooser;
     QPushButton* m_connect = nullptr;
     QLabel* m_identity = nullptr;
     widgets::MessageBar* m_message = nullptr;

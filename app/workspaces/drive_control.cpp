@@ -59,7 +59,12 @@ DriveControl::DriveControl(Workbench& bench, QObject* parent) : QObject(parent),
 }
 
 bool DriveControl::isAvailable() const {
-    return m_bench.session().state() == SessionState::Connected && m_bench.session().procedure().isEmpty();
+    return m_bench.session().state() == SessionState::Connected && m_bench.session().procedure().isEmpty() &&
+           canDrive();
+}
+
+bool DriveControl::canDrive() const {
+    return m_bench.session().catalogue().findParameter("hb.arm") != nullptr;
 }
 
 bool DriveControl::isArmed() const {

@@ -25,8 +25,10 @@ class DriveControl : public QObject {
 public:
     explicit DriveControl(Workbench& bench, QObject* parent = nullptr);
 
-    /// A device is connected and no procedure has it.
+    /// A device is connected that can be driven from here, and no procedure has it.
     bool isAvailable() const;
+    /// The device knows our arming (resources/help/protocol.md 3.15); boards of other makers do not.
+    bool canDrive() const;
     bool isArmed() const;
     bool isStopped() const;  ///< a stop or a fault is latched
     bool canRelease() const; ///< and it is no longer too early

@@ -52,6 +52,9 @@ DrivePanel::DrivePanel(Workbench& bench, QWidget* parent)
     layout()->addWidget(m_message); // at the end, so that nothing moves away from under the mouse
     connect(m_message, &widgets::MessageBar::actionTriggered, this, &DrivePanel::onMessageAction);
     connect(m_message, &widgets::MessageBar::dismissed, this, [this] {
+        if (m_asking == Asking::NothingToDrive) {
+            return; // said once for this device
+        }
         if (std::exchange(m_asking, Asking::Nothing) == Asking::Consent) {
             m_control.dismissConsent();
         }
@@ -229,6 +232,7 @@ void DrivePanel::showError(const QString& text, const QString& remedy) {
 }
 
 void DrivePanel::refresh() {
+    refreshForeign();
     refreshStop();
     refreshState();
     refreshMode();
@@ -247,13 +251,31 @@ void DrivePanel::refresh() {
 
 void DrivePanel::showSetpoint() {
     const double held_rad = m_control.held_rad();
-    QString words = m_control.canMove() ? tr("Now %1").arg(valueText(m_control.setpoint()))
-                                        : tr("Arm first; set-points start at zero.");
+    QString words = m_control.canMove()                  ? tr("Now %1").arg(valueText(m_control.setpoint()))
+                    : m_asking != Asking::NothingToDrive ? tr("Arm first; set-points start at zero.")
+                                                         : QString();
     if (m_control.canMove() && m_control.mode() == BoardMode::Position && held_rad != 0.0) {
         words = tr("Now %1, beside %2 of the reference")
                     .arg(valueText(m_control.setpoint()), valueText(held_rad));
     }
     m_setpointNow->setText(words);
+}
+
+/// A board of another maker is not armed by guessing how.
+void DrivePanel::refreshForeign() {
+    const bool isForeign = m_bench.session().state() == SessionState::Connected && !m_control.canDrive();
+    if (isForeign && m_asking != Asking::NothingToDrive) {
+        m_asking = Asking::NothingToDrive;
+        m_message->showMessage({widgets::Severity::Information,
+                                tr("This device cannot be armed, driven or stopped from here: it has no "
+                                   "parameter hb.arm."),
+                                tr("Use its maker's program and the switch at the actuator. Signals, "
+                                   "Parameters and Record work with it by name."),
+                                {}});
+    } else if (!isForeign && m_asking == Asking::NothingToDrive) {
+        m_asking = Asking::Nothing;
+        m_message->clear();
+    }
 }
 
 void DrivePanel::refreshMode() {
@@ -296,7 +318,7 @@ void DrivePanel::refreshState() {
         state = driven.isEmpty() ? tr("Armed") : tr("Armed, %1").arg(driven);
         role = widgets::Role::Armed;
     } else if (isConnected) {
-        state = tr("Disarmed");
+        state = m_control.canDrive() ? tr("Disarmed") : tr("Not known");
     }
     m_state->setText(state);
     m_state->setAccessibleName(tr("State: %1").arg(state));

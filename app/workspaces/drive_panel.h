@@ -46,6 +46,7 @@ private:
     void onSetpointRefused(const QString& text);
     void onStartReference();
     void refresh();
+    void refreshForeign();
     void refreshStop();
     void refreshMode();
     void refreshState();
@@ -59,7 +60,7 @@ private:
     void forgetError();
     void showError(const QString& text, const QString& remedy);
 
-    enum class Asking { Nothing, Consent, Release };
+    enum class Asking { Nothing, Consent, Release, NothingToDrive };
 
     Workbench& m_bench;
     DriveControl& m_control;

@@ -24,6 +24,8 @@ public:
 
     const std::vector<std::string>& streamed() const { return m_streamed; } ///< in the catalogue's order
     double rate_Hz() const { return m_rate_Hz; }
+    /// Wanted, but not streamed: the device samples them at another event than the others, or at none.
+    const std::vector<std::string>& leftOut() const { return m_leftOut; }
 
 Q_SIGNALS:
     void changed();
@@ -35,6 +37,7 @@ private:
     DeviceSession& m_session;
     std::map<const QObject*, std::vector<std::string>> m_wanted;
     std::vector<std::string> m_streamed;
+    std::vector<std::string> m_leftOut;
     double m_rate_Hz = 0.0;
 };
 

@@ -71,6 +71,7 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     connect(&m_bench.freshness(), &Freshness::changed, this,
             [this] { m_stack->setStale(m_bench.freshness().words()); });
     connect(&m_values, &QTimer::timeout, this, &MonitorPanel::refreshStream);
+    connect(&m_bench.liveSignals(), &LiveSignals::changed, this, &MonitorPanel::sayLeftOut);
     m_values.start(ValuesPeriod_ms);
     refreshWords();
     onDevice();
@@ -120,7 +121,7 @@ void MonitorPanel::onDevice() {
     if (session.state() != SessionState::Connected || session.returns() > 0) {
         return; // a device that came back finds everything as it was
     }
-    const QString device = QString::fromStdString(session.info().model + session.info().id);
+    const QString device = deviceKey(session.info());
     m_pages->setCurrentIndex(1); // and stays: what was measured can be looked at without the device
     m_stack->setMarkers({});
     m_stack->setPaused(false);
@@ -258,6 +259,24 @@ void MonitorPanel::onPlotsChanged() {
     const auto& defaults = m_bench.session().catalogue().defaultSignals; // for the tree's live values
     wanted.insert(wanted.end(), defaults.begin(), defaults.end());
     m_bench.liveSignals().want(this, std::move(wanted));
+}
+
+/// Plotted, but without samples.
+void MonitorPanel::sayLeftOut() {
+    QStringList names;
+    for (const std::string& name : m_bench.liveSignals().leftOut()) {
+        names << QString::fromStdString(name);
+    }
+    if (!names.isEmpty()) {
+        m_message->showMessage({widgets::Severity::Warning,
+                                tr("Not shown: %1").arg(names.join(QStringLiteral(", "))),
+                                tr("The device samples them at other moments than the rest, or at none that "
+                                   "repeat. Plot signals of one event together."),
+                                {}});
+    } else if (m_isLeftOutSaid) {
+        m_message->clear();
+    }
+    m_isLeftOutSaid = !names.isEmpty();
 }
 
 /// A new marker goes into the recording too.

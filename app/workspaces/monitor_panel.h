@@ -52,6 +52,7 @@ private:
     void onPlotsChanged();
     void showView();
     void forgetMissing();
+    void sayLeftOut();
     void onMarkers();
     void refreshStream();
     void refreshWords();
@@ -63,8 +64,9 @@ private:
     QLabel* m_stream = nullptr;
     QTimer m_values; ///< what is said of the stream
     std::size_t m_markers = 0;
-    QString m_device;            ///< whose plots are shown; empty: the view waits for a device
-    MonitorView m_view;          ///< as it was set
+    QString m_device;   ///< whose plots are shown; empty: the view waits for a device
+    MonitorView m_view; ///< as it was set
+    bool m_isLeftOutSaid = false;
     bool m_isIncomplete = false; ///< some of m_view is left out, and nothing was changed since
     widgets::MessageBar* m_message = nullptr;
 };

@@ -96,15 +96,7 @@ void ParametersPanel::onDevice() {
     const DeviceSession& session = m_bench.session();
     const bool isConnected = session.state() == SessionState::Connected;
     if (isConnected && m_shown.empty()) {
-        std::vector<ParameterSpec> specs;
-        for (const ParameterSpec& spec : session.catalogue().parameters) {
-            if (isSetting(spec)) {
-                specs.push_back(spec);
-                m_shown.push_back(spec.name);
-            }
-        }
-        m_table->setSpecs(std::move(specs));
-        fillPresets();
+        showDevice(session.catalogue());
     } else if (session.state() == SessionState::Connecting) {
         m_shown.clear(); // another device, another table
     }
@@ -113,6 +105,41 @@ void ParametersPanel::onDevice() {
     for (QPushButton* button : {m_load, m_save, m_saveOnDevice}) {
         button->setEnabled(isFree);
     }
+}
+
+/// Orders to the board are no settings; what can only be read is shown all the same.
+void ParametersPanel::showDevice(const devices::Catalogue& catalogue) {
+    std::vector<ParameterSpec> specs;
+    int readOnly = 0;
+    for (const ParameterSpec& spec : catalogue.parameters) {
+        ParameterSpec writable = spec;
+        writable.access = ParameterAccess::ReadWrite;
+        if (isSetting(writable)) {
+            specs.push_back(spec);
+            m_shown.push_back(spec.name);
+            readOnly += spec.access == ParameterAccess::ReadOnly ? 1 : 0;
+        }
+    }
+    m_table->setSpecs(std::move(specs));
+    m_table->messages().clear();
+    if (readOnly > 0) {
+        m_table->messages().showMessage(
+            {widgets::Severity::Information,
+             tr("Parameters that can only be read: %1.").arg(readOnly),
+             tr("The device takes no writes to them or to the page that it runs on."),
+             {}});
+    }
+    fillPresets();
+}
+
+/// A set of which more than one value lies outside the pages that the device can switch.
+bool ParametersPanel::isOneByOne(const std::vector<ParameterValue>& values) const {
+    const devices::Catalogue& catalogue = m_bench.session().catalogue();
+    const auto plain = std::count_if(values.begin(), values.end(), [&](const ParameterValue& value) {
+        const ParameterSpec* spec = catalogue.findParameter(value.name);
+        return spec != nullptr && !spec->isTransactional;
+    });
+    return plain > 0 && values.size() > 1;
 }
 
 void ParametersPanel::onValues() {
@@ -136,7 +163,7 @@ void ParametersPanel::tell(const Error& error) {
 }
 
 void ParametersPanel::write(const std::vector<ParameterValue>& changed) {
-    m_bench.writeValues(changed, [self = QPointer(this),
+    m_bench.writeValues(changed, [self = QPointer(this), isOneByOne = isOneByOne(changed),
                                   count = static_cast<int>(changed.size())](const Result<void>& written) {
         if (!self) {
             return;
@@ -145,10 +172,15 @@ void ParametersPanel::write(const std::vector<ParameterValue>& changed) {
             self->tell(written.error());
             return;
         }
+        const QString remedy = tr("They are lost at power-down until they are saved in the device.");
         self->m_table->messages().showMessage(
-            {widgets::Severity::Success,
+            {isOneByOne ? widgets::Severity::Warning : widgets::Severity::Success,
              tr("%n value(s) written and read back.", nullptr, count),
-             tr("They are lost at power-down until they are saved in the device."),
+             isOneByOne
+                 ? tr("This device cannot switch a whole set: values that do not lie side by side changed "
+                      "one by one.") +
+                       QLatin1Char(' ') + remedy
+                 : remedy,
              {}});
     });
 }

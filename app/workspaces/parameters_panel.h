@@ -33,6 +33,8 @@ private:
     QWidget* buildPresets();
     void connectTable();
     void onDevice();
+    void showDevice(const devices::Catalogue& catalogue);
+    bool isOneByOne(const std::vector<ParameterValue>& values) const;
     void onValues();
     void write(const std::vector<ParameterValue>& changed);
     void saveOnDevice();

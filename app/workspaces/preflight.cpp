@@ -30,8 +30,16 @@ QString degrees(double temperature_degC) {
 }
 
 PreflightItem deviceItem(const PreflightFacts& facts) {
+    if (facts.state == SessionState::Reconnecting) {
+        return {false, Words::tr("The connection is lost; the device is being looked for"),
+                Words::tr("Plug it in again or switch it on")};
+    }
     if (facts.state != SessionState::Connected) {
         return {false, Words::tr("No device is connected"), Words::tr("Connect one in the Devices panel")};
+    }
+    if (!facts.isMotorKnown) {
+        return {false, Words::tr("Nothing is known of the motor behind this device: it has no profile here"),
+                Words::tr("Watch, record and set it by name in Signals, Record and Parameters")};
     }
     if (facts.isBusy) {
         return {false, Words::tr("Another procedure runs"), Words::tr("Wait for its end or cancel it")};
@@ -90,7 +98,7 @@ PreflightItem motionItem(const PreflightFacts& facts) {
 
 std::vector<PreflightItem> preflightItems(const PreflightFacts& facts) {
     std::vector<PreflightItem> items = {deviceItem(facts)};
-    if (facts.state == SessionState::Connected) {
+    if (facts.state == SessionState::Connected && facts.isMotorKnown) {
         items.push_back(faultItem(facts));
         items.push_back(temperatureItem(facts));
         items.push_back(motionItem(facts));
@@ -142,6 +150,7 @@ PreflightFacts Preflight::facts() const {
     PreflightFacts facts;
     facts.state = session.state();
     facts.board = session.report().board;
+    facts.isMotorKnown = session.catalogue().hasProcedure("identify");
     facts.isBusy = !session.procedure().isEmpty();
     facts.isSimulated = session.info().isSimulated;
     facts.hasConsent = m_consent->isChecked();
@@ -174,7 +183,7 @@ void Preflight::refresh() {
         m_remedy = m_remedy.isEmpty() && !item.isPassed ? item.remedy : m_remedy;
     }
     m_isPassed = m_remedy.isEmpty();
-    m_consent->setVisible(now.state == SessionState::Connected && !now.isSimulated);
+    m_consent->setVisible(now.state == SessionState::Connected && !now.isSimulated && now.isMotorKnown);
     m_consent->setText(tr("The rotor may turn now"));
     m_consent->setToolTip(tr("A real motor moves only with your consent"));
     setAccessibleName(tr("Checks before the start"));

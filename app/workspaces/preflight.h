@@ -19,7 +19,8 @@ namespace halbench::app {
 struct PreflightFacts {
     SessionState state = SessionState::Disconnected;
     devices::DeviceState board;
-    bool isBusy = false; ///< another procedure runs
+    bool isMotorKnown = true; ///< the device has a profile with procedures
+    bool isBusy = false;      ///< another procedure runs
     bool isSimulated = false;
     bool hasConsent = false;                 ///< the user says that the rotor is free to turn
     std::optional<double> temperature_degC;  ///< warmest coil

@@ -58,7 +58,9 @@ void RecordingControl::start() {
         Q_EMIT failed(tr("There is nothing to record."), tr("Connect a device first."));
         return;
     }
-    const QString subject = QString::fromStdString(m_session.info().id);
+    const devices::DeviceInfo& info = m_session.info();
+    const std::string& known = !info.id.empty() ? info.id : !info.model.empty() ? info.model : info.transport;
+    const QString subject = QString::fromStdString(known);
     const QString name = m_name.isEmpty() ? datedName(subject, m_wallClock()) : m_name;
     m_path = QDir(m_folder).filePath(name + QStringLiteral(".csv"));
     if (QFileInfo::exists(m_path)) {

@@ -28,7 +28,7 @@ SignalsPanel::SignalsPanel(Workbench& bench, QWidget* parent)
 
 void SignalsPanel::onDevice() {
     const DeviceSession& session = m_bench.session();
-    const QString device = QString::fromStdString(session.info().model + session.info().id);
+    const QString device = deviceKey(session.info());
     if (session.state() == SessionState::Connected && device != m_device) {
         m_device = device;
         m_tree->setSignals(session.catalogue().signals, m_bench.displayUnits());

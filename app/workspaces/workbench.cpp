@@ -69,6 +69,12 @@ void readInPieces(DeviceSession& session, const std::vector<std::string>& names,
 
 } // namespace
 
+QString deviceKey(const devices::DeviceInfo& info) {
+    const std::string key = info.model + info.id;
+    const bool isNamed = !key.empty() && info.uri.find("a2l=") == std::string::npos;
+    return QString::fromStdString(isNamed ? key : key + info.uri);
+}
+
 Workbench::Workbench(QObject* parent)
     : QObject(parent), m_history(HistoryBudget_bytes), m_drive(std::make_unique<DriveControl>(*this)) {
     connect(&m_session, &DeviceSession::stateChanged, this, &Workbench::onSessionState);

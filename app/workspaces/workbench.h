@@ -42,6 +42,10 @@ struct ValueDifference {
     double now = 0.0; ///< on the device
 };
 
+/// Tells devices apart whose signals are others. A board of another maker may have neither model nor serial
+/// number, and its names come from whatever file was chosen: its address stands for it.
+QString deviceKey(const devices::DeviceInfo& info);
+
 /// What all panels of the window share: the device, its samples and values, the identified motor, the design.
 /// Thread: GUI.
 class Workbench : public QObject {

@@ -1,17 +1,21 @@
 #include "app/procedures/move_procedure.h"
+#include "app/window/dock_layout.h"
 #include "devices/acquisition/recording_file.h"
 #include "devices/open_device.h"
 #include "tests/app/window/faulty_line.h"
 #include "tests/app/window/window_test.h"
+#include "tests/app/workspaces/published_motor.h"
 #include "widgets/message_bar.h"
 #include "widgets/status_strip.h"
 
+#include <QCheckBox>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QTemporaryDir>
 
 #include <algorithm>
+#include <cmath>
 
 namespace halbench::app {
 namespace {
@@ -212,6 +216,39 @@ TEST_F(WindowReconnectTest, aProcedureEndsAndDoesNotGoOnWithTheDeviceThatCameBac
     EXPECT_EQ(moved->error().code, ErrorCode::DeviceLost);
     EXPECT_TRUE(wait([&] { return window->bench().deviceValue("hb.arm") == 0.0; }));
     EXPECT_FALSE(session().report().board.isArmed);
+}
+
+/// The board ends the trial by its watchdog: the new gains ran for as long as they were watched.
+TEST_F(WindowReconnectTest, aLossInTheVerificationMoveOfTuneLeavesTheOldGainsAndADisarmedBoard) {
+    connectBoard();
+    Workbench& bench = window->bench();
+    const double before = *bench.deviceValue("gain.kp");
+    window->docks().setPerspective(Perspective::Tune);
+    bench.setIdentification(publishedMotor());
+    ASSERT_TRUE(wait([&] { return bench.design().has_value(); }));
+    ASSERT_NE(bench.design()->law.gains.proportional, before);
+    QWidget& tune = *window->docks().panel("tune");
+    auto* consent = tune.findChild<QCheckBox*>();
+    ASSERT_NE(consent, nullptr);
+    consent->click();
+    auto* apply = button("Apply and verify");
+    ASSERT_NE(apply, nullptr);
+    ASSERT_TRUE(wait([&] { return apply->isEnabled(); }));
+    apply->click();
+    ASSERT_TRUE(wait([&] { return session().report().board.isArmed; }));
+    const auto speed = [&] { return bench.history().latest("speed"); };
+    ASSERT_TRUE(wait([&] { return speed() && std::abs(speed()->value) > 0.5; })); // in the middle of it
+    unplug();
+    ASSERT_TRUE(wait([&] { return session().procedure().isEmpty(); }));
+    const auto* said = tune.findChild<widgets::MessageBar*>();
+    EXPECT_TRUE(said->message().text.contains(QString::fromStdString(session().report().lost->message)))
+        << said->message().text.toStdString();
+    EXPECT_FALSE(apply->isEnabled());
+    plugIn();
+    ASSERT_TRUE(wait([&] { return bench.deviceValue("gain.kp") == before; }));
+    EXPECT_TRUE(bench.differences().empty());
+    EXPECT_FALSE(session().report().board.isArmed);
+    EXPECT_EQ(bench.deviceValue("hb.trial"), 0.0);
 }
 
 TEST_F(WindowReconnectTest, escWhileTheDeviceIsAwayIsObeyedAtItsReturn) {

@@ -36,7 +36,7 @@ TEST(Preflight, warmCoilsOnlyForbidWhatWouldBeTooWarmFromTheColdToo) {
 }
 
 TEST(Preflight, everythingThatForbidsMotionIsSaidWithItsRemedy) {
-    std::vector<PreflightFacts> wrong(7, ready());
+    std::vector<PreflightFacts> wrong(9, ready());
     wrong[0].state = SessionState::Lost;
     wrong[1].isBusy = true;
     wrong[2].board.fault = 3;
@@ -44,6 +44,8 @@ TEST(Preflight, everythingThatForbidsMotionIsSaidWithItsRemedy) {
     wrong[4].board.isArmed = true;
     wrong[5].forecast_degC = 70.0;
     wrong[6].isSimulated = false;
+    wrong[7].state = SessionState::Reconnecting;
+    wrong[8].isMotorKnown = false;
     for (const PreflightFacts& facts : wrong) {
         EXPECT_FALSE(isPassed(facts));
         for (const PreflightItem& item : preflightItems(facts)) {
@@ -52,6 +54,14 @@ TEST(Preflight, everythingThatForbidsMotionIsSaidWithItsRemedy) {
     }
     wrong[6].hasConsent = true;
     EXPECT_TRUE(isPassed(wrong[6]));
+}
+
+TEST(Preflight, aDeviceThatIsLookedForIsNotOneThatWasNeverConnected) {
+    PreflightFacts facts = ready();
+    facts.state = SessionState::Reconnecting;
+    EXPECT_TRUE(preflightItems(facts).front().text.contains("being looked for"));
+    facts.state = SessionState::Disconnected;
+    EXPECT_EQ(preflightItems(facts).front().text, "No device is connected");
 }
 
 } // namespace
