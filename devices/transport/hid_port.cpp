@@ -1,6 +1,7 @@
 #include "devices/transport/hid_port.h"
 
 #include "devices/transport/descriptor.h"
+#include "devices/transport/hid_writer.h"
 #include "devices/transport/port_access.h"
 
 #include <fcntl.h>
@@ -22,11 +23,6 @@ namespace {
 /// How late the thread may notice that it shall end.
 constexpr int ReadPatience_ms = 100;
 constexpr const char* PluggedHint = "check the cable and that the board is on";
-
-struct HidDeleter {
-    void operator()(hid_device* device) const { hid_close(device); }
-};
-using HidHandle = std::unique_ptr<hid_device, HidDeleter>;
 
 } // namespace
 
@@ -64,7 +60,7 @@ public:
     Reports& operator=(const Reports&) = delete;
 
     Result<void> open(const PortListing& port);
-    Result<void> write(std::span<const std::uint8_t> octets);
+    Result<void> write(std::span<const std::uint8_t> octets) { return m_output->write(octets); }
 
 private:
     void run();
@@ -74,7 +70,7 @@ private:
     OctetInbox* m_inbox;
     Descriptor m_lock; ///< keeps other programs of ours away; the system lets everybody in
     HidHandle m_input; ///< one each way: the library's handle is not for two threads
-    HidHandle m_output;
+    std::unique_ptr<HidWriter> m_output;
     std::atomic<bool> m_isEnding{false};
     std::thread m_thread;
 };
@@ -93,8 +89,8 @@ Result<void> HidPort::Reports::open(const PortListing& port) {
         return failure(portError(m_description, busyTrouble(port.node)));
     }
     m_input.reset(hid_open_path(port.node.c_str()));
-    m_output.reset(hid_open_path(port.node.c_str()));
-    if (!m_lock.isOpen() || !m_input || !m_output) {
+    HidHandle output(hid_open_path(port.node.c_str()));
+    if (!m_lock.isOpen() || !m_input || !output) {
         const int cause = errno;
         return failure(portError(m_description,
                                  cause == EACCES ? permissionTrouble(port.node)
@@ -102,6 +98,7 @@ Result<void> HidPort::Reports::open(const PortListing& port) {
                                                                            port.node, std::strerror(cause)),
                                                                PluggedHint}));
     }
+    m_output = std::make_unique<HidWriter>(std::move(output), m_description);
     m_thread = std::thread([this] { run(); });
     return {};
 }
@@ -119,17 +116,6 @@ void HidPort::Reports::run() {
             m_inbox->put(octets);
         }
     }
-}
-
-Result<void> HidPort::Reports::write(std::span<const std::uint8_t> octets) {
-    for (const HidReport& report : reportsFor(octets)) {
-        std::array<std::uint8_t, HidReportOctets + 1> numbered{}; // report number 0: the only one
-        std::copy(report.begin(), report.end(), numbered.begin() + 1);
-        if (hid_write(m_output.get(), numbered.data(), numbered.size()) < 0) {
-            return failure(unplugged());
-        }
-    }
-    return {};
 }
 
 HidPort::HidPort(UsbName name) : m_name(std::move(name)) {}

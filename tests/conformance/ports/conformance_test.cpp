@@ -67,7 +67,7 @@ public:
         }
         return octets;
     }
-    void setStalled(bool) override {}
+    void setStalled(bool isStalled) override { m_board->setStalled(isStalled); }
     void unplug() override { m_board->unplug(); }
     void plug() override {
         m_board.reset();
@@ -84,13 +84,12 @@ const LineKind Bulk{"bulk", [] { return std::make_unique<BulkEnd>(MockBulkBoard:
 const LineKind BulkWithErrors{"bulkThatEndsInErrors", [] {
                                   return std::make_unique<BulkEnd>(MockBulkBoard::Departure::ProtocolError);
                               }};
-const LineKind Hid{"hid",
-                   [] { return std::make_unique<HidEnd>(); }}; // the system takes every report: no stall
+const LineKind Hid{"hid", [] { return std::make_unique<HidEnd>(); }};
 
 INSTANTIATE_TEST_SUITE_P(Ports, TransportConformance, testing::Values(Bulk, BulkWithErrors, Hid), lineName);
 INSTANTIATE_TEST_SUITE_P(Ports, StreamConformance, testing::Values(Bulk, Hid), lineName);
 INSTANTIATE_TEST_SUITE_P(Ports, UncheckedStreamConformance, testing::Values(Bulk, Hid), lineName);
-INSTANTIATE_TEST_SUITE_P(Ports, StallConformance, testing::Values(Bulk), lineName);
+INSTANTIATE_TEST_SUITE_P(Ports, StallConformance, testing::Values(Bulk, Hid), lineName);
 
 } // namespace
 } // namespace halbench::devices

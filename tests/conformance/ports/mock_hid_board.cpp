@@ -113,6 +113,10 @@ bool MockHidBoard::onWrite(UMockdevIoctlClient* client) {
         umockdev_ioctl_client_complete(client, -1, EIO);
         return true;
     }
+    if (m_isStalled) {
+        m_held.push_back(static_cast<UMockdevIoctlClient*>(g_object_ref(client)));
+        return true;
+    }
     UMockdevIoctlData* const place = umockdev_ioctl_client_get_arg(client);
     m_fromHost.emplace_back(place->data, place->data + place->data_len);
     m_changed.notify_all();
@@ -144,12 +148,28 @@ std::vector<Octets> MockHidBoard::takenWithin(double time_s) {
     return std::exchange(m_fromHost, {});
 }
 
+void MockHidBoard::release(int error) {
+    for (UMockdevIoctlClient* const client : std::exchange(m_held, {})) {
+        umockdev_ioctl_client_complete(client, -1, error);
+        g_object_unref(client);
+    }
+}
+
+void MockHidBoard::setStalled(bool isStalled) {
+    const std::lock_guard lock(m_mutex);
+    m_isStalled = isStalled;
+    if (!isStalled) {
+        release(ETIMEDOUT);
+    }
+}
+
 void MockHidBoard::unplug() {
     {
         const std::lock_guard lock(m_mutex);
         if (m_isGone) {
             return;
         }
+        release(EIO);
         m_isGone = true;
         hangUp();
     }

@@ -128,6 +128,8 @@ public:
     void deliver(const Octets& report);
     std::vector<Octets> taken(std::size_t count);
     std::vector<Octets> takenWithin(double time_s);
+    /// It takes no report any more: the system holds whoever writes one, and refuses it in the end.
+    void setStalled(bool isStalled);
     void unplug();
 
 protected:
@@ -140,8 +142,12 @@ private:
     std::vector<std::string> m_places; ///< in the device tree, the parents first
     std::deque<Octets> m_toHost;
     std::vector<Octets> m_fromHost;
+    std::vector<UMockdevIoctlClient*> m_held; ///< writers without an answer
     std::condition_variable m_changed;
+    bool m_isStalled = false;
     bool m_isGone = false;
+
+    void release(int error);
 };
 
 } // namespace halbench::devices
