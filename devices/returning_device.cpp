@@ -83,7 +83,8 @@ Result<void> ReturningDevice::waitFor(double duration_s) {
     do {
         const double left_s = std::max(0.0, end_s - now_s());
         const Result<void> passed = m_lost ? look(left_s) : m_device->clock().waitFor(left_s);
-        const bool isNewlyLost = !passed && !m_lost && passed.error().code == ErrorCode::DeviceLost;
+        const bool isNewlyLost =
+            !passed && !m_lost && m_isWaiting && passed.error().code == ErrorCode::DeviceLost;
         const Result<void> goOn = isNewlyLost ? lose(passed.error()) : passed;
         if (!goOn) {
             return goOn;

@@ -28,6 +28,8 @@ public:
 
     ReturningDevice(std::unique_ptr<Device> device, DeviceReturn back, HostTime time);
     void setEvents(Events events) { m_events = std::move(events); }
+    /// Off: a loss ends the wait like any other error, for what must not go on after one.
+    void setWaiting(bool isWaiting) { m_isWaiting = isWaiting; }
 
     /// Why it is away.
     const std::optional<Error>& lost() const { return m_lost; }
@@ -74,6 +76,7 @@ private:
     HostTime m_time;
     Events m_events;
     GoingClock m_clock;
+    bool m_isWaiting = true;
     std::optional<Error> m_lost;
     double m_start_s = 0.0;    ///< of the device's clock since the first was opened
     double m_lostHost_s = 0.0; ///< when it was lost

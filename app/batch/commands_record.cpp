@@ -3,15 +3,11 @@
 #include "app/batch/numbers.h"
 #include "app/batch/recording_file.h"
 #include "app/batch/result_header.h"
+#include "app/batch/waiting_device.h"
 #include "app/procedures/capture_procedure.h"
 #include "app/procedures/record_procedure.h"
-#include "devices/remembered_port.h"
-#include "devices/returning_device.h"
-#include "devices/transport/hotplug.h"
 
 #include <fmt/format.h>
-
-#include <chrono>
 
 namespace halbench::app {
 
@@ -105,42 +101,6 @@ CommandResult tell(CommandContext& context, const std::string& path, const Resul
     return ExitCode::Done;
 }
 
-/// Something that is plugged in ends a wait early.
-devices::HostTime hostTime() {
-    using HostClock = std::chrono::steady_clock;
-    return {[] { return std::chrono::duration<double>(HostClock::now().time_since_epoch()).count(); },
-            [hotplug = std::make_shared<devices::Hotplug>()](double duration_s) {
-                hotplug->waitFor(duration_s);
-            }};
-}
-
-/// Looks for the device by its serial number where it has one.
-std::unique_ptr<devices::ReturningDevice> returning(CommandContext& context, const std::string& uri,
-                                                    std::unique_ptr<devices::Device> device) {
-    const devices::RememberedPort port = devices::rememberPort(uri, devices::listDevices());
-    const auto open = [port,
-                       options = openOptionsFor(context)]() -> Result<std::unique_ptr<devices::Device>> {
-        const Result<std::string> now = devices::addressNow(port, devices::listDevices());
-        return now ? devices::openDevice(*now, options) : failure(now.error());
-    };
-    devices::DeviceReturn back(device->info(), open);
-    return std::make_unique<devices::ReturningDevice>(std::move(device), std::move(back), hostTime());
-}
-
-devices::ReturningDevice::Events eventsTo(CommandContext& context, RecordingOutput& output) {
-    devices::ReturningDevice::Events events;
-    events.onLost = [&](const Error& why, double stream_s) {
-        output.addMarker(stream_s, "connection lost");
-        context.console.log(LogLevel::Warning, why.message + "; waiting for the device");
-    };
-    events.onReturned = [&](double outage_s, double stream_s) {
-        output.addMarker(stream_s, "connection back");
-        context.console.log(LogLevel::Warning,
-                            fmt::format("the device is back after {:.3g} s, recording goes on", outage_s));
-    };
-    return events;
-}
-
 CommandResult recordCapture(CommandContext& context, const CommandOptions& options) {
     const Result<CaptureConfig> config = captureConfigFrom(options);
     if (!config) {
@@ -173,7 +133,7 @@ CommandResult recordStream(CommandContext& context, const CommandOptions& option
         return failure(opened.error());
     }
     const std::unique_ptr<devices::ReturningDevice> back =
-        options.isReconnecting ? returning(context, options.device, *std::move(opened)) : nullptr;
+        options.isReconnecting ? waitingDevice(context, options.device, *std::move(opened)) : nullptr;
     devices::Device& device = back ? *back : **opened;
     ResultHeader header = headerFor(context, "halbench.recorded/1", device);
     RecordingOutput output(context, device, options.out, header.started);

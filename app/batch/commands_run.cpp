@@ -4,7 +4,9 @@
 #include "app/batch/run_files.h"
 #include "app/batch/run_plan.h"
 #include "app/batch/step_configs.h"
+#include "app/batch/waiting_device.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace halbench::app {
@@ -97,6 +99,18 @@ CommandResult runAll(CommandContext& context, const CommandOptions& options, con
     return outcome.passed ? ExitCode::Done : ExitCode::CheckFailed;
 }
 
+/// Only a recording that asks for it goes on after the device was lost; every other step ends with it.
+Result<std::unique_ptr<devices::Device>> openFor(CommandContext& context, const Experiment& experiment) {
+    Result<std::unique_ptr<devices::Device>> device = openDeviceFor(context, experiment.device);
+    const bool isWaiting = std::any_of(experiment.steps.begin(), experiment.steps.end(), isWaitingStep);
+    if (!device || !isWaiting) {
+        return device;
+    }
+    auto waiting = waitingDevice(context, experiment.device, *std::move(device));
+    waiting->setWaiting(false);
+    return waiting;
+}
+
 } // namespace
 
 CommandResult runRunCommand(CommandContext& context, const CommandOptions& options) {
@@ -107,7 +121,7 @@ CommandResult runRunCommand(CommandContext& context, const CommandOptions& optio
     if (!options.isDryRun && options.out.empty()) {
         return failure(ErrorCode::Usage, "--out is required", "name the folder that the results go into");
     }
-    const Result<std::unique_ptr<devices::Device>> device = openDeviceFor(context, experiment->device);
+    const Result<std::unique_ptr<devices::Device>> device = openFor(context, *experiment);
     if (!device) {
         return failure(device.error());
     }

@@ -94,6 +94,7 @@ constexpr std::array KnownKeys = {
     KeySpec{"record", "duration_s", Number, true, 0.001, 360000, "", "how long, s"},
     KeySpec{"record", "signals", TextList, false, 0, 0, "", "signals; default those of the profile"},
     KeySpec{"record", "rate_hz", Number, false, 1e-3, 1e6, "", "rows per second; default 100"},
+    KeySpec{"record", "reconnect", Boolean, false, 0, 0, "", "a device that is lost is waited for, as `record --reconnect` does; default false"},
 
     KeySpec{"set", "values", Numbers, true, 0, 0, "", "parameters and values, written in one transaction; they stay for the steps that follow"},
 

@@ -137,6 +137,10 @@ Result<MoveConfig> moveConfigOf(const ExperimentStep& step) {
     return config;
 }
 
+bool isWaitingStep(const ExperimentStep& step) {
+    return step.kind == "record" && step.isTrue("reconnect");
+}
+
 RecordConfig recordConfigOf(const ExperimentStep& step) {
     RecordConfig config;
     config.signals = step.texts("signals");

@@ -10,6 +10,8 @@ namespace halbench::app {
 Result<IdentifyConfig> identifyConfigOf(const ExperimentStep& step);
 Result<CalibrateConfig> calibrateConfigOf(const ExperimentStep& step);
 Result<MoveConfig> moveConfigOf(const ExperimentStep& step);
+/// A recording that waits for a device that is lost (`reconnect`).
+bool isWaitingStep(const ExperimentStep& step);
 RecordConfig recordConfigOf(const ExperimentStep& step);
 control::DesignTargets designTargetsOf(const ExperimentStep& step);
 std::vector<ParameterValue> valuesOf(const ExperimentStep& step);

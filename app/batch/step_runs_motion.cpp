@@ -3,11 +3,44 @@
 #include "app/batch/result_header.h"
 #include "app/batch/step_configs.h"
 #include "app/batch/step_runs.h"
+#include "app/batch/waiting_device.h"
 #include "app/procedures/position_law_parameters.h"
 #include "app/procedures/procedure_steps.h"
 #include "control/base/units.h"
 
 namespace halbench::app {
+
+namespace {
+
+/// While it lives, the loss of the device is waited out if the step says so.
+class ReturnWait {
+public:
+    ReturnWait(StepRun& run, const ExperimentStep& step, RecordingOutput& file)
+        : m_device(isWaitingStep(step) ? dynamic_cast<devices::ReturningDevice*>(&run.device) : nullptr) {
+        if (m_device != nullptr) {
+            m_device->setEvents(eventsTo(run.context, file));
+            m_device->setWaiting(true);
+        }
+    }
+    ~ReturnWait() {
+        if (m_device != nullptr) {
+            m_device->setEvents({});
+            m_device->setWaiting(false);
+        }
+    }
+    ReturnWait(const ReturnWait&) = delete;
+    ReturnWait& operator=(const ReturnWait&) = delete;
+
+    Result<void> present() const {
+        const bool isAway = m_device != nullptr && m_device->lost();
+        return isAway ? failure(*m_device->lost()) : Result<void>();
+    }
+
+private:
+    devices::ReturningDevice* m_device;
+};
+
+} // namespace
 
 Result<StepOutcome> runMoveStep(StepRun& run, const ExperimentStep& step) {
     Result<MoveConfig> config = moveConfigOf(step);
@@ -49,9 +82,14 @@ Result<StepOutcome> runRecordStep(StepRun& run, const ExperimentStep& step) {
         return toFile(block);
     };
     const bool isStreamed = !run.folder.empty();
+    const ReturnWait wait(run, step, file);
     Result<RecordResult> result =
         runRecord(run.device, recordConfigOf(step), observerFor(run.context), isStreamed ? &outlet : nullptr);
-    const Result<void> done = !result ? failure(result.error()) : isStreamed ? file.finish() : Result<void>();
+    const Result<void> present = wait.present(); // away when the time was over: the recording is cut
+    const Result<void> done = !result      ? failure(result.error())
+                              : !present   ? present
+                              : isStreamed ? file.finish()
+                                           : Result<void>();
     if (!done) {
         return failure(file.stopped(done.error()));
     }
@@ -63,6 +101,10 @@ Result<StepOutcome> runRecordStep(StepRun& run, const ExperimentStep& step) {
     outcome.quality = result->quality;
     outcome.body.set("rows", static_cast<std::uint64_t>(result->rows));
     outcome.body.set("lost_rows", result->lostRows);
+    if (isWaitingStep(step)) {
+        outcome.body.set("gaps", static_cast<std::uint64_t>(result->gaps));
+        outcome.body.set("gaps_s", result->gaps_s);
+    }
     outcome.detail = *std::move(result);
     return outcome;
 }

@@ -5,8 +5,11 @@
 #include "app/batch/run_plan.h"
 #include "app/batch/run_report.h"
 #include "app/batch/step_configs.h"
+#include "app/batch/waiting_device.h"
 #include "devices/acquisition/recording_file.h"
 #include "devices/open_device.h"
+#include "devices/returning_device.h"
+#include "tests/app/procedures/faulty_motor.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -232,6 +235,54 @@ TEST_F(ExperimentRunner, whatTheDeviceCannotDoIsRefusedBeforeAnythingMoves) {
     ASSERT_FALSE(checked.has_value());
     EXPECT_NE(checked.error().message.find("e.toml:"), std::string::npos) << checked.error().message;
     EXPECT_NE(checked.error().message.find("gain.kq"), std::string::npos);
+}
+
+TEST_F(ExperimentRunner, onlyARecordingThatAsksForItWaitsForALostDevice) {
+    const std::string recording = R"(schema = "halbench.experiment/1"
+device = "sim:htm"
+
+[[step]]
+kind = "record"
+name = "long"
+duration_s = 4
+rate_hz = 100
+signals = ["position"]
+reconnect = )";
+    for (const bool isWaiting : {true, false}) {
+        FaultyMotor motor("imperfections=off");
+        auto first = motor.connect();
+        double host_s = 1000.0;
+        devices::DeviceReturn back(first->info(), [&]() -> Result<std::unique_ptr<devices::Device>> {
+            motor.repair();
+            return motor.connect();
+        });
+        motor.faults().unplugAt_s = first->clock().now_s() + 2.0;
+        devices::ReturningDevice device(std::move(first), std::move(back),
+                                        {[&] { return host_s; }, [&](double time_s) { host_s += time_s; }});
+        device.setWaiting(false);
+        const Experiment experiment =
+            parseExperiment(recording + (isWaiting ? "true\n" : "false\n"), "e.toml", {}).value();
+        const RunOutcome outcome = runExperiment(m_context, device, experiment, 1, {});
+        EXPECT_EQ(outcome.stoppedBy.has_value(), !isWaiting);
+        if (isWaiting) {
+            ASSERT_EQ(outcome.steps.size(), 1U);
+            EXPECT_NE(toJsonText(outcome.steps[0].body).value_or("").find("\"gaps\""), std::string::npos);
+            EXPECT_EQ(outcome.steps[0].quality.verdict, Verdict::Doubtful) << "a gap is said";
+        } else {
+            EXPECT_EQ(outcome.stoppedBy->code, ErrorCode::DeviceLost);
+        }
+    }
+}
+
+TEST_F(ExperimentRunner, aDeviceThatWouldBeWaitedForRunsLikeItself) {
+    const auto waiting = waitingDevice(m_context, "sim:htm", std::move(m_device));
+    waiting->setWaiting(false);
+    EXPECT_EQ(waiting->info().model, "htm");
+    m_experiment = parseExperiment(Steps, "e.toml", {}).value();
+    const RunOutcome outcome = runExperiment(m_context, *waiting, m_experiment, 1, {});
+    EXPECT_FALSE(outcome.stoppedBy);
+    EXPECT_EQ(outcome.steps.size(), 2U);
+    EXPECT_EQ(waiting->readParameters(std::vector<std::string>{"gain.kp"}).value()[0], 12.0);
 }
 
 } // namespace
