@@ -121,8 +121,12 @@ TEST_F(WindowReconnectTest, recordsOnWithAMarkedGapAndIsNotArmed) {
     const auto file = devices::readRecordingFile(recording.path().toStdString());
     ASSERT_TRUE(file) << file.error().message;
     ASSERT_EQ(file->meta.gaps.size(), 1U);
+    // The outage is taken on this machine's clock, the rows on the board's: at each end a busy machine reads
+    // the one some milliseconds after the other.
+    constexpr double ClockReading_s = 0.01;
+    EXPECT_GE(file->meta.gaps[0].lostRows, 1U);
     EXPECT_GE(static_cast<double>(file->meta.gaps[0].lostRows) * file->meta.period_s,
-              session().outage_s() - file->meta.period_s);
+              session().outage_s() - ClockReading_s);
     ASSERT_EQ(file->meta.markers.size(), 2U);
     EXPECT_EQ(file->meta.markers[0].text, "connection lost");
     EXPECT_EQ(file->meta.markers[1].text, "connection back");
