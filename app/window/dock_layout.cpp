@@ -7,10 +7,10 @@
 #include <QApplication>
 #include <QFontMetrics>
 #include <QGridLayout>
-#include <QSplitter>
 #include <qtadvanceddocking/DockAreaWidget.h>
 #include <qtadvanceddocking/DockContainerWidget.h>
 #include <qtadvanceddocking/DockManager.h>
+#include <qtadvanceddocking/DockSplitter.h>
 #include <qtadvanceddocking/DockWidget.h>
 #include <qtadvanceddocking/FloatingDockContainer.h>
 #include <qtadvanceddocking/IconProvider.h>
@@ -182,7 +182,7 @@ std::optional<int> DockLayout::firstLength(const QWidget& part, Qt::Orientation 
 
 /// First sizes: the data get what the panels beside them do not need.
 void DockLayout::shareSpace() {
-    for (auto* splitter : m_manager->findChildren<QSplitter*>()) {
+    for (auto* splitter : m_manager->findChildren<ads::CDockSplitter*>()) {
         const Qt::Orientation orientation = splitter->orientation();
         int rest_px = orientation == Qt::Horizontal ? splitter->width() : splitter->height();
         QList<int> sizes;
@@ -200,7 +200,7 @@ void DockLayout::shareSpace() {
 
 /// A larger window enlarges the data, not what stands beside them.
 void DockLayout::growCentre() {
-    for (auto* splitter : m_manager->findChildren<QSplitter*>()) {
+    for (auto* splitter : m_manager->findChildren<ads::CDockSplitter*>()) {
         for (int i = 0; i < splitter->count(); ++i) {
             const bool isFlexible = !firstLength(*splitter->widget(i), splitter->orientation());
             splitter->setStretchFactor(i, isFlexible ? 1 : 0);

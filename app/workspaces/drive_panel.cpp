@@ -286,7 +286,9 @@ void DrivePanel::refreshMode() {
 
 /// A latched stop stays in view until it is released on purpose.
 void DrivePanel::refreshStop() {
-    FaultWords words = m_control.isStopped() ? faultWords(m_bench.session().report().board) : FaultWords();
+    FaultWords words = m_control.isStopped()
+                           ? faultWords(m_bench.session().report().board, m_bench.stopAsker())
+                           : FaultWords();
     if (m_control.isStopped() && !m_bench.stopLatch().hasStopped()) {
         words.what = tr("A stop came while nothing was armed");
     }
