@@ -1,7 +1,7 @@
 #include "app/procedures/calibrate_runs.h"
 #include "app/procedures/spin_recording.h"
+#include "control/base/distributions.h"
 #include "control/base/units.h"
-#include "control/identify/distributions.h"
 #include "control/identify/ellipse_fit.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "app/procedures/calibrate_runs.h"
 #include "app/procedures/identify_estimate.h"
 #include "app/procedures/spin_recording.h"
-#include "control/identify/distributions.h"
+#include "control/base/distributions.h"
 
 #include <fmt/format.h>
 

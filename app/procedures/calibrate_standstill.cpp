@@ -2,8 +2,8 @@
 #include "app/procedures/coil_forecast.h"
 #include "app/procedures/excitation_limits.h"
 #include "app/procedures/procedure_steps.h"
+#include "control/base/distributions.h"
 #include "control/identify/calibration_fits.h"
-#include "control/identify/distributions.h"
 
 #include <fmt/format.h>
 

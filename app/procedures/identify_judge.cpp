@@ -1,7 +1,7 @@
 #include "app/procedures/identify_estimate.h"
 #include "control/base/counted.h"
+#include "control/base/distributions.h"
 #include "control/identify/added_inertia.h"
-#include "control/identify/distributions.h"
 
 #include <fmt/format.h>
 

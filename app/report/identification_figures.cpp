@@ -1,6 +1,6 @@
 #include "app/report/identification_figures.h"
 
-#include "control/identify/distributions.h"
+#include "control/base/distributions.h"
 #include "widgets/figures.h"
 
 #include <QtCore/QCoreApplication>

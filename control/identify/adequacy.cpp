@@ -1,7 +1,7 @@
 #include "control/identify/adequacy.h"
 
 #include "control/base/assert.h"
-#include "control/identify/distributions.h"
+#include "control/base/distributions.h"
 
 #include <algorithm>
 #include <cmath>

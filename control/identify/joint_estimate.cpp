@@ -1,7 +1,7 @@
 #include "control/identify/joint_estimate.h"
 
 #include "control/base/assert.h"
-#include "control/identify/distributions.h"
+#include "control/base/distributions.h"
 
 #include <Eigen/Cholesky>
 #include <cmath>

@@ -1,5 +1,5 @@
+#include "control/base/distributions.h"
 #include "control/base/random.h"
-#include "control/identify/distributions.h"
 #include "control/identify/friction_sweep.h"
 #include "control/identify/plateau.h"
 

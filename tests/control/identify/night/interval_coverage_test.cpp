@@ -1,4 +1,4 @@
-#include "control/identify/distributions.h"
+#include "control/base/distributions.h"
 #include "control/identify/friction_sweep.h"
 #include "control/identify/motion_fit.h"
 #include "tests/control/identify/motion_records.h"

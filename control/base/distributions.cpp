@@ -1,4 +1,4 @@
-#include "control/identify/distributions.h"
+#include "control/base/distributions.h"
 
 #include "control/base/assert.h"
 
@@ -122,6 +122,11 @@ double fisherTail(double value, double numeratorFreedom, double denominatorFreed
 double chiSquareTail(double value, double freedom) {
     HB_ASSERT(freedom > 0.0);
     return value > 0.0 ? gammaTail(0.5 * freedom, 0.5 * value) : 1.0;
+}
+
+double chiSquareQuantile(double probability, double freedom) {
+    HB_ASSERT(probability > 0.0 && probability < 1.0 && freedom > 0.0);
+    return invert([freedom](double value) { return 1.0 - chiSquareTail(value, freedom); }, probability);
 }
 
 double normalProbability(double value) {

@@ -22,6 +22,9 @@ double fisherTail(double value, double numeratorFreedom, double denominatorFreed
 /// P(X > value) of chi-square.
 double chiSquareTail(double value, double freedom);
 
+/// x with P(X <= x) = probability of chi-square with `freedom` > 0 degrees, which need not be whole.
+double chiSquareQuantile(double probability, double freedom);
+
 /// Standard normal distribution function and its inverse.
 double normalProbability(double value);
 double normalQuantile(double probability);

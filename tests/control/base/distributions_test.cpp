@@ -1,4 +1,4 @@
-#include "control/identify/distributions.h"
+#include "control/base/distributions.h"
 
 #include <gtest/gtest.h>
 
@@ -32,6 +32,18 @@ TEST(Distributions, agreeWithThePrintedTablesOfFisherAndChiSquare) {
     EXPECT_NEAR(chiSquareTail(18.307, 10), 0.05, 2e-5);
     EXPECT_NEAR(chiSquareTail(2.0, 2), std::exp(-1.0), 1e-14);
     EXPECT_NEAR(chiSquareTail(40.0, 2), std::exp(-20.0), 1e-20);
+}
+
+TEST(Distributions, chiSquareQuantileInvertsItsTail) {
+    EXPECT_NEAR(chiSquareQuantile(0.975, 10), 20.483, TableTolerance);
+    EXPECT_NEAR(chiSquareQuantile(0.025, 10), 3.247, TableTolerance);
+    // two degrees: P = 1 - exp(-x/2)
+    EXPECT_NEAR(chiSquareQuantile(0.025, 2), -2.0 * std::log(0.975), 1e-13);
+    EXPECT_NEAR(chiSquareTail(chiSquareQuantile(0.9, 33.3), 33.3), 0.1, 1e-13);
+    // many degrees: Wilson and Hilferty's cube is good to some 1e-6 there
+    const double spread = 2.0 / (9.0 * 2e4);
+    EXPECT_NEAR(chiSquareQuantile(0.975, 2e4) / 2e4,
+                std::pow(1.0 - spread + normalQuantile(0.975) * std::sqrt(spread), 3.0), 1e-6);
 }
 
 TEST(Distributions, normalQuantileInvertsItsProbability) {
