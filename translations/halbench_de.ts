@@ -4122,6 +4122,90 @@
         <source>give the A2L file that belongs to it: DEVICE?a2l=FILE</source>
         <translation>die zugehörige A2L-Datei angeben: GERÄT?a2l=DATEI</translation>
     </message>
+    <message>
+        <source>time does not rise from row {} to row {}</source>
+        <translation>die Zeit steigt von Zeile {} zu Zeile {} nicht</translation>
+    </message>
+    <message>
+        <source>a spectrum needs rows in the order of time</source>
+        <translation>ein Spektrum braucht Zeilen in zeitlicher Reihenfolge</translation>
+    </message>
+    <message>
+        <source>the rows are not evenly spaced: {} s before row {} where {} s are usual</source>
+        <translation>die Zeilen haben keinen gleichmäßigen Abstand: {} s vor Zeile {}, üblich sind {} s</translation>
+    </message>
+    <message>
+        <source>a spectrum needs a signal that was sampled at a constant rate; resample it first</source>
+        <translation>ein Spektrum braucht ein mit fester Rate abgetastetes Signal; tasten Sie es zuvor neu ab</translation>
+    </message>
+    <message>
+        <source>{} rows have no rate</source>
+        <translation>{} Zeilen haben keine Rate</translation>
+    </message>
+    <message>
+        <source>a spectrum needs a recording with more rows</source>
+        <translation>ein Spektrum braucht eine Aufzeichnung mit mehr Zeilen</translation>
+    </message>
+    <message>
+        <source>overlap, confidence and segment must be finite numbers</source>
+        <translation>Überlappung, Vertrauensniveau und Segment müssen endliche Zahlen sein</translation>
+    </message>
+    <message>
+        <source>an overlap of {} is not possible</source>
+        <translation>eine Überlappung von {} ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>give a ratio from 0 to 0.95; 0.5 is usual, 0.75 for flat-top and blackman-harris</source>
+        <translation>geben Sie ein Verhältnis von 0 bis 0.95 an; üblich ist 0.5, bei flat-top und blackman-harris 0.75</translation>
+    </message>
+    <message>
+        <source>a confidence of {} is not between 0 and 1</source>
+        <translation>ein Vertrauensniveau von {} liegt nicht zwischen 0 und 1</translation>
+    </message>
+    <message>
+        <source>0.95 is usual</source>
+        <translation>üblich ist 0.95</translation>
+    </message>
+    <message>
+        <source>no {} rows follow each other without a gap or missing value</source>
+        <translation>keine {} Zeilen folgen ohne Lücke oder fehlenden Wert aufeinander</translation>
+    </message>
+    <message>
+        <source>record longer, or at a rate that the link carries without losses</source>
+        <translation>zeichnen Sie länger auf oder mit einer Rate, die die Verbindung ohne Verluste überträgt</translation>
+    </message>
+    <message>
+        <source>a segment of {} s has fewer than {} rows</source>
+        <translation>ein Segment von {} s hat weniger als {} Zeilen</translation>
+    </message>
+    <message>
+        <source>give at least {} s</source>
+        <translation>geben Sie mindestens {} s an</translation>
+    </message>
+    <message>
+        <source>a segment of {} s does not fit: the longest stretch without a gap or missing value has {} rows, {} s</source>
+        <translation>ein Segment von {} s passt nicht: der längste Abschnitt ohne Lücke oder fehlenden Wert hat {} Zeilen, {} s</translation>
+    </message>
+    <message>
+        <source>give a shorter segment, or record longer</source>
+        <translation>geben Sie ein kürzeres Segment an oder zeichnen Sie länger auf</translation>
+    </message>
+    <message>
+        <source>the rate is not constant: {} rows from {} s on take {} s where {} s are the average</source>
+        <translation>die Rate ist nicht konstant: {} Zeilen ab {} s dauern {} s, im Mittel {} s</translation>
+    </message>
+    <message>
+        <source>give a shorter segment, or a part of the recording with one rate</source>
+        <translation>geben Sie ein kürzeres Segment an oder einen Teil der Aufzeichnung mit einer einzigen Rate</translation>
+    </message>
+    <message>
+        <source>{} segments of {} lines are too many values for a spectrogram</source>
+        <translation>{} Segmente zu {} Linien sind zu viele Werte für ein Spektrogramm</translation>
+    </message>
+    <message>
+        <source>let the segments overlap less, or take a part of the recording</source>
+        <translation>lassen Sie die Segmente weniger überlappen oder nehmen Sie einen Teil der Aufzeichnung</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -4122,6 +4122,90 @@
         <source>give the A2L file that belongs to it: DEVICE?a2l=FILE</source>
         <translation>请给出其 A2L 文件：设备?a2l=文件</translation>
     </message>
+    <message>
+        <source>time does not rise from row {} to row {}</source>
+        <translation>第 {} 行到第 {} 行的时间没有增加</translation>
+    </message>
+    <message>
+        <source>a spectrum needs rows in the order of time</source>
+        <translation>频谱需要按时间顺序排列的行</translation>
+    </message>
+    <message>
+        <source>the rows are not evenly spaced: {} s before row {} where {} s are usual</source>
+        <translation>各行间隔不均匀：{} s（第 {} 行之前），通常为 {} s</translation>
+    </message>
+    <message>
+        <source>a spectrum needs a signal that was sampled at a constant rate; resample it first</source>
+        <translation>频谱需要以恒定速率采样的信号；请先重新采样</translation>
+    </message>
+    <message>
+        <source>{} rows have no rate</source>
+        <translation>{} 行没有速率</translation>
+    </message>
+    <message>
+        <source>a spectrum needs a recording with more rows</source>
+        <translation>频谱需要行数更多的记录</translation>
+    </message>
+    <message>
+        <source>overlap, confidence and segment must be finite numbers</source>
+        <translation>重叠、置信度和分段必须是有限数</translation>
+    </message>
+    <message>
+        <source>an overlap of {} is not possible</source>
+        <translation>重叠不能为 {}</translation>
+    </message>
+    <message>
+        <source>give a ratio from 0 to 0.95; 0.5 is usual, 0.75 for flat-top and blackman-harris</source>
+        <translation>请给出 0 到 0.95 的比值；通常为 0.5，flat-top 和 blackman-harris 为 0.75</translation>
+    </message>
+    <message>
+        <source>a confidence of {} is not between 0 and 1</source>
+        <translation>置信度 {} 不在 0 与 1 之间</translation>
+    </message>
+    <message>
+        <source>0.95 is usual</source>
+        <translation>通常为 0.95</translation>
+    </message>
+    <message>
+        <source>no {} rows follow each other without a gap or missing value</source>
+        <translation>没有连续 {} 行不含缺口或缺失值</translation>
+    </message>
+    <message>
+        <source>record longer, or at a rate that the link carries without losses</source>
+        <translation>请记录更长时间，或使用连接不会丢失数据的速率</translation>
+    </message>
+    <message>
+        <source>a segment of {} s has fewer than {} rows</source>
+        <translation>{} s 的分段少于 {} 行</translation>
+    </message>
+    <message>
+        <source>give at least {} s</source>
+        <translation>请至少给出 {} s</translation>
+    </message>
+    <message>
+        <source>a segment of {} s does not fit: the longest stretch without a gap or missing value has {} rows, {} s</source>
+        <translation>{} s 的分段放不下：不含缺口或缺失值的最长区间为 {} 行，{} s</translation>
+    </message>
+    <message>
+        <source>give a shorter segment, or record longer</source>
+        <translation>请给出更短的分段，或记录更长时间</translation>
+    </message>
+    <message>
+        <source>the rate is not constant: {} rows from {} s on take {} s where {} s are the average</source>
+        <translation>速率不恒定：{} 行（自 {} s 起）用时 {} s，平均为 {} s</translation>
+    </message>
+    <message>
+        <source>give a shorter segment, or a part of the recording with one rate</source>
+        <translation>请给出更短的分段，或选取记录中速率单一的部分</translation>
+    </message>
+    <message>
+        <source>{} segments of {} lines are too many values for a spectrogram</source>
+        <translation>{} 个分段、每段 {} 条谱线，对频谱图来说数据过多</translation>
+    </message>
+    <message>
+        <source>let the segments overlap less, or take a part of the recording</source>
+        <translation>请减小分段重叠，或选取记录的一部分</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -6,8 +6,12 @@
 namespace halbench {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 5> Signs = {
-    {{"*", "\u00b7"}, {"^2", "\u00b2"}, {"^3", "\u00b3"}, {"Ohm", "\u03a9"}, {"deg", "\u00b0"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> Signs = {{{"sqrt(Hz)", "\u221aHz"},
+                                                                                 {"*", "\u00b7"},
+                                                                                 {"^2", "\u00b2"},
+                                                                                 {"^3", "\u00b3"},
+                                                                                 {"Ohm", "\u03a9"},
+                                                                                 {"deg", "\u00b0"}}};
 
 } // namespace
 

@@ -3,6 +3,7 @@
 #include "control/base/assert.h"
 #include "control/base/units.h"
 
+#include <array>
 #include <cmath>
 
 namespace halbench::control {
@@ -18,6 +19,8 @@ std::vector<double> cosineCoefficients(WindowShape shape) {
         return {0.54, 0.46};
     case WindowShape::Blackman:
         return {0.42, 0.5, 0.08};
+    case WindowShape::BlackmanHarris: // four terms, side lobes below -92 dB
+        return {0.35875, 0.48829, 0.14128, 0.01168};
     case WindowShape::FlatTop:
         return {0.21557895, 0.41663158, 0.277263158, 0.083578947, 0.006947368};
     case WindowShape::Rectangular:
@@ -26,7 +29,35 @@ std::vector<double> cosineCoefficients(WindowShape shape) {
     return {1.0};
 }
 
+// Of the coefficients above: gain a_0, bandwidth 1 + sum (a_k / a_0)^2 / 2; scalloping is the transform of
+// the window half a line off, over that on the line.
+constexpr std::array Figures = {
+    WindowFigures{WindowShape::Rectangular, "rectangular", 1.0, 1.0, 3.9224, 1},
+    WindowFigures{WindowShape::Hann, "hann", 0.5, 1.5, 1.4236, 2},
+    WindowFigures{WindowShape::Hamming, "hamming", 0.54, 1.36283, 1.7514, 2},
+    WindowFigures{WindowShape::Blackman, "blackman", 0.42, 1.72676, 1.0989, 3},
+    WindowFigures{WindowShape::BlackmanHarris, "blackman-harris", 0.35875, 2.00435, 0.8256, 4},
+    WindowFigures{WindowShape::FlatTop, "flat-top", 0.21557895, 3.77025, 0.0098, 5},
+};
+
 } // namespace
+
+std::span<const WindowFigures> windowFigures() {
+    return Figures;
+}
+
+const WindowFigures& figuresOf(WindowShape shape) {
+    return Figures[static_cast<std::size_t>(shape)];
+}
+
+std::optional<WindowShape> findWindow(std::string_view name) {
+    for (const WindowFigures& figures : Figures) {
+        if (figures.name == name) {
+            return figures.shape;
+        }
+    }
+    return std::nullopt;
+}
 
 std::vector<double> window(WindowShape shape, std::size_t count) {
     HB_ASSERT(count >= 1);

@@ -113,6 +113,7 @@ TEST(UnitText, writesProductsAndPowersAsPeopleDo) {
     EXPECT_EQ(unitText("N*m*s/rad"), "N·m·s/rad");
     EXPECT_EQ(unitText("kg*m^2"), "kg·m²");
     EXPECT_EQ(unitText("A*s^2/rad"), "A·s²/rad");
+    EXPECT_EQ(unitText("A/sqrt(Hz)"), "A/√Hz");
     EXPECT_EQ(unitText("degC"), "°C");
     EXPECT_EQ(unitText("deg"), "°");
     EXPECT_EQ(unitText("A/(deg*s)"), "A/(°·s)");

@@ -114,16 +114,37 @@ TEST(Window, hasTheFiguresOfTheLiterature) {
         WindowShape shape;
         double gain;
         double bandwidth;
-    } cases[] = {{WindowShape::Rectangular, 1.0, 1.0},
-                 {WindowShape::Hann, 0.5, 1.5},
-                 {WindowShape::Hamming, 0.54, 1.36},
-                 {WindowShape::Blackman, 0.42, 1.73},
-                 {WindowShape::FlatTop, 0.2156, 3.77}};
+    } cases[] = {{WindowShape::Rectangular, 1.0, 1.0},      {WindowShape::Hann, 0.5, 1.5},
+                 {WindowShape::Hamming, 0.54, 1.36},        {WindowShape::Blackman, 0.42, 1.73},
+                 {WindowShape::BlackmanHarris, 0.36, 2.00}, {WindowShape::FlatTop, 0.2156, 3.77}};
     for (const auto& expected : cases) {
         const auto weights = window(expected.shape, 1024);
         EXPECT_NEAR(coherentGain(weights), expected.gain, 0.005);
         EXPECT_NEAR(noiseBandwidth_lines(weights), expected.bandwidth, 0.005);
     }
+}
+
+TEST(Window, tableOfFiguresAgreesWithTheWeights) {
+    for (const WindowFigures& figures : windowFigures()) {
+        const auto weights = window(figures.shape, 4096);
+        std::complex<double> betweenLines = 0.0;
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            betweenLines += weights[i] * std::polar(1.0, -Pi * static_cast<double>(i) / 4096.0);
+        }
+        const double gain = coherentGain(weights);
+        // the table has as many digits
+        EXPECT_NEAR(gain, figures.coherentGain, 1e-8) << figures.name;
+        EXPECT_NEAR(noiseBandwidth_lines(weights), figures.noiseBandwidth_lines, 1e-5) << figures.name;
+        EXPECT_NEAR(-20.0 * std::log10(std::abs(betweenLines) / 4096.0 / gain), figures.scalloping_dB, 1e-4)
+            << figures.name;
+        for (std::size_t line = 1; line < 8; ++line) {
+            EXPECT_EQ(lineAmplitude(weights, line) < 1e-9, line >= figures.halfLobe_lines)
+                << figures.name << " " << line;
+        }
+        EXPECT_EQ(figuresOf(figures.shape).name, figures.name);
+        EXPECT_EQ(findWindow(figures.name), figures.shape);
+    }
+    EXPECT_FALSE(findWindow("Hann"));
 }
 
 TEST(Window, readsTheAmplitudeOfASineBetweenTwoLines) {
