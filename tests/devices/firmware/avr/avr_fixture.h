@@ -13,10 +13,10 @@
 
 namespace halbench::simavr {
 
-/// The program beside the test that was built with it.
-inline std::string boardProgram() {
+/// A program beside the test, built with it.
+inline std::string boardProgram(const std::string& name = "htm_atmega328p.elf") {
     const auto test = std::filesystem::read_symlink("/proc/self/exe");
-    return test.parent_path().parent_path() / "firmware" / "htm_atmega328p.elf";
+    return test.parent_path().parent_path() / "firmware" / name;
 }
 
 /// The board on its processor with its motor, and the master that talks to it over the serial line.
@@ -48,8 +48,9 @@ inline models::HtmParameters perfectMotor() {
     return motor;
 }
 
-inline std::shared_ptr<AvrBoard> makeBoard(const models::HtmParameters& parameters, std::uint64_t seed = 1) {
-    auto board = AvrBoard::make(boardProgram(), parameters, seed);
+inline std::shared_ptr<AvrBoard> makeBoard(const models::HtmParameters& parameters, std::uint64_t seed = 1,
+                                           const std::string& program = boardProgram()) {
+    auto board = AvrBoard::make(program, parameters, seed);
     EXPECT_TRUE(board) << board.error().message;
     return board ? std::shared_ptr<AvrBoard>(std::move(*board)) : nullptr;
 }
