@@ -1,6 +1,7 @@
 #include "devices/acquisition/recording_csv.h"
 
 #include "control/base/units.h"
+#include "devices/acquisition/time_axis.h"
 
 #include <fmt/format.h>
 
@@ -18,8 +19,6 @@ namespace {
 constexpr std::size_t RowsBetweenChecks = 1000;
 constexpr std::size_t MaxFile = std::size_t{256} << 20;
 constexpr std::size_t MaxColumns = 1024;
-constexpr std::size_t PeriodRows = 1000; // rows whose spacing decides what the nominal period is
-constexpr double GapFactor = 1.5;        // a step longer than this many periods has lost rows
 
 tl::unexpected<Error> wrongAt(const std::string& origin, std::size_t line, std::size_t column,
                               const std::string& what, const std::string& hint) {
@@ -153,30 +152,6 @@ Result<void> readRow(const Line& line, const std::string& origin, std::size_t co
         return wrongAt(origin, line.number, 1, "the time does not increase", "sort the rows by time_s");
     }
     return {};
-}
-
-double nominalPeriod(const std::vector<double>& time_s) {
-    std::vector<double> steps;
-    for (std::size_t i = 1; i < std::min(time_s.size(), PeriodRows); ++i) {
-        steps.push_back(time_s[i] - time_s[i - 1]);
-    }
-    if (steps.empty()) {
-        return 0.0;
-    }
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    return *middle;
-}
-
-std::uint64_t countLostRows(const std::vector<double>& time_s, double period_s) {
-    double lost = 0.0;
-    for (std::size_t i = 1; i < time_s.size(); ++i) {
-        const double step_s = time_s[i] - time_s[i - 1];
-        if (period_s > 0.0 && step_s > GapFactor * period_s) {
-            lost += std::min(std::round(step_s / period_s) - 1.0, 1e15);
-        }
-    }
-    return static_cast<std::uint64_t>(std::min(lost, 1e18));
 }
 
 } // namespace

@@ -1,9 +1,9 @@
 #include "devices/acquisition/recording_writer.h"
 
 #include "control/base/assert.h"
+#include "devices/acquisition/file_access.h"
 #include "devices/acquisition/recording_csv.h"
 
-#include <QtCore/QDir>
 #include <QtCore/QFileInfo>
 
 #include <fmt/format.h>
@@ -26,37 +26,11 @@ QString pathOf(const std::string& path) {
     return QString::fromStdString(path);
 }
 
-/// Qt has no words for a flush that failed; the system has.
-std::string causeOf(const QFile& file) {
-    const int cause = errno;
-    return file.errorString() == QLatin1String("Unknown error") ? std::strerror(cause)
-                                                                : file.errorString().toStdString();
-}
-
-tl::unexpected<Error> cannotWrite(const std::string& path, const QFile& file) {
-    return failure(ErrorCode::FileSystem, fmt::format("cannot write '{}': {}", path, causeOf(file)),
-                   "check that the folder can be written and the disk has room");
-}
-
 Result<void> moveInto(const std::string& from, const std::string& to) {
     if (std::rename(from.c_str(), to.c_str()) != 0) {
         return failure(ErrorCode::FileSystem,
                        fmt::format("cannot rename '{}' to '{}': {}", from, to, std::strerror(errno)),
                        "check that the folder can be written");
-    }
-    return {};
-}
-
-Result<void> createFolderOf(const std::string& path) {
-    const QFileInfo info(pathOf(path));
-    if (!QDir().mkpath(info.path())) {
-        return failure(ErrorCode::FileSystem,
-                       fmt::format("cannot create the folder '{}'", info.path().toStdString()),
-                       "give a folder that can be written");
-    }
-    if (info.isDir()) {
-        return failure(ErrorCode::FileSystem, fmt::format("'{}' is a folder", path),
-                       "give the name of a file");
     }
     return {};
 }

@@ -1,0 +1,38 @@
+#include "devices/acquisition/file_access.h"
+
+#include <QtCore/QDir>
+#include <QtCore/QFileInfo>
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace halbench::devices {
+
+std::string causeOf(const QFileDevice& file) {
+    const int cause = errno;
+    return file.errorString() == QLatin1String("Unknown error") ? std::strerror(cause)
+                                                                : file.errorString().toStdString();
+}
+
+tl::unexpected<Error> cannotWrite(const std::string& path, const QFileDevice& file) {
+    return failure(ErrorCode::FileSystem, fmt::format("cannot write '{}': {}", path, causeOf(file)),
+                   "check that the folder can be written and the disk has room");
+}
+
+Result<void> createFolderOf(const std::string& path) {
+    const QFileInfo info(QString::fromStdString(path));
+    if (!QDir().mkpath(info.path())) {
+        return failure(ErrorCode::FileSystem,
+                       fmt::format("cannot create the folder '{}'", info.path().toStdString()),
+                       "give a folder that can be written");
+    }
+    if (info.isDir()) {
+        return failure(ErrorCode::FileSystem, fmt::format("'{}' is a folder", path),
+                       "give the name of a file");
+    }
+    return {};
+}
+
+} // namespace halbench::devices

@@ -1,0 +1,21 @@
+#include "devices/acquisition/time_axis.h"
+
+#include <gtest/gtest.h>
+
+namespace halbench::devices {
+namespace {
+
+TEST(TimeAxis, theMedianStepIsThePeriodWhateverTheGapsAre) {
+    EXPECT_EQ(nominalPeriod({0.0, 1.0, 2.0, 9.0, 10.0, 11.0}), 1.0);
+    EXPECT_EQ(nominalPeriod({5.0}), 0.0);
+    EXPECT_EQ(nominalPeriod({}), 0.0);
+}
+
+TEST(TimeAxis, aGapHasLostTheRowsThatWouldFillIt) {
+    EXPECT_EQ(countLostRows({0.0, 1.0, 4.0, 5.0, 7.0}, 1.0), 3U); // 2, 3 and 6
+    EXPECT_EQ(countLostRows({0.0, 1.4, 2.8}, 1.0), 0U) << "up to half a period is jitter";
+    EXPECT_EQ(countLostRows({0.0, 100.0}, 0.0), 0U) << "without a period nothing is known to be missing";
+}
+
+} // namespace
+} // namespace halbench::devices
