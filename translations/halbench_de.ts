@@ -1331,16 +1331,8 @@
         <translation>„{}“ hat kein lesbares Format</translation>
     </message>
     <message>
-        <source>this version reads .csv and .csv.partial (an interrupted recording)</source>
-        <translation>diese Version liest .csv und .csv.partial (eine unterbrochene Aufzeichnung)</translation>
-    </message>
-    <message>
         <source>&apos;{}&apos; is of no format that can be written</source>
         <translation>„{}“ hat kein schreibbares Format</translation>
-    </message>
-    <message>
-        <source>this version writes .csv</source>
-        <translation>diese Version schreibt .csv</translation>
     </message>
     <message>
         <source>the recording has no signal &apos;{}&apos;</source>
@@ -4205,6 +4197,126 @@
     <message>
         <source>let the segments overlap less, or take a part of the recording</source>
         <translation>lassen Sie die Segmente weniger überlappen oder nehmen Sie einen Teil der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>this version reads .csv, .mf4 and .csv.partial (an interrupted recording)</source>
+        <translation>diese Version liest .csv, .mf4 und .csv.partial (eine abgebrochene Aufzeichnung)</translation>
+    </message>
+    <message>
+        <source>this version writes .csv and .mf4</source>
+        <translation>diese Version schreibt .csv und .mf4</translation>
+    </message>
+    <message>
+        <source>line {}: {}</source>
+        <translation>Zeile {}: {}</translation>
+    </message>
+    <message>
+        <source>recording of {} {}</source>
+        <translation>Aufzeichnung von {} {}</translation>
+    </message>
+    <message>
+        <source>written by Halbench</source>
+        <translation>von Halbench geschrieben</translation>
+    </message>
+    <message>
+        <source>Halbench maintainers</source>
+        <translation>Betreuer von Halbench</translation>
+    </message>
+    <message>
+        <source>a parameter was changed</source>
+        <translation>ein Parameter wurde geändert</translation>
+    </message>
+    <message>
+        <source>the file is damaged or another program wrote it; let that program export CSV</source>
+        <translation>die Datei ist beschädigt oder von einem anderen Programm; aus jenem Programm als CSV exportieren</translation>
+    </message>
+    <message>
+        <source>{}: block {} at octet {}: {}</source>
+        <translation>{}: Block {} bei Oktett {}: {}</translation>
+    </message>
+    <message>
+        <source>it is not inside the file</source>
+        <translation>er liegt nicht in der Datei</translation>
+    </message>
+    <message>
+        <source>another block is there</source>
+        <translation>dort steht ein anderer Block</translation>
+    </message>
+    <message>
+        <source>its length {} cannot be</source>
+        <translation>seine Länge {} kann nicht sein</translation>
+    </message>
+    <message>
+        <source>it has other links</source>
+        <translation>er hat andere Verweise</translation>
+    </message>
+    <message>
+        <source>it is linked more than once</source>
+        <translation>auf ihn wird mehr als einmal verwiesen</translation>
+    </message>
+    <message>
+        <source>this is no MDF file</source>
+        <translation>dies ist keine MDF-Datei</translation>
+    </message>
+    <message>
+        <source>give a file that begins with &quot;MDF&quot;</source>
+        <translation>eine Datei angeben, die mit "MDF" beginnt</translation>
+    </message>
+    <message>
+        <source>the file is not finalised</source>
+        <translation>die Datei ist nicht abgeschlossen</translation>
+    </message>
+    <message>
+        <source>its writing was interrupted; write it again</source>
+        <translation>ihr Schreiben wurde unterbrochen; noch einmal schreiben</translation>
+    </message>
+    <message>
+        <source>version {}</source>
+        <translation>Version {}</translation>
+    </message>
+    <message>
+        <source>only version 410 is read</source>
+        <translation>nur Version 410 wird gelesen</translation>
+    </message>
+    <message>
+        <source>another program wrote the file</source>
+        <translation>ein anderes Programm hat die Datei geschrieben</translation>
+    </message>
+    <message>
+        <source>only MDF4 files of Halbench are read; let that program export CSV</source>
+        <translation>nur MDF4-Dateien von Halbench werden gelesen; aus jenem Programm als CSV exportieren</translation>
+    </message>
+    <message>
+        <source>the file is not sorted or has several groups</source>
+        <translation>die Datei ist nicht sortiert oder hat mehrere Gruppen</translation>
+    </message>
+    <message>
+        <source>it has flags, invalidation bits or a neighbour</source>
+        <translation>er hat Merker, Ungültigkeitsbits oder einen Nachbarn</translation>
+    </message>
+    <message>
+        <source>no signal can have this name</source>
+        <translation>kein Signal kann so heißen</translation>
+    </message>
+    <message>
+        <source>it is of another kind than time and 64-bit floats</source>
+        <translation>er ist von anderer Art als Zeit und 64-Bit-Gleitkommazahlen</translation>
+    </message>
+    <message>
+        <source>its rows do not hold its channels</source>
+        <translation>seine Zeilen fassen seine Kanäle nicht</translation>
+    </message>
+    <message>
+        <source>its time or its neighbour cannot be</source>
+        <translation>seine Zeit oder sein Nachbar kann nicht sein</translation>
+    </message>
+    <message>
+        <source>its length is not that of {} rows</source>
+        <translation>seine Länge ist nicht die von {} Zeilen</translation>
+    </message>
+    <message>
+        <source>row {}: the time does not increase</source>
+        <translation>Zeile {}: die Zeit nimmt nicht zu</translation>
     </message>
 </context>
 <context>

@@ -1331,16 +1331,8 @@
         <translation>“{}”的格式无法读取</translation>
     </message>
     <message>
-        <source>this version reads .csv and .csv.partial (an interrupted recording)</source>
-        <translation>此版本读取 .csv 和 .csv.partial（中断的记录）</translation>
-    </message>
-    <message>
         <source>&apos;{}&apos; is of no format that can be written</source>
         <translation>“{}”的格式无法写入</translation>
-    </message>
-    <message>
-        <source>this version writes .csv</source>
-        <translation>此版本写入 .csv</translation>
     </message>
     <message>
         <source>the recording has no signal &apos;{}&apos;</source>
@@ -4205,6 +4197,126 @@
     <message>
         <source>let the segments overlap less, or take a part of the recording</source>
         <translation>请减小分段重叠，或选取记录的一部分</translation>
+    </message>
+    <message>
+        <source>this version reads .csv, .mf4 and .csv.partial (an interrupted recording)</source>
+        <translation>此版本读取 .csv、.mf4 和 .csv.partial（中断的记录）</translation>
+    </message>
+    <message>
+        <source>this version writes .csv and .mf4</source>
+        <translation>此版本写入 .csv 和 .mf4</translation>
+    </message>
+    <message>
+        <source>line {}: {}</source>
+        <translation>第 {} 行：{}</translation>
+    </message>
+    <message>
+        <source>recording of {} {}</source>
+        <translation>{} {} 的记录</translation>
+    </message>
+    <message>
+        <source>written by Halbench</source>
+        <translation>由 Halbench 写入</translation>
+    </message>
+    <message>
+        <source>Halbench maintainers</source>
+        <translation>Halbench 维护者</translation>
+    </message>
+    <message>
+        <source>a parameter was changed</source>
+        <translation>参数已更改</translation>
+    </message>
+    <message>
+        <source>the file is damaged or another program wrote it; let that program export CSV</source>
+        <translation>文件已损坏或由其他程序写入；请用该程序导出 CSV</translation>
+    </message>
+    <message>
+        <source>{}: block {} at octet {}: {}</source>
+        <translation>{}：块 {}，位于字节 {}：{}</translation>
+    </message>
+    <message>
+        <source>it is not inside the file</source>
+        <translation>它不在文件之内</translation>
+    </message>
+    <message>
+        <source>another block is there</source>
+        <translation>该处是另一个块</translation>
+    </message>
+    <message>
+        <source>its length {} cannot be</source>
+        <translation>其长度 {} 不可能</translation>
+    </message>
+    <message>
+        <source>it has other links</source>
+        <translation>它的链接数不同</translation>
+    </message>
+    <message>
+        <source>it is linked more than once</source>
+        <translation>它被链接了不止一次</translation>
+    </message>
+    <message>
+        <source>this is no MDF file</source>
+        <translation>这不是 MDF 文件</translation>
+    </message>
+    <message>
+        <source>give a file that begins with &quot;MDF&quot;</source>
+        <translation>请给出以 "MDF" 开头的文件</translation>
+    </message>
+    <message>
+        <source>the file is not finalised</source>
+        <translation>文件未完成</translation>
+    </message>
+    <message>
+        <source>its writing was interrupted; write it again</source>
+        <translation>写入被中断；请重新写入</translation>
+    </message>
+    <message>
+        <source>version {}</source>
+        <translation>版本 {}</translation>
+    </message>
+    <message>
+        <source>only version 410 is read</source>
+        <translation>只读取版本 410</translation>
+    </message>
+    <message>
+        <source>another program wrote the file</source>
+        <translation>文件由其他程序写入</translation>
+    </message>
+    <message>
+        <source>only MDF4 files of Halbench are read; let that program export CSV</source>
+        <translation>只读取 Halbench 的 MDF4 文件；请用该程序导出 CSV</translation>
+    </message>
+    <message>
+        <source>the file is not sorted or has several groups</source>
+        <translation>文件未排序或含有多个组</translation>
+    </message>
+    <message>
+        <source>it has flags, invalidation bits or a neighbour</source>
+        <translation>它带有标志、无效位或相邻块</translation>
+    </message>
+    <message>
+        <source>no signal can have this name</source>
+        <translation>信号不能使用此名称</translation>
+    </message>
+    <message>
+        <source>it is of another kind than time and 64-bit floats</source>
+        <translation>它的类型不是时间和 64 位浮点数</translation>
+    </message>
+    <message>
+        <source>its rows do not hold its channels</source>
+        <translation>其行与其通道不符</translation>
+    </message>
+    <message>
+        <source>its time or its neighbour cannot be</source>
+        <translation>其时间或相邻块不可能</translation>
+    </message>
+    <message>
+        <source>its length is not that of {} rows</source>
+        <translation>其长度与 {} 行不符</translation>
+    </message>
+    <message>
+        <source>row {}: the time does not increase</source>
+        <translation>第 {} 行：时间没有递增</translation>
     </message>
 </context>
 <context>

@@ -68,12 +68,13 @@ CommandResult identifyFile(CommandContext& context, const CommandOptions& option
     return finish(context, options, header, *result);
 }
 
-/// FILE.csv or replay:FILE; nothing for a device.
+/// FILE.csv, FILE.mf4 or replay:FILE; nothing for a device.
 std::optional<std::string> recordingPath(const std::string& text) {
     const Result<devices::DeviceUri> uri = devices::parseDeviceUri(text);
     if (!uri) {
-        return std::filesystem::path(text).extension() == ".csv" ? std::optional<std::string>(text)
-                                                                 : std::nullopt;
+        const bool isFile =
+            std::filesystem::path(text).extension() == ".csv" || devices::isMdf4Recording(text);
+        return isFile ? std::optional<std::string>(text) : std::nullopt;
     }
     return uri->scheme == "replay" ? std::optional<std::string>(uri->address) : std::nullopt;
 }

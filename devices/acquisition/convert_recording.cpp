@@ -1,5 +1,6 @@
 #include "devices/acquisition/convert_recording.h"
 
+#include "devices/acquisition/mdf4_writer.h"
 #include "devices/acquisition/recording_csv.h"
 #include "devices/acquisition/recording_file.h"
 #include "devices/acquisition/recording_writer.h"
@@ -19,15 +20,32 @@ bool endsWith(const std::string& text, std::string_view ending) {
            text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
 }
 
-Result<void> checkFormats(const ConvertRequest& request) {
-    if (!endsWith(request.input, ".csv") && !isPartialRecording(request.input)) {
-        return failure(ErrorCode::Usage, fmt::format("'{}' is of no format that can be read", request.input),
-                       "this version reads .csv and .csv.partial (an interrupted recording)");
+/// What can be written; `suffix` is that of a working file, where the format has one.
+using Writer = Result<void> (*)(const std::string& path, const Recording& recording, RecordingMeta meta,
+                                const std::string& suffix);
+
+/// By the ending of the name; nullptr when it is none of ours.
+Writer writerFor(const std::string& path) {
+    if (endsWith(path, ".csv")) {
+        return writeRecordingFile;
     }
-    if (!endsWith(request.output, ".csv")) {
+    if (isMdf4Recording(path)) {
+        return [](const std::string& file, const Recording& recording, RecordingMeta meta,
+                  const std::string&) { return writeMdf4File(file, recording, std::move(meta)); };
+    }
+    return nullptr;
+}
+
+Result<void> checkFormats(const ConvertRequest& request) {
+    const std::string& input = request.input;
+    if (!endsWith(input, ".csv") && !isPartialRecording(input) && !isMdf4Recording(input)) {
+        return failure(ErrorCode::Usage, fmt::format("'{}' is of no format that can be read", input),
+                       "this version reads .csv, .mf4 and .csv.partial (an interrupted recording)");
+    }
+    if (writerFor(request.output) == nullptr) {
         return failure(ErrorCode::Usage,
                        fmt::format("'{}' is of no format that can be written", request.output),
-                       "this version writes .csv");
+                       "this version writes .csv and .mf4");
     }
     return {};
 }
@@ -84,8 +102,9 @@ RecordingMeta partMeta(RecordingMeta meta, const StreamLayout& layout) {
     std::vector<RecordingMeta::SignalNote> notes;
     for (const StreamLayout::Column& column : layout.columns) {
         const std::string header = csvColumnName(column.name, column.unit);
-        const auto known = std::find_if(meta.signals.begin(), meta.signals.end(),
-                                        [&](const auto& note) { return note.name == column.name; });
+        const auto known = std::find_if(meta.signals.begin(), meta.signals.end(), [&](const auto& note) {
+            return note.name == column.name && note.column == header;
+        });
         notes.push_back(known != meta.signals.end()
                             ? *known
                             : RecordingMeta::SignalNote{column.name, header, column.unit, {}});
@@ -150,8 +169,8 @@ Result<Conversion> convertRecording(const ConvertRequest& request) {
     RecordingMeta meta = partMeta(std::move(source->file.meta), *part->layout);
     // An interrupted recording that gets its name back is no working file of this conversion.
     const bool isItsOwn = request.input == partialPathOf(request.output);
-    const Result<void> written =
-        writeRecordingFile(request.output, *part, std::move(meta), isItsOwn ? ".recovering" : ".partial");
+    const Result<void> written = writerFor(request.output)(request.output, *part, std::move(meta),
+                                                           isItsOwn ? ".recovering" : ".partial");
     if (!written) {
         return failure(written.error());
     }

@@ -35,10 +35,10 @@ struct Conversion {
     std::optional<Recovery> recovery; ///< when the input was an interrupted recording
 };
 
-/// Reads, selects, writes. Formats go by the file's ending; this version reads .csv and .csv.partial, what an
-/// interrupted recording is called, and writes .csv. The input stays as it is, except that `run.csv.partial`
-/// is gone once all of it has become `run.csv`. Errors: Usage (format), FileSystem, InvalidInput, those
-/// above.
+/// Reads, selects, writes. Formats go by the file's ending; this version reads .csv, .mf4 and .csv.partial,
+/// what an interrupted recording is called, and writes .csv and .mf4. The input stays as it is, except that
+/// `run.csv.partial` is gone once all of it has become `run.csv`. Errors: Usage (format), FileSystem,
+/// InvalidInput, those above.
 Result<Conversion> convertRecording(const ConvertRequest& request);
 
 } // namespace halbench::devices

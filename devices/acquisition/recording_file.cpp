@@ -1,5 +1,7 @@
 #include "devices/acquisition/recording_file.h"
 
+#include "devices/acquisition/file_access.h"
+#include "devices/acquisition/mdf4_reader.h"
 #include "devices/acquisition/recording_csv.h"
 #include "devices/acquisition/recording_writer.h"
 #include "devices/profile.h"
@@ -9,9 +11,7 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 
 namespace halbench::devices {
 
@@ -20,16 +20,10 @@ namespace {
 constexpr qint64 MaxMeta = qint64{64} << 20;
 constexpr qint64 MaxData = qint64{256} << 20;
 constexpr std::string_view PartialEnding = ".csv.partial";
+constexpr std::string_view Mdf4Ending = ".mf4";
 
 QString pathOf(const std::string& path) {
     return QString::fromStdString(path);
-}
-
-/// Qt has no words for some failures; the system has.
-std::string causeOf(const QFile& file) {
-    const int cause = errno;
-    return file.errorString() == QLatin1String("Unknown error") ? std::strerror(cause)
-                                                                : file.errorString().toStdString();
 }
 
 Result<std::string> readText(const std::string& path, qint64 limit) {
@@ -81,6 +75,11 @@ void nameColumns(RecordedFile& file) {
     file.recording.layout = std::make_shared<const StreamLayout>(std::move(layout));
 }
 
+bool hasEnding(const std::string& path, std::string_view ending) {
+    return path.size() > ending.size() &&
+           path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
+}
+
 /// "run.csv.partial" -> "run.meta.json.partial"
 std::string metaPartialOf(const std::string& path) {
     const std::string finalPath = path.substr(0, path.size() - partialPathOf("").size());
@@ -101,6 +100,9 @@ Result<RecordedFile> readRecordingFile(const std::string& path,
     const Result<std::string> text = readText(path, MaxData);
     if (!text) {
         return failure(text.error());
+    }
+    if (isMdf4Recording(path)) {
+        return parseMdf4(*text, path, checkAbort);
     }
     Result<Recording> recording = parseRecordingCsv(*text, path, checkAbort);
     if (!recording) {
@@ -131,8 +133,11 @@ Result<RecordedFile> readRecordingFile(const std::string& path,
 }
 
 bool isPartialRecording(const std::string& path) {
-    return path.size() > PartialEnding.size() &&
-           path.compare(path.size() - PartialEnding.size(), PartialEnding.size(), PartialEnding) == 0;
+    return hasEnding(path, PartialEnding);
+}
+
+bool isMdf4Recording(const std::string& path) {
+    return hasEnding(path, Mdf4Ending);
 }
 
 Result<PartialRecording> readPartialRecording(const std::string& path) {

@@ -10,17 +10,21 @@
 
 namespace halbench::devices {
 
-/// A recording read back with what its sidecar says; without a sidecar the signals are named after the
-/// columns.
+/// A recording read back with what its sidecar (of an MDF4 file: the file itself) says; without a sidecar the
+/// signals are named after the columns.
 struct RecordedFile {
     Recording recording;
     RecordingMeta meta;
     bool hasMeta = false;
     std::vector<std::string> warnings; ///< e.g. the data were changed since
 };
-/// Errors: FileSystem, InvalidInput with line and column, that of `checkAbort`.
+/// Reads MDF4 when the name ends so, else CSV. Errors: FileSystem, InvalidInput with line and column or block
+/// and octet, that of `checkAbort`.
 Result<RecordedFile> readRecordingFile(const std::string& path,
                                        const std::function<Result<void>()>& checkAbort = {});
+
+/// "dir/run.mf4"
+bool isMdf4Recording(const std::string& path);
 
 /// What can be had of a recording that was interrupted.
 struct PartialRecording {

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -329,6 +330,41 @@ TEST_F(RecordingFileTest, convertKeepsTheSignalsAndTheIntervalAskedFor) {
     EXPECT_EQ(back->recording.values[1], 10.0);
 }
 
+TEST_F(RecordingFileTest, throughMdf4AndBackEveryOctetIsTheSame) {
+    Recording recording = ramp(300);
+    for (std::size_t row = 100; row < 300; ++row) { // a gap and a value that is missing
+        recording.time_s[row] += 0.05;
+    }
+    recording.values[31] = std::nan("");
+    RecordingMeta meta = metaOf(recording);
+    meta.period_s = 0.01;
+    meta.markers = {{1.0 / 3.0, "here & <there>"}};
+    meta.changes = {{0.1, "gain.kp", 0.1}};
+    ASSERT_TRUE(writeRecordingFile(path("in.csv"), recording, meta));
+    ASSERT_TRUE(convertRecording({path("in.csv"), path("deep/run.mf4"), {}, {}, {}}));
+    ASSERT_TRUE(convertRecording({path("deep/run.mf4"), path("out.csv"), {}, {}, {}}));
+    EXPECT_EQ(contentOf(path("out.csv")), contentOf(path("in.csv")));
+    EXPECT_EQ(contentOf(path("out.meta.json")), contentOf(path("in.meta.json")));
+    EXPECT_FALSE(fs::exists(path("deep/run.meta.json"))) << "all of it is in the one file";
+    const auto part = convertRecording({path("deep/run.mf4"), path("part.mf4"), {"hall_a_T"}, 0.2, 0.3});
+    ASSERT_TRUE(part) << part.error().message;
+    EXPECT_EQ(part->rows, 10U);
+    EXPECT_EQ(readRecordingFile(path("part.mf4"))->recording.layout->columns[0].name, "hall.a");
+}
+
+TEST_F(RecordingFileTest, aFullDiskLeavesNoMdf4) {
+    const Recording large = ramp(5000);
+    ASSERT_TRUE(writeRecordingFile(path("in.csv"), large, metaOf(large)));
+    fs::create_directory(path("out"));
+    {
+        const SmallDisk disk(20000);
+        const auto done = convertRecording({path("in.csv"), path("out/run.mf4"), {}, {}, {}});
+        ASSERT_FALSE(done);
+        EXPECT_EQ(done.error().code, ErrorCode::FileSystem);
+    }
+    EXPECT_TRUE(fs::is_empty(path("out")));
+}
+
 TEST_F(RecordingFileTest, convertRefusesWhatItCannotDo) {
     const Recording recording = ramp(10);
     ASSERT_TRUE(writeRecordingFile(path("in.csv"), recording, metaOf(recording)));
@@ -336,8 +372,9 @@ TEST_F(RecordingFileTest, convertRefusesWhatItCannotDo) {
         const auto done = convertRecording(request);
         return done ? ErrorCode::Internal : done.error().code;
     };
-    EXPECT_EQ(code({path("in.csv"), path("out.mat"), {}, {}, {}}), ErrorCode::Usage);
-    EXPECT_EQ(code({path("in.mf4"), path("out.csv"), {}, {}, {}}), ErrorCode::Usage);
+    EXPECT_EQ(code({path("in.csv"), path("out.xls"), {}, {}, {}}), ErrorCode::Usage);
+    EXPECT_EQ(code({path("in.xls"), path("out.csv"), {}, {}, {}}), ErrorCode::Usage);
+    EXPECT_EQ(code({path("none.mf4"), path("out.csv"), {}, {}, {}}), ErrorCode::FileSystem);
     EXPECT_EQ(code({path("in.csv"), path("out.csv.partial"), {}, {}, {}}), ErrorCode::Usage);
     EXPECT_EQ(code({path("in.csv"), path("out.csv"), {"unknown"}, {}, {}}), ErrorCode::UnknownName);
     EXPECT_EQ(code({path("in.csv"), path("out.csv"), {}, 5.0, {}}), ErrorCode::OutOfRange);
