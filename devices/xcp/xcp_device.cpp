@@ -160,7 +160,7 @@ Result<A2lDescription> XcpDevice::givenOrUploaded() {
     }
     Result<A2lDescription> description = parseA2l(m_options.description);
     if (description) {
-        warnOfOtherFirmware(*description);
+        noteOtherFirmware(*description);
     }
     return description;
 }
@@ -182,7 +182,7 @@ Result<A2lDescription> XcpDevice::cachedOrUploaded() {
     if (!description) {
         return failure(descriptionError(*text, description.error()));
     }
-    warnOfOtherFirmware(*description);
+    noteOtherFirmware(*description);
     if (!m_options.cacheFolder.empty()) {
         message(isCached ? fmt::format("description of '{}' taken from the cache", key.name)
                          : fmt::format("description read from the board, {} octets", text->size()));
@@ -200,12 +200,14 @@ Result<A2lDescription> XcpDevice::cachedOrUploaded() {
     return description;
 }
 
-/// Names lead to addresses: those of another firmware may lead anywhere.
-void XcpDevice::warnOfOtherFirmware(const A2lDescription& description) const {
+/// Names lead to addresses: those of another firmware may lead anywhere, so that nothing is written by them.
+void XcpDevice::noteOtherFirmware(const A2lDescription& description) {
     const std::string& firmware = m_options.identity.firmware;
-    if (!description.epk.empty() && !firmware.empty() && description.epk != firmware) {
+    m_isOtherFirmware = !description.epk.empty() && !firmware.empty() && description.epk != firmware;
+    if (m_isOtherFirmware) {
         message(fmt::format("the board runs firmware '{}', but its description is of '{}': names may lead to "
-                            "wrong values; update the board's firmware as a whole",
+                            "wrong values, so nothing is written; give the description of this firmware, or "
+                            "update the board's firmware as a whole",
                             firmware, description.epk));
     }
 }

@@ -69,7 +69,7 @@ private:
     Result<void> readDescription();
     Result<A2lDescription> givenOrUploaded();
     Result<A2lDescription> cachedOrUploaded();
-    void warnOfOtherFirmware(const A2lDescription& description) const;
+    void noteOtherFirmware(const A2lDescription& description);
     Result<void> choosePages();
     Result<void> readDefaults();
     Result<void> readWhatCanBeRead(const std::vector<std::string>& names);
@@ -110,6 +110,7 @@ private:
     std::optional<DaqAbility> m_ability;
 
     DeviceState m_state;
+    bool m_isOtherFirmware = false; ///< than the description is of: its addresses may lead anywhere
     bool m_isStateStale = false;
     bool m_expectsArmed = false; ///< armed by us and not disarmed since: losing it is a safety stop
     bool m_hasWarnedOneByOne = false;

@@ -123,6 +123,11 @@ XcpDevice::checkedChanges(std::span<const ParameterValue> values) const {
 }
 
 Result<void> XcpDevice::writeParameters(std::span<const ParameterValue> values) {
+    if (m_isOtherFirmware) {
+        return failure(ErrorCode::DeviceRefused,
+                       "nothing is written: the description is not of the firmware that the board runs",
+                       "give the description of this firmware, or update the board's firmware as a whole");
+    }
     const Result<std::vector<RawChange>> changes = checkedChanges(values);
     if (!changes) {
         return failure(changes.error());

@@ -176,7 +176,7 @@ TEST(HostileSlave, anUploadThatEndsInTheMiddleIsALostDeviceThatNamesTheCommand) 
         << opened.device.error().message;
 }
 
-TEST(HostileSlave, aDescriptionOfAnotherFirmwareIsWarnedAbout) {
+TEST(HostileSlave, byADescriptionOfAnotherFirmwareNothingIsWritten) {
     std::string text = wholeDescription();
     const std::string place = "/begin MOD_PAR \"\"";
     ASSERT_NE(text.find(place), std::string::npos);
@@ -195,7 +195,17 @@ TEST(HostileSlave, aDescriptionOfAnotherFirmwareIsWarnedAbout) {
         };
         const auto device = openXcpDevice(std::move(slave), std::move(options));
         ASSERT_TRUE(device) << device.error().message;
-        EXPECT_EQ(warnings, std::string(firmware) == "1.1" ? 1 : 0);
+        const bool isOther = std::string(firmware) == "1.1";
+        EXPECT_EQ(warnings, isOther ? 1 : 0);
+        const std::string name = (*device)->catalogue().parameters.front().name;
+        const auto before = (*device)->readParameters({&name, 1});
+        ASSERT_TRUE(before) << before.error().message; // reading does no harm
+        const ParameterValue same{name, before->front()};
+        const auto written = (*device)->writeParameters({&same, 1});
+        EXPECT_EQ(written.has_value(), !isOther);
+        if (isOther) {
+            EXPECT_EQ(written.error().code, ErrorCode::DeviceRefused);
+        }
     }
 }
 
