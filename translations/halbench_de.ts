@@ -3859,10 +3859,6 @@
         <translation>die Firmware von „{}“ hat sich geändert: bei einer früheren Verbindung war sie „{}“, jetzt ist sie „{}“; ihre Beschreibung wurde neu gelesen</translation>
     </message>
     <message>
-        <source>the board runs firmware &apos;{}&apos;, but its description is of &apos;{}&apos;: names may lead to wrong values; update the board&apos;s firmware as a whole</source>
-        <translation>auf dem Steuergerät läuft die Firmware „{}“, ihre Beschreibung gehört aber zu „{}“: Namen können zu falschen Werten führen; die Firmware des Steuergeräts als Ganzes erneuern</translation>
-    </message>
-    <message>
         <source>the configuration is of a device of model &apos;{}&apos;, this one is of model &apos;{}&apos;</source>
         <translation>die Konfiguration ist von einem Gerät des Modells „{}“, dieses ist vom Modell „{}“</translation>
     </message>
@@ -4072,7 +4068,7 @@
     </message>
     <message>
         <source>name the port of the board first, like tcp:HOST:PORT</source>
-        <translation>zuerst den Anschluss der Platine nennen, etwa tcp:HOST:PORT</translation>
+        <translation>zuerst den Anschluss des Steuergeräts nennen, etwa tcp:HOST:PORT</translation>
     </message>
     <message>
         <source>the description &apos;{}&apos; cannot be read: {}</source>
@@ -4080,7 +4076,7 @@
     </message>
     <message>
         <source>give the A2L file that belongs to the board&apos;s firmware</source>
-        <translation>die A2L-Datei angeben, die zur Firmware der Platine gehört</translation>
+        <translation>die A2L-Datei angeben, die zur Firmware des Steuergeräts gehört</translation>
     </message>
     <message>
         <source>the description &apos;{}&apos; has {} octets</source>
@@ -4100,7 +4096,7 @@
     </message>
     <message>
         <source>the parameters of &apos;{}&apos; can only be read: the board runs on a page of it that takes no writes</source>
-        <translation>Die Parameter von &apos;{}&apos; lassen sich nur lesen: Die Platine läuft auf einer Seite davon, die kein Schreiben annimmt</translation>
+        <translation>Die Parameter von &apos;{}&apos; lassen sich nur lesen: Das Steuergerät läuft auf einer Seite davon, die kein Schreiben annimmt</translation>
     </message>
     <message>
         <source>parameter &apos;{}&apos; is left out: {}</source>
@@ -4108,7 +4104,7 @@
     </message>
     <message>
         <source>this board does not say whether it stopped: use the switch at the actuator</source>
-        <translation>Diese Platine sagt nicht, ob sie angehalten hat: den Schalter am Aktor verwenden</translation>
+        <translation>Dieses Steuergerät sagt nicht, ob es angehalten hat: den Schalter am Aktor verwenden</translation>
     </message>
     <message>
         <source>give the A2L file that belongs to it: DEVICE?a2l=FILE</source>
@@ -4260,7 +4256,7 @@
     </message>
     <message>
         <source>give a file that begins with &quot;MDF&quot;</source>
-        <translation>eine Datei angeben, die mit "MDF" beginnt</translation>
+        <translation>eine Datei angeben, die mit &quot;MDF&quot; beginnt</translation>
     </message>
     <message>
         <source>the file is not finalised</source>
@@ -4317,6 +4313,18 @@
     <message>
         <source>row {}: the time does not increase</source>
         <translation>Zeile {}: die Zeit nimmt nicht zu</translation>
+    </message>
+    <message>
+        <source>the board runs firmware &apos;{}&apos;, but its description is of &apos;{}&apos;: names may lead to wrong values, so nothing is written; give the description of this firmware, or update the board&apos;s firmware as a whole</source>
+        <translation>auf dem Steuergerät läuft die Firmware &apos;{}&apos;, ihre Beschreibung gehört aber zu &apos;{}&apos;: Namen können zu falschen Werten führen, daher wird nichts geschrieben; geben Sie die Beschreibung dieser Firmware an oder erneuern Sie die Firmware des Steuergeräts als Ganzes</translation>
+    </message>
+    <message>
+        <source>nothing is written: the description is not of the firmware that the board runs</source>
+        <translation>nichts wird geschrieben: Die Beschreibung gehört nicht zu der Firmware, die auf dem Steuergerät läuft</translation>
+    </message>
+    <message>
+        <source>give the description of this firmware, or update the board&apos;s firmware as a whole</source>
+        <translation>geben Sie die Beschreibung dieser Firmware an oder erneuern Sie die Firmware des Steuergeräts als Ganzes</translation>
     </message>
 </context>
 <context>
@@ -4881,16 +4889,8 @@ Firmware %2</translation>
         <translation>Verbindung verloren. %1 wird gesucht …</translation>
     </message>
     <message>
-        <source>&amp;Description file…</source>
-        <translation>&amp;Beschreibungsdatei…</translation>
-    </message>
-    <message>
-        <source>For a board that does not describe itself: the A2L file that its maker gives with it (Alt+D)</source>
-        <translation>Für eine Platine, die sich nicht selbst beschreibt: die A2L-Datei, die der Hersteller mitgibt (Alt+B)</translation>
-    </message>
-    <message>
         <source>Description of the board</source>
-        <translation>Beschreibung der Platine</translation>
+        <translation>Beschreibung des Steuergeräts</translation>
     </message>
     <message>
         <source>Description (*.a2l)</source>
@@ -4899,6 +4899,14 @@ Firmware %2</translation>
     <message>
         <source>not told</source>
         <translation>nicht genannt</translation>
+    </message>
+    <message>
+        <source>Description file…</source>
+        <translation>Beschreibungsdatei …</translation>
+    </message>
+    <message>
+        <source>Description file of a board that does not describe itself: the A2L file that its maker gives with it</source>
+        <translation>Beschreibungsdatei eines Steuergeräts, das sich nicht selbst beschreibt: die A2L-Datei, die sein Hersteller mitgibt</translation>
     </message>
 </context>
 <context>
@@ -7358,7 +7366,7 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
     <message>
         <source>The board&apos;s watchdog ends its motion. A recording goes on with a gap. Disconnect ends the search.</source>
-        <translation>Der Watchdog der Platine beendet die Bewegung. Eine Aufzeichnung läuft mit einer Lücke weiter. Trennen beendet die Suche.</translation>
+        <translation>Der Watchdog des Steuergeräts beendet die Bewegung. Eine Aufzeichnung läuft mit einer Lücke weiter. Trennen beendet die Suche.</translation>
     </message>
     <message>
         <source>Back after %1 s, disarmed.</source>

@@ -3859,10 +3859,6 @@
         <translation>“{}”的固件已改变：上一次连接时为“{}”，现在为“{}”，因此重新读取了描述</translation>
     </message>
     <message>
-        <source>the board runs firmware &apos;{}&apos;, but its description is of &apos;{}&apos;: names may lead to wrong values; update the board&apos;s firmware as a whole</source>
-        <translation>控制板运行固件“{}”，但其描述属于“{}”：名称可能指向错误的值；请整体更新控制板固件</translation>
-    </message>
-    <message>
         <source>the configuration is of a device of model &apos;{}&apos;, this one is of model &apos;{}&apos;</source>
         <translation>该配置属于型号“{}”的设备,而此设备型号为“{}”</translation>
     </message>
@@ -4072,7 +4068,7 @@
     </message>
     <message>
         <source>name the port of the board first, like tcp:HOST:PORT</source>
-        <translation>请先指定板卡的端口，例如 tcp:HOST:PORT</translation>
+        <translation>请先指定控制板的端口，例如 tcp:HOST:PORT</translation>
     </message>
     <message>
         <source>the description &apos;{}&apos; cannot be read: {}</source>
@@ -4080,7 +4076,7 @@
     </message>
     <message>
         <source>give the A2L file that belongs to the board&apos;s firmware</source>
-        <translation>请给出与板卡固件对应的 A2L 文件</translation>
+        <translation>请给出与控制板固件对应的 A2L 文件</translation>
     </message>
     <message>
         <source>the description &apos;{}&apos; has {} octets</source>
@@ -4100,7 +4096,7 @@
     </message>
     <message>
         <source>the parameters of &apos;{}&apos; can only be read: the board runs on a page of it that takes no writes</source>
-        <translation>&apos;{}&apos; 的参数只能读取：板卡正运行在其不接受写入的页上</translation>
+        <translation>&apos;{}&apos; 的参数只能读取：控制板正运行在其不接受写入的页上</translation>
     </message>
     <message>
         <source>parameter &apos;{}&apos; is left out: {}</source>
@@ -4108,7 +4104,7 @@
     </message>
     <message>
         <source>this board does not say whether it stopped: use the switch at the actuator</source>
-        <translation>此板卡不说明是否已停止：请使用执行器上的开关</translation>
+        <translation>此控制板不说明是否已停止：请使用执行器上的开关</translation>
     </message>
     <message>
         <source>give the A2L file that belongs to it: DEVICE?a2l=FILE</source>
@@ -4260,7 +4256,7 @@
     </message>
     <message>
         <source>give a file that begins with &quot;MDF&quot;</source>
-        <translation>请给出以 "MDF" 开头的文件</translation>
+        <translation>请给出以 &quot;MDF&quot; 开头的文件</translation>
     </message>
     <message>
         <source>the file is not finalised</source>
@@ -4317,6 +4313,18 @@
     <message>
         <source>row {}: the time does not increase</source>
         <translation>第 {} 行：时间没有递增</translation>
+    </message>
+    <message>
+        <source>the board runs firmware &apos;{}&apos;, but its description is of &apos;{}&apos;: names may lead to wrong values, so nothing is written; give the description of this firmware, or update the board&apos;s firmware as a whole</source>
+        <translation>控制板运行固件“{}”，但其描述属于“{}”：名称可能指向错误的值，因此不写入任何内容；请提供该固件的描述，或整体更新控制板固件</translation>
+    </message>
+    <message>
+        <source>nothing is written: the description is not of the firmware that the board runs</source>
+        <translation>未写入任何内容：该描述不属于控制板正在运行的固件</translation>
+    </message>
+    <message>
+        <source>give the description of this firmware, or update the board&apos;s firmware as a whole</source>
+        <translation>请提供该固件的描述，或整体更新控制板固件</translation>
     </message>
 </context>
 <context>
@@ -4877,16 +4885,8 @@ Firmware %2</source>
         <translation>连接已断开。正在查找 %1 …</translation>
     </message>
     <message>
-        <source>&amp;Description file…</source>
-        <translation>描述文件(&amp;D)…</translation>
-    </message>
-    <message>
-        <source>For a board that does not describe itself: the A2L file that its maker gives with it (Alt+D)</source>
-        <translation>用于不自带描述的板卡：制造商随附的 A2L 文件 (Alt+D)</translation>
-    </message>
-    <message>
         <source>Description of the board</source>
-        <translation>板卡描述</translation>
+        <translation>控制板描述</translation>
     </message>
     <message>
         <source>Description (*.a2l)</source>
@@ -4895,6 +4895,14 @@ Firmware %2</source>
     <message>
         <source>not told</source>
         <translation>未说明</translation>
+    </message>
+    <message>
+        <source>Description file…</source>
+        <translation>描述文件…</translation>
+    </message>
+    <message>
+        <source>Description file of a board that does not describe itself: the A2L file that its maker gives with it</source>
+        <translation>用于不自带描述的控制板的描述文件：制造商随附的 A2L 文件</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,7 @@
 
 #include <QEvent>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -57,10 +58,12 @@ void DevicePanel::buildChooser() {
     m_address->setAccessibleName(tr("Device address"));
     m_address->setToolTip(tr("For example sim:htm?seed=7 or tcp:HOST:PORT"));
     m_address->setPlaceholderText(tr("sim:htm or tcp:HOST:PORT"));
-    m_description = new QPushButton(tr("&Description file…"), this);
+    m_description = new QPushButton(this);
+    m_description->setIcon(widgets::themedIcon("open"));
+    m_description->setAccessibleName(tr("Description file…"));
     m_description->setToolTip(
-        tr("For a board that does not describe itself: the A2L file that its maker gives "
-           "with it (Alt+D)"));
+        tr("Description file of a board that does not describe itself: the A2L file that its "
+           "maker gives with it"));
     m_description->hide(); // until there is a way to ask for a file
     m_connect = new QPushButton(this);
     m_connect->setIcon(widgets::themedIcon("connect"));
@@ -68,8 +71,10 @@ void DevicePanel::buildChooser() {
 
     auto* column = static_cast<QVBoxLayout*>(layout());
     column->addWidget(m_list);
-    column->addWidget(m_address);
-    column->addWidget(m_description);
+    auto* target = new QHBoxLayout;
+    target->addWidget(m_address, 1);
+    target->addWidget(m_description);
+    column->addLayout(target);
     column->addWidget(m_connect);
     column->addWidget(m_message);
     column->addWidget(new PaceRow(m_bench, PaceRow::Place::Devices, this));
