@@ -4199,10 +4199,6 @@
         <translation>diese Version liest .csv, .mf4 und .csv.partial (eine abgebrochene Aufzeichnung)</translation>
     </message>
     <message>
-        <source>this version writes .csv and .mf4</source>
-        <translation>diese Version schreibt .csv und .mf4</translation>
-    </message>
-    <message>
         <source>line {}: {}</source>
         <translation>Zeile {}: {}</translation>
     </message>
@@ -4325,6 +4321,18 @@
     <message>
         <source>give the description of this firmware, or update the board&apos;s firmware as a whole</source>
         <translation>geben Sie die Beschreibung dieser Firmware an oder erneuern Sie die Firmware des Steuergeräts als Ganzes</translation>
+    </message>
+    <message>
+        <source>this version writes .csv, .mf4 and .mat</source>
+        <translation>diese Version schreibt .csv, .mf4 und .mat</translation>
+    </message>
+    <message>
+        <source>MATLAB 5.0 MAT-file, written by Halbench</source>
+        <translation>MATLAB-5.0-MAT-Datei, von Halbench geschrieben</translation>
+    </message>
+    <message>
+        <source>cannot write &apos;{}&apos;: it is not complete</source>
+        <translation>„{}“ kann nicht geschrieben werden: die Datei ist nicht vollständig</translation>
     </message>
 </context>
 <context>

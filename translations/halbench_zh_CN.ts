@@ -4199,10 +4199,6 @@
         <translation>此版本读取 .csv、.mf4 和 .csv.partial（中断的记录）</translation>
     </message>
     <message>
-        <source>this version writes .csv and .mf4</source>
-        <translation>此版本写入 .csv 和 .mf4</translation>
-    </message>
-    <message>
         <source>line {}: {}</source>
         <translation>第 {} 行：{}</translation>
     </message>
@@ -4325,6 +4321,18 @@
     <message>
         <source>give the description of this firmware, or update the board&apos;s firmware as a whole</source>
         <translation>请提供该固件的描述，或整体更新控制板固件</translation>
+    </message>
+    <message>
+        <source>this version writes .csv, .mf4 and .mat</source>
+        <translation>此版本写入 .csv、.mf4 和 .mat</translation>
+    </message>
+    <message>
+        <source>MATLAB 5.0 MAT-file, written by Halbench</source>
+        <translation>MATLAB 5.0 MAT 文件，由 Halbench 写入</translation>
+    </message>
+    <message>
+        <source>cannot write &apos;{}&apos;: it is not complete</source>
+        <translation>无法写入“{}”：文件不完整</translation>
     </message>
 </context>
 <context>

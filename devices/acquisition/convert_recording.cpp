@@ -1,5 +1,6 @@
 #include "devices/acquisition/convert_recording.h"
 
+#include "devices/acquisition/mat_writer.h"
 #include "devices/acquisition/mdf4_writer.h"
 #include "devices/acquisition/recording_csv.h"
 #include "devices/acquisition/recording_file.h"
@@ -33,6 +34,10 @@ Writer writerFor(const std::string& path) {
         return [](const std::string& file, const Recording& recording, RecordingMeta meta,
                   const std::string&) { return writeMdf4File(file, recording, std::move(meta)); };
     }
+    if (endsWith(path, ".mat")) {
+        return [](const std::string& file, const Recording& recording, RecordingMeta meta,
+                  const std::string&) { return writeMatFile(file, recording, std::move(meta)); };
+    }
     return nullptr;
 }
 
@@ -45,7 +50,7 @@ Result<void> checkFormats(const ConvertRequest& request) {
     if (writerFor(request.output) == nullptr) {
         return failure(ErrorCode::Usage,
                        fmt::format("'{}' is of no format that can be written", request.output),
-                       "this version writes .csv and .mf4");
+                       "this version writes .csv, .mf4 and .mat");
     }
     return {};
 }

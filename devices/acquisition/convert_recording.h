@@ -36,8 +36,8 @@ struct Conversion {
 };
 
 /// Reads, selects, writes. Formats go by the file's ending; this version reads .csv, .mf4 and .csv.partial,
-/// what an interrupted recording is called, and writes .csv and .mf4. The input stays as it is, except that
-/// `run.csv.partial` is gone once all of it has become `run.csv`. Errors: Usage (format), FileSystem,
+/// what an interrupted recording is called, and writes .csv, .mf4 and .mat. The input stays as it is, except
+/// that `run.csv.partial` is gone once all of it has become `run.csv`. Errors: Usage (format), FileSystem,
 /// InvalidInput, those above.
 Result<Conversion> convertRecording(const ConvertRequest& request);
 

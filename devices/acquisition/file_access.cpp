@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 
 namespace halbench::devices {
@@ -31,6 +32,15 @@ Result<void> createFolderOf(const std::string& path) {
     if (info.isDir()) {
         return failure(ErrorCode::FileSystem, fmt::format("'{}' is a folder", path),
                        "give the name of a file");
+    }
+    return {};
+}
+
+Result<void> moveInto(const std::string& from, const std::string& to) {
+    if (std::rename(from.c_str(), to.c_str()) != 0) {
+        return failure(ErrorCode::FileSystem,
+                       fmt::format("cannot rename '{}' to '{}': {}", from, to, std::strerror(errno)),
+                       "check that the folder can be written");
     }
     return {};
 }

@@ -20,4 +20,7 @@ tl::unexpected<Error> cannotWrite(const std::string& path, const QFileDevice& fi
 /// Makes the folder in which `path` will be written. Errors: FileSystem, also when `path` is a folder.
 Result<void> createFolderOf(const std::string& path);
 
+/// Gives a file another name; what had it is replaced in one step. Errors: FileSystem.
+Result<void> moveInto(const std::string& from, const std::string& to);
+
 } // namespace halbench::devices

@@ -3,6 +3,7 @@
 #include "control/base/assert.h"
 #include "devices/acquisition/file_access.h"
 #include "devices/acquisition/recording_csv.h"
+#include "devices/acquisition/time_axis.h"
 
 #include <QtCore/QFileInfo>
 
@@ -11,28 +12,16 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cmath>
 #include <cstdio>
-#include <cstring>
 
 namespace halbench::devices {
 
 namespace {
 
-constexpr double GapFactor = 1.5; // a step longer than this many periods has lost rows
 constexpr std::size_t RowsPerBlock = 4096;
 
 QString pathOf(const std::string& path) {
     return QString::fromStdString(path);
-}
-
-Result<void> moveInto(const std::string& from, const std::string& to) {
-    if (std::rename(from.c_str(), to.c_str()) != 0) {
-        return failure(ErrorCode::FileSystem,
-                       fmt::format("cannot rename '{}' to '{}': {}", from, to, std::strerror(errno)),
-                       "check that the folder can be written");
-    }
-    return {};
 }
 
 /// Everything on the disk, not only in the system's memory.
@@ -55,20 +44,10 @@ Result<void> writeText(const std::string& path, const std::string& text) {
     return {};
 }
 
-/// Rows missing directly before this one.
-std::uint64_t lostBefore(const Recording& recording, std::size_t row) {
-    const double period_s = recording.layout->period_s;
-    if (row == 0 || period_s <= 0.0) {
-        return 0;
-    }
-    const double steps = (recording.time_s[row] - recording.time_s[row - 1]) / period_s;
-    return steps > GapFactor ? static_cast<std::uint64_t>(std::min(std::round(steps) - 1.0, 1e15)) : 0;
-}
-
 /// One behind the last row of the block that begins here: a block ends before a gap.
 std::size_t blockEnd(const Recording& recording, std::size_t begin) {
     std::size_t end = begin + 1;
-    while (end < recording.rows() && end - begin < RowsPerBlock && lostBefore(recording, end) == 0) {
+    while (end < recording.rows() && end - begin < RowsPerBlock && lostRowsBefore(recording, end) == 0) {
         ++end;
     }
     return end;
@@ -81,7 +60,7 @@ SampleBlock blockOf(const Recording& recording, std::size_t begin, std::size_t e
     };
     SampleBlock block;
     block.layout = recording.layout;
-    block.lostRows = lostBefore(recording, begin);
+    block.lostRows = lostRowsBefore(recording, begin);
     block.time_s.assign(at(recording.time_s, begin), at(recording.time_s, end));
     block.values.assign(at(recording.values, begin * columns), at(recording.values, end * columns));
     return block;

@@ -36,4 +36,13 @@ std::uint64_t countLostRows(const std::vector<double>& time_s, double period_s) 
     return static_cast<std::uint64_t>(std::min(lost, 1e18));
 }
 
+std::uint64_t lostRowsBefore(const Recording& recording, std::size_t row) {
+    const double period_s = recording.layout->period_s;
+    if (row == 0 || period_s <= 0.0) {
+        return 0;
+    }
+    const double steps = (recording.time_s[row] - recording.time_s[row - 1]) / period_s;
+    return steps > GapFactor ? static_cast<std::uint64_t>(std::min(std::round(steps) - 1.0, 1e15)) : 0;
+}
+
 } // namespace halbench::devices

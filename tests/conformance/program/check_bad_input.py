@@ -198,8 +198,8 @@ class Files(ProgramCase):
 
     def test_unknown_recording_formats_are_refused_with_the_known_ones(self):
         self.accept(*self.record("--out", "f.csv"))
-        for name in ("f.xls", "f.mat", "f", "f.CSV", "f.csv.partial"):
-            self.refuse(2, r"writes \.csv and \.mf4$", "convert", "f.csv", name)
+        for name in ("f.xls", "f", "f.CSV", "f.csv.partial"):
+            self.refuse(2, r"writes \.csv, \.mf4 and \.mat$", "convert", "f.csv", name)
         for name in ("f.xls", "f.mat", "f"):
             self.refuse(2, r"reads \.csv, \.mf4 and \.csv\.partial", "convert", name, "g.csv")
         self.assert_nothing_left("f.csv", "f.meta.json")

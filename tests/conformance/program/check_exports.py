@@ -5,11 +5,14 @@
 import csv
 import json
 import math
+import shutil
 import struct
+import subprocess
 import sys
 import unittest
 
 import halbench
+import mat5
 from halbench import ProgramCase
 from mdf4 import Mdf4 as Mdf4File
 
@@ -104,6 +107,46 @@ class Mdf4(ExportCase):
             answer = self.run_program("convert", "cut.mf4", "out.csv")
             self.assertEqual(answer.code, 2, answer)
             self.assertRegex(answer.err, r"cut\.mf4: block (ID|##[A-Z]{2}) at octet \d+: ")
+
+
+class Mat(ExportCase):
+    NAMES = ["time_s", "position", "hall_a", "status", "x", "x_2"]
+
+    def test_every_bit_name_unit_and_note_is_there(self):
+        expected = self.made()
+        self.accept("convert", "run.csv", "run.mat")
+        file = mat5.read(self.path("run.mat"))
+        self.assert_same_bits(list(zip(*(file[name] for name in self.NAMES))), expected)
+        self.assertEqual(file["units"], dict(zip(self.NAMES, ("s", "rad", "T", "", "A", "V"))))
+        self.assertEqual((file["meta_model"], file["meta_id"], file["meta_firmware"]), ("htm", HOSTILE, "epk"))
+        self.assertEqual((file["meta_started"], file["meta_software"]), ("2026-01-02T03:04:05Z", "0.1.0"))
+        with open(self.path("run.meta.json"), encoding="utf-8") as sidecar:
+            self.assertEqual(json.loads(file["meta_json"]), json.load(sidecar) | {"sha256": ""})
+        self.assertEqual(set(file), {*self.NAMES, "units", "meta_model", "meta_id", "meta_firmware", "meta_started",
+                                     "meta_software", "meta_json"})
+
+    def test_a_part_and_equal_files_for_equal_recordings(self):
+        self.accept("record", "sim:htm", "--duration", "2", "--out", "run.csv")
+        self.accept("convert", "run.csv", "run.mf4")
+        for source in ("run.csv", "run.mf4"):
+            self.accept("convert", source, source + ".mat", "--signals", "hall.a", "--from", "0.5", "--to", "1")
+        self.assertEqual(self.octets("run.csv.mat"), self.octets("run.mf4.mat"))
+        part = mat5.read(self.path("run.csv.mat"))
+        self.assertEqual((len(part["hall_a"]), part["time_s"][0], part["units"]), (50, 0.5, {"time_s": "s", "hall_a": "T"}))
+
+    def test_a_full_disk_leaves_nothing(self):
+        self.made()
+        self.refuse(2, r"cannot write 'run\.mat", "convert", "run.csv", "run.mat", preexec_fn=halbench.limit_file_size(10_000))
+        self.assert_nothing_left("made.csv", "made.meta.json", "run.csv", "run.meta.json")
+
+    @unittest.skipUnless(shutil.which("octave-cli"), "Octave is not installed")
+    def test_octave_loads_it(self):
+        self.made()
+        self.accept("convert", "run.csv", "run.mat")
+        done = subprocess.run(["octave-cli", "--quiet", "--eval",
+                               "load run.mat; printf('%d %.17g %s %s', rows(time_s), position(9), units.hall_a, meta_model)"],
+                              cwd=self.folder, capture_output=True, text=True, check=True)
+        self.assertEqual(done.stdout, f"500 {math.sin(8) / 3:.17g} T htm")
 
 
 if __name__ == "__main__":

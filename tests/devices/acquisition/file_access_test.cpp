@@ -38,5 +38,19 @@ TEST(FileAccess, theCauseIsNamedInWords) {
     EXPECT_FALSE(error.hint.empty());
 }
 
+TEST(FileAccess, aMovedFileReplacesWhatWasThere) {
+    const QTemporaryDir folder;
+    const std::string from = folder.filePath("a").toStdString();
+    const std::string to = folder.filePath("b").toStdString();
+    std::ofstream(from) << "new";
+    std::ofstream(to) << "older";
+    ASSERT_TRUE(moveInto(from, to));
+    EXPECT_EQ(std::filesystem::file_size(to), 3U);
+    const auto again = moveInto(from, to);
+    ASSERT_FALSE(again);
+    EXPECT_EQ(again.error().message,
+              "cannot rename '" + from + "' to '" + to + "': No such file or directory");
+}
+
 } // namespace
 } // namespace halbench::devices

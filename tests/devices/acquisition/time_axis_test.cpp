@@ -17,5 +17,14 @@ TEST(TimeAxis, aGapHasLostTheRowsThatWouldFillIt) {
     EXPECT_EQ(countLostRows({0.0, 100.0}, 0.0), 0U) << "without a period nothing is known to be missing";
 }
 
+TEST(TimeAxis, theRowsMissingBeforeARowCountByTheLayoutsPeriod) {
+    Recording recording;
+    recording.layout = std::make_shared<const StreamLayout>(StreamLayout{{}, 0.5});
+    recording.time_s = {0.0, 0.5, 2.0};
+    EXPECT_EQ(lostRowsBefore(recording, 0), 0U);
+    EXPECT_EQ(lostRowsBefore(recording, 1), 0U);
+    EXPECT_EQ(lostRowsBefore(recording, 2), 2U);
+}
+
 } // namespace
 } // namespace halbench::devices
