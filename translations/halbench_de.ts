@@ -4334,6 +4334,10 @@
         <source>cannot write &apos;{}&apos;: it is not complete</source>
         <translation>„{}“ kann nicht geschrieben werden: die Datei ist nicht vollständig</translation>
     </message>
+    <message>
+        <source>at most {} are read; write it in parts, with --from and --to</source>
+        <translation>höchstens {} werden gelesen; in Teilen schreiben, mit --from und --to</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -4334,6 +4334,10 @@
         <source>cannot write &apos;{}&apos;: it is not complete</source>
         <translation>无法写入“{}”：文件不完整</translation>
     </message>
+    <message>
+        <source>at most {} are read; write it in parts, with --from and --to</source>
+        <translation>最多读取 {}；请用 --from 和 --to 分段写入</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

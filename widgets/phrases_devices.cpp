@@ -80,6 +80,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "a recording begins with the line time_s,..."),
     QT_TRANSLATE_NOOP("Phrases", "cannot read '{}': {}"),
     QT_TRANSLATE_NOOP("Phrases", "check the path"),
+    QT_TRANSLATE_NOOP("Phrases", "at most {} are read; write it in parts, with --from and --to"),
     QT_TRANSLATE_NOOP("Phrases", "'{}' has {} octets"),
     QT_TRANSLATE_NOOP("Phrases", "'{}' was changed since it was recorded (SHA-256)"),
     QT_TRANSLATE_NOOP("Phrases", "'{}' holds no whole row"),

@@ -33,10 +33,13 @@ Result<std::string> readText(const std::string& path, qint64 limit) {
                        "check the path");
     }
     if (file.size() > limit) {
-        return failure(
-            ErrorCode::InvalidInput, fmt::format("'{}' has {} octets", path, file.size()),
-            fmt::format("at most {} are read; cut the file into pieces that each begin with its first line",
-                        limit));
+        const std::string hint =
+            isMdf4Recording(path)
+                ? fmt::format("at most {} are read; write it in parts, with --from and --to", limit)
+                : fmt::format(
+                      "at most {} are read; cut the file into pieces that each begin with its first line",
+                      limit);
+        return failure(ErrorCode::InvalidInput, fmt::format("'{}' has {} octets", path, file.size()), hint);
     }
     return file.readAll().toStdString();
 }

@@ -352,6 +352,18 @@ TEST_F(RecordingFileTest, throughMdf4AndBackEveryOctetIsTheSame) {
     EXPECT_EQ(readRecordingFile(path("part.mf4"))->recording.layout->columns[0].name, "hall.a");
 }
 
+TEST_F(RecordingFileTest, aFileLargerThanTheLimitIsRefusedUnread) {
+    for (const char* name : {"large.csv", "large.mf4"}) {
+        std::ofstream(path(name)) << "";
+        fs::resize_file(path(name), std::uintmax_t{300} << 20); // takes no room on the disk
+        const auto file = readRecordingFile(path(name));
+        ASSERT_FALSE(file);
+        EXPECT_EQ(file.error().message, "'" + path(name) + "' has 314572800 octets");
+        EXPECT_NE(file.error().hint.find(name == std::string("large.mf4") ? "--from" : "first line"),
+                  std::string::npos);
+    }
+}
+
 TEST_F(RecordingFileTest, aFullDiskLeavesNoMdf4) {
     const Recording large = ramp(5000);
     ASSERT_TRUE(writeRecordingFile(path("in.csv"), large, metaOf(large)));
