@@ -4338,6 +4338,10 @@
         <source>at most {} are read; write it in parts, with --from and --to</source>
         <translation>höchstens {} werden gelesen; in Teilen schreiben, mit --from und --to</translation>
     </message>
+    <message>
+        <source>give a finite number</source>
+        <translation>geben Sie eine endliche Zahl an</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

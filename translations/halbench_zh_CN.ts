@@ -4338,6 +4338,10 @@
         <source>at most {} are read; write it in parts, with --from and --to</source>
         <translation>最多读取 {}；请用 --from 和 --to 分段写入</translation>
     </message>
+    <message>
+        <source>give a finite number</source>
+        <translation>请给出有限数</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -178,6 +178,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "a binary sequence of {} stages held for {} samples is not possible"),
     QT_TRANSLATE_NOOP("Phrases", "2 to 16 stages, 1 to 10000 samples"),
     QT_TRANSLATE_NOOP("Phrases", "overlap, confidence and segment must be finite numbers"),
+    QT_TRANSLATE_NOOP("Phrases", "give a finite number"),
     QT_TRANSLATE_NOOP("Phrases", "an overlap of {} is not possible"),
     QT_TRANSLATE_NOOP("Phrases", "give a ratio from 0 to 0.95; 0.5 is usual, 0.75 for flat-top and blackman-harris"),
     QT_TRANSLATE_NOOP("Phrases", "a confidence of {} is not between 0 and 1"),

@@ -18,7 +18,8 @@ constexpr double SegmentsSideBySide = 4.5;
 Result<void> checkConfig(const SpectrumConfig& config) {
     if (!std::isfinite(config.overlap_ratio) || !std::isfinite(config.confidence_ratio) ||
         !std::isfinite(config.segment_s.value_or(1.0))) {
-        return failure(ErrorCode::NotFinite, "overlap, confidence and segment must be finite numbers");
+        return failure(ErrorCode::NotFinite, "overlap, confidence and segment must be finite numbers",
+                       "give a finite number");
     }
     if (config.overlap_ratio < 0.0 || config.overlap_ratio > LargestOverlap) {
         return failure(ErrorCode::OutOfRange,

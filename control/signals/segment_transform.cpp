@@ -50,14 +50,22 @@ SegmentTransform::~SegmentTransform() = default;
 
 const std::vector<double>& SegmentTransform::powers(std::span<const double> samples) {
     HB_ASSERT(samples.size() == length());
-    const double mean = m_removesMean ? std::accumulate(samples.begin(), samples.end(), 0.0) /
-                                            static_cast<double>(samples.size())
-                                      : 0.0;
-    m_work->samples.resize(length());
-    for (std::size_t i = 0; i < length(); ++i) {
-        m_work->samples[i] = m_weights[i] * (samples[i] - mean);
+    std::vector<double>& work = m_work->samples;
+    work.assign(samples.begin(), samples.end());
+    if (m_removesMean) {
+        // From the first sample on, so that a constant leaves nothing, not even rounding.
+        for (double& value : work) {
+            value -= samples.front();
+        }
+        const double mean = std::accumulate(work.begin(), work.end(), 0.0) / static_cast<double>(length());
+        for (double& value : work) {
+            value -= mean;
+        }
     }
-    m_work->transform.fwd(m_work->lines, m_work->samples);
+    for (std::size_t i = 0; i < length(); ++i) {
+        work[i] *= m_weights[i];
+    }
+    m_work->transform.fwd(m_work->lines, work);
     HB_ASSERT(m_work->lines.size() == lines());
     for (std::size_t line = 0; line < lines(); ++line) {
         m_powers[line] = std::norm(m_work->lines[line]);

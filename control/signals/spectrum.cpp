@@ -190,6 +190,9 @@ std::vector<std::size_t> highestPeaks(const Spectrum& spectrum, std::size_t coun
     }
     std::stable_sort(peaks.begin(), peaks.end(),
                      [&values](std::size_t a, std::size_t b) { return values[a] > values[b]; });
+    const double smallest = spectrum.config.scale == SpectrumScale::Density ? 1e-12 : 1e-6;
+    const auto isLow = [&](std::size_t line) { return values[line] < smallest * values[peaks.front()]; };
+    peaks.erase(std::find_if(peaks.begin(), peaks.end(), isLow), peaks.end());
     peaks.resize(std::min(peaks.size(), count));
     return peaks;
 }

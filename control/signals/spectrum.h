@@ -86,8 +86,8 @@ Result<Spectrum> spectrum(const SignalView& signal, const SpectrumConfig& config
 /// K, which its differences are in.
 std::string spectrumUnit(const std::string& unit, SpectrumScale scale);
 
-/// Lines higher than all others within the window's main lobe, the highest first; zero and half the rate are
-/// none.
+/// Lines higher than all others within the window's main lobe, the highest first. None at zero and half the
+/// rate, and none below a millionth of the highest amplitude (120 dB), where rounding looks like peaks.
 std::vector<std::size_t> highestPeaks(const Spectrum& spectrum, std::size_t count);
 
 /// Spectra of segments one after the other.

@@ -331,8 +331,11 @@ TEST(Spectrum, findsTheHighestPeaksOnce) {
         EXPECT_NEAR(result.frequency_Hz[peaks[1]], 50.0, 1e-9);
         EXPECT_NEAR(result.frequency_Hz[peaks[2]], 333.0, 1e-9);
     }
+    const Spectrum pure = computed(second, configOf(SpectrumScale::Density));
+    EXPECT_EQ(highestPeaks(pure, 10).size(), 1U); // the rest is rounding
     const Spectrum silence =
-        computed(sampled(1000, [](double) { return 0.0; }), configOf(SpectrumScale::Peak));
+        computed(sampled(1000, [](double) { return 0.1; }), configOf(SpectrumScale::Peak));
+    EXPECT_EQ(silence.rms, 0.0);
     EXPECT_TRUE(highestPeaks(silence, 10).empty());
 }
 
