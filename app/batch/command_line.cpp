@@ -172,6 +172,21 @@ void addServe(CLI::App& app, CommandOptions& options) {
         ->type_name("MS");
 }
 
+void addSpectrum(CLI::App& app, CommandOptions& options) {
+    CLI::App* spectrum = addCommand(app, "spectrum", "Spectrum or power density of a recorded signal");
+    spectrum->add_option("RECORDING", options.input, "Recording")->required();
+    spectrum->add_option("--signal", options.signal, "Its name or column")->required()->type_name("NAME");
+    spectrum->add_option("--kind", options.kind, "amplitude (default), rms, psd or asd");
+    spectrum->add_option("--window", options.window,
+                         "hann (default), rectangular, hamming, blackman, blackman-harris or flat-top");
+    spectrum->add_option("--segment_s", options.segment, "Length of a segment")->type_name("S");
+    spectrum->add_option("--overlap", options.overlap, "Of neighbouring segments, default 0.5")
+        ->type_name("RATIO");
+    spectrum->add_option("--from", options.from, "First time")->type_name("S");
+    spectrum->add_option("--to", options.to, "Last time")->type_name("S");
+    spectrum->add_option("--out", options.out, "Spectrum")->required()->type_name("FILE.csv");
+}
+
 void addFileCommands(CLI::App& app, CommandOptions& options) {
     CLI::App* run = addCommand(app, "run", "Run an experiment file and judge its checks");
     run->add_option("EXPERIMENT.toml", options.experiment, "Experiment")->required();
@@ -189,6 +204,7 @@ void addFileCommands(CLI::App& app, CommandOptions& options) {
     convert->add_option("--signals", options.signals, "Names, separated by commas")->type_name("A,B");
     convert->add_option("--from", options.from, "First time")->type_name("S");
     convert->add_option("--to", options.to, "Last time")->type_name("S");
+    addSpectrum(app, options);
 }
 
 Result<GlobalOptions> globalsFrom(const RawGlobals& raw, ConsoleStyle style) {

@@ -58,6 +58,7 @@ struct CommandOptions {
     std::string drop, corrupt, latency; ///< serve
     std::string input;
     std::string from, to;
+    std::string signal, kind, window, segment, overlap; ///< spectrum
 };
 
 struct CommandLine {

@@ -18,6 +18,7 @@ CommandResult runTuneCommand(CommandContext& context, const CommandOptions& opti
 CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runRunCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runConvertCommand(CommandContext& context, const CommandOptions& options);
+CommandResult runSpectrumCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runServeCommand(CommandContext& context, const CommandOptions& options);
 
 } // namespace halbench::app

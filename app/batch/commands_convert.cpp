@@ -10,14 +10,6 @@ namespace halbench::app {
 
 namespace {
 
-Result<std::optional<double>> timeOption(const std::string& option, const std::string& text) {
-    if (text.empty()) {
-        return std::optional<double>{};
-    }
-    const Result<double> time = numberOption(option, text);
-    return time ? Result<std::optional<double>>(*time) : failure(time.error());
-}
-
 std::string recoveryText(const std::string& path, const devices::Recovery& recovery) {
     const std::string cut =
         recovery.cutOctets == 0
@@ -36,8 +28,8 @@ JsonValue toJson(const devices::Recovery& recovery) {
 } // namespace
 
 CommandResult runConvertCommand(CommandContext& context, const CommandOptions& options) {
-    const Result<std::optional<double>> from = timeOption("--from", options.from);
-    const Result<std::optional<double>> to = timeOption("--to", options.to);
+    const Result<std::optional<double>> from = optionalNumber("--from", options.from);
+    const Result<std::optional<double>> to = optionalNumber("--to", options.to);
     if (!from || !to) {
         return failure(from ? to.error() : from.error());
     }

@@ -71,15 +71,12 @@ Result<TuningSource> sourceFromDevice(CommandContext& context, const CommandOpti
 }
 
 Result<std::optional<double>> target(const std::string& option, const std::string& text) {
-    if (text.empty()) {
-        return std::optional<double>{};
-    }
-    const Result<double> value = numberOption(option, text);
-    if (value && *value <= 0.0) {
+    const Result<std::optional<double>> value = optionalNumber(option, text);
+    if (value && value->value_or(1.0) <= 0.0) {
         return failure(ErrorCode::OutOfRange, fmt::format("{}: {} is not positive", option, text),
                        "give a positive number");
     }
-    return value ? Result<std::optional<double>>(*value) : failure(value.error());
+    return value;
 }
 
 Result<control::DesignTargets> targetsFrom(const CommandOptions& options) {

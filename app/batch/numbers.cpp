@@ -51,4 +51,12 @@ Result<double> numberOption(const std::string& option, std::string_view text) {
     return *value;
 }
 
+Result<std::optional<double>> optionalNumber(const std::string& option, std::string_view text) {
+    if (text.empty()) {
+        return std::optional<double>{};
+    }
+    const Result<double> value = numberOption(option, text);
+    return value ? Result<std::optional<double>>(*value) : failure(value.error());
+}
+
 } // namespace halbench::app

@@ -20,5 +20,7 @@ std::optional<std::int64_t> parseInteger(std::string_view text);
 
 /// A number given on the command line. Errors: Usage naming the option; NotFinite.
 Result<double> numberOption(const std::string& option, std::string_view text);
+/// The same of an option that was not given when `text` is empty.
+Result<std::optional<double>> optionalNumber(const std::string& option, std::string_view text);
 
 } // namespace halbench::app

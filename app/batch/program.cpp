@@ -41,6 +41,7 @@ constexpr std::array Commands = {
     CommandEntry{"serve", runServeCommand},
     CommandEntry{"record", runRecordCommand},
     CommandEntry{"convert", runConvertCommand},
+    CommandEntry{"spectrum", runSpectrumCommand},
 };
 
 CommandResult dispatch(CommandContext& context, const CommandLine& line) {

@@ -69,6 +69,9 @@ class Schemas(unittest.TestCase):
     def test_commands_that_move(self):
         self.accept(self.run_json("record", "sim:htm", "--duration", "0.1", "--out", "f.csv"))
         self.accept(self.run_json("convert", "f.csv", "g.csv", "--signals", "position"))
+        for kind in ("amplitude", "psd"):
+            self.accept(self.run_json("spectrum", "f.csv", "--signal", "position", "--kind", kind, "--segment_s", "0.08",
+                                      "--out", "s.csv"))
         self.accept(self.run_json("move", "sim:htm", "--reference", "step,amplitude_deg=100", "--duration", "1"))
         self.accept(self.run_json("move", "sim:htm", "--reference", "sine,amplitude_deg=45,frequency_hz=1", "--duration",
                                   "4"))

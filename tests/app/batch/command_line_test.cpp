@@ -33,7 +33,7 @@ TEST(CommandLineTest, withoutArgumentsItIsHelp) {
     ASSERT_TRUE(line);
     EXPECT_EQ(line->command, "help");
     for (const char* command : {"devices", "describe", "get", "set", "record", "move", "calibrate",
-                                "identify", "tune", "analyse", "run", "serve", "convert"}) {
+                                "identify", "tune", "analyse", "run", "serve", "convert", "spectrum"}) {
         EXPECT_THAT(line->helpText, testing::HasSubstr(command));
     }
 }

@@ -46,6 +46,12 @@ TEST(Numbers, notFiniteOnesAreReadSoThatTheyCanBeRefusedByName) {
     EXPECT_NE(word.error().message.find("fast"), std::string::npos);
 }
 
+TEST(Numbers, anOptionThatWasNotGivenHasNone) {
+    EXPECT_EQ(optionalNumber("--from", "").value(), std::nullopt);
+    EXPECT_EQ(optionalNumber("--from", "0").value(), 0.0);
+    EXPECT_EQ(optionalNumber("--from", "now").error().code, ErrorCode::Usage);
+}
+
 TEST(Numbers, integersAreWhole) {
     EXPECT_EQ(parseInteger("-7"), -7);
     for (const char* wrong : {"", "7.0", "1e3", "7 ", "99999999999999999999"}) {
