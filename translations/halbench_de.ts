@@ -4342,6 +4342,42 @@
         <source>give a finite number</source>
         <translation>geben Sie eine endliche Zahl an</translation>
     </message>
+    <message>
+        <source>a trigger without a source</source>
+        <translation>ein Trigger ohne Quelle</translation>
+    </message>
+    <message>
+        <source>give the name of a signal</source>
+        <translation>geben Sie den Namen eines Signals an</translation>
+    </message>
+    <message>
+        <source>level, hysteresis and times of a trigger must be finite numbers</source>
+        <translation>Pegel, Hysterese und Zeiten eines Triggers müssen endliche Zahlen sein</translation>
+    </message>
+    <message>
+        <source>a hysteresis of {} is negative</source>
+        <translation>eine Hysterese von {} ist negativ</translation>
+    </message>
+    <message>
+        <source>give 0 or how far the signal must have been on the other side of the level</source>
+        <translation>geben Sie 0 an oder wie weit das Signal auf der anderen Seite des Pegels gewesen sein muss</translation>
+    </message>
+    <message>
+        <source>a pre-trigger share of {} is not between 0 and 1</source>
+        <translation>ein Vortrigger-Anteil von {} liegt nicht zwischen 0 und 1</translation>
+    </message>
+    <message>
+        <source>0.25 shows a quarter of the window before the trigger</source>
+        <translation>0.25 zeigt ein Viertel des Fensters vor dem Trigger</translation>
+    </message>
+    <message>
+        <source>a trigger&apos;s window of {} s, hold-off of {} s and longest wait of {} s are not possible</source>
+        <translation>ein Triggerfenster von {} s, eine Sperrzeit von {} s und eine längste Wartezeit von {} s sind nicht möglich</translation>
+    </message>
+    <message>
+        <source>the window and the wait are longer than 0, the hold-off is not negative</source>
+        <translation>Fenster und Wartezeit sind länger als 0, die Sperrzeit ist nicht negativ</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -4342,6 +4342,42 @@
         <source>give a finite number</source>
         <translation>请给出有限数</translation>
     </message>
+    <message>
+        <source>a trigger without a source</source>
+        <translation>触发没有信号源</translation>
+    </message>
+    <message>
+        <source>give the name of a signal</source>
+        <translation>请给出信号名称</translation>
+    </message>
+    <message>
+        <source>level, hysteresis and times of a trigger must be finite numbers</source>
+        <translation>触发的电平、迟滞和时间必须是有限数</translation>
+    </message>
+    <message>
+        <source>a hysteresis of {} is negative</source>
+        <translation>迟滞 {} 为负</translation>
+    </message>
+    <message>
+        <source>give 0 or how far the signal must have been on the other side of the level</source>
+        <translation>请给出 0，或信号须在电平另一侧达到的距离</translation>
+    </message>
+    <message>
+        <source>a pre-trigger share of {} is not between 0 and 1</source>
+        <translation>预触发比例 {} 不在 0 与 1 之间</translation>
+    </message>
+    <message>
+        <source>0.25 shows a quarter of the window before the trigger</source>
+        <translation>0.25 表示窗口的四分之一在触发之前</translation>
+    </message>
+    <message>
+        <source>a trigger&apos;s window of {} s, hold-off of {} s and longest wait of {} s are not possible</source>
+        <translation>触发窗口 {} s、释抑 {} s 和最长等待 {} s 不可行</translation>
+    </message>
+    <message>
+        <source>the window and the wait are longer than 0, the hold-off is not negative</source>
+        <translation>窗口和等待须大于 0，释抑不能为负</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

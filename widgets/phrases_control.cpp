@@ -193,6 +193,15 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "give a shorter segment, or a part of the recording with one rate"),
     QT_TRANSLATE_NOOP("Phrases", "{} segments of {} lines are too many values for a spectrogram"),
     QT_TRANSLATE_NOOP("Phrases", "let the segments overlap less, or take a part of the recording"),
+    QT_TRANSLATE_NOOP("Phrases", "a trigger without a source"),
+    QT_TRANSLATE_NOOP("Phrases", "give the name of a signal"),
+    QT_TRANSLATE_NOOP("Phrases", "level, hysteresis and times of a trigger must be finite numbers"),
+    QT_TRANSLATE_NOOP("Phrases", "a hysteresis of {} is negative"),
+    QT_TRANSLATE_NOOP("Phrases", "give 0 or how far the signal must have been on the other side of the level"),
+    QT_TRANSLATE_NOOP("Phrases", "a pre-trigger share of {} is not between 0 and 1"),
+    QT_TRANSLATE_NOOP("Phrases", "0.25 shows a quarter of the window before the trigger"),
+    QT_TRANSLATE_NOOP("Phrases", "a trigger's window of {} s, hold-off of {} s and longest wait of {} s are not possible"),
+    QT_TRANSLATE_NOOP("Phrases", "the window and the wait are longer than 0, the hold-off is not negative"),
 };
 
 } // namespace
