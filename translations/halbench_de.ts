@@ -6882,10 +6882,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Der Stopp ist verriegelt</translation>
     </message>
     <message>
-        <source>Release it with the STOP control</source>
-        <translation>Heben Sie ihn mit der STOPP-Taste auf</translation>
-    </message>
-    <message>
         <source>The device is armed by hand</source>
         <translation>Das Gerät ist von Hand freigegeben</translation>
     </message>
@@ -6944,6 +6940,14 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Watch, record and set it by name in Signals, Record and Parameters</source>
         <translation>In Signale, Aufnahme und Parameter nach Namen beobachten, aufnehmen und einstellen</translation>
+    </message>
+    <message>
+        <source>Press Release, beside the state at the top</source>
+        <translation>Drücken Sie „Aufheben“ neben dem Zustand oben</translation>
+    </message>
+    <message>
+        <source>No fault, not stopped</source>
+        <translation>Kein Fehler, nicht gestoppt</translation>
     </message>
 </context>
 <context>
@@ -7906,10 +7910,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Alle Verstärkungen auf einmal, dann ein Sprung um %1, der wie vorhergesagt gehen muss; Esc stoppt ihn</translation>
     </message>
     <message>
-        <source>The new gains stay until the device is switched off; Save in the device, in the Parameters panel, keeps them longer</source>
-        <translation>Die neuen Verstärkungen bleiben, bis das Gerät ausgeschaltet wird; „Im Gerät speichern“ im Feld Parameter behält sie länger</translation>
-    </message>
-    <message>
         <source>Stable, if what is assumed here is true:</source>
         <translation>Stabil, falls zutrifft, was hier angenommen ist:</translation>
     </message>
@@ -7922,8 +7922,28 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Sollen sie auch danach gelten: „Im Gerät speichern“ im Feld Parameter.</translation>
     </message>
     <message>
-        <source>Keep the new gains until the device is switched off, or restore those from before.</source>
-        <translation>Behalten Sie die neuen Verstärkungen bis zum Ausschalten des Geräts, oder stellen Sie die früheren wieder her.</translation>
+        <source>The new gains stay until the device is switched off or, for a simulated one, disconnected; Save in the device, in the Parameters panel, keeps them longer</source>
+        <translation>Die neuen Verstärkungen bleiben, bis das Gerät ausgeschaltet oder, wenn es simuliert ist, getrennt wird; „Im Gerät speichern“ im Feld Parameter behält sie länger</translation>
+    </message>
+    <message>
+        <source>The new gains run until the simulated device is disconnected.</source>
+        <translation>Die neuen Verstärkungen gelten, bis das simulierte Gerät getrennt wird.</translation>
+    </message>
+    <message>
+        <source>To have them after that too: keep them as a preset, in the Parameters panel.</source>
+        <translation>Sollen sie auch danach gelten: Behalten Sie sie als Parametersatz im Feld Parameter.</translation>
+    </message>
+    <message>
+        <source>This verification is running</source>
+        <translation>Dieser Nachweis läuft</translation>
+    </message>
+    <message>
+        <source>Keep the new gains, or restore those from before.</source>
+        <translation>Behalten Sie die neuen Verstärkungen, oder stellen Sie die früheren wieder her.</translation>
+    </message>
+    <message>
+        <source>Nothing verified yet</source>
+        <translation>Noch nichts nachgewiesen</translation>
     </message>
 </context>
 <context>

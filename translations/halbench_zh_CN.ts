@@ -6875,10 +6875,6 @@ A real device has its own time.</source>
         <translation>停止处于锁存状态</translation>
     </message>
     <message>
-        <source>Release it with the STOP control</source>
-        <translation>请用停止按钮解除</translation>
-    </message>
-    <message>
         <source>The device is armed by hand</source>
         <translation>设备已被手动使能</translation>
     </message>
@@ -6937,6 +6933,14 @@ A real device has its own time.</source>
     <message>
         <source>Watch, record and set it by name in Signals, Record and Parameters</source>
         <translation>可在“信号”、“记录”和“参数”中按名称观察、记录和设置</translation>
+    </message>
+    <message>
+        <source>Press Release, beside the state at the top</source>
+        <translation>请按上方状态旁边的“解除”</translation>
+    </message>
+    <message>
+        <source>No fault, not stopped</source>
+        <translation>无故障，未停止</translation>
     </message>
 </context>
 <context>
@@ -7898,10 +7902,6 @@ A real device has its own time.</source>
         <translation>一次写入全部增益，然后做 %1 的阶跃，它必须与预测一致；Esc 停止</translation>
     </message>
     <message>
-        <source>The new gains stay until the device is switched off; Save in the device, in the Parameters panel, keeps them longer</source>
-        <translation>新增益保留到设备断电为止；在“参数”面板中选择“保存到设备”可长期保留</translation>
-    </message>
-    <message>
         <source>Stable, if what is assumed here is true:</source>
         <translation>稳定，前提是以下假设成立：</translation>
     </message>
@@ -7914,8 +7914,28 @@ A real device has its own time.</source>
         <translation>若断电后也要保留：在“参数”面板中选择“保存到设备”。</translation>
     </message>
     <message>
-        <source>Keep the new gains until the device is switched off, or restore those from before.</source>
-        <translation>保留新增益直到设备断电，或恢复之前的增益。</translation>
+        <source>The new gains stay until the device is switched off or, for a simulated one, disconnected; Save in the device, in the Parameters panel, keeps them longer</source>
+        <translation>新增益保留到设备断电为止，仿真设备则到断开为止；在“参数”面板中选择“保存到设备”可长期保留</translation>
+    </message>
+    <message>
+        <source>The new gains run until the simulated device is disconnected.</source>
+        <translation>新增益在仿真设备断开前有效。</translation>
+    </message>
+    <message>
+        <source>To have them after that too: keep them as a preset, in the Parameters panel.</source>
+        <translation>若此后也要保留：在“参数”面板中保留为预设。</translation>
+    </message>
+    <message>
+        <source>This verification is running</source>
+        <translation>本次验证正在进行</translation>
+    </message>
+    <message>
+        <source>Keep the new gains, or restore those from before.</source>
+        <translation>请保留新增益，或恢复之前的增益。</translation>
+    </message>
+    <message>
+        <source>Nothing verified yet</source>
+        <translation>尚未验证</translation>
     </message>
 </context>
 <context>

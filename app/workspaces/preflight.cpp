@@ -41,6 +41,9 @@ PreflightItem deviceItem(const PreflightFacts& facts) {
         return {false, Words::tr("Nothing is known of the motor behind this device: it has no profile here"),
                 Words::tr("Watch, record and set it by name in Signals, Record and Parameters")};
     }
+    if (!facts.running.isEmpty()) {
+        return {false, facts.running, Words::tr("Wait for its end or cancel it"), true};
+    }
     if (facts.isBusy) {
         return {false, Words::tr("Another procedure runs"), Words::tr("Wait for its end or cancel it")};
     }
@@ -53,7 +56,11 @@ PreflightItem faultItem(const PreflightFacts& facts) {
                 Words::tr("Remove its cause, then re-arm on purpose in the Drive panel")};
     }
     if (facts.board.isStopLatched) {
-        return {false, Words::tr("The stop is latched"), Words::tr("Release it with the STOP control")};
+        return {false, Words::tr("The stop is latched"),
+                Words::tr("Press Release, beside the state at the top")};
+    }
+    if (facts.isBusy) {
+        return {true, Words::tr("No fault, not stopped"), {}}; // armed or not is the procedure's
     }
     if (facts.board.isArmed) {
         return {false, Words::tr("The device is armed by hand"), Words::tr("Disarm it first")};
@@ -92,6 +99,12 @@ PreflightItem motionItem(const PreflightFacts& facts) {
     }
     return {facts.hasConsent, Words::tr("The rotor is free to turn and nobody touches it"),
             Words::tr("Look, then say so below")};
+}
+
+QIcon iconOf(const PreflightItem& item) {
+    return item.isPassed    ? widgets::themedIcon(QStringLiteral("ok"), widgets::Role::Good)
+           : item.isRunning ? widgets::themedIcon(QStringLiteral("info"), widgets::Role::Primary)
+                            : widgets::themedIcon(QStringLiteral("warning"), widgets::Role::Warn);
 }
 
 } // namespace
@@ -145,6 +158,11 @@ void Preflight::setForecast(std::function<double(double)> forecast) {
     refresh();
 }
 
+void Preflight::setRunning(const QString& words) {
+    m_running = words;
+    refresh();
+}
+
 PreflightFacts Preflight::facts() const {
     const DeviceSession& session = m_bench.session();
     PreflightFacts facts;
@@ -152,6 +170,7 @@ PreflightFacts Preflight::facts() const {
     facts.board = session.report().board;
     facts.isMotorKnown = session.catalogue().hasProcedure("identify");
     facts.isBusy = !session.procedure().isEmpty();
+    facts.running = facts.isBusy ? m_running : QString();
     facts.isSimulated = session.info().isSimulated;
     facts.hasConsent = m_consent->isChecked();
     facts.temperature_degC = m_temperature_degC;
@@ -174,10 +193,7 @@ void Preflight::refresh() {
             continue;
         }
         const PreflightItem& item = items[i];
-        const QString icon = item.isPassed ? QStringLiteral("ok") : QStringLiteral("warning");
-        m_rows[i].symbol->setPixmap(
-            widgets::themedIcon(icon, item.isPassed ? widgets::Role::Good : widgets::Role::Warn)
-                .pixmap(16, 16));
+        m_rows[i].symbol->setPixmap(iconOf(item).pixmap(16, 16));
         m_rows[i].words->setText(item.isPassed ? item.text
                                                : item.text + QStringLiteral(" \u2192 ") + item.remedy);
         m_remedy = m_remedy.isEmpty() && !item.isPassed ? item.remedy : m_remedy;

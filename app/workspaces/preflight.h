@@ -20,7 +20,8 @@ struct PreflightFacts {
     SessionState state = SessionState::Disconnected;
     devices::DeviceState board;
     bool isMotorKnown = true; ///< the device has a profile with procedures
-    bool isBusy = false;      ///< another procedure runs
+    bool isBusy = false;      ///< a procedure runs
+    QString running;          ///< what runs, when it is that of this list itself; empty otherwise
     bool isSimulated = false;
     bool hasConsent = false;                 ///< the user says that the rotor is free to turn
     std::optional<double> temperature_degC;  ///< warmest coil
@@ -32,7 +33,8 @@ struct PreflightFacts {
 struct PreflightItem {
     bool isPassed = false;
     QString text;
-    QString remedy; ///< what to do when it is not passed
+    QString remedy;         ///< what to do when it is not passed
+    bool isRunning = false; ///< nothing is wrong: what the list is for goes on
 };
 
 /// One line each: device, faults, temperature, free motion. The procedure checks again itself.
@@ -46,6 +48,8 @@ public:
 
     /// Warmest coil of the run if it starts at that temperature.
     void setForecast(std::function<double(double start_degC)> forecast);
+    /// While the procedure of this list runs, what to say of it; empty when it has ended.
+    void setRunning(const QString& words);
     std::optional<double> temperature_degC() const { return m_temperature_degC; }
     bool isPassed() const { return m_isPassed; }
     /// The first remedy that is needed; empty when all is well.
@@ -70,6 +74,7 @@ private:
     bool m_isPassed = false;
     bool m_isReading = false;
     QString m_remedy;
+    QString m_running;
     QTimer m_clock; ///< temperatures age
     QGridLayout* m_grid = nullptr;
     struct Row {

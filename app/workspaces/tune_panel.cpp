@@ -74,16 +74,18 @@ void TunePanel::connectParts() {
     connect(m_save, &QPushButton::clicked, this, &TunePanel::saveGains);
     connect(m_progress, &widgets::ProgressRow::cancelRequested, &m_bench.session(),
             &DeviceSession::abortProcedure);
-    connect(&m_bench, &Workbench::identificationChanged, this, &TunePanel::refreshModel);
+    connect(&m_bench, &Workbench::identificationChanged, this, [this] {
+        forgetVerification(); // it was predicted for the motor as it was
+        refreshModel();
+    });
     connect(&m_bench, &Workbench::valuesChanged, this, &TunePanel::readConditions);
     connect(&m_bench, &Workbench::strayIntervalChanged, this, &TunePanel::ask);
     connect(&m_bench, &Workbench::displayUnitsChanged, this, &TunePanel::onUnits);
-    connect(&m_bench, &Workbench::deviceChanged, this, [this] {
-        if (m_bench.session().state() == SessionState::Connected && m_bench.session().returns() == 0) {
-            m_before.clear(); // another device: nothing of it was replaced
+    connect(&m_bench, &Workbench::deviceChanged, this, &TunePanel::onDevice);
+    connect(&m_bench, &Workbench::valuesCompared, this, [this] {
+        if (!m_bench.differences().empty()) {
+            forgetVerification(); // it came back with other values: nothing is known of how it moves
         }
-        readConditions();
-        ask(); // its presets may be others
     });
     connect(&m_bench.session(), &DeviceSession::procedureChanged, this, &TunePanel::refreshButtons);
     connect(&m_bench.session(), &DeviceSession::procedureProgress, this,
@@ -93,6 +95,20 @@ void TunePanel::connectParts() {
                     m_progress->setProgress(fraction);
                 }
             });
+}
+
+/// What was applied, measured and said is of one device: of the one that is connected, or looked for.
+void TunePanel::onDevice() {
+    const DeviceSession& session = m_bench.session();
+    const bool isSame = session.state() == SessionState::Reconnecting ||
+                        session.state() == SessionState::Leaving ||
+                        (session.state() == SessionState::Connected && session.returns() > 0);
+    if (!isSame) {
+        m_before.clear(); // nothing of another one was replaced
+        forgetVerification();
+    }
+    readConditions();
+    ask(); // its presets may be others
 }
 
 void TunePanel::refreshModel() {
@@ -215,6 +231,7 @@ void TunePanel::ask() {
 
 void TunePanel::restoreDesign(std::optional<GainsFile> gains) {
     forgetRestored();
+    forgetVerification(); // of the project before
     m_restored = std::move(gains);
     const GainsFile shown = m_restored.value_or(GainsFile{});
     m_form->showChoice(m_restored ? shown.method : TuneConfig().method, shown.targets);

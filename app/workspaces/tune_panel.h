@@ -23,6 +23,7 @@ namespace halbench::widgets {
 class EmptyState;
 class FigureView;
 class MessageBar;
+struct Message;
 class ProgressRow;
 class VerdictView;
 } // namespace halbench::widgets
@@ -65,6 +66,8 @@ private:
     void refreshWords();
     void refreshModel();
     void forgetRestored();
+    void onDevice();
+    void forgetVerification();
     void readConditions();
     std::map<std::string, double> valuesBefore() const;
     void ask();
@@ -77,7 +80,9 @@ private:
     void keep();
     void apply();
     void finishApply(const Result<ApplyResult>& result);
+    void showVerification(const ApplyResult& result);
     void drawVerification();
+    void tellOfDevice(const widgets::Message& message);
     void onUnits();
     void restore();
     void saveGains();
@@ -96,6 +101,8 @@ private:
     std::vector<ParameterValue> m_before;             ///< what an apply replaced; empty when that is decided
     std::optional<ApplyResult> m_verified;            ///< the last apply that moved
     bool m_isApplying = false;
+    bool m_isOfThisMotor = false; ///< what is applied now; not once another project was opened meanwhile
+    QString m_toldOfDevice;       ///< the message while it is of an apply, thus of one device and motor
     bool m_isWidthChosen = false; ///< by who moved the line between settings and pictures
 
     QSplitter* m_splitter = nullptr;

@@ -135,8 +135,8 @@ void TunePanel::refreshWords() {
         tr("All gains at once, then a step of %1 that must go as predicted; Esc stops it")
             .arg(angleText(VerificationStep_rad, units, 2)));
     say(*m_keep, tr("Keep"),
-        tr("The new gains stay until the device is switched off; Save in the device, in the Parameters "
-           "panel, keeps them longer"));
+        tr("The new gains stay until the device is switched off or, for a simulated one, disconnected; Save "
+           "in the device, in the Parameters panel, keeps them longer"));
     say(*m_restore, tr("Restore"), tr("The gains from before run again"));
     say(*m_save, tr("Save gains\u2026"), tr("Write the file that the program's analyse reads"));
     m_figures->setTitle(m_bode, tr("Open loop"), tr("Magnitude and phase with their margins"));

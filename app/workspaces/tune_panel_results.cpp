@@ -19,6 +19,7 @@
 #include <QPushButton>
 
 #include <algorithm>
+#include <utility>
 
 namespace halbench::app {
 namespace {
@@ -126,8 +127,10 @@ void TunePanel::refreshButtons() {
     m_numbers->setUndecided(!m_before.empty());
     m_keep->setVisible(!m_before.empty());
     m_restore->setVisible(!m_before.empty());
-    m_restore->setEnabled(m_bench.session().state() == SessionState::Connected &&
-                          m_bench.session().procedure().isEmpty());
+    const bool isFree =
+        m_bench.session().state() == SessionState::Connected && m_bench.session().procedure().isEmpty();
+    m_keep->setEnabled(isFree);
+    m_restore->setEnabled(isFree);
 }
 
 /// To decide is next; after that to choose other gains. Apply goes off while its prediction is asked anew.
@@ -138,12 +141,16 @@ void TunePanel::focusNext() {
 
 void TunePanel::keep() {
     m_before.clear();
-    const QString until = tr("The new gains run until the device is switched off.");
+    const bool isSimulated = m_bench.session().info().isSimulated; // new whenever it is connected
+    const QString until = isSimulated ? tr("The new gains run until the simulated device is disconnected.")
+                                      : tr("The new gains run until the device is switched off.");
     m_bench.session().message(MessageLevel::Info, tr("Tune"), until);
-    m_message->showMessage({widgets::Severity::Information,
-                            until,
-                            tr("To have them after that too: Save in the device, in the Parameters panel."),
-                            {}});
+    tellOfDevice({widgets::Severity::Information,
+                  until,
+                  isSimulated
+                      ? tr("To have them after that too: keep them as a preset, in the Parameters panel.")
+                      : tr("To have them after that too: Save in the device, in the Parameters panel."),
+                  {}});
     refreshButtons();
     focusNext();
     readConditions(); // the gains on the device are those to compare with from now on
@@ -162,6 +169,10 @@ void TunePanel::apply() {
     verification.reference.shape = MoveReference::Shape::Step;
     verification.reference.amplitude_rad = VerificationStep_rad;
     config.verification = verification;
+    m_message->clear();
+    forgetVerification();
+    m_isOfThisMotor = true;
+    m_preflight->setRunning(tr("This verification is running"));
     const QPointer<TunePanel> self(this);
     m_isApplying = m_bench.session().runProcedure(
         tr("Apply"),
@@ -173,7 +184,9 @@ void TunePanel::apply() {
                 self->finishApply(result);
             }
         });
-    m_message->clear();
+    if (!m_isApplying) {
+        m_preflight->setRunning({});
+    }
     m_progress->setText(tr("Writing the gains"));
     m_progress->setProgress(0.0);
     m_progress->setVisible(m_isApplying);
@@ -185,10 +198,11 @@ void TunePanel::apply() {
 
 void TunePanel::finishApply(const Result<ApplyResult>& result) {
     m_isApplying = false;
+    m_preflight->setRunning({});
     m_progress->hide();
     if (!result) {
         if (result.error().code == ErrorCode::Interrupted) {
-            m_message->showMessage(
+            tellOfDevice(
                 {widgets::Severity::Information, tr("Cancelled; the gains from before run again."), {}, {}});
         } else {
             showError(result.error());
@@ -196,11 +210,8 @@ void TunePanel::finishApply(const Result<ApplyResult>& result) {
         refreshButtons();
         return;
     }
-    if (result->verification) {
-        m_verified = *result;
-        drawVerification();
-        m_figures->setPageEnabled(m_verificationPage, true);
-        m_figures->setCurrent(m_verificationPage);
+    if (result->verification && m_isOfThisMotor) {
+        showVerification(*result);
     }
     if (result->isKept) {
         for (const ParameterValue& old : result->before) {
@@ -211,21 +222,44 @@ void TunePanel::finishApply(const Result<ApplyResult>& result) {
                 m_before.push_back(old);
             }
         }
-        m_message->showMessage({widgets::Severity::Success,
-                                tr("Applied, and the verification move went as predicted."),
-                                tr("Keep the new gains until the device is switched off, or restore those "
-                                   "from before."),
-                                {}});
+        tellOfDevice({widgets::Severity::Success,
+                      tr("Applied, and the verification move went as predicted."),
+                      tr("Keep the new gains, or restore those from before."),
+                      {}});
     } else {
-        m_message->showMessage(
-            {widgets::Severity::Warning,
-             tr("Not kept, the gains from before run again: %1").arg(firstFinding(result->quality)),
-             result->quality.findings.empty() ? QString()
-                                              : widgets::inWords(result->quality.findings.front().hint),
-             {}});
+        tellOfDevice({widgets::Severity::Warning,
+                      tr("Not kept, the gains from before run again: %1").arg(firstFinding(result->quality)),
+                      result->quality.findings.empty()
+                          ? QString()
+                          : widgets::inWords(result->quality.findings.front().hint),
+                      {}});
     }
     refreshButtons();
     focusNext();
+}
+
+void TunePanel::showVerification(const ApplyResult& result) {
+    m_verified = result;
+    drawVerification();
+    m_figures->setPageEnabled(m_verificationPage, true);
+    m_figures->setCurrent(m_verificationPage);
+}
+
+/// Neither its verdict, nor its picture, nor what was said of it holds any longer.
+void TunePanel::forgetVerification() {
+    m_isOfThisMotor = false;
+    if (m_verified) {
+        m_verified.reset();
+        m_verification->setFigure({});
+        m_agreement->setVerdict(widgets::VerdictLevel::Doubtful, tr("Nothing verified yet"), {});
+        if (!m_verificationPage->isHidden()) { // else another picture is chosen
+            m_figures->setCurrent(m_bode);
+        }
+        m_figures->setPageEnabled(m_verificationPage, false);
+    }
+    if (m_message->message().text == std::exchange(m_toldOfDevice, QString())) {
+        m_message->clear();
+    }
 }
 
 void TunePanel::drawVerification() {
@@ -259,7 +293,7 @@ void TunePanel::restore() {
         self->m_before.clear();
         const QString done = tr("The gains from before run again.");
         self->m_bench.session().message(MessageLevel::Info, tr("Tune"), done);
-        self->m_message->showMessage({widgets::Severity::Success, done, {}, {}});
+        self->tellOfDevice({widgets::Severity::Success, done, {}, {}});
         self->refreshButtons();
         self->focusNext();
     });
@@ -284,6 +318,11 @@ void TunePanel::saveGains() {
 void TunePanel::setFileChooser(FileChooser chooser) {
     m_chooser = std::move(chooser);
     m_save->setVisible(bool(m_chooser.save));
+}
+
+void TunePanel::tellOfDevice(const widgets::Message& message) {
+    m_toldOfDevice = message.text;
+    m_message->showMessage(message);
 }
 
 void TunePanel::showError(const Error& error) {

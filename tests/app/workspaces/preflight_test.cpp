@@ -56,6 +56,28 @@ TEST(Preflight, everythingThatForbidsMotionIsSaidWithItsRemedy) {
     EXPECT_TRUE(isPassed(wrong[6]));
 }
 
+TEST(Preflight, aLatchedStopNamesTheButtonThatReleasesIt) {
+    PreflightFacts facts = ready();
+    facts.board.isStopLatched = true;
+    const std::vector<PreflightItem> items = preflightItems(facts);
+    EXPECT_EQ(items.at(1).remedy, "Press Release, beside the state at the top"); // STOP only stops
+}
+
+TEST(Preflight, whatAProcedureArmedIsNotArmedByHand) {
+    PreflightFacts facts = ready();
+    facts.isBusy = true;
+    facts.board.isArmed = true;
+    EXPECT_EQ(preflightItems(facts).at(0).text, "Another procedure runs");
+    facts.running = "This verification is running";
+    const std::vector<PreflightItem> items = preflightItems(facts);
+    EXPECT_EQ(items.at(0).text, "This verification is running");
+    EXPECT_FALSE(items.at(0).isPassed); // nothing is started beside it
+    for (const PreflightItem& item : items) {
+        EXPECT_FALSE(item.text.contains("by hand") || item.text.contains("Another"))
+            << item.text.toStdString();
+    }
+}
+
 TEST(Preflight, aDeviceThatIsLookedForIsNotOneThatWasNeverConnected) {
     PreflightFacts facts = ready();
     facts.state = SessionState::Reconnecting;

@@ -16,6 +16,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QElapsedTimer>
+#include <QLabel>
 #include <QProcess>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -87,6 +88,22 @@ protected:
             }
         }
         return {};
+    }
+    /// All that the checks before the start say.
+    QString checks() const {
+        QStringList lines;
+        for (const auto* line : panel.findChild<Preflight*>()->findChildren<QLabel*>()) {
+            lines << line->text();
+        }
+        return lines.join('\n');
+    }
+    bool hasVerification() const {
+        return figure("Verification") != nullptr || agreement().contains("predicted band") ||
+               button(panel, "Verification")->isEnabled();
+    }
+    void verify() {
+        click(panel, "Apply and verify");
+        ASSERT_TRUE(wait([&] { return button(panel, "Keep") != nullptr; })) << message().toStdString();
     }
     static QString focused() {
         const QWidget* widget = QApplication::focusWidget();

@@ -1,0 +1,73 @@
+// A verification is of one device and of one motor.
+#include "tests/app/workspaces/tune_panel_fixture.h"
+
+namespace halbench::app {
+namespace {
+
+class TuneVerificationTest : public TunePanelTest {};
+
+TEST_F(TuneVerificationTest, itEndsWithItsDevice) {
+    prepare();
+    verify();
+    ASSERT_TRUE(hasVerification());
+    bench.session().disconnectDevice();
+    ASSERT_TRUE(wait([&] { return bench.session().state() == SessionState::Disconnected; }));
+    EXPECT_FALSE(hasVerification()) << agreement().toStdString();
+    EXPECT_TRUE(message().isEmpty()) << message().toStdString();
+    EXPECT_EQ(button(panel, "Keep"), nullptr);
+    EXPECT_EQ(button(panel, "Restore"), nullptr);
+    connectMotor("sim:htm?seed=9", 0.0);
+    EXPECT_FALSE(hasVerification());
+    EXPECT_EQ(button(panel, "Restore"), nullptr);
+}
+
+TEST_F(TuneVerificationTest, thatTheKeptGainsRunIsNotSaidOfAnotherDevice) {
+    prepare();
+    verify();
+    click(panel, "Keep");
+    EXPECT_EQ(message(), "The new gains run until the simulated device is disconnected.");
+    EXPECT_TRUE(hasVerification());
+    connectMotor("sim:htm?seed=9", 0.0); // leaves the one before
+    ASSERT_TRUE(wait([&] { return bench.session().info().uri == "sim:htm?seed=9"; }));
+    EXPECT_FALSE(hasVerification());
+    EXPECT_TRUE(message().isEmpty()) << message().toStdString();
+}
+
+TEST_F(TuneVerificationTest, itEndsWithItsMotorWhoseGainsCanStillBeRestored) {
+    prepare();
+    const auto before = valuesNow();
+    verify();
+    bench.setIdentification(publishedMotor(), {{}, ResultOrigin::Project});
+    panel.restoreDesign(std::nullopt);
+    EXPECT_FALSE(hasVerification());
+    EXPECT_TRUE(message().isEmpty()) << message().toStdString();
+    click(panel, "Restore"); // the device is the same
+    ASSERT_TRUE(wait([&] { return message().contains("before run again"); }));
+    EXPECT_EQ(valuesNow(), before);
+}
+
+TEST_F(TuneVerificationTest, theNextOneBeginsWithoutTheVerdictBefore) {
+    prepare();
+    verify();
+    ASSERT_TRUE(wait([&] { return canApply(); }));
+    bool hadOld = true;
+    QString said;
+    QObject::connect(&bench.session(), &DeviceSession::procedureStage, &panel, [&](ProcedureState now) {
+        if (now == ProcedureState::Verify) {
+            hadOld = hasVerification();
+            said = checks();
+        }
+    });
+    bench.session().setPace({1.0}); // so that the word comes before the end
+    click(panel, "Apply and verify");
+    ASSERT_TRUE(wait([&] { return !said.isEmpty(); }));
+    EXPECT_FALSE(hadOld);
+    EXPECT_TRUE(said.contains("This verification is running")) << said.toStdString();
+    EXPECT_FALSE(said.contains("Another procedure") || said.contains("by hand")) << said.toStdString();
+    bench.session().setPace({0.0});
+    ASSERT_TRUE(wait([&] { return bench.session().procedure().isEmpty() && hasVerification(); }));
+    EXPECT_FALSE(checks().contains("is running")) << checks().toStdString();
+}
+
+} // namespace
+} // namespace halbench::app
