@@ -175,26 +175,27 @@ std::string csvHeader(const StreamLayout& layout) {
     return text + '\n';
 }
 
-void appendCsvNumber(std::string& text, double value) {
+void appendCsvNumber(std::string& text, double value, CsvNumbers numbers) {
     if (!std::isfinite(value)) {
         return;
     }
     char digits[40];
     std::to_chars_result end{};
     const auto narrow = static_cast<float>(value);
-    const bool isFloat = static_cast<double>(narrow) == value && value != std::floor(value);
+    const bool isFloat = numbers == CsvNumbers::BoardFloats && static_cast<double>(narrow) == value &&
+                         value != std::floor(value);
     end = isFloat ? std::to_chars(digits, digits + sizeof digits, narrow)
                   : std::to_chars(digits, digits + sizeof digits, value);
     text.append(digits, end.ptr);
 }
 
-void appendCsvRows(std::string& text, const SampleBlock& block) {
+void appendCsvRows(std::string& text, const SampleBlock& block, CsvNumbers numbers) {
     const std::size_t columns = block.layout->columns.size();
     for (std::size_t row = 0; row < block.rows(); ++row) {
-        appendCsvNumber(text, block.time_s[row]);
+        appendCsvNumber(text, block.time_s[row], numbers);
         for (std::size_t column = 0; column < columns; ++column) {
             text += ',';
-            appendCsvNumber(text, block.value(row, column));
+            appendCsvNumber(text, block.value(row, column), numbers);
         }
         text += '\n';
     }

@@ -18,13 +18,18 @@ std::string csvColumnName(const std::string& signal, const std::string& unit);
 /// "time_s,position_rad,...\n"
 std::string csvHeader(const StreamLayout& layout);
 
-/// Appends the rows of a block. Numbers are the shortest that read back to the same value; a value that is
-/// exactly a 4-octet float (what boards send) in the precision of that type. A value that is no number is an
-/// empty field.
-void appendCsvRows(std::string& text, const SampleBlock& block);
+/// How a value that is exactly a 4-octet float is written.
+enum class CsvNumbers {
+    BoardFloats, ///< in the precision of that type: what boards send
+    Exact        ///< as every other: what other programs wrote comes back to the last bit
+};
+
+/// Appends the rows of a block. Numbers are the shortest that read back to the same value. A value that is no
+/// number is an empty field.
+void appendCsvRows(std::string& text, const SampleBlock& block, CsvNumbers numbers = CsvNumbers::BoardFloats);
 
 /// Shortest decimal of one value, as in the rows above.
-void appendCsvNumber(std::string& text, double value);
+void appendCsvNumber(std::string& text, double value, CsvNumbers numbers = CsvNumbers::BoardFloats);
 
 /// Reads such a text. Columns become signals named by the column without its unit suffix; an empty field,
 /// "nan" and "inf" read as NaN. Rows missing in the time axis are counted as lost. Errors: InvalidInput with

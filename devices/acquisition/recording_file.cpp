@@ -135,6 +135,10 @@ Result<RecordedFile> readRecordingFile(const std::string& path,
     return file;
 }
 
+Result<std::string> readTableText(const std::string& path) {
+    return readText(path, MaxData);
+}
+
 bool isPartialRecording(const std::string& path) {
     return hasEnding(path, PartialEnding);
 }

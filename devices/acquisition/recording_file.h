@@ -26,6 +26,10 @@ Result<RecordedFile> readRecordingFile(const std::string& path,
 /// "dir/run.mf4"
 bool isMdf4Recording(const std::string& path);
 
+/// The text of a file that may be a recording or a table of another program. Errors: FileSystem, InvalidInput
+/// (more than 256 MB).
+Result<std::string> readTableText(const std::string& path);
+
 /// What can be had of a recording that was interrupted.
 struct PartialRecording {
     RecordedFile file;

@@ -83,6 +83,28 @@ std::string nameAside(const std::string& path) {
     return name;
 }
 
+/// Everything at once, or nothing.
+Result<void> writeAll(const std::string& path, const Recording& recording, RecordingMeta meta,
+                      const std::string& suffix, CsvNumbers numbers) {
+    HB_ASSERT(recording.layout != nullptr);
+    Result<std::unique_ptr<RecordingWriter>> writer =
+        RecordingWriter::create(path, *recording.layout, std::move(meta), suffix);
+    if (!writer) {
+        return failure(writer.error());
+    }
+    Result<void> done;
+    for (std::size_t begin = 0; done && begin < recording.rows();) {
+        const std::size_t end = blockEnd(recording, begin);
+        done = (*writer)->append(blockOf(recording, begin, end), numbers);
+        begin = end;
+    }
+    done = done ? (*writer)->finish() : done;
+    if (!done) {
+        (*writer)->discard();
+    }
+    return done;
+}
+
 } // namespace
 
 std::string partialPathOf(const std::string& path) {
@@ -155,9 +177,9 @@ Result<void> RecordingWriter::put(const std::string& text) {
     return {};
 }
 
-Result<void> RecordingWriter::append(const SampleBlock& block) {
+Result<void> RecordingWriter::append(const SampleBlock& block, CsvNumbers numbers) {
     m_text.clear();
-    appendCsvRows(m_text, block);
+    appendCsvRows(m_text, block, numbers);
     if (Result<void> written = put(m_text); !written) {
         return written;
     }
@@ -216,23 +238,12 @@ void RecordingWriter::discard() {
 
 Result<void> writeRecordingFile(const std::string& path, const Recording& recording, RecordingMeta meta,
                                 const std::string& suffix) {
-    HB_ASSERT(recording.layout != nullptr);
-    Result<std::unique_ptr<RecordingWriter>> writer =
-        RecordingWriter::create(path, *recording.layout, std::move(meta), suffix);
-    if (!writer) {
-        return failure(writer.error());
-    }
-    Result<void> done;
-    for (std::size_t begin = 0; done && begin < recording.rows();) {
-        const std::size_t end = blockEnd(recording, begin);
-        done = (*writer)->append(blockOf(recording, begin, end));
-        begin = end;
-    }
-    done = done ? (*writer)->finish() : done;
-    if (!done) {
-        (*writer)->discard();
-    }
-    return done;
+    return writeAll(path, recording, std::move(meta), suffix, CsvNumbers::BoardFloats);
+}
+
+Result<void> writeExactRecordingFile(const std::string& path, const Recording& recording,
+                                     RecordingMeta meta) {
+    return writeAll(path, recording, std::move(meta), ".partial", CsvNumbers::Exact);
 }
 
 } // namespace halbench::devices

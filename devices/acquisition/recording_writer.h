@@ -1,6 +1,7 @@
 #pragma once
 
 #include "control/base/sample_block.h"
+#include "devices/acquisition/recording_csv.h"
 #include "devices/acquisition/recording_meta.h"
 
 #include <QtCore/QCryptographicHash>
@@ -28,7 +29,7 @@ public:
                                                            const StreamLayout& layout, RecordingMeta meta,
                                                            const std::string& suffix = ".partial");
 
-    Result<void> append(const SampleBlock& block);
+    Result<void> append(const SampleBlock& block, CsvNumbers numbers = CsvNumbers::BoardFloats);
     /// For the sidecar; times on the recording's axis.
     void addMarker(double time_s, const std::string& text);
     void addChange(double time_s, const std::string& parameter, double value);
@@ -63,5 +64,7 @@ private:
 /// A whole recording at once; on an error nothing is left behind and an older file stays. Errors: as above.
 Result<void> writeRecordingFile(const std::string& path, const Recording& recording, RecordingMeta meta,
                                 const std::string& suffix = ".partial");
+/// The same with every number in all its digits: what no board sent.
+Result<void> writeExactRecordingFile(const std::string& path, const Recording& recording, RecordingMeta meta);
 
 } // namespace halbench::devices

@@ -22,7 +22,7 @@ TABLES = {
 }
 # what of these folders no window shows: command line only, or no sentence but a word of a file format
 NEVER_SHOWN = (
-    "control/base/assert.cpp", "control/base/result.h", "devices/firmware/", "devices/serve_device.cpp",
+    "control/base/assert.cpp", "control/base/result.h", "devices/acquisition/csv_", "devices/firmware/", "devices/serve_device.cpp",
     "devices/transport/pty_server.cpp", "devices/xcp/a2l_interface.cpp", "devices/xcp/a2l_parser.",
     "app/procedures/amplifier_analysis.cpp", "app/procedures/motor_analysis.cpp",
     "app/procedures/motor_geometry_analysis.cpp")

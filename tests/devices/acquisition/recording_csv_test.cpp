@@ -36,6 +36,13 @@ TEST(RecordingCsv, numbersAreTheShortestThatReadBack) {
     EXPECT_EQ(numberText(std::nan("")), "");
 }
 
+TEST(RecordingCsv, aDoubleThatHappensToBeAFloatKeepsItsDigitsWhenAskedTo) {
+    const double value = static_cast<double>(0.1F); // 0.100000001490116..., not the double nearest to 0.1
+    std::string text;
+    appendCsvNumber(text, value, CsvNumbers::Exact);
+    EXPECT_EQ(text, "0.10000000149011612");
+}
+
 TEST(RecordingCsv, everyDoubleSurvivesWritingAndReading) {
     Random random(7);
     SampleBlock block;

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace halbench::devices {
+
+/// A unit as other programs write it. SI value = written value * factor / divisor: with one of them 1, so
+/// that a prefix costs one rounding.
+struct ForeignUnit {
+    std::string_view written; ///< "mA"
+    std::string_view symbol;  ///< "A", of control/base/units.h
+    double factor = 1.0;
+    double divisor = 1.0;
+};
+
+/// Reads a unit with or without brackets around it; "", "-" and "1" say that there is none. Nothing for one
+/// that is not known; "C" is not: coulomb or Celsius.
+std::optional<ForeignUnit> readForeignUnit(std::string_view written);
+
+} // namespace halbench::devices
