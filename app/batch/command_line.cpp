@@ -187,6 +187,30 @@ void addSpectrum(CLI::App& app, CommandOptions& options) {
     spectrum->add_option("--out", options.out, "Spectrum")->required()->type_name("FILE.csv");
 }
 
+void addImport(CLI::App& app, CommandOptions& options) {
+    CLI::App* import = addCommand(app, "import", "Make a recording of another program's table");
+    import->add_option("FILE", options.input, "Text with columns of numbers")->required();
+    import->add_option("--out", options.out, "Recording")->type_name("FILE.csv");
+    import->add_option("--separator", options.separator, "',', ';', tab, space, or none for one column")
+        ->type_name("SIGN");
+    import->add_option("--decimal", options.decimal, "Decimal sign: . or ,")->type_name("SIGN");
+    import->add_option("--header", options.header, "0, 1, or units for a line of names and one of units")
+        ->type_name("LINES");
+    import->add_option("--time", options.timeColumn, "Name or number of the time's column")
+        ->type_name("COLUMN");
+    import->add_option("--rate_Hz", options.rate, "Rows per second of a table without a time")
+        ->type_name("F");
+    import->add_option("--map", options.mappings, "Name of ours for a column of theirs; repeatable")
+        ->take_all()
+        ->allow_extra_args(false)
+        ->type_name("OUR=THEIR");
+    import->add_option("--unit", options.columnUnits, "Unit that a column is written in; repeatable")
+        ->take_all()
+        ->allow_extra_args(false)
+        ->type_name("COLUMN=UNIT");
+    import->add_flag("--preview", options.isPreview, "Say how the table would be read, write nothing");
+}
+
 void addFileCommands(CLI::App& app, CommandOptions& options) {
     CLI::App* run = addCommand(app, "run", "Run an experiment file and judge its checks");
     run->add_option("EXPERIMENT.toml", options.experiment, "Experiment")->required();
@@ -205,6 +229,7 @@ void addFileCommands(CLI::App& app, CommandOptions& options) {
     convert->add_option("--from", options.from, "First time")->type_name("S");
     convert->add_option("--to", options.to, "Last time")->type_name("S");
     addSpectrum(app, options);
+    addImport(app, options);
 }
 
 Result<GlobalOptions> globalsFrom(const RawGlobals& raw, ConsoleStyle style) {

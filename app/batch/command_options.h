@@ -59,6 +59,11 @@ struct CommandOptions {
     std::string input;
     std::string from, to;
     std::string signal, kind, window, segment, overlap; ///< spectrum
+    std::string separator, decimal, header;             ///< import
+    std::string timeColumn;                             ///< import --time
+    std::vector<std::string> mappings;                  ///< import --map OUR=THEIR
+    std::vector<std::string> columnUnits;               ///< import --unit COLUMN=UNIT
+    bool isPreview = false;                             ///< import --preview
 };
 
 struct CommandLine {

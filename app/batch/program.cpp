@@ -42,6 +42,7 @@ constexpr std::array Commands = {
     CommandEntry{"record", runRecordCommand},
     CommandEntry{"convert", runConvertCommand},
     CommandEntry{"spectrum", runSpectrumCommand},
+    CommandEntry{"import", runImportCommand},
 };
 
 CommandResult dispatch(CommandContext& context, const CommandLine& line) {

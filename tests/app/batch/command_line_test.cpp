@@ -32,8 +32,9 @@ TEST(CommandLineTest, withoutArgumentsItIsHelp) {
     const Result<CommandLine> line = parseCommandLine({});
     ASSERT_TRUE(line);
     EXPECT_EQ(line->command, "help");
-    for (const char* command : {"devices", "describe", "get", "set", "record", "move", "calibrate",
-                                "identify", "tune", "analyse", "run", "serve", "convert", "spectrum"}) {
+    for (const char* command :
+         {"devices", "describe", "get", "set", "record", "move", "calibrate", "identify", "tune", "analyse",
+          "run", "serve", "convert", "spectrum", "import"}) {
         EXPECT_THAT(line->helpText, testing::HasSubstr(command));
     }
 }
