@@ -1,5 +1,7 @@
 #include "app/batch/command_context.h"
 
+#include "devices/device_uri.h"
+
 #include <csignal>
 
 namespace halbench::app {
@@ -21,15 +23,42 @@ Result<std::unique_ptr<devices::Device>> openDeviceFor(const CommandContext& con
     return devices::openDevice(uri, openOptionsFor(context));
 }
 
+namespace {
+
+constexpr const char* SimulatedScheme = "sim";
+
+tl::unexpected<Error> consentMissing(const std::string& uri) {
+    return failure(ErrorCode::ConsentMissing,
+                   "this would arm and move the device '" + uri + "', which is not simulated",
+                   "nothing has moved; add --arm when it may move");
+}
+
+} // namespace
+
+Result<std::unique_ptr<devices::Device>> openToMove(const CommandContext& context, const std::string& uri) {
+    const Result<devices::DeviceUri> address = devices::parseDeviceUri(uri);
+    if (!address) {
+        return failure(address.error());
+    }
+    if (address->scheme != SimulatedScheme && !context.global.mayArm) {
+        return consentMissing(uri);
+    }
+    Result<std::unique_ptr<devices::Device>> device = openDeviceFor(context, uri);
+    if (!device) {
+        return device;
+    }
+    if (const Result<void> consent = requireConsent(context, **device); !consent) {
+        return failure(consent.error());
+    }
+    return device;
+}
+
 Result<void> requireConsent(const CommandContext& context, devices::Device& device) {
     if (device.info().isSimulated) {
         return {};
     }
     if (!context.global.mayArm) {
-        return failure(ErrorCode::ConsentMissing,
-                       "this would arm and move the device '" + device.info().uri +
-                           "', which is not simulated",
-                       "nothing has moved; add --arm when it may move");
+        return consentMissing(device.info().uri);
     }
     const devices::DeviceState state = device.state();
     if (!state.isStopLatched && state.fault == 0) {

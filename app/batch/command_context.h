@@ -36,6 +36,10 @@ Result<std::unique_ptr<devices::Device>> openDeviceFor(const CommandContext& con
 /// Errors: ConsentMissing, DeviceRefused (the cause is still there), of the device.
 Result<void> requireConsent(const CommandContext& context, devices::Device& device);
 
+/// Opens a device that the command moves, with consent. A real board without consent is not even connected:
+/// that would take it from whoever works with it. Errors: as the two above.
+Result<std::unique_ptr<devices::Device>> openToMove(const CommandContext& context, const std::string& uri);
+
 /// Refuses with Interrupted or Terminated once a signal arrived.
 Result<void> checkInterrupt(const CommandContext& context);
 

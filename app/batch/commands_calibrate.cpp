@@ -27,12 +27,9 @@ CommandResult runCalibrateCommand(CommandContext& context, const CommandOptions&
     if (!which) {
         return failure(which.error());
     }
-    const Result<std::unique_ptr<devices::Device>> device = openDeviceFor(context, options.device);
+    const Result<std::unique_ptr<devices::Device>> device = openToMove(context, options.device);
     if (!device) {
         return failure(device.error());
-    }
-    if (const Result<void> consent = requireConsent(context, **device); !consent) {
-        return failure(consent.error());
     }
     if (options.isApplied) {
         if (const Result<void> kept = backUp(context, **device); !kept) {

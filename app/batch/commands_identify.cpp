@@ -21,12 +21,9 @@ CommandResult finish(CommandContext& context, const CommandOptions& options, con
 }
 
 CommandResult identifyDevice(CommandContext& context, const CommandOptions& options, IdentifyConfig config) {
-    const Result<std::unique_ptr<devices::Device>> device = openDeviceFor(context, options.device);
+    const Result<std::unique_ptr<devices::Device>> device = openToMove(context, options.device);
     if (!device) {
         return failure(device.error());
-    }
-    if (const Result<void> consent = requireConsent(context, **device); !consent) {
-        return failure(consent.error());
     }
     const ResultHeader header = headerFor(context, "halbench.identification/1", **device);
     config.seed = header.seed;

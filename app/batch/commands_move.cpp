@@ -30,12 +30,9 @@ CommandResult runMoveCommand(CommandContext& context, const CommandOptions& opti
     if (!duration) {
         return failure(duration.error());
     }
-    const Result<std::unique_ptr<devices::Device>> device = openDeviceFor(context, options.device);
+    const Result<std::unique_ptr<devices::Device>> device = openToMove(context, options.device);
     if (!device) {
         return failure(device.error());
-    }
-    if (const Result<void> consent = requireConsent(context, **device); !consent) {
-        return failure(consent.error());
     }
     MoveConfig config;
     config.reference = *reference;

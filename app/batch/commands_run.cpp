@@ -100,8 +100,11 @@ CommandResult runAll(CommandContext& context, const CommandOptions& options, con
 }
 
 /// Only a recording that asks for it goes on after the device was lost; every other step ends with it.
-Result<std::unique_ptr<devices::Device>> openFor(CommandContext& context, const Experiment& experiment) {
-    Result<std::unique_ptr<devices::Device>> device = openDeviceFor(context, experiment.device);
+Result<std::unique_ptr<devices::Device>> openFor(CommandContext& context, const Experiment& experiment,
+                                                 bool isDryRun) {
+    Result<std::unique_ptr<devices::Device>> device = needsConsent(experiment) && !isDryRun
+                                                          ? openToMove(context, experiment.device)
+                                                          : openDeviceFor(context, experiment.device);
     const bool isWaiting = std::any_of(experiment.steps.begin(), experiment.steps.end(), isWaitingStep);
     if (!device || !isWaiting) {
         return device;
@@ -121,7 +124,7 @@ CommandResult runRunCommand(CommandContext& context, const CommandOptions& optio
     if (!options.isDryRun && options.out.empty()) {
         return failure(ErrorCode::Usage, "--out is required", "name the folder that the results go into");
     }
-    const Result<std::unique_ptr<devices::Device>> device = openFor(context, *experiment);
+    const Result<std::unique_ptr<devices::Device>> device = openFor(context, *experiment, options.isDryRun);
     if (!device) {
         return failure(device.error());
     }
@@ -129,7 +132,6 @@ CommandResult runRunCommand(CommandContext& context, const CommandOptions& optio
     if (ready && options.isDryRun) {
         return showPlan(context, *experiment, **device);
     }
-    ready = ready && needsConsent(*experiment) ? requireConsent(context, **device) : ready;
     ready = ready ? createFolder(options.out) : ready;
     if (!ready) {
         return failure(ready.error());

@@ -46,12 +46,9 @@ Result<TuningSource> sourceFromDevice(CommandContext& context, const CommandOpti
     if (!config) {
         return failure(config.error());
     }
-    Result<std::unique_ptr<devices::Device>> device = openDeviceFor(context, options.device);
+    Result<std::unique_ptr<devices::Device>> device = openToMove(context, options.device);
     if (!device) {
         return failure(device.error());
-    }
-    if (const Result<void> consent = requireConsent(context, **device); !consent) {
-        return failure(consent.error());
     }
     TuningSource source;
     source.header = headerFor(context, "halbench.gains/1", **device);
@@ -152,14 +149,11 @@ std::optional<ApplyVerification> verificationFor(const MotorEstimate& motor) {
 Result<ApplyResult> applyGains(CommandContext& context, const CommandOptions& options, TuningSource& source,
                                const TuneResult& result) {
     if (!source.device || options.applyDevice != options.device) {
-        Result<std::unique_ptr<devices::Device>> device = openDeviceFor(context, options.applyDevice);
+        Result<std::unique_ptr<devices::Device>> device = openToMove(context, options.applyDevice);
         if (!device) {
             return failure(device.error());
         }
         source.device = *std::move(device);
-    }
-    if (const Result<void> consent = requireConsent(context, *source.device); !consent) {
-        return failure(consent.error());
     }
     Result<std::vector<ParameterValue>> values = lawForDevice(result.law, source.device->catalogue());
     if (!values) {

@@ -362,6 +362,13 @@ class Consent(ProgramCase):
         values = self.accept("get", uri, "hb.arm", "status", "--json").json()["values"]
         self.assertEqual([v["value"] for v in values], [0, 0])
 
+    def test_without_consent_a_board_is_not_even_connected(self):
+        """Connecting takes it from whoever works with it: nobody listens there, and that is not noticed."""
+        nobody = "tcp:127.0.0.1:1"
+        self.refuse(2, "--arm", "identify", nobody)
+        self.refuse(2, "--arm", "move", nobody, "--reference", "step,amplitude_deg=10", "--duration", "1")
+        self.refuse(3, nobody, "identify", nobody, "--arm")
+
     def test_recording_does_not_arm(self):
         _, uri = self.serve()
         self.accept("record", uri, "--duration", "0.3", "--out", "f.csv")
