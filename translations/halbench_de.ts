@@ -2511,10 +2511,6 @@
         <translation>{}:{}:{}: kein gültiges TOML: {}</translation>
     </message>
     <message>
-        <source>correct the line; the form is in resources/help/command-line.md</source>
-        <translation>berichtigen Sie die Zeile; die Form steht in resources/help/command-line.md</translation>
-    </message>
-    <message>
         <source>&apos;{}&apos; must be a text</source>
         <translation>„{}“ muss ein Text sein</translation>
     </message>
@@ -4377,6 +4373,10 @@
     <message>
         <source>the window and the wait are longer than 0, the hold-off is not negative</source>
         <translation>Fenster und Wartezeit sind länger als 0, die Sperrzeit ist nicht negativ</translation>
+    </message>
+    <message>
+        <source>correct the line; the forms are in resources/help/projects.md and command-line.md</source>
+        <translation>berichtigen Sie die Zeile; die Formen stehen in resources/help/projects.md und command-line.md</translation>
     </message>
 </context>
 <context>
@@ -7421,16 +7421,8 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Verbindung verloren: %1.</translation>
     </message>
     <message>
-        <source>The board&apos;s watchdog ends its motion. A recording goes on with a gap. Disconnect ends the search.</source>
-        <translation>Der Watchdog des Steuergeräts beendet die Bewegung. Eine Aufzeichnung läuft mit einer Lücke weiter. Trennen beendet die Suche.</translation>
-    </message>
-    <message>
         <source>Back after %1 s, disarmed.</source>
         <translation>Nach %1 s wieder da, gesperrt.</translation>
-    </message>
-    <message>
-        <source>Its values are those of before, or were accepted.</source>
-        <translation>Seine Werte sind die von vorher oder wurden übernommen.</translation>
     </message>
     <message>
         <source>Back after %1 s, disarmed. Values that differ from before: %2.</source>
@@ -7443,6 +7435,38 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>and %1 more</source>
         <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>The device&apos;s values were kept.</source>
+        <translation>Die Werte des Geräts wurden behalten.</translation>
+    </message>
+    <message>
+        <source>The board&apos;s watchdog ends its motion.</source>
+        <translation>Der Watchdog des Steuergeräts beendet die Bewegung.</translation>
+    </message>
+    <message>
+        <source>The recording goes on with a gap.</source>
+        <translation>Die Aufzeichnung läuft mit einer Lücke weiter.</translation>
+    </message>
+    <message>
+        <source>Disconnect ends the search.</source>
+        <translation>„Trennen“ beendet die Suche.</translation>
+    </message>
+    <message>
+        <source>Its values are those of before.</source>
+        <translation>Seine Werte sind die von vorher.</translation>
+    </message>
+    <message>
+        <source>The values that differed were changed since.</source>
+        <translation>Die abweichenden Werte wurden seither geändert.</translation>
+    </message>
+    <message>
+        <source>Values that differ from before the loss: %1.</source>
+        <translation>Werte, die anders sind als vor dem Abbruch: %1.</translation>
+    </message>
+    <message>
+        <source>The values of before were written back.</source>
+        <translation>Die Werte von vorher wurden zurückgeschrieben.</translation>
     </message>
 </context>
 <context>

@@ -2511,10 +2511,6 @@
         <translation>{}:{}:{}：不是有效的 TOML：{}</translation>
     </message>
     <message>
-        <source>correct the line; the form is in resources/help/command-line.md</source>
-        <translation>请改正该行；格式见 resources/help/command-line.md</translation>
-    </message>
-    <message>
         <source>&apos;{}&apos; must be a text</source>
         <translation>“{}”必须是文本</translation>
     </message>
@@ -4377,6 +4373,10 @@
     <message>
         <source>the window and the wait are longer than 0, the hold-off is not negative</source>
         <translation>窗口和等待须大于 0，释抑不能为负</translation>
+    </message>
+    <message>
+        <source>correct the line; the forms are in resources/help/projects.md and command-line.md</source>
+        <translation>请改正该行；格式见 resources/help/projects.md 和 command-line.md</translation>
     </message>
 </context>
 <context>
@@ -7413,16 +7413,8 @@ A real device has its own time.</source>
         <translation>连接已断开：%1。</translation>
     </message>
     <message>
-        <source>The board&apos;s watchdog ends its motion. A recording goes on with a gap. Disconnect ends the search.</source>
-        <translation>控制板的看门狗会结束运动。录制继续进行，并标记间断。断开连接即结束查找。</translation>
-    </message>
-    <message>
         <source>Back after %1 s, disarmed.</source>
         <translation>%1 s 后恢复连接，处于锁定状态。</translation>
-    </message>
-    <message>
-        <source>Its values are those of before, or were accepted.</source>
-        <translation>其参数值与之前相同，或已被接受。</translation>
     </message>
     <message>
         <source>Back after %1 s, disarmed. Values that differ from before: %2.</source>
@@ -7435,6 +7427,38 @@ A real device has its own time.</source>
     <message>
         <source>and %1 more</source>
         <translation>以及另外 %1 个</translation>
+    </message>
+    <message>
+        <source>The device&apos;s values were kept.</source>
+        <translation>已保留设备上的值。</translation>
+    </message>
+    <message>
+        <source>The board&apos;s watchdog ends its motion.</source>
+        <translation>控制板的看门狗会结束其运动。</translation>
+    </message>
+    <message>
+        <source>The recording goes on with a gap.</source>
+        <translation>记录将带间断继续。</translation>
+    </message>
+    <message>
+        <source>Disconnect ends the search.</source>
+        <translation>“断开”可结束搜索。</translation>
+    </message>
+    <message>
+        <source>Its values are those of before.</source>
+        <translation>其数值与之前相同。</translation>
+    </message>
+    <message>
+        <source>The values that differed were changed since.</source>
+        <translation>有差异的值此后已被更改。</translation>
+    </message>
+    <message>
+        <source>Values that differ from before the loss: %1.</source>
+        <translation>与断线前不同的值：%1。</translation>
+    </message>
+    <message>
+        <source>The values of before were written back.</source>
+        <translation>已写回之前的值。</translation>
     </message>
 </context>
 <context>

@@ -81,7 +81,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "must be \"halbench.preset/1\""),
     QT_TRANSLATE_NOOP("Phrases", "must be an object of numbers"),
     QT_TRANSLATE_NOOP("Phrases", "{}:{}:{}: not valid TOML: {}"),
-    QT_TRANSLATE_NOOP("Phrases", "correct the line; the form is in resources/help/command-line.md"),
+    QT_TRANSLATE_NOOP("Phrases", "correct the line; the forms are in resources/help/projects.md and command-line.md"),
     QT_TRANSLATE_NOOP("Phrases", "'layout' must be a table"),
     QT_TRANSLATE_NOOP("Phrases", "'{}' must be a list of tables, [[{}]]"),
     QT_TRANSLATE_NOOP("Phrases", "the file is left as it is; open another project or mend this line"),

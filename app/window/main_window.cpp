@@ -214,6 +214,7 @@ void MainWindow::onMessage(widgets::Severity severity, const QString& text, cons
 
 void MainWindow::say(const widgets::Message& message, std::function<void()> remedy) {
     m_isNotKept = false;
+    m_isProjectRefused = false;
     m_remedy = std::move(remedy);
     m_message->showMessage(message);
 }

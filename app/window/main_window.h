@@ -102,6 +102,7 @@ private:
     std::function<void()> m_remedy;           ///< what the button of the message does
     widgets::MessageBar* m_refusal = nullptr; ///< why the window did not close
     bool m_isNotKept = false;                 ///< the message says so
+    bool m_isProjectRefused = false;          ///< the message says so
     bool m_isLossAccepted = false;
     UnkeptBar* m_unkept = nullptr; ///< why the project was not left
     ProjectMenu* m_projects = nullptr;

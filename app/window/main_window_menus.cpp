@@ -64,6 +64,7 @@ void MainWindow::createProjects() {
     connect(m_projects, &ProjectMenu::opened, this, &MainWindow::takeOverProject);
     connect(m_projects, &ProjectMenu::refused, this, [this](const QString& text, const QString& hint) {
         onMessage(widgets::Severity::Error, text, hint);
+        m_isProjectRefused = true;
     });
     connect(m_projects, &ProjectMenu::recovered, this, [this](const QString& text, const QString& hint) {
         onMessage(widgets::Severity::Information, text, hint);

@@ -10,6 +10,8 @@
 
 #include <QFileInfo>
 
+#include <utility>
+
 namespace halbench::app {
 
 void MainWindow::offerCopy(const QString& path) {
@@ -93,6 +95,9 @@ void MainWindow::collectProject() {
 /// Nothing is connected or armed by opening a project: the address waits for Connect.
 void MainWindow::takeOverProject() {
     furnish();
+    if (std::exchange(m_isProjectRefused, false)) {
+        m_message->clear(); // another one could be opened
+    }
     const Project& project = m_project->project();
     if (m_bench.session().state() == SessionState::Disconnected) {
         m_devices->setAddress(QString::fromStdString(project.device));

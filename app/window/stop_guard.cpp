@@ -3,6 +3,8 @@
 #include <QApplication>
 #include <QKeyEvent>
 
+#include <utility>
+
 namespace halbench::app {
 
 StopGuard::StopGuard(QObject* parent) : QObject(parent) {
@@ -20,10 +22,19 @@ bool StopGuard::eventFilter(QObject* watched, QEvent* event) {
     if (isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
         stopRequested();
         if (event->type() == QEvent::ShortcutOverride && !static_cast<QKeyEvent*>(event)->isAutoRepeat()) {
-            escapePressed();
+            tellOnce();
         }
     }
     return QObject::eventFilter(watched, event);
+}
+
+/// The offer passes here for every widget from the one with the focus up to its window.
+void StopGuard::tellOnce() {
+    if (!std::exchange(m_isTold, true)) {
+        QMetaObject::invokeMethod(
+            this, [this] { m_isTold = false; }, Qt::QueuedConnection);
+        escapePressed();
+    }
 }
 
 } // namespace halbench::app

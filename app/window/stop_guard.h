@@ -19,6 +19,11 @@ Q_SIGNALS:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void tellOnce();
+
+    bool m_isTold = false; ///< of the key press that goes through the widgets now
 };
 
 } // namespace halbench::app

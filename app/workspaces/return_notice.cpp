@@ -35,10 +35,16 @@ ReturnNotice::ReturnNotice(Workbench& bench, QWidget* parent) : QWidget(parent),
     column->addWidget(m_differences);
     connect(&m_bench.session(), &DeviceSession::stateChanged, this, &ReturnNotice::onState);
     connect(&m_bench.session(), &DeviceSession::reportChanged, this, &ReturnNotice::showSearch);
-    connect(&m_bench.session(), &DeviceSession::reportChanged, this, &ReturnNotice::refreshWrite);
+    connect(&m_bench.session(), &DeviceSession::reportChanged, this, [this] {
+        refreshWrite();
+        endWhenArmed();
+    });
     connect(&m_bench.session(), &DeviceSession::procedureChanged, this, &ReturnNotice::refreshWrite);
     connect(&m_bench, &Workbench::valuesCompared, this, &ReturnNotice::showReturn);
-    connect(m_accept, &QPushButton::clicked, &m_bench, &Workbench::acceptDifferences);
+    connect(m_accept, &QPushButton::clicked, this, [this] {
+        m_decision = tr("The device's values were kept.");
+        m_bench.acceptDifferences();
+    });
     connect(m_write, &QPushButton::clicked, this, &ReturnNotice::writeBack);
 }
 
@@ -69,6 +75,8 @@ void ReturnNotice::buildDifferences() {
 void ReturnNotice::onState() {
     const SessionState state = m_bench.session().state();
     if (state == SessionState::Reconnecting) {
+        m_hasDiffered = false;
+        m_decision.clear();
         showSearch();
     } else if (state != SessionState::Connected || m_bench.session().returns() == 0) {
         m_message->clear();
@@ -102,9 +110,10 @@ void ReturnNotice::showSearch() {
         last.isEmpty() ? tr("Looking for it again.") : tr("Looking for it again; last time: %1.").arg(last);
     say({widgets::Severity::Warning,
          tr("Connection lost: %1.").arg(widgets::inWords(session.report().lost->message)),
-         search + QLatin1Char(' ') +
-             tr("The board's watchdog ends its motion. A recording goes on with a gap. Disconnect ends the "
-                "search."),
+         search + QLatin1Char(' ') + tr("The board's watchdog ends its motion.") + QLatin1Char(' ') +
+             (m_bench.recording().isRecording() ? tr("The recording goes on with a gap.") + QLatin1Char(' ')
+                                                : QString()) +
+             tr("Disconnect ends the search."),
          {}});
 }
 
@@ -113,9 +122,13 @@ void ReturnNotice::showReturn() {
     if (m_bench.differences().empty()) {
         say({widgets::Severity::Success,
              tr("Back after %1 s, disarmed.").arg(outage),
-             tr("Its values are those of before, or were accepted."),
+             !m_hasDiffered         ? tr("Its values are those of before.")
+             : m_decision.isEmpty() ? tr("The values that differed were changed since.")
+                                    : m_decision,
              {}});
     } else {
+        m_hasDiffered = true;
+        m_decision.clear();
         say({widgets::Severity::Warning,
              tr("Back after %1 s, disarmed. Values that differ from before: %2.")
                  .arg(outage)
@@ -124,6 +137,23 @@ void ReturnNotice::showReturn() {
              {}});
     }
     showDifferences();
+    endWhenArmed();
+}
+
+/// It said what was so when the device came back; whoever arms has gone on. What differs stays to be decided.
+void ReturnNotice::endWhenArmed() {
+    const DeviceSession& session = m_bench.session();
+    if (session.state() != SessionState::Connected || !session.report().board.isArmed) {
+        return;
+    }
+    if (m_bench.differences().empty()) {
+        m_message->clear();
+    } else {
+        say({widgets::Severity::Warning,
+             tr("Values that differ from before the loss: %1.").arg(m_bench.differences().size()),
+             tr("The device may have been restarted. Nothing was written."),
+             {}});
+    }
 }
 
 void ReturnNotice::showDifferences() {
@@ -145,12 +175,14 @@ void ReturnNotice::showDifferences() {
 
 void ReturnNotice::writeBack() {
     m_write->setEnabled(false);
+    m_decision = tr("The values of before were written back.");
     m_bench.writeDifferencesBack([self = QPointer(this)](const Result<void>& written) {
         if (!self) {
             return;
         }
         self->refreshWrite();
         if (!written) {
+            self->m_decision.clear();
             self->say({widgets::Severity::Error,
                        widgets::inWords(written.error().message),
                        widgets::inWords(written.error().hint),

@@ -29,11 +29,14 @@ private:
     void refreshWrite();
     void showSearch();
     void showReturn();
+    void endWhenArmed();
     void showDifferences();
     void writeBack();
     void say(const widgets::Message& message);
 
     Workbench& m_bench;
+    bool m_hasDiffered = false; ///< since the last loss
+    QString m_decision;         ///< on what differed, when it was made here
     widgets::MessageBar* m_message = nullptr;
     QWidget* m_differences = nullptr;
     QLabel* m_list = nullptr;

@@ -7,6 +7,7 @@
 #include "tests/app/window/window_test.h"
 #include "tests/app/workspaces/published_motor.h"
 #include "widgets/estimate_table.h"
+#include "widgets/message_bar.h"
 #include "widgets/verdict_view.h"
 
 #include <QComboBox>
@@ -196,6 +197,29 @@ TEST_F(ProjectWorkTest, aSecondIdentificationIsKeptBesideTheFirst) {
     EXPECT_EQ(saved->models[0].name, "htm 1");
     EXPECT_EQ(saved->models[1].name, "htm 2");
     EXPECT_EQ(saved->models[1].document, text(warm, header()));
+}
+
+TEST_F(ProjectWorkTest, theErrorOfADamagedProjectNamesItsFormAndGoesWithTheNextOneThatOpens) {
+    open();
+    QFile damaged(path("damaged.toml"));
+    ASSERT_TRUE(damaged.open(QFile::WriteOnly));
+    damaged.write("schema = \n");
+    damaged.close();
+    const auto complaint = [&] {
+        for (const auto* bar : window->findChildren<widgets::MessageBar*>()) {
+            if (bar->isVisibleTo(window.get()) && bar->message().text.contains("damaged.toml")) {
+                return bar->message().remedy;
+            }
+        }
+        return QString();
+    };
+    window->openProject(path("damaged.toml"));
+    window->project().finishWriting();
+    EXPECT_TRUE(complaint().contains("projects.md")) << complaint().toStdString();
+    ASSERT_TRUE(saveProject(Project(), path().toStdString()));
+    window->openProject(path());
+    window->project().finishWriting();
+    EXPECT_TRUE(complaint().isEmpty()) << complaint().toStdString();
 }
 
 TEST_F(ProjectWorkTest, aNewProjectHasNoMotorOfTheOldOne) {

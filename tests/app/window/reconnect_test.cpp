@@ -74,6 +74,15 @@ protected:
         return text;
     }
 
+    QString remedy() const {
+        for (const auto* bar : window->findChildren<widgets::MessageBar*>()) {
+            if (bar->isVisibleTo(window.get()) && bar->message().text == notice()) {
+                return bar->message().remedy;
+            }
+        }
+        return {};
+    }
+
     template <typename Widget>
     Widget* named(const QString& words) const {
         for (Widget* widget : window->findChildren<Widget*>()) {
@@ -110,6 +119,7 @@ TEST_F(WindowReconnectTest, recordsOnWithAMarkedGapAndIsNotArmed) {
     EXPECT_TRUE(strip().stateText().contains("reconnecting")) << strip().stateText().toStdString();
     EXPECT_TRUE(notice().startsWith("Connection lost")) << notice().toStdString();
     EXPECT_TRUE(recording.isRecording());
+    EXPECT_TRUE(remedy().contains("The recording goes on with a gap.")) << remedy().toStdString();
     EXPECT_FALSE(session().report().board.isArmed);
     plugIn();
     const auto rows = recording.status().rows;
@@ -169,6 +179,18 @@ TEST_F(WindowReconnectTest, valuesThatDifferAreListedAndWrittenBackOnlyByTheUser
     ASSERT_TRUE(wait([&] { return window->bench().differences().empty(); }));
     EXPECT_EQ(window->bench().deviceValue("gain.kp"), before);
     EXPECT_FALSE(list->isVisible());
+    EXPECT_EQ(remedy(), "The values of before were written back.");
+}
+
+TEST_F(WindowReconnectTest, thatItIsBackDisarmedIsNotSaidOnceItIsArmed) {
+    connectBoard();
+    unplug();
+    EXPECT_FALSE(remedy().contains("recording")) << remedy().toStdString(); // none runs
+    plugIn();
+    ASSERT_TRUE(wait([&] { return notice().startsWith("Back after"); }));
+    EXPECT_EQ(remedy(), "Its values are those of before.");
+    arm();
+    EXPECT_TRUE(wait([&] { return notice().isEmpty(); })) << notice().toStdString();
 }
 
 TEST_F(WindowReconnectTest, aDifferenceThatWasDecidedElsewhereIsListedNoMore) {

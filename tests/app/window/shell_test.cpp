@@ -121,6 +121,7 @@ TEST_F(ShellTest, theLogTellsWhatTheActuatorDidAndWhoStoppedIt) {
     ASSERT_TRUE(wait([&] { return tells("\tarmed"); })) << log->text().toStdString();
     QTest::keyClick(window.get(), Qt::Key_Escape);
     ASSERT_TRUE(wait([&] { return tells("disarmed"); })) << log->text().toStdString();
+    EXPECT_FALSE(tells("times)")) << log->text().toStdString(); // one key, however many widgets saw it
     EXPECT_LT(log->text().indexOf("asked for by Esc"), log->text().indexOf("Stopped: by Esc"));
     EXPECT_LT(log->text().indexOf("Stopped: by Esc"), log->text().indexOf("disarmed"));
     const QTemporaryDir folder;
