@@ -35,7 +35,11 @@ TopBar::TopBar(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(ben
     buildControls();
     row->addWidget(m_connection);
     row->addWidget(m_strip, 1);
-    row->addWidget(m_release); // from the place of the state: nothing else moves when it comes
+    // Its room stays when it goes: nothing comes under a second click on it.
+    QSizePolicy place = m_release->sizePolicy();
+    place.setRetainSizeWhenHidden(true);
+    m_release->setSizePolicy(place);
+    row->addWidget(m_release);
     for (QWidget* control :
          std::initializer_list<QWidget*>{m_arm, m_mode, m_record, m_perspectives, m_stop}) {
         row->addWidget(control);
@@ -90,8 +94,7 @@ int TopBar::saved_px(Room room) const {
 }
 
 int TopBar::needed_px(Room room) const {
-    const int release_px = m_release->isHidden() ? m_release->sizeHint().width() + layout()->spacing() : 0;
-    return layout()->totalMinimumSize().width() + release_px + saved_px(m_room) - saved_px(room);
+    return layout()->totalMinimumSize().width() + saved_px(m_room) - saved_px(room);
 }
 
 QSize TopBar::minimumSizeHint() const {

@@ -32,7 +32,7 @@ ArmButton::ArmButton(DriveControl& control, Key key, QWidget* parent)
 void ArmButton::onClicked() {
     if (m_control.isArmed()) {
         m_control.disarm();
-    } else if (m_control.needsConsent()) {
+    } else if (m_control.canArm() && m_control.needsConsent()) {
         m_control.askConsent();
         Q_EMIT consentNeeded();
     } else {
@@ -41,7 +41,10 @@ void ArmButton::onClicked() {
 }
 
 void ArmButton::refresh() {
-    m_rest.setEnabled(*this, m_control.isAvailable() && !m_control.isStopped() && !m_control.isPending());
+    m_rest.setEnabled(*this, m_control.canArm() || m_control.canDisarm());
+    if (m_control.isStopped()) {
+        m_rest.forget(); // a key that follows the release must not arm
+    }
     const widgets::Role role = m_control.isArmed() ? widgets::Role::Armed : widgets::Role::None;
     if (widgets::roleOf(*this) != role) {
         widgets::setRole(*this, role);

@@ -79,6 +79,15 @@ bool DriveControl::canRelease() const {
     return isStopped() && !m_bench.stopLatch().isLocked();
 }
 
+bool DriveControl::canArm() const {
+    return isAvailable() && !isStopped() && !m_bench.stopLatch().isJustReleased() && !isPending() &&
+           !isArmed();
+}
+
+bool DriveControl::canDisarm() const {
+    return isAvailable() && isArmed() && !isStopped() && !isPending();
+}
+
 bool DriveControl::needsConsent() const {
     return !m_bench.session().info().isSimulated && !m_hasConsent;
 }
@@ -172,8 +181,8 @@ void DriveControl::finish(const Result<void>& done, const std::function<void()>&
 }
 
 void DriveControl::arm() {
-    if (!isAvailable() || needsConsent() || isPending() || isArmed()) {
-        return; // to arm what is armed would set the set-point to zero: a leap
+    if (!canArm() || needsConsent()) {
+        return; // also to arm what is armed would set the set-point to zero: a leap
     }
     change(
         [mode = m_mode](devices::Device& device) {

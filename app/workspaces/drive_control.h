@@ -32,6 +32,9 @@ public:
     bool isArmed() const;
     bool isStopped() const;  ///< a stop or a fault is latched
     bool canRelease() const; ///< and it is no longer too early
+    /// A device is there to be armed, no stop is latched or was released a moment ago, nothing is on its way.
+    bool canArm() const;
+    bool canDisarm() const;
     /// Armed, free, in a mode that drives, and neither an arm nor a mode is still on its way to the board.
     bool canMove() const;
     bool isPending() const { return m_pending != 0; }

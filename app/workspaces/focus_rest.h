@@ -14,6 +14,8 @@ public:
 
     /// Enables or disables; who is enabled again gets the focus back unless it was put elsewhere since.
     void setEnabled(QWidget& control, bool isEnabled);
+    /// Nobody gets the focus back.
+    void forget() { m_left.clear(); }
 
 private:
     QWidget& m_rest;

@@ -1,5 +1,9 @@
 #include "app/workspaces/stop_latch.h"
 
+#include <QGuiApplication>
+#include <QStyleHints>
+
+#include <algorithm>
 #include <utility>
 
 namespace halbench::app {
@@ -14,6 +18,8 @@ StopLatch::StopLatch(DeviceSession& session) : m_session(session) {
     m_lockOut.setSingleShot(true);
     m_lockOut.setInterval(LockOut_ms);
     connect(&m_lockOut, &QTimer::timeout, this, &StopLatch::changed);
+    m_afterRelease.setSingleShot(true);
+    connect(&m_afterRelease, &QTimer::timeout, this, &StopLatch::changed);
     connect(&m_session, &DeviceSession::reportChanged, this, &StopLatch::onReport);
     connect(&m_session, &DeviceSession::stateChanged, this, &StopLatch::onState);
 }
@@ -48,8 +54,11 @@ void StopLatch::refresh() {
     m_hasStopped = m_wasArmed || board.fault != 0;
     if (isLatched) {
         m_lockOut.start();
+        m_afterRelease.stop();
     } else {
         m_lockOut.stop();
+        m_afterRelease.start(
+            std::max(m_lockOut.interval(), QGuiApplication::styleHints()->mouseDoubleClickInterval()));
     }
     Q_EMIT changed();
 }

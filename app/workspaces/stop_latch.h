@@ -21,6 +21,9 @@ public:
     /// It stopped something: the board was armed when it came, as far as the window knows.
     bool hasStopped() const { return m_hasStopped; }
     bool isLocked() const { return m_lockOut.isActive(); }
+    /// Released so lately that arming has to wait as long as the lock-out, at least a double click: a hand
+    /// that clicks or types twice releases and does not arm too.
+    bool isJustReleased() const { return m_afterRelease.isActive(); }
     void setLockOut_ms(int lockOut_ms);
 
     /// The purposeful act: releases the latch, arms nothing. Refused while it is locked.
@@ -40,6 +43,7 @@ private:
     bool m_wasArmed = true;    ///< as the report before said
     bool m_hasStopped = true;
     QTimer m_lockOut;
+    QTimer m_afterRelease;
 };
 
 } // namespace halbench::app

@@ -247,11 +247,55 @@ TEST_F(TopBarTest, aStopThatStoppedNothingSaysSo) {
     ASSERT_TRUE(wait([&] { return window->bench().drive().canRelease(); }));
     window->bench().drive().releaseStop();
     ASSERT_TRUE(wait([&] { return strip->state() == widgets::WorkState::Connected; }));
+    ASSERT_TRUE(wait([&] { return inBar<ArmButton>()->isEnabled(); })); // not right after a release
     key(Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
     ASSERT_TRUE(wait([&] { return isArmed(); }));
     key(Qt::Key_Escape, Qt::NoModifier);
     ASSERT_TRUE(wait([&] { return strip->state() == widgets::WorkState::Stopped; }));
     EXPECT_EQ(strip->stateText(), "Stopped (by Esc)");
+}
+
+TEST_F(TopBarTest, twoClicksInOnePlaceReleaseAndDoNotArm) {
+    open();
+    QApplication::setActiveWindow(window.get());
+    for (const int width_px : {window->minimumSizeHint().width(), 1440, 1700}) {
+        window->resize(width_px, 900);
+        if (session().state() != SessionState::Connected) {
+            connectMotor(1.0);
+        }
+        auto* arm = inBar<ArmButton>();
+        ASSERT_TRUE(wait([&] { return arm->isEnabled(); }));
+        QTest::mouseClick(arm, Qt::LeftButton); // the focus is on it now
+        ASSERT_TRUE(wait([&] { return isArmed() && arm->isEnabled(); }));
+        key(Qt::Key_Escape, Qt::NoModifier);
+        ASSERT_TRUE(wait([&] { return window->bench().drive().canRelease(); }));
+        QTest::qWait(0); // laid out
+        QPushButton* release = nullptr;
+        for (auto* one : window->findChild<TopBar*>()->findChildren<QPushButton*>()) {
+            release = one->text() == "Release" ? one : release;
+        }
+        ASSERT_TRUE(release != nullptr && release->isVisible());
+        const QRect was = arm->geometry();
+        const QPoint ends[] = {release->rect().topLeft(), release->rect().center(),
+                               release->rect().bottomRight()};
+        QTest::mouseClick(release, Qt::LeftButton);
+        ASSERT_TRUE(wait([&] { return !window->bench().drive().isStopped(); }));
+        QTest::qWait(0);
+        EXPECT_EQ(arm->geometry(), was) << width_px;
+        for (const QPoint& end : ends) {
+            const QWidget* under = window->childAt(release->mapTo(window.get(), end));
+            EXPECT_EQ(qobject_cast<const QAbstractButton*>(under), nullptr) << width_px;
+        }
+        EXPECT_NE(window->focusWidget(), arm);
+        // Also aimed at, and by the keys: right after a release nothing arms.
+        QTest::mouseClick(arm, Qt::LeftButton);
+        key(Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
+        QTest::keyClick(window->focusWidget(), Qt::Key_Space);
+        QTest::qWait(100);
+        EXPECT_FALSE(isArmed()) << width_px;
+        ASSERT_TRUE(wait([&] { return arm->isEnabled(); }));
+        EXPECT_NE(window->focusWidget(), arm);
+    }
 }
 
 TEST_F(TopBarTest, theSpeedOfSimulatedTimeIsBesideTheStartOfAProcedureToo) {

@@ -55,5 +55,13 @@ TEST_F(FocusRestTest, ofAnotherControlIsLeftAlone) {
     EXPECT_EQ(focus(), limit);
 }
 
+TEST_F(FocusRestTest, isNotGivenBackWhenItIsForgotten) {
+    FocusRest place(*rest);
+    place.setEnabled(*button, false);
+    place.forget();
+    place.setEnabled(*button, true);
+    EXPECT_EQ(focus(), rest);
+}
+
 } // namespace
 } // namespace halbench::app

@@ -1,3 +1,4 @@
+#include "app/workspaces/drive_control.h"
 #include "app/workspaces/stop_latch.h"
 #include "tests/app/workspaces/bench_fixture.h"
 
@@ -26,6 +27,22 @@ TEST_F(StopLatchTest, isReleasedOnPurposeAndNotBeforeTheLockOutHasPassed) {
     latch.release([](const Result<void>& done) { EXPECT_TRUE(done); });
     EXPECT_TRUE(wait([&] { return !latch.isLatched(); }));
     EXPECT_FALSE(session().report().board.isArmed);
+}
+
+TEST_F(StopLatchTest, armingWaitsAfterTheReleaseAtLeastADoubleClick) {
+    connectTo("sim:htm", 5.0);
+    StopLatch& latch = bench().stopLatch();
+    latch.setLockOut_ms(0);
+    session().stopActuator();
+    ASSERT_TRUE(wait([&] { return latch.isLatched() && !latch.isLocked(); }));
+    EXPECT_FALSE(bench().drive().canArm());
+    latch.release([](const Result<void>& done) { EXPECT_TRUE(done); });
+    ASSERT_TRUE(wait([&] { return !latch.isLatched(); }));
+    EXPECT_TRUE(latch.isJustReleased());
+    bench().drive().arm();
+    EXPECT_FALSE(bench().drive().isPending());
+    EXPECT_TRUE(wait([&] { return !latch.isJustReleased(); }));
+    EXPECT_TRUE(bench().drive().canArm());
 }
 
 TEST_F(StopLatchTest, everyFurtherStopLocksAnew) {
