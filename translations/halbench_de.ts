@@ -9021,10 +9021,6 @@ Hall b
 <context>
     <name>halbench::widgets::StopButton</name>
     <message>
-        <source>STOPPED</source>
-        <translation>GESTOPPT</translation>
-    </message>
-    <message>
         <source>STOP</source>
         <translation>STOPP</translation>
     </message>

@@ -9012,10 +9012,6 @@ Hall b
 <context>
     <name>halbench::widgets::StopButton</name>
     <message>
-        <source>STOPPED</source>
-        <translation>已停止</translation>
-    </message>
-    <message>
         <source>STOP</source>
         <translation>停止</translation>
     </message>

@@ -81,7 +81,16 @@ void MessageBar::showMessage(const Message& message) {
 
 void MessageBar::clear() {
     m_message = {};
+    leaveFocus();
     hide();
+}
+
+/// Qt would give it to the next control in the chain, which a further key then triggers unseen: Disconnect. The
+/// place around the bar takes no keys.
+void MessageBar::leaveFocus() {
+    if (isAncestorOf(window()->focusWidget()) && parentWidget() != nullptr) {
+        parentWidget()->setFocus(Qt::OtherFocusReason);
+    }
 }
 
 void MessageBar::refresh() {
@@ -93,6 +102,9 @@ void MessageBar::refresh() {
     m_action->setText(m_message.actionText);
     m_action->setToolTip(m_message.remedy.isEmpty() ? m_message.actionText : m_message.remedy);
     m_action->setAccessibleName(m_message.actionText);
+    if (m_message.actionText.isEmpty() && window()->focusWidget() == m_action) {
+        leaveFocus();
+    }
     m_action->setVisible(!m_message.actionText.isEmpty());
     m_close->setToolTip(tr("Dismiss this message (Delete)"));
     m_close->setAccessibleName(tr("Dismiss message"));

@@ -40,6 +40,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    void leaveFocus();
     void refresh();
 
     Message m_message;

@@ -4,7 +4,6 @@
 
 #include <QEvent>
 #include <QKeyEvent>
-#include <QStyle>
 
 namespace halbench::widgets {
 
@@ -26,12 +25,11 @@ void StopButton::setLatched(bool isLatched, const QString& reason) {
 }
 
 QSize StopButton::sizeHint() const {
-    // The latched words are the longer ones: the button keeps its size when it is pressed.
     QFont bold = font();
     bold.setBold(true);
     const QFontMetrics metrics(bold);
     const bool isFull = m_variant == Variant::Full;
-    const int width = metrics.horizontalAdvance(tr("STOPPED")) + 6 * GridStep_px;
+    const int width = metrics.horizontalAdvance(tr("STOP")) + 6 * GridStep_px;
     return isFull ? QSize(qMax(88, width), qMax(40, metrics.height() + 2 * GridStep_px))
                   : QSize(qMax(64, width), qMax(28, metrics.height() + 12));
 }
@@ -52,22 +50,17 @@ void StopButton::changeEvent(QEvent* event) {
 }
 
 void StopButton::refresh() {
+    setText(tr("STOP"));
     if (!m_isLatched) {
-        setText(tr("STOP"));
         setToolTip(tr("Software stop: current to zero at once, latched until it is released (Esc)"));
     } else {
-        setText(tr("STOPPED"));
         const QString why = m_reason.isEmpty() ? tr("Stopped.") : tr("Stopped: %1.").arg(m_reason);
         setToolTip(
             tr("%1 This and Esc still stop; Release, beside the state, takes the stop back.").arg(why));
     }
     setAccessibleName(m_isLatched ? tr("Stopped, stop again") : tr("Stop"));
     setAccessibleDescription(toolTip());
-    setProperty("latched", m_isLatched);
-    style()->unpolish(this);
-    style()->polish(this);
     updateGeometry();
-    update();
 }
 
 } // namespace halbench::widgets

@@ -34,8 +34,6 @@ QPushButton[role="stop"] { background: @stop@; color: @stoptext@; border: 2px so
 QPushButton[role="stop"]:hover { background: @stophover@; }
 QPushButton[role="stop"]:pressed { background: @stoppressed@; }
 QPushButton[role="stop"]:focus { border: 2px solid @text@; }
-QPushButton[role="stop"][latched="true"] { background: @panel@; color: @bad@; border: 2px solid @bad@; }
-QPushButton[role="stop"][latched="true"]:focus { border: 2px solid @text@; }
 QLineEdit, QPlainTextEdit, QTextEdit, QTextBrowser { background: @panel@; border: 1px solid @line@;
     border-radius: 4px; padding: 1px 5px; selection-background-color: @accent@; selection-color: @onaccent@; }
 QLineEdit { min-height: @inner@px; }

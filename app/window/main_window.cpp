@@ -110,6 +110,7 @@ void MainWindow::furnish() {
     m_autosave.start(AutosavePeriod_ms);
     m_devices->setRemembered(m_preferences.lastDevice);
     connect(&m_bench.session(), &DeviceSession::stateChanged, this, &MainWindow::keepLastDevice);
+    connect(&m_bench.session(), &DeviceSession::stateChanged, this, &MainWindow::leaveConnection);
     m_devices->setFocus(); // Enter after the start connects
     furnished();
 }
@@ -178,6 +179,18 @@ void MainWindow::keepLastDevice() {
         m_preferences.lastDevice = m_devices->remembered();
         savePreferences(m_preferences);
     }
+}
+
+/// What connected disconnects from now on: the focus goes on to the signals, or where no key does anything.
+void MainWindow::leaveConnection() {
+    QWidget* focus = focusWidget();
+    const bool isThere =
+        focus == nullptr || focus == &m_bar->connection() || m_devices->isAncestorOf(focus);
+    if (m_bench.session().state() != SessionState::Connected || !isThere) {
+        return;
+    }
+    QWidget* signalList = m_docks->panel("signals");
+    (signalList->isVisible() ? signalList : m_docks->widget())->setFocus(Qt::OtherFocusReason);
 }
 
 void MainWindow::connectDevice(const QString& uri) {

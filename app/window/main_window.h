@@ -75,6 +75,7 @@ private:
     void openHelp(const QString& page);
     void noteStop(const QString& by);
     void keepLastDevice();
+    void leaveConnection();
     void onPerspective();
     void onMessage(widgets::Severity severity, const QString& text, const QString& hint);
     void say(const widgets::Message& message, std::function<void()> remedy);

@@ -158,6 +158,9 @@ void ReturnNotice::endWhenArmed() {
 
 void ReturnNotice::showDifferences() {
     const std::vector<ValueDifference>& all = m_bench.differences();
+    if (all.empty()) {
+        leaveFocus();
+    }
     m_differences->setVisible(!all.empty());
     QStringList lines;
     for (std::size_t i = 0; i < std::min(all.size(), MostListed); ++i) {
@@ -173,7 +176,15 @@ void ReturnNotice::showDifferences() {
     m_list->setText(lines.join(QLatin1Char('\n')));
 }
 
+/// Here no key does anything; the next control in the chain would be Keep, then Disconnect.
+void ReturnNotice::leaveFocus() {
+    if (m_differences->isAncestorOf(window()->focusWidget())) {
+        setFocus(Qt::OtherFocusReason);
+    }
+}
+
 void ReturnNotice::writeBack() {
+    leaveFocus();
     m_write->setEnabled(false);
     m_decision = tr("The values of before were written back.");
     m_bench.writeDifferencesBack([self = QPointer(this)](const Result<void>& written) {

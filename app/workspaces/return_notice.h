@@ -32,6 +32,7 @@ private:
     void endWhenArmed();
     void showDifferences();
     void writeBack();
+    void leaveFocus();
     void say(const widgets::Message& message);
 
     Workbench& m_bench;
