@@ -5350,10 +5350,6 @@ Firmware %2</translation>
         <translation>Jetzt von %1 bis %2. Das Fenster mit Absicht erweitern, oder sperren und freigeben, um neu zu zählen.</translation>
     </message>
     <message>
-        <source>Now %1, beside %2 of the reference</source>
-        <translation>Jetzt %1, dazu %2 der Führungsgröße</translation>
-    </message>
-    <message>
         <source>Armed, %1</source>
         <translation>Freigegeben, %1</translation>
     </message>
@@ -5378,6 +5374,14 @@ neben dem, was eine Führungsgröße bewegt hat (Enter sendet ihn)</translation>
     <message>
         <source>Not known</source>
         <translation>Nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Now %1, beside %2 by jog or reference</source>
+        <translation>Jetzt %1, dazu %2 durch Tippen oder Führungsgröße</translation>
+    </message>
+    <message>
+        <source>Sends the set-point zero: steps back %1</source>
+        <translation>Sendet den Sollwert null: springt um %1 zurück</translation>
     </message>
 </context>
 <context>

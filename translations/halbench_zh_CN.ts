@@ -5345,10 +5345,6 @@ Firmware %2</source>
         <translation>当前为 %1 至 %2。请有意放宽窗口，或解除使能后再使能以重新计数。</translation>
     </message>
     <message>
-        <source>Now %1, beside %2 of the reference</source>
-        <translation>当前 %1，另加参考信号的 %2</translation>
-    </message>
-    <message>
         <source>Armed, %1</source>
         <translation>已使能，%1</translation>
     </message>
@@ -5373,6 +5369,14 @@ a reference has moved it (Enter sends it)</source>
     <message>
         <source>Not known</source>
         <translation>未知</translation>
+    </message>
+    <message>
+        <source>Now %1, beside %2 by jog or reference</source>
+        <translation>当前 %1，另加点动或参考信号的 %2</translation>
+    </message>
+    <message>
+        <source>Sends the set-point zero: steps back %1</source>
+        <translation>发送零设定值：跳回 %1</translation>
     </message>
 </context>
 <context>

@@ -85,8 +85,8 @@ void MessageBar::clear() {
     hide();
 }
 
-/// Qt would give it to the next control in the chain, which a further key then triggers unseen: Disconnect. The
-/// place around the bar takes no keys.
+/// Qt would give it to the next control in the chain, which a further key then triggers unseen: Disconnect.
+/// The place around the bar takes no keys.
 void MessageBar::leaveFocus() {
     if (isAncestorOf(window()->focusWidget()) && parentWidget() != nullptr) {
         parentWidget()->setFocus(Qt::OtherFocusReason);

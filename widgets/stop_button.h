@@ -6,7 +6,8 @@
 namespace halbench::widgets {
 
 /// The software stop. It acts when it is pressed, not when it is let go, and every press stops, latched or
-/// not; it never releases. It looks the same in both: that it stopped is said beside it, in the state. Esc belongs to the window, which calls the same.
+/// not; it never releases. It looks the same in both: that it stopped is said beside it, in the state. Esc
+/// belongs to the window, which calls the same.
 class StopButton : public QPushButton {
     Q_OBJECT
 public:

@@ -184,8 +184,7 @@ void MainWindow::keepLastDevice() {
 /// What connected disconnects from now on: the focus goes on to the signals, or where no key does anything.
 void MainWindow::leaveConnection() {
     QWidget* focus = focusWidget();
-    const bool isThere =
-        focus == nullptr || focus == &m_bar->connection() || m_devices->isAncestorOf(focus);
+    const bool isThere = focus == nullptr || focus == &m_bar->connection() || m_devices->isAncestorOf(focus);
     if (m_bench.session().state() != SessionState::Connected || !isThere) {
         return;
     }

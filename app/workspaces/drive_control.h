@@ -67,8 +67,9 @@ public:
     /// How far the rotor is from there, as the board's excursion window counts; 0 while that is not known.
     double excursion_rad() const;
 
-    /// Position: the set-point moves with `rate` rad/s. Current modes: `rate` is a current in A that the
-    /// board itself ends after 0.3 s unless the hold is renewed, so that a window that hangs moves nothing.
+    /// Position: a ramp of the board with `rate` rad/s, beside the set-point. Current modes: `rate` is a
+    /// current in A. The board itself ends both after 0.3 s unless the hold is renewed, so that a window that
+    /// hangs moves nothing. A board whose next reference would leap back gets a set-point that moves instead.
     void startJog(double rate);
     void stopJog();
     bool isJogging() const { return m_jog.isActive(); }
@@ -100,7 +101,12 @@ private:
     void takeOrigin();
     void onSamples();
     void settleConsent();
+    bool jogsByRamp() const;
+    void moveJogSetpoint();
+    void sendJog(std::vector<ParameterValue> values, double setpoint);
     double nextJogSetpoint(double step_s) const;
+    std::optional<double> jogRoom_rad() const;
+    std::optional<std::vector<ParameterValue>> jogRamp() const;
 
     Workbench& m_bench;
     devices::BoardMode m_mode = devices::BoardMode::Position;
@@ -116,7 +122,9 @@ private:
     std::uint64_t m_pending = 0; ///< the newest change without an answer; they are answered in order
     double m_jogRate = 0.0;
     QTimer m_jog;
-    QElapsedTimer m_sinceJogStep;
+    QElapsedTimer m_sinceJogStep; ///< not valid before the first
+    QElapsedTimer m_jogged;
+    std::optional<double> m_jogRoom_rad; ///< when it began; nothing without an end
 };
 
 } // namespace halbench::app

@@ -9,6 +9,7 @@
 #include "app/workspaces/panel_parts.h"
 #include "app/workspaces/reference_form.h"
 #include "control/base/units.h"
+#include "widgets/elided_label.h"
 #include "widgets/message_bar.h"
 #include "widgets/phrasebook.h"
 #include "widgets/quantity_edit.h"
@@ -28,6 +29,7 @@ namespace {
 
 using devices::BoardMode;
 constexpr int LivePeriod_ms = 100;
+constexpr int LeastState = 8; ///< characters of the state; the rest in its tooltip
 
 /// What the drive shows of the device, whatever the plots show.
 std::vector<std::string> shownSignals() {
@@ -41,7 +43,7 @@ std::vector<std::string> shownSignals() {
 
 DrivePanel::DrivePanel(Workbench& bench, QWidget* parent)
     : QWidget(parent), m_bench(bench), m_control(bench.drive()), m_shownMode(m_control.mode()),
-      m_state(new QLabel(this)), m_rest(*m_state) {
+      m_state(new widgets::ElidedLabel(LeastState, this)), m_rest(*m_state) {
     QVBoxLayout* column = makeScrollingColumn(this);
     m_message = new widgets::MessageBar(this);
     buildArm(column);
@@ -75,7 +77,7 @@ DrivePanel::DrivePanel(Workbench& bench, QWidget* parent)
 void DrivePanel::buildArm(QVBoxLayout* column) {
     auto* row = new QHBoxLayout;
     m_state->setProperty("badge", true);
-    m_state->setToolTip(tr("What the board says of itself"));
+    m_state->setAccessibleDescription(tr("What the board says of itself"));
     auto* arm = new ArmButton(m_control, ArmButton::Key::IsToldOnly, this);
     row->addWidget(m_state, 1);
     row->addWidget(arm);
@@ -255,10 +257,20 @@ void DrivePanel::showSetpoint() {
                     : m_asking != Asking::NothingToDrive ? tr("Arm first; set-points start at zero.")
                                                          : QString();
     if (m_control.canMove() && m_control.mode() == BoardMode::Position && held_rad != 0.0) {
-        words = tr("Now %1, beside %2 of the reference")
+        words = tr("Now %1, beside %2 by jog or reference")
                     .arg(valueText(m_control.setpoint()), valueText(held_rad));
     }
     m_setpointNow->setText(words);
+    const double back = m_control.setpoint();
+    const QString zero = back == 0.0 ? tr("Sends the set-point zero")
+                                     : tr("Sends the set-point zero: steps back %1").arg(valueText(back));
+    if (m_zero->toolTip() != zero) {
+        m_zero->setToolTip(zero);
+        m_zero->setAccessibleDescription(zero);
+    }
+    if (std::exchange(m_shownSetpoint, back) != back && !m_setpoint->hasFocus()) {
+        m_setpoint->setValue(back * factor()); // a Go that follows moves nothing
+    }
 }
 
 /// A board of another maker is not armed by guessing how.
@@ -322,7 +334,7 @@ void DrivePanel::refreshState() {
     } else if (isConnected) {
         state = m_control.canDrive() ? tr("Disarmed") : tr("Not known");
     }
-    m_state->setText(state);
+    m_state->setWords(state);
     m_state->setAccessibleName(tr("State: %1").arg(state));
     showRole(*m_state, role);
 }

@@ -13,6 +13,7 @@ class QPushButton;
 class QVBoxLayout;
 
 namespace halbench::widgets {
+class ElidedLabel;
 class MessageBar;
 class QuantityEdit;
 } // namespace halbench::widgets
@@ -70,8 +71,9 @@ private:
     DisplayUnits m_units;           ///< that they show
     QTimer m_frame;                 ///< ten times a second
     widgets::MessageBar* m_message = nullptr;
-    QLabel* m_state;  ///< of the board
-    FocusRest m_rest; ///< there
+    widgets::ElidedLabel* m_state; ///< of the board
+    FocusRest m_rest;              ///< there
+    double m_shownSetpoint = 0.0;  ///< the one that the field has followed
     widgets::QuantityEdit* m_setpoint = nullptr;
     QPushButton* m_go = nullptr;
     QPushButton* m_zero = nullptr;

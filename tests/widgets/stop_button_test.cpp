@@ -48,6 +48,7 @@ TEST_F(StopButtonTest, isLargeSaysWhyAndKeepsItsSize) {
     EXPECT_TRUE(button.toolTip().contains(QStringLiteral("Esc")));
     button.setLatched(true, QStringLiteral("link lost"));
     EXPECT_EQ(button.sizeHint(), size);
+    EXPECT_EQ(button.text(), QStringLiteral("STOP")); // at all times
     EXPECT_TRUE(button.toolTip().contains(QStringLiteral("link lost")));
 }
 

@@ -14,6 +14,7 @@
 #include "widgets/status_strip.h"
 
 #include <QComboBox>
+#include <QLineEdit>
 #include <QMenu>
 #include <QTextBrowser>
 #include <QToolButton>
@@ -77,6 +78,36 @@ TEST_F(TopBarTest, connectsAndDisconnectsByButtonKeyAndMenu) {
     EXPECT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
 }
 
+TEST_F(TopBarTest, theFocusDoesNotStayOnWhatDisconnectsAfterConnecting) {
+    open();
+    QApplication::setActiveWindow(window.get());
+    auto* devices = window->docks().panel("devices");
+    const auto isHarmless = [&] {
+        const QWidget* focus = window->focusWidget();
+        return focus != nullptr && qobject_cast<const QAbstractButton*>(focus) == nullptr &&
+               !devices->isAncestorOf(focus);
+    };
+    const auto leave = [&] {
+        session().disconnectDevice();
+        ASSERT_TRUE(wait([&] { return session().state() == SessionState::Disconnected; }));
+    };
+    auto* button = inBar<ConnectButton>();
+    QTest::mouseClick(button, Qt::LeftButton, Qt::NoModifier, QPoint(6, button->height() / 2));
+    ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
+    EXPECT_TRUE(isHarmless());
+    leave();
+    for (auto* address : devices->findChildren<QLineEdit*>()) {
+        if (address->isVisible() && address->text().startsWith("sim:")) {
+            address->setFocus();
+            QTest::keyClick(address, Qt::Key_Return);
+        }
+    }
+    ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
+    EXPECT_TRUE(isHarmless());
+    QTest::keyClick(window->focusWidget(), Qt::Key_Space);
+    EXPECT_EQ(session().state(), SessionState::Connected);
+}
+
 TEST_F(TopBarTest, armsAndChoosesTheModeInEveryPerspective) {
     open();
     connectMotor(1.0);
@@ -110,8 +141,13 @@ TEST_F(TopBarTest, aRealDeviceIsArmedOnlyAfterTheWarning) {
     ASSERT_TRUE(message->isVisible());
     EXPECT_EQ(message->message().text, armingWarning().text);
     EXPECT_FALSE(isArmed());
-    Q_EMIT message->actionTriggered();
+    QPushButton* armIt = message->findChild<QPushButton*>();
+    ASSERT_TRUE(armIt->isVisible());
+    armIt->setFocus(); // as a click does
+    QTest::mouseClick(armIt, Qt::LeftButton);
     EXPECT_TRUE(wait([&] { return isArmed(); }));
+    // Not on Disconnect, the next in the chain.
+    EXPECT_EQ(qobject_cast<QAbstractButton*>(window->focusWidget()), nullptr);
 }
 
 TEST_F(TopBarTest, oneAnswerEndsTheQuestionInTheWindowAndInTheDrivePanel) {

@@ -1,4 +1,5 @@
 #include "tests/app/workspaces/drive_panel_fixture.h"
+#include "widgets/elided_label.h"
 
 namespace halbench::app {
 namespace {
@@ -96,21 +97,101 @@ TEST_F(DrivePanelTest, aNewModeStartsAtZeroWithItsOwnUnit) {
 TEST_F(DrivePanelTest, jogMovesWhileHeldAndEndsWithTheFocus) {
     connectTo("sim:htm", 5.0);
     armByClick();
+    ASSERT_TRUE(wait([&] { return latest("reference") != 0.0; }));
+    const double before = latest("reference");
     auto* forward = find<QPushButton>(*panel, "Forward +");
+    const auto isEnded = [&] { return parameter("reference.start") == 0.0; };
     QTest::mousePress(forward, Qt::LeftButton);
-    ASSERT_TRUE(wait([&] { return parameter("hb.setpoint") > 0.05; }));
+    ASSERT_TRUE(wait([&] { return latest("reference") > before + 0.05; }));
     QTest::mouseRelease(forward, Qt::LeftButton);
-    const double after = parameter("hb.setpoint");
-    QTest::qWait(100); // five periods of the jog
-    EXPECT_EQ(parameter("hb.setpoint"), after);
+    ASSERT_TRUE(isEnded()); // at once, not when the hold runs out
+    QTest::qWait(100);      // the samples of before have come
+    const double after = latest("reference");
+    QTest::qWait(100);
+    EXPECT_EQ(latest("reference"), after);
 
     forward->setFocus();
     QTest::keyPress(forward, Qt::Key_Space);
-    ASSERT_TRUE(wait([&] { return parameter("hb.setpoint") > after + 0.05; }));
+    ASSERT_TRUE(wait([&] { return latest("reference") > after + 0.05; }));
     find<QPushButton>(*panel, "Go")->setFocus();
-    const double second = parameter("hb.setpoint");
+    EXPECT_TRUE(isEnded());
+}
+
+TEST_F(DrivePanelTest, jogIsAnEvenRampBelowTheCurrentLimit) {
+    connectTo("sim:htm", 1.0);
+    armByClick();
+    ASSERT_TRUE(wait([&] { return latest("reference") != 0.0; }));
+    auto* forward = find<QPushButton>(*panel, "Forward +");
+    const double begin_s = bench().history().latest("reference")->time_s;
+    QTest::mousePress(forward, Qt::LeftButton);
+    QTest::qWait(1000); // the hold is renewed six times
+    const double end_s = bench().history().latest("reference")->time_s;
+    QTest::mouseRelease(forward, Qt::LeftButton);
+    std::vector<control::TimedValue> reference;
+    bench().history().samples("reference", {begin_s, end_s}, reference);
+    ASSERT_GT(reference.size(), 100U);
+    for (std::size_t i = 1; i < reference.size(); ++i) {
+        const double fastest_rad = degreesToRadians(45.0) * 0.010; // in a period of the position loop
+        // Floats of some radians.
+        EXPECT_LT(reference[i].value - reference[i - 1].value, fastest_rad + 1e-5);
+        EXPECT_GE(reference[i].value, reference[i - 1].value);
+    }
+    EXPECT_GT(reference.back().value - reference.front().value, degreesToRadians(20.0));
+    std::vector<control::TimedValue> current_A;
+    bench().history().samples("current_command", {begin_s, end_s}, current_A);
+    const double limit_A = bench().deviceValue("limit.current").value_or(0.0);
+    for (const control::TimedValue& sample : current_A) {
+        EXPECT_LT(std::abs(sample.value), limit_A); // is not in saturation
+    }
+}
+
+TEST_F(DrivePanelTest, theBoardEndsAJogThatIsNotRenewed) {
+    connectTo("sim:htm", 1.0);
+    armByClick();
+    auto* forward = find<QPushButton>(*panel, "Forward +");
+    QTest::mousePress(forward, Qt::LeftButton);
+    EXPECT_NEAR(parameter("reference.duration"), 0.3, 1e-6); // what follows without a window
+    QTest::mouseRelease(forward, Qt::LeftButton);
+}
+
+TEST_F(DrivePanelTest, goAndZeroAfterAJogMoveNothing) {
+    connectTo("sim:htm", 5.0);
+    armByClick();
+    ASSERT_TRUE(wait([&] { return latest("reference") != 0.0; }));
+    const double before = latest("reference");
+    auto* forward = find<QPushButton>(*panel, "Forward +");
+    QTest::mousePress(forward, Qt::LeftButton);
+    ASSERT_TRUE(wait([&] { return latest("reference") > before + 1.0; }));
+    QTest::mouseRelease(forward, Qt::LeftButton);
+    ASSERT_TRUE(wait([&] { return latest("reference.running") < 0.5; }));
     QTest::qWait(100);
-    EXPECT_EQ(parameter("hb.setpoint"), second);
+    const double held = latest("reference");
+    for (const char* words : {"Go", "Zero"}) {
+        click(*panel, words);
+        EXPECT_EQ(parameter("hb.setpoint"), 0.0);
+        QTest::qWait(100);
+        EXPECT_NEAR(latest("reference"), held, 1e-5) << words;
+    }
+}
+
+TEST_F(DrivePanelTest, zeroSaysHowFarItSteps) {
+    connectTo("sim:htm", 5.0);
+    armByClick();
+    auto* field = find<QDoubleSpinBox>(*panel, "Set-point");
+    type(field, "12");
+    QTest::keyClick(field, Qt::Key_Return);
+    const auto* zero = find<QPushButton>(*panel, "Zero");
+    EXPECT_TRUE(wait([&] { return zero->toolTip().contains("back 12.00"); }));
+    EXPECT_EQ(zero->accessibleDescription(), zero->toolTip());
+}
+
+TEST_F(DrivePanelTest, longWordsOfTheStateDoNotWidenThePanel) {
+    connectTo("sim:htm", 5.0);
+    auto* state = panel->findChild<widgets::ElidedLabel*>();
+    const int least_px = state->parentWidget()->minimumSizeHint().width();
+    state->setWords(QString(300, QLatin1Char('m')));
+    EXPECT_EQ(state->parentWidget()->minimumSizeHint().width(), least_px);
+    EXPECT_NE(state->text(), state->words());
 }
 
 TEST_F(DrivePanelTest, aJogSpeedThatIsNoNumberMovesNothing) {
@@ -124,9 +205,9 @@ TEST_F(DrivePanelTest, aJogSpeedThatIsNoNumberMovesNothing) {
     QTest::mousePress(forward, Qt::LeftButton);
     QTest::qWait(100); // five periods of the jog
     QTest::mouseRelease(forward, Qt::LeftButton);
-    EXPECT_EQ(parameter("hb.setpoint"), 0.0);
+    EXPECT_EQ(latest("reference.running"), 0.0);
     QTest::mousePress(forward, Qt::LeftButton); // once more: by the number that is shown
-    EXPECT_TRUE(wait([&] { return parameter("hb.setpoint") > 0.01; }));
+    EXPECT_TRUE(wait([&] { return latest("reference.running") > 0.5; }));
     QTest::mouseRelease(forward, Qt::LeftButton);
 }
 
@@ -250,8 +331,10 @@ TEST_F(DrivePanelTest, heldAngleAndSetpointTogetherStayInsideTheWindow) {
     QTest::mousePress(forward, Qt::LeftButton);
     QTest::qWait(500);
     QTest::mouseRelease(forward, Qt::LeftButton);
-    // 90 % of the window less what is held; the origin is known to a sample of the angle.
-    EXPECT_NEAR(parameter("hb.setpoint"), degreesToRadians(0.9 * 60.0 - 30.0), degreesToRadians(0.5));
+    // 90 % of the window less what was held; the origin is known to a sample of the angle.
+    ASSERT_TRUE(wait([&] { return latest("reference.running") < 0.5; }));
+    EXPECT_EQ(parameter("hb.setpoint"), 0.0);
+    EXPECT_NEAR(bench().drive().held_rad(), degreesToRadians(0.9 * 60.0), degreesToRadians(0.5));
 }
 
 TEST_F(DrivePanelTest, aStopLeavesTheFocusWhereNoKeyChangesAnything) {
