@@ -74,6 +74,13 @@ DrivePanel::DrivePanel(Workbench& bench, QWidget* parent)
     refresh();
 }
 
+/// A field that loses the focus while the panel is destroyed has nobody left to tell.
+DrivePanel::~DrivePanel() {
+    for (widgets::QuantityEdit* field : findChildren<widgets::QuantityEdit*>()) {
+        field->disconnect(this);
+    }
+}
+
 void DrivePanel::buildArm(QVBoxLayout* column) {
     auto* row = new QHBoxLayout;
     m_state->setProperty("badge", true);

@@ -31,6 +31,7 @@ class DrivePanel : public QWidget {
 
 public:
     explicit DrivePanel(Workbench& bench, QWidget* parent = nullptr);
+    ~DrivePanel() override;
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -82,7 +82,9 @@ void LiveSignals::want(const QObject* client, std::vector<std::string> names) {
     if (m_wanted.count(client) == 0) {
         connect(client, &QObject::destroyed, this, [this, client] {
             m_wanted.erase(client);
-            restart();
+            // Later: who listens may be what is being destroyed just now.
+            QMetaObject::invokeMethod(
+                this, [this] { restart(); }, Qt::QueuedConnection);
         });
     }
     m_wanted[client] = std::move(names);
