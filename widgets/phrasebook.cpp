@@ -32,7 +32,7 @@ struct Phrasebook {
 
 Phrasebook readTables() {
     Phrasebook book;
-    for (const auto& table : {phrasesOfBoards(), phrasesOfControl(), phrasesOfDevices(),
+    for (const auto& table : {phrasesOfBoards(), phrasesOfControl(), phrasesOfLines(), phrasesOfDevices(),
                               phrasesOfProcedures(), phrasesOfFiles()}) {
         for (const char* phrase : table) {
             const QStringList pieces = QString::fromUtf8(phrase).split(QStringLiteral("{}"));

@@ -7,6 +7,7 @@ namespace halbench::widgets {
 /// Tables of the phrasebook: English texts as the sources have them, {} for what is filled in, marked for the
 /// translator in the context "Phrases". All but the last are written by tests/architecture/phrases.py.
 std::span<const char* const> phrasesOfControl();
+std::span<const char* const> phrasesOfLines();
 std::span<const char* const> phrasesOfDevices();
 std::span<const char* const> phrasesOfProcedures();
 std::span<const char* const> phrasesOfFiles();

@@ -1,6 +1,7 @@
 #include "devices/acquisition/csv_columns.h"
 
 #include "devices/acquisition/foreign_unit.h"
+#include "devices/acquisition/known_signals.h"
 #include "devices/acquisition/recording_csv.h"
 
 #include <fmt/format.h>
@@ -15,32 +16,6 @@ namespace halbench::devices {
 namespace {
 
 constexpr std::size_t NamedColumns = 8; // of a question
-
-struct KnownSignal {
-    std::string_view name;
-    std::string_view unit;
-};
-
-/// Signals that procedures work with: resources/help/command-line.md, "Signals and parameters of htm".
-constexpr std::array KnownSignals = {
-    KnownSignal{"position", "rad"},
-    KnownSignal{"speed", "rad/s"},
-    KnownSignal{"reference", "rad"},
-    KnownSignal{"current_command", "A"},
-    KnownSignal{"current.a", "A"},
-    KnownSignal{"current.b", "A"},
-    KnownSignal{"hall.a", "T"},
-    KnownSignal{"hall.b", "T"},
-    KnownSignal{"coil_temperature.a", "degC"},
-    KnownSignal{"coil_temperature.b", "degC"},
-    KnownSignal{"truth.position", "rad"},
-    KnownSignal{"truth.speed", "rad/s"},
-    KnownSignal{"status", ""},
-    KnownSignal{"fault", ""},
-    KnownSignal{"torn_count", ""},
-    KnownSignal{"reference.segment", ""},
-    KnownSignal{"reference.running", ""},
-};
 
 std::string lowered(std::string text) {
     std::transform(text.begin(), text.end(), text.begin(), [](char character) {
@@ -110,7 +85,7 @@ void cutUnit(CsvColumn& column) {
 /// apart.
 void readName(CsvColumn& column) {
     const bool hasUnit = !column.written.empty();
-    for (const KnownSignal& known : KnownSignals) {
+    for (const KnownSignal& known : knownSignals()) {
         const std::string signal(known.name);
         if (column.name == signal || column.name == csvColumnName(signal, "")) {
             column.signal = signal;
@@ -304,20 +279,10 @@ Result<void> chooseTime(CsvColumns& result, const CsvImportRequest& request) {
     return {};
 }
 
-/// The unit of a signal that Halbench works with; nothing for any other name.
-std::optional<std::string> unitOfSignal(const std::string& signal) {
-    for (const KnownSignal& known : KnownSignals) {
-        if (known.name == signal) {
-            return std::string(known.unit);
-        }
-    }
-    return std::nullopt;
-}
-
 Result<void> checkQuantities(CsvColumns& result) {
     for (std::size_t i = 0; i < result.columns.size(); ++i) {
         const CsvColumn& column = result.columns[i];
-        const std::optional<std::string> due = unitOfSignal(column.signal);
+        const std::optional<std::string> due = unitOfKnownSignal(column.signal);
         if (!due || due->empty() || result.time == i) {
             continue;
         }

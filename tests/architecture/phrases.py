@@ -13,6 +13,7 @@ from tree import is_source, line_of, read_tree
 # table: folders and files whose texts reach the window
 TABLES = {
     "control": ("control/",),
+    "lines": ("devices/transport/", "devices/xcp/"),
     "devices": ("models/", "devices/"),
     "procedures": ("app/procedures/", "app/session/"),
     "files": ("app/batch/config_node.cpp", "app/batch/configuration_", "app/batch/identification_file.cpp", "app/batch/json_parser.cpp",
