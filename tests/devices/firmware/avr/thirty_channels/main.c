@@ -2,13 +2,12 @@
  * 115200 Bd (resources/help/firmware-guide.md). Each channel is a number of its own in every sample, so that
  * a value in the wrong place or of the wrong instant shows. */
 
-#include "devices/firmware/xcp/hb_sxi.h"
-#include "devices/firmware/xcp/hb_xcp.h"
+#include "devices/firmware/boards/arduino_uno/uart_line.h"
 
 #include <avr/interrupt.h>
 #include <avr/io.h>
 
-enum { CHANNELS = 30, RECEIVE_RING = 64, SAMPLE_TICKS = 10, STEP_OF_SAMPLE = 37, STEP_OF_CHANNEL = 1009 };
+enum { CHANNELS = 30, SAMPLE_TICKS = 10, STEP_OF_SAMPLE = 37, STEP_OF_CHANNEL = 1009 };
 
 typedef struct {
     uint16_t value[CHANNELS];
@@ -36,19 +35,15 @@ typedef struct {
     hb_xcp xcp;
     channel_values channels;
     channel_page pages[2];
-    hb_sxi_receiver receiver;
-    hb_sxi_sender sender;
+    uart_line line;
     uint32_t tick;
-    volatile uint8_t ring[RECEIVE_RING];
-    volatile uint8_t head, tail;
 } board_state;
 
 /* The interrupt handler has no argument to find it by. */
 static board_state Board;
 
 ISR(USART_RX_vect) {
-    Board.ring[Board.head] = UDR0;
-    Board.head = (uint8_t)((Board.head + 1U) % RECEIVE_RING);
+    uart_line_take(&Board.line);
 }
 
 static void describe(void) {
@@ -69,36 +64,11 @@ static void describe(void) {
 }
 
 static void start(void) {
-    UCSR0A = 1 << U2X0;
-    UBRR0 = 16; /* 115200 Bd */
-    UCSR0B = (1 << RXEN0) | (1 << TXEN0) | (1 << RXCIE0);
     TCCR1B = (1 << WGM12) | (1 << CS11);
     OCR1A = 1999; /* 1 ms */
     describe();
-    hb_sxi_receiver_init(&Board.receiver);
+    uart_line_start(&Board.line);
     sei();
-}
-
-static void serveLine(void) {
-    uint8_t octet;
-    if (Board.tail != Board.head) {
-        uint16_t length = hb_sxi_receive(&Board.receiver, Board.ring[Board.tail]);
-        Board.tail = (uint8_t)((Board.tail + 1U) % RECEIVE_RING);
-        if (length > 0) {
-            hb_xcp_receive(&Board.xcp, hb_sxi_packet(&Board.receiver), length);
-        }
-    }
-    if (!(UCSR0A & (1 << UDRE0))) {
-        return;
-    }
-    if (hb_sxi_next(&Board.sender, &octet)) {
-        UDR0 = octet;
-    } else {
-        uint16_t length = hb_xcp_transmit(&Board.xcp, hb_sxi_room(&Board.sender), HB_SXI_LONGEST_PACKET);
-        if (length > 0) {
-            hb_sxi_start(&Board.sender, length, hb_xcp_counter(&Board.xcp));
-        }
-    }
 }
 
 static void sample(void) {
@@ -112,7 +82,7 @@ static void sample(void) {
 int main(void) {
     start();
     for (;;) {
-        serveLine();
+        uart_line_serve(&Board.line, &Board.xcp);
         if (TIFR1 & (1 << OCF1A)) {
             TIFR1 = 1 << OCF1A;
             (void)hb_xcp_take_page(&Board.xcp);
