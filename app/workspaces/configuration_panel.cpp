@@ -247,7 +247,7 @@ void ConfigurationPanel::restore(const std::vector<ParameterValue>& values, cons
 
 void ConfigurationPanel::restored(const Result<std::vector<RowOutcome>>& outcomes, const QString& backup) {
     m_isRestoring = false;
-    m_bench.refreshValues();
+    m_bench.confirmValues();
     refresh();
     if (!outcomes) {
         tell(outcomes.error());

@@ -215,6 +215,10 @@ void Workbench::refreshValues() {
     readValues(false);
 }
 
+void Workbench::confirmValues() {
+    readValues(true);
+}
+
 void Workbench::readValues(bool areOurs) {
     if (m_session.state() != SessionState::Connected) {
         return;

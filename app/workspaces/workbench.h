@@ -87,6 +87,8 @@ public:
     const std::map<std::string, double>& deviceValues() const { return m_values; }
     std::optional<double> deviceValue(const std::string& parameter) const;
     void refreshValues();
+    /// The same after a write from here that did not read back: what differs is ours.
+    void confirmValues();
     /// Whether what changed last in the values was written from here, by a panel or a procedure; otherwise
     /// it was found changed.
     bool areValuesOurs() const { return m_areValuesOurs; }

@@ -79,6 +79,15 @@ TEST_F(ConfigurationPanelTest, showsWhatDiffersAndRestoresWhatIsTicked) {
     EXPECT_FALSE(row("gain.kp")->isHidden());
 }
 
+TEST_F(ConfigurationPanelTest, whatARestoreWroteIsNoChangeOfOthers) {
+    saveAndEdit("'gain.kp' = { value = 10,", "'gain.kp' = { value = 25,");
+    open();
+    ASSERT_EQ(bench().deviceValue("gain.kp"), 10.0);
+    restore();
+    ASSERT_TRUE(wait([&] { return bench().deviceValue("gain.kp") == 25.0; }));
+    EXPECT_TRUE(bench().areValuesOurs()); // Parameters marks what it finds otherwise as changed outside
+}
+
 TEST_F(ConfigurationPanelTest, keepsWhatTheDeviceHadBeforeARestore) {
     saveAndEdit("'gain.kp' = { value = 10,", "'gain.kp' = { value = 25,");
     open();
