@@ -1,6 +1,7 @@
 #include "app/workspaces/device_panel.h"
 
 #include "app/workspaces/pace_row.h"
+#include "app/workspaces/panel_parts.h"
 #include "devices/device_uri.h"
 #include "devices/simulated/simulated_device.h"
 #include "widgets/icons.h"
@@ -29,12 +30,9 @@ QString words(const std::string& text) {
 } // namespace
 
 DevicePanel::DevicePanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(bench) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(widgets::PanelMargin_px, widgets::PanelMargin_px, widgets::PanelMargin_px,
-                               widgets::PanelMargin_px);
-    column->setSpacing(widgets::PanelMargin_px);
-    buildChooser();
-    buildIdentity();
+    QVBoxLayout* column = makeScrollingColumn(this);
+    buildChooser(column);
+    buildIdentity(column);
     column->addStretch(1);
     setFocusProxy(m_list);
     takeDevices(devices::listSimulatedDevices());
@@ -50,7 +48,7 @@ DevicePanel::DevicePanel(Workbench& bench, QWidget* parent) : QWidget(parent), m
     connect(&session, &DeviceSession::procedureChanged, this, &DevicePanel::refresh);
 }
 
-void DevicePanel::buildChooser() {
+void DevicePanel::buildChooser(QVBoxLayout* column) {
     m_list = new QListWidget(this);
     m_list->setAccessibleName(tr("Devices that can be connected"));
     m_list->setToolTip(tr("Enter or double click connects"));
@@ -69,14 +67,13 @@ void DevicePanel::buildChooser() {
     m_connect->setIcon(widgets::themedIcon("connect"));
     m_message = new widgets::MessageBar(this);
 
-    auto* column = static_cast<QVBoxLayout*>(layout());
     column->addWidget(m_list);
     auto* target = new QHBoxLayout;
     target->addWidget(m_address, 1);
     target->addWidget(m_description);
     column->addLayout(target);
     column->addWidget(m_connect);
-    column->addWidget(m_message);
+    layout()->addWidget(m_message); // below what scrolls, so that all its words are seen
     column->addWidget(new PaceRow(m_bench, PaceRow::Place::Devices, this));
 
     connect(m_list, &QListWidget::currentRowChanged, this, &DevicePanel::chooseRow);
@@ -87,14 +84,14 @@ void DevicePanel::buildChooser() {
     connect(m_description, &QPushButton::clicked, this, &DevicePanel::chooseDescription);
 }
 
-void DevicePanel::buildIdentity() {
+void DevicePanel::buildIdentity(QVBoxLayout* column) {
     m_identity = new QLabel(this);
     m_identity->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_identity->setWordWrap(true);
     m_identity->setFocusPolicy(Qt::ClickFocus);
     m_identity->setAccessibleName(tr("Identity of the device"));
     m_identity->setToolTip(tr("Model, identity and firmware as the device says"));
-    layout()->addWidget(m_identity);
+    column->addWidget(m_identity);
 }
 
 void DevicePanel::takeDevices(std::vector<devices::DeviceListing> list) {

@@ -15,6 +15,7 @@ class QLineEdit;
 class QListWidget;
 class QListWidgetItem;
 class QPushButton;
+class QVBoxLayout;
 
 namespace halbench::widgets {
 class MessageBar;
@@ -51,8 +52,8 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void buildChooser();
-    void buildIdentity();
+    void buildChooser(QVBoxLayout* column);
+    void buildIdentity(QVBoxLayout* column);
     void takeDevices(std::vector<devices::DeviceListing> list);
     void showDevices();
     void addDevice(const devices::DeviceListing& listing, bool isLast);

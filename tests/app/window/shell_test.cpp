@@ -3,8 +3,10 @@
 #include "app/workspaces/device_panel.h"
 #include "app/workspaces/log_panel.h"
 #include "tests/app/window/window_test.h"
+#include "widgets/message_bar.h"
 #include "widgets/stop_button.h"
 
+#include <QLabel>
 #include <QListWidget>
 #include <QMenuBar>
 #include <QPushButton>
@@ -91,6 +93,22 @@ TEST_F(ShellTest, thePerspectiveOfTheLastSessionIsThereWithItsPanels) {
     window->show();
     EXPECT_TRUE(wait([&] { return window->docks().panel("tune")->isVisible(); }));
     EXPECT_FALSE(window->docks().panel("monitor")->isVisible());
+}
+
+TEST_F(ShellTest, anErrorInDevicesIsSeenToItsLastWord) {
+    widgets::applyTheme(application, widgets::loadTheme("light").value()); // its sizes are what is judged
+    open();
+    window->resize(1440, 900);
+    window->connectDevice("banana");
+    const auto* message = window->docks().panel("devices")->findChild<widgets::MessageBar*>();
+    ASSERT_TRUE(wait([&] { return message->isVisible(); }));
+    for (const auto* words : message->findChildren<QLabel*>()) {
+        if (words->wordWrap()) {
+            EXPECT_TRUE(wait([&] { return words->height() >= words->heightForWidth(words->width()); }))
+                << words->height() << " of " << words->heightForWidth(words->width());
+            EXPECT_TRUE(words->visibleRegion().boundingRect().contains(words->rect()));
+        }
+    }
 }
 
 TEST_F(ShellTest, devicesBehindAnotherTabAreStillCollectedAndConnected) {
