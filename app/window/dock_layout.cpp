@@ -28,7 +28,7 @@ constexpr int ArrangementVersion = 2;
 constexpr int LeftCharacters = 46;
 constexpr int RightCharacters = 43;
 constexpr int BottomLines = 10;
-constexpr int DeviceLines = 14;
+constexpr int DeviceLines = 16;
 constexpr int LeastCentre_px = 400; ///< before the window is laid out
 
 ads::DockWidgetArea dockArea(PanelArea area) {
