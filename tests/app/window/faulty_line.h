@@ -71,6 +71,9 @@ private:
                 continue;
             }
             const int master = ::accept(m_listener, nullptr, nullptr);
+            // A board has no megabytes of room for what its line does not take yet.
+            const int room_octets = 65536;
+            ::setsockopt(master, SOL_SOCKET, SO_SNDBUF, &room_octets, sizeof room_octets);
             const int board = ::socket(AF_INET, SOCK_STREAM, 0);
             const std::string& served = (m_isOther ? m_other : m_board).uri();
             const sockaddr_in address = loopback(std::stoi(served.substr(served.rfind(':') + 1)));
@@ -92,7 +95,7 @@ private:
             if (ends[1].revents != 0 && !forward(board, master, true)) {
                 return;
             }
-            if (m_fault == Fault::Flooding && m_inMessage == 0 && !flood(master)) {
+            if (m_fault == Fault::Flooding && m_inMessage == 0 && hasRoom(master) && !flood(master)) {
                 return;
             }
         }
@@ -144,6 +147,12 @@ private:
                 m_inMessage = 0;
             }
         }
+    }
+
+    /// Lines go both ways at once: a flood holds up nothing that is on its way to the board.
+    static bool hasRoom(int to) {
+        pollfd end{to, POLLOUT, 0};
+        return ::poll(&end, 1, 0) > 0;
     }
 
     bool flood(int master) {
