@@ -246,7 +246,7 @@ TEST_F(TopBarTest, isNarrowWhereTheWindowIsAndItsKeysStay) {
     ASSERT_TRUE(theme);
     widgets::applyTheme(application, *theme, {QLocale(), widgets::Dress().fontSize_pt});
     open();
-    window->resize(window->minimumSizeHint());
+    window->resize(window->minimumSizeHint().expandedTo({1280, 0}));
     QTest::qWait(0);
     EXPECT_LE(window->width(), 1280);
     EXPECT_NE(perspective("Tune"), nullptr);

@@ -162,7 +162,7 @@ TEST_F(CalibratePanelTest, aCalibrationOfASimulatedMotorWithOtherOverridesIsNotA
 TEST_F(CalibratePanelTest, carriesTheWallClocksStartAndTheDevicesDuration) {
     QDateTime now = QDateTime::fromString("2026-05-04T03:02:01Z", Qt::ISODate);
     bench.setWallClock([&now] { return now; });
-    connectMotor("sim:htm", 50.0);
+    connectMotor("sim:htm", 10.0);
     for (auto* box : panel.findChildren<QCheckBox*>()) {
         if (box->isVisible() && !box->text().contains("Stray")) {
             QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
