@@ -4378,6 +4378,10 @@
         <source>correct the line; the forms are in resources/help/projects.md and command-line.md</source>
         <translation>berichtigen Sie die Zeile; die Formen stehen in resources/help/projects.md und command-line.md</translation>
     </message>
+    <message>
+        <source>the board neither tells its firmware nor shows the octets where its description keeps it: whether the two belong together is not known</source>
+        <translation>Das Steuergerät nennt weder seine Firmware, noch zeigt es die Oktette, in denen sie laut Beschreibung steht: Ob beide zusammengehören, ist nicht bekannt</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

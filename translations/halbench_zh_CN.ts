@@ -4378,6 +4378,10 @@
         <source>correct the line; the forms are in resources/help/projects.md and command-line.md</source>
         <translation>请改正该行；格式见 resources/help/projects.md 和 command-line.md</translation>
     </message>
+    <message>
+        <source>the board neither tells its firmware nor shows the octets where its description keeps it: whether the two belong together is not known</source>
+        <translation>控制板既不报告其固件，也不允许读取描述文件所指的固件标识字节：无法确认两者是否匹配</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

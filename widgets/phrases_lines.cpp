@@ -169,6 +169,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "description read from the board, {} octets"),
     QT_TRANSLATE_NOOP("Phrases", "the firmware of '{}' changed: it was '{}' at an earlier connection and is '{}' now, so that its description was read anew"),
     QT_TRANSLATE_NOOP("Phrases", "the description is not kept: {}"),
+    QT_TRANSLATE_NOOP("Phrases", "the board neither tells its firmware nor shows the octets where its description keeps it: whether the two belong together is not known"),
     QT_TRANSLATE_NOOP("Phrases", "the board runs firmware '{}', but its description is of '{}': names may lead to wrong values, so nothing is written; give the description of this firmware, or update the board's firmware as a whole"),
     QT_TRANSLATE_NOOP("Phrases", "the parameters of '{}' can only be read: the board runs on a page of it that takes no writes"),
     QT_TRANSLATE_NOOP("Phrases", "parameter '{}' is left out: {}"),

@@ -86,7 +86,8 @@ struct A2lDescription {
     std::string module;
     std::optional<ByteOrder> order;
     std::string epk;
-    std::optional<double> answerTimeout_s; ///< T1 of the protocol layer
+    std::optional<std::uint32_t> epkAddress; ///< where the board keeps its EPK (ADDR_EPK)
+    std::optional<double> answerTimeout_s;   ///< T1 of the protocol layer
     std::vector<A2lMeasurement> measurements;
     std::vector<A2lCharacteristic> characteristics;
     std::vector<A2lGroup> groups;

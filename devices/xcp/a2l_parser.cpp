@@ -114,6 +114,9 @@ void A2lParser::modPar(const A2lToken& begin) {
         [this](const std::string& word) {
             if (word == "EPK") {
                 m_description.epk = m_lexer.takeString("the EPK");
+            } else if (word == "ADDR_EPK") {
+                m_description.epkAddress =
+                    static_cast<std::uint32_t>(m_lexer.takeUnsigned("the EPK's address", MaxU32));
             }
         });
 }

@@ -158,11 +158,7 @@ Result<A2lDescription> XcpDevice::givenOrUploaded() {
     if (m_options.description.empty()) {
         return cachedOrUploaded();
     }
-    Result<A2lDescription> description = parseA2l(m_options.description);
-    if (description) {
-        noteOtherFirmware(*description);
-    }
-    return description;
+    return parseA2l(m_options.description);
 }
 
 Result<A2lDescription> XcpDevice::cachedOrUploaded() {
@@ -182,7 +178,6 @@ Result<A2lDescription> XcpDevice::cachedOrUploaded() {
     if (!description) {
         return failure(descriptionError(*text, description.error()));
     }
-    noteOtherFirmware(*description);
     if (!m_options.cacheFolder.empty()) {
         message(isCached ? fmt::format("description of '{}' taken from the cache", key.name)
                          : fmt::format("description read from the board, {} octets", text->size()));
@@ -200,8 +195,32 @@ Result<A2lDescription> XcpDevice::cachedOrUploaded() {
     return description;
 }
 
+/// A board that does not tell its EPK may keep it where its description says.
+Result<void> XcpDevice::findFirmware(const A2lDescription& description) {
+    if (!m_options.identity.firmware.empty() || description.epk.empty() || !description.epkAddress) {
+        return {};
+    }
+    const Result<Packet> octets = m_master.read({*description.epkAddress, 0}, description.epk.size());
+    if (!octets && octets.error().code != ErrorCode::DeviceRefused) {
+        return failure(octets.error());
+    }
+    if (!octets) {
+        message("the board neither tells its firmware nor shows the octets where its description keeps it: "
+                "whether the two belong together is not known");
+        return {};
+    }
+    for (const std::uint8_t octet : *octets) {
+        const bool isPrintable = octet >= 0x20 && octet < 0x7F;
+        m_options.identity.firmware += isPrintable ? static_cast<char>(octet) : '?';
+    }
+    return {};
+}
+
 /// Names lead to addresses: those of another firmware may lead anywhere, so that nothing is written by them.
-void XcpDevice::noteOtherFirmware(const A2lDescription& description) {
+Result<void> XcpDevice::compareFirmware(const A2lDescription& description) {
+    if (Result<void> found = findFirmware(description); !found) {
+        return found;
+    }
     const std::string& firmware = m_options.identity.firmware;
     m_isOtherFirmware = !description.epk.empty() && !firmware.empty() && description.epk != firmware;
     if (m_isOtherFirmware) {
@@ -210,12 +229,16 @@ void XcpDevice::noteOtherFirmware(const A2lDescription& description) {
                             "update the board's firmware as a whole",
                             firmware, description.epk));
     }
+    return {};
 }
 
 Result<void> XcpDevice::readDescription() {
     Result<A2lDescription> description = givenOrUploaded();
     if (!description) {
         return failure(description.error());
+    }
+    if (Result<void> compared = compareFirmware(*description); !compared) {
+        return compared;
     }
     for (const std::string& warning : description->warnings) {
         message(warning);

@@ -69,7 +69,8 @@ private:
     Result<void> readDescription();
     Result<A2lDescription> givenOrUploaded();
     Result<A2lDescription> cachedOrUploaded();
-    void noteOtherFirmware(const A2lDescription& description);
+    Result<void> compareFirmware(const A2lDescription& description);
+    Result<void> findFirmware(const A2lDescription& description);
     Result<void> choosePages();
     Result<void> readDefaults();
     Result<void> readWhatCanBeRead(const std::vector<std::string>& names);

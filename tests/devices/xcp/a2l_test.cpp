@@ -44,6 +44,7 @@ TEST(A2l, readsWhatABoardSays) {
                 /begin EVENT "fast" "fast" 0 DAQ 255 1 6 0 /end EVENT /end DAQ
         /end IF_DATA)");
     EXPECT_EQ(a2l.epk, "1.2");
+    EXPECT_EQ(a2l.epkAddress, 0x10U);
     EXPECT_EQ(a2l.order, ByteOrder::BigEndian);
     EXPECT_DOUBLE_EQ(*a2l.answerTimeout_s, 0.25);
     ASSERT_EQ(a2l.measurements.size(), 1U);

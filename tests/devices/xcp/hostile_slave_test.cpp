@@ -209,6 +209,44 @@ TEST(HostileSlave, byADescriptionOfAnotherFirmwareNothingIsWritten) {
     }
 }
 
+TEST(HostileSlave, aBoardThatDoesNotTellItsFirmwareIsAskedWhereItsDescriptionKeepsIt) {
+    const std::string place = "/begin MOD_PAR \"\"";
+    struct Case {
+        std::string inMemory; ///< "": the board refuses these octets
+        bool canWrite;
+        std::string said;
+    };
+    for (const Case& one :
+         {Case{"1.0", true, ""}, Case{"1.1", false, "runs firmware '1.1', but its description is of '1.0'"},
+          Case{{"\xFF\x00\x01", 3}, false, "runs firmware '?"},
+          Case{"", true, "whether the two belong together is not known"}}) {
+        std::string text = wholeDescription();
+        text.insert(text.find(place) + place.size(), " EPK \"1.0\" ADDR_EPK 0x9000");
+        auto slave = std::make_unique<TestSlave>();
+        slave->descriptionText = text;
+        slave->bendAnswers = [&](const Packet& command, std::deque<Packet>& answers) {
+            const bool isAsked = isCommand(command, Command::ShortUpload) && command[5] == 0x90;
+            if (isAsked && !one.inMemory.empty()) {
+                answers = {{0xFF}};
+                answers[0].insert(answers[0].end(), one.inMemory.begin(), one.inMemory.end());
+            } else if (isAsked) {
+                answers = slaveError(SlaveError::AccessDenied);
+            }
+        };
+        std::string said;
+        XcpDeviceOptions options;
+        options.onMessage = [&](const std::string& message) { said += message + "\n"; };
+        const auto device = openXcpDevice(std::move(slave), std::move(options));
+        ASSERT_TRUE(device) << device.error().message;
+        EXPECT_NE(said.find(one.said), std::string::npos) << said;
+        const std::string name = (*device)->catalogue().parameters.front().name;
+        const auto before = (*device)->readParameters({&name, 1});
+        ASSERT_TRUE(before) << before.error().message;
+        const ParameterValue same{name, before->front()};
+        EXPECT_EQ((*device)->writeParameters({&same, 1}).has_value(), one.canWrite) << one.inMemory;
+    }
+}
+
 TEST(HostileSlave, aDescriptionLongerThanAnyoneReadsIsRefusedBeforeItIsRead) {
     std::size_t uploads = 0;
     const Attempt opened = attempt([&](TestSlave& slave) {
