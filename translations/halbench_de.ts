@@ -4382,6 +4382,34 @@
         <source>the board neither tells its firmware nor shows the octets where its description keeps it: whether the two belong together is not known</source>
         <translation>Das Steuergerät nennt weder seine Firmware, noch zeigt es die Oktette, in denen sie laut Beschreibung steht: Ob beide zusammengehören, ist nicht bekannt</translation>
     </message>
+    <message>
+        <source>the Nyquist curve runs through -1: the loop is on the limit of stability</source>
+        <translation>die Nyquist-Kurve läuft durch -1: der Kreis liegt auf der Stabilitätsgrenze</translation>
+    </message>
+    <message>
+        <source>change the gain a little</source>
+        <translation>die Verstärkung ein wenig ändern</translation>
+    </message>
+    <message>
+        <source>behind a dead time this loop does not fall below 1 at high frequency</source>
+        <translation>hinter einer Totzeit fällt dieser Kreis bei hohen Frequenzen nicht unter 1</translation>
+    </message>
+    <message>
+        <source>the dead time is not a finite number</source>
+        <translation>die Totzeit ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>a dead time of {} s is not possible</source>
+        <translation>eine Totzeit von {} s ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>a system with {} s of dead time cannot be added to one with {} s</source>
+        <translation>ein System mit {} s Totzeit lässt sich nicht zu einem mit {} s addieren</translation>
+    </message>
+    <message>
+        <source>discretize both, or approximate their dead times, first</source>
+        <translation>beide zuerst diskretisieren oder ihre Totzeiten annähern</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

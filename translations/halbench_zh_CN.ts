@@ -4382,6 +4382,34 @@
         <source>the board neither tells its firmware nor shows the octets where its description keeps it: whether the two belong together is not known</source>
         <translation>控制板既不报告其固件，也不允许读取描述文件所指的固件标识字节：无法确认两者是否匹配</translation>
     </message>
+    <message>
+        <source>the Nyquist curve runs through -1: the loop is on the limit of stability</source>
+        <translation>奈奎斯特曲线经过 -1：回路处于稳定极限</translation>
+    </message>
+    <message>
+        <source>change the gain a little</source>
+        <translation>请稍微改变增益</translation>
+    </message>
+    <message>
+        <source>behind a dead time this loop does not fall below 1 at high frequency</source>
+        <translation>带纯滞后的该回路在高频处不会降到 1 以下</translation>
+    </message>
+    <message>
+        <source>the dead time is not a finite number</source>
+        <translation>纯滞后时间不是有限数</translation>
+    </message>
+    <message>
+        <source>a dead time of {} s is not possible</source>
+        <translation>{} s 的纯滞后时间不可能</translation>
+    </message>
+    <message>
+        <source>a system with {} s of dead time cannot be added to one with {} s</source>
+        <translation>纯滞后为 {} s 的系统不能与纯滞后为 {} s 的系统相加</translation>
+    </message>
+    <message>
+        <source>discretize both, or approximate their dead times, first</source>
+        <translation>请先将二者离散化，或近似其纯滞后</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

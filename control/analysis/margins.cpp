@@ -1,6 +1,7 @@
 #include "control/analysis/margins.h"
 
 #include "control/analysis/frequency_scan.h"
+#include "control/analysis/loop_scan.h"
 #include "control/base/units.h"
 
 #include <algorithm>
@@ -12,21 +13,21 @@ namespace {
 
 using Complex = std::complex<double>;
 
-Crossing gainCrossing(const TransferFunction& openLoop, double frequency_rad_s) {
+Crossing gainCrossing(Complex value, double frequency_rad_s) {
     Crossing crossing;
     crossing.kind = Crossing::Kind::Gain;
     crossing.frequency_rad_s = frequency_rad_s;
-    const double margin_rad = std::arg(-openLoop.atFrequency(frequency_rad_s));
+    const double margin_rad = std::arg(-value);
     crossing.phaseMargin_deg = radiansToDegrees(margin_rad);
     crossing.delayMargin_s = (margin_rad < 0.0 ? margin_rad + 2.0 * Pi : margin_rad) / frequency_rad_s;
     return crossing;
 }
 
-Crossing phaseCrossing(const TransferFunction& openLoop, double frequency_rad_s) {
+Crossing phaseCrossing(double magnitude_ratio, double frequency_rad_s) {
     Crossing crossing;
     crossing.kind = Crossing::Kind::Phase;
     crossing.frequency_rad_s = frequency_rad_s;
-    crossing.gainMargin_ratio = 1.0 / std::abs(openLoop.atFrequency(frequency_rad_s));
+    crossing.gainMargin_ratio = 1.0 / magnitude_ratio;
     return crossing;
 }
 
@@ -39,46 +40,34 @@ bool isOnNegativeAxis(Complex value) {
     return value.real() < 0.0 && std::abs(value.imag()) < 1e-3 * std::abs(value);
 }
 
-/// The loop over its scan, looked at once.
-struct Scan {
-    std::vector<double> frequency_rad_s;
-    std::vector<Complex> value;
-};
-
-Scan scan(const TransferFunction& openLoop) {
-    Scan result{scanFrequencies(openLoop), {}};
-    result.value.reserve(result.frequency_rad_s.size());
-    for (const double frequency : result.frequency_rad_s) {
-        result.value.push_back(openLoop.atFrequency(frequency));
-    }
-    return result;
+bool isLower(const Crossing& a, const Crossing& b) {
+    return a.frequency_rad_s < b.frequency_rad_s;
 }
 
-std::vector<Crossing> crossingsOn(const TransferFunction& openLoop, const Scan& scanned) {
-    const std::vector<double>& frequencies = scanned.frequency_rad_s;
-    const auto level = [&openLoop](double w) { return std::log(std::abs(openLoop.atFrequency(w))); };
-    const auto height = [&openLoop](double w) { return openLoop.atFrequency(w).imag(); };
-    const bool isSampled = openLoop.timeBase().isSampled();
+std::vector<Crossing> crossingsOn(const LoopScan& scan) {
+    const std::vector<double>& frequencies = scan.frequency_rad_s;
+    const auto level = [&scan](double w) { return std::log(std::abs(scan.at(w))); };
+    const auto height = [&scan](double w) { return scan.at(w).imag(); };
     std::vector<Crossing> crossings;
     for (std::size_t i = 0; i < frequencies.size(); ++i) {
-        const Complex here = scanned.value[i];
-        const Complex before = scanned.value[i == 0 ? 0 : i - 1];
-        const bool isNyquist = isSampled && i + 1 == frequencies.size();
+        const Complex here = scan.value[i];
+        const Complex before = scan.value[i == 0 ? 0 : i - 1];
+        const bool isNyquist = scan.endsAtNyquist && i + 1 == frequencies.size();
         if (i > 0 && changesSign(std::norm(before) - 1.0, std::norm(here) - 1.0)) {
-            crossings.push_back(gainCrossing(openLoop, bisect(level, frequencies[i - 1], frequencies[i])));
+            const double frequency = bisect(level, frequencies[i - 1], frequencies[i]);
+            crossings.push_back(gainCrossing(scan.at(frequency), frequency));
         }
         if (i > 0 && !isNyquist && changesSign(before.imag(), here.imag())) {
             const double frequency = bisect(height, frequencies[i - 1], frequencies[i]);
-            if (isOnNegativeAxis(openLoop.atFrequency(frequency))) {
-                crossings.push_back(phaseCrossing(openLoop, frequency));
+            if (isOnNegativeAxis(scan.at(frequency))) {
+                crossings.push_back(phaseCrossing(std::abs(scan.at(frequency)), frequency));
             }
         }
         if (isNyquist && here.real() < 0.0) {
-            crossings.push_back(phaseCrossing(openLoop, frequencies[i]));
+            crossings.push_back(phaseCrossing(std::abs(here), frequencies[i]));
         }
     }
-    std::sort(crossings.begin(), crossings.end(),
-              [](const Crossing& a, const Crossing& b) { return a.frequency_rad_s < b.frequency_rad_s; });
+    std::sort(crossings.begin(), crossings.end(), isLower);
     return crossings;
 }
 
@@ -97,28 +86,136 @@ void takeIfSmaller(StabilityMargins& margins, const Crossing& crossing) {
     margins.delayMargin_s = std::min(margins.delayMargin_s, crossing.delayMargin_s);
 }
 
+/// Smallest value of a function over a scan, and its place: the best point, refined between its neighbours.
+struct Least {
+    double value = 0.0;
+    double frequency_rad_s = 0.0;
+};
+
+Least leastOn(const LoopScan& scan, const std::function<double(Complex)>& function) {
+    std::size_t best = 0;
+    Least least{HUGE_VAL, 0.0};
+    for (std::size_t i = 0; i < scan.value.size(); ++i) {
+        if (const double value = function(scan.value[i]); value < least.value) {
+            least = {value, scan.frequency_rad_s[i]};
+            best = i;
+        }
+    }
+    const auto at = [&](double w) { return function(scan.at(w)); };
+    const double refined_rad_s =
+        goldenMinimum(at, scan.frequency_rad_s[best == 0 ? 0 : best - 1],
+                      scan.frequency_rad_s[std::min(best + 1, scan.value.size() - 1)]);
+    const double refined = at(refined_rad_s);
+    return refined < least.value ? Least{refined, refined_rad_s} : least;
+}
+
+StabilityMargins marginsOn(const LoopScan& scan) {
+    StabilityMargins margins;
+    for (const Crossing& crossing : crossingsOn(scan)) {
+        takeIfSmaller(margins, crossing);
+    }
+    margins.modulusMargin = leastOn(scan, [](Complex L) { return std::abs(1.0 + L); }).value;
+    return margins;
+}
+
+SensitivityPeaks peaksOn(const LoopScan& scan) {
+    const Least modulus = leastOn(scan, [](Complex L) { return std::abs(1.0 + L); });
+    const Least inverse = leastOn(scan, [](Complex L) { return std::abs(1.0 + 1.0 / L); });
+    return {1.0 / modulus.value, modulus.frequency_rad_s, 1.0 / inverse.value, inverse.frequency_rad_s};
+}
+
+/// One stretch between two measured points, straight in log |L| and phase over log frequency.
+struct Stretch {
+    double low_log = 0.0;
+    double high_log = 0.0;
+    Complex from;         ///< log L at the low end
+    Complex to;           ///< log L at the high end, its phase the nearest to the low end's
+    bool isJoined = true; ///< false: too far apart to say anything about the middle
+
+    Complex logAt(double share) const { return from + share * (to - from); }
+    double frequency_rad_s(double share) const { return std::exp(low_log + share * (high_log - low_log)); }
+};
+
+Stretch stretch(const FrequencyResponse& response, std::size_t i) {
+    const double octave_log = std::log(2.0) * (1.0 + 1e-9);
+    Stretch result{std::log(response.frequency_rad_s[i - 1]), std::log(response.frequency_rad_s[i]),
+                   std::log(response.value[i - 1]), std::log(response.value[i])};
+    const double turn_rad = result.to.imag() - result.from.imag();
+    result.to -= Complex(0.0, 2.0 * Pi * std::round(turn_rad / (2.0 * Pi)));
+    result.isJoined = result.high_log - result.low_log <= octave_log &&
+                      std::abs(result.to.imag() - result.from.imag()) <= 0.5 * Pi;
+    return result;
+}
+
+void addCrossings(std::vector<Crossing>& crossings, const Stretch& stretch) {
+    const Complex change = stretch.to - stretch.from;
+    if (changesSign(stretch.from.real(), stretch.to.real())) {
+        const double share = -stretch.from.real() / change.real();
+        crossings.push_back(gainCrossing(std::exp(stretch.logAt(share)), stretch.frequency_rad_s(share)));
+    }
+    // The phase counted from the nearest odd multiple of 180 degrees.
+    const double middle_rad = 0.5 * (stretch.from.imag() + stretch.to.imag());
+    const double axis_rad = Pi * (2.0 * std::round((middle_rad - Pi) / (2.0 * Pi)) + 1.0);
+    if (changesSign(stretch.from.imag() - axis_rad, stretch.to.imag() - axis_rad)) {
+        const double share = (axis_rad - stretch.from.imag()) / change.imag();
+        crossings.push_back(
+            phaseCrossing(std::exp(stretch.logAt(share).real()), stretch.frequency_rad_s(share)));
+    }
+}
+
 } // namespace
 
 std::vector<Crossing> allCrossings(const TransferFunction& openLoop) {
-    return crossingsOn(openLoop, scan(openLoop));
+    return crossingsOn(scanLoop(openLoop));
+}
+
+std::vector<Crossing> allCrossings(const DeadTimeSystem& openLoop) {
+    return crossingsOn(scanLoop(openLoop));
+}
+
+std::vector<Crossing> allCrossings(const FrequencyResponse& openLoop) {
+    std::vector<Crossing> crossings;
+    for (std::size_t i = 1; i < openLoop.value.size(); ++i) {
+        if (const Stretch here = stretch(openLoop, i); here.isJoined) {
+            addCrossings(crossings, here);
+        }
+    }
+    std::sort(crossings.begin(), crossings.end(), isLower);
+    return crossings;
 }
 
 StabilityMargins smallestMargins(const TransferFunction& openLoop) {
-    const Scan scanned = scan(openLoop);
+    return marginsOn(scanLoop(openLoop));
+}
+
+StabilityMargins smallestMargins(const DeadTimeSystem& openLoop) {
+    return marginsOn(scanLoop(openLoop));
+}
+
+StabilityMargins smallestMargins(const FrequencyResponse& openLoop) {
     StabilityMargins margins;
-    for (const Crossing& crossing : crossingsOn(openLoop, scanned)) {
+    for (const Crossing& crossing : allCrossings(openLoop)) {
         takeIfSmaller(margins, crossing);
     }
-    const auto distance = [&openLoop](double w) { return std::abs(1.0 + openLoop.atFrequency(w)); };
-    const auto nearest =
-        std::min_element(scanned.value.begin(), scanned.value.end(),
-                         [](Complex a, Complex b) { return std::norm(1.0 + a) < std::norm(1.0 + b); });
-    const auto at = static_cast<std::size_t>(nearest - scanned.value.begin());
-    const std::size_t last = scanned.value.size() - 1;
-    const double refined_rad_s = goldenMinimum(distance, scanned.frequency_rad_s[at == 0 ? 0 : at - 1],
-                                               scanned.frequency_rad_s[std::min(at + 1, last)]);
-    margins.modulusMargin = std::min(distance(refined_rad_s), std::abs(1.0 + *nearest));
+    margins.modulusMargin = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < openLoop.value.size(); ++i) {
+        margins.modulusMargin = std::min(margins.modulusMargin, std::abs(1.0 + openLoop.value[i]));
+    }
+    for (std::size_t i = 1; i < openLoop.value.size(); ++i) {
+        const Stretch here = stretch(openLoop, i);
+        const auto distance = [&here](double share) { return std::abs(1.0 + std::exp(here.logAt(share))); };
+        const double least = here.isJoined ? distance(goldenMinimum(distance, 0.0, 1.0)) : HUGE_VAL;
+        margins.modulusMargin = std::min(margins.modulusMargin, least);
+    }
     return margins;
+}
+
+SensitivityPeaks sensitivityPeaks(const TransferFunction& openLoop) {
+    return peaksOn(scanLoop(openLoop));
+}
+
+SensitivityPeaks sensitivityPeaks(const DeadTimeSystem& openLoop) {
+    return peaksOn(scanLoop(openLoop));
 }
 
 } // namespace halbench::control

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "control/lti/dead_time.h"
+#include "control/lti/frequency_response.h"
 #include "control/lti/transfer_function.h"
 
 #include <limits>
@@ -36,7 +38,28 @@ struct StabilityMargins {
 /// loop is negative there), then narrows each sign change down to the rounding of the frequency. Help:
 /// resources/help/tuning.md, "Margins".
 std::vector<Crossing> allCrossings(const TransferFunction& openLoop);
+/// With the exact dead time. Of the endless phase crossings of such a loop those where |L| < 0.01 (a gain
+/// margin above 100) are left out, and those after 200 turns of the dead time.
+std::vector<Crossing> allCrossings(const DeadTimeSystem& openLoop);
+/// Of a measured loop: between neighbouring points log |L| and the unwrapped phase run straight over
+/// log frequency. Neighbours more than an octave apart, or more than a right angle of phase, are not joined:
+/// what happens between them was not measured.
+std::vector<Crossing> allCrossings(const FrequencyResponse& openLoop);
 
 StabilityMargins smallestMargins(const TransferFunction& openLoop);
+StabilityMargins smallestMargins(const DeadTimeSystem& openLoop);
+StabilityMargins smallestMargins(const FrequencyResponse& openLoop);
+
+/// Largest magnitudes of S = 1/(1+L) and T = L/(1+L) over frequency. Ms bounds the margins of every loop:
+/// gain margin >= Ms/(Ms-1), phase margin >= 2 asin(1/(2 Ms)) (Astrom, Hagglund, "Advanced PID Control",
+/// section 4.5).
+struct SensitivityPeaks {
+    double Ms_ratio = 0.0;
+    double MsFrequency_rad_s = 0.0;
+    double Mt_ratio = 0.0;
+    double MtFrequency_rad_s = 0.0;
+};
+SensitivityPeaks sensitivityPeaks(const TransferFunction& openLoop);
+SensitivityPeaks sensitivityPeaks(const DeadTimeSystem& openLoop);
 
 } // namespace halbench::control

@@ -49,6 +49,27 @@ bool isRootToRounding(const Polynomial& p, Complex x) {
     return std::abs(value) <= 2.0 * std::numeric_limits<double>::epsilon() * bound;
 }
 
+/// Divides by (x - root) as often as the remainder is nothing but rounding.
+void takeOut(Polynomial& p, double root, std::vector<Complex>& found) {
+    while (p.size() > 1) {
+        double value = 0.0;
+        double bound = 0.0;
+        Polynomial quotient;
+        for (const double coefficient : p) {
+            value = value * root + coefficient;
+            bound += std::abs(coefficient);
+            quotient.push_back(value);
+        }
+        const double rounding = std::numeric_limits<double>::epsilon() * static_cast<double>(p.size());
+        if (std::abs(value) > rounding * bound) {
+            return;
+        }
+        quotient.pop_back();
+        p = std::move(quotient);
+        found.emplace_back(root, 0.0);
+    }
+}
+
 /// Points on a circle, turned so that none is real and no two are conjugate.
 std::vector<Complex> startingPoints(std::size_t count) {
     std::vector<Complex> points(count);
@@ -192,6 +213,8 @@ std::vector<std::complex<double>> roots(const Polynomial& polynomial) {
         p.pop_back();
         result.emplace_back(0.0, 0.0);
     }
+    takeOut(p, 1.0, result);
+    takeOut(p, -1.0, result);
     const std::size_t n = p.size() - 1;
     if (n == 0) {
         return result;

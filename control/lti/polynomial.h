@@ -21,8 +21,9 @@ std::complex<double> evaluate(const Polynomial& polynomial, std::complex<double>
 /// prod (x - root); the roots must be real or come in conjugate pairs.
 Polynomial fromRoots(const std::vector<std::complex<double>>& roots);
 
-/// All roots, by the simultaneous iteration of Aberth (1973) on the scaled polynomial; roots at zero are
-/// exact, complex roots come in exact conjugate pairs. A root of multiplicity m is found to about
+/// All roots, by the simultaneous iteration of Aberth (1973) on the scaled polynomial; roots at zero and, as
+/// far as the coefficients tell, at 1 and -1 (sampled integrators, however many) are exact, complex roots
+/// come in exact conjugate pairs. A root of multiplicity m is found to about
 /// (machine precision)^(1/m). Empty for a constant.
 std::vector<std::complex<double>> roots(const Polynomial& polynomial);
 

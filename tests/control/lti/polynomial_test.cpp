@@ -70,9 +70,17 @@ TEST(Polynomial, rootsAtZeroAreExactAndComplexRootsConjugate) {
 }
 
 TEST(Polynomial, findsADoubleRootToTheSquareRootOfTheRounding) {
-    for (const Complex& root : roots({1.0, -2.0, 1.0})) {
-        EXPECT_LT(std::abs(root - 1.0), 1e-7);
+    for (const Complex& root : roots({1.0, -4.0, 4.0})) {
+        EXPECT_LT(std::abs(root - 2.0), 2e-7);
     }
+}
+
+// Three sampled integrators, a computing delay's ringing pole at -1 and a slow plant beside them.
+TEST(Polynomial, findsManySampledIntegratorsExactly) {
+    const auto found = roots(fromRoots({{1.0, 0.0}, {1.0, 0.0}, {1.0, 0.0}, {-1.0, 0.0}, {0.9998, 0.0}}));
+    EXPECT_EQ(std::count(found.begin(), found.end(), Complex(1.0, 0.0)), 3);
+    EXPECT_EQ(std::count(found.begin(), found.end(), Complex(-1.0, 0.0)), 1);
+    EXPECT_LT(distanceToNearest(found, {0.9998, 0.0}), 1e-9);
 }
 
 TEST(Polynomial, findsRootsTwelveDecadesApart) {

@@ -1,0 +1,80 @@
+#include "control/analysis/loop_scan.h"
+
+#include "control/analysis/frequency_scan.h"
+#include "control/base/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::control {
+
+namespace {
+
+void look(LoopScan& scan) {
+    scan.value.reserve(scan.frequency_rad_s.size());
+    for (const double frequency : scan.frequency_rad_s) {
+        scan.value.push_back(scan.at(frequency));
+    }
+}
+
+/// The grid with points between its own, so that no step turns the dead time by more than 0.25 rad.
+std::vector<double> closedUp(std::vector<double> grid, double deadTime_s) {
+    constexpr double LargestTurn_rad = 0.25;
+    constexpr double MostTurns = 200.0;
+    const double end_rad_s = 2.0 * Pi * MostTurns / deadTime_s;
+    // The dead time alone makes crossings around 1/deadTime, wherever the poles are.
+    if (0.01 / deadTime_s < grid.front()) {
+        grid.insert(grid.begin(), 0.01 / deadTime_s);
+    }
+    if (100.0 / deadTime_s > grid.back()) {
+        grid.push_back(100.0 / deadTime_s);
+    }
+    std::vector<double> close = {std::min(grid.front(), end_rad_s)};
+    for (const double frequency : grid) {
+        const double to_rad_s = std::min(frequency, end_rad_s);
+        const double span_rad_s = to_rad_s - close.back();
+        const double step_rad_s = std::min(LargestTurn_rad / deadTime_s, 0.0116 * to_rad_s + grid.front());
+        const auto parts = static_cast<int>(std::ceil(span_rad_s / step_rad_s));
+        const double from_rad_s = close.back();
+        for (int part = 1; part <= parts; ++part) {
+            close.push_back(part == parts ? to_rad_s : from_rad_s + span_rad_s * part / parts);
+        }
+    }
+    return close;
+}
+
+/// Last frequency of the ascending grid with |L| >= 0.01, and one more.
+std::size_t relevantPoints(const DeadTimeSystem& loop, const std::vector<double>& grid) {
+    constexpr double Irrelevant = 0.01;
+    std::size_t count = grid.size();
+    while (count > 2 && std::abs(loop.rational().atFrequency(grid[count - 2])) < Irrelevant) {
+        --count;
+    }
+    return count;
+}
+
+} // namespace
+
+LoopScan scanLoop(const TransferFunction& openLoop) {
+    LoopScan scan{[&openLoop](double w) { return openLoop.atFrequency(w); },
+                  scanFrequencies(openLoop),
+                  {},
+                  openLoop.timeBase().isSampled()};
+    look(scan);
+    return scan;
+}
+
+LoopScan scanLoop(const DeadTimeSystem& openLoop) {
+    LoopScan scan{[&openLoop](double w) { return openLoop.atFrequency(w); },
+                  scanFrequencies(openLoop.rational()),
+                  {},
+                  false};
+    if (openLoop.deadTime_s() > 0.0) {
+        scan.frequency_rad_s = closedUp(scan.frequency_rad_s, openLoop.deadTime_s());
+        scan.frequency_rad_s.resize(relevantPoints(openLoop, scan.frequency_rad_s));
+    }
+    look(scan);
+    return scan;
+}
+
+} // namespace halbench::control

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "control/lti/dead_time.h"
+#include "control/lti/transfer_function.h"
+
+#include <complex>
+#include <functional>
+#include <vector>
+
+namespace halbench::control {
+
+/// An open loop looked at once over frequencies between which nothing happens, and how to look again.
+struct LoopScan {
+    std::function<std::complex<double>(double)> at;
+    std::vector<double> frequency_rad_s;
+    std::vector<std::complex<double>> value;
+    bool endsAtNyquist = false;
+};
+
+LoopScan scanLoop(const TransferFunction& openLoop);
+
+/// The grid of the rational part, closed up so that the dead time turns the phase by at most 0.25 rad from
+/// point to point. It ends where |L| stays below 0.01, or after 200 turns of the dead time.
+LoopScan scanLoop(const DeadTimeSystem& openLoop);
+
+} // namespace halbench::control
