@@ -35,7 +35,8 @@ tl::unexpected<Error> consentMissing(const std::string& uri) {
 
 } // namespace
 
-Result<std::unique_ptr<devices::Device>> openToMove(const CommandContext& context, const std::string& uri) {
+Result<std::unique_ptr<devices::Device>> openToMove(const CommandContext& context, const std::string& uri,
+                                                    const Admission& admits) {
     const Result<devices::DeviceUri> address = devices::parseDeviceUri(uri);
     if (!address) {
         return failure(address.error());
@@ -46,6 +47,9 @@ Result<std::unique_ptr<devices::Device>> openToMove(const CommandContext& contex
     Result<std::unique_ptr<devices::Device>> device = openDeviceFor(context, uri);
     if (!device) {
         return device;
+    }
+    if (const Result<void> admitted = admits ? admits((*device)->info()) : Result<void>(); !admitted) {
+        return failure(admitted.error());
     }
     if (const Result<void> consent = requireConsent(context, **device); !consent) {
         return failure(consent.error());

@@ -36,9 +36,13 @@ Result<std::unique_ptr<devices::Device>> openDeviceFor(const CommandContext& con
 /// Errors: ConsentMissing, DeviceRefused (the cause is still there), of the device.
 Result<void> requireConsent(const CommandContext& context, devices::Device& device);
 
+/// Judges the device that was opened, before anything is asked or changed of it.
+using Admission = std::function<Result<void>(const devices::DeviceInfo& device)>;
+
 /// Opens a device that the command moves, with consent. A real board without consent is not even connected:
-/// that would take it from whoever works with it. Errors: as the two above.
-Result<std::unique_ptr<devices::Device>> openToMove(const CommandContext& context, const std::string& uri);
+/// that would take it from whoever works with it. Errors: as the two above; of `admits`.
+Result<std::unique_ptr<devices::Device>> openToMove(const CommandContext& context, const std::string& uri,
+                                                    const Admission& admits = {});
 
 /// Refuses with Interrupted or Terminated once a signal arrived.
 Result<void> checkInterrupt(const CommandContext& context);

@@ -27,6 +27,7 @@ struct CommandOptions {
     bool isSaved = false;           ///< --save
     bool isApplied = false;         ///< calibrate --apply
     std::string applyDevice;        ///< tune --apply DEVICE
+    bool takesForeignModel = false; ///< tune --foreign-model
     std::string out;
     std::string duration;
     std::string signals;

@@ -146,15 +146,43 @@ std::optional<ApplyVerification> verificationFor(const MotorEstimate& motor) {
     return verification;
 }
 
-Result<ApplyResult> applyGains(CommandContext& context, const CommandOptions& options, TuningSource& source,
-                               const TuneResult& result) {
-    if (!source.device || options.applyDevice != options.device) {
-        Result<std::unique_ptr<devices::Device>> device = openToMove(context, options.applyDevice);
-        if (!device) {
-            return failure(device.error());
-        }
-        source.device = *std::move(device);
+/// A real device does not get the gains of another motor without a word of its user; a simulated one cannot
+/// be harmed.
+Result<void> admitMotor(const CommandOptions& options, const std::optional<devices::DeviceInfo>& identified,
+                        const devices::DeviceInfo& device) {
+    const std::optional<Finding> foreign = foreignMotor(identified, device);
+    if (!foreign || device.isSimulated || options.takesForeignModel) {
+        return {};
     }
+    return failure(ErrorCode::ConsentMissing, "--apply: " + foreign->message,
+                   foreign->hint + ", or repeat the command with --foreign-model");
+}
+
+/// The device of --apply. What it is not of this motor stands among the findings of the result.
+Result<void> openToApply(CommandContext& context, const CommandOptions& options, TuningSource& source,
+                         TuneResult& result) {
+    if (options.applyDevice.empty() || (source.device && options.applyDevice == options.device)) {
+        return {};
+    }
+    Result<std::unique_ptr<devices::Device>> device =
+        openToMove(context, options.applyDevice, [&](const devices::DeviceInfo& opened) {
+            return admitMotor(options, source.header.device, opened);
+        });
+    if (!device) {
+        return failure(device.error());
+    }
+    source.device = *std::move(device);
+    if (const std::optional<Finding> foreign = foreignMotor(source.header.device, source.device->info())) {
+        if (!options.out.empty()) { // else it stands among what is printed
+            context.console.log(LogLevel::Warning, foreign->message + "; " + foreign->hint);
+        }
+        result.quality.findings.push_back(*foreign);
+        result.warnings.push_back(*foreign);
+    }
+    return {};
+}
+
+Result<ApplyResult> applyGains(CommandContext& context, TuningSource& source, const TuneResult& result) {
     Result<std::vector<ParameterValue>> values = lawForDevice(result.law, source.device->catalogue());
     if (!values) {
         return failure(values.error());
@@ -207,15 +235,19 @@ CommandResult runTuneCommand(CommandContext& context, const CommandOptions& opti
     }
     config->conditions = source->conditions;
     config->seed = source->header.seed;
-    const Result<TuneResult> result = runTune(source->estimate, *config);
+    Result<TuneResult> result = runTune(source->estimate, *config);
     if (!result) {
         return failure(result.error());
+    }
+    const Result<void> opened = openToApply(context, options, *source, *result);
+    if (!opened) {
+        return failure(opened.error());
     }
     JsonValue document = gainsDocument(source->header, *result);
     std::string text = gainsText(*result);
     bool isKept = true;
     if (!options.applyDevice.empty()) {
-        const Result<ApplyResult> applied = applyGains(context, options, *source, *result);
+        const Result<ApplyResult> applied = applyGains(context, *source, *result);
         if (!applied) {
             return failure(applied.error());
         }

@@ -2,6 +2,8 @@
 
 #include "app/batch/numbers.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <ctime>
 #include <map>
@@ -102,6 +104,29 @@ JsonValue toJson(const ResultHeader& header) {
 
 bool isSameDevice(const devices::DeviceInfo& one, const devices::DeviceInfo& other) {
     return one.model == other.model && one.id == other.id && knownOverrides(one) == knownOverrides(other);
+}
+
+std::optional<Finding> foreignMotor(const std::optional<devices::DeviceInfo>& identified,
+                                    const devices::DeviceInfo& device) {
+    if (!identified || identified->id.empty()) {
+        return std::nullopt;
+    }
+    const char* hint = "identify this device and tune with that model";
+    if (identified->model != device.model || identified->id != device.id) {
+        return Finding{"other_device",
+                       fmt::format("the model was identified on the {} '{}', this device is the {} '{}'",
+                                   identified->model, identified->id, device.model, device.id),
+                       hint};
+    }
+    const bool isOtherMotor =
+        identified->isSimulated && device.isSimulated && !isSameDevice(*identified, device);
+    return isOtherMotor
+               ? std::optional(Finding{"other_device",
+                                       fmt::format("the model was identified on '{}' with other overrides "
+                                                   "than this device has",
+                                                   identified->id),
+                                       hint})
+               : std::nullopt;
 }
 
 } // namespace halbench::app

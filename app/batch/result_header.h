@@ -27,6 +27,12 @@ ResultHeader headerFor(const CommandContext& context, const std::string& schema)
 /// other overrides is another motor.
 bool isSameDevice(const devices::DeviceInfo& one, const devices::DeviceInfo& other);
 
+/// What is to be said when gains of a motor that was identified on one device are for another one, code
+/// `other_device`; nothing for the same one, and nothing when it is not known who was identified. Overrides
+/// tell simulated devices apart, a real one is its model and identity.
+std::optional<Finding> foreignMotor(const std::optional<devices::DeviceInfo>& identified,
+                                    const devices::DeviceInfo& device);
+
 JsonValue toJson(const ResultHeader& header);
 JsonValue toJson(const devices::DeviceInfo& device);
 JsonValue toJson(const DataQuality& quality);

@@ -369,6 +369,30 @@ class Consent(ProgramCase):
         self.refuse(2, "--arm", "move", nobody, "--reference", "step,amplitude_deg=10", "--duration", "1")
         self.refuse(3, nobody, "identify", nobody, "--arm")
 
+    def test_gains_of_another_motor_are_not_written_without_a_word(self):
+        _, uri = self.serve()
+        self.accept("identify", "sim:htm?seed=2", "--given", "J=5.5e-4", "--out", "m.json")
+        before = self.accept("get", uri, "gain.kp").out
+        answer = self.refuse(2, "sim-htm-2.*sim-htm-1.*--foreign-model", "tune", "m.json", "--apply", uri, "--arm")
+        self.assertNotIn("releases", answer.err)
+        self.refuse(2, "--arm", "tune", "m.json", "--apply", uri, "--foreign-model")
+        self.assertEqual(self.accept("get", uri, "gain.kp").out, before)
+        allowed = self.run_program("tune", "m.json", "--apply", uri, "--arm", "--foreign-model", "--json")
+        self.assertIn(allowed.code, (0, 1), allowed)    # 1: it moved otherwise than that motor would
+        self.assertIn("other_device", [w["code"] for w in allowed.json()["warnings"]])
+
+    def test_gains_of_another_simulated_motor_are_told(self):
+        self.accept("identify", "sim:htm", "--given", "J=5.5e-4", "--out", "m.json")
+        for other, told in (("sim:htm?seed=2", 1), ("sim:htm?c=1.3e-3", 1), ("sim:htm", 0)):
+            with self.subTest(other=other):
+                document = self.accept("tune", "m.json", "--apply", other, "--json").json()
+                self.assertEqual([w["code"] for w in document["warnings"]].count("other_device"), told)
+                self.assertEqual(document["warnings"], document["data_quality"]["findings"])
+                answer = self.accept("tune", "m.json", "--apply", other)
+                self.assertEqual(answer.out.count("other_device"), told, answer)
+                kept = self.accept("tune", "m.json", "--apply", other, "--out", "g.json")
+                self.assertEqual(kept.err.count("the model was identified on"), told, kept)
+
     def test_recording_does_not_arm(self):
         _, uri = self.serve()
         self.accept("record", uri, "--duration", "0.3", "--out", "f.csv")
