@@ -4410,6 +4410,10 @@
         <source>discretize both, or approximate their dead times, first</source>
         <translation>beide zuerst diskretisieren oder ihre Totzeiten annähern</translation>
     </message>
+    <message>
+        <source>{} rows dropped: the disk did not keep up</source>
+        <translation>{} Zeilen ausgelassen: der Datenträger kam nicht nach</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -7106,6 +7110,10 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>Record</source>
         <translation>Aufnahme</translation>
     </message>
+    <message>
+        <source>The disk does not keep up: rows are missing.</source>
+        <translation>Der Datenträger kommt nicht nach: Zeilen fehlen.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::RecordPanel</name>
@@ -7231,6 +7239,18 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
             <numerusform>%Ln Zeile in %1</numerusform>
             <numerusform>%Ln Zeilen in %1</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The disk did not keep up with %1 of them.</source>
+        <translation>Bei %1 davon kam der Datenträger nicht nach.</translation>
+    </message>
+    <message>
+        <source>The disk does not keep up: rows are missing.</source>
+        <translation>Der Datenträger kommt nicht nach: Zeilen fehlen.</translation>
+    </message>
+    <message>
+        <source>Record to another disk or fewer rows per second.</source>
+        <translation>Zeichnen Sie auf einen anderen Datenträger oder mit weniger Zeilen pro Sekunde auf.</translation>
     </message>
 </context>
 <context>

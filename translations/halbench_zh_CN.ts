@@ -4410,6 +4410,10 @@
         <source>discretize both, or approximate their dead times, first</source>
         <translation>请先将二者离散化，或近似其纯滞后</translation>
     </message>
+    <message>
+        <source>{} rows dropped: the disk did not keep up</source>
+        <translation>丢弃了 {} 行：磁盘跟不上</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -7099,6 +7103,10 @@ A real device has its own time.</source>
         <source>Record</source>
         <translation>记录</translation>
     </message>
+    <message>
+        <source>The disk does not keep up: rows are missing.</source>
+        <translation>磁盘跟不上：有行缺失。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::RecordPanel</name>
@@ -7223,6 +7231,18 @@ A real device has its own time.</source>
         <translation>
             <numerusform>%1 中有 %Ln 行</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The disk did not keep up with %1 of them.</source>
+        <translation>其中 %1 行是磁盘跟不上造成的。</translation>
+    </message>
+    <message>
+        <source>The disk does not keep up: rows are missing.</source>
+        <translation>磁盘跟不上：有行缺失。</translation>
+    </message>
+    <message>
+        <source>Record to another disk or fewer rows per second.</source>
+        <translation>请记录到另一块磁盘，或减少每秒行数。</translation>
     </message>
 </context>
 <context>

@@ -223,6 +223,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "connect one first"),
     QT_TRANSLATE_NOOP("Phrases", "a stop came in between, so this was not done"),
     QT_TRANSLATE_NOOP("Phrases", "find out why it was stopped, then do it again"),
+    QT_TRANSLATE_NOOP("Phrases", "{} rows dropped: the disk did not keep up"),
 };
 
 } // namespace

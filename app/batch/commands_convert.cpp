@@ -15,14 +15,18 @@ std::string recoveryText(const std::string& path, const devices::Recovery& recov
         recovery.cutOctets == 0
             ? std::string("nothing was cut off")
             : fmt::format("cut off: {} octets behind the last whole row", recovery.cutOctets);
-    return fmt::format("recovered {} rows ({} s) of {}; {}", recovery.rows, formatNumber(recovery.duration_s),
-                       path, cut);
+    const std::string damaged =
+        recovery.damagedOctets == 0
+            ? std::string()
+            : fmt::format("; left out: {} octets that the checksums say are damaged", recovery.damagedOctets);
+    return fmt::format("recovered {} rows ({} s) of {}; {}{}", recovery.rows,
+                       formatNumber(recovery.duration_s), path, cut, damaged);
 }
 
 JsonValue toJson(const devices::Recovery& recovery) {
     JsonValue document = JsonValue::object();
     document.set("rows", static_cast<std::uint64_t>(recovery.rows)).set("duration_s", recovery.duration_s);
-    return document.set("cut_octets", recovery.cutOctets);
+    return document.set("cut_octets", recovery.cutOctets).set("damaged_octets", recovery.damagedOctets);
 }
 
 } // namespace

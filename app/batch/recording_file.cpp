@@ -40,8 +40,10 @@ RecordOutlet RecordingOutput::outlet() {
 }
 
 Result<void> RecordingOutput::begin(const StreamLayout& layout) {
-    auto writer = devices::RecordingWriter::create(m_path, layout,
-                                                   devices::describeRecording(m_device, layout, m_started));
+    devices::WriterOptions options;
+    options.flushInterval_s = devices::FlushInterval_s;
+    auto writer = devices::RecordingWriter::create(
+        m_path, layout, devices::describeRecording(m_device, layout, m_started), std::move(options));
     if (!writer) {
         return failure(writer.error());
     }

@@ -1,5 +1,7 @@
 #include "app/session/recorder.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +13,8 @@ namespace {
 
 /// A row that comes later than this many periods has a gap before it.
 constexpr double GapFactor = 1.5;
+/// Drops that follow each other so closely are told as one.
+constexpr double DropDistance_s = 1.0;
 
 } // namespace
 
@@ -30,13 +34,27 @@ void Recorder::push(SampleBlockPtr block) {
             return;
         }
         if (m_queued_rows + block->rows() > m_config.queue_rows) {
-            m_status.droppedRows += block->rows();
+            noteDrop(*block);
             return;
         }
         m_queued_rows += block->rows();
         m_queue.push_back(std::move(block));
     }
     m_wake.notify_one();
+}
+
+void Recorder::noteDrop(const SampleBlock& block) {
+    if (block.rows() == 0) {
+        return;
+    }
+    m_status.droppedRows += block.rows();
+    const double begin_s = block.time_s.front();
+    if (m_drops.empty() || begin_s < m_drops.back().begin_s ||
+        begin_s > m_drops.back().end_s + DropDistance_s) {
+        m_drops.push_back({begin_s, begin_s, 0});
+    }
+    m_drops.back().end_s = block.time_s.back();
+    m_drops.back().rows += block.rows();
 }
 
 void Recorder::addMarker(double time_s, const std::string& text) {
@@ -65,7 +83,11 @@ RecorderStatus Recorder::status() const {
 }
 
 void Recorder::run() {
-    auto writer = devices::RecordingWriter::create(m_config.path, *m_layout, m_config.meta);
+    devices::WriterOptions options;
+    options.flushInterval_s = m_config.flushInterval_s;
+    options.disk = m_config.disk;
+    auto writer =
+        devices::RecordingWriter::create(m_config.path, *m_layout, m_config.meta, std::move(options));
     if (!writer) {
         end(failure(writer.error()));
         return;
@@ -179,6 +201,11 @@ void Recorder::noteEvents(devices::RecordingWriter& writer) {
     for (const auto& change : m_changes) {
         writer.addChange(std::max(0.0, change.time_s - first_s), change.name, change.value);
     }
+    for (const Drop& drop : m_drops) {
+        writer.addMarker(std::max(0.0, drop.begin_s - first_s),
+                         fmt::format("{} rows dropped: the disk did not keep up", drop.rows));
+    }
+    writer.setDroppedRows(m_status.droppedRows);
 }
 
 void Recorder::end(const Result<void>& result) {

@@ -18,10 +18,12 @@ namespace halbench::app {
 
 /// What is written where.
 struct RecorderConfig {
-    std::string path;                ///< of the CSV file; its sidecar lies beside it
-    StreamLayout layout;             ///< the columns; the distance of rows
-    devices::RecordingMeta meta;     ///< device, parameters, start
-    std::size_t queue_rows = 120000; ///< what may wait for the disk: two minutes at 1 kHz
+    std::string path;                                  ///< of the CSV file; its sidecar lies beside it
+    StreamLayout layout;                               ///< the columns; the distance of rows
+    devices::RecordingMeta meta;                       ///< device, parameters, start
+    std::size_t queue_rows = 120000;                   ///< what may wait for the disk: two minutes at 1 kHz
+    double flushInterval_s = devices::FlushInterval_s; ///< what a power loss may take
+    devices::DiskAccess disk = devices::realDisk();
 };
 
 struct RecorderStatus {
@@ -61,11 +63,18 @@ public:
     const std::string& path() const { return m_config.path; }
 
 private:
+    struct Drop { ///< a stretch that the disk was too slow for
+        double begin_s = 0.0;
+        double end_s = 0.0;
+        std::uint64_t rows = 0;
+    };
+
     void run();
     std::vector<SampleBlock> keptRows(const SampleBlock& block);
     Result<void> write(devices::RecordingWriter& writer, const SampleBlock& block);
     Result<void> writeAll(devices::RecordingWriter& writer);
     void noteEvents(devices::RecordingWriter& writer);
+    void noteDrop(const SampleBlock& block);
     void followLayout(const SampleBlock& block);
     void appendRow(SampleBlock& rows, const SampleBlock& block, std::size_t row) const;
     std::uint64_t missingBefore(double time_s) const;
@@ -80,6 +89,7 @@ private:
     std::size_t m_queued_rows = 0;
     std::vector<devices::RecordingMeta::Marker> m_markers;
     std::vector<devices::RecordingMeta::ParameterChange> m_changes;
+    std::vector<Drop> m_drops;
     RecorderStatus m_status;
 
     // Of the recorder's thread alone.

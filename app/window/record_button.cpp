@@ -33,6 +33,10 @@ RecordButton::RecordButton(Workbench& bench, QWidget* parent) : QToolButton(pare
             [&session](const QString& text, const QString& remedy) {
                 session.message(MessageLevel::Error, tr("recording"), text + QLatin1Char(' ') + remedy);
             });
+    connect(&recording, &RecordingControl::rowsDropped, this, [&session] {
+        session.message(MessageLevel::Error, tr("recording"),
+                        tr("The disk does not keep up: rows are missing."));
+    });
     connect(&recording, &RecordingControl::finished, this, [&session](const QString& path) {
         session.message(MessageLevel::Info, tr("recording"), tr("written: %1").arg(path));
     });

@@ -32,6 +32,14 @@ QString missingText(const RecorderStatus& status) {
                                        QLocale().toString(status.gaps_s, 'f', 1));
 }
 
+/// What the disk was too slow for is told apart from what the link lost.
+QString droppedText(const RecorderStatus& status) {
+    return status.droppedRows == 0
+               ? QString()
+               : QLatin1Char(' ') + RecordPanel::tr("The disk did not keep up with %1 of them.")
+                                        .arg(QLocale().toString(static_cast<qulonglong>(status.droppedRows)));
+}
+
 } // namespace
 
 RecordPanel::RecordPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(bench) {
@@ -46,6 +54,12 @@ RecordPanel::RecordPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m
     connect(&recording, &RecordingControl::finished, this, &RecordPanel::onFinished);
     connect(&recording, &RecordingControl::failed, this, [this](const QString& text, const QString& remedy) {
         m_message->showMessage({widgets::Severity::Error, text, remedy, {}});
+    });
+    connect(&recording, &RecordingControl::rowsDropped, this, [this] {
+        m_message->showMessage({widgets::Severity::Error,
+                                tr("The disk does not keep up: rows are missing."),
+                                tr("Record to another disk or fewer rows per second."),
+                                {}});
     });
     connect(&m_bench, &Workbench::deviceChanged, this, &RecordPanel::refresh);
     refresh();
@@ -164,11 +178,15 @@ void RecordPanel::refresh() {
 
 void RecordPanel::onFinished(const QString& path, const RecorderStatus& status) {
     const auto rows = static_cast<int>(status.rows);
+    const widgets::Severity severity = status.droppedRows > 0 ? widgets::Severity::Error
+                                       : status.gaps > 0      ? widgets::Severity::Warning
+                                                              : widgets::Severity::Success;
     m_message->showMessage(
-        {status.gaps > 0 ? widgets::Severity::Warning : widgets::Severity::Success,
+        {severity,
          tr("%Ln row(s) in %1", nullptr, rows).arg(QDir::toNativeSeparators(path)),
-         status.gaps > 0 ? tr("Missing: %1; the sidecar says where.").arg(missingText(status))
-                         : tr("What was measured, with its units; the sidecar beside it has the rest."),
+         status.gaps > 0
+             ? tr("Missing: %1; the sidecar says where.").arg(missingText(status)) + droppedText(status)
+             : tr("What was measured, with its units; the sidecar beside it has the rest."),
          {}});
 }
 

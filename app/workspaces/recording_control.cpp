@@ -71,6 +71,8 @@ void RecordingControl::start() {
     m_liveSignals.want(this, m_session.catalogue().defaultSignals);
     RecorderConfig config;
     config.path = m_path.toStdString();
+    config.disk = m_disk;
+    config.queue_rows = m_queue_rows;
     config.layout = layoutFor(m_session.catalogue(), m_liveSignals.streamed(),
                               periodFor(m_rate_Hz, m_liveSignals.rate_Hz()));
     m_isStarting = true;
@@ -98,6 +100,7 @@ void RecordingControl::start() {
 
 void RecordingControl::begin(RecorderConfig config) {
     m_isStarting = false;
+    m_hasDropped = false;
     m_values.clear();
     for (const auto& note : config.meta.parameters) {
         m_values[note.name] = note.value;
@@ -142,6 +145,10 @@ void RecordingControl::onSession() {
 
 void RecordingControl::look() {
     const RecorderStatus status = m_recorder->status();
+    if (status.droppedRows > 0 && !m_hasDropped) {
+        m_hasDropped = true;
+        Q_EMIT rowsDropped();
+    }
     if (status.state == RecorderStatus::State::Done) {
         leave();
         Q_EMIT finished(m_path, status);

@@ -36,6 +36,9 @@ public:
     /// Empty: device and date. Without folder and ending.
     void setName(const QString& name) { m_name = name; }
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
+    void setDisk(devices::DiskAccess disk) { m_disk = std::move(disk); }
+    /// What may wait for the disk.
+    void setQueueRows(std::size_t rows) { m_queue_rows = rows; }
 
     void start();
     void stop();
@@ -53,6 +56,7 @@ Q_SIGNALS:
     void changed(); ///< ten times a second while recording
     void finished(const QString& path, const halbench::app::RecorderStatus& status);
     void failed(const QString& text, const QString& remedy);
+    void rowsDropped(); ///< the first ones of this recording: the disk does not keep up
 
 private:
     void onSession();
@@ -63,11 +67,14 @@ private:
     DeviceSession& m_session;
     LiveSignals& m_liveSignals;
     WallClock m_wallClock = wallClock;
+    devices::DiskAccess m_disk = devices::realDisk();
+    std::size_t m_queue_rows = RecorderConfig().queue_rows;
     QString m_folder;
     QString m_name;
     QString m_path;
     double m_rate_Hz = 100.0;
     bool m_isStarting = false;
+    bool m_hasDropped = false; ///< and it was said
     std::shared_ptr<Recorder> m_recorder;
     std::map<std::string, double> m_values; ///< at the last look, for changes
     bool m_isInterrupted = false;           ///< the device is away; the recording waits for it

@@ -28,7 +28,7 @@ using Writer = Result<void> (*)(const std::string& path, const Recording& record
 /// By the ending of the name; nullptr when it is none of ours.
 Writer writerFor(const std::string& path) {
     if (endsWith(path, ".csv")) {
-        return writeRecordingFile;
+        return writeExactRecordingFile;
     }
     if (isMdf4Recording(path)) {
         return [](const std::string& file, const Recording& recording, RecordingMeta meta,
@@ -71,7 +71,7 @@ Result<Source> readSource(const std::string& path) {
     }
     const Recording& recording = partial->file.recording;
     const Recovery recovery{recording.rows(), recording.time_s.back() - recording.time_s.front(),
-                            partial->cutOctets};
+                            partial->cutOctets, partial->damagedOctets};
     return Source{std::move(partial->file), recovery};
 }
 

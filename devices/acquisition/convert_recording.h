@@ -26,8 +26,9 @@ Result<Recording> selectPart(const Recording& recording, const std::vector<std::
 /// How much of an interrupted recording was there.
 struct Recovery {
     std::size_t rows = 0;
-    double duration_s = 0.0;     ///< from the first row to the last
-    std::uint64_t cutOctets = 0; ///< behind the last whole row
+    double duration_s = 0.0;         ///< from the first row to the last
+    std::uint64_t cutOctets = 0;     ///< behind the last whole row
+    std::uint64_t damagedOctets = 0; ///< left out because their checksum does not fit
 };
 
 struct Conversion {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -110,11 +111,16 @@ void takeHeaderProperty(const Property& property, RecordingMeta& meta) {
                                                           {"device.id", &meta.device.id},
                                                           {"device.firmware", &meta.device.firmware},
                                                           {"software", &meta.software},
+                                                          {"notes", &meta.notes},
                                                           {"started", &meta.started}};
     if (property.tree == "parameters") {
         meta.parameters.push_back({property.name, numberOf(property.text), property.unit});
     } else if (property.tree == "overrides") {
         meta.device.overrides.emplace_back(property.name, property.text);
+    } else if (property.tree == "tags") {
+        meta.tags.push_back(property.text);
+    } else if (property.name == "dropped_rows") {
+        meta.droppedRows = static_cast<std::uint64_t>(std::max(0.0, numberOf(property.text)));
     } else if (property.name == "device.simulated") {
         meta.device.isSimulated = property.text == "true";
     } else if (property.name == "period") {
@@ -139,6 +145,17 @@ std::string headerComment(const RecordingMeta& meta) {
     comment.property("software", meta.software);
     comment.property("started", meta.started);
     comment.property("period", fmt::format("{}", meta.period_s), "s");
+    comment.property("notes", meta.notes);
+    if (meta.droppedRows > 0) {
+        comment.property("dropped_rows", fmt::format("{}", meta.droppedRows));
+    }
+    if (!meta.tags.empty()) {
+        comment.beginTree("tags");
+        for (const std::string& tag : meta.tags) {
+            comment.property("tag", tag);
+        }
+        comment.end();
+    }
     if (!meta.device.overrides.empty()) {
         comment.beginTree("overrides");
         for (const auto& [name, value] : meta.device.overrides) {

@@ -21,7 +21,7 @@ std::string csvHeader(const StreamLayout& layout);
 /// How a value that is exactly a 4-octet float is written.
 enum class CsvNumbers {
     BoardFloats, ///< in the precision of that type: what boards send
-    Exact        ///< as every other: what other programs wrote comes back to the last bit
+    Exact        ///< as every other: what was read from a file goes back to the last bit
 };
 
 /// Appends the rows of a block. Numbers are the shortest that read back to the same value. A value that is no

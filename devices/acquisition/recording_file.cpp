@@ -2,6 +2,7 @@
 
 #include "devices/acquisition/file_access.h"
 #include "devices/acquisition/mdf4_reader.h"
+#include "devices/acquisition/recording_chunks.h"
 #include "devices/acquisition/recording_csv.h"
 #include "devices/acquisition/recording_writer.h"
 #include "devices/profile.h"
@@ -83,10 +84,14 @@ bool hasEnding(const std::string& path, std::string_view ending) {
            path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
 }
 
+/// "run.csv.partial" -> "run.csv"
+std::string finalPathOf(const std::string& path) {
+    return path.substr(0, path.size() - partialPathOf("").size());
+}
+
 /// "run.csv.partial" -> "run.meta.json.partial"
 std::string metaPartialOf(const std::string& path) {
-    const std::string finalPath = path.substr(0, path.size() - partialPathOf("").size());
-    return partialPathOf(metaPathOf(finalPath));
+    return partialPathOf(metaPathOf(finalPathOf(path)));
 }
 
 /// Up to the end of the last line that was written wholly. A power loss may have left zeros behind it.
@@ -94,6 +99,37 @@ std::size_t wholeLines(const std::string& text) {
     const std::size_t written = text.find('\0');
     const std::size_t lastEnd = text.rfind('\n', written);
     return lastEnd == std::string::npos ? 0 : lastEnd + 1;
+}
+
+/// Where it is. A program that was killed between the last two steps of a recording left it under the name
+/// that it had until then.
+std::string sidecarOf(const std::string& path) {
+    const std::string metaPath = metaPathOf(path);
+    const std::string last = completeMetaPathOf(path);
+    return !QFileInfo::exists(pathOf(metaPath)) && QFileInfo::exists(pathOf(last)) ? last : metaPath;
+}
+
+/// Leaves out of the text what is damaged or no whole line.
+std::size_t keepWhole(const std::string& path, std::string& text, PartialRecording& partial) {
+    const Result<std::string> journal = readText(journalPathOf(finalPathOf(path)), MaxMeta);
+    CheckedText checked = checkChunks(text, journal ? parseChunks(*journal) : std::vector<RecordingChunk>());
+    text = std::move(checked.text);
+    partial.damagedOctets = checked.damagedOctets;
+    partial.cutOctets = text.size() - wholeLines(text);
+    text.resize(wholeLines(text));
+    return checked.checkedOctets;
+}
+
+/// What came after the last checksum may be anything after a power loss; what has one is worth having.
+Result<Recording> parseWhole(const std::string& path, std::string text, std::size_t checkedOctets,
+                             PartialRecording& partial) {
+    Result<Recording> all = parseRecordingCsv(text, path);
+    if (all || checkedOctets == 0 || checkedOctets >= text.size()) {
+        return all;
+    }
+    partial.cutOctets += text.size() - checkedOctets;
+    text.resize(checkedOctets);
+    return parseRecordingCsv(text, path);
 }
 
 } // namespace
@@ -113,7 +149,7 @@ Result<RecordedFile> readRecordingFile(const std::string& path,
     }
     RecordedFile file;
     file.recording = *std::move(recording);
-    const std::string metaPath = metaPathOf(path);
+    const std::string metaPath = sidecarOf(path);
     if (QFileInfo::exists(pathOf(metaPath))) {
         const Result<std::string> metaText = readText(metaPath, MaxMeta);
         if (!metaText) {
@@ -153,13 +189,12 @@ Result<PartialRecording> readPartialRecording(const std::string& path) {
         return failure(text.error());
     }
     PartialRecording partial;
-    partial.cutOctets = text->size() - wholeLines(*text);
-    text->resize(wholeLines(*text));
+    const std::size_t checkedOctets = keepWhole(path, *text, partial);
     if (text->find('\n') == std::string::npos || text->find('\n') + 1 == text->size()) {
         return failure(ErrorCode::InvalidInput, fmt::format("'{}' holds no whole row", path),
                        "nothing was recorded before the interruption; the file can be removed");
     }
-    Result<Recording> recording = parseRecordingCsv(*text, path);
+    Result<Recording> recording = parseWhole(path, *std::move(text), checkedOctets, partial);
     if (!recording) {
         return failure(recording.error());
     }
@@ -178,6 +213,7 @@ Result<PartialRecording> readPartialRecording(const std::string& path) {
 void removePartialRecording(const std::string& path) {
     std::remove(path.c_str());
     std::remove(metaPartialOf(path).c_str());
+    std::remove(journalPathOf(finalPathOf(path)).c_str());
 }
 
 } // namespace halbench::devices

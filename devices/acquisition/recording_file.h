@@ -33,17 +33,19 @@ Result<std::string> readTableText(const std::string& path);
 /// What can be had of a recording that was interrupted.
 struct PartialRecording {
     RecordedFile file;
-    std::uint64_t cutOctets = 0; ///< behind the last whole row: a piece of one, or what a power loss left
+    std::uint64_t cutOctets = 0;     ///< behind the last whole row: a piece of one, or what a power loss left
+    std::uint64_t damagedOctets = 0; ///< chunks whose checksum does not fit; left out
 };
 
 /// "dir/run.csv.partial", the name of a recording that is not complete.
 bool isPartialRecording(const std::string& path);
 
 /// Reads `run.csv.partial` as an interrupted program left it, up to its last whole row, with what its sidecar
-/// says; a marker tells where it ends. Errors: FileSystem, InvalidInput (no whole row; line and column).
+/// says and without what its checksums say is damaged; a marker tells where it ends. Errors: FileSystem,
+/// InvalidInput (no whole row; line and column).
 Result<PartialRecording> readPartialRecording(const std::string& path);
 
-/// Removes `run.csv.partial` and its sidecar.
+/// Removes `run.csv.partial`, its sidecar and its checksums.
 void removePartialRecording(const std::string& path);
 
 } // namespace halbench::devices

@@ -82,6 +82,32 @@ auto listOf(const QJsonObject& object, const char* key, Make make) {
     return list;
 }
 
+/// What most recordings do not have is left out, not empty.
+void addOptional(const RecordingMeta& meta, QJsonObject& root) {
+    if (meta.droppedRows > 0) {
+        root.insert("dropped_rows", countOf(meta.droppedRows));
+    }
+    if (!meta.tags.empty()) {
+        QJsonArray tags;
+        for (const std::string& tag : meta.tags) {
+            tags.append(textOf(tag));
+        }
+        root.insert("tags", tags);
+    }
+    if (!meta.notes.empty()) {
+        root.insert("notes", textOf(meta.notes));
+    }
+}
+
+void takeOptional(const QJsonObject& root, RecordingMeta& meta) {
+    meta.droppedRows = countOf(root, "dropped_rows");
+    const QJsonArray tags = root.value(QLatin1String("tags")).toArray();
+    for (const QJsonValue tag : tags) {
+        meta.tags.push_back(tag.toString().toStdString());
+    }
+    meta.notes = stringOf(root, "notes");
+}
+
 } // namespace
 
 std::vector<RecordingMeta::ParameterNote> parameterNotes(Device& device) {
@@ -113,7 +139,7 @@ RecordingMeta describeRecording(Device& device, const StreamLayout& layout, cons
 }
 
 std::string toMetaJson(const RecordingMeta& meta) {
-    const QJsonObject root{
+    QJsonObject root{
         {"schema", Schema},
         {"halbench", textOf(meta.software)},
         {"device", deviceJson(meta.device)},
@@ -147,6 +173,7 @@ std::string toMetaJson(const RecordingMeta& meta) {
         {"gaps", arrayOf(meta.gaps, [](const RecordingMeta::Gap& gap) {
              return QJsonObject{{"time_s", gap.time_s}, {"lost_rows", countOf(gap.lostRows)}};
          })}};
+    addOptional(meta, root);
     return QJsonDocument(root).toJson(QJsonDocument::Indented).toStdString();
 }
 
@@ -168,6 +195,7 @@ Result<RecordingMeta> parseMetaJson(const std::string& text, const std::string& 
     meta.started = stringOf(root, "started");
     meta.software = stringOf(root, "halbench");
     meta.period_s = numberOf(root, "period_s");
+    takeOptional(root, meta);
     meta.rows = countOf(root, "rows");
     meta.sha256 = stringOf(root, "sha256");
     meta.signals = listOf(root, "signals", [](const QJsonObject& object) {

@@ -44,6 +44,9 @@ struct RecordingMeta {
     std::vector<Marker> markers;
     std::vector<Gap> gaps;
     std::uint64_t rows = 0;
+    std::uint64_t droppedRows = 0; ///< of the stream, because the disk did not keep up
+    std::vector<std::string> tags; ///< the user's words, to find it again
+    std::string notes;             ///< the user's
     double period_s = 0.0;
     std::string sha256; ///< of the CSV file
 };

@@ -88,14 +88,14 @@ Result<void> writeAll(const std::string& path, const Recording& recording, Recor
                       const std::string& suffix, CsvNumbers numbers) {
     HB_ASSERT(recording.layout != nullptr);
     Result<std::unique_ptr<RecordingWriter>> writer =
-        RecordingWriter::create(path, *recording.layout, std::move(meta), suffix);
+        RecordingWriter::create(path, *recording.layout, std::move(meta), {suffix, {}, realDisk(), numbers});
     if (!writer) {
         return failure(writer.error());
     }
     Result<void> done;
     for (std::size_t begin = 0; done && begin < recording.rows();) {
         const std::size_t end = blockEnd(recording, begin);
-        done = (*writer)->append(blockOf(recording, begin, end), numbers);
+        done = (*writer)->append(blockOf(recording, begin, end));
         begin = end;
     }
     done = done ? (*writer)->finish() : done;
@@ -111,10 +111,24 @@ std::string partialPathOf(const std::string& path) {
     return path + ".partial";
 }
 
-RecordingWriter::RecordingWriter(const std::string& path, const std::string& suffix, RecordingMeta meta)
-    : m_path(path), m_partial(path + suffix), m_metaPartial(metaPathOf(path) + suffix),
-      m_meta(std::move(meta)), m_file(pathOf(m_partial)), m_hash(QCryptographicHash::Sha256) {
+std::string journalPathOf(const std::string& path) {
+    const std::string meta = metaPathOf(path);
+    constexpr std::string_view Ending = ".meta.json";
+    return partialPathOf(meta.substr(0, meta.size() - Ending.size()) + ".chunks");
+}
+
+std::string completeMetaPathOf(const std::string& path) {
+    return partialPathOf(metaPathOf(path)) + ".new";
+}
+
+RecordingWriter::RecordingWriter(const std::string& path, WriterOptions options, RecordingMeta meta)
+    : m_options(std::move(options)), m_path(path), m_partial(path + m_options.suffix),
+      m_metaPartial(metaPathOf(path) + m_options.suffix), m_meta(std::move(meta)), m_file(pathOf(m_partial)),
+      m_hash(QCryptographicHash::Sha256) {
     m_meta.rows = 0;
+    if (m_meta.device.transport == "replay") {
+        m_options.numbers = CsvNumbers::Exact;
+    }
 }
 
 /// Opens the working file; what is there already is a recording that somebody may want back.
@@ -133,6 +147,9 @@ Result<void> RecordingWriter::open() {
         if (QFileInfo::exists(pathOf(m_metaPartial))) {
             (void)moveInto(m_metaPartial, partialPathOf(metaPathOf(aside))); // the rows can be read without
         }
+        if (QFileInfo::exists(pathOf(journalPathOf(m_path)))) {
+            (void)moveInto(journalPathOf(m_path), journalPathOf(aside));
+        }
         m_movedAside = partialPathOf(aside);
     }
     if (!m_file.open(QIODevice::WriteOnly)) {
@@ -143,18 +160,22 @@ Result<void> RecordingWriter::open() {
 
 Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::string& path,
                                                                  const StreamLayout& layout,
-                                                                 RecordingMeta meta,
-                                                                 const std::string& suffix) {
+                                                                 RecordingMeta meta, WriterOptions options) {
     if (const Result<void> folder = createFolderOf(path); !folder) {
         return failure(folder.error());
     }
-    std::unique_ptr<RecordingWriter> writer(new RecordingWriter(path, suffix, std::move(meta)));
+    std::unique_ptr<RecordingWriter> writer(new RecordingWriter(path, std::move(options), std::move(meta)));
     Result<void> begun = writer->open();
     if (!begun) {
         return failure(begun.error());
     }
     // The sidecar as it stands lets an interrupted recording be recovered with its names and parameters.
     begun = writeText(writer->m_metaPartial, toMetaJson(writer->m_meta));
+    if (begun && writer->m_options.flushInterval_s) {
+        writer->m_flush =
+            std::make_unique<BackgroundFlush>(path, writer->m_file.handle(), journalPathOf(path),
+                                              *writer->m_options.flushInterval_s, writer->m_options.disk);
+    }
     begun = begun ? writer->put(csvHeader(layout)) : begun;
     if (!begun) {
         writer->discard();
@@ -164,22 +185,27 @@ Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::stri
 }
 
 Result<void> RecordingWriter::put(const std::string& text) {
+    if (!m_error && m_flush) {
+        m_error = m_flush->error();
+    }
     if (m_error) {
         return failure(*m_error);
     }
-    const auto size = static_cast<qint64>(text.size());
-    if (m_file.write(text.data(), size) != size || !m_file.flush()) {
+    if (!m_options.disk.write(m_file, text)) {
         const auto error = cannotWrite(m_path, m_file);
         m_error = error.value();
         return error;
+    }
+    if (m_flush) {
+        m_flush->add(text);
     }
     m_hash.addData(text.data(), static_cast<int>(text.size()));
     return {};
 }
 
-Result<void> RecordingWriter::append(const SampleBlock& block, CsvNumbers numbers) {
+Result<void> RecordingWriter::append(const SampleBlock& block) {
     m_text.clear();
-    appendCsvRows(m_text, block, numbers);
+    appendCsvRows(m_text, block, m_options.numbers);
     if (Result<void> written = put(m_text); !written) {
         return written;
     }
@@ -203,13 +229,14 @@ Result<void> RecordingWriter::finish() {
     if (m_error) {
         return failure(*m_error);
     }
-    if (!sync(m_file)) {
+    if (!m_options.disk.sync(m_file.handle())) {
         return cannotWrite(m_path, m_file);
     }
+    m_flush.reset();
     m_file.close();
     m_meta.sha256 = m_hash.result().toHex().toStdString();
     const std::string metaPath = metaPathOf(m_path);
-    const std::string complete = m_metaPartial + ".new"; // until it is, the first one serves a recovery
+    const std::string complete = completeMetaPathOf(m_path); // until it is, the first one serves a recovery
     if (Result<void> written = writeText(complete, toMetaJson(m_meta)); !written) {
         return written;
     }
@@ -217,8 +244,19 @@ Result<void> RecordingWriter::finish() {
         std::remove(complete.c_str());
         return moved;
     }
+    Result<void> moved = moveInto(complete, metaPath);
+    if (moved) {
+        removeWorkingFiles();
+    }
+    return moved;
+}
+
+void RecordingWriter::removeWorkingFiles() {
+    std::remove(m_partial.c_str());
     std::remove(m_metaPartial.c_str());
-    return moveInto(complete, metaPath);
+    if (m_options.flushInterval_s) {
+        std::remove(journalPathOf(m_path).c_str());
+    }
 }
 
 bool RecordingWriter::abandon() {
@@ -226,24 +264,26 @@ bool RecordingWriter::abandon() {
         discard();
         return false;
     }
+    if (m_flush) {
+        m_flush->stop(true);
+    }
     m_file.close();
     return true;
 }
 
 void RecordingWriter::discard() {
+    m_flush.reset();
     m_file.close();
-    std::remove(m_partial.c_str());
-    std::remove(m_metaPartial.c_str());
+    removeWorkingFiles();
 }
 
-Result<void> writeRecordingFile(const std::string& path, const Recording& recording, RecordingMeta meta,
-                                const std::string& suffix) {
-    return writeAll(path, recording, std::move(meta), suffix, CsvNumbers::BoardFloats);
+Result<void> writeRecordingFile(const std::string& path, const Recording& recording, RecordingMeta meta) {
+    return writeAll(path, recording, std::move(meta), ".partial", CsvNumbers::BoardFloats);
 }
 
-Result<void> writeExactRecordingFile(const std::string& path, const Recording& recording,
-                                     RecordingMeta meta) {
-    return writeAll(path, recording, std::move(meta), ".partial", CsvNumbers::Exact);
+Result<void> writeExactRecordingFile(const std::string& path, const Recording& recording, RecordingMeta meta,
+                                     const std::string& suffix) {
+    return writeAll(path, recording, std::move(meta), suffix, CsvNumbers::Exact);
 }
 
 } // namespace halbench::devices

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "control/base/sample_block.h"
+#include "devices/acquisition/background_flush.h"
+#include "devices/acquisition/disk_access.h"
 #include "devices/acquisition/recording_csv.h"
 #include "devices/acquisition/recording_meta.h"
 
@@ -15,6 +17,21 @@ namespace halbench::devices {
 
 /// What a file is called until it is complete: "dir/run.csv" -> "dir/run.csv.partial".
 std::string partialPathOf(const std::string& path);
+/// The checksums of that file: "dir/run.csv" -> "dir/run.chunks.partial".
+std::string journalPathOf(const std::string& path);
+/// The whole sidecar until the data beside it have their name: "dir/run.meta.json.partial.new".
+std::string completeMetaPathOf(const std::string& path);
+
+/// What a power loss may take of a recording that goes on.
+constexpr double FlushInterval_s = 1.0;
+
+struct WriterOptions {
+    std::string suffix = ".partial";       ///< of the working name
+    std::optional<double> flushInterval_s; ///< to the disk in the background; else at the end only
+    DiskAccess disk = realDisk();
+    /// A replayed recording is written exactly whatever this says: its numbers were read, not measured.
+    CsvNumbers numbers = CsvNumbers::BoardFloats;
+};
 
 /// Writes a recording as it comes, as `path.partial`; every block is with the system when append() returns,
 /// so that a killed program loses none of them. finish() gives it its name and its sidecar. A recording that
@@ -23,16 +40,17 @@ std::string partialPathOf(const std::string& path);
 class RecordingWriter {
 public:
     /// Folders are created. What an interrupted program left under the working name is moved aside, never
-    /// lost. `suffix`: of the working name. Errors: FileSystem with path and cause; Usage when another
-    /// program is writing it now.
+    /// lost. Errors: FileSystem with path and cause; Usage when another program is writing it now.
     static Result<std::unique_ptr<RecordingWriter>> create(const std::string& path,
                                                            const StreamLayout& layout, RecordingMeta meta,
-                                                           const std::string& suffix = ".partial");
+                                                           WriterOptions options = {});
 
-    Result<void> append(const SampleBlock& block, CsvNumbers numbers = CsvNumbers::BoardFloats);
+    Result<void> append(const SampleBlock& block);
     /// For the sidecar; times on the recording's axis.
     void addMarker(double time_s, const std::string& text);
     void addChange(double time_s, const std::string& parameter, double value);
+    /// Rows that never came here because the disk did not keep up.
+    void setDroppedRows(std::uint64_t rows) { m_meta.droppedRows = rows; }
     Result<void> finish();
     /// Ends without a name: the partial file stays when there are rows in it, else nothing is left. Says
     /// whether it stays.
@@ -46,10 +64,12 @@ public:
     const std::string& movedAside() const { return m_movedAside; }
 
 private:
-    RecordingWriter(const std::string& path, const std::string& suffix, RecordingMeta meta);
+    RecordingWriter(const std::string& path, WriterOptions options, RecordingMeta meta);
     Result<void> open();
     Result<void> put(const std::string& text);
+    void removeWorkingFiles();
 
+    WriterOptions m_options;
     std::string m_path;
     std::string m_partial;
     std::string m_metaPartial;
@@ -59,12 +79,13 @@ private:
     QCryptographicHash m_hash;
     std::string m_text;
     std::optional<Error> m_error;
+    std::unique_ptr<BackgroundFlush> m_flush; ///< before the file: it uses its handle
 };
 
 /// A whole recording at once; on an error nothing is left behind and an older file stays. Errors: as above.
-Result<void> writeRecordingFile(const std::string& path, const Recording& recording, RecordingMeta meta,
-                                const std::string& suffix = ".partial");
-/// The same with every number in all its digits: what no board sent.
-Result<void> writeExactRecordingFile(const std::string& path, const Recording& recording, RecordingMeta meta);
+Result<void> writeRecordingFile(const std::string& path, const Recording& recording, RecordingMeta meta);
+/// The same with every number in all its digits: what was read, not measured.
+Result<void> writeExactRecordingFile(const std::string& path, const Recording& recording, RecordingMeta meta,
+                                     const std::string& suffix = ".partial");
 
 } // namespace halbench::devices

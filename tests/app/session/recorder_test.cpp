@@ -7,9 +7,12 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <cerrno>
 #include <cmath>
+#include <condition_variable>
 #include <csignal>
 #include <filesystem>
+#include <mutex>
 
 namespace halbench::app {
 namespace {
@@ -141,6 +144,86 @@ TEST_F(RecorderTest, whatDoesNotFitIntoTheQueueIsCountedNeverHidden) {
     ASSERT_TRUE(ended(recorder));
     EXPECT_EQ(recorder.status().droppedRows, 9U);
     EXPECT_EQ(recorder.status().rows, 5U);
+}
+
+/// A disk that takes nothing until it is told to.
+class SlowDisk {
+public:
+    devices::DiskAccess access() {
+        devices::DiskAccess made = devices::realDisk();
+        made.write = [this](QFile& file, std::string_view octets) {
+            std::unique_lock lock(m_mutex);
+            m_wake.wait(lock, [this] { return !m_isStuck; });
+            return devices::realDisk().write(file, octets);
+        };
+        return made;
+    }
+    void setStuck(bool isStuck) {
+        const std::lock_guard lock(m_mutex);
+        m_isStuck = isStuck;
+        m_wake.notify_all();
+    }
+
+private:
+    std::mutex m_mutex;
+    std::condition_variable m_wake;
+    bool m_isStuck = false;
+};
+
+TEST_F(RecorderTest, aDiskThatStallsDelaysNobodyAndWhatItMissedIsInTheSidecar) {
+    const auto layout = layoutOf({"a"}, 0.01);
+    SlowDisk disk;
+    RecorderConfig slow = config(layout);
+    slow.queue_rows = 20;
+    slow.disk = disk.access();
+    Recorder recorder(std::move(slow));
+    recorder.push(block(layout, 0.0, 10));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return recorder.status().rows == 10; }, 20000));
+    disk.setStuck(true);
+    for (int i = 1; i < 10; ++i) { // returns at once; the queue takes two blocks and what the writer holds
+        recorder.push(block(layout, 0.1 * i, 10));
+    }
+    const std::uint64_t dropped = recorder.status().droppedRows;
+    EXPECT_GE(dropped, 60U);
+    disk.setStuck(false);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return recorder.status().rows == 100 - dropped; }, 20000));
+    recorder.push(block(layout, 1.0, 10)); // it goes on
+    recorder.finish();
+    ASSERT_TRUE(ended(recorder));
+    EXPECT_EQ(recorder.status().state, State::Done);
+    EXPECT_EQ(recorder.status().missingRows, dropped);
+    const auto file = devices::readRecordingFile(path());
+    ASSERT_TRUE(file);
+    EXPECT_EQ(file->recording.rows(), 110U - dropped);
+    EXPECT_EQ(file->meta.droppedRows, dropped);
+    ASSERT_EQ(file->meta.gaps.size(), 1U);
+    EXPECT_EQ(file->meta.gaps[0].lostRows, dropped);
+    ASSERT_EQ(file->meta.markers.size(), 1U);
+    EXPECT_EQ(file->meta.markers[0].text,
+              std::to_string(dropped) + " rows dropped: the disk did not keep up");
+    EXPECT_NEAR(file->meta.markers[0].time_s, file->meta.gaps[0].time_s - 0.01 * static_cast<double>(dropped),
+                1e-9); // where the gap begins
+}
+
+TEST_F(RecorderTest, aDiskThatCannotFlushEndsTheRecordingWithItsReason) {
+    const auto layout = layoutOf({"a"}, 0.01);
+    RecorderConfig bad = config(layout);
+    bad.flushInterval_s = 1e-3;
+    bad.disk.sync = [](int) {
+        errno = EIO;
+        return false;
+    };
+    Recorder recorder(std::move(bad));
+    for (double time_s = 0.0; recorder.status().state == State::Recording; time_s += 0.1) {
+        recorder.push(block(layout, time_s, 10));
+        QTest::qWait(1);
+    }
+    ASSERT_TRUE(ended(recorder));
+    EXPECT_EQ(recorder.status().state, State::Failed);
+    ASSERT_TRUE(recorder.status().error);
+    EXPECT_EQ(recorder.status().error->code, ErrorCode::FileSystem);
+    EXPECT_NE(recorder.status().error->message.find("Input/output error"), std::string::npos);
+    EXPECT_TRUE(devices::readPartialRecording(path() + ".partial")) << "what came is there";
 }
 
 /// No file of this process may grow beyond the limit: what a full disk looks like to a writer.

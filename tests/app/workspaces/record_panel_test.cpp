@@ -14,6 +14,8 @@
 #include <QTemporaryDir>
 
 #include <algorithm>
+#include <atomic>
+#include <thread>
 
 namespace halbench::app {
 namespace {
@@ -143,6 +145,33 @@ TEST_F(RecordPanelTest, aProcedureIsRecordedThroughItsOwnStream) {
         lost += gap.lostRows;
     }
     EXPECT_EQ(lost, file->recording.lostRows); // what is missing is marked, no more and no less
+}
+
+TEST_F(RecordPanelTest, aDiskThatDoesNotKeepUpIsAnErrorWhileItHappensAndAtTheEnd) {
+    std::atomic<bool> isStuck = true;
+    devices::DiskAccess disk = devices::realDisk();
+    disk.write = [&isStuck](QFile& file, std::string_view octets) {
+        while (isStuck && !octets.starts_with("time_s")) {
+            std::this_thread::yield();
+        }
+        return devices::realDisk().write(file, octets);
+    };
+    bench().recording().setDisk(disk);
+    bench().recording().setQueueRows(200);
+    connectTo("sim:htm", 20.0);
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Start recording")->isEnabled(); }));
+    type(find<QLineEdit>(*panel, "Name of the recording"), "slow");
+    click(*panel, "Start recording");
+    ASSERT_TRUE(wait([&] { return message().severity == widgets::Severity::Error; }));
+    EXPECT_TRUE(message().text.contains("does not keep up"));
+    isStuck = false;
+    click(*panel, "End the recording");
+    ASSERT_TRUE(wait([&] { return message().text.contains("slow.csv"); }));
+    EXPECT_EQ(message().severity, widgets::Severity::Error);
+    EXPECT_TRUE(message().remedy.contains("did not keep up with")) << message().remedy.toStdString();
+    const auto file = devices::readRecordingFile(folder.filePath("slow.csv").toStdString());
+    ASSERT_TRUE(file) << file.error().message;
+    EXPECT_GT(file->meta.droppedRows, 0U);
 }
 
 TEST_F(RecordPanelTest, aFolderThatCannotBeMadeIsSaidInPlace) {
