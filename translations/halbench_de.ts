@@ -4414,6 +4414,26 @@
         <source>{} rows dropped: the disk did not keep up</source>
         <translation>{} Zeilen ausgelassen: der Datenträger kam nicht nach</translation>
     </message>
+    <message>
+        <source>Stable, if what is assumed here is true:</source>
+        <translation>Stabil, falls zutrifft, was hier angenommen ist:</translation>
+    </message>
+    <message>
+        <source>Good: robustly stable</source>
+        <translation>Gut: robust stabil</translation>
+    </message>
+    <message>
+        <source>Good: stable</source>
+        <translation>Gut: stabil</translation>
+    </message>
+    <message>
+        <source>Doubtful: read the warnings before you apply it</source>
+        <translation>Zweifelhaft: lesen Sie die Warnungen, bevor Sie es übernehmen</translation>
+    </message>
+    <message>
+        <source>Refused: this loop is unstable</source>
+        <translation>Abgelehnt: dieser Kreis ist instabil</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -7890,18 +7910,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Identifizierter Motor (SI, 95 %): %1</translation>
     </message>
     <message>
-        <source>Good: robustly stable</source>
-        <translation>Gut: robust stabil</translation>
-    </message>
-    <message>
-        <source>Doubtful: read the warnings before you apply it</source>
-        <translation>Zweifelhaft: lesen Sie die Warnungen, bevor Sie es übernehmen</translation>
-    </message>
-    <message>
-        <source>Refused: this loop is unstable</source>
-        <translation>Abgelehnt: dieser Kreis ist instabil</translation>
-    </message>
-    <message>
         <source>Apply</source>
         <translation>Übernehmen</translation>
     </message>
@@ -7988,10 +7996,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>All gains at once, then a step of %1 that must go as predicted; Esc stops it</source>
         <translation>Alle Verstärkungen auf einmal, dann ein Sprung um %1, der wie vorhergesagt gehen muss; Esc stoppt ihn</translation>
-    </message>
-    <message>
-        <source>Stable, if what is assumed here is true:</source>
-        <translation>Stabil, falls zutrifft, was hier angenommen ist:</translation>
     </message>
     <message>
         <source>The new gains run until the device is switched off.</source>

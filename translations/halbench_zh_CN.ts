@@ -4414,6 +4414,26 @@
         <source>{} rows dropped: the disk did not keep up</source>
         <translation>丢弃了 {} 行：磁盘跟不上</translation>
     </message>
+    <message>
+        <source>Stable, if what is assumed here is true:</source>
+        <translation>稳定，前提是以下假设成立：</translation>
+    </message>
+    <message>
+        <source>Good: robustly stable</source>
+        <translation>良好：鲁棒稳定</translation>
+    </message>
+    <message>
+        <source>Good: stable</source>
+        <translation>良好：稳定</translation>
+    </message>
+    <message>
+        <source>Doubtful: read the warnings before you apply it</source>
+        <translation>存疑：应用之前请阅读警告</translation>
+    </message>
+    <message>
+        <source>Refused: this loop is unstable</source>
+        <translation>拒绝：此回路不稳定</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -7882,18 +7902,6 @@ A real device has its own time.</source>
         <translation>已辨识电机（SI，95 %）：%1</translation>
     </message>
     <message>
-        <source>Good: robustly stable</source>
-        <translation>良好：鲁棒稳定</translation>
-    </message>
-    <message>
-        <source>Doubtful: read the warnings before you apply it</source>
-        <translation>存疑：应用之前请阅读警告</translation>
-    </message>
-    <message>
-        <source>Refused: this loop is unstable</source>
-        <translation>拒绝：此回路不稳定</translation>
-    </message>
-    <message>
         <source>Apply</source>
         <translation>应用</translation>
     </message>
@@ -7980,10 +7988,6 @@ A real device has its own time.</source>
     <message>
         <source>All gains at once, then a step of %1 that must go as predicted; Esc stops it</source>
         <translation>一次写入全部增益，然后做 %1 的阶跃，它必须与预测一致；Esc 停止</translation>
-    </message>
-    <message>
-        <source>Stable, if what is assumed here is true:</source>
-        <translation>稳定，前提是以下假设成立：</translation>
     </message>
     <message>
         <source>The new gains run until the device is switched off.</source>

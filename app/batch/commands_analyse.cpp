@@ -29,15 +29,14 @@ Result<void> writeColumns(const std::string& path, const std::string& header,
 std::string analysisText(const AnalysisResult& result) {
     std::string text = fmt::format("{}\n", result.isStable ? "stable" : "UNSTABLE");
     const JsonValue body = analysisBody(result);
-    for (const char* part : {"margins", "step", "large_step"}) {
-        if (const JsonValue* figures = body.find(part); figures->isObject()) {
-            for (const JsonMember& figure : figures->members()) {
-                text += fmt::format("{:<26} {}\n", figure.key,
-                                    figure.value.isNumber() ? formatNumber(figure.value.number()) : "none");
-            }
-        }
+    text += figureLines("margins of the sampled loop", *body.find("margins"));
+    if (const JsonValue* step = body.find("step"); step->isObject()) {
+        text += figureLines("small step, without friction and current limit", *step);
     }
-    return text + findingLines(result.quality);
+    if (const JsonValue* step = body.find("large_step"); step->isObject()) {
+        text += figureLines("large step, with friction and current limit", *step);
+    }
+    return text + loopFindingLines(result.quality, false);
 }
 
 } // namespace

@@ -3,19 +3,29 @@
 #include "app/batch/recording_file.h"
 #include "app/batch/result_documents.h"
 
-#include <fmt/format.h>
+#include <string_view>
 
 namespace halbench::app {
 
 namespace {
 
+/// A simulated device knows its true position; what is measured of any other is all there is.
 std::string moveText(const MoveResult& result) {
-    std::string text;
+    constexpr std::string_view Measured = "measured_";
+    const JsonValue first = moveFigures(result.figures());
+    JsonValue measured = JsonValue::object();
+    JsonValue rest = JsonValue::object();
     const JsonValue body = moveBody(result);
     for (const JsonMember& figure : body.members()) {
-        text += fmt::format("{:<34} {}\n", figure.key,
-                            figure.value.isNumber() ? formatNumber(figure.value.number()) : "none");
+        if (figure.key.starts_with(Measured)) {
+            measured.set(figure.key.substr(Measured.size()), figure.value);
+        } else if (first.find(figure.key) == nullptr) {
+            rest.set(figure.key, figure.value);
+        }
     }
+    std::string text =
+        result.truth ? figureLines("true position of the simulated rotor", first) : std::string();
+    text += figureLines("measured position", measured) + figureLines("drive", rest);
     return text + findingLines(result.quality);
 }
 

@@ -122,7 +122,7 @@ std::string gainsText(const TuneResult& result) {
     text += fmt::format("{}, gain margin {:.3g}, phase margin {:.4g} deg\n",
                         predicted.isStable ? "stable" : "UNSTABLE", predicted.margins.gainMargin_ratio,
                         predicted.margins.phaseMargin_deg);
-    return text + intervalLines(result.robust) + findingLines(result.quality);
+    return text + intervalLines(result.robust) + loopFindingLines(result.quality, true);
 }
 
 std::string agreementLine(const ApplyResult& applied) {

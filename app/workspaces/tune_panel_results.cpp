@@ -1,5 +1,6 @@
 // What the Tune panel shows of an answer and does with it.
 #include "app/batch/result_documents.h"
+#include "app/procedures/loop_verdict.h"
 #include "app/report/tuning_figures.h"
 #include "app/workspaces/document_files.h"
 #include "app/workspaces/gain_editor.h"
@@ -38,22 +39,12 @@ std::vector<widgets::Remark> remarksOf(const std::vector<Finding>& findings) {
     return remarks;
 }
 
-/// What the judgement takes for granted because nobody measured it (resources/help/tuning.md, "Warnings").
-bool isAssumption(const Finding& finding) {
-    return finding.code == "stray_field_not_calibrated" || finding.code == "model_without_covariance";
-}
-
 /// A verdict that rests on an assumption says so, and does not look like one that rests on data.
 void showVerdict(widgets::VerdictView& view, const TuneResult& proposed) {
     const auto& warnings = proposed.warnings;
     const Verdict verdict = proposed.quality.verdict;
-    const bool isAssumed =
-        verdict == Verdict::Good && std::any_of(warnings.begin(), warnings.end(), isAssumption);
-    const QString title = isAssumed ? TunePanel::tr("Stable, if what is assumed here is true:")
-                          : verdict == Verdict::Good ? TunePanel::tr("Good: robustly stable")
-                          : verdict == Verdict::Doubtful
-                              ? TunePanel::tr("Doubtful: read the warnings before you apply it")
-                              : TunePanel::tr("Refused: this loop is unstable");
+    const bool isAssumed = verdict == Verdict::Good && restsOnAssumption(warnings);
+    const QString title = widgets::inWords(loopVerdict(verdict, warnings, true));
     view.setVerdict(isAssumed ? widgets::VerdictLevel::Doubtful : levelOf(verdict), title,
                     remarksOf(warnings));
 }

@@ -102,6 +102,32 @@ class Results(ProgramCase):
             for warning in document["warnings"]:
                 self.assertEqual(text.count(warning["message"]), 1, text)
 
+    def test_the_terminal_gives_six_digits_with_units_under_headings(self):
+        self.accept("identify", "sim:htm", "--given", "J=5.5e-4", "--out", "m.json")
+        self.accept("tune", "m.json", "--out", "g.json")
+        move = ("move", "sim:htm", "--reference", "step,amplitude_deg=20", "--duration", "1")
+        analyse = ("analyse", "m.json", "g.json")
+        figures = self.accept(*move, "--json").json()["figures"]
+        told = {move: {"true position of the simulated rotor", "measured position", "drive"},
+                analyse: {"margins of the sampled loop", "small step, without friction and current limit",
+                          "large step, with friction and current limit"}}
+        for arguments, headings in told.items():
+            text = self.accept(*arguments).out
+            self.assertLessEqual(headings, set(text.split("\n")), text)
+            for number in re.findall(r"\d\S*(?= ?(?:s|deg|rad|rad/s|%|A|degC)?$)", text, re.M):
+                self.assertLessEqual(len(re.sub(r"e.*|\D", "", number).lstrip("0")), 6, text)
+        text = self.accept(*move).out
+        self.assertIn(f"  {'peak current':<24} {figures['peak_current_A']:.6g} A\n", text)
+        self.assertIn(f"  {'final error':<24} {figures['measured_final_error_deg']:.6g} deg\n", text)
+
+    def test_the_verdict_says_what_is_assumed(self):
+        self.accept("identify", "sim:htm", "--given", "J=5.5e-4", "--out", "m.json")
+        self.accept("tune", "m.json", "--out", "g.json")
+        self.accept("calibrate", "sim:htm", "stray", "--apply", "--out", "c.json")
+        for command in (["tune", "m.json"], ["analyse", "m.json", "g.json"]):
+            self.assertIn("\nStable, if what is assumed here is true:\n  ", self.accept(*command).out)
+            self.assertRegex(self.accept(*command, "--calibration", "c.json").out, r"\nGood: (robustly )?stable\n")
+
     def test_a_calibration_tells_how_well_the_stray_field_is_known(self):
         self.accept("identify", "sim:htm", "--given", "J=5.5e-4", "--out", "m.json")
         self.accept("calibrate", "sim:htm", "stray", "--apply", "--out", "c.json")
