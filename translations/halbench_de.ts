@@ -4434,6 +4434,18 @@
         <source>Refused: this loop is unstable</source>
         <translation>Abgelehnt: dieser Kreis ist instabil</translation>
     </message>
+    <message>
+        <source>identify this device and tune with that model</source>
+        <translation>identifizieren Sie dieses Gerät, und legen Sie mit diesem Modell aus</translation>
+    </message>
+    <message>
+        <source>the model was identified on the {} &apos;{}&apos;, this device is the {} &apos;{}&apos;</source>
+        <translation>das Modell wurde an {} „{}“ identifiziert, dieses Gerät ist {} „{}“</translation>
+    </message>
+    <message>
+        <source>the model was identified on &apos;{}&apos; with other overrides than this device has</source>
+        <translation>das Modell wurde an „{}“ mit anderen Vorgaben identifiziert, als dieses Gerät hat</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -4829,6 +4841,10 @@
         <source>They last until power-down; Save in the device, in Parameters, keeps them.</source>
         <translation>Sie gelten bis zum Ausschalten; „Im Gerät speichern“ unter Parameter behält sie.</translation>
     </message>
+    <message>
+        <source>configuration</source>
+        <translation>Konfiguration</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ConfigurationTable</name>
@@ -5207,6 +5223,22 @@ Firmware %2</translation>
         <source>Disarm and arm, then start. Firmware from 0.2.0 on goes on from where it holds.</source>
         <translation>Sperren und freigeben, dann starten. Firmware ab 0.2.0 geht von dort weiter, wo sie hält.</translation>
     </message>
+    <message>
+        <source>Not sent: a reference runs, and more than %1° at once is a leap.</source>
+        <translation>Nicht gesendet: Ein Sollwertverlauf läuft, und mehr als %1° auf einmal sind ein Sprung.</translation>
+    </message>
+    <message>
+        <source>Not sent: more than %1° at once is a leap, and the firmware of this board makes no ramp of it.</source>
+        <translation>Nicht gesendet: Mehr als %1° auf einmal sind ein Sprung, und die Firmware dieses Steuergeräts macht keine Rampe daraus.</translation>
+    </message>
+    <message>
+        <source>End the reference first; then the board goes there as an even ramp.</source>
+        <translation>Beenden Sie erst den Sollwertverlauf; dann fährt das Steuergerät in gleichmäßiger Rampe dorthin.</translation>
+    </message>
+    <message>
+        <source>Go there in smaller steps, or jog. Firmware from 0.2.0 on makes a ramp.</source>
+        <translation>Gehen Sie in kleineren Schritten oder im Tippbetrieb dorthin. Firmware ab 0.2.0 macht eine Rampe.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DriveLimits</name>
@@ -5284,10 +5316,6 @@ Firmware %2</translation>
     <message>
         <source>Go</source>
         <translation>Los</translation>
-    </message>
-    <message>
-        <source>Sends the set-point (Enter in the field)</source>
-        <translation>Sendet den Sollwert (Eingabetaste im Feld)</translation>
     </message>
     <message>
         <source>Zero</source>
@@ -5438,6 +5466,16 @@ neben dem, was eine Führungsgröße bewegt hat (Enter sendet ihn)</translation>
     <message>
         <source>Sends the set-point zero: steps back %1</source>
         <translation>Sendet den Sollwert null: springt um %1 zurück</translation>
+    </message>
+    <message>
+        <source>Sends the set-point zero: moves back %1 at the jog speed</source>
+        <translation>Sendet den Sollwert null: fährt um %1 mit der Tippdrehzahl zurück</translation>
+    </message>
+    <message>
+        <source>Sends the set-point (Enter in the field); more than 30° away it
+is approached as an even ramp at the jog speed</source>
+        <translation>Sendet den Sollwert (Eingabetaste im Feld); mehr als 30° entfernt
+wird er in gleichmäßiger Rampe mit Tippdrehzahl angefahren</translation>
     </message>
 </context>
 <context>
@@ -6359,6 +6397,14 @@ neben dem, was eine Führungsgröße bewegt hat (Enter sendet ihn)</translation>
         <source>stopped</source>
         <translation>beendet</translation>
     </message>
+    <message>
+        <source>parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>found changed: %1</source>
+        <translation>verändert vorgefunden: %1</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MainWindow</name>
@@ -6509,6 +6555,14 @@ neben dem, was eine Führungsgröße bewegt hat (Enter sendet ihn)</translation>
     <message>
         <source>asked for %1</source>
         <translation>%1 verlangt</translation>
+    </message>
+    <message>
+        <source>project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>saved: %1</source>
+        <translation>gespeichert: %1</translation>
     </message>
 </context>
 <context>
@@ -6707,18 +6761,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Name eines Parametersatzes</translation>
     </message>
     <message>
-        <source>Keeps the edited column under this name (Enter)</source>
-        <translation>Behält die bearbeitete Spalte unter diesem Namen (Eingabetaste)</translation>
-    </message>
-    <message>
-        <source>Keep</source>
-        <translation>Behalten</translation>
-    </message>
-    <message>
-        <source>Keeps the edited column as a preset (Enter in the name)</source>
-        <translation>Behält die bearbeitete Spalte als Parametersatz (Eingabetaste im Namen)</translation>
-    </message>
-    <message>
         <source>Save in the device</source>
         <translation>Im Gerät speichern</translation>
     </message>
@@ -6742,10 +6784,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Ein simuliertes Gerät ist jedes Mal neu und kann nichts speichern.</translation>
     </message>
     <message>
-        <source>Keep the values as a preset, or serve the device to have one that lasts.</source>
-        <translation>Behalten Sie die Werte als Parametersatz, oder stellen Sie das Gerät mit „serve“ bereit, damit es bleibt.</translation>
-    </message>
-    <message>
         <source>Saved in the device.</source>
         <translation>Im Gerät gespeichert.</translation>
     </message>
@@ -6766,10 +6804,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Dieses Gerät hat diese Parameter nicht, oder nicht mit diesen Werten.</translation>
     </message>
     <message>
-        <source>Kept as %1.</source>
-        <translation>Als %1 behalten.</translation>
-    </message>
-    <message>
         <source>Parameters that can only be read: %1.</source>
         <translation>Parameter, die sich nur lesen lassen: %1.</translation>
     </message>
@@ -6780,6 +6814,30 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>This device cannot switch a whole set: values that do not lie side by side changed one by one.</source>
         <translation>Dieses Gerät kann keinen ganzen Satz umschalten: Werte, die nicht nebeneinander liegen, haben sich einzeln geändert.</translation>
+    </message>
+    <message>
+        <source>Saves the edited column as a preset of this name (Enter)</source>
+        <translation>Speichert die bearbeitete Spalte als Parametersatz dieses Namens (Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>Save preset</source>
+        <translation>Satz speichern</translation>
+    </message>
+    <message>
+        <source>Saves the edited column as a preset of this name (Enter in the name)</source>
+        <translation>Speichert die bearbeitete Spalte als Parametersatz dieses Namens (Eingabetaste im Namen)</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Save the values as a preset, or serve the device to have one that lasts.</source>
+        <translation>Speichern Sie die Werte als Parametersatz, oder stellen Sie das Gerät mit „serve“ bereit, damit es bleibt.</translation>
+    </message>
+    <message>
+        <source>Preset saved as %1.</source>
+        <translation>Parametersatz als %1 gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -8014,10 +8072,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Die neuen Verstärkungen gelten, bis das simulierte Gerät getrennt wird.</translation>
     </message>
     <message>
-        <source>To have them after that too: keep them as a preset, in the Parameters panel.</source>
-        <translation>Sollen sie auch danach gelten: Behalten Sie sie als Parametersatz im Feld Parameter.</translation>
-    </message>
-    <message>
         <source>This verification is running</source>
         <translation>Dieser Nachweis läuft</translation>
     </message>
@@ -8028,6 +8082,10 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Nothing verified yet</source>
         <translation>Noch nichts nachgewiesen</translation>
+    </message>
+    <message>
+        <source>To have them after that too: save them as a preset, in the Parameters panel.</source>
+        <translation>Sollen sie auch danach gelten: Speichern Sie sie als Parametersatz im Feld Parameter.</translation>
     </message>
 </context>
 <context>

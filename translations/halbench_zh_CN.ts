@@ -4434,6 +4434,18 @@
         <source>Refused: this loop is unstable</source>
         <translation>拒绝：此回路不稳定</translation>
     </message>
+    <message>
+        <source>identify this device and tune with that model</source>
+        <translation>请辨识此设备，并用该模型整定</translation>
+    </message>
+    <message>
+        <source>the model was identified on the {} &apos;{}&apos;, this device is the {} &apos;{}&apos;</source>
+        <translation>该模型是在 {} “{}”上辨识的，而此设备是 {} “{}”</translation>
+    </message>
+    <message>
+        <source>the model was identified on &apos;{}&apos; with other overrides than this device has</source>
+        <translation>该模型是在“{}”上以不同的覆盖参数辨识的</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -4825,6 +4837,10 @@
         <source>They last until power-down; Save in the device, in Parameters, keeps them.</source>
         <translation>断电前有效；用“参数”中的“保存到设备”可长期保留。</translation>
     </message>
+    <message>
+        <source>configuration</source>
+        <translation>配置</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ConfigurationTable</name>
@@ -5202,6 +5218,22 @@ Firmware %2</source>
         <source>Disarm and arm, then start. Firmware from 0.2.0 on goes on from where it holds.</source>
         <translation>请先解除使能再使能，然后启动。0.2.0 及以后的固件会从保持处继续。</translation>
     </message>
+    <message>
+        <source>Not sent: a reference runs, and more than %1° at once is a leap.</source>
+        <translation>未发送：参考信号正在运行，一次超过 %1° 即为跳变。</translation>
+    </message>
+    <message>
+        <source>Not sent: more than %1° at once is a leap, and the firmware of this board makes no ramp of it.</source>
+        <translation>未发送：一次超过 %1° 即为跳变，而此控制板的固件不会将其变为斜坡。</translation>
+    </message>
+    <message>
+        <source>End the reference first; then the board goes there as an even ramp.</source>
+        <translation>请先结束参考信号；之后控制板会以匀速斜坡前往。</translation>
+    </message>
+    <message>
+        <source>Go there in smaller steps, or jog. Firmware from 0.2.0 on makes a ramp.</source>
+        <translation>请分成较小的步前往，或使用点动。0.2.0 及以后的固件会使用斜坡。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DriveLimits</name>
@@ -5279,10 +5311,6 @@ Firmware %2</source>
     <message>
         <source>Go</source>
         <translation>执行</translation>
-    </message>
-    <message>
-        <source>Sends the set-point (Enter in the field)</source>
-        <translation>发送设定值（在输入框中按回车键）</translation>
     </message>
     <message>
         <source>Zero</source>
@@ -5433,6 +5461,16 @@ a reference has moved it (Enter sends it)</source>
     <message>
         <source>Sends the set-point zero: steps back %1</source>
         <translation>发送零设定值：跳回 %1</translation>
+    </message>
+    <message>
+        <source>Sends the set-point zero: moves back %1 at the jog speed</source>
+        <translation>发送零设定值：以点动转速返回 %1</translation>
+    </message>
+    <message>
+        <source>Sends the set-point (Enter in the field); more than 30° away it
+is approached as an even ramp at the jog speed</source>
+        <translation>发送设定值（在输入框中按回车键）；若相距超过 30°，
+则以点动转速按匀速斜坡前往</translation>
     </message>
 </context>
 <context>
@@ -6354,6 +6392,14 @@ a reference has moved it (Enter sends it)</source>
         <source>stopped</source>
         <translation>已停止</translation>
     </message>
+    <message>
+        <source>parameters</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>found changed: %1</source>
+        <translation>发现已改变：%1</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MainWindow</name>
@@ -6504,6 +6550,14 @@ a reference has moved it (Enter sends it)</source>
     <message>
         <source>asked for %1</source>
         <translation>%1请求</translation>
+    </message>
+    <message>
+        <source>project</source>
+        <translation>项目</translation>
+    </message>
+    <message>
+        <source>saved: %1</source>
+        <translation>已保存：%1</translation>
     </message>
 </context>
 <context>
@@ -6701,18 +6755,6 @@ A real device has its own time.</source>
         <translation>预设名称</translation>
     </message>
     <message>
-        <source>Keeps the edited column under this name (Enter)</source>
-        <translation>以此名称保存编辑列（回车键）</translation>
-    </message>
-    <message>
-        <source>Keep</source>
-        <translation>保留</translation>
-    </message>
-    <message>
-        <source>Keeps the edited column as a preset (Enter in the name)</source>
-        <translation>将编辑列保存为预设（在名称中按回车键）</translation>
-    </message>
-    <message>
         <source>Save in the device</source>
         <translation>保存到设备</translation>
     </message>
@@ -6735,10 +6777,6 @@ A real device has its own time.</source>
         <translation>仿真设备每次都是全新的，无法存储。</translation>
     </message>
     <message>
-        <source>Keep the values as a preset, or serve the device to have one that lasts.</source>
-        <translation>请将这些值保留为预设，或用 serve 提供设备以便持久保存。</translation>
-    </message>
-    <message>
         <source>Saved in the device.</source>
         <translation>已保存到设备。</translation>
     </message>
@@ -6759,10 +6797,6 @@ A real device has its own time.</source>
         <translation>此设备没有这些参数，或不接受这些值。</translation>
     </message>
     <message>
-        <source>Kept as %1.</source>
-        <translation>已保留为 %1。</translation>
-    </message>
-    <message>
         <source>Parameters that can only be read: %1.</source>
         <translation>只能读取的参数：%1。</translation>
     </message>
@@ -6773,6 +6807,30 @@ A real device has its own time.</source>
     <message>
         <source>This device cannot switch a whole set: values that do not lie side by side changed one by one.</source>
         <translation>此设备不能整组切换：不相邻的值是逐个改变的。</translation>
+    </message>
+    <message>
+        <source>Saves the edited column as a preset of this name (Enter)</source>
+        <translation>将编辑列保存为此名称的预设（回车键）</translation>
+    </message>
+    <message>
+        <source>Save preset</source>
+        <translation>保存预设</translation>
+    </message>
+    <message>
+        <source>Saves the edited column as a preset of this name (Enter in the name)</source>
+        <translation>将编辑列保存为此名称的预设（在名称中按回车键）</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Save the values as a preset, or serve the device to have one that lasts.</source>
+        <translation>请将这些值保存为预设，或用 serve 提供设备以便持久保存。</translation>
+    </message>
+    <message>
+        <source>Preset saved as %1.</source>
+        <translation>预设已保存为 %1。</translation>
     </message>
 </context>
 <context>
@@ -8006,10 +8064,6 @@ A real device has its own time.</source>
         <translation>新增益在仿真设备断开前有效。</translation>
     </message>
     <message>
-        <source>To have them after that too: keep them as a preset, in the Parameters panel.</source>
-        <translation>若此后也要保留：在“参数”面板中保留为预设。</translation>
-    </message>
-    <message>
         <source>This verification is running</source>
         <translation>本次验证正在进行</translation>
     </message>
@@ -8020,6 +8074,10 @@ A real device has its own time.</source>
     <message>
         <source>Nothing verified yet</source>
         <translation>尚未验证</translation>
+    </message>
+    <message>
+        <source>To have them after that too: save them as a preset, in the Parameters panel.</source>
+        <translation>若此后也要保留：在“参数”面板中保存为预设。</translation>
     </message>
 </context>
 <context>

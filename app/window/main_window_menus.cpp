@@ -79,7 +79,11 @@ void MainWindow::createProjects() {
     connect(m_unkept, &UnkeptBar::saveAsRequested, m_projects, &ProjectMenu::saveAs);
     connect(m_unkept, &UnkeptBar::discardRequested, m_projects, &ProjectMenu::discard);
     connect(m_unkept, &UnkeptBar::stayRequested, m_projects, &ProjectMenu::stay);
-    connect(m_projects, &ProjectMenu::saved, this, &MainWindow::onKept);
+    connect(m_projects, &ProjectMenu::saved, this, [this] {
+        m_bench.session().message(MessageLevel::Info, tr("project"),
+                                  tr("saved: %1").arg(QString::fromStdString(m_project->path())));
+        onKept();
+    });
     connect(m_project.get(), &ProjectSession::notKept, this, [this](const Error& error) {
         onMessage(widgets::Severity::Error, widgets::inWords(error.message), widgets::inWords(error.hint));
     });

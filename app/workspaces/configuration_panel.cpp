@@ -259,18 +259,16 @@ void ConfigurationPanel::restored(const Result<std::vector<RowOutcome>>& outcome
     const auto count = static_cast<int>(outcomes->size()) - static_cast<int>(refused);
     const QString kept = tr("What the device had before is kept in %1.").arg(backup);
     const QString until = tr("They last until power-down; Save in the device, in Parameters, keeps them.");
+    const QString done = tr("%n row(s) restored and read back.", nullptr, count);
+    m_bench.session().message(MessageLevel::Info, tr("configuration"), done);
     if (refused > 0) {
-        m_messages->showMessage(
-            {widgets::Severity::Error,
-             tr("%n row(s) not restored; the rows say why.", nullptr, static_cast<int>(refused)),
-             kept,
-             {}});
+        const QString undone =
+            tr("%n row(s) not restored; the rows say why.", nullptr, static_cast<int>(refused));
+        m_bench.session().message(MessageLevel::Warning, tr("configuration"), undone);
+        m_messages->showMessage({widgets::Severity::Error, undone, kept, {}});
         return;
     }
-    m_messages->showMessage({widgets::Severity::Success,
-                             tr("%n row(s) restored and read back.", nullptr, count),
-                             until + QLatin1Char('\n') + kept,
-                             {}});
+    m_messages->showMessage({widgets::Severity::Success, done, until + QLatin1Char('\n') + kept, {}});
 }
 
 } // namespace halbench::app

@@ -75,7 +75,7 @@ void DriveControl::onDevice() {
     m_hasConsent = false;
     settleConsent();
     m_origin_rad.reset();
-    m_reference.clear();
+    clearMotion();
     m_isJogPending = false;
     m_pending = 0;
     onReport();
@@ -85,8 +85,7 @@ void DriveControl::onReport() {
     const bool isArmedNow = isArmed() && isAvailable();
     if (m_wasArmed != isArmedNow) {
         m_wasArmed = isArmedNow;
-        m_setpoint = 0.0; // the board's rule: arming and every end of it zero the set-point
-        m_reference.clear();
+        clearMotion(); // the board's rule: arming and every end of it zero the set-point
     }
     if (!isAvailable() || isArmedNow || isStopped()) {
         settleConsent(); // there is nothing to arm
@@ -100,8 +99,10 @@ void DriveControl::onReport() {
 void DriveControl::onSamples() {
     const bool wasRunning = isRunning();
     const bool isPosition = m_mode == devices::BoardMode::Position;
-    m_reference.look(m_bench.history(), isArmed() && isAvailable(), isPosition ? m_origin_rad : std::nullopt,
-                     m_setpoint);
+    // A ramp to a set-point is none of the angle that is held beside it.
+    m_reference.look(m_bench.history(), isArmed() && isAvailable(),
+                     isPosition && !m_way ? m_origin_rad : std::nullopt, m_setpoint);
+    followWay();
     if (isRunning() != wasRunning) {
         Q_EMIT changed();
     }
@@ -181,8 +182,7 @@ void DriveControl::releaseStop() {
 }
 
 void DriveControl::takeOrigin() {
-    m_setpoint = 0.0;
-    m_reference.clear();
+    clearMotion();
     m_startedShape.reset();
     const auto latest = m_bench.history().latest("position");
     m_origin_rad = latest ? std::optional(latest->value) : std::nullopt;
@@ -219,15 +219,6 @@ void DriveControl::setMode(devices::BoardMode mode) {
     }
 }
 
-void DriveControl::setSetpoint(double value) {
-    if (!canMove()) {
-        return;
-    }
-    run([values = inMode(m_mode, {{"hb.setpoint", value}})](
-            devices::Device& device) { return write(device, values); },
-        [this, value] { m_setpoint = value; });
-}
-
 void DriveControl::startReference(std::vector<ParameterValue> generator) {
     if (!canMove()) {
         return;
@@ -240,6 +231,7 @@ void DriveControl::startReference(std::vector<ParameterValue> generator) {
             tr("Disarm and arm, then start. Firmware from 0.2.0 on goes on from where it holds."));
         return;
     }
+    leaveWay();
     m_reference.begin();
     m_startedShape.reset();
     for (const ParameterValue& value : generator) {
@@ -258,7 +250,8 @@ std::size_t DriveControl::runningShape() const {
 }
 
 void DriveControl::stopReference() {
-    run([](devices::Device& device) { return write(device, {{"reference.start", 0.0}}); }, {});
+    m_next.reset();
+    endReference();
 }
 
 } // namespace halbench::app

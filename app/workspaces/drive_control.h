@@ -56,7 +56,14 @@ public:
     void setMode(devices::BoardMode mode);
     /// rad, added to where the mode was entered and to what a reference holds; or A, by mode.
     double setpoint() const { return m_setpoint; }
-    void setSetpoint(double value);
+    /// Where it goes: another than setpoint() while a ramp is on its way.
+    double goal() const;
+    /// A way that is no leap is a step. A longer one is an even ramp of the board with this speed; refused
+    /// while a reference runs and where the board makes no ramp that begins where it stands.
+    void setSetpoint(double value, double ramp_rad_s);
+    static constexpr double LargestStep_deg = 30.0;
+    /// Position mode: too far for a step.
+    bool isLeap(double value) const;
     /// What keeps set-point and held angle together inside the board's excursion window; nothing in other
     /// modes and while the window is off.
     std::optional<std::pair<double, double>> setpointRange_rad(double share_ratio = 1.0) const;
@@ -101,7 +108,14 @@ private:
     void takeOrigin();
     void onSamples();
     void settleConsent();
-    bool jogsByRamp() const;
+    bool rampsOnBoard() const;
+    void refuseLeap();
+    void sendRamp(double value, double ramp_rad_s);
+    double reached_rad() const;
+    void followWay();
+    void leaveWay();
+    void endReference();
+    void clearMotion();
     void moveJogSetpoint();
     void sendJog(std::vector<ParameterValue> values, double setpoint);
     double nextJogSetpoint(double step_s) const;
@@ -110,7 +124,16 @@ private:
 
     Workbench& m_bench;
     devices::BoardMode m_mode = devices::BoardMode::Position;
+    /// A ramp of the board that carries the set-point to another one.
+    struct Way {
+        double from_rad, to_rad;
+        bool isAnswered = false; ///< by the board
+        bool isBroken = false;   ///< it ends before
+    };
     double m_setpoint = 0.0;
+    double m_sent = 0.0; ///< of it, what the board has as its set-point; ramps have moved the rest
+    std::optional<Way> m_way;
+    std::optional<std::pair<double, double>> m_next; ///< set-point and speed, when the way has ended
     std::optional<double> m_origin_rad;
     HeldReference m_reference;
     std::optional<double> m_startedShape;

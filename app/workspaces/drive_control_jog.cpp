@@ -37,6 +37,7 @@ void DriveControl::startJog(double rate) {
     if (!canMove() || m_jog.isActive()) {
         return;
     }
+    leaveWay();
     m_jogRate = rate;
     m_jogRoom_rad = jogRoom_rad();
     m_sinceJogStep.invalidate();
@@ -50,7 +51,7 @@ void DriveControl::jogStep() {
         return;
     }
     const bool isPosition = m_mode == devices::BoardMode::Position;
-    if (isPosition && !jogsByRamp()) {
+    if (isPosition && !rampsOnBoard()) {
         moveJogSetpoint();
         return;
     }
@@ -69,7 +70,7 @@ void DriveControl::jogStep() {
 
 /// Twenty steps a second shake what a ramp of the board moves evenly, but a board that begins each reference
 /// where it was armed would leap back.
-bool DriveControl::jogsByRamp() const {
+bool DriveControl::rampsOnBoard() const {
     return continuesReference(m_bench.session().info().firmware) &&
            m_bench.session().catalogue().findParameter("reference.rate") != nullptr;
 }
@@ -81,7 +82,7 @@ void DriveControl::moveJogSetpoint() {
             : 0.0;
     m_sinceJogStep.start();
     const double next = nextJogSetpoint(step_s);
-    sendJog({{"hb.setpoint", next}}, next);
+    sendJog({{"hb.setpoint", m_sent + next - m_setpoint}}, next);
 }
 
 /// From where the ramp before runs, so that a renewed hold changes neither angle nor speed. Nothing where
@@ -113,7 +114,10 @@ void DriveControl::sendJog(std::vector<ParameterValue> values, double setpoint) 
                               [self = QPointer(this), setpoint](const Result<void>& written) {
                                   if (self) {
                                       self->m_isJogPending = false;
-                                      self->finish(written, [&] { self->m_setpoint = setpoint; });
+                                      self->finish(written, [&] {
+                                          self->m_sent += setpoint - self->m_setpoint;
+                                          self->m_setpoint = setpoint;
+                                      });
                                   }
                               });
 }
@@ -143,7 +147,7 @@ void DriveControl::stopJog() {
         return;
     }
     m_jog.stop();
-    if (m_mode != devices::BoardMode::Position || jogsByRamp()) {
+    if (m_mode != devices::BoardMode::Position || rampsOnBoard()) {
         stopReference();
     }
     Q_EMIT changed();

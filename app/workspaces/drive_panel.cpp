@@ -116,13 +116,13 @@ void DrivePanel::onSetpoint() {
         return;
     }
     forgetError();
-    m_control.setSetpoint(wanted);
+    m_control.setSetpoint(wanted, m_jog->speed_rad_s());
 }
 
 /// Nothing is sent; a field that was left shows what holds, so that a Go behind it moves nothing either.
 void DrivePanel::onSetpointRefused(const QString& text) {
     if (!m_setpoint->hasFocus()) {
-        m_setpoint->setValue(m_control.setpoint() * factor());
+        m_setpoint->setValue(m_control.goal() * factor());
     }
     showError(tr("'%1' is not a set-point, nothing was sent.").arg(text.trimmed()),
               tr("Allowed: %1.").arg(m_setpoint->rangeText()));
@@ -178,9 +178,12 @@ void DrivePanel::showSetpoint() {
                     .arg(valueText(m_control.setpoint()), valueText(held_rad));
     }
     m_setpointNow->setText(words);
-    const double back = m_control.setpoint();
-    const QString zero = back == 0.0 ? tr("Sends the set-point zero")
-                                     : tr("Sends the set-point zero: steps back %1").arg(valueText(back));
+    const double back = m_control.goal();
+    const QString zero =
+        back == 0.0 ? tr("Sends the set-point zero")
+        : m_control.isLeap(0.0)
+            ? tr("Sends the set-point zero: moves back %1 at the jog speed").arg(valueText(back))
+            : tr("Sends the set-point zero: steps back %1").arg(valueText(back));
     if (m_zero->toolTip() != zero) {
         m_zero->setToolTip(zero);
         m_zero->setAccessibleDescription(zero);

@@ -45,7 +45,11 @@ void DrivePanel::buildSetpoint(QVBoxLayout* column) {
     auto* row = new QHBoxLayout;
     row->setSpacing(widgets::GridStep_px);
     m_setpoint = makeNumberField({}, this);
-    m_go = makeButton({tr("Go"), tr("Sends the set-point (Enter in the field)"), {}}, this);
+    m_go = makeButton({tr("Go"),
+                       tr("Sends the set-point (Enter in the field); more than 30° away it\n"
+                          "is approached as an even ramp at the jog speed"),
+                       {}},
+                      this);
     m_zero = makeButton({tr("Zero"), tr("Sends the set-point zero"), {}}, this);
     row->addWidget(m_setpoint, 1);
     row->addWidget(m_go);

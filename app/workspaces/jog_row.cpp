@@ -97,6 +97,10 @@ void JogRow::setUnits(const DisplayUnits& units) {
     }
 }
 
+double JogRow::speed_rad_s() const {
+    return *m_isAngular ? m_rate->value() / displayQuantity("rad/s", m_units).factor : Speed_rad_s;
+}
+
 void JogRow::dress() {
     if (!*m_isAngular) {
         dressNumberField(*m_rate, {tr("Jog current"), tr("The current while a button is held"),

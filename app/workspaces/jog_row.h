@@ -50,6 +50,8 @@ public:
 
     void setAngular(bool isAngular); ///< a speed, else ampere
     void setUnits(const DisplayUnits& units);
+    /// That is shown; of an angle.
+    double speed_rad_s() const;
 
 Q_SIGNALS:
     void jogStarted(double rate); ///< rad/s or A

@@ -1,6 +1,8 @@
 #include "app/workspaces/log_panel.h"
 
+#include "app/batch/configuration_file.h"
 #include "app/workspaces/fault_words.h"
+#include "widgets/display_units.h"
 #include "widgets/log_view.h"
 #include "widgets/phrasebook.h"
 
@@ -26,6 +28,22 @@ widgets::LogLevel levelOf(MessageLevel level) {
     return widgets::LogLevel::Information;
 }
 
+constexpr int AllDigits = 9; ///< of a 32 bit float
+
+/// In the unit of the Parameters panel: "gain.kp 10 → 12 A/rad".
+QString changeText(const ParameterSpec& spec, double before, double now, const DisplayUnits& units) {
+    const widgets::DisplayUnit shown = widgets::displayUnit(spec.unit, units.angle);
+    QString from = widgets::settingText(before * shown.factor);
+    QString to = widgets::settingText(now * shown.factor);
+    if (from == to) {
+        from = widgets::numberText(before * shown.factor, AllDigits);
+        to = widgets::numberText(now * shown.factor, AllDigits);
+    }
+    return QStringLiteral("%1 %2 \u2192 %3 %4")
+        .arg(QString::fromStdString(spec.name), from, to, shown.text)
+        .trimmed();
+}
+
 } // namespace
 
 LogPanel::LogPanel(Workbench& bench, QWidget* parent)
@@ -38,6 +56,8 @@ LogPanel::LogPanel(Workbench& bench, QWidget* parent)
     connect(&session, &DeviceSession::reportChanged, this, &LogPanel::onReport);
     connect(&session, &DeviceSession::stateChanged, this, &LogPanel::onReport);
     connect(&session, &DeviceSession::procedureChanged, this, &LogPanel::onProcedure);
+    connect(&m_bench, &Workbench::deviceChanged, this, &LogPanel::onDevice);
+    connect(&m_bench, &Workbench::valuesChanged, this, &LogPanel::onValues);
     connect(&m_bench.recording(), &RecordingControl::changed, this, &LogPanel::onRecording);
 }
 
@@ -81,6 +101,27 @@ void LogPanel::onRecording() {
         note(tr("recording"),
              isRecording ? tr("started: %1").arg(m_bench.recording().path()) : tr("stopped"));
     }
+}
+
+/// Of another device nothing is known yet.
+void LogPanel::onDevice() {
+    if (m_bench.deviceValues().empty()) {
+        m_values.clear();
+    }
+}
+
+/// Whoever wrote it, a panel, a procedure or another tool: what was read back tells. One line a setting.
+void LogPanel::onValues() {
+    for (const ParameterSpec& spec : m_bench.session().catalogue().parameters) {
+        const auto before = m_values.find(spec.name);
+        const std::optional<double> now = m_bench.deviceValue(spec.name);
+        if (!isSetting(spec) || before == m_values.end() || !now || *now == before->second) {
+            continue;
+        }
+        const QString words = changeText(spec, before->second, *now, m_bench.displayUnits());
+        note(tr("parameters"), m_bench.areValuesOurs() ? words : tr("found changed: %1").arg(words));
+    }
+    m_values = m_bench.deviceValues();
 }
 
 QString LogPanel::text() const {

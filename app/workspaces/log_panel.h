@@ -4,6 +4,9 @@
 
 #include <QWidget>
 
+#include <map>
+#include <string>
+
 namespace halbench::widgets {
 class LogView;
 }
@@ -24,12 +27,15 @@ private:
     void onReport();
     void onProcedure();
     void onRecording();
+    void onDevice();
+    void onValues();
 
     Workbench& m_bench;
     bool m_wasArmed = false;
     bool m_wasLatched = false;
     bool m_wasRecording = false;
-    QString m_procedure; ///< that runs
+    QString m_procedure;                    ///< that runs
+    std::map<std::string, double> m_values; ///< on the device, as it was told last
     widgets::LogView* m_view = nullptr;
 };
 

@@ -62,10 +62,11 @@ QWidget* ParametersPanel::buildPresets() {
     m_name = new QLineEdit(box);
     m_name->setAccessibleName(tr("Name of the new preset"));
     m_name->setPlaceholderText(tr("name of a preset"));
-    m_name->setToolTip(tr("Keeps the edited column under this name (Enter)"));
-    m_save = makeButton(
-        {tr("Keep"), tr("Keeps the edited column as a preset (Enter in the name)"), QStringLiteral("save")},
-        box);
+    m_name->setToolTip(tr("Saves the edited column as a preset of this name (Enter)"));
+    m_save = makeButton({tr("Save preset"),
+                         tr("Saves the edited column as a preset of this name (Enter in the name)"),
+                         QStringLiteral("save")},
+                        box);
     m_saveOnDevice =
         makeButton({tr("Save in the device"),
                     tr("Stores what the device runs with for the next power-up; writing is another act"),
@@ -170,6 +171,8 @@ void ParametersPanel::write(const std::vector<ParameterValue>& changed) {
         }
         if (!written) {
             self->tell(written.error());
+            self->m_bench.session().message(MessageLevel::Error, tr("parameters"),
+                                            widgets::inWords(written.error().message));
             return;
         }
         const QString remedy = tr("They are lost at power-down until they are saved in the device.");
@@ -188,7 +191,7 @@ void ParametersPanel::write(const std::vector<ParameterValue>& changed) {
 void ParametersPanel::saveOnDevice() {
     if (m_bench.session().info().isSimulated) {
         tell(tr("A simulated device is new every time and has nothing to store in."),
-             tr("Keep the values as a preset, or serve the device to have one that lasts."));
+             tr("Save the values as a preset, or serve the device to have one that lasts."));
         return;
     }
     m_bench.session().request([](devices::Device& device) { return device.saveParameters(); },
@@ -200,9 +203,11 @@ void ParametersPanel::saveOnDevice() {
                                       self->tell(saved.error());
                                       return;
                                   }
+                                  const QString done = tr("Saved in the device.");
+                                  self->m_bench.session().message(MessageLevel::Info, tr("parameters"), done);
                                   self->m_table->messages().showMessage(
                                       {widgets::Severity::Success,
-                                       tr("Saved in the device."),
+                                       done,
                                        tr("It starts with these values at the next power-up."),
                                        {}});
                               });
@@ -295,7 +300,8 @@ void ParametersPanel::kept(const QString& name, const Result<QString>& path) {
     }
     fillPresets(name);
     m_name->clear();
-    m_table->messages().showMessage({widgets::Severity::Success, tr("Kept as %1.").arg(name), *path, {}});
+    m_table->messages().showMessage(
+        {widgets::Severity::Success, tr("Preset saved as %1.").arg(name), *path, {}});
 }
 
 /// Reads a few values after the other, so that one changed by another tool is noticed.

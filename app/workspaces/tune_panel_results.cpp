@@ -39,14 +39,19 @@ std::vector<widgets::Remark> remarksOf(const std::vector<Finding>& findings) {
     return remarks;
 }
 
-/// A verdict that rests on an assumption says so, and does not look like one that rests on data.
-void showVerdict(widgets::VerdictView& view, const TuneResult& proposed) {
-    const auto& warnings = proposed.warnings;
-    const Verdict verdict = proposed.quality.verdict;
+/// A verdict that rests on an assumption says so, and does not look like one that rests on data. Of another
+/// motor than the one that is connected, it is doubtful before everything else.
+void showVerdict(widgets::VerdictView& view, const TuneResult& proposed,
+                 const std::optional<Finding>& foreign) {
+    std::vector<Finding> warnings = proposed.warnings;
+    Verdict verdict = proposed.quality.verdict;
+    if (foreign) {
+        warnings.insert(warnings.begin(), *foreign);
+        verdict = verdict == Verdict::Good ? Verdict::Doubtful : verdict;
+    }
     const bool isAssumed = verdict == Verdict::Good && restsOnAssumption(warnings);
-    const QString title = widgets::inWords(loopVerdict(verdict, warnings, true));
-    view.setVerdict(isAssumed ? widgets::VerdictLevel::Doubtful : levelOf(verdict), title,
-                    remarksOf(warnings));
+    view.setVerdict(isAssumed ? widgets::VerdictLevel::Doubtful : levelOf(verdict),
+                    widgets::inWords(loopVerdict(verdict, warnings, true)), remarksOf(warnings));
 }
 
 /// Why the current of a verification is not quiet at its end; nothing for one that did not get there.
@@ -95,7 +100,11 @@ void TunePanel::showAnswer(const Result<TuneResult>& answer) {
     const TuneResult& proposed = *answer;
     m_shown = proposed;
     m_numbers->setNumbers(tuneNumbers(proposed, m_present, m_bench.displayUnits()));
-    showVerdict(*m_verdict, proposed);
+    const DeviceSession& session = m_bench.session();
+    showVerdict(*m_verdict, proposed,
+                session.state() == SessionState::Connected
+                    ? foreignMotor(m_bench.provenance().header.device, session.info())
+                    : std::nullopt);
     if (m_restored) {
         m_bench.setDesignOfProject(proposed, m_restored->started);
     } else {
@@ -139,7 +148,7 @@ void TunePanel::keep() {
     tellOfDevice({widgets::Severity::Information,
                   until,
                   isSimulated
-                      ? tr("To have them after that too: keep them as a preset, in the Parameters panel.")
+                      ? tr("To have them after that too: save them as a preset, in the Parameters panel.")
                       : tr("To have them after that too: Save in the device, in the Parameters panel."),
                   {}});
     refreshButtons();
@@ -213,13 +222,16 @@ void TunePanel::finishApply(const Result<ApplyResult>& result) {
                 m_before.push_back(old);
             }
         }
-        tellOfDevice({widgets::Severity::Success,
-                      tr("Applied, and the verification move went as predicted."),
-                      tr("Keep the new gains, or restore those from before."),
-                      {}});
+        const QString done = tr("Applied, and the verification move went as predicted.");
+        m_bench.session().message(MessageLevel::Info, tr("Tune"), done);
+        tellOfDevice(
+            {widgets::Severity::Success, done, tr("Keep the new gains, or restore those from before."), {}});
     } else {
+        const QString undone =
+            tr("Not kept, the gains from before run again: %1").arg(firstFinding(result->quality));
+        m_bench.session().message(MessageLevel::Warning, tr("Tune"), undone);
         tellOfDevice({widgets::Severity::Warning,
-                      tr("Not kept, the gains from before run again: %1").arg(firstFinding(result->quality)),
+                      undone,
                       result->quality.findings.empty()
                           ? QString()
                           : widgets::inWords(result->quality.findings.front().hint),

@@ -1,5 +1,6 @@
 #include "app/window/dock_layout.h"
 #include "app/window/unkept_bar.h"
+#include "app/workspaces/log_panel.h"
 #include "app/workspaces/notes_panel.h"
 #include "tests/app/window/window_test.h"
 
@@ -101,6 +102,8 @@ TEST_F(KeepingWorkTest, savingByKeyTakesWhatWasTypedTheMomentBefore) {
     window->project().finishWriting();
     EXPECT_EQ(loadProject(file())->notes, "typed");
     EXPECT_FALSE(window->isWindowModified());
+    const auto* log = qobject_cast<LogPanel*>(window->docks().panel("log"));
+    EXPECT_TRUE(log->text().contains("project\tsaved: ")) << log->text().toStdString();
 }
 
 TEST_F(KeepingWorkTest, aNewProjectByKeyKeepsWhatWasTypedTheMomentBefore) {

@@ -47,6 +47,7 @@ protected:
         const auto* bar = panel->findChild<widgets::MessageBar*>();
         return bar->isVisible() ? bar->message().text : QString();
     }
+    double latestTime_s() { return bench().history().latest("reference")->time_s; }
     double latest(const char* signal) {
         const auto value = bench().history().latest(signal);
         return value ? value->value : 0.0;

@@ -21,6 +21,17 @@ TEST_F(TuneVerificationTest, itEndsWithItsDevice) {
     EXPECT_EQ(button(panel, "Restore"), nullptr);
 }
 
+TEST_F(TuneVerificationTest, gainsForTheMotorOfAnotherDeviceAreDoubtful) {
+    prepare();
+    EXPECT_FALSE(verdict().contains("was identified on"));
+    Provenance other;
+    other.header.device = bench.session().info();
+    other.header.device->id = "sim-htm-9";
+    bench.setIdentification(publishedMotor(), other);
+    EXPECT_TRUE(wait([&] { return verdict().contains("'sim-htm-9'"); })) << verdict().toStdString();
+    EXPECT_TRUE(verdict().startsWith("Doubtful")) << verdict().toStdString();
+}
+
 TEST_F(TuneVerificationTest, thatTheKeptGainsRunIsNotSaidOfAnotherDevice) {
     prepare();
     verify();
