@@ -3699,10 +3699,6 @@
         <translation>Seine serielle Schnittstelle hat keinen Treiber</translation>
     </message>
     <message>
-        <source>load it: sudo modprobe cdc_acm</source>
-        <translation>Treiber laden: sudo modprobe cdc_acm</translation>
-    </message>
-    <message>
         <source>serial port</source>
         <translation>serielle Schnittstelle</translation>
     </message>
@@ -3761,14 +3757,6 @@
     <message>
         <source>cannot be opened</source>
         <translation>lässt sich nicht öffnen</translation>
-    </message>
-    <message>
-        <source>{} has no pair of bulk endpoints: it is no board of this kind</source>
-        <translation>{} hat kein Paar Bulk-Endpunkte: Es ist kein Steuergerät dieser Art</translation>
-    </message>
-    <message>
-        <source>see &apos;halbench devices&apos; for what can be connected</source>
-        <translation>&apos;halbench devices&apos; zeigt, was verbunden werden kann</translation>
     </message>
     <message>
         <source>cannot be claimed</source>
@@ -4445,6 +4433,58 @@
     <message>
         <source>the model was identified on &apos;{}&apos; with other overrides than this device has</source>
         <translation>das Modell wurde an „{}“ mit anderen Vorgaben identifiziert, als dieses Gerät hat</translation>
+    </message>
+    <message>
+        <source>{} MB from the board waited and nobody took them</source>
+        <translation>{} MB vom Steuergerät warteten und niemand nahm sie ab</translation>
+    </message>
+    <message>
+        <source>the computer was too busy or asleep: connect again, with fewer signals or a lower rate</source>
+        <translation>Der Rechner war zu beschäftigt oder im Ruhezustand: erneut verbinden, mit weniger Signalen oder einer niedrigeren Rate</translation>
+    </message>
+    <message>
+        <source>it is the console of this machine</source>
+        <translation>Es ist die Konsole dieses Rechners</translation>
+    </message>
+    <message>
+        <source>take another port, or start the machine without &apos;console=&apos; for this one</source>
+        <translation>Einen anderen Anschluss nehmen oder den Rechner ohne 'console=' für diesen starten</translation>
+    </message>
+    <message>
+        <source>load it: sudo modprobe {}</source>
+        <translation>Treiber laden: sudo modprobe {}</translation>
+    </message>
+    <message>
+        <source>held by the kernel driver &apos;{}&apos;</source>
+        <translation>vom Kernel-Treiber '{}' belegt</translation>
+    </message>
+    <message>
+        <source>if it is the board, connect to {}: the driver is detached until you disconnect</source>
+        <translation>Falls es das Steuergerät ist, mit {} verbinden: Der Treiber wird bis zum Trennen abgehängt</translation>
+    </message>
+    <message>
+        <source>{}: the system has no memory left for USB transfers</source>
+        <translation>{}: Das System hat keinen Speicher mehr für USB-Übertragungen</translation>
+    </message>
+    <message>
+        <source>close other programs that use USB, or raise /sys/module/usbcore/parameters/usbfs_memory_mb</source>
+        <translation>Andere Programme schließen, die USB verwenden, oder /sys/module/usbcore/parameters/usbfs_memory_mb erhöhen</translation>
+    </message>
+    <message>
+        <source>the transfer failed</source>
+        <translation>Die Übertragung ist fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>{}: the kernel driver &apos;{}&apos; does not let go of it: {}</source>
+        <translation>{}: Der Kernel-Treiber '{}' gibt es nicht frei: {}</translation>
+    </message>
+    <message>
+        <source>unload the driver: sudo modprobe -r {}</source>
+        <translation>Treiber entladen: sudo modprobe -r {}</translation>
+    </message>
+    <message>
+        <source>the board sent more than was asked for</source>
+        <translation>Das Steuergerät hat mehr gesendet als verlangt</translation>
     </message>
 </context>
 <context>

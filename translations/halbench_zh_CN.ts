@@ -3699,10 +3699,6 @@
         <translation>其串口没有驱动程序</translation>
     </message>
     <message>
-        <source>load it: sudo modprobe cdc_acm</source>
-        <translation>加载驱动：sudo modprobe cdc_acm</translation>
-    </message>
-    <message>
         <source>serial port</source>
         <translation>串口</translation>
     </message>
@@ -3761,14 +3757,6 @@
     <message>
         <source>cannot be opened</source>
         <translation>无法打开</translation>
-    </message>
-    <message>
-        <source>{} has no pair of bulk endpoints: it is no board of this kind</source>
-        <translation>{} 没有成对的批量端点：不是此类控制板</translation>
-    </message>
-    <message>
-        <source>see &apos;halbench devices&apos; for what can be connected</source>
-        <translation>&apos;halbench devices&apos; 会显示可连接的设备</translation>
     </message>
     <message>
         <source>cannot be claimed</source>
@@ -4445,6 +4433,58 @@
     <message>
         <source>the model was identified on &apos;{}&apos; with other overrides than this device has</source>
         <translation>该模型是在“{}”上以不同的覆盖参数辨识的</translation>
+    </message>
+    <message>
+        <source>{} MB from the board waited and nobody took them</source>
+        <translation>控制板发来的 {} MB 数据一直在等待，无人读取</translation>
+    </message>
+    <message>
+        <source>the computer was too busy or asleep: connect again, with fewer signals or a lower rate</source>
+        <translation>计算机过于繁忙或处于休眠：请重新连接，并减少信号或降低采样率</translation>
+    </message>
+    <message>
+        <source>it is the console of this machine</source>
+        <translation>它是本机的控制台</translation>
+    </message>
+    <message>
+        <source>take another port, or start the machine without &apos;console=&apos; for this one</source>
+        <translation>请使用其他端口，或在启动本机时不为此端口设置 'console='</translation>
+    </message>
+    <message>
+        <source>load it: sudo modprobe {}</source>
+        <translation>加载驱动：sudo modprobe {}</translation>
+    </message>
+    <message>
+        <source>held by the kernel driver &apos;{}&apos;</source>
+        <translation>被内核驱动 '{}' 占用</translation>
+    </message>
+    <message>
+        <source>if it is the board, connect to {}: the driver is detached until you disconnect</source>
+        <translation>若它是控制板，请连接 {}：断开之前驱动会被暂时解除</translation>
+    </message>
+    <message>
+        <source>{}: the system has no memory left for USB transfers</source>
+        <translation>{}：系统没有更多内存用于 USB 传输</translation>
+    </message>
+    <message>
+        <source>close other programs that use USB, or raise /sys/module/usbcore/parameters/usbfs_memory_mb</source>
+        <translation>请关闭其他使用 USB 的程序，或增大 /sys/module/usbcore/parameters/usbfs_memory_mb</translation>
+    </message>
+    <message>
+        <source>the transfer failed</source>
+        <translation>传输失败</translation>
+    </message>
+    <message>
+        <source>{}: the kernel driver &apos;{}&apos; does not let go of it: {}</source>
+        <translation>{}：内核驱动 '{}' 不肯释放它：{}</translation>
+    </message>
+    <message>
+        <source>unload the driver: sudo modprobe -r {}</source>
+        <translation>卸载驱动：sudo modprobe -r {}</translation>
+    </message>
+    <message>
+        <source>the board sent more than was asked for</source>
+        <translation>控制板发送的数据超出了请求的数量</translation>
     </message>
 </context>
 <context>

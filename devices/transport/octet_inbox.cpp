@@ -1,5 +1,7 @@
 #include "devices/transport/octet_inbox.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 
@@ -9,10 +11,17 @@ void OctetInbox::put(std::span<const std::uint8_t> octets) {
     {
         const std::lock_guard lock(m_mutex);
         m_received += octets.size();
-        if (m_waiting.size() + octets.size() > MaxWaiting) {
-            m_waiting.clear();
+        if (m_error) {
+            return; // nothing follows the end
         }
-        m_waiting.insert(m_waiting.end(), octets.begin(), octets.end());
+        if (m_waiting.size() + octets.size() > MaxWaiting) {
+            keepFirst(
+                {ErrorCode::DeviceLost,
+                 fmt::format("{} MB from the board waited and nobody took them", MaxWaiting >> 20),
+                 "the computer was too busy or asleep: connect again, with fewer signals or a lower rate"});
+        } else {
+            m_waiting.insert(m_waiting.end(), octets.begin(), octets.end());
+        }
     }
     m_changed.notify_one();
 }
@@ -20,12 +29,15 @@ void OctetInbox::put(std::span<const std::uint8_t> octets) {
 void OctetInbox::fail(Error error) {
     {
         const std::lock_guard lock(m_mutex);
-        if (m_error) {
-            return;
-        }
-        m_error = std::move(error);
+        keepFirst(std::move(error));
     }
     m_changed.notify_one();
+}
+
+void OctetInbox::keepFirst(Error error) {
+    if (!m_error) {
+        m_error = std::move(error);
+    }
 }
 
 void OctetInbox::clear() {

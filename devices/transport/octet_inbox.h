@@ -14,7 +14,8 @@ namespace halbench::devices {
 /// Octets on their way from a port's own thread to the connection's. Thread: any; one takes.
 class OctetInbox {
 public:
-    /// More than this waiting means that nobody reads: they are thrown away.
+    /// More than this waiting means that nobody reads: the connection ends, with what waits still delivered.
+    /// A stream without a hole is the only one whose next message is known.
     static constexpr std::size_t MaxWaiting = std::size_t{8} << 20;
 
     void put(std::span<const std::uint8_t> octets);
@@ -29,6 +30,8 @@ public:
     std::uint64_t received() const;
 
 private:
+    void keepFirst(Error error);
+
     mutable std::mutex m_mutex;
     std::condition_variable m_changed;
     std::vector<std::uint8_t> m_waiting;

@@ -2,7 +2,6 @@
 
 #include "devices/transport/port_access.h"
 #include "devices/transport/udev_handle.h"
-#include "devices/transport/usb_descriptors.h"
 
 #include <fmt/format.h>
 
@@ -12,6 +11,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <sstream>
 
 namespace halbench::devices {
 
@@ -81,9 +81,8 @@ void judge(PortListing& port, bool isInUse) {
 
 /// The name that stays when ports are numbered anew.
 std::string stableLink(udev_device* device) {
-    udev_list_entry* entry = nullptr;
-    udev_list_entry_foreach(entry, udev_device_get_devlinks_list_entry(device)) {
-        const std::string link = words(udev_list_entry_get_name(entry));
+    std::istringstream links(words(udev_device_get_property_value(device, "DEVLINKS")));
+    for (std::string link; links >> link;) {
         if (link.rfind("/dev/serial/by-id/", 0) == 0) {
             return link;
         }
@@ -91,7 +90,21 @@ std::string stableLink(udev_device* device) {
     return words(udev_device_get_devnode(device));
 }
 
-void addSerial(std::vector<PortListing>& ports, udev_device* device) {
+/// The terminals that the kernel and the log-in talk through, as "tty0 ttyS0".
+std::string consolesOf(udev* context) {
+    const UdevHandle<udev_device> console(udev_device_new_from_subsystem_sysname(context, "tty", "console"));
+    return console ? " " + attribute(console.get(), "active") + " " : std::string();
+}
+
+void judgeSerial(PortListing& port, bool isConsole) {
+    judge(port, holderOf(port.node).has_value());
+    if (port.reason.empty() && isConsole) {
+        port.reason = "it is the console of this machine";
+        port.hint = "take another port, or start the machine without 'console=' for this one";
+    }
+}
+
+void addSerial(std::vector<PortListing>& ports, udev_device* device, const std::string& consoles) {
     udev_device* const parent = udev_device_get_parent(device);
     const bool isNobodys = parent == nullptr || udev_device_get_devnode(device) == nullptr;
     // A PC announces dozens of UARTs that it has not: their type is unknown.
@@ -104,7 +117,8 @@ void addSerial(std::vector<PortListing>& ports, udev_device* device) {
     if (udev_device* usb = udev_device_get_parent_with_subsystem_devtype(device, "usb", "usb_device")) {
         fillUsb(port, usb);
     }
-    judge(port, holderOf(port.node).has_value());
+    const std::string name = words(udev_device_get_sysname(device));
+    judgeSerial(port, consoles.find(" " + name + " ") != std::string::npos);
     ports.push_back(std::move(port));
 }
 
@@ -113,14 +127,38 @@ bool isSerialFunction(udev_device* interface) {
            attribute(interface, "bInterfaceSubClass") == "02";
 }
 
+/// The drivers of the usual USB serial adapters, by vendor. Their interfaces look like a board's: of the
+/// vendor's class, with a bulk pair.
+const char* serialAdapterDriver(std::uint16_t vendor) {
+    switch (vendor) {
+    case 0x0403:
+        return "ftdi_sio";
+    case 0x067B:
+        return "pl2303";
+    case 0x10C4:
+        return "cp210x";
+    case 0x1A86:
+        return "ch341";
+    default:
+        return nullptr;
+    }
+}
+
 /// A USB serial port whose driver is missing shows no tty: it is told instead.
-void addDriverless(std::vector<PortListing>& ports, udev_device* usb) {
-    PortListing port;
-    fillUsb(port, usb);
-    port.node = words(udev_device_get_devnode(usb));
+void addDriverless(std::vector<PortListing>& ports, PortListing port, const char* driver) {
     port.reason = "its serial port has no driver";
-    port.hint = "load it: sudo modprobe cdc_acm";
+    port.hint = fmt::format("load it: sudo modprobe {}", driver);
     ports.push_back(std::move(port));
+}
+
+/// A driver of the system is no trouble for who names the address, but its function is gone meanwhile.
+void judgeBulk(PortListing& port) {
+    judge(port, port.driver == "usbfs");
+    if (port.reason.empty() && !port.driver.empty()) {
+        port.reason = fmt::format("held by the kernel driver '{}'", port.driver);
+        port.hint = fmt::format(
+            "if it is the board, connect to {}: the driver is detached until you disconnect", port.uri);
+    }
 }
 
 void addInterface(std::vector<PortListing>& ports, udev_device* interface) {
@@ -128,26 +166,25 @@ void addInterface(std::vector<PortListing>& ports, udev_device* interface) {
     if (usb == nullptr || words(udev_device_get_devtype(interface)) != "usb_interface") {
         return;
     }
-    const std::string driver = words(udev_device_get_driver(interface));
-    if (driver.empty() && isSerialFunction(interface)) {
-        addDriverless(ports, usb);
-    }
-    const bool isOurs = driver.empty() || driver == "usbfs";
-    if (attribute(interface, "bInterfaceClass") != "ff" || !isOurs) {
-        return;
-    }
-    const int number = numberFrom(attribute(interface, "bInterfaceNumber"), 16);
-    const auto pair = bulkPairOf(octetsOf(words(udev_device_get_syspath(usb)) + "/descriptors"), number);
-    if (!pair) {
-        return;
-    }
     PortListing port;
-    port.kind = PortKind::UsbBulk;
     fillUsb(port, usb);
     port.node = words(udev_device_get_devnode(usb));
-    port.uri = usbUri("usb", port);
-    judge(port, driver == "usbfs");
-    ports.push_back(std::move(port));
+    port.driver = words(udev_device_get_driver(interface));
+    const bool isCdc = isSerialFunction(interface);
+    const char* const adapter = isCdc ? "cdc_acm" : serialAdapterDriver(port.vendor);
+    const int number = numberFrom(attribute(interface, "bInterfaceNumber"), 16);
+    const auto pair = bulkPairOf(octetsOf(words(udev_device_get_syspath(usb)) + "/descriptors"), number);
+    if (adapter != nullptr && (isCdc || pair)) {
+        if (port.driver.empty()) {
+            addDriverless(ports, std::move(port), adapter);
+        }
+    } else if (pair) {
+        port.kind = PortKind::UsbBulk;
+        port.ends = *pair;
+        port.uri = usbUri("usb", port);
+        judgeBulk(port);
+        ports.push_back(std::move(port));
+    }
 }
 
 void addHid(std::vector<PortListing>& ports, udev_device* device) {
@@ -196,7 +233,8 @@ std::vector<PortListing> listPorts() {
     if (!context) {
         return ports;
     }
-    forEach(context.get(), "tty", [&](udev_device* device) { addSerial(ports, device); });
+    const std::string consoles = consolesOf(context.get());
+    forEach(context.get(), "tty", [&](udev_device* device) { addSerial(ports, device, consoles); });
     forEach(context.get(), "usb", [&](udev_device* device) { addInterface(ports, device); });
     forEach(context.get(), "hidraw", [&](udev_device* device) { addHid(ports, device); });
     return ports;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "control/base/result.h"
+#include "devices/transport/usb_descriptors.h"
 
 #include <cstdint>
 #include <optional>
@@ -22,6 +23,8 @@ struct PortListing {
     std::uint16_t product = 0;
     int bus = 0; ///< on the USB
     int address = 0;
+    BulkPair ends;      ///< of a USB bulk device
+    std::string driver; ///< the kernel driver that holds these; empty: none
     std::string reason; ///< why it cannot be opened; empty when it can
     std::string hint;
 };

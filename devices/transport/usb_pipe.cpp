@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
 
 namespace halbench::devices {
 
@@ -16,20 +18,8 @@ constexpr std::size_t RequestOctets = 8192;
 constexpr unsigned SendTimeout_ms = 500;
 constexpr timeval EventPatience{0, 100000};
 /// Cancelled requests come back at once; one that does not is not waited for without end.
-constexpr int MaxEndingRounds = 20;
+constexpr std::chrono::seconds EndingPatience{2};
 constexpr const char* PluggedHint = "check the cable and that the board is on";
-
-std::optional<BulkPair> bulkPairOf(const libusb_interface_descriptor& setting) {
-    BulkPair pair{setting.bInterfaceNumber, 0, 0};
-    for (int i = 0; i < setting.bNumEndpoints; ++i) {
-        const libusb_endpoint_descriptor& end = setting.endpoint[i];
-        if ((end.bmAttributes & LIBUSB_TRANSFER_TYPE_MASK) == LIBUSB_TRANSFER_TYPE_BULK) {
-            ((end.bEndpointAddress & LIBUSB_ENDPOINT_IN) != 0 ? pair.in : pair.out) = end.bEndpointAddress;
-        }
-    }
-    const bool isPair = setting.bInterfaceClass == LIBUSB_CLASS_VENDOR_SPEC && pair.in != 0 && pair.out != 0;
-    return isPair ? std::optional(pair) : std::nullopt;
-}
 
 } // namespace
 
@@ -39,9 +29,6 @@ UsbPort::Pipe::~Pipe() {
         libusb_interrupt_event_handler(m_context);
         m_thread.join();
     }
-    for (Request& request : m_requests) {
-        libusb_free_transfer(request.transfer);
-    }
     if (m_isClaimed) {
         libusb_release_interface(m_handle, m_ends.interface);
     }
@@ -50,6 +37,11 @@ UsbPort::Pipe::~Pipe() {
     }
     if (m_handle != nullptr) {
         libusb_close(m_handle);
+    }
+    // Only now: a request that did not come back was the library's until the handle was closed, which takes
+    // it from the system's list and the library's.
+    for (Request& request : m_requests) {
+        libusb_free_transfer(request.transfer);
     }
     if (m_context != nullptr) {
         libusb_exit(m_context);
@@ -64,6 +56,33 @@ Error UsbPort::Pipe::failed(const char* what, int code) const {
 Error UsbPort::Pipe::unplugged() const {
     return {ErrorCode::DeviceLost, fmt::format("{}: the device was unplugged or switched off", m_description),
             PluggedHint};
+}
+
+/// A halted endpoint forgets what it had: the other side of the stream has to begin anew, which opening it
+/// again does (resources/help/protocol.md 3.4).
+Error UsbPort::Pipe::halted() const {
+    return {ErrorCode::DeviceLost, fmt::format("{}: the board halted its endpoint", m_description),
+            "connect again"};
+}
+
+/// Why the system did not take a request.
+Error UsbPort::Pipe::refused(int code) const {
+    switch (code) {
+    case LIBUSB_ERROR_NO_DEVICE:
+    case LIBUSB_ERROR_IO: // as an unplugged device shows itself half of the time
+        return unplugged();
+    case LIBUSB_ERROR_PIPE:
+        return halted();
+    case LIBUSB_ERROR_TIMEOUT:
+        return {ErrorCode::DeviceLost, fmt::format("{}: the board takes no more commands", m_description),
+                PluggedHint};
+    case LIBUSB_ERROR_NO_MEM:
+        return {ErrorCode::DeviceLost,
+                fmt::format("{}: the system has no memory left for USB transfers", m_description),
+                "close other programs that use USB, or raise /sys/module/usbcore/parameters/usbfs_memory_mb"};
+    default:
+        return failed("the transfer failed", code);
+    }
 }
 
 Result<void> UsbPort::Pipe::open(const PortListing& port) {
@@ -100,25 +119,26 @@ Result<void> UsbPort::Pipe::openHandle(const PortListing& port) {
                                                : failed("cannot be opened", code));
 }
 
+/// The driver gets the interface back when the connection ends.
+Result<void> UsbPort::Pipe::takeFromDriver(const PortListing& port) {
+    if (libusb_kernel_driver_active(m_handle, m_ends.interface) != 1) {
+        return {};
+    }
+    const int code = libusb_detach_kernel_driver(m_handle, m_ends.interface);
+    if (code != 0 && code != LIBUSB_ERROR_NOT_FOUND) { // let go of meanwhile
+        return failure(ErrorCode::DeviceLost,
+                       fmt::format("{}: the kernel driver '{}' does not let go of it: {}", m_description,
+                                   port.driver, libusb_strerror(code)),
+                       fmt::format("unload the driver: sudo modprobe -r {}", port.driver));
+    }
+    m_hasDetached = code == 0;
+    return {};
+}
+
 Result<void> UsbPort::Pipe::claim(const PortListing& port) {
-    libusb_config_descriptor* config = nullptr;
-    std::optional<BulkPair> ends;
-    if (libusb_get_active_config_descriptor(libusb_get_device(m_handle), &config) == 0) {
-        for (int i = 0; i < config->bNumInterfaces && !ends; ++i) {
-            ends = config->interface[i].num_altsetting > 0 ? bulkPairOf(config->interface[i].altsetting[0])
-                                                           : std::nullopt;
-        }
-        libusb_free_config_descriptor(config);
-    }
-    if (!ends) {
-        return failure(
-            ErrorCode::DeviceLost,
-            fmt::format("{} has no pair of bulk endpoints: it is no board of this kind", m_description),
-            "see 'halbench devices' for what can be connected");
-    }
-    m_ends = *ends;
-    if (libusb_kernel_driver_active(m_handle, m_ends.interface) == 1) {
-        m_hasDetached = libusb_detach_kernel_driver(m_handle, m_ends.interface) == 0;
+    m_ends = port.ends;
+    if (Result<void> taken = takeFromDriver(port); !taken) {
+        return taken;
     }
     const int code = libusb_claim_interface(m_handle, m_ends.interface);
     if (code == LIBUSB_ERROR_BUSY) {
@@ -160,7 +180,7 @@ void UsbPort::Pipe::submit(Request& request) {
     const int code = libusb_submit_transfer(request.transfer);
     request.isWaiting = code == 0;
     if (code != 0) {
-        m_inbox->fail(unplugged());
+        m_inbox->fail(refused(code));
     }
 }
 
@@ -182,14 +202,14 @@ void UsbPort::Pipe::run() {
     for (Request& request : m_requests) {
         submit(request);
     }
-    int endingRounds = 0;
-    while (!m_isEnding || (isAnyWaiting() && endingRounds < MaxEndingRounds)) {
-        if (m_isEnding && endingRounds++ == 0) {
+    std::optional<std::chrono::steady_clock::time_point> end;
+    while (!m_isEnding || (isAnyWaiting() && (!end || std::chrono::steady_clock::now() < *end))) {
+        if (m_isEnding && !end) {
+            end = std::chrono::steady_clock::now() + EndingPatience;
             cancelAll();
         }
         timeval patience = EventPatience;
         libusb_handle_events_timeout_completed(m_context, &patience, nullptr);
-        restartAfterHalt();
     }
 }
 
@@ -205,26 +225,18 @@ void UsbPort::Pipe::onCompleted(Request& request) {
         submit(request);
         break;
     case LIBUSB_TRANSFER_STALL:
-        m_isHalted = true;
+        m_inbox->fail(halted());
         break;
     case LIBUSB_TRANSFER_CANCELLED:
         break;
     case LIBUSB_TRANSFER_ERROR: // half of the time an unplugged device shows so, else as NO_DEVICE
     case LIBUSB_TRANSFER_NO_DEVICE:
-    case LIBUSB_TRANSFER_OVERFLOW:
         m_inbox->fail(unplugged());
         break;
+    case LIBUSB_TRANSFER_OVERFLOW:
+        m_inbox->fail(failed("the board sent more than was asked for", LIBUSB_ERROR_OVERFLOW));
+        break;
     }
-}
-
-/// A halted endpoint forgets what it had: the other side of the stream has to begin anew (3.4).
-void UsbPort::Pipe::restartAfterHalt() {
-    if (!m_isHalted || m_isEnding) {
-        return;
-    }
-    m_isHalted = false;
-    m_inbox->fail({ErrorCode::DeviceLost, fmt::format("{}: the board halted its endpoint", m_description),
-                   "connect again"});
 }
 
 Result<void> UsbPort::Pipe::write(std::span<const std::uint8_t> octets) {
@@ -235,11 +247,7 @@ Result<void> UsbPort::Pipe::write(std::span<const std::uint8_t> octets) {
     if (code == 0 && static_cast<std::size_t>(sent) == octets.size()) {
         return {};
     }
-    if (code == LIBUSB_ERROR_TIMEOUT) {
-        return failure(ErrorCode::DeviceLost,
-                       fmt::format("{}: the board takes no more commands", m_description), PluggedHint);
-    }
-    return failure(unplugged());
+    return failure(refused(code == 0 ? LIBUSB_ERROR_TIMEOUT : code));
 }
 
 } // namespace halbench::devices

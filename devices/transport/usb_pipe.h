@@ -35,15 +35,17 @@ private:
 
     Result<void> openHandle(const PortListing& port);
     Result<void> claim(const PortListing& port);
+    Result<void> takeFromDriver(const PortListing& port);
     Result<void> startRequests();
     void run();
     void submit(Request& request);
-    void restartAfterHalt();
     void cancelAll();
     bool isAnyWaiting() const;
     void onCompleted(Request& request);
     Error failed(const char* what, int code) const;
     Error unplugged() const;
+    Error halted() const;
+    Error refused(int code) const;
 
     std::string m_description;
     OctetInbox* m_inbox;
@@ -52,8 +54,7 @@ private:
     BulkPair m_ends;
     bool m_isClaimed = false;
     bool m_hasDetached = false;
-    bool m_isHalted = false; ///< of the thread, as are the requests once it runs
-    std::vector<Request> m_requests;
+    std::vector<Request> m_requests; ///< of the thread once it runs
     std::atomic<bool> m_isEnding{false};
     std::thread m_thread;
 };

@@ -69,13 +69,25 @@ private:
     std::unique_ptr<UMockdevIoctlBase, GObjectDeleter> m_handler;
 };
 
+/// How a bulk board presents itself.
+struct BulkTraits {
+    std::string driver{}; ///< the kernel driver that holds its interface
+    std::string vendor = "1209";
+    std::string product = "0001";
+    std::string interfaceClass = "ff";
+    bool hasSecondPair = false; ///< 0x83 and 0x04 behind 0x81 and 0x02
+    bool isDetachable = true;   ///< its driver lets go
+    bool answersCancel = true;  ///< else cancelled transfers never come back
+    int submitError = 0;        ///< of every transfer
+};
+
 /// A board with a pair of bulk endpoints, plugged in while it lives.
 class MockBulkBoard : public MockNode {
 public:
     /// How the system tells the program that the device is gone: both are seen on real machines.
     enum class Departure { NoDevice, ProtocolError };
 
-    MockBulkBoard(const MockMachine& machine, int address, const std::string& serial);
+    MockBulkBoard(const MockMachine& machine, int address, const std::string& serial, BulkTraits traits = {});
     ~MockBulkBoard() override;
 
     void deliver(const Octets& octets);
@@ -84,6 +96,12 @@ public:
     /// What the program sent, taken; waits so long for the first octet.
     Octets takenWithin(double time_s);
     void setStalled(bool isStalled); ///< takes nothing any more
+    /// Its endpoints answer STALL until each is cleared.
+    void halt();
+    /// Whom the interface belongs to now: a kernel driver, or nobody.
+    std::string driver();
+    bool isClaimed();
+    std::vector<std::uint8_t> usedEnds(); ///< endpoint addresses in order of their first use
     void unplug(Departure departure);
 
 protected:
@@ -102,12 +120,21 @@ private:
     void submit(UMockdevIoctlClient* client);
     void reap(UMockdevIoctlClient* client);
     void discard(UMockdevIoctlClient* client);
+    void tellDriver(UMockdevIoctlClient* client);
+    void changeDriver(UMockdevIoctlClient* client);
+    void clearHalt(UMockdevIoctlClient* client);
+    bool isHalted(std::uint8_t end) const;
+    void noteUse(std::uint8_t end);
     void fillWaiting();
     void finish(const Transfer& transfer, int status);
     void showReady();
 
     const MockMachine* m_machine;
+    BulkTraits m_traits;
     std::string m_place;
+    std::string m_driver;
+    std::vector<std::uint8_t> m_halted;
+    std::vector<std::uint8_t> m_usedEnds;
     std::deque<Transfer> m_waiting; ///< for octets of the board
     std::deque<Transfer> m_stuck;   ///< to a board that takes nothing
     std::deque<Transfer> m_done;

@@ -27,13 +27,24 @@ TEST(OctetInbox, givesEverythingThatCameBeforeTheError) {
     EXPECT_EQ(inbox.received(), 3U);
 }
 
-TEST(OctetInbox, keepsNoMoreThanItMay) {
+TEST(OctetInbox, anOverflowEndsTheConnectionBehindAllThatWaited) {
     OctetInbox inbox;
     inbox.put(Octets(OctetInbox::MaxWaiting, 1));
     inbox.put(Octets(5, 2));
     Octets octets;
     EXPECT_TRUE(inbox.take(octets, 0.0).value());
-    EXPECT_EQ(octets, Octets(5, 2));
+    EXPECT_EQ(octets.size(), OctetInbox::MaxWaiting) << "nothing is thrown away behind anybody's back";
+    EXPECT_EQ(octets.back(), 1);
+    inbox.put(Octets(5, 3));
+    const auto end = inbox.take(octets, 0.0);
+    ASSERT_FALSE(end) << "what came later has a hole in front of it";
+    EXPECT_EQ(end.error().code, ErrorCode::DeviceLost);
+    EXPECT_EQ(end.error().message, "8 MB from the board waited and nobody took them");
+    EXPECT_NE(end.error().hint.find("connect again"), std::string::npos);
+    inbox.clear();
+    inbox.put(Octets(5, 4));
+    EXPECT_TRUE(inbox.take(octets, 0.0).value());
+    EXPECT_EQ(octets, Octets(5, 4));
 }
 
 TEST(OctetInbox, carriesEveryOctetFromThreadToThreadInOrder) {
