@@ -38,6 +38,15 @@ SAMPLES = {
          {"devices/acquisition/a.cpp": "#include <qwt_plot.h>\n"}],
         [{"widgets/a.h": "#include <QtWidgets/QWidget>\n#include <QColor>\n#include <qwt_plot.h>\n"},
          {"app/procedures/a.cpp": "#include <QtCore/QFile>\n"}]),
+    "panels_run_whole_procedures": (
+        [{"app/wizards/a.cpp": '#include "control/identify/fit.h"\n'},
+         {"app/workspaces/a.h": '#include "models/estimators/e.h"\n'},
+         {"app/window/a.cpp": '#include "app/procedures/identify_fit.h"\n'},
+         {"app/wizards/a.cpp": "const auto result = runPlateaus(device, observer, run);"},
+         {"app/wizards/a.cpp": "identifyRecording(recording, config);"}],
+        [{"app/wizards/a.cpp": '#include "app/procedures/identify_procedure.h"\nreturn runIdentify(device, config, observer);'},
+         {"app/wizards/a.cpp": "void P::runStep(int s) { m_session.runProcedure(name, body, then); }"},
+         {"app/batch/a.cpp": '#include "app/procedures/identify_fit.h"\nrunMove(device, config, observer);'}]),
     "firmware_is_plain_c": (
         [{"devices/firmware/a.c": "#include <stdio.h>\n"}, {"devices/firmware/a.cpp": ""},
          {"devices/firmware/a.c": "p = malloc(4);"}, {"devices/firmware/a.c": 'snprintf (t, 4, "%f", x);'}],

@@ -219,6 +219,31 @@ def own_includes(files, path):
             if mark == '"' and folder and header.startswith(folder + "/")}
 
 
+# What moves the motor or judges it is asked for as a whole; a panel that took parts of it would give other numbers than
+# the batch program.
+PANELS = ("app/window/", "app/wizards/", "app/workspaces/")
+PROCEDURES = ("runIdentify", "runCalibrate", "runApply", "runTune", "runAnalysis")
+PROCEDURE_DOORS = {"app/procedures/" + name + ".h" for name in (
+    "procedure", "identify_procedure", "identify_plan", "calibrate_procedure", "apply_procedure", "tune", "loop_verdict",
+    "move_reference")}
+FITS = r"control/identify/|models/estimators/"
+PARTS_OF_PROCEDURES = r"\b(run(?!Procedure\b|Step\b|Window\b)[A-Z]\w*|identifyRecording|performMove)\s*\("
+
+
+def panels_run_whole_procedures(files):
+    for path, text in files.items():
+        if not path.startswith(PANELS):
+            continue
+        for line, _, header in includes(text):
+            if re.match(FITS, header) or header.startswith("app/procedures/") and header not in PROCEDURE_DOORS:
+                yield path, line, f"{header} is a part of a procedure; panels use {', '.join(PROCEDURES)}"
+        code = code_only(text)
+        for match in re.finditer(PARTS_OF_PROCEDURES, code):
+            if match.group(1) not in PROCEDURES:
+                yield path, line_of(code, match.start()), f"{match.group(1)}: panels use {', '.join(PROCEDURES)}"
+
+
 RULES = {rule.__name__: rule for rule in (
     allowed_includes, allowed_qt, firmware_is_plain_c, firmware_has_its_licence, file_sizes, function_sizes,
-    forbidden_words, nothing_unfinished, names_and_guards, cites_only_what_is_here, every_source_has_its_test)}
+    forbidden_words, nothing_unfinished, names_and_guards, cites_only_what_is_here, every_source_has_its_test,
+    panels_run_whole_procedures)}
