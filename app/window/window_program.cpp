@@ -5,6 +5,7 @@
 #include "widgets/theme_style.h"
 
 #include <QApplication>
+#include <QScreen>
 
 #include <clocale>
 #include <cstdio>
@@ -15,6 +16,8 @@ namespace halbench::app {
 namespace {
 
 constexpr int UsageExit = 2;
+/// What the desktop puts around a window; known only when it is shown.
+constexpr QSize FrameRoom(8, 40);
 
 struct WindowCall {
     std::optional<QString> device;
@@ -61,8 +64,7 @@ bool isWindowCall(const std::vector<std::string>& arguments) {
 }
 
 int runWindow(const std::vector<std::string>& arguments) {
-    const std::optional<WindowCall> call = parse(arguments);
-    if (!call) {
+    if (!parse(arguments)) {
         return refuse(
             "the window takes --project FILE and --connect DEVICE; commands: see 'halbench --help'");
     }
@@ -75,31 +77,43 @@ int runWindow(const std::vector<std::string>& arguments) {
     QCoreApplication::setOrganizationName("Halbench");
     QCoreApplication::setApplicationName("halbench");
     QCoreApplication::setApplicationVersion(HALBENCH_VERSION);
-    QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+    followDisplayScale();
     int count = 1;
     char name[] = "halbench";
     char* words[] = {name, nullptr};
     QApplication application(count, words);
     std::setlocale(LC_NUMERIC, "C"); // files; the screen asks QLocale
     const std::unique_ptr<MainWindow> window = makeWindow(application, loadPreferences());
-    QObject::connect(window.get(), &MainWindow::furnished, window.get(), [&] {
-        if (call->project) {
-            window->openProject(*call->project);
-        } else {
-            window->recoverUnnamed();
-        }
-        if (call->device) {
-            window->connectDevice(*call->device);
-        }
-    });
+    obey(*window, arguments);
     window->show();
     return QApplication::exec();
+}
+
+void obey(MainWindow& window, const std::vector<std::string>& arguments) {
+    const WindowCall call = parse(arguments).value_or(WindowCall());
+    QObject::connect(&window, &MainWindow::furnished, &window, [&window, call] {
+        if (call.project) {
+            window.openProject(*call.project);
+        } else {
+            window.recoverUnnamed();
+        }
+        if (call.device) {
+            window.connectDevice(*call.device);
+        }
+    });
+}
+
+void followDisplayScale() {
+    QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+    QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+    QApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
 }
 
 std::unique_ptr<MainWindow> makeWindow(QApplication& application, const Preferences& preferences) {
     speak(application, chosenLanguage(preferences.language, QLocale::system().uiLanguages()));
     dress(application, preferences);
     auto window = std::make_unique<MainWindow>(preferences);
+    window->resize(window->size().boundedTo(window->screen()->availableSize() - FrameRoom));
     widgets::applySheet(application);
     return window;
 }

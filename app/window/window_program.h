@@ -19,6 +19,13 @@ bool isWindowCall(const std::vector<std::string>& arguments);
 /// line on stderr without a display or with an option that makes no sense.
 int runWindow(const std::vector<std::string>& arguments);
 
+/// Before the QApplication: everything in the window grows with the display's scale (1x to 2x and between),
+/// not only its text. QT_SCALE_FACTOR multiplies it.
+void followDisplayScale();
+
+/// What the arguments of runWindow() ask of the window is done as soon as its panels are there.
+void obey(MainWindow& window, const std::vector<std::string>& arguments);
+
 /// The window as runWindow() shows it first: in the language and the theme of the preferences.
 std::unique_ptr<MainWindow> makeWindow(QApplication& application, const Preferences& preferences);
 

@@ -30,6 +30,20 @@ protected:
         }
         return found;
     }
+
+    /// Panels in sight that have less room than they say they need.
+    QStringList cutPanels() const {
+        QStringList found;
+        for (const PanelSpec& spec : panelSpecs()) {
+            const QWidget* panel = window->docks().panel(spec.id);
+            const QSize need = panel->minimumSizeHint();
+            if (panel->isVisible() && !panel->visibleRegion().isEmpty() &&
+                (panel->width() < need.width() || panel->height() < need.height())) {
+                found << spec.id;
+            }
+        }
+        return found;
+    }
 };
 
 TEST_F(ScaleChangeTest, nothingIsClippedWhenTheTextGrowsAndShrinksAtRunTime) {
@@ -49,6 +63,28 @@ TEST_F(ScaleChangeTest, nothingIsClippedWhenTheTextGrowsAndShrinksAtRunTime) {
         }
     }
     EXPECT_EQ(session().state(), SessionState::Connected);
+}
+
+/// Kept on a display of small text, opened on one of large text.
+TEST_F(ScaleChangeTest, anArrangementThatWasKeptAtAnotherScaleCutsNothing) {
+    QHash<QString, QByteArray> kept;
+    open();
+    dress(0.8);
+    window->resize(1280, 720);
+    for (const Perspective perspective : AllPerspectives) {
+        window->docks().setPerspective(perspective);
+        QTest::qWait(50);
+    }
+    kept = window->docks().arrangements();
+    window->resize(1920, 1200);
+    dress(1.25);
+    window->docks().setArrangements(kept);
+    for (const Perspective perspective : AllPerspectives) {
+        window->docks().setPerspective(perspective);
+        QTest::qWait(100);
+        EXPECT_EQ(clipped().join(", ").toStdString(), "") << perspectiveId(perspective).toStdString();
+        EXPECT_EQ(cutPanels().join(", ").toStdString(), "") << perspectiveId(perspective).toStdString();
+    }
 }
 
 } // namespace
