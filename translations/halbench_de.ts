@@ -4519,6 +4519,25 @@
     </message>
 </context>
 <context>
+    <name>halbench::app::ArrangementNotice</name>
+    <message>
+        <source>The arrangement of the panels in %1 is damaged; the first one is shown.</source>
+        <translation>Die Anordnung der Bereiche in %1 ist beschädigt; die erste wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>The arrangement of the panels in %1 is from a newer version; the first one is shown.</source>
+        <translation>Die Anordnung der Bereiche in %1 stammt aus einer neueren Version; die erste wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>The arrangement of the panels in %1 is from an older version; the first one is shown.</source>
+        <translation>Die Anordnung der Bereiche in %1 stammt aus einer älteren Version; die erste wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>Nothing of it is lost: it stays in the file under the name %1.</source>
+        <translation>Nichts davon ist verloren: Sie bleibt in der Datei unter dem Namen %1.</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::CalibratePanel</name>
     <message>
         <source>Save calibration</source>

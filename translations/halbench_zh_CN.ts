@@ -4519,6 +4519,25 @@
     </message>
 </context>
 <context>
+    <name>halbench::app::ArrangementNotice</name>
+    <message>
+        <source>The arrangement of the panels in %1 is damaged; the first one is shown.</source>
+        <translation>%1 中的面板布局已损坏；显示初始布局。</translation>
+    </message>
+    <message>
+        <source>The arrangement of the panels in %1 is from a newer version; the first one is shown.</source>
+        <translation>%1 中的面板布局来自更新的版本；显示初始布局。</translation>
+    </message>
+    <message>
+        <source>The arrangement of the panels in %1 is from an older version; the first one is shown.</source>
+        <translation>%1 中的面板布局来自更旧的版本；显示初始布局。</translation>
+    </message>
+    <message>
+        <source>Nothing of it is lost: it stays in the file under the name %1.</source>
+        <translation>没有任何内容丢失：它以名称 %1 保留在文件中。</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::CalibratePanel</name>
     <message>
         <source>Save calibration</source>

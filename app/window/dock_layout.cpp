@@ -250,8 +250,7 @@ void DockLayout::setPerspective(Perspective perspective) {
         m_manager->isAncestorOf(QApplication::focusWidget()) ? QApplication::focusWidget() : nullptr;
     m_arrangements[perspectiveId(m_perspective)] = m_manager->saveState(ArrangementVersion);
     m_perspective = perspective;
-    const QByteArray kept = m_arrangements.value(perspectiveId(perspective));
-    if (kept.isEmpty() || !m_manager->restoreState(kept, ArrangementVersion)) {
+    if (!restoreKept()) {
         arrange(perspective);
     }
     growCentre();
@@ -259,8 +258,27 @@ void DockLayout::setPerspective(Perspective perspective) {
     perspectiveChanged();
 }
 
+/// What cannot be shown is kept under a name of its own: the next saving would write over it.
+bool DockLayout::restoreKept() {
+    const QString id = perspectiveId(m_perspective);
+    const QByteArray kept = m_arrangements.value(id);
+    if (kept.isEmpty()) {
+        return false;
+    }
+    const std::optional<ArrangementFault> fault = faultOf(kept, ArrangementVersion);
+    if (!fault && m_manager->restoreState(kept, ArrangementVersion)) {
+        return true;
+    }
+    const QString aside = unreadName(m_arrangements, id);
+    m_arrangements.insert(aside, m_arrangements.take(id));
+    arrangementUnread(m_perspective, fault.value_or(ArrangementFault::Damaged), aside);
+    return false;
+}
+
 void DockLayout::reset() {
-    m_arrangements.clear();
+    for (const Perspective perspective : AllPerspectives) { // not what could not be shown
+        m_arrangements.remove(perspectiveId(perspective));
+    }
     m_manager->restoreState(m_first, ArrangementVersion);
     arrange(m_perspective);
 }
@@ -281,9 +299,8 @@ QHash<QString, QByteArray> DockLayout::arrangements() {
 
 void DockLayout::setArrangements(const QHash<QString, QByteArray>& arrangements) {
     m_arrangements = arrangements;
-    const QByteArray kept = m_arrangements.value(perspectiveId(m_perspective));
-    if (!kept.isEmpty() && !m_manager->restoreState(kept, ArrangementVersion)) {
-        m_arrangements.remove(perspectiveId(m_perspective));
+    const bool isKept = !m_arrangements.value(perspectiveId(m_perspective)).isEmpty();
+    if (!restoreKept() && isKept) {
         arrange(m_perspective);
     }
     growCentre();

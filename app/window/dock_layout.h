@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/window/kept_arrangement.h"
 #include "app/window/panels.h"
 
 #include <QByteArray>
@@ -30,7 +31,8 @@ public:
     void furnish(Workbench& bench);
 
     QWidget* widget() const;
-    /// The panel with this id; null before furnish(). One behind another tab has no parent: the window's findChild() misses it.
+    /// The panel with this id; null before furnish(). One behind another tab has no parent: the window's
+    /// findChild() misses it.
     QWidget* panel(const QString& id) const;
     Perspective perspective() const { return m_perspective; }
     void setPerspective(Perspective perspective);
@@ -42,18 +44,21 @@ public:
     QString helpPageOf(const QWidget* widget) const;
     const QHash<QString, ads::CDockWidget*>& docks() const { return m_docks; }
 
-    /// Arrangements by perspectiveId(). What does not fit the panels of this version is left as it is.
+    /// Arrangements by perspectiveId(). One that cannot be shown stays among them under another name.
     QHash<QString, QByteArray> arrangements();
     void setArrangements(const QHash<QString, QByteArray>& arrangements);
 
 Q_SIGNALS:
     void perspectiveChanged();
+    /// The kept arrangement could not be shown, the first one is; it is among arrangements() as `keptAs`.
+    void arrangementUnread(Perspective perspective, ArrangementFault fault, const QString& keptAs);
     void stopRequested(); ///< by the small STOP that every floating dock carries
 
 private:
     void addPanel(const PanelSpec& spec, Workbench& bench);
     bool hasRightNeighbour(const PanelSpec& spec) const;
     void arrange(Perspective perspective);
+    bool restoreKept();
     ads::CDockAreaWidget* areaOf(PanelArea area) const; ///< null while all its panels are closed
     std::optional<int> firstLength(const QWidget& part, Qt::Orientation orientation) const;
     void shareSpace();

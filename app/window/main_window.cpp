@@ -1,5 +1,6 @@
 #include "app/window/main_window.h"
 
+#include "app/window/arrangement_notice.h"
 #include "app/window/dock_layout.h"
 #include "app/window/file_dialogs.h"
 #include "app/window/help_window.h"
@@ -143,7 +144,9 @@ void MainWindow::buildCentre() {
     connect(m_refusal, &widgets::MessageBar::actionTriggered, this, &MainWindow::closeAnyway);
     m_unkept = new UnkeptBar(centre);
     auto* notice = new ReturnNotice(m_bench, centre);
-    for (QWidget* line : std::initializer_list<QWidget*>{m_bar, m_message, m_refusal, m_unkept, notice}) {
+    auto* arrangement = new ArrangementNotice(*m_docks, centre);
+    for (QWidget* line :
+         std::initializer_list<QWidget*>{m_bar, m_message, m_refusal, m_unkept, arrangement, notice}) {
         column->addWidget(line);
     }
     column->addWidget(m_docks->widget(), 1);

@@ -69,7 +69,9 @@ Project MainWindow::shownProject() const {
     const QHash<QString, QByteArray> arrangements = m_docks->arrangements();
     project.layouts.clear();
     for (auto entry = arrangements.begin(); entry != arrangements.end(); ++entry) {
-        project.layouts[entry.key().toStdString()] = entry.value().toStdString();
+        if (QString::fromUtf8(entry.value()).toUtf8() == entry.value()) { // a damaged one may be no text
+            project.layouts[entry.key().toStdString()] = entry.value().toStdString();
+        }
     }
     project.monitor = static_cast<MonitorPanel*>(m_docks->panel("monitor"))->view();
     m_work->fill(project);
