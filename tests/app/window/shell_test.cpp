@@ -168,6 +168,28 @@ TEST_F(ShellTest, aFloatingDockCarriesAStopOfItsOwn) {
     EXPECT_TRUE(wait([&] { return session().report().board.isStopLatched; }));
 }
 
+TEST_F(ShellTest, aFloatingDockOfARestoredArrangementCarriesItsStopToo) {
+    open();
+    dock("parameters").setFloating();
+    Preferences preferences;
+    preferences.arrangements = window->docks().arrangements();
+    window.reset();
+    open(preferences);
+    window->recoverUnnamed(); // as the program starts
+    ASSERT_TRUE(dock("parameters").isFloating());
+    connectMotor(1.0);
+    window->docks().setPerspective(Perspective::Tune);
+    window->docks().setPerspective(Perspective::Monitor);
+    auto* floating = dock("parameters").floatingDockContainer();
+    ASSERT_NE(floating, nullptr);
+    const auto stops = floating->findChildren<widgets::StopButton*>();
+    ASSERT_EQ(stops.size(), 1);
+    EXPECT_TRUE(wait([&] { return stops.front()->isVisible(); }));
+    EXPECT_FALSE(session().report().board.isStopLatched);
+    QTest::mousePress(stops.front(), Qt::LeftButton);
+    EXPECT_TRUE(wait([&] { return session().report().board.isStopLatched; }));
+}
+
 TEST_F(ShellTest, resettingBringsMovedAndFloatingPanelsBack) {
     open();
     const QPoint logPlace = dock("log").mapTo(window.get(), QPoint());

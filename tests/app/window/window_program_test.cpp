@@ -1,0 +1,115 @@
+#include "app/window/dock_layout.h"
+#include "app/window/window_program.h"
+#include "app/workspaces/device_panel.h"
+#include "app/workspaces/notes_panel.h"
+#include "tests/app/window/window_test.h"
+#include "widgets/message_bar.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QProcess>
+
+namespace halbench::app {
+namespace {
+
+/// `halbench --connect DEVICE --project FILE`: the real program beside this window, and its arguments.
+class WindowProgramTest : public WindowTest {
+protected:
+    void openWith(const std::vector<std::string>& words) {
+        window = makeWindow(application, Preferences());
+        obey(*window, words);
+        window->show();
+    }
+
+    const NotesPanel& notes() const { return static_cast<NotesPanel&>(*window->docks().panel("notes")); }
+
+    void keepProject() const {
+        Project project;
+        project.device = "sim:htm?seed=9";
+        project.notes = "bearing greased";
+        ASSERT_TRUE(saveProject(project, path().toStdString()));
+    }
+    QString path() const { return folder.filePath("motor.toml"); }
+
+    static bool hasOpen(const QProcess& process, const QString& node) {
+        const QDir folder(QStringLiteral("/proc/%1/fd").arg(process.processId()));
+        for (const QFileInfo& entry : folder.entryInfoList(QDir::Files | QDir::System)) {
+            if (entry.symLinkTarget() == node) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    static void end(QProcess& process) {
+        process.kill();
+        process.waitForFinished(Patience_ms);
+    }
+
+    QTemporaryDir folder;
+};
+
+TEST_F(WindowProgramTest, connectsTheDeviceOfItsArgumentsAndArmsNothing) {
+    openWith({"--connect", "sim:htm"});
+    ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
+    EXPECT_EQ(session().info().model, "htm");
+    EXPECT_TRUE(session().info().isSimulated);
+    EXPECT_FALSE(session().report().board.isArmed);
+}
+
+TEST_F(WindowProgramTest, opensTheProjectOfItsArgumentsAndConnectsNothing) {
+    keepProject();
+    openWith({"--project", path().toStdString()});
+    ASSERT_TRUE(wait([&] { return window->docks().panel("notes") != nullptr; }));
+    ASSERT_TRUE(wait([&] { return notes().notes() == "bearing greased"; }));
+    EXPECT_TRUE(window->windowTitle().contains("motor.toml"));
+    EXPECT_EQ(session().state(), SessionState::Disconnected);
+    window.reset(); // its lock is in the folder
+}
+
+TEST_F(WindowProgramTest, withBothTheDeviceOfTheArgumentIsConnected) {
+    keepProject();
+    openWith({"--project", path().toStdString(), "--connect", "sim:htm?seed=4"});
+    ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
+    EXPECT_EQ(notes().notes(), "bearing greased");
+    EXPECT_EQ(window->findChild<DevicePanel*>()->address(), "sim:htm?seed=4");
+    window.reset();
+}
+
+/// Two programs on one serial line and one project.
+TEST_F(WindowProgramTest, whatTheProgramHasAnotherWindowIsToldWhoHasIt) {
+    keepProject();
+    QProcess board;
+    board.start(HALBENCH_PROGRAM, {"serve", "sim:htm", "--pty"});
+    ASSERT_TRUE(board.waitForReadyRead(Patience_ms));
+    const QString node = QString::fromUtf8(board.readLine()).trimmed().section("pty:", 1);
+    ASSERT_TRUE(node.startsWith("/dev/")) << node.toStdString();
+    QProcess program;
+    program.start(HALBENCH_PROGRAM, {"--project", path(), "--connect", "serial:" + node});
+    ASSERT_TRUE(program.waitForStarted(Patience_ms));
+    ASSERT_TRUE(wait([&] { return QFile::exists(path() + ".lock"); }));
+
+    open();
+    const auto* panel = window->findChild<DevicePanel*>();
+    const auto said = [&] {
+        QString words;
+        for (const auto* bar : panel->findChildren<widgets::MessageBar*>()) {
+            words += bar->isVisible() ? bar->message().text + ' ' + bar->message().remedy : QString();
+        }
+        return words;
+    };
+    ASSERT_TRUE(wait([&] { return hasOpen(program, node); }));
+    window->connectDevice("serial:" + node);
+    ASSERT_TRUE(wait([&] { return said().contains("is in use by halbench"); })) << said().toStdString();
+    EXPECT_TRUE(said().contains("close that program")) << said().toStdString();
+    EXPECT_EQ(session().state(), SessionState::Disconnected);
+    EXPECT_EQ(program.state(), QProcess::Running); // its connection is not disturbed
+
+    window->openProject(path());
+    EXPECT_EQ(notes().notes(), "");
+    end(program);
+    end(board);
+}
+
+} // namespace
+} // namespace halbench::app
