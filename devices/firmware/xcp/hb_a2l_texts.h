@@ -3,6 +3,7 @@
 #define HB_A2L_TEXTS_H
 
 #include "devices/firmware/xcp/hb_config.h"
+#include "devices/firmware/xcp/hb_sxi.h"
 
 /* What the items of the A2L say (resources/help/protocol.md 3.7, 3.13). Only hb_a2l.c includes this. In a
  * template an octet below ' ' (but '\n') stands for a field of the item, one from 0x80 on for an entry of
@@ -133,11 +134,16 @@ static hb_rom_char Event[] =
 
 static hb_rom_char EventNumber[] = " EVENT " INDEX;
 
+#if HB_SXI_FRAMED
+#define SXI_FRAMING BEGIN "FRAMING 0x9A 0x9B " END "FRAMING "
+#else
+#define SXI_FRAMING
+#endif
 #ifdef HB_SXI_BAUD /* the profile of hb_sxi.h */
 static hb_rom_char Transport[] =
     BEGIN "XCP_ON_SxI 0x0100 " DIGITS(HB_SXI_BAUD) " "
     BEGIN DUPLEX "PARITY_NONE ONE_STOP_BIT "
-    BEGIN "FRAMING 0x9A 0x9B " END "FRAMING "
+    SXI_FRAMING
     END DUPLEX "HEADER_LEN_CTR_BYTE CHECKSUM_WORD "
     END "XCP_ON_SxI\n";
 #else

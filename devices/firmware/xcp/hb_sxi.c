@@ -21,7 +21,7 @@ static hb_sxi_count summedOctets(uint8_t length) {
 
 void hb_sxi_receiver_init(hb_sxi_receiver* receiver) {
     memset(receiver, 0, sizeof *receiver);
-    receiver->hunting = 1;
+    receiver->hunting = HB_SXI_FRAMED;
 }
 
 static void restart(hb_sxi_receiver* receiver) {
@@ -30,6 +30,7 @@ static void restart(hb_sxi_receiver* receiver) {
     receiver->hunting = 0;
 }
 
+#if HB_SXI_FRAMED
 /* 1 if the octet belongs to the frame, changed to its meaning. */
 static uint8_t unescape(hb_sxi_receiver* receiver, uint8_t* octet) {
     if (receiver->escaped) {
@@ -41,6 +42,7 @@ static uint8_t unescape(hb_sxi_receiver* receiver, uint8_t* octet) {
     receiver->escaped = *octet == ESCAPE;
     return !receiver->escaped;
 }
+#endif
 
 static uint8_t isLength(uint16_t length) {
     return length > 0 && length <= HB_MAX_CTO;
@@ -50,6 +52,7 @@ uint16_t hb_sxi_receive(hb_sxi_receiver* receiver, uint8_t octet) {
     uint8_t* frame = receiver->packet;
     hb_sxi_count summed;
     uint16_t sum;
+#if HB_SXI_FRAMED
     if (octet == SYNC) {
         restart(receiver);
         return 0;
@@ -57,6 +60,11 @@ uint16_t hb_sxi_receive(hb_sxi_receiver* receiver, uint8_t octet) {
     if (receiver->hunting || !unescape(receiver, &octet)) {
         return 0;
     }
+#else
+    if (receiver->hunting) {
+        return 0;
+    }
+#endif
     frame[receiver->filled++] = octet;
     if (!isLength(frame[0])) {
         receiver->hunting = 1;
@@ -68,7 +76,13 @@ uint16_t hb_sxi_receive(hb_sxi_receiver* receiver, uint8_t octet) {
     }
     receiver->hunting = 1;
     sum = (uint16_t)(frame[summed] | ((uint16_t)frame[summed + 1] << 8));
-    return sum == wordSum(frame, summed) ? frame[0] : 0;
+    if (sum != wordSum(frame, summed)) {
+        return 0;
+    }
+#if !HB_SXI_FRAMED
+    restart(receiver); /* the next octet is the next frame's first */
+#endif
+    return frame[0];
 }
 
 const uint8_t* hb_sxi_packet(const hb_sxi_receiver* receiver) {
@@ -104,6 +118,7 @@ uint8_t hb_sxi_next(hb_sxi_sender* sender, uint8_t* octet) {
     if (sender->next >= sender->length) {
         return 0;
     }
+#if HB_SXI_FRAMED
     if (!sender->started) {
         sender->started = 1;
         *octet = SYNC;
@@ -121,6 +136,9 @@ uint8_t hb_sxi_next(hb_sxi_sender* sender, uint8_t* octet) {
         *octet = ESCAPE;
         return 1;
     }
+#else
+    value = sender->frame[sender->next];
+#endif
     sender->next++;
     *octet = value;
     return 1;

@@ -10,6 +10,13 @@
 
 #include <stdint.h>
 
+/* 0: without SYNC and escapes, for tools that know none (resources/help/protocol.md 3.3.2). Header and sum
+ * stay. Nothing but a pause then tells where a frame begins: the board calls hb_sxi_receiver_init() when its
+ * line was silent for 50 ms, and what a damaged frame leaves is ignored until then. */
+#ifndef HB_SXI_FRAMED
+#define HB_SXI_FRAMED 1
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -36,7 +43,7 @@ typedef struct {
 
 void hb_sxi_receiver_init(hb_sxi_receiver* receiver);
 /* One octet from the line. Length of a good packet, now at hb_sxi_packet(); 0 while there is none. A damaged
- * frame is dropped silently and the next SYNC is waited for. */
+ * frame is dropped silently and the next SYNC, or without framing a pause, is waited for. */
 uint16_t hb_sxi_receive(hb_sxi_receiver* receiver, uint8_t octet);
 const uint8_t* hb_sxi_packet(const hb_sxi_receiver* receiver);
 
