@@ -23,6 +23,18 @@ def only_on(*lines):
     return decorate
 
 
+def not_where(trait):
+    """A case that asks for more than boards with this trait of theirs (target.py) have."""
+    def decorate(case):
+        def run(self):
+            if getattr(self.target, trait):
+                self.skipTest(trait)
+            case(self)
+        run.__doc__ = case.__doc__
+        return run
+    return decorate
+
+
 class SlaveCase(unittest.TestCase):
     def setUp(self):
         self.target = TARGET

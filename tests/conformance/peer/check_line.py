@@ -5,7 +5,7 @@ import unittest
 
 import line
 import wire
-from check_base import SlaveCase
+from check_base import SlaveCase, not_where
 from master import DaqList, NoAnswer
 from wire import RES
 
@@ -139,6 +139,7 @@ class Frames(SlaveCase):
             time.sleep(0.003)
         self.assertEqual(len(master.answer()), 6)
 
+    @not_where("is_small")
     def test_every_packet_fits_the_frame(self):
         master = self.master()
         self.assertLessEqual(master.max_dto, 255)

@@ -1,6 +1,6 @@
 """Dynamic DAQ: several lists and ODTs, prescalers, time stamps, consistency, refusals (protocol.md 3.8, 3.9)."""
 import wire
-from check_base import SlaveCase
+from check_base import SlaveCase, not_where
 from master import DaqList
 
 
@@ -18,6 +18,7 @@ class Measurement(SlaveCase):
         self.assertEqual(steps, {1.0}, "steps in periods")
         self.assertEqual(daq.incomplete, 0)
 
+    @not_where("is_small")
     def test_lists_odts_and_prescalers_without_gap(self):
         master = self.master()
         moving, others = self.moving(master), self.others(master, 5)

@@ -77,6 +77,7 @@ class SxiSplitter:
 
 class TcpLine:
     turn = 0x10000                  # the message counter's
+    calls = 1                       # CONNECTs that a board may need to hear one
 
     def __init__(self, place, timeout_s):
         host, port = place.rsplit(":", 1)
@@ -107,6 +108,7 @@ class TcpLine:
 
 class UdpLine:
     turn = 0x10000
+    calls = 1
 
     def __init__(self, place, _):
         host, port = place.rsplit(":", 1)
@@ -142,6 +144,7 @@ class UdpLine:
 
 class SxiLine:
     turn = 0x100
+    calls = 10
 
     def __init__(self, place, _):
         self.file = os.open(place, os.O_RDWR | os.O_NOCTTY)

@@ -134,9 +134,23 @@ class Master:
 
     # ---- session -----------------------------------------------------------------------------------------
 
+    def call(self):
+        """CONNECT. Opening a serial port resets some boards, which do not hear the first ones (protocol.md 3.6)."""
+        for _ in range(self.line.calls - 1):
+            self.answers.clear()
+            self.send(bytes([wire.CONNECT, 0]))
+            try:
+                self.answer(0.3)
+                self.pump(0.1)          # answers to the calls before it
+                break
+            except NoAnswer:
+                if self.is_closed:
+                    raise
+        return self.command(wire.CONNECT, "B", 0)
+
     def connect(self):
         lost = self.lost
-        answer = self.command(wire.CONNECT, "B", 0)
+        answer = self.call()
         self.lost = lost                    # what an older session left on its way is discarded, not lost
         assert len(answer) == 7, f"CONNECT answers 8 octets, got {len(answer) + 1}"
         self.resource, self.comm_mode = answer[0], answer[1]

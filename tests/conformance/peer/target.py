@@ -18,6 +18,8 @@ class Target:
     stopped_by_command: int = 2
     stopped_by_watchdog: int = 3
     line: str = "tcp"
+    is_small: bool = False              # room for two short lists only
+    is_reset_by_opening: bool = False   # as an Arduino: what was latched is gone with the master that was
 
     def start(self):
         return Running(self.command)
@@ -27,6 +29,9 @@ class Running:
     def __init__(self, command):
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
         line = self.process.stdout.readline()
+        while line.startswith("Loaded "):               # simavr's own
+            line = self.process.stdout.readline()
+        line = line.replace(" serial:", " pty:")        # the same by another name
         if not re.fullmatch(r"listening (tcp:127\.0\.0\.1:\d+|udp:127\.0\.0\.1:\d+|pty:/\S+)\n", line):
             self.stop()
             raise RuntimeError(f"{command[0]} said {line!r} instead of its address")
@@ -60,11 +65,17 @@ def command_target(command):
     return Target(shlex.split(command), moving="position")
 
 
+def firmware_target(command):
+    """The board's own program, run instruction by instruction behind a serial line."""
+    return Target(shlex.split(command), moving="position", line="pty", is_small=True, is_reset_by_opening=True)
+
+
 def from_arguments():
-    """`--program PATH`, `--udp PATH`, `--pty PATH`, `--slave VARIANT` or `--command "COMMAND"` in front of
-    unittest's own arguments."""
+    """`--program PATH`, `--udp PATH`, `--pty PATH`, `--slave VARIANT`, `--firmware "COMMAND"` or `--command "COMMAND"`
+    in front of unittest's own arguments."""
     kind, value = sys.argv[1:3]
     del sys.argv[1:3]
     if kind in ("--udp", "--pty"):
         return program_target(value, kind[2:])
-    return {"--program": program_target, "--slave": slave_target, "--command": command_target}[kind](value)
+    return {"--program": program_target, "--slave": slave_target, "--command": command_target,
+            "--firmware": firmware_target}[kind](value)
