@@ -132,6 +132,18 @@ TEST(RecordingCsv, aFileCutOffAnywhereIsReadOrRefusedButNeverMisread) {
     }
 }
 
+TEST(RecordingCsv, emptyFieldsAndWordsForNoNumberAreMissingWhereverTheyStand) {
+    const auto read = parseRecordingCsv("time_s,a,b,c\n0,,2,\n1,nan,5,inf\n2,7,,9\n", "x");
+    ASSERT_TRUE(read) << read.error().message;
+    const std::vector<int> missing = {1, 0, 1, 1, 0, 1, 0, 1, 0};
+    ASSERT_EQ(read->values.size(), missing.size());
+    for (std::size_t i = 0; i < missing.size(); ++i) {
+        EXPECT_EQ(std::isnan(read->values[i]), missing[i] == 1) << i;
+    }
+    EXPECT_EQ(read->values[4], 5.0);
+    EXPECT_EQ(read->values[8], 9.0);
+}
+
 TEST(RecordingCsv, aLongFileCanBeGivenUpWhileItIsRead) {
     std::string text = "time_s,a\n";
     for (int row = 0; row < 50000; ++row) {
