@@ -1,6 +1,7 @@
 #include "app/window/stop_guard.h"
 
-#include <QApplication>
+#include "app/window/window_application.h"
+
 #include <QKeyEvent>
 
 #include <utility>
@@ -8,24 +9,33 @@
 namespace halbench::app {
 
 StopGuard::StopGuard(QObject* parent) : QObject(parent) {
-    qApp->installEventFilter(this);
+    if (const auto* application = qobject_cast<WindowApplication*>(qApp)) {
+        connect(application, &WindowApplication::keyComing, this, &StopGuard::onKey);
+    } else {
+        qApp->installEventFilter(this);
+    }
 }
 
 StopGuard::~StopGuard() {
     qApp->removeEventFilter(this);
 }
 
+bool StopGuard::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {
+        onKey(*static_cast<QKeyEvent*>(event));
+    }
+    return QObject::eventFilter(watched, event);
+}
+
 /// A key comes first as an offer to shortcuts, then as a key press unless a shortcut took it: the first of
 /// the two that passes here stops. Stopping twice does no harm.
-bool StopGuard::eventFilter(QObject* watched, QEvent* event) {
-    const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
-    if (isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+void StopGuard::onKey(const QKeyEvent& event) {
+    if (event.key() == Qt::Key_Escape) {
         stopRequested();
-        if (event->type() == QEvent::ShortcutOverride && !static_cast<QKeyEvent*>(event)->isAutoRepeat()) {
+        if (event.type() == QEvent::ShortcutOverride && !event.isAutoRepeat()) {
             tellOnce();
         }
     }
-    return QObject::eventFilter(watched, event);
 }
 
 /// The offer passes here for every widget from the one with the focus up to its window.

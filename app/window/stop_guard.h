@@ -2,10 +2,13 @@
 
 #include <QObject>
 
+class QKeyEvent;
+
 namespace halbench::app {
 
-/// Esc means stop, whatever has the focus: it watches the keys of the whole application, modal dialogs, menus
-/// and floating docks included, and lets every key go on to where it was meant for.
+/// Esc means stop, whatever has the focus: it watches the keys of the whole application, modal dialogs,
+/// menus, floating docks and drags included, and lets every key go on to where it was meant for. In a
+/// WindowApplication nothing comes before it; in another one an event filter that is installed later does.
 class StopGuard : public QObject {
     Q_OBJECT
 
@@ -21,6 +24,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void onKey(const QKeyEvent& event);
     void tellOnce();
 
     bool m_isTold = false; ///< of the key press that goes through the widgets now

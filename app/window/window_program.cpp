@@ -2,6 +2,7 @@
 
 #include "app/window/language.h"
 #include "app/window/main_window.h"
+#include "app/window/window_application.h"
 #include "widgets/theme_style.h"
 
 #include <QApplication>
@@ -81,7 +82,7 @@ int runWindow(const std::vector<std::string>& arguments) {
     int count = 1;
     char name[] = "halbench";
     char* words[] = {name, nullptr};
-    QApplication application(count, words);
+    WindowApplication application(count, words);
     std::setlocale(LC_NUMERIC, "C"); // files; the screen asks QLocale
     const std::unique_ptr<MainWindow> window = makeWindow(application, loadPreferences());
     obey(*window, arguments);

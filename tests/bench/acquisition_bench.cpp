@@ -1,4 +1,5 @@
 // What watching costs: the connection's share of a core at 12 signals of 1 kHz, and the memory of an hour.
+#include "app/window/window_application.h"
 #include "tests/bench/goal.h"
 #include "tests/bench/window_rig.h"
 
@@ -170,6 +171,6 @@ int run() {
 
 int main(int count, char** arguments) {
     QStandardPaths::setTestModeEnabled(true);
-    const QApplication application(count, arguments);
+    const halbench::app::WindowApplication application(count, arguments);
     return halbench::bench::run();
 }

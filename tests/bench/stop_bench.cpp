@@ -2,6 +2,7 @@
 // with.
 #include "app/procedures/identify_procedure.h"
 #include "app/session/recorder.h"
+#include "app/window/window_application.h"
 #include "devices/acquisition/recording_writer.h"
 #include "devices/open_device.h"
 #include "tests/bench/goal.h"
@@ -271,6 +272,6 @@ int run() {
 
 int main(int count, char** arguments) {
     QStandardPaths::setTestModeEnabled(true);
-    const QApplication application(count, arguments);
+    const halbench::app::WindowApplication application(count, arguments);
     return halbench::bench::run();
 }

@@ -2,6 +2,7 @@
 #include "app/window/dock_layout.h"
 #include "app/window/language.h"
 #include "app/window/main_window.h"
+#include "app/window/window_application.h"
 #include "widgets/theme_style.h"
 
 #include <QApplication>
@@ -199,7 +200,7 @@ int main(int count, char** words) {
     const QString folder = QString::fromLocal8Bit(words[1]);
     const QString language = chosenLanguage(QString::fromLocal8Bit(words[2]), {});
     const QSize size(QByteArray(words[3]).toInt(), QByteArray(words[4]).toInt());
-    QApplication application(count, words);
+    WindowApplication application(count, words);
     speak(application, language);
     QDir().mkpath(folder);
     return Photographer(folder, language, size).takeAll() ? 0 : 1;
