@@ -23,6 +23,9 @@ enum hb_fault {
     HB_FAULT_COUNT
 };
 
+/* A master that is gone is noticed after this time at the latest. */
+#define HB_LONGEST_WATCHDOG_MS 2000.0F
+
 enum hb_latch { HB_LATCH_NONE, HB_LATCH_COMMAND, HB_LATCH_WATCHDOG, HB_LATCH_FAULT };
 
 enum hb_status { HB_STATUS_IDLE, HB_STATUS_ARMED, HB_STATUS_STOPPED, HB_STATUS_WATCHDOG, HB_STATUS_FAULT };

@@ -29,8 +29,8 @@ static const hb_parameter Parameters[] HB_ROM = {
     HB_PARAM(HB_LIVE, "hb.mode", "", HB_UBYTE, minimal_live, mode, 0.0F, 0.0F, 2.0F, ModeChoices, "Mode"),
     HB_PARAM(HB_LIVE, "hb.setpoint", "", HB_FLOAT32, minimal_live, setpoint, 0.0F, -7.0F, 7.0F, NULL,
              "A or rad"),
-    HB_PARAM(HB_LIVE, "hb.watchdog_ms", "ms", HB_UWORD, minimal_live, watchdog_ms, 0.0F, 0.0F, 60000.0F, NULL,
-             "Silence of the host that stops"),
+    HB_PARAM(HB_LIVE, "hb.watchdog_ms", "ms", HB_UWORD, minimal_live, watchdog_ms, 0.0F, 0.0F,
+             HB_LONGEST_WATCHDOG_MS, NULL, "Silence of the host that stops"),
     HB_PARAM(HB_LIVE, "hb.stop", "", HB_UBYTE, minimal_live, stop, 0.0F, 0.0F, 1.0F, NULL, "Write 1 to stop"),
 };
 
@@ -55,8 +55,14 @@ static uint16_t liveOffset(uint16_t parameter) {
 
 static uint8_t check(void* context, uint16_t parameter, float value) {
     minimal_board* board = (minimal_board*)context;
-    uint8_t wants_arming = liveOffset(parameter) == offsetof(minimal_live, arm) && value > 0.5F;
-    return wants_arming && hb_safety_latch(&board->safety) ? (uint8_t)HB_ERR_ACCESS_DENIED : (uint8_t)HB_OK;
+    uint16_t offset = liveOffset(parameter);
+    if (offset == offsetof(minimal_live, arm) && value > 0.5F && hb_safety_latch(&board->safety)) {
+        return HB_ERR_ACCESS_DENIED;
+    }
+    if (offset == offsetof(minimal_live, watchdog_ms) && value < 0.5F && board->safety.armed) {
+        return HB_ERR_OUT_OF_RANGE;
+    }
+    return HB_OK;
 }
 
 static uint8_t stop(void* context) {

@@ -41,6 +41,9 @@ static uint8_t checkParameter(void* context, uint16_t parameter, float value) {
     if (offset == offsetof(hb_htm_live, arm) && value > 0.5F && !board->sensing.started) {
         return HB_ERR_BUSY; /* the position to start from is not known before the first tick */
     }
+    if (offset == offsetof(hb_htm_live, watchdog_ms) && value < 0.5F && board->safety.armed) {
+        return HB_ERR_OUT_OF_RANGE; /* nobody would end the motion of a master that is gone */
+    }
     if (offset == offsetof(hb_htm_live, setpoint) && drivesCurrent(board) &&
         fabsf(value) > board->pages[board->xcp.active_page].limit_current) {
         return HB_ERR_OUT_OF_RANGE;

@@ -141,7 +141,7 @@ const hb_parameter hb_htm_parameter_table[] HB_ROM = {
     LIVE("hb.mode", "", HB_UBYTE, mode, 0.0F, 0.0F, 3.0F, ModeChoices, "What the set-point means"),
     LIVE("hb.setpoint", "", HB_FLOAT32, setpoint, 0.0F, -10000.0F, 10000.0F, NULL,
          "A, or rad from the position at arming"),
-    LIVE("hb.watchdog_ms", "ms", HB_UWORD, watchdog_ms, 0.0F, 0.0F, 60000.0F, NULL,
+    LIVE("hb.watchdog_ms", "ms", HB_UWORD, watchdog_ms, 0.0F, 0.0F, HB_LONGEST_WATCHDOG_MS, NULL,
          "Silence of the host that stops the board"),
     LIVE("hb.stop", "", HB_UBYTE, stop, 0.0F, 0.0F, 1.0F, StopChoices, "Write 1 to stop and latch"),
 #if HB_FEATURE_TRIAL

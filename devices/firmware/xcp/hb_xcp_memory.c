@@ -203,13 +203,14 @@ static uint8_t checkOne(const hb_xcp* slave, uint16_t index, const hb_entry* ent
     const hb_xcp_description* description = &slave->description;
     uint8_t value[VALUE_OCTETS];
     float physical;
+    uint8_t is_half;
     memcpy(value, request->variables + entry->offset, hb_type_size(entry->type));
     exchangeOctets(entry, request, value, 0);
-    if (request->end < entry->offset + hb_type_size(entry->type)) {
-        return request->acts_now && !isWithinLimits(entry, value) ? (uint8_t)HB_ERR_OUT_OF_RANGE
-                                                                  : (uint8_t)HB_OK;
+    is_half = request->end < entry->offset + hb_type_size(entry->type);
+    if (is_half && !request->acts_now) {
+        return HB_OK;
     }
-    if (!hb_value_is_finite(entry->type, value)) {
+    if (!hb_value_is_finite(entry->type, value) || (is_half && !isWithinLimits(entry, value))) {
         return HB_ERR_OUT_OF_RANGE;
     }
     physical = hb_value_as_float(entry->type, value);

@@ -81,7 +81,7 @@ def live_table():
         Parameter("hb.arm", "UBYTE", "", 0, 1, 0),
         Parameter("hb.mode", "UBYTE", "", 0, 3, 0),
         Parameter("hb.setpoint", "FLOAT32_IEEE", "A", -4, 4, 0),
-        Parameter("hb.watchdog_ms", "ULONG", "ms", 0, 60000, 0),
+        Parameter("hb.watchdog_ms", "ULONG", "ms", 0, 2000, 0),
         Parameter("hb.stop", "UBYTE", "", 0, 1, 0),
     ], LIVE_BASE)
 
@@ -221,8 +221,11 @@ class Board:
 
     def write(self, address, octets):
         if address >= LIVE_BASE:
-            was_armed = self.live.get("hb.arm")
+            was_armed, watchdog_ms = self.live.get("hb.arm"), self.live.get("hb.watchdog_ms")
             self.live.write(address, octets)
+            if was_armed and self.live.get("hb.watchdog_ms") == 0:
+                self.set_live("hb.watchdog_ms", watchdog_ms)
+                raise Refused(0x22)
             self.after_live_write(was_armed)
             return
         if address < SEGMENT_BASE or self.host_page == self.read_only_page:

@@ -96,7 +96,7 @@ class Safety(SlaveCase):
     @not_where("is_reset_by_opening")
     def test_stop_by_a_stranger_who_never_connects(self):
         master = self.master()
-        self.set_in_motion(master, watchdog_ms=10000)
+        self.set_in_motion(master, watchdog_ms=2000)
         master.close()
         stranger = self.raw_master()
         stranger.send(STOP)
@@ -139,6 +139,18 @@ class Safety(SlaveCase):
         self.set_in_motion(master, watchdog_ms=400)
         self.serve_for(master, 1.2)
         self.assertEqual(master.read_name("hb.arm"), 1)
+
+    @not_where("is_reset_by_opening")
+    def test_watchdog_cannot_be_taken_away_while_armed(self):
+        master = self.master()
+        self.set_in_motion(master, watchdog_ms=300)
+        item = master.a2l.parameters["hb.watchdog_ms"]
+        self.assertLessEqual(item.upper, 2000)
+        self.assertEqual(master.error_of(wire.SHORT_DOWNLOAD, "BBBI", item.size, 0, item.extension, item.address,
+                                         tail=item.encode(0, master.order)), wire.ERR_RANGE)
+        master.close()
+        time.sleep(0.6)
+        self.assert_stopped(self.master(), self.target.stopped_by_watchdog)
 
     @not_where("is_reset_by_opening")
     def test_master_that_vanishes_leaves_a_stopped_motor(self):

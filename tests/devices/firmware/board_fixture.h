@@ -126,13 +126,13 @@ public:
     Octets stop() { return command({0xF1, 0x45}); }
     Octets reset() { return command({0xF1, 0x52}); }
 
-    /// Connected, one tick done, armed in this mode.
+    /// Connected, one tick done, armed in this mode; a silent master is no reason to stop here.
     void driveIn(std::uint8_t mode) {
         tick();
         connect();
         setMode(mode);
         arm();
-        writeLive(offsetof(hb_htm_live, watchdog_ms), {0, 0});
+        m_board->live.watchdog_ms = 0;
     }
 
     bool isOutputZero() const {

@@ -62,6 +62,18 @@ TEST_F(MinimalBoard, stopsWhenItsMasterFallsSilent) {
     EXPECT_EQ(m_board->signals.status, HB_STATUS_WATCHDOG);
 }
 
+TEST_F(MinimalBoard, keepsItsWatchdogWhileItIsArmed) {
+    command({0xFF, 0});
+    writeLive(offsetof(minimal_live, mode), {2});
+    writeLive(offsetof(minimal_live, arm), {1});
+    EXPECT_EQ(writeLive(offsetof(minimal_live, watchdog_ms), {0, 0}), refused(0x22));
+    EXPECT_EQ(m_board->live.watchdog_ms, 1000);
+    EXPECT_EQ(writeLive(offsetof(minimal_live, watchdog_ms), {0x60, 0xEA}), Accepted);
+    EXPECT_EQ(m_board->live.watchdog_ms, 2000) << "a longer one becomes the longest";
+    EXPECT_EQ(writeLive(offsetof(minimal_live, arm), {0}), Accepted);
+    EXPECT_EQ(writeLive(offsetof(minimal_live, watchdog_ms), {0, 0}), Accepted) << "nothing moves now";
+}
+
 TEST_F(MinimalBoard, putsOutNothingWhenItsSensorFails) {
     command({0xFF, 0});
     writeLive(offsetof(minimal_live, mode), {2});
