@@ -209,6 +209,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "the board keeps another value of '{}' than the one sent"),
     QT_TRANSLATE_NOOP("Phrases", "the old values stay; give values inside the board's limits"),
     QT_TRANSLATE_NOOP("Phrases", "this board cannot change a set at once: values change one by one"),
+    QT_TRANSLATE_NOOP("Phrases", "{}; whether it has begun is not known, so it was ended"),
+    QT_TRANSLATE_NOOP("Phrases", "see where the actuator stands, then start again; newer firmware of this board takes a lost answer without harm"),
     QT_TRANSLATE_NOOP("Phrases", "parameter '{}': {}"),
     QT_TRANSLATE_NOOP("Phrases", "the board keeps '{}' = {} {} instead of {}"),
     QT_TRANSLATE_NOOP("Phrases", "check the board's state and limits"),

@@ -59,6 +59,7 @@ private:
     struct RawChange {
         const A2lCharacteristic* target = nullptr;
         Packet octets;
+        std::optional<XcpMaster::Repetition> command; ///< the write is an act
     };
 
     double now_s() const { return m_link.transport().now_s(); }
@@ -79,10 +80,12 @@ private:
 
     // values (xcp_device_values.cpp)
     Result<std::vector<double>> readObjects(const std::vector<const A2lObject*>& objects);
-    Result<std::vector<RawChange>> checkedChanges(std::span<const ParameterValue> values) const;
+    Result<std::vector<RawChange>> checkedChanges(std::span<const ParameterValue> values);
+    double nextOrder();
     Result<void> writeSegment(const A2lSegment& segment, const std::vector<RawChange>& changes);
     Result<void> writePlain(const std::vector<RawChange>& changes);
     Result<bool> writeAdjacent(const std::vector<RawChange>& changes);
+    Result<void> commandOnce(const RawChange& change);
     Result<void> writeOneByOne(const std::vector<RawChange>& changes);
     Result<void> readBack(const std::vector<RawChange>& changes);
 
@@ -111,6 +114,7 @@ private:
     std::optional<DaqAbility> m_ability;
 
     DeviceState m_state;
+    double m_lastOrder = 1.0;       ///< number of the last start sent to a board that knows repetitions by it
     bool m_isOtherFirmware = false; ///< than the description is of: its addresses may lead anywhere
     bool m_isStateStale = false;
     bool m_expectsArmed = false; ///< armed by us and not disarmed since: losing it is a safety stop

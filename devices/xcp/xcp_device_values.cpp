@@ -21,6 +21,16 @@ bool isCommandName(const std::string& name) {
            name.compare(name.size() - Ending.size(), Ending.size(), Ending) == 0;
 }
 
+/// A command that is not given twice by mistake (3.15): our boards start once for each of these numbers.
+constexpr double FirstOrder = 2.0;
+constexpr double LastOrder = 255.0;
+constexpr const char* ArmName = "hb.arm"; ///< every board of ours has it
+
+bool takesOrders(const Catalogue& catalogue, const A2lCharacteristic& target) {
+    return isCommandName(target.name) && target.type == DataType::UByte && target.lower == 0.0 &&
+           target.upper == LastOrder && catalogue.findParameter(ArmName) != nullptr;
+}
+
 /// The number a user wrote: of a 4-octet float the shortest decimal that stands for it (0.1, not
 /// 0.10000000149011612).
 double shortestOf(double raw) {
@@ -102,8 +112,7 @@ Result<std::vector<double>> XcpDevice::readSignals(std::span<const std::string> 
     return readObjects(objects);
 }
 
-Result<std::vector<XcpDevice::RawChange>>
-XcpDevice::checkedChanges(std::span<const ParameterValue> values) const {
+Result<std::vector<XcpDevice::RawChange>> XcpDevice::checkedChanges(std::span<const ParameterValue> values) {
     std::vector<RawChange> changes;
     for (const ParameterValue& value : values) {
         const ParameterSpec* spec = m_board.catalogue().findParameter(value.name);
@@ -114,12 +123,24 @@ XcpDevice::checkedChanges(std::span<const ParameterValue> values) const {
         if (const Result<void> checked = checkParameterValue(*spec, value.value); !checked) {
             return failure(checked.error());
         }
-        RawChange change{m_board.characteristic(value.name), {}};
-        appendRaw(change.octets, change.target->conversion.toRaw(value.value), change.target->type,
+        RawChange change;
+        change.target = m_board.characteristic(value.name);
+        const bool isOrder = takesOrders(m_board.catalogue(), *change.target);
+        const double asked = isOrder && value.value == 1.0 ? nextOrder() : value.value;
+        appendRaw(change.octets, change.target->conversion.toRaw(asked), change.target->type,
                   m_master.session().order);
+        if (isCommandName(value.name) && value.value != 0.0 &&
+            m_master.fitsOneDownload(change.octets.size())) {
+            change.command = isOrder ? XcpMaster::Repetition::Known : XcpMaster::Repetition::Unknown;
+        }
         changes.push_back(std::move(change));
     }
     return changes;
+}
+
+double XcpDevice::nextOrder() {
+    m_lastOrder = m_lastOrder < LastOrder ? m_lastOrder + 1.0 : FirstOrder;
+    return m_lastOrder;
 }
 
 Result<void> XcpDevice::writeParameters(std::span<const ParameterValue> values) {
@@ -171,7 +192,9 @@ Result<void> XcpDevice::writePlain(const std::vector<RawChange>& changes) {
     const bool hasPages =
         std::any_of(m_board.a2l().segments.begin(), m_board.a2l().segments.end(),
                     [](const A2lSegment& segment) { return segment.hasTwoWritablePages(); });
-    if (changes.size() < 2 || hasPages) {
+    const bool hasCommand = std::any_of(changes.begin(), changes.end(),
+                                        [](const RawChange& change) { return change.command.has_value(); });
+    if (changes.size() < 2 || hasPages || hasCommand) {
         return writeOneByOne(changes);
     }
     const Result<bool> isWritten = writeAdjacent(changes);
@@ -223,9 +246,32 @@ Result<bool> XcpDevice::writeAdjacent(const std::vector<RawChange>& changes) {
     return true;
 }
 
+/// When the answer is lost nobody knows whether the motion has begun, and the repetition would begin another:
+/// it is ended instead, which may be repeated.
+Result<void> XcpDevice::commandOnce(const RawChange& change) {
+    const Result<std::optional<Error>> trouble =
+        m_master.writeOnce(change.target->address, change.octets, *change.command);
+    if (!trouble) {
+        return failure(trouble.error());
+    }
+    if (!*trouble) {
+        return {};
+    }
+    const Packet end(change.octets.size(), 0);
+    if (const Result<void> ended = m_master.write(change.target->address, end); !ended) {
+        return failure(ended.error());
+    }
+    return failure((*trouble)->code == ErrorCode::Interrupted ? ErrorCode::Interrupted : ErrorCode::Protocol,
+                   fmt::format("{}; whether it has begun is not known, so it was ended", (*trouble)->message),
+                   "see where the actuator stands, then start again; newer firmware of this board takes a "
+                   "lost answer without harm");
+}
+
 Result<void> XcpDevice::writeOneByOne(const std::vector<RawChange>& changes) {
     for (const RawChange& change : changes) {
-        if (const Result<void> written = m_master.write(change.target->address, change.octets); !written) {
+        const Result<void> written =
+            change.command ? commandOnce(change) : m_master.write(change.target->address, change.octets);
+        if (!written) {
             Error error = written.error();
             error.message = fmt::format("parameter '{}': {}", change.target->name, error.message);
             return failure(std::move(error));

@@ -29,6 +29,12 @@ bool isRefusedWith(const Reply<Packet>& reply, SlaveError error) {
            reply.error().slaveError == static_cast<std::uint8_t>(error);
 }
 
+/// The board has said of this very command that it did nothing. SEQUENCE and SYNCH may answer an older one.
+bool isDefinite(const Trouble& trouble) {
+    const auto code = static_cast<SlaveError>(trouble.slaveError);
+    return trouble.cause == TroubleCause::Slave && code != SlaveError::Sequence && code != SlaveError::Synch;
+}
+
 } // namespace
 
 /// Sends a command whose answer `decode` understands, with recovery.
@@ -206,6 +212,44 @@ Reply<void> XcpMaster::downloadAt(Address address, Octets data) {
 Result<void> XcpMaster::writeInOneDownload(Address address, Octets data) {
     HB_ASSERT(fitsOneDownload(data.size()));
     return m_link->recover([&] { return downloadAt(address, data); });
+}
+
+/// One try; the board's lack of SHORT_DOWNLOAD (3.6) is found out on the way.
+Reply<void> XcpMaster::tryWrite(Address address, Octets data) {
+    if (m_hasShortDownload && data.size() + 8 <= m_session.maxCto) {
+        m_mta.reset();
+        const Reply<Packet> answer = m_link->exchange(m_encoder.shortDownload(address, data));
+        if (answer) {
+            return {};
+        }
+        if (!isRefusedWith(answer, SlaveError::CommandUnknown)) {
+            return tl::unexpected(answer.error());
+        }
+        m_hasShortDownload = false;
+    }
+    return downloadAt(address, data);
+}
+
+Result<std::optional<Error>> XcpMaster::writeOnce(Address address, Octets data, Repetition repetition) {
+    HB_ASSERT(fitsOneDownload(data.size()));
+    auto tried = m_link->recover([&]() -> Reply<std::optional<Error>> {
+        const Reply<void> done = tryWrite(address, data);
+        if (done) {
+            return std::optional<Error>();
+        }
+        const Trouble& trouble = done.error();
+        const bool isHarmless = repetition == Repetition::Known && trouble.cause != TroubleCause::Overtaken;
+        if (isHarmless || trouble.cause == TroubleCause::Lost || isDefinite(trouble)) {
+            return tl::unexpected(trouble);
+        }
+        return std::optional<Error>(trouble.error);
+    });
+    if (tried && *tried) {
+        if (const Result<void> synchronised = m_link->synchronise(); !synchronised) {
+            return failure(synchronised.error());
+        }
+    }
+    return tried;
 }
 
 Result<void> XcpMaster::write(Address address, Octets data) {

@@ -44,6 +44,13 @@ public:
 
     Result<Packet> read(Address address, std::size_t size);
     Result<void> write(Address address, Octets data);
+    enum class Repetition {
+        Known, ///< the board does nothing when it gets the same again
+        Unknown
+    };
+    /// A write that is an act. Sent again only where that cannot act twice, and never after a stop. Gives
+    /// the trouble after which nobody knows whether it was taken; the link is in step then.
+    Result<std::optional<Error>> writeOnce(Address address, Octets data, Repetition repetition);
     /// True when one command can carry this many octets, so that they change together.
     bool fitsOneDownload(std::size_t size) const;
     Result<void> writeInOneDownload(Address address, Octets data);
@@ -90,6 +97,7 @@ private:
     Result<bool> deliversAt(const std::string& text);
     Reply<std::string> identityOnce(IdType type);
     Reply<void> downloadAt(Address address, Octets data);
+    Reply<void> tryWrite(Address address, Octets data);
     Reply<void> allocateList(const DaqPlan& plan);
     Reply<void> writeEntry(const DaqEntry& entry, std::uint8_t odt, std::uint8_t place);
     Result<void> readEventCycles(std::uint16_t count, DaqAbility& ability);

@@ -51,22 +51,37 @@ static uint8_t checkParameter(void* context, uint16_t parameter, float value) {
     return HB_OK;
 }
 
+/* 1 starts every time; another number starts once, so that a master that got no answer may repeat it
+ * (resources/help/protocol.md 3.15). */
+static uint8_t isNewOrder(uint8_t* last, uint8_t order) {
+    uint8_t is_new = order == 1U || order != *last;
+    *last = order;
+    return is_new;
+}
+
 static void startOrStopReference(hb_htm* board) {
-    if (board->live.reference_start) {
-        board->reference_pending = 1;
-    } else {
+    uint8_t order = board->live.reference_start;
+    if (order == 0) {
         board->reference_pending = 0;
         hb_reference_stop(&board->reference);
+    } else if (isNewOrder(&board->reference_order, order)) {
+        board->reference_pending = 1;
     }
 }
 
 #if HB_FEATURE_CAPTURE
+static uint8_t isCapturing(const hb_htm* board) {
+    return board->capture.state != HB_CAPTURE_IDLE && board->capture.state != HB_CAPTURE_FULL;
+}
+
 static void startOrStopCapture(hb_htm* board) {
-    if (board->live.capture_start) {
-        hb_capture_start(&board->capture, &board->live.capture);
-    } else {
+    uint8_t order = board->live.capture_start;
+    if (order == 0) {
         hb_capture_stop(&board->capture);
+    } else if (isNewOrder(&board->capture_order, order)) {
+        hb_capture_start(&board->capture, &board->live.capture);
     }
+    board->live.capture_start = isCapturing(board);
 }
 #endif
 
@@ -274,7 +289,7 @@ static float signalValue(const hb_htm* board, uint8_t handle) {
 static void capture(hb_htm* board) {
     float values[HB_CAPTURE_SIGNALS];
     const hb_capture_config* config = &board->capture.config;
-    if (board->capture.state == HB_CAPTURE_IDLE || board->capture.state == HB_CAPTURE_FULL) {
+    if (!isCapturing(board)) {
         return;
     }
     for (uint8_t i = 0; i < HB_CAPTURE_SIGNALS; i++) {
@@ -320,14 +335,20 @@ void hb_htm_fast_tick(hb_htm* board, const hb_htm_inputs* inputs, hb_htm_outputs
     board->tick++;
 }
 
-/* Somebody else takes over: never armed after that. A master that leaves an armed board leaves it to the
- * watchdog, but what it was trying ends at once. */
+/* Somebody else takes over: never armed after that, and his orders count anew. A master that leaves an armed
+ * board leaves it to the watchdog, but what it was trying ends at once. */
 static void endOfMaster(hb_htm* board, const uint8_t* packet, uint16_t length) {
     enum { CONNECT = 0xFF, DISCONNECT = 0xFE };
     uint8_t takes_over = length > 1 && packet[0] == CONNECT && packet[1] == 0;
     uint8_t leaves = length > 0 && packet[0] == DISCONNECT && board->xcp.connected;
-    if (takes_over && board->safety.armed) {
-        hb_htm_release(board);
+    if (takes_over) {
+        board->reference_order = 0;
+#if HB_FEATURE_CAPTURE
+        board->capture_order = 0;
+#endif
+        if (board->safety.armed) {
+            hb_htm_release(board);
+        }
     }
 #if HB_FEATURE_TRIAL
     if (takes_over || leaves) {

@@ -128,6 +128,10 @@ typedef struct hb_htm {
     uint8_t mode;           /* mode in force; a new one restarts the loop */
     uint8_t loop_phase;     /* ticks since the position loop ran */
     uint8_t reference_pending, reference_started;
+    uint8_t reference_order; /* number of the last start, so that its repetition is known */
+#if HB_FEATURE_CAPTURE
+    uint8_t capture_order;
+#endif
     uint8_t (*store)(void* context, const hb_htm_calibration* page);
     void* store_context;
 } hb_htm;

@@ -14,7 +14,7 @@
 extern "C" {
 #endif
 
-#define HB_LIBRARY_VERSION "0.2.0"
+#define HB_LIBRARY_VERSION "0.3.0"
 
 enum hb_xcp_error {
     HB_OK = 0xFF, /* not an error code of the protocol: "answer RES" */

@@ -116,7 +116,7 @@ hb_address hb_a2l_length(hb_xcp* slave);
 void hb_a2l_read(hb_xcp* slave, hb_address offset, uint8_t* destination, uint16_t count);
 /* Computes what the EPK says about the tables: some milliseconds on a small processor. */
 void hb_a2l_identify(hb_xcp* slave);
-/* "0.2.0-0x1A2B3C4D" plus the variant, zero ended. */
+/* "0.3.0-0x1A2B3C4D" plus the variant, zero ended. */
 enum { HB_EPK_CAPACITY = HB_FEATURE_FULL ? 64 : 20 };
 void hb_a2l_epk(hb_xcp* slave, char text[HB_EPK_CAPACITY]);
 

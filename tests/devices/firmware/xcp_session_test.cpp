@@ -76,7 +76,7 @@ TEST(XcpSession, identifiesItself) {
     EXPECT_EQ(std::string(model.begin() + 8, model.end()), "htm");
     const Octets epk = f.command({0xFA, 5});
     const std::string epk_text(epk.begin() + 8, epk.end());
-    EXPECT_EQ(epk_text.substr(0, 8), "0.2.0-0x");
+    EXPECT_EQ(epk_text.substr(0, 8), "0.3.0-0x");
     EXPECT_EQ(epk_text.substr(epk_text.size() - 4), "-sim");
     const Octets path = f.command({0xFA, 2});
     EXPECT_EQ(BoardFixture::u32(path, 4), 0U);

@@ -1,0 +1,291 @@
+#include "devices/simulated/fault_transport.h"
+#include "devices/simulated/loopback_transport.h"
+#include "devices/xcp/xcp_device.h"
+#include "devices/xcp/xcp_master.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace halbench::devices::xcp {
+namespace {
+
+// A start is an act: what the line loses must not make it happen twice (resources/help/protocol.md 3.15).
+
+enum class Loss { None, Command, Answer, AnswerLate };
+constexpr double Late_s = 0.3; // longer than an armed master waits, 0.25 s
+constexpr double Step_rad = 1.0;
+
+/// Spoils the next write of one octet that is not this value, once.
+class SpoiledLine : public LoopbackTransport {
+public:
+    SpoiledLine(std::shared_ptr<SimulatedBoard> board, std::shared_ptr<LinkOrders> orders)
+        : LoopbackTransport(std::move(board), false), m_orders(std::move(orders)) {}
+
+    Loss loss = Loss::None;
+    std::uint32_t address = 0;
+    bool asksForStop = false; ///< another thread does, while the answer is awaited
+    int writes = 0;           ///< to the address
+
+    Result<void> send(std::span<const std::uint8_t> packet) override {
+        const bool isWrite = packet.size() == 9 && packet[0] == 0xED && addressOf(packet) == address;
+        writes += isWrite ? 1 : 0;
+        if (!isWrite || loss == Loss::None) {
+            return LoopbackTransport::send(packet);
+        }
+        m_orders->stops += asksForStop ? 1 : 0;
+        m_spoils = std::exchange(loss, Loss::None);
+        return m_spoils == Loss::Command ? Result<void>() : LoopbackTransport::send(packet);
+    }
+
+    Result<bool> receive(std::vector<std::uint8_t>& packet, double timeout_s) override {
+        if (m_heldBack && now_s() >= m_due_s) {
+            packet = *std::exchange(m_heldBack, std::nullopt);
+            return true;
+        }
+        Result<bool> received = LoopbackTransport::receive(packet, timeout_s);
+        if (received && *received && packet[0] == 0xFF && m_spoils > Loss::Command) {
+            if (std::exchange(m_spoils, Loss::None) == Loss::AnswerLate) {
+                m_heldBack = packet;
+                m_due_s = now_s() + Late_s;
+            }
+            return false;
+        }
+        return received;
+    }
+
+private:
+    static std::uint32_t addressOf(std::span<const std::uint8_t> packet) {
+        return packet[4] + 256U * packet[5] + 65536U * packet[6] + 16777216U * packet[7];
+    }
+
+    std::shared_ptr<LinkOrders> m_orders;
+    Loss m_spoils = Loss::None;
+    std::optional<std::vector<std::uint8_t>> m_heldBack;
+    double m_due_s = 0.0;
+};
+
+enum class Firmware { Now, Before0_3 };
+
+struct Bench {
+    std::shared_ptr<SimulatedBoard> board;
+    std::shared_ptr<LinkOrders> orders = std::make_shared<LinkOrders>();
+    SpoiledLine* line = nullptr;
+    std::unique_ptr<Device> device;
+
+    std::uint32_t live(std::size_t offset) const { return 0x8000U + static_cast<std::uint32_t>(offset); }
+    Result<void> write(const std::string& name, double value) {
+        const ParameterValue change[] = {{name, value}};
+        return device->writeParameters(change);
+    }
+    double signal(const std::string& name) {
+        const auto values = device->readSignals(std::vector<std::string>{name});
+        EXPECT_TRUE(values) << values.error().message;
+        return values ? values->front() : NAN;
+    }
+    bool isRunning() const { return board->firmware().reference.running != 0; }
+};
+
+std::string descriptionOf(const std::shared_ptr<SimulatedBoard>& board) {
+    XcpLink link(std::make_unique<LoopbackTransport>(board, false));
+    XcpMaster master(link);
+    EXPECT_TRUE(link.transport().open());
+    EXPECT_TRUE(master.connect(1.0));
+    const auto text = master.description([](std::size_t) { return std::nullopt; });
+    master.disconnect();
+    return text.value_or("");
+}
+
+/// Up to 0.2.0 the upper limit of a start was 1, and each write of it started.
+std::string withoutOrders(std::string text) {
+    for (const char* name : {"reference.start", "capture.start"}) {
+        const std::size_t begin = text.find(std::string("CHARACTERISTIC ") + name);
+        const std::size_t place = text.rfind(" 255", text.find("/end CHARACTERISTIC", begin));
+        EXPECT_NE(place, std::string::npos);
+        text.replace(place, 4, " 1");
+    }
+    return text;
+}
+
+Bench openBench(Firmware firmware) {
+    Bench bench;
+    auto board = SimulatedBoard::make({}, 1);
+    EXPECT_TRUE(board);
+    bench.board = std::shared_ptr<SimulatedBoard>(std::move(*board));
+    XcpDeviceOptions options;
+    options.orders = bench.orders;
+    if (firmware == Firmware::Before0_3) {
+        options.description = withoutOrders(descriptionOf(bench.board));
+    }
+    auto line = std::make_unique<SpoiledLine>(bench.board, bench.orders);
+    bench.line = line.get();
+    auto device = openXcpDevice(std::move(line), std::move(options));
+    EXPECT_TRUE(device) << device.error().message;
+    bench.device = std::move(*device);
+    return bench;
+}
+
+/// In mode position, about to make a step that is over before its start could be repeated.
+Bench readyToStep(Firmware firmware) {
+    Bench bench = openBench(firmware);
+    for (const auto& [name, value] : {std::pair{"hb.mode", 2.0},
+                                      {"reference.shape", 1.0},
+                                      {"reference.amplitude", Step_rad},
+                                      {"reference.duration", 0.1}}) {
+        EXPECT_TRUE(bench.write(name, value)) << name;
+    }
+    EXPECT_TRUE(bench.device->arm());
+    EXPECT_TRUE(bench.device->clock().waitFor(0.05));
+    bench.line->address = bench.live(offsetof(hb_htm_live, reference_start));
+    return bench;
+}
+
+std::string nameOf(const testing::TestParamInfo<Loss>& info) {
+    const char* names[] = {"nothing", "theCommand", "theAnswer", "theAnswerInTime"};
+    return names[static_cast<std::size_t>(info.param)];
+}
+
+class CommandOnce : public testing::TestWithParam<Loss> {};
+
+TEST_P(CommandOnce, aStartMovesByOneStepWhateverIsLost) {
+    Bench bench = readyToStep(Firmware::Now);
+    const double before_rad = bench.signal("reference");
+    for (int step = 1; step <= 3; ++step) {
+        bench.line->loss = GetParam();
+        const auto started = bench.write("reference.start", 1.0);
+        ASSERT_TRUE(started) << started.error().message;
+        ASSERT_TRUE(bench.device->clock().waitFor(1.0));
+        // a float near 3 rad
+        EXPECT_NEAR(bench.signal("reference") - before_rad, step * Step_rad, 1e-6) << step;
+    }
+    EXPECT_EQ(bench.line->writes, GetParam() == Loss::None ? 3 : 6) << "each loss costs a repetition";
+}
+
+TEST_P(CommandOnce, aStartWhileItRunsBeginsAnewOnceWhateverIsLost) {
+    Bench bench = readyToStep(Firmware::Now);
+    const double before_rad = bench.signal("reference");
+    ASSERT_TRUE(bench.write("reference.duration", 100.0));
+    for (int start = 1; start <= 2; ++start) {
+        bench.line->loss = GetParam();
+        ASSERT_TRUE(bench.write("reference.start", 1.0));
+        ASSERT_TRUE(bench.device->clock().waitFor(0.5));
+        EXPECT_TRUE(bench.isRunning());
+        EXPECT_NEAR(bench.signal("reference") - before_rad, start * Step_rad, 1e-6) << start;
+    }
+}
+
+TEST_P(CommandOnce, aStopStopsWhateverIsLost) {
+    for (const Firmware firmware : {Firmware::Now, Firmware::Before0_3}) {
+        Bench bench = readyToStep(firmware);
+        ASSERT_TRUE(bench.write("reference.duration", 100.0));
+        ASSERT_TRUE(bench.write("reference.start", 1.0));
+        ASSERT_TRUE(bench.device->clock().waitFor(0.1));
+        bench.line->loss = GetParam();
+        ASSERT_TRUE(bench.write("reference.start", 0.0));
+        EXPECT_FALSE(bench.isRunning());
+    }
+}
+
+TEST_P(CommandOnce, aCaptureBeginsOnceWhateverIsLost) {
+    Bench bench = openBench(Firmware::Now);
+    bench.line->address = bench.live(offsetof(hb_htm_live, capture_start));
+    bench.line->loss = GetParam();
+    const double sent_s = bench.board->time_s();
+    ASSERT_TRUE(bench.write("capture.start", 1.0));
+    ASSERT_TRUE(bench.device->clock().waitFor(0.1));
+    // Triggered at once: at the next tick, or, when the command was lost, after the time-out of 0.5 s at
+    // most; a repetition that began anew would show there, too.
+    const double began_s = bench.signal("capture.time") - sent_s;
+    if (GetParam() == Loss::Command) {
+        EXPECT_GT(began_s, 0.1);
+    } else {
+        EXPECT_NEAR(began_s, 0.001, 0.0015);
+    }
+    ASSERT_TRUE(bench.device->clock().waitFor(5.0));
+    EXPECT_EQ(bench.signal("capture.state"), 4.0) << "full, and not begun again";
+}
+
+TEST_P(CommandOnce, anOlderBoardIsStoppedWhenNobodyKnowsWhetherItStarted) {
+    Bench bench = readyToStep(Firmware::Before0_3);
+    ASSERT_TRUE(bench.write("reference.duration", 100.0));
+    const double before_rad = bench.signal("reference");
+    bench.line->loss = GetParam();
+    const auto started = bench.write("reference.start", 1.0);
+    ASSERT_TRUE(bench.device->clock().waitFor(0.5));
+    if (GetParam() == Loss::None) {
+        ASSERT_TRUE(started) << started.error().message;
+        EXPECT_TRUE(bench.isRunning());
+        return;
+    }
+    ASSERT_FALSE(started);
+    EXPECT_EQ(started.error().code, ErrorCode::Protocol);
+    EXPECT_NE(started.error().message.find("reference.start"), std::string::npos) << started.error().message;
+    EXPECT_NE(started.error().message.find("it was ended"), std::string::npos) << started.error().message;
+    EXPECT_FALSE(bench.isRunning());
+    const double moved_rad = bench.signal("reference") - before_rad;
+    EXPECT_NEAR(moved_rad, GetParam() == Loss::Command ? 0.0 : Step_rad, 1e-6) << "at most once";
+    EXPECT_TRUE(bench.device->state().isConnected) << "one lost answer is no lost board";
+    EXPECT_TRUE(bench.write("reference.start", 1.0)) << "the next one goes through";
+}
+
+INSTANTIATE_TEST_SUITE_P(Lost, CommandOnce,
+                         testing::Values(Loss::None, Loss::Command, Loss::Answer, Loss::AnswerLate), nameOf);
+
+TEST(CommandOnceStopped, aStartIsNotRepeatedAfterAStop) {
+    for (const Firmware firmware : {Firmware::Now, Firmware::Before0_3}) {
+        for (const Loss loss : {Loss::Command, Loss::Answer}) {
+            Bench bench = readyToStep(firmware);
+            bench.line->loss = loss;
+            bench.line->asksForStop = true;
+            const auto started = bench.write("reference.start", 1.0);
+            ASSERT_FALSE(started);
+            EXPECT_EQ(started.error().code, ErrorCode::Interrupted) << started.error().message;
+            EXPECT_EQ(bench.line->writes, 2) << "the start once, then its end";
+            EXPECT_FALSE(bench.isRunning());
+            EXPECT_EQ(bench.board->firmware().safety.armed, 0);
+        }
+    }
+}
+
+TEST(CommandOnceRefused, aRefusalIsToldAsItIs) {
+    for (const Firmware firmware : {Firmware::Now, Firmware::Before0_3}) {
+        Bench bench = openBench(firmware);
+        const auto started = bench.write("reference.start", 1.0); // not armed
+        ASSERT_FALSE(started);
+        EXPECT_EQ(started.error().code, ErrorCode::DeviceRefused);
+    }
+}
+
+TEST(CommandOnceNoisy, aHundredSmallStepsAddUpOnALineThatLosesOneMessageInFifty) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+        auto made = SimulatedBoard::make({}, seed);
+        ASSERT_TRUE(made);
+        const auto board = std::shared_ptr<SimulatedBoard>(std::move(*made));
+        const auto faults = std::make_shared<LinkFaults>();
+        auto device = openXcpDevice(
+            std::make_unique<FaultTransport>(std::make_unique<LoopbackTransport>(board, false), faults, seed),
+            {});
+        ASSERT_TRUE(device);
+        const ParameterValue generator[] = {{"hb.mode", 2.0},
+                                            {"reference.shape", 1.0},
+                                            {"reference.amplitude", 0.01},
+                                            {"reference.duration", 0.02}};
+        ASSERT_TRUE((*device)->writeParameters(generator));
+        ASSERT_TRUE((*device)->arm());
+        ASSERT_TRUE((*device)->clock().waitFor(0.05));
+        const float before_rad = board->firmware().signals.reference;
+        faults->dropReceived_ratio = faults->dropSent_ratio = 0.02;
+        for (int i = 0; i < 100; ++i) {
+            const ParameterValue start[] = {{"reference.start", 1.0}};
+            const auto started = (*device)->writeParameters(start);
+            ASSERT_TRUE(started) << i << ": " << started.error().message;
+            ASSERT_TRUE((*device)->clock().waitFor(0.05));
+        }
+        EXPECT_GT((*device)->statistics().commandsRepeated, 0U);
+        // 100 additions of float steps near 1 rad: less than 1e-5
+        EXPECT_NEAR(static_cast<double>(board->firmware().signals.reference - before_rad), 1.0, 1e-5) << seed;
+    }
+}
+
+} // namespace
+} // namespace halbench::devices::xcp
