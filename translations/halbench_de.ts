@@ -4448,7 +4448,7 @@
     </message>
     <message>
         <source>take another port, or start the machine without &apos;console=&apos; for this one</source>
-        <translation>Einen anderen Anschluss nehmen oder den Rechner ohne 'console=' für diesen starten</translation>
+        <translation>Einen anderen Anschluss nehmen oder den Rechner ohne &apos;console=&apos; für diesen starten</translation>
     </message>
     <message>
         <source>load it: sudo modprobe {}</source>
@@ -4456,7 +4456,7 @@
     </message>
     <message>
         <source>held by the kernel driver &apos;{}&apos;</source>
-        <translation>vom Kernel-Treiber '{}' belegt</translation>
+        <translation>vom Kernel-Treiber &apos;{}&apos; belegt</translation>
     </message>
     <message>
         <source>if it is the board, connect to {}: the driver is detached until you disconnect</source>
@@ -4476,7 +4476,7 @@
     </message>
     <message>
         <source>{}: the kernel driver &apos;{}&apos; does not let go of it: {}</source>
-        <translation>{}: Der Kernel-Treiber '{}' gibt es nicht frei: {}</translation>
+        <translation>{}: Der Kernel-Treiber &apos;{}&apos; gibt es nicht frei: {}</translation>
     </message>
     <message>
         <source>unload the driver: sudo modprobe -r {}</source>
@@ -4485,6 +4485,30 @@
     <message>
         <source>the board sent more than was asked for</source>
         <translation>Das Steuergerät hat mehr gesendet als verlangt</translation>
+    </message>
+    <message>
+        <source>{}; whether it has begun is not known, so it was ended</source>
+        <translation>{}; ob es begonnen hat, ist nicht bekannt, daher wurde es beendet</translation>
+    </message>
+    <message>
+        <source>see where the actuator stands, then start again; newer firmware of this board takes a lost answer without harm</source>
+        <translation>sehen Sie nach, wo der Aktor steht, und starten Sie dann erneut; neuere Firmware dieses Steuergeräts verträgt eine verlorene Antwort</translation>
+    </message>
+    <message>
+        <source>the board followed another reference than commanded, {} degrees away</source>
+        <translation>das Steuergerät folgte einem anderen Sollwert als vorgegeben, {} Grad entfernt</translation>
+    </message>
+    <message>
+        <source>See where the rotor stands and that no other program uses the board, then move again.</source>
+        <translation>Sehen Sie nach, wo der Rotor steht und dass kein anderes Programm das Steuergerät benutzt, und fahren Sie dann erneut.</translation>
+    </message>
+    <message>
+        <source>the rotor ended at {} instead of {} degrees</source>
+        <translation>der Rotor endete bei {} statt bei {} Grad</translation>
+    </message>
+    <message>
+        <source>Move for longer; check the gains and that nothing blocks the rotor.</source>
+        <translation>Fahren Sie länger; prüfen Sie die Verstärkungen und dass nichts den Rotor blockiert.</translation>
     </message>
 </context>
 <context>

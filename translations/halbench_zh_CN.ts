@@ -4448,7 +4448,7 @@
     </message>
     <message>
         <source>take another port, or start the machine without &apos;console=&apos; for this one</source>
-        <translation>请使用其他端口，或在启动本机时不为此端口设置 'console='</translation>
+        <translation>请使用其他端口，或在启动本机时不为此端口设置 &apos;console=&apos;</translation>
     </message>
     <message>
         <source>load it: sudo modprobe {}</source>
@@ -4456,7 +4456,7 @@
     </message>
     <message>
         <source>held by the kernel driver &apos;{}&apos;</source>
-        <translation>被内核驱动 '{}' 占用</translation>
+        <translation>被内核驱动 &apos;{}&apos; 占用</translation>
     </message>
     <message>
         <source>if it is the board, connect to {}: the driver is detached until you disconnect</source>
@@ -4476,7 +4476,7 @@
     </message>
     <message>
         <source>{}: the kernel driver &apos;{}&apos; does not let go of it: {}</source>
-        <translation>{}：内核驱动 '{}' 不肯释放它：{}</translation>
+        <translation>{}：内核驱动 &apos;{}&apos; 不肯释放它：{}</translation>
     </message>
     <message>
         <source>unload the driver: sudo modprobe -r {}</source>
@@ -4485,6 +4485,30 @@
     <message>
         <source>the board sent more than was asked for</source>
         <translation>控制板发送的数据超出了请求的数量</translation>
+    </message>
+    <message>
+        <source>{}; whether it has begun is not known, so it was ended</source>
+        <translation>{};是否已经开始无从得知,因此已将其结束</translation>
+    </message>
+    <message>
+        <source>see where the actuator stands, then start again; newer firmware of this board takes a lost answer without harm</source>
+        <translation>请查看执行器的位置,然后重新启动;该控制板的新固件可以承受应答丢失</translation>
+    </message>
+    <message>
+        <source>the board followed another reference than commanded, {} degrees away</source>
+        <translation>控制板跟随的给定值与指令不同,相差 {} 度</translation>
+    </message>
+    <message>
+        <source>See where the rotor stands and that no other program uses the board, then move again.</source>
+        <translation>请查看转子的位置,确认没有其他程序在使用控制板,然后重新运动。</translation>
+    </message>
+    <message>
+        <source>the rotor ended at {} instead of {} degrees</source>
+        <translation>转子停在 {} 度,而不是 {} 度</translation>
+    </message>
+    <message>
+        <source>Move for longer; check the gains and that nothing blocks the rotor.</source>
+        <translation>请延长运动时间;检查增益,并确认没有东西卡住转子。</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 
 #include "app/procedures/coil_forecast.h"
 #include "app/procedures/excitation_limits.h"
+#include "app/procedures/move_judgement.h"
 #include "app/procedures/position_law_parameters.h"
 #include "app/procedures/procedure_steps.h"
 #include "app/procedures/restored_result.h"
@@ -183,36 +184,25 @@ MoveConfig atPossibleRate(const devices::Device& device, MoveConfig config) {
     return config;
 }
 
-void judgeRows(const MoveConfig& config, MoveResult& result) {
-    const double expected = config.duration_s * config.rate_Hz;
-    const auto rows = static_cast<double>(result.recording.rows());
-    if (result.recording.lostRows > 0 || rows < expected - 0.5) {
-        result.quality.verdict = Verdict::Doubtful;
-        result.quality.findings.push_back(
-            {"rows_lost", fmt::format("{:.0f} of {:.0f} samples arrived", rows, expected + 1.0),
-             "The link is too slow for this rate; record at a lower one."});
-    }
-}
-
 Result<MoveResult> judge(Recording recording, const MoveConfig& config, double period_s) {
     const auto origin = findOrigin(recording);
     if (!origin) {
         return failure(origin.error());
     }
     cut(recording, *origin, config);
-    const auto figuresOf = [&](const Column& column) {
-        return measureMove(responseOf(recording, column, origin->reference_rad, period_s * config.rate_Hz),
-                           config);
+    const auto responseIn = [&](const Column& column) {
+        return responseOf(recording, column, origin->reference_rad, period_s * config.rate_Hz);
     };
     MoveResult result;
     result.lockThreshold_rad = config.lockThreshold_rad;
-    const auto measured = figuresOf({"position", origin->reference_rad});
+    const MoveResponse response = responseIn({"position", origin->reference_rad});
+    const auto measured = measureMove(response, config);
     if (!measured) {
         return failure(measured.error());
     }
     result.measured = *measured;
     if (recording.layout->indexOf("truth.position") >= 0) {
-        const auto truth = figuresOf({"truth.position", origin->truth_rad});
+        const auto truth = measureMove(responseIn({"truth.position", origin->truth_rad}), config);
         if (!truth) {
             return failure(truth.error());
         }
@@ -222,7 +212,7 @@ Result<MoveResult> judge(Recording recording, const MoveConfig& config, double p
     result.highestTemperature_degC = std::max(largest(recording.column("coil_temperature.a"), false),
                                               largest(recording.column("coil_temperature.b"), false));
     result.recording = std::move(recording);
-    judgeRows(config, result);
+    result.quality = judgeMotion(response, config, result.recording.lostRows, origin->reference_rad);
     return result;
 }
 

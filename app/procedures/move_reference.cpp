@@ -249,6 +249,30 @@ double referenceExcursion_rad(const MoveReference& reference, double duration_s)
     return excursion_rad + std::fabs(reference.base_rad_s) * duration_s;
 }
 
+std::optional<double> referenceAt_rad(const MoveReference& reference, double time_s) {
+    using Shape = MoveReference::Shape;
+    const double base_rad = reference.base_rad_s * time_s;
+    switch (reference.shape) {
+    case Shape::Step:
+        return reference.amplitude_rad + base_rad;
+    case Shape::Ramp: {
+        const double end_rad = std::fabs(reference.amplitude_rad);
+        const double ramp_rad = reference.rate_rad_s * time_s;
+        return (end_rad > 0.0 ? std::clamp(ramp_rad, -end_rad, end_rad) : ramp_rad) + base_rad;
+    }
+    case Shape::Sine:
+        return reference.amplitude_rad * std::sin(2.0 * Pi * reference.frequency_Hz * time_s) + base_rad;
+    case Shape::Staircase: {
+        const double steps = 1.0 + std::floor(time_s / reference.period_s + 1e-9);
+        return reference.amplitude_rad * std::min(steps, static_cast<double>(reference.count)) + base_rad;
+    }
+    case Shape::Chirp:
+    case Shape::Multisine:
+        break;
+    }
+    return std::nullopt;
+}
+
 std::vector<ParameterValue> generatorParameters(const MoveReference& reference, double duration_s) {
     using Shape = MoveReference::Shape;
     const bool isSwept = reference.shape == Shape::Chirp || reference.shape == Shape::Multisine;

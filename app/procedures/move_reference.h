@@ -51,6 +51,8 @@ Result<void> checkMoveReference(const MoveReference& reference);
 
 /// The largest excursion from the start that the reference asks for within the time.
 double referenceExcursion_rad(const MoveReference& reference, double duration_s);
+/// What the board's generator makes of it at a time from its start; nothing for chirp and multisine.
+std::optional<double> referenceAt_rad(const MoveReference& reference, double time_s);
 /// Values of the board's generator parameters, reference.start not included.
 std::vector<ParameterValue> generatorParameters(const MoveReference& reference, double duration_s);
 /// The same reference for the ideal loop; nothing for chirp and multisine or when base is not zero.

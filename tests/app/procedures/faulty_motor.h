@@ -15,7 +15,8 @@ namespace halbench::app {
 /// A simulated board that outlives its masters, and a link to it that can be broken at any moment.
 class FaultyMotor {
 public:
-    explicit FaultyMotor(const std::string& query) : m_faults(std::make_shared<devices::LinkFaults>()) {
+    explicit FaultyMotor(const std::string& query, std::uint64_t seed = 1)
+        : m_faults(std::make_shared<devices::LinkFaults>()), m_seed(seed) {
         const auto uri = devices::parseDeviceUri("sim:htm?" + query);
         EXPECT_TRUE(uri);
         auto board = devices::makeSimulatedBoard(*uri, {});
@@ -26,7 +27,7 @@ public:
     /// A new master; the one before must be gone.
     std::unique_ptr<devices::Device> connect() {
         auto loopback = std::make_unique<devices::LoopbackTransport>(m_board, false);
-        auto link = std::make_unique<devices::FaultTransport>(std::move(loopback), m_faults, 1);
+        auto link = std::make_unique<devices::FaultTransport>(std::move(loopback), m_faults, m_seed);
         devices::XcpDeviceOptions options;
         options.identity.isSimulated = true;
         auto device = devices::openXcpDevice(std::move(link), std::move(options));
@@ -47,6 +48,7 @@ public:
 
 private:
     std::shared_ptr<devices::LinkFaults> m_faults;
+    std::uint64_t m_seed; ///< of what the link loses
     std::shared_ptr<devices::SimulatedBoard> m_board;
 };
 
