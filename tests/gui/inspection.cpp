@@ -1,5 +1,7 @@
 #include "tests/gui/inspection.h"
 
+#include "tests/gui/word_contrast.h"
+#include "tests/gui/word_room.h"
 #include "widgets/theme_style.h"
 
 #include <QAbstractButton>
@@ -7,19 +9,12 @@
 #include <QAccessible>
 #include <QComboBox>
 #include <QFile>
-#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
-#include <QPixmap>
-#include <QPushButton>
-#include <QRegularExpression>
 #include <QShortcut>
-#include <QStyleOptionComboBox>
-#include <QStyleOptionToolButton>
 #include <QTabBar>
-#include <QTextDocument>
 #include <QToolButton>
 #include <QXmlStreamReader>
 
@@ -32,22 +27,8 @@ namespace {
 
 /// WCAG 2.1, level AA, for words of ordinary size.
 constexpr double LeastContrast = 4.5;
-/// A character's advance is rounded to whole pixels by some of Qt's layouts and not by others.
-constexpr int Rounding_px = 2;
-/// Border and padding of the sheet, on each side.
-constexpr int PushButtonEdge_px = 10;
 /// Letters of an English text that cannot be there by chance.
 constexpr int TellingPart = 10;
-
-QString plain(const QString& text) {
-    QString words = text;
-    if (Qt::mightBeRichText(words)) {
-        QTextDocument document;
-        document.setHtml(words);
-        words = document.toPlainText();
-    }
-    return words.remove(QRegularExpression(QStringLiteral("\\(&.\\)|&(?!&)")));
-}
 
 /// Of a phrase into which something is filled; what a message keeps when its phrase is not translated.
 QString longestPart(const QString& phrase) {
@@ -72,93 +53,27 @@ QString pathOf(const QWidget& widget) {
     return parts.join(QLatin1Char('/'));
 }
 
-QString textOf(const QWidget& widget) {
-    if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
-        return label->text();
-    }
+/// Of a control that a key works as well; an access key is underlined in its words.
+QString untoldKey(const QWidget& widget) {
+    QList<QKeySequence> keys;
     if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) {
-        const auto* tool = qobject_cast<const QToolButton*>(button);
-        const bool isIcon =
-            tool != nullptr && tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull();
-        return isIcon ? QString() : button->text();
-    }
-    if (const auto* combo = qobject_cast<const QComboBox*>(&widget)) {
-        return combo->currentText();
-    }
-    return {};
-}
-
-int wordWidth_px(const QWidget& widget, const QString& text) {
-    return widget.fontMetrics().size(Qt::TextShowMnemonic, text).width();
-}
-
-/// The room of the words in a control; what the style takes for frame, icon and arrow is not theirs.
-int room_px(const QWidget& widget) {
-    QStyleOption option;
-    option.initFrom(&widget);
-    const QStyle& style = *widget.style();
-    if (const auto* combo = qobject_cast<const QComboBox*>(&widget)) {
-        QStyleOptionComboBox box;
-        box.initFrom(combo);
-        box.editable = combo->isEditable();
-        return style.subControlRect(QStyle::CC_ComboBox, &box, QStyle::SC_ComboBoxEditField, combo).width();
-    }
-    if (qobject_cast<const QPushButton*>(&widget) != nullptr) {
-        return widget.width() - 2 * PushButtonEdge_px;
-    }
-    if (const auto* tool = qobject_cast<const QToolButton*>(&widget)) {
-        const int icon_px =
-            tool->toolButtonStyle() == Qt::ToolButtonTextBesideIcon ? tool->iconSize().width() : 0;
-        return tool->width() - icon_px - 2 * widgets::GridStep_px;
-    }
-    if (widget.inherits("QCheckBox")) {
-        return style.subElementRect(QStyle::SE_CheckBoxContents, &option, &widget).width();
-    }
-    return widget.contentsRect().width();
-}
-
-bool isTold(const QWidget& widget, const QString& text) {
-    return plain(widget.toolTip()).contains(plain(text));
-}
-
-QString tooWide(const QWidget& widget) {
-    const QString text = textOf(widget);
-    if (text.isEmpty() || isTold(widget, text)) {
-        return {};
-    }
-    const auto* label = qobject_cast<const QLabel*>(&widget);
-    if (label != nullptr && label->wordWrap()) {
-        const int needed_px = label->heightForWidth(label->width());
-        return needed_px > label->height() + Rounding_px
-                   ? QStringLiteral("'%1' needs %2 px of height, has %3")
-                         .arg(text)
-                         .arg(needed_px)
-                         .arg(label->height())
-                   : QString();
-    }
-    const int needed_px = label != nullptr && Qt::mightBeRichText(text) ? label->sizeHint().width()
-                                                                        : wordWidth_px(widget, text);
-    return needed_px > room_px(widget) + Rounding_px
-               ? QStringLiteral("'%1' needs %2 px, has %3").arg(text).arg(needed_px).arg(room_px(widget))
-               : QString();
-}
-
-QStringList narrowSections(const QHeaderView& header) {
-    QStringList found;
-    for (int section = 0; section < header.count(); ++section) {
-        const QString text = header.model()->headerData(section, header.orientation()).toString();
-        const QString told =
-            header.model()->headerData(section, header.orientation(), Qt::ToolTipRole).toString();
-        const int needed_px = wordWidth_px(header, text) + 2 * widgets::GridStep_px;
-        if (header.orientation() == Qt::Horizontal && !header.isSectionHidden(section) &&
-            !told.contains(text) && needed_px > header.sectionSize(section)) {
-            found << QStringLiteral("header '%1' needs %2 px, has %3")
-                         .arg(text)
-                         .arg(needed_px)
-                         .arg(header.sectionSize(section));
+        if (button->shortcut() != QKeySequence::mnemonic(button->text())) {
+            keys << button->shortcut();
         }
     }
-    return found;
+    if (const auto* tool = qobject_cast<const QToolButton*>(&widget);
+        tool != nullptr && tool->defaultAction() != nullptr) {
+        keys << tool->defaultAction()->shortcut();
+    }
+    for (const QKeySequence& key : keys) {
+        const bool isTold = widget.toolTip().contains(key.toString()) ||
+                            widget.toolTip().contains(key.toString(QKeySequence::NativeText));
+        if (!key.isEmpty() && !isTold) {
+            return QStringLiteral("tooltip '%1' does not name its key %2")
+                .arg(widget.toolTip(), key.toString());
+        }
+    }
+    return {};
 }
 
 bool isControl(const QWidget& widget) {
@@ -196,31 +111,9 @@ QString foreign(const QString& text, const QHash<QString, QString>& phrases) {
     return isForeign ? QStringLiteral("'%1' is not translated").arg(words) : QString();
 }
 
-/// What the eye sees: the commonest colour is the background, the one that differs most from it the words.
-double shownContrast_ratio(QWidget& widget) {
-    const QRect place(widget.mapTo(widget.window(), QPoint()), widget.size());
-    const QImage image = widget.window()->grab(place).toImage().convertToFormat(QImage::Format_RGB32);
-    QHash<QRgb, int> counts;
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) {
-            ++counts[image.pixel(x, y)];
-        }
-    }
-    const auto commonest = std::max_element(counts.begin(), counts.end());
-    double largest_ratio = 1.0;
-    for (auto one = counts.begin(); one != counts.end(); ++one) {
-        largest_ratio =
-            std::max(largest_ratio, widgets::contrastRatio(QColor(one.key()), QColor(commonest.key())));
-    }
-    return largest_ratio;
-}
-
 QStringList inspectOne(QWidget& widget, const QHash<QString, QString>& phrases) {
     QStringList found;
-    found << tooWide(widget);
-    if (const auto* header = qobject_cast<const QHeaderView*>(&widget)) {
-        found << narrowSections(*header);
-    }
+    found << lackOfRoom(widget) << untoldKey(widget);
     if (takesFocus(widget) && nameOf(widget).isEmpty()) {
         found << QStringLiteral("has no accessible name");
     }
@@ -233,7 +126,7 @@ QStringList inspectOne(QWidget& widget, const QHash<QString, QString>& phrases) 
     const bool hasWords = !plain(textOf(widget)).trimmed().isEmpty();
     const bool isWhole = widget.visibleRegion() == QRegion(widget.rect()); // not scrolled out of sight
     if (hasWords && isWhole && widget.isEnabled() && !widget.size().isEmpty()) {
-        const double contrast_ratio = shownContrast_ratio(widget);
+        const double contrast_ratio = faintestWord_ratio(widget, wordsPlace(widget));
         if (contrast_ratio < LeastContrast) {
             found << QStringLiteral("'%1' has a contrast of %2")
                          .arg(textOf(widget))

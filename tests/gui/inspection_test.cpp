@@ -1,12 +1,15 @@
 #include "tests/gui/inspection.h"
+#include "widgets/elided_label.h"
 
 #include <QAction>
 #include <QApplication>
+#include <QGroupBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPalette>
 #include <QPushButton>
+#include <QTabBar>
 #include <QtTest/QTest>
 
 #include <gtest/gtest.h>
@@ -38,6 +41,18 @@ protected:
         return inspect(root, phrases).join('\n');
     }
 
+    class NarrowTabs : public QTabBar {
+    public:
+        using QTabBar::QTabBar;
+        int width_px = 200;
+
+    protected:
+        QSize tabSizeHint(int index) const override {
+            return {width_px, QTabBar::tabSizeHint(index).height()};
+        }
+        QSize minimumTabSizeHint(int index) const override { return tabSizeHint(index); }
+    };
+
     Platform platform;
     int argumentCount = 1;
     char name[5] = "test";
@@ -60,11 +75,49 @@ TEST_F(InspectionTest, findsNothingInAGoodButton) {
     EXPECT_EQ(found(), "");
 }
 
-TEST_F(InspectionTest, findsWordsWiderThanTheirButtonUnlessATooltipGivesThem) {
+TEST_F(InspectionTest, findsWordsWiderThanTheirButtonAlsoWhereATooltipHasThem) {
     auto* button = make<QPushButton>("Write the changed values");
     button->resize(50, 30);
     EXPECT_TRUE(found().contains("px, has"));
     button->setToolTip("Write the changed values to the device");
+    EXPECT_TRUE(found().contains("px, has"));
+}
+
+TEST_F(InspectionTest, aLabelThatLeavesWordsOutOnPurposeHasThemInItsTooltip) {
+    auto* label = new widgets::ElidedLabel(4, &root);
+    label->resize(60, 30);
+    label->setWords("a device with a long name");
+    EXPECT_EQ(found(), "");
+    label->setToolTip({});
+    EXPECT_TRUE(found().contains("no tooltip has it all"));
+}
+
+TEST_F(InspectionTest, findsTitlesThatAreCut) {
+    QGroupBox box("What the board is told before each run", &root);
+    box.resize(60, 40);
+    EXPECT_TRUE(found().contains("'What the board"));
+    box.resize(380, 40);
+    EXPECT_EQ(found(), "");
+}
+
+TEST_F(InspectionTest, findsATabThatIsCut) {
+    NarrowTabs bar(&root);
+    bar.setAccessibleName("pages");
+    bar.addTab("Fit and residuals");
+    bar.setExpanding(false);
+    bar.resize(300, 40);
+    EXPECT_EQ(found(), "");
+    bar.width_px = 20;
+    bar.setTabText(0, "Residuals and fit"); // asks for the size anew
+    EXPECT_TRUE(found().contains("tab 'Residuals and fit'"));
+}
+
+TEST_F(InspectionTest, findsAKeyThatTheTooltipDoesNotName) {
+    auto* button = make<QPushButton>("&Go");
+    EXPECT_EQ(found(), ""); // an access key is underlined
+    button->setShortcut(QKeySequence("Ctrl+G"));
+    EXPECT_TRUE(found().contains("does not name its key Ctrl+G"));
+    button->setToolTip("what it does (Ctrl+G)");
     EXPECT_EQ(found(), "");
 }
 
@@ -113,6 +166,17 @@ TEST_F(InspectionTest, findsGreyWordsOnGrey) {
     root.setPalette(pale);
     label->setPalette(pale);
     EXPECT_TRUE(found().contains("contrast of 2."));
+}
+
+TEST_F(InspectionTest, findsAPaleWordBesideADarkOne) {
+    auto* label =
+        make<QLabel>("<span style='color: black'>dark</span> <span style='color: #aaaaaa'>pale</span>");
+    QPalette white = root.palette();
+    white.setColor(QPalette::Window, Qt::white);
+    root.setPalette(white);
+    EXPECT_TRUE(found().contains("contrast of 2.")) << found().toStdString();
+    label->setText("<span style='color: black'>dark</span> <span style='color: #606060'>grey</span>"); // 6.3
+    EXPECT_EQ(found(), "");
 }
 
 TEST_F(InspectionTest, findsAnAccessKeyThatAMenuHasTwice) {

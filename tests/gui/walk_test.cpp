@@ -1,6 +1,10 @@
 #include "app/window/dock_layout.h"
 #include "app/window/help_window.h"
 #include "app/window/language.h"
+#include "app/window/preferences_dialog.h"
+#include "app/wizards/calibrate_panel.h"
+#include "app/workspaces/drive_control.h"
+#include "app/workspaces/recording_control.h"
 #include "tests/app/window/window_test.h"
 #include "tests/gui/inspection.h"
 #include "widgets/stop_button.h"
@@ -9,6 +13,7 @@
 #include <QPushButton>
 #include <QTabWidget>
 #include <qtadvanceddocking/DockWidget.h>
+#include <qtadvanceddocking/FloatingDockContainer.h>
 
 #include <algorithm>
 
@@ -40,22 +45,24 @@ protected:
         window->resize(SmallScreen);
     }
 
-    void look(const QString& place) {
+    void look(const QString& place) { look(*window, place); }
+
+    void look(QWidget& shown, const QString& place) {
         QTest::qWait(50); // one frame of the window
-        QStringList found = inspect(*window, phrases);
+        QStringList found = inspect(shown, phrases);
         if (!found.isEmpty()) { // what changes just now gets its room with the next frame
             QTest::qWait(300);
-            const QStringList still = inspect(*window, phrases);
+            const QStringList still = inspect(shown, phrases);
             found.erase(std::remove_if(found.begin(), found.end(),
                                        [&](const QString& one) { return !still.contains(one); }),
                         found.end());
         }
-        for (const QString& finding : found + inspectKeys(*window)) {
+        for (const QString& finding : found + inspectKeys(shown)) {
             note(place, finding);
         }
-        const auto* stop = window->findChild<widgets::StopButton*>();
-        const QRect where(stop->mapTo(window.get(), QPoint()), stop->size());
-        if (!stop->isVisible() || !window->rect().contains(where)) {
+        const auto* stop = shown.findChild<widgets::StopButton*>();
+        const QRect where(stop->mapTo(&shown, QPoint()), stop->size());
+        if (!stop->isVisible() || !shown.rect().contains(where)) {
             note(place, "STOP is not in sight");
         }
     }
@@ -142,6 +149,57 @@ TEST_P(WalkTest, findsNothingWrongInResultsNorWhenStopped) {
     look("tune/stopped");
     window->docks().setPerspective(Perspective::Monitor);
     look("monitor/stopped");
+}
+
+TEST_P(WalkTest, findsNothingWrongInAnArmedRecordingMotor) {
+    openDressed();
+    connectMotor(1.0);
+    const QTemporaryDir folder;
+    window->bench().recording().setFolder(folder.path());
+    QTest::keyClick(window.get(), Qt::Key_R, Qt::ControlModifier);
+    ASSERT_TRUE(wait([&] { return window->bench().recording().isRecording(); }));
+    window->bench().drive().giveConsent();
+    window->bench().drive().arm();
+    ASSERT_TRUE(wait([&] { return session().report().board.isArmed; }));
+    for (const Perspective perspective : app::AllPerspectives) {
+        window->docks().setPerspective(perspective);
+        look(app::perspectiveId(perspective) + QStringLiteral("/armed"));
+    }
+    QTest::keyClick(window.get(), Qt::Key_R, Qt::ControlModifier);
+    ASSERT_TRUE(wait([&] { return !window->bench().recording().isRecording(); }));
+    window->docks().setPerspective(Perspective::Record);
+    look("record/written");
+}
+
+TEST_P(WalkTest, findsNothingWrongInDialogsAndFloatingDocks) {
+    openDressed();
+    connectMotor(1.0);
+    app::PreferencesDialog dialog(window->preferences(), window->bench(), window.get());
+    dialog.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+    look(dialog, "preferences");
+    dialog.close();
+    for (const char* id : {"parameters", "drive", "log"}) {
+        ads::CDockWidget* dock = window->docks().docks().value(id);
+        dock->setFloating();
+        ASSERT_TRUE(wait([&] { return dock->floatingDockContainer()->isVisible(); }));
+        look(*dock->floatingDockContainer(), QString::fromLatin1(id) + QStringLiteral(" afloat"));
+    }
+}
+
+TEST_P(WalkTest, findsNothingWrongInACalibration) {
+    openDressed();
+    connectMotor(0.0); // as fast as possible
+    window->docks().setPerspective(Perspective::Identify);
+    window->docks().docks().value("calibrate")->setAsCurrentTab();
+    QPushButton* start = button("calibrate", "halbench::app::CalibratePanel", "Start calibration");
+    ASSERT_NE(start, nullptr);
+    ASSERT_TRUE(wait([&] { return start->isEnabled(); }));
+    QTest::mouseClick(start, Qt::LeftButton);
+    const auto* panel = static_cast<app::CalibratePanel*>(window->docks().panel("calibrate"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel->record().has_value(); }, Fit_ms));
+    session().setPace({1.0});
+    look("calibrate/result");
 }
 
 INSTANTIATE_TEST_SUITE_P(
