@@ -4510,6 +4510,62 @@
         <source>Move for longer; check the gains and that nothing blocks the rotor.</source>
         <translation>Fahren Sie länger; prüfen Sie die Verstärkungen und dass nichts den Rotor blockiert.</translation>
     </message>
+    <message>
+        <source>the limit or level of a nonlinear element must be positive, its hysteresis not negative</source>
+        <translation>Grenze oder Höhe eines nichtlinearen Glieds muss positiv sein, seine Hysterese nicht negativ</translation>
+    </message>
+    <message>
+        <source>a root locus needs a loop with poles and a gain</source>
+        <translation>eine Wurzelortskurve braucht einen Kreis mit Polen und einer Verstärkung</translation>
+    </message>
+    <message>
+        <source>the largest gain of a root locus, {}, is not positive</source>
+        <translation>die größte Verstärkung der Wurzelortskurve, {}, ist nicht positiv</translation>
+    </message>
+    <message>
+        <source>the impulse response of this system begins with an impulse</source>
+        <translation>die Impulsantwort dieses Systems beginnt mit einem Impuls</translation>
+    </message>
+    <message>
+        <source>choose another rule, or add the filter that every real system has</source>
+        <translation>eine andere Regel wählen oder das Filter hinzufügen, das jedes wirkliche System hat</translation>
+    </message>
+    <message>
+        <source>this sampled system is not the image of a continuous one</source>
+        <translation>dieses abgetastete System ist nicht das Abbild eines kontinuierlichen</translation>
+    </message>
+    <message>
+        <source>a pole lies at zero or on the negative real axis: choose Tustin, or take delays out first</source>
+        <translation>ein Pol liegt bei null oder auf der negativen reellen Achse: Tustin wählen oder zuerst Verzögerungen herausnehmen</translation>
+    </message>
+    <message>
+        <source>poles and zeros can only be matched for one input and one output</source>
+        <translation>Pole und Nullstellen lassen sich nur für einen Ein- und einen Ausgang abbilden</translation>
+    </message>
+    <message>
+        <source>the system is already continuous</source>
+        <translation>das System ist bereits kontinuierlich</translation>
+    </message>
+    <message>
+        <source>a response needs a system with one input and one output</source>
+        <translation>eine Antwort braucht ein System mit einem Ein- und einem Ausgang</translation>
+    </message>
+    <message>
+        <source>a response needs ascending times, each with its input</source>
+        <translation>eine Antwort braucht aufsteigende Zeiten, jede mit ihrem Eingang</translation>
+    </message>
+    <message>
+        <source>systems with {} and {} signals cannot be connected</source>
+        <translation>Systeme mit {} und {} Signalen lassen sich nicht verbinden</translation>
+    </message>
+    <message>
+        <source>a zero, a pole or the gain of a system is not a finite number</source>
+        <translation>eine Nullstelle, ein Pol oder die Verstärkung eines Systems ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>a complex zero or pole lacks its conjugate partner</source>
+        <translation>einer komplexen Nullstelle oder einem Pol fehlt der konjugierte Partner</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

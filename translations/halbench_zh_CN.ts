@@ -4510,6 +4510,62 @@
         <source>Move for longer; check the gains and that nothing blocks the rotor.</source>
         <translation>请延长运动时间;检查增益,并确认没有东西卡住转子。</translation>
     </message>
+    <message>
+        <source>the limit or level of a nonlinear element must be positive, its hysteresis not negative</source>
+        <translation>非线性环节的限值或幅度必须为正，其滞环不得为负</translation>
+    </message>
+    <message>
+        <source>a root locus needs a loop with poles and a gain</source>
+        <translation>根轨迹需要一个具有极点和增益的回路</translation>
+    </message>
+    <message>
+        <source>the largest gain of a root locus, {}, is not positive</source>
+        <translation>根轨迹的最大增益 {} 不是正数</translation>
+    </message>
+    <message>
+        <source>the impulse response of this system begins with an impulse</source>
+        <translation>该系统的脉冲响应以一个脉冲开始</translation>
+    </message>
+    <message>
+        <source>choose another rule, or add the filter that every real system has</source>
+        <translation>请选择其他规则，或加入每个真实系统都有的滤波器</translation>
+    </message>
+    <message>
+        <source>this sampled system is not the image of a continuous one</source>
+        <translation>该采样系统不是连续系统的映像</translation>
+    </message>
+    <message>
+        <source>a pole lies at zero or on the negative real axis: choose Tustin, or take delays out first</source>
+        <translation>有极点位于零点或负实轴：请选择 Tustin，或先去除延迟</translation>
+    </message>
+    <message>
+        <source>poles and zeros can only be matched for one input and one output</source>
+        <translation>只有单输入单输出时才能匹配零极点</translation>
+    </message>
+    <message>
+        <source>the system is already continuous</source>
+        <translation>系统已经是连续的</translation>
+    </message>
+    <message>
+        <source>a response needs a system with one input and one output</source>
+        <translation>响应需要单输入单输出系统</translation>
+    </message>
+    <message>
+        <source>a response needs ascending times, each with its input</source>
+        <translation>响应需要递增的时间，且每个时间都有输入</translation>
+    </message>
+    <message>
+        <source>systems with {} and {} signals cannot be connected</source>
+        <translation>具有 {} 个和 {} 个信号的系统不能相连</translation>
+    </message>
+    <message>
+        <source>a zero, a pole or the gain of a system is not a finite number</source>
+        <translation>系统的某个零点、极点或增益不是有限数</translation>
+    </message>
+    <message>
+        <source>a complex zero or pole lacks its conjugate partner</source>
+        <translation>某个复数零点或极点缺少其共轭</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -27,19 +27,6 @@ Held heldOver(const StateSpace& system, double time_s) {
     return {sampled.A, sampled.B};
 }
 
-Result<FrequencyResponse> responseOf(const std::vector<double>& frequency_rad_s, const auto& value) {
-    FrequencyResponse response{frequency_rad_s, {}};
-    response.value.reserve(frequency_rad_s.size());
-    for (const double frequency : frequency_rad_s) {
-        if (!(frequency > 0.0)) {
-            return failure(ErrorCode::OutOfRange,
-                           fmt::format("{} rad/s lies outside the frequency range of the system", frequency));
-        }
-        response.value.push_back(value(frequency));
-    }
-    return response;
-}
-
 } // namespace
 
 DeadTimeSystem::DeadTimeSystem(TransferFunction rational, double deadTime_s)
@@ -90,15 +77,17 @@ Result<DeadTimeSystem> parallel(const DeadTimeSystem& first, const DeadTimeSyste
 
 Result<FrequencyResponse> feedbackResponse(const DeadTimeSystem& forward, const DeadTimeSystem& back,
                                            const std::vector<double>& frequency_rad_s) {
-    return responseOf(frequency_rad_s, [&](double frequency) {
+    const auto value = [&](double frequency) {
         const Complex open = forward.atFrequency(frequency);
         return open / (1.0 + open * back.atFrequency(frequency));
-    });
+    };
+    return frequencyResponse(value, TimeBase::continuous(), frequency_rad_s);
 }
 
 Result<FrequencyResponse> frequencyResponse(const DeadTimeSystem& system,
                                             const std::vector<double>& frequency_rad_s) {
-    return responseOf(frequency_rad_s, [&](double frequency) { return system.atFrequency(frequency); });
+    return frequencyResponse([&](double w) { return system.atFrequency(w); }, TimeBase::continuous(),
+                             frequency_rad_s);
 }
 
 Result<TransferFunction> withPade(const DeadTimeSystem& system, int order) {

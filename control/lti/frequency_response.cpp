@@ -21,11 +21,13 @@ std::vector<double> logarithmicFrequencies(double from_rad_s, double to_rad_s, i
     return result;
 }
 
-Result<FrequencyResponse> frequencyResponse(const TransferFunction& system,
-                                            const std::vector<double>& frequency_rad_s) {
+namespace {
+
+/// Not through std::function: a rational value costs little more than such a call.
+Result<FrequencyResponse> valuesOf(const auto& atFrequency, const TimeBase& base,
+                                   const std::vector<double>& frequency_rad_s) {
     FrequencyResponse response{frequency_rad_s, {}};
     response.value.reserve(frequency_rad_s.size());
-    const TimeBase& base = system.timeBase();
     // The Nyquist frequency itself is allowed; its rounding must not turn it away.
     const double limit_rad_s = base.isSampled() ? Pi / base.period_s() * (1.0 + 1e-12) : HUGE_VAL;
     for (const double frequency : frequency_rad_s) {
@@ -33,9 +35,23 @@ Result<FrequencyResponse> frequencyResponse(const TransferFunction& system,
             return failure(ErrorCode::OutOfRange,
                            fmt::format("{} rad/s lies outside the frequency range of the system", frequency));
         }
-        response.value.push_back(system.atFrequency(frequency));
+        response.value.push_back(atFrequency(frequency));
     }
     return response;
+}
+
+} // namespace
+
+Result<FrequencyResponse> frequencyResponse(const std::function<std::complex<double>(double)>& atFrequency,
+                                            const TimeBase& timeBase,
+                                            const std::vector<double>& frequency_rad_s) {
+    return valuesOf(atFrequency, timeBase, frequency_rad_s);
+}
+
+Result<FrequencyResponse> frequencyResponse(const TransferFunction& system,
+                                            const std::vector<double>& frequency_rad_s) {
+    return valuesOf([&system](double w) { return system.atFrequency(w); }, system.timeBase(),
+                    frequency_rad_s);
 }
 
 std::vector<double> magnitude_dB(const FrequencyResponse& response) {

@@ -4,6 +4,7 @@
 #include "control/lti/transfer_function.h"
 
 #include <complex>
+#include <functional>
 #include <vector>
 
 namespace halbench::control {
@@ -17,7 +18,11 @@ struct FrequencyResponse {
 /// `count` >= 2 frequencies evenly spread on a logarithmic axis, both ends included.
 std::vector<double> logarithmicFrequencies(double from_rad_s, double to_rad_s, int count);
 
-/// Errors: OutOfRange for a frequency that is not positive or lies above the Nyquist frequency.
+/// Values of any response over frequencies that its time base allows. Errors: OutOfRange for a frequency that
+/// is not positive or lies above the Nyquist frequency.
+Result<FrequencyResponse> frequencyResponse(const std::function<std::complex<double>(double)>& atFrequency,
+                                            const TimeBase& timeBase,
+                                            const std::vector<double>& frequency_rad_s);
 Result<FrequencyResponse> frequencyResponse(const TransferFunction& system,
                                             const std::vector<double>& frequency_rad_s);
 

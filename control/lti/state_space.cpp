@@ -1,10 +1,28 @@
 #include "control/lti/state_space.h"
 
+#include "control/lti/eigenvalues.h"
+#include "control/lti/zero_pole_gain.h"
+
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <limits>
 
 namespace halbench::control {
+
+namespace {
+
+StateSpace zeroSystem(Eigen::Index states, Eigen::Index inputs, Eigen::Index outputs, TimeBase base) {
+    return {Eigen::MatrixXd::Zero(states, states), Eigen::MatrixXd::Zero(states, inputs),
+            Eigen::MatrixXd::Zero(outputs, states), Eigen::MatrixXd::Zero(outputs, inputs), base};
+}
+
+tl::unexpected<Error> doNotFit(Eigen::Index signals, Eigen::Index places) {
+    return failure(ErrorCode::InvalidInput,
+                   fmt::format("systems with {} and {} signals cannot be connected", signals, places));
+}
+
+} // namespace
 
 Result<StateSpace> makeStateSpace(Eigen::MatrixXd A, Eigen::MatrixXd B, Eigen::MatrixXd C, Eigen::MatrixXd D,
                                   TimeBase timeBase) {
@@ -54,6 +72,11 @@ Result<TransferFunction> toTransferFunction(const StateSpace& system, Eigen::Ind
                        fmt::format("there is no path from input {} to output {}", input, output));
     }
     const Eigen::Index n = system.states();
+    constexpr Eigen::Index MostStates = 8;
+    if (n > MostStates) {
+        const auto factors = toZeroPoleGain(system, output, input);
+        return factors ? toTransferFunction(*factors) : failure(factors.error());
+    }
     const Eigen::RowVectorXd c = system.C.row(output);
     const Eigen::VectorXd b = system.B.col(input);
     const double d = system.D(output, input);
@@ -72,9 +95,97 @@ Result<TransferFunction> toTransferFunction(const StateSpace& system, Eigen::Ind
     return TransferFunction::make(std::move(numerator), std::move(denominator), system.timeBase);
 }
 
+Result<StateSpace> series(const StateSpace& first, const StateSpace& second) {
+    const auto base = commonTimeBase(first.timeBase, second.timeBase);
+    if (!base) {
+        return failure(base.error());
+    }
+    if (second.inputs() != first.outputs()) {
+        return doNotFit(first.outputs(), second.inputs());
+    }
+    const Eigen::Index n1 = first.states();
+    const Eigen::Index n2 = second.states();
+    StateSpace result = zeroSystem(n1 + n2, first.inputs(), second.outputs(), *base);
+    result.A.topLeftCorner(n1, n1) = first.A;
+    result.A.bottomLeftCorner(n2, n1) = second.B * first.C;
+    result.A.bottomRightCorner(n2, n2) = second.A;
+    result.B.topRows(n1) = first.B;
+    result.B.bottomRows(n2) = second.B * first.D;
+    result.C.leftCols(n1) = second.D * first.C;
+    result.C.rightCols(n2) = second.C;
+    result.D = second.D * first.D;
+    return result;
+}
+
+Result<StateSpace> parallel(const StateSpace& first, const StateSpace& second) {
+    const auto base = commonTimeBase(first.timeBase, second.timeBase);
+    if (!base) {
+        return failure(base.error());
+    }
+    if (first.inputs() != second.inputs() || first.outputs() != second.outputs()) {
+        return doNotFit(first.outputs() * first.inputs(), second.outputs() * second.inputs());
+    }
+    const Eigen::Index n1 = first.states();
+    const Eigen::Index n2 = second.states();
+    StateSpace result = zeroSystem(n1 + n2, first.inputs(), first.outputs(), *base);
+    result.A.topLeftCorner(n1, n1) = first.A;
+    result.A.bottomRightCorner(n2, n2) = second.A;
+    result.B << first.B, second.B;
+    result.C << first.C, second.C;
+    result.D = first.D + second.D;
+    return result;
+}
+
+// u1 = r - y2, y1 = C1 x1 + D1 u1, y2 = C2 x2 + D2 y1, solved for y1 with W = (1 + D1 D2)^-1
+Result<StateSpace> feedback(const StateSpace& forward, const StateSpace& back) {
+    const auto base = commonTimeBase(forward.timeBase, back.timeBase);
+    if (!base) {
+        return failure(base.error());
+    }
+    if (forward.outputs() != back.inputs() || forward.inputs() != back.outputs()) {
+        return doNotFit(forward.outputs(), back.inputs());
+    }
+    const Eigen::MatrixXd direct =
+        Eigen::MatrixXd::Identity(forward.outputs(), forward.outputs()) + forward.D * back.D;
+    const Eigen::FullPivLU<Eigen::MatrixXd> lu(direct);
+    if (!lu.isInvertible()) {
+        return failure(ErrorCode::InvalidInput, "the feedback closes an algebraic loop with 1 + L = 0",
+                       "one of the two systems needs a delay");
+    }
+    const Eigen::MatrixXd W = lu.inverse();
+    const Eigen::Index n1 = forward.states();
+    const Eigen::Index n2 = back.states();
+    StateSpace result = zeroSystem(n1 + n2, forward.inputs(), forward.outputs(), *base);
+    result.C << W * forward.C, -W * forward.D * back.C;
+    result.D = W * forward.D;
+    // What x1 and x2 see of the states: u1 = r - C2 x2 - D2 y1, u2 = y1.
+    Eigen::MatrixXd u1 = -back.D * result.C;
+    u1.rightCols(n2) -= back.C;
+    result.A.topRows(n1) = forward.B * u1;
+    result.A.topLeftCorner(n1, n1) += forward.A;
+    result.A.bottomRows(n2) = back.B * result.C;
+    result.A.bottomRightCorner(n2, n2) += back.A;
+    result.B << forward.B - forward.B * back.D * result.D, back.B * result.D;
+    return result;
+}
+
 std::vector<std::complex<double>> poles(const StateSpace& system) {
-    const Eigen::VectorXcd values = Eigen::EigenSolver<Eigen::MatrixXd>(system.A, false).eigenvalues();
-    return {values.data(), values.data() + values.size()};
+    return eigenvalues(system.A);
+}
+
+Eigen::MatrixXd dcGain(const StateSpace& system) {
+    const Eigen::Index n = system.states();
+    if (n == 0) {
+        return system.D;
+    }
+    const double rest = system.timeBase.isContinuous() ? 0.0 : 1.0;
+    const Eigen::MatrixXd held = rest * Eigen::MatrixXd::Identity(n, n) - system.A;
+    const Eigen::FullPivLU<Eigen::MatrixXd> lu(held);
+    if (!lu.isInvertible()) {
+        return Eigen::MatrixXd::Constant(system.outputs(), system.inputs(),
+                                         std::numeric_limits<double>::infinity());
+    }
+    return system.D + system.C * lu.solve(system.B);
 }
 
 } // namespace halbench::control

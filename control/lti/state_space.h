@@ -26,15 +26,27 @@ struct StateSpace {
 Result<StateSpace> makeStateSpace(Eigen::MatrixXd A, Eigen::MatrixXd B, Eigen::MatrixXd C, Eigen::MatrixXd D,
                                   TimeBase timeBase);
 
-/// Controllable canonical form.
+/// Controllable canonical form. Badly scaled when rates lie decades apart: see `prescaled`.
 StateSpace toStateSpace(const TransferFunction& system);
 
-/// One input to one output by the Faddeev-LeVerrier recursion; good for the small orders of this program
-/// (up to about 10). Error: OutOfRange for an input or output that does not exist.
+/// One input to one output. Up to order 8 by the Faddeev-LeVerrier recursion, beyond by way of zeros and
+/// poles
+/// (`toZeroPoleGain`): a polynomial of high order keeps few digits of its roots however it was found. Error:
+/// OutOfRange for an input or output that does not exist.
 Result<TransferFunction> toTransferFunction(const StateSpace& system, Eigen::Index output = 0,
                                             Eigen::Index input = 0);
 
-/// Eigenvalues of A.
+/// first then second, first + second, forward / (1 + forward * back); states in that order. Errors:
+/// InvalidInput for mixed time bases, sizes that do not fit, and for an algebraic loop.
+Result<StateSpace> series(const StateSpace& first, const StateSpace& second);
+Result<StateSpace> parallel(const StateSpace& first, const StateSpace& second);
+Result<StateSpace> feedback(const StateSpace& forward, const StateSpace& back);
+
+/// Eigenvalues of A (balanced).
 std::vector<std::complex<double>> poles(const StateSpace& system);
+
+/// Gain from each input to each output for constant input: D - C A^-1 B, sampled D + C (1 - A)^-1 B. Infinite
+/// for all paths when the system integrates.
+Eigen::MatrixXd dcGain(const StateSpace& system);
 
 } // namespace halbench::control

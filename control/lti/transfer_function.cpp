@@ -140,14 +140,18 @@ bool isStable(const TransferFunction& system) {
 }
 
 std::vector<Damping> damping(const TransferFunction& system) {
+    return damping(poles(system), system.timeBase());
+}
+
+std::vector<Damping> damping(const std::vector<std::complex<double>>& poles, const TimeBase& timeBase) {
     std::vector<Damping> result;
-    for (const std::complex<double>& pole : poles(system)) {
+    for (const std::complex<double>& pole : poles) {
         std::complex<double> s = pole;
-        if (system.timeBase().isSampled()) {
+        if (timeBase.isSampled()) {
             if (pole == 0.0) {
                 continue; // a pure delay has no image in the s plane
             }
-            s = std::log(pole) / system.timeBase().period_s();
+            s = std::log(pole) / timeBase.period_s();
         }
         const double frequency = std::abs(s);
         result.push_back({pole, frequency, frequency > 0.0 ? -s.real() / frequency : 1.0});

@@ -59,5 +59,6 @@ struct Damping {
     double damping_ratio = 0.0;
 };
 std::vector<Damping> damping(const TransferFunction& system);
+std::vector<Damping> damping(const std::vector<std::complex<double>>& poles, const TimeBase& timeBase);
 
 } // namespace halbench::control
