@@ -4566,6 +4566,78 @@
         <source>a complex zero or pole lacks its conjugate partner</source>
         <translation>einer komplexen Nullstelle oder einem Pol fehlt der konjugierte Partner</translation>
     </message>
+    <message>
+        <source>a figure of the filter is not a finite number</source>
+        <translation>eine Angabe des Filters ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>this filter is not possible: {} lies outside its range</source>
+        <translation>dieses Filter ist nicht möglich: {} liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>the targets of this design are not possible: they must be positive, Ms above 1</source>
+        <translation>die Ziele dieses Entwurfs sind nicht möglich: sie müssen positiv sein, Ms über 1</translation>
+    </message>
+    <message>
+        <source>the design is unstable in the sampled loop</source>
+        <translation>der Entwurf ist im abgetasteten Kreis instabil</translation>
+    </message>
+    <message>
+        <source>ask for less speed, or shorten the computing delay</source>
+        <translation>weniger Schnelligkeit verlangen oder die Rechenzeit verkürzen</translation>
+    </message>
+    <message>
+        <source>no gains of this motor meet the asked sensitivity</source>
+        <translation>keine Verstärkungen dieses Motors erreichen die verlangte Empfindlichkeit</translation>
+    </message>
+    <message>
+        <source>allow a larger Ms, or shorten the computing delay</source>
+        <translation>ein größeres Ms zulassen oder die Rechenzeit verkürzen</translation>
+    </message>
+    <message>
+        <source>the current limit must be positive</source>
+        <translation>die Stromgrenze muss positiv sein</translation>
+    </message>
+    <message>
+        <source>the weights of the regulator do not fit the system</source>
+        <translation>die Gewichte des Reglers passen nicht zum System</translation>
+    </message>
+    <message>
+        <source>no regulator stabilises this system with these weights</source>
+        <translation>kein Regler stabilisiert dieses System mit diesen Gewichten</translation>
+    </message>
+    <message>
+        <source>weigh every state that does not come to rest by itself</source>
+        <translation>jeden Zustand gewichten, der nicht von selbst zur Ruhe kommt</translation>
+    </message>
+    <message>
+        <source>a constant of the process model is not a finite number</source>
+        <translation>eine Konstante des Streckenmodells ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>this tuning rule needs a process with a gain and a lag, and a time to close in</source>
+        <translation>diese Einstellregel braucht eine Strecke mit Verstärkung und Verzögerung und eine Zeit für den geschlossenen Kreis</translation>
+    </message>
+    <message>
+        <source>lambda tuning needs a process that settles, not one that integrates</source>
+        <translation>die Lambda-Einstellung braucht eine Strecke, die sich einschwingt, keine integrierende</translation>
+    </message>
+    <message>
+        <source>use SIMC</source>
+        <translation>SIMC verwenden</translation>
+    </message>
+    <message>
+        <source>this process never swings under proportional control: it has no ultimate gain</source>
+        <translation>diese Strecke schwingt unter Proportionalregelung nie: sie hat keine kritische Verstärkung</translation>
+    </message>
+    <message>
+        <source>use SIMC or pole placement</source>
+        <translation>SIMC oder Polvorgabe verwenden</translation>
+    </message>
+    <message>
+        <source>a relay experiment needs a level, a period and a swing beyond its hysteresis</source>
+        <translation>ein Relaisversuch braucht eine Höhe, eine Periode und einen Ausschlag über die Hysterese hinaus</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -4566,6 +4566,78 @@
         <source>a complex zero or pole lacks its conjugate partner</source>
         <translation>某个复数零点或极点缺少其共轭</translation>
     </message>
+    <message>
+        <source>a figure of the filter is not a finite number</source>
+        <translation>滤波器的某个参数不是有限数</translation>
+    </message>
+    <message>
+        <source>this filter is not possible: {} lies outside its range</source>
+        <translation>该滤波器不可能：{} 超出其范围</translation>
+    </message>
+    <message>
+        <source>the targets of this design are not possible: they must be positive, Ms above 1</source>
+        <translation>该设计的目标不可能：它们必须为正，且 Ms 大于 1</translation>
+    </message>
+    <message>
+        <source>the design is unstable in the sampled loop</source>
+        <translation>该设计在采样回路中不稳定</translation>
+    </message>
+    <message>
+        <source>ask for less speed, or shorten the computing delay</source>
+        <translation>请降低速度要求，或缩短计算延迟</translation>
+    </message>
+    <message>
+        <source>no gains of this motor meet the asked sensitivity</source>
+        <translation>该电机没有满足所要求灵敏度的增益</translation>
+    </message>
+    <message>
+        <source>allow a larger Ms, or shorten the computing delay</source>
+        <translation>请允许更大的 Ms，或缩短计算延迟</translation>
+    </message>
+    <message>
+        <source>the current limit must be positive</source>
+        <translation>电流限值必须为正</translation>
+    </message>
+    <message>
+        <source>the weights of the regulator do not fit the system</source>
+        <translation>调节器的权重与系统不符</translation>
+    </message>
+    <message>
+        <source>no regulator stabilises this system with these weights</source>
+        <translation>采用这些权重没有调节器能使该系统稳定</translation>
+    </message>
+    <message>
+        <source>weigh every state that does not come to rest by itself</source>
+        <translation>请对每个不会自行静止的状态加权</translation>
+    </message>
+    <message>
+        <source>a constant of the process model is not a finite number</source>
+        <translation>过程模型的某个常数不是有限数</translation>
+    </message>
+    <message>
+        <source>this tuning rule needs a process with a gain and a lag, and a time to close in</source>
+        <translation>该整定规则需要具有增益和滞后的过程，以及闭环时间</translation>
+    </message>
+    <message>
+        <source>lambda tuning needs a process that settles, not one that integrates</source>
+        <translation>Lambda 整定需要自平衡过程，而不是积分过程</translation>
+    </message>
+    <message>
+        <source>use SIMC</source>
+        <translation>请使用 SIMC</translation>
+    </message>
+    <message>
+        <source>this process never swings under proportional control: it has no ultimate gain</source>
+        <translation>该过程在比例控制下从不振荡：没有临界增益</translation>
+    </message>
+    <message>
+        <source>use SIMC or pole placement</source>
+        <translation>请使用 SIMC 或极点配置</translation>
+    </message>
+    <message>
+        <source>a relay experiment needs a level, a period and a swing beyond its hysteresis</source>
+        <translation>继电实验需要幅度、周期以及超出滞环的摆幅</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

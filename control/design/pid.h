@@ -1,6 +1,7 @@
 #pragma once
 
 #include "control/base/result.h"
+#include "control/lti/transfer_function.h"
 
 #include <limits>
 #include <optional>
@@ -12,6 +13,9 @@ namespace halbench::control {
 ///   Parallel:  K_P + K_I/s + K_D s          proportional = K_P, integral = K_I, derivative = K_D
 ///   Standard:  K (1 + 1/(T_i s) + T_d s)    proportional = K,   integral = T_i, derivative = T_d
 ///   Series:    K (1 + 1/(T_i s))(1 + T_d s)  likewise
+/// With a filter on the derivative, s stands for s/(1 + filter_s s) where K_D or T_d multiplies it; in the
+/// series form that reaches into the other terms, and the conversion counts it in:
+///   K_P = K (1 + T_d/T_i),  K_I = K/T_i,  K_D = K T_d (1 - filter_s/T_i).
 enum class PidForm { Parallel, Standard, Series };
 
 /// The angle unit a gain divides by; the published loop most likely mixed the two up
@@ -37,5 +41,9 @@ struct PidGains {
 /// Errors: NotFinite; InvalidInput when the target cannot express it (series: T_i < 4 T_d has complex zeros;
 /// time forms: K = 0 with K_I or K_D not zero).
 Result<PidGains> convert(const PidGains& gains, PidForm form, GainUnit unit);
+
+/// The continuous controller, error to output, of any form. Errors: as of `convert`; InvalidInput for
+/// derivative action without a filter (the board's difference has one of its own: `sampledController`).
+Result<TransferFunction> continuousController(const PidGains& gains);
 
 } // namespace halbench::control

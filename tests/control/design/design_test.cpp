@@ -89,6 +89,38 @@ TEST(PidGains, withoutIntegralActionTheIntegralTimeIsInfiniteAndComesBackAsZero)
     }
 }
 
+// All three notations are one controller, with the filter on the derivative in each as its own definition has
+// it.
+TEST(PidGains, conversionsKeepTheFrequencyResponseWithTheFilter) {
+    PidGains series;
+    series.form = PidForm::Series;
+    series.proportional = 12.0;
+    series.integral = 0.8;
+    series.derivative = 0.05;
+    series.filter_s = 0.01;
+    const auto parallel = convert(series, PidForm::Parallel, GainUnit::PerRadian);
+    const auto standard = convert(*parallel, PidForm::Standard, GainUnit::PerDegree);
+    const auto back = convert(*standard, PidForm::Series, GainUnit::PerRadian);
+    ASSERT_TRUE(parallel && standard && back);
+    EXPECT_NEAR(back->proportional, 12.0, 1e-12);
+    EXPECT_NEAR(back->integral, 0.8, 1e-13);
+    EXPECT_NEAR(back->derivative, 0.05, 1e-14);
+    for (const double w : {0.1, 5.0, 300.0}) {
+        const std::complex<double> s(0.0, w);
+        const auto expected = 12.0 * (1.0 + 1.0 / (0.8 * s)) * (1.0 + 0.05 * s / (1.0 + 0.01 * s));
+        for (const auto& gains : {series, *parallel, *standard, *back}) {
+            const auto controller = continuousController(gains);
+            ASSERT_TRUE(controller.has_value());
+            EXPECT_LT(std::abs(controller->atFrequency(w) - expected), 1e-12 * std::abs(expected));
+        }
+    }
+    series.filter_s.reset();
+    EXPECT_EQ(continuousController(series).error().code, ErrorCode::InvalidInput);
+    series.derivative = 0.0;
+    series.integral = std::numeric_limits<double>::infinity();
+    EXPECT_NEAR(continuousController(series)->dcGain(), 12.0, 1e-13);
+}
+
 TEST(PidGains, refusesTheSeriesFormForComplexZeros) {
     PidGains gains;
     gains.proportional = 1.0;

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "control/base/result.h"
+#include "control/design/proof.h"
+
+#include <optional>
+
+namespace halbench::control {
+
+struct ProvenDesign {
+    PidGains gains; ///< parallel, per radian
+    DesignProof proof;
+};
+
+/// What the linear-quadratic regulator may spend (Bryson's rule: each weight is one over its square).
+struct RegulatorTargets {
+    double angle_rad = 0.01;
+    std::optional<double> integral_rad_s = {}; ///< of the error; absent: no integral action
+    double current_A = 1.0;
+};
+
+/// LQR on the held motor's state (angle, speed, integral of the error), its three gains given to K_P, K_D and
+/// K_I. The board takes the speed from the difference of two angles, half a sample late, and knows nothing of
+/// its own computing delay; the proof is that of the board's loop, and a design that is unstable there is
+/// refused. Errors: of the inputs; OutOfRange (targets), Refused.
+Result<ProvenDesign> designRegulator(const PositionPlant& plant, const LoopTiming& timing,
+                                     const RegulatorTargets& targets, double currentLimit_A);
+
+/// What is to be small after a step of the load.
+enum class ErrorMeasure {
+    Iae, ///< integral of |e|
+    Itae ///< integral of t |e|: forgives the beginning, punishes what lasts
+};
+
+struct LeastErrorTargets {
+    ErrorMeasure measure = ErrorMeasure::Iae;
+    double mostMs_ratio = 1.7; ///< 1.4 calm ... 2.0 lively (Astrom, Hagglund, "Advanced PID Control", ch. 7)
+    /// A step of the reference of this height must not ask for more than the current limit; absent: any may.
+    std::optional<double> step_rad = {};
+};
+
+/// PID gains with the least error after a load step (of current) among all whose sensitivity stays below Ms,
+/// by a direct search (Nelder, Mead) over the logarithms of the three gains from the recommended shape,
+/// restarted until it stays. Found to about 1 % of the measure, deterministic. Errors: of the inputs;
+/// OutOfRange (targets); Refused when no gains meet them.
+Result<ProvenDesign> designLeastError(const PositionPlant& plant, const LoopTiming& timing,
+                                      const LeastErrorTargets& targets, double currentLimit_A);
+
+/// The measure itself, in rad s or rad s^2 per A of load, of the linear sampled loop over `duration_s`.
+Result<double> loadError(const PositionPlant& plant, const PidGains& gains, const LoopTiming& timing,
+                         ErrorMeasure measure, double duration_s);
+
+} // namespace halbench::control

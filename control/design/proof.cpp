@@ -1,0 +1,68 @@
+#include "control/design/proof.h"
+
+#include "control/design/riccati.h"
+#include "control/lti/state_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace halbench::control {
+
+namespace {
+
+/// sqrt(sum h[k]^2) of a stable sampled system: C X C' + D D' with X = A X A' + B B'.
+double impulseNorm(const TransferFunction& system) {
+    const StateSpace s = toStateSpace(system);
+    const Eigen::MatrixXd X = solveLyapunov(s.A, s.B * s.B.transpose());
+    return std::sqrt((s.C * X * s.C.transpose() + s.D * s.D.transpose()).value());
+}
+
+/// From the measured angle to the current, C z^-d/(1 + L) over the closed polynomial.
+Result<TransferFunction> noiseToCurrent(const PositionPlant& plant, const PidGains& gains,
+                                        const LoopTiming& timing) {
+    const auto controller = sampledController(gains, timing.period_s);
+    if (!controller) {
+        return controller;
+    }
+    const auto delayed = series(*controller, TransferFunction::delay(timing.delay_samples, timing.period_s));
+    return delayed ? feedback(*delayed, sampledPlant(plant, timing.period_s)) : delayed;
+}
+
+} // namespace
+
+Result<DesignProof> proveDesign(const PositionPlant& plant, const PidGains& gains, const LoopTiming& timing,
+                                double currentLimit_A, double duration_s) {
+    if (!(std::isfinite(currentLimit_A) && currentLimit_A > 0.0)) {
+        return failure(ErrorCode::OutOfRange, "the current limit must be positive");
+    }
+    const auto loop = sampledOpenLoop(plant, gains, timing);
+    const auto later = sampledOpenLoop(plant, gains, {timing.period_s, timing.delay_samples + 1});
+    const auto noise = noiseToCurrent(plant, gains, timing);
+    if (!loop || !later || !noise) {
+        return failure(!loop ? loop.error() : !later ? later.error() : noise.error());
+    }
+    auto step = linearStep(plant, gains, timing, 1.0, duration_s);
+    if (!step) {
+        return failure(step.error());
+    }
+    const PidGains board = *convert(gains, PidForm::Parallel, GainUnit::PerRadian);
+    DesignProof proof;
+    proof.poleRadius = poleRadius(*loop);
+    proof.isStable = proof.poleRadius < 1.0;
+    proof.margins = smallestMargins(*loop);
+    proof.peaks = sensitivityPeaks(*loop);
+    for (const double current_A : step->current_A) {
+        proof.peakCurrent_A = std::max(proof.peakCurrent_A, std::abs(current_A));
+    }
+    proof.step = std::move(*step);
+    proof.largestStep_rad = currentLimit_A / proof.peakCurrent_A;
+    proof.noiseGain_A_per_rad =
+        proof.isStable ? impulseNorm(*noise) : std::numeric_limits<double>::infinity();
+    proof.fastGain_A_per_rad = board.proportional + board.derivative / timing.period_s;
+    proof.proportionalLimit_A_per_rad = proportionalLimit_A_per_rad(plant, timing, board.derivative);
+    proof.poleRadiusOneSampleLater = poleRadius(*later);
+    return proof;
+}
+
+} // namespace halbench::control
