@@ -35,8 +35,8 @@ enum class InputShape {
 Result<TimeResponse> respond(const StateSpace& system, const std::vector<double>& time_s,
                              const std::vector<double>& input, InputShape shape);
 
-/// Output of a sampled system from rest for an input sequence at its period. Up to 8 states cost one small
-/// unrolled product a sample.
+/// Output of a sampled system from rest for an input sequence at its period. Up to 8 states go four
+/// samples at a time through one matrix of fixed size.
 std::vector<double> simulate(const TransferFunction& sampledSystem, const std::vector<double>& input);
 std::vector<double> simulate(const StateSpace& sampledSystem, const std::vector<double>& input);
 

@@ -67,28 +67,30 @@ Value times(Value a, Value b) {
     return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }
 
-Value over(Value a, Value b) {
-    const double square = b.re * b.re + b.im * b.im;
-    return {(a.re * b.re + a.im * b.im) / square, (a.im * b.re - a.re * b.im) / square};
+Value inverse(Value a) {
+    const double scale = 1.0 / (a.re * a.re + a.im * a.im);
+    return {a.re * scale, -a.im * scale};
 }
 
 double size(Value a) {
     return std::abs(a.re) + std::abs(a.im);
 }
 
-/// The rows of [s - A, B], brought to a triangle in place.
+/// The rows of [s - A, B], brought to a triangle in place, with the inverse of each pivot on its diagonal.
 void eliminate(Value* rows, std::size_t n) {
     const std::size_t width = n + 1;
-    for (std::size_t k = 0; k + 1 < n; ++k) {
+    for (std::size_t k = 0; k < n; ++k) {
         Value* upper = rows + k * width;
         Value* lower = upper + width;
-        if (size(lower[k]) == 0.0) {
+        if (k + 1 == n || size(lower[k]) == 0.0) {
+            upper[k] = inverse(upper[k]);
             continue;
         }
         if (size(lower[k]) > size(upper[k])) {
             std::swap_ranges(upper + k, upper + width, lower + k);
         }
-        const Value factor = over(lower[k], upper[k]);
+        upper[k] = inverse(upper[k]);
+        const Value factor = times(lower[k], upper[k]);
         for (std::size_t j = k + 1; j < width; ++j) {
             const Value product = times(factor, upper[j]);
             lower[j].re -= product.re;
@@ -101,13 +103,13 @@ void eliminate(Value* rows, std::size_t n) {
 void substitute(Value* rows, std::size_t n) {
     const std::size_t width = n + 1;
     for (std::size_t k = n; k-- > 0;) {
-        Value sum = rows[k * width + n];
+        Value* row = rows + k * width;
         for (std::size_t j = k + 1; j < n; ++j) {
-            const Value product = times(rows[k * width + j], rows[j * width + n]);
-            sum.re -= product.re;
-            sum.im -= product.im;
+            const Value product = times(row[j], rows[j * width + n]);
+            row[n].re -= product.re;
+            row[n].im -= product.im;
         }
-        rows[k * width + n] = over(sum, rows[k * width + k]);
+        row[n] = times(row[n], row[k]);
     }
 }
 

@@ -2,7 +2,10 @@
 #include "control/base/random.h"
 #include "control/design/design_methods.h"
 #include "control/design/robustness.h"
+#include "control/lti/discretize.h"
 #include "control/lti/frequency_response.h"
+#include "control/lti/responses.h"
+#include "control/lti/state_response.h"
 #include "tests/bench/goal.h"
 
 #include <benchmark/benchmark.h>
@@ -49,6 +52,66 @@ void benchFrequencyResponse(Goals& goals) {
                   "x");
 }
 
+/// 1.2e6 (s+30)/((s+1)(s+5)(s^2+4s+400)(s^2+36s+3600)), the example that control packages agree on.
+TransferFunction sixthOrder() {
+    const auto denominator = control::multiply(control::multiply({1.0, 6.0, 5.0}, {1.0, 4.0, 400.0}),
+                                               control::Polynomial{1.0, 36.0, 3600.0});
+    return *TransferFunction::make({1.2e6, 3.6e7}, denominator, control::TimeBase::continuous());
+}
+
+void benchContinuousResponse(Goals& goals) {
+    const TransferFunction system = sixthOrder();
+    const control::StateSpace states = control::toStateSpace(system);
+    const auto frequencies = control::logarithmicFrequencies(0.01, 1e4, 20000);
+    const double plain_s = processorTime_s(
+        [&] {
+            std::vector<std::complex<double>> values;
+            for (const double frequency : frequencies) {
+                const std::complex<double> s(0.0, frequency);
+                values.push_back(plainHorner(system.numerator(), s) / plainHorner(system.denominator(), s));
+            }
+            benchmark::DoNotOptimize(values.data());
+        },
+        15);
+    const double rational_s = processorTime_s(
+        [&] { benchmark::DoNotOptimize(control::frequencyResponse(system, frequencies)->value.data()); }, 15);
+    const double states_s = processorTime_s(
+        [&] { benchmark::DoNotOptimize(control::frequencyResponse(states, frequencies)->value.data()); }, 15);
+    goals.below("frequency response of a rational system against plain complex Horner", rational_s / plain_s,
+                1.5, "x");
+    goals.below("frequency response from state space against plain complex Horner", states_s / plain_s, 10.0,
+                "x");
+}
+
+void benchHeldResponse(Goals& goals) {
+    constexpr std::size_t Samples = 100000;
+    std::vector<double> input(Samples);
+    Random random(1);
+    for (double& value : input) {
+        value = random.gaussian();
+    }
+    // The least a recursion can do: every sample waits for the one before and goes through memory once.
+    const double least_s = processorTime_s(
+        [&] {
+            std::vector<double> output(Samples);
+            double y = 0.0;
+            for (std::size_t i = 0; i < Samples; ++i) {
+                y = 0.99 * y + 0.01 * input[i];
+                output[i] = y;
+            }
+            benchmark::DoNotOptimize(output.data());
+        },
+        15);
+    const auto motor = control::discretize(control::continuousPlant(Motor), 1e-3, control::Hold::Zoh{});
+    const auto sixth = control::discretize(control::toStateSpace(sixthOrder()), 1e-3, control::Hold::Zoh{});
+    const double motor_s =
+        processorTime_s([&] { benchmark::DoNotOptimize(control::simulate(*motor, input).data()); }, 15);
+    const double sixth_s =
+        processorTime_s([&] { benchmark::DoNotOptimize(control::simulate(*sixth, input).data()); }, 15);
+    goals.below("held response of the motor against the least recursion", motor_s / least_s, 3.0, "x");
+    goals.below("held response of the sixth order against the least recursion", sixth_s / least_s, 3.0, "x");
+}
+
 void benchRobustness(Goals& goals) {
     control::UncertainPlant uncertain;
     uncertain.mean =
@@ -73,6 +136,8 @@ void benchRobustness(Goals& goals) {
 int main() {
     halbench::bench::Goals goals;
     halbench::bench::benchFrequencyResponse(goals);
+    halbench::bench::benchContinuousResponse(goals);
+    halbench::bench::benchHeldResponse(goals);
     halbench::bench::benchRobustness(goals);
     return goals.exitCode();
 }
