@@ -4638,6 +4638,10 @@
         <source>a relay experiment needs a level, a period and a swing beyond its hysteresis</source>
         <translation>ein Relaisversuch braucht eine Höhe, eine Periode und einen Ausschlag über die Hysterese hinaus</translation>
     </message>
+    <message>
+        <source>none of the drawn plants is a motor</source>
+        <translation>keine der gezogenen Strecken ist ein Motor</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

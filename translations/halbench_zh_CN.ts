@@ -4638,6 +4638,10 @@
         <source>a relay experiment needs a level, a period and a swing beyond its hysteresis</source>
         <translation>继电实验需要幅度、周期以及超出滞环的摆幅</translation>
     </message>
+    <message>
+        <source>none of the drawn plants is a motor</source>
+        <translation>抽取的对象中没有一个是电机</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

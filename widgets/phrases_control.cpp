@@ -105,6 +105,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "this process never swings under proportional control: it has no ultimate gain"),
     QT_TRANSLATE_NOOP("Phrases", "use SIMC or pole placement"),
     QT_TRANSLATE_NOOP("Phrases", "a relay experiment needs a level, a period and a swing beyond its hysteresis"),
+    QT_TRANSLATE_NOOP("Phrases", "none of the drawn plants is a motor"),
     QT_TRANSLATE_NOOP("Phrases", "the added inertia must be more than zero"),
     QT_TRANSLATE_NOOP("Phrases", "give it in kg*m^2, e.g. 2e-4"),
     QT_TRANSLATE_NOOP("Phrases", "the added inertia does not show above the errors of both runs"),

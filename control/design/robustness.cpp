@@ -65,10 +65,7 @@ StabilityMargins ofUnstable(StabilityMargins margins) {
     return margins;
 }
 
-/// Damping below zero is taken as none: a draw beyond the edge of what a motor can be, not a negative brake.
-Draw judge(PositionPlant plant, const PidGains& gains, const LoopTiming& timing) {
-    plant.dampingRate_1_s = std::max(plant.dampingRate_1_s, 0.0);
-    plant.breakawayCurrent_A = std::max(plant.breakawayCurrent_A, 0.0);
+Draw judge(const PositionPlant& plant, const PidGains& gains, const LoopTiming& timing) {
     const auto loop = sampledOpenLoop(plant, gains, timing);
     if (!loop) {
         return {false, ofUnstable({0.0, 0.0, {}, {}, 0.0, 0.0})};
@@ -121,8 +118,7 @@ Robustness summary(const std::vector<Draw>& draws, bool isUncertain) {
 
 } // namespace
 
-Result<Robustness> assessRobustness(const UncertainPlant& plant, const PidGains& gains,
-                                    const LoopTiming& timing, int draws, Random random) {
+Result<std::vector<PositionPlant>> drawPlants(const UncertainPlant& plant, int draws, Random random) {
     HB_ASSERT(plant.toPlant != nullptr);
     if (const auto valid = check(plant, draws); !valid) {
         return failure(valid.error());
@@ -131,14 +127,33 @@ Result<Robustness> assessRobustness(const UncertainPlant& plant, const PidGains&
     if (!root) {
         return failure(root.error());
     }
-    std::vector<Draw> judged;
-    judged.reserve(static_cast<std::size_t>(draws));
+    std::vector<PositionPlant> plants;
+    plants.reserve(static_cast<std::size_t>(draws));
     Eigen::VectorXd normal(plant.mean.size());
     for (int i = 0; i < draws; ++i) {
         for (double& value : normal) {
             value = random.gaussian();
         }
-        judged.push_back(judge(plant.toPlant(plant.mean + *root * normal), gains, timing));
+        PositionPlant drawn = plant.toPlant(plant.mean + *root * normal);
+        // Damping below zero is taken as none: a draw beyond the edge of what a motor can be, no negative
+        // brake.
+        drawn.dampingRate_1_s = std::max(drawn.dampingRate_1_s, 0.0);
+        drawn.breakawayCurrent_A = std::max(drawn.breakawayCurrent_A, 0.0);
+        plants.push_back(drawn);
+    }
+    return plants;
+}
+
+Result<Robustness> assessRobustness(const UncertainPlant& plant, const PidGains& gains,
+                                    const LoopTiming& timing, int draws, Random random) {
+    const auto plants = drawPlants(plant, draws, random);
+    if (!plants) {
+        return failure(plants.error());
+    }
+    std::vector<Draw> judged;
+    judged.reserve(plants->size());
+    for (const PositionPlant& drawn : *plants) {
+        judged.push_back(judge(drawn, gains, timing));
     }
     return summary(judged, plant.covariance.size() > 0 && plant.covariance.diagonal().maxCoeff() > 0.0);
 }

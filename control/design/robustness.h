@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace halbench::control {
 
@@ -36,6 +37,11 @@ struct UncertainPlant {
     Eigen::MatrixXd covariance;
     std::function<PositionPlant(const Eigen::VectorXd&)> toPlant;
 };
+
+/// Plants of `draws` (at least 1000) draws, with damping and friction of at least zero; a draw whose gain is
+/// not positive is kept and is no motor. Deterministic for a seed. Errors: InvalidInput (sizes, covariance
+/// not positive semi-definite), NotFinite, OutOfRange (draws).
+Result<std::vector<PositionPlant>> drawPlants(const UncertainPlant& plant, int draws, Random random);
 
 /// Draws `draws` (at least 1000) plants and judges the sampled loop of each. An unstable draw counts with a
 /// gain margin of at most 1, a phase and delay margin of at most 0 and a modulus margin of 0. Deterministic
