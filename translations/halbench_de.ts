@@ -3651,10 +3651,6 @@
         <translation>„monitor“ muss eine Tabelle sein</translation>
     </message>
     <message>
-        <source>[monitor] has follow (true or false) and span_s</source>
-        <translation>[monitor] hat follow (true oder false) und span_s</translation>
-    </message>
-    <message>
         <source>&apos;span_s&apos; must be more than 0</source>
         <translation>„span_s“ muss größer als 0 sein</translation>
     </message>
@@ -4641,6 +4637,30 @@
     <message>
         <source>none of the drawn plants is a motor</source>
         <translation>keine der gezogenen Strecken ist ein Motor</translation>
+    </message>
+    <message>
+        <source>must be &apos;{}&apos;, &apos;{}&apos; or &apos;{}&apos;</source>
+        <translation>muss '{}', '{}' oder '{}' sein</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; [monitor.trigger] has on, source, mode, slope, level, hysteresis, window_s, pre_trigger_ratio, hold_off_s</source>
+        <translation>unbekannter Schlüssel '{}'; [monitor.trigger] hat on, source, mode, slope, level, hysteresis, window_s, pre_trigger_ratio, hold_off_s</translation>
+    </message>
+    <message>
+        <source>&apos;trigger&apos; must be a table, [monitor.trigger]</source>
+        <translation>'trigger' muss eine Tabelle sein, [monitor.trigger]</translation>
+    </message>
+    <message>
+        <source>of a trigger window_s is more than 0, hysteresis and hold_off_s are not negative, pre_trigger_ratio is from 0 to 1</source>
+        <translation>bei einem Trigger ist window_s größer als 0, hysteresis und hold_off_s sind nicht negativ, pre_trigger_ratio liegt zwischen 0 und 1</translation>
+    </message>
+    <message>
+        <source>[monitor] has follow (true or false), span_s and trigger</source>
+        <translation>[monitor] hat follow (true oder false), span_s und trigger</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be true or false</source>
+        <translation>'{}' muss true oder false sein</translation>
     </message>
 </context>
 <context>
@@ -6872,6 +6892,49 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::MonitorTrigger</name>
+    <message>
+        <source>Trigger</source>
+        <translation>Trigger</translation>
+    </message>
+    <message>
+        <source>Oscilloscope: show the time around the newest event until the next one</source>
+        <translation>Oszilloskop: zeigt die Zeit um das neueste Ereignis bis zum nächsten</translation>
+    </message>
+    <message>
+        <source>Wait again</source>
+        <translation>Erneut warten</translation>
+    </message>
+    <message>
+        <source>Forget what was seen and wait for the next event</source>
+        <translation>Vergisst das Gesehene und wartet auf das nächste Ereignis</translation>
+    </message>
+    <message>
+        <source>No samples of %1 come</source>
+        <translation>Von %1 kommen keine Werte</translation>
+    </message>
+    <message>
+        <source>Waiting until %1</source>
+        <translation>Wartet, bis %1</translation>
+    </message>
+    <message>
+        <source>Triggered; the window is not over yet</source>
+        <translation>Ausgelöst; das Fenster ist noch nicht zu Ende</translation>
+    </message>
+    <message>
+        <source>Auto: no event, shown by itself; waiting until %1</source>
+        <translation>Auto: kein Ereignis, von selbst gezeigt; wartet, bis %1</translation>
+    </message>
+    <message>
+        <source>Triggered at %1 s; waiting for the next</source>
+        <translation>Ausgelöst bei %1 s; wartet auf das nächste</translation>
+    </message>
+    <message>
+        <source>Stopped after the event at %1 s; Shift+T waits again</source>
+        <translation>Angehalten nach dem Ereignis bei %1 s; Umschalt+T wartet erneut</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::NoteLabel</name>
     <message>
         <source>Opens the help (Tab, Return)</source>
@@ -7888,6 +7951,129 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::TriggerBar</name>
+    <message>
+        <source>State of the trigger</source>
+        <translation>Zustand des Triggers</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Betriebsart</translation>
+    </message>
+    <message>
+        <source>Auto shows something after half a second even if nothing happens; Normal waits; Single stops after one event</source>
+        <translation>Auto zeigt nach einer halben Sekunde etwas, auch wenn nichts geschieht; Normal wartet; Einzel hält nach einem Ereignis an</translation>
+    </message>
+    <message>
+        <source>Auto</source>
+        <translation>Auto</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Single</source>
+        <translation>Einzel</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>The signal whose edge is the event, or the set-point</source>
+        <translation>Das Signal, dessen Flanke das Ereignis ist, oder der Sollwert</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Flanke</translation>
+    </message>
+    <message>
+        <source>Which way the source passes the level</source>
+        <translation>In welcher Richtung die Quelle den Pegel durchläuft</translation>
+    </message>
+    <message>
+        <source>rising</source>
+        <translation>steigend</translation>
+    </message>
+    <message>
+        <source>falling</source>
+        <translation>fallend</translation>
+    </message>
+    <message>
+        <source>either</source>
+        <translation>beide</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Pegel</translation>
+    </message>
+    <message>
+        <source>The event is where the source passes it; the line in the plot can be dragged</source>
+        <translation>Wo die Quelle ihn durchläuft, ist das Ereignis; die Linie im Diagramm lässt sich ziehen</translation>
+    </message>
+    <message>
+        <source>Hysteresis</source>
+        <translation>Hysterese</translation>
+    </message>
+    <message>
+        <source>So far on the other side of the level the source must have been before</source>
+        <translation>So weit muss die Quelle vorher auf der anderen Seite des Pegels gewesen sein</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>The stretch of time shown of an event</source>
+        <translation>Die Zeitspanne, die von einem Ereignis gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Davor</translation>
+    </message>
+    <message>
+        <source>Share of the window that lies before the event</source>
+        <translation>Anteil des Fensters, der vor dem Ereignis liegt</translation>
+    </message>
+    <message>
+        <source>Hold-off</source>
+        <translation>Sperrzeit</translation>
+    </message>
+    <message>
+        <source>Least time from one event to the next</source>
+        <translation>Kürzeste Zeit von einem Ereignis zum nächsten</translation>
+    </message>
+    <message>
+        <source>Level to the middle</source>
+        <translation>Pegel in die Mitte</translation>
+    </message>
+    <message>
+        <source>Sets the level half way between what the source reaches in the view, and the hysteresis to a twentieth of it</source>
+        <translation>Setzt den Pegel in die Mitte dessen, was die Quelle im Bild erreicht, und die Hysterese auf ein Zwanzigstel davon</translation>
+    </message>
+    <message>
+        <source>Set-point change</source>
+        <translation>Änderung des Sollwerts</translation>
+    </message>
+    <message>
+        <source>the set-point changes</source>
+        <translation>sich der Sollwert ändert</translation>
+    </message>
+    <message>
+        <source>%1 rises through %2</source>
+        <translation>%1 durch %2 steigt</translation>
+    </message>
+    <message>
+        <source>%1 falls through %2</source>
+        <translation>%1 durch %2 fällt</translation>
+    </message>
+    <message>
+        <source>%1 passes %2</source>
+        <translation>%1 durch %2 geht</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::TuneForm</name>
     <message>
         <source>%1: %2</source>
@@ -8740,6 +8926,10 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>Scrolled; press End to follow</source>
         <translation>Verschoben; Ende drücken, um zu folgen</translation>
     </message>
+    <message>
+        <source>At an event; press End to follow</source>
+        <translation>An einem Ereignis; Ende folgt wieder</translation>
+    </message>
 </context>
 <context>
     <name>halbench::widgets::LogTableModel</name>
@@ -9391,6 +9581,10 @@ Hall b
     <message>
         <source>time [s]</source>
         <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>time from the event [s]</source>
+        <translation>Zeit ab dem Ereignis [s]</translation>
     </message>
 </context>
 <context>

@@ -3651,10 +3651,6 @@
         <translation>“monitor”必须是表</translation>
     </message>
     <message>
-        <source>[monitor] has follow (true or false) and span_s</source>
-        <translation>[monitor] 有 follow（true 或 false）和 span_s</translation>
-    </message>
-    <message>
         <source>&apos;span_s&apos; must be more than 0</source>
         <translation>“span_s”必须大于 0</translation>
     </message>
@@ -4641,6 +4637,30 @@
     <message>
         <source>none of the drawn plants is a motor</source>
         <translation>抽取的对象中没有一个是电机</translation>
+    </message>
+    <message>
+        <source>must be &apos;{}&apos;, &apos;{}&apos; or &apos;{}&apos;</source>
+        <translation>必须是 '{}'、'{}' 或 '{}'</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; [monitor.trigger] has on, source, mode, slope, level, hysteresis, window_s, pre_trigger_ratio, hold_off_s</source>
+        <translation>未知的键 '{}'；[monitor.trigger] 有 on、source、mode、slope、level、hysteresis、window_s、pre_trigger_ratio、hold_off_s</translation>
+    </message>
+    <message>
+        <source>&apos;trigger&apos; must be a table, [monitor.trigger]</source>
+        <translation>'trigger' 必须是表，[monitor.trigger]</translation>
+    </message>
+    <message>
+        <source>of a trigger window_s is more than 0, hysteresis and hold_off_s are not negative, pre_trigger_ratio is from 0 to 1</source>
+        <translation>触发的 window_s 大于 0，hysteresis 和 hold_off_s 不为负，pre_trigger_ratio 在 0 到 1 之间</translation>
+    </message>
+    <message>
+        <source>[monitor] has follow (true or false), span_s and trigger</source>
+        <translation>[monitor] 有 follow（true 或 false）、span_s 和 trigger</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be true or false</source>
+        <translation>'{}' 必须是 true 或 false</translation>
     </message>
 </context>
 <context>
@@ -6866,6 +6886,49 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::MonitorTrigger</name>
+    <message>
+        <source>Trigger</source>
+        <translation>触发</translation>
+    </message>
+    <message>
+        <source>Oscilloscope: show the time around the newest event until the next one</source>
+        <translation>示波器：显示最新事件前后的时间，直到下一事件</translation>
+    </message>
+    <message>
+        <source>Wait again</source>
+        <translation>再次等待</translation>
+    </message>
+    <message>
+        <source>Forget what was seen and wait for the next event</source>
+        <translation>忘记已见内容并等待下一事件</translation>
+    </message>
+    <message>
+        <source>No samples of %1 come</source>
+        <translation>没有收到 %1 的采样</translation>
+    </message>
+    <message>
+        <source>Waiting until %1</source>
+        <translation>等待：%1</translation>
+    </message>
+    <message>
+        <source>Triggered; the window is not over yet</source>
+        <translation>已触发；窗口尚未结束</translation>
+    </message>
+    <message>
+        <source>Auto: no event, shown by itself; waiting until %1</source>
+        <translation>自动：没有事件，自行显示；等待：%1</translation>
+    </message>
+    <message>
+        <source>Triggered at %1 s; waiting for the next</source>
+        <translation>在 %1 s 触发；等待下一次</translation>
+    </message>
+    <message>
+        <source>Stopped after the event at %1 s; Shift+T waits again</source>
+        <translation>在 %1 s 的事件后停止；Shift+T 再次等待</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::NoteLabel</name>
     <message>
         <source>Opens the help (Tab, Return)</source>
@@ -7880,6 +7943,129 @@ A real device has its own time.</source>
     </message>
 </context>
 <context>
+    <name>halbench::app::TriggerBar</name>
+    <message>
+        <source>State of the trigger</source>
+        <translation>触发状态</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>模式</translation>
+    </message>
+    <message>
+        <source>Auto shows something after half a second even if nothing happens; Normal waits; Single stops after one event</source>
+        <translation>自动：即使没有事件，半秒后也显示；正常：等待；单次：一个事件后停止</translation>
+    </message>
+    <message>
+        <source>Auto</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>正常</translation>
+    </message>
+    <message>
+        <source>Single</source>
+        <translation>单次</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>信号源</translation>
+    </message>
+    <message>
+        <source>The signal whose edge is the event, or the set-point</source>
+        <translation>其边沿即为事件的信号，或设定值</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>边沿</translation>
+    </message>
+    <message>
+        <source>Which way the source passes the level</source>
+        <translation>信号源以何方向穿过电平</translation>
+    </message>
+    <message>
+        <source>rising</source>
+        <translation>上升</translation>
+    </message>
+    <message>
+        <source>falling</source>
+        <translation>下降</translation>
+    </message>
+    <message>
+        <source>either</source>
+        <translation>任意</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>电平</translation>
+    </message>
+    <message>
+        <source>The event is where the source passes it; the line in the plot can be dragged</source>
+        <translation>信号源穿过它时即为事件；可拖动图中的线</translation>
+    </message>
+    <message>
+        <source>Hysteresis</source>
+        <translation>迟滞</translation>
+    </message>
+    <message>
+        <source>So far on the other side of the level the source must have been before</source>
+        <translation>信号源此前须在电平另一侧超出这么多</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>窗口</translation>
+    </message>
+    <message>
+        <source>The stretch of time shown of an event</source>
+        <translation>每个事件显示的时间长度</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>之前</translation>
+    </message>
+    <message>
+        <source>Share of the window that lies before the event</source>
+        <translation>窗口中位于事件之前的比例</translation>
+    </message>
+    <message>
+        <source>Hold-off</source>
+        <translation>释抑</translation>
+    </message>
+    <message>
+        <source>Least time from one event to the next</source>
+        <translation>相邻事件的最短间隔</translation>
+    </message>
+    <message>
+        <source>Level to the middle</source>
+        <translation>电平置中</translation>
+    </message>
+    <message>
+        <source>Sets the level half way between what the source reaches in the view, and the hysteresis to a twentieth of it</source>
+        <translation>把电平置于信号源在视图中所达范围的中点，迟滞取该范围的二十分之一</translation>
+    </message>
+    <message>
+        <source>Set-point change</source>
+        <translation>设定值变化</translation>
+    </message>
+    <message>
+        <source>the set-point changes</source>
+        <translation>设定值变化</translation>
+    </message>
+    <message>
+        <source>%1 rises through %2</source>
+        <translation>%1 上升穿过 %2</translation>
+    </message>
+    <message>
+        <source>%1 falls through %2</source>
+        <translation>%1 下降穿过 %2</translation>
+    </message>
+    <message>
+        <source>%1 passes %2</source>
+        <translation>%1 穿过 %2</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::TuneForm</name>
     <message>
         <source>%1: %2</source>
@@ -8732,6 +8918,10 @@ A real device has its own time.</source>
         <source>Scrolled; press End to follow</source>
         <translation>已滚动；按 End 键跟随</translation>
     </message>
+    <message>
+        <source>At an event; press End to follow</source>
+        <translation>位于事件处；按 End 跟随</translation>
+    </message>
 </context>
 <context>
     <name>halbench::widgets::LogTableModel</name>
@@ -9382,6 +9572,10 @@ Hall b
     <message>
         <source>time [s]</source>
         <translation>时间 [s]</translation>
+    </message>
+    <message>
+        <source>time from the event [s]</source>
+        <translation>距事件的时间 [s]</translation>
     </message>
 </context>
 <context>

@@ -131,6 +131,7 @@ void LivePlot::setSpec(const PlotSpec& spec, const control::SampleHistory* histo
     m_overlay->setMessage(m_spec.curves.empty() ? tr("Drag signals here or press Insert") : QString());
     m_autoRange = AutoRange(smallestLength(m_spec));
     m_userRange = m_spec.fixedRange;
+    setLevel(m_level);
     setAccessibleName(m_spec.quantity.isEmpty() ? tr("Empty plot") : tr("Plot of %1").arg(m_spec.quantity));
     setAccessibleDescription(
         tr("Arrow keys move a cursor, plus and minus zoom, Space pauses, F fits, Insert adds signals."));
@@ -247,7 +248,7 @@ void LivePlot::showFrame(control::TimeRange view, double timeStep_s, control::Ti
     m_valueScale->setDecimals(decimalsOf(step));
     const QwtScaleDiv division = divisionOf(values.low, values.high, step);
     setAxisScaleDiv(yLeft, m_curves.empty() ? QwtScaleDiv(values.low, values.high) : division);
-    setAxisScaleDiv(xBottom, divisionOf(view.begin_s, view.end_s, timeStep_s));
+    setAxisScaleDiv(xBottom, divisionFrom(m_event_s.value_or(0.0), view.begin_s, view.end_s, timeStep_s));
     replot();
 }
 
@@ -271,6 +272,25 @@ void LivePlot::drawCanvas(QPainter* painter) {
 void LivePlot::setCursors(const CursorPair& cursors) {
     m_cursors = cursors;
     m_overlay->setCursors(cursors);
+}
+
+void LivePlot::setEvent(const std::optional<double>& event_s) {
+    m_event_s = event_s;
+    m_overlay->setEvent(event_s);
+}
+
+void LivePlot::setLevel(const std::optional<PlotLevel>& level) {
+    m_level = level;
+    const PlotCurve* curve = levelCurve();
+    m_overlay->setLevel(curve != nullptr ? std::optional(curve->factor * level->level) : std::nullopt,
+                        curve != nullptr ? std::abs(curve->factor) * level->hysteresis : 0.0);
+}
+
+const PlotCurve* LivePlot::levelCurve() const {
+    const auto found = std::find_if(m_spec.curves.begin(), m_spec.curves.end(), [this](const PlotCurve& one) {
+        return m_level && one.signal == m_level->signal;
+    });
+    return found == m_spec.curves.end() ? nullptr : &*found;
 }
 
 int LivePlot::neededExtent() const {

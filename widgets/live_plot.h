@@ -42,6 +42,10 @@ public:
 
     /// One frame: `view` on the axis, `drawn` of it with curves. Repaints when the event loop comes to it.
     void showFrame(control::TimeRange view, double timeStep_s, control::TimeRange drawn);
+    /// The moment from which the time axis counts; its grid lines stand with it.
+    void setEvent(const std::optional<double>& event_s);
+    /// Drawn when its signal is one of the curves.
+    void setLevel(const std::optional<PlotLevel>& level);
     void setCursors(const CursorPair& cursors);
     void setMarkers(const std::vector<PlotMarker>& markers) { m_overlay->setMarkers(markers); }
     void setNamesShown(bool areShown) { m_overlay->setNamesShown(areShown); }
@@ -73,6 +77,7 @@ Q_SIGNALS:
     void viewAboutToChange(); ///< before a value zoom or a drag: what zoom back returns to
     void fitRequested();
     void cursorMoved(int index, double time_s);
+    void levelMoved(double level); ///< in SI
     void signalsDropped(QStringList names);
 
 protected:
@@ -84,12 +89,14 @@ protected:
     void focusOutEvent(QFocusEvent* event) override;
 
 private:
-    enum class Drag { None, Box, Pan, Cursor };
+    enum class Drag { None, Box, Pan, Cursor, Level };
     void press(const QMouseEvent& event);
     void move(const QMouseEvent& event);
     void release(const QMouseEvent& event);
     void wheel(const QWheelEvent& event);
     int cursorNear(double canvasX) const;
+    bool isLevelNear(double canvasY) const;
+    const PlotCurve* levelCurve() const;
     void finishBox(const QPoint& end);
     void panTo(const QPoint& place);
     std::optional<ValueRange> dataRange() const;
@@ -114,6 +121,8 @@ private:
     QPoint m_pressed;
     QPoint m_last;
     CursorPair m_cursors;
+    std::optional<double> m_event_s;
+    std::optional<PlotLevel> m_level;
 };
 
 } // namespace halbench::widgets

@@ -13,7 +13,7 @@
 namespace halbench::widgets {
 namespace {
 
-constexpr double CursorReach_px = 5.0;
+constexpr double CursorReach_px = 5.0; ///< of a level too
 constexpr double ZoomPerStep = 1.25;
 constexpr int StepAngle = 120; ///< of a wheel's notch, in Qt's eighths of a degree
 
@@ -62,6 +62,12 @@ int LivePlot::cursorNear(double canvasX) const {
     return nearest;
 }
 
+bool LivePlot::isLevelNear(double canvasY) const {
+    const PlotCurve* curve = levelCurve();
+    return curve != nullptr &&
+           std::abs(canvasMap(yLeft).transform(curve->factor * m_level->level) - canvasY) < CursorReach_px;
+}
+
 void LivePlot::press(const QMouseEvent& event) {
     setFocus(Qt::MouseFocusReason);
     m_pressed = event.pos();
@@ -74,14 +80,19 @@ void LivePlot::press(const QMouseEvent& event) {
         canvas()->setCursor(Qt::ClosedHandCursor);
     } else if (event.button() == Qt::LeftButton) {
         m_draggedCursor = cursorNear(event.pos().x());
-        m_drag = m_draggedCursor >= 0 ? Drag::Cursor : Drag::Box;
+        m_drag = m_draggedCursor >= 0 ? Drag::Cursor : isLevelNear(event.pos().y()) ? Drag::Level : Drag::Box;
     }
 }
 
 void LivePlot::move(const QMouseEvent& event) {
     switch (m_drag) {
     case Drag::None:
-        canvas()->setCursor(cursorNear(event.pos().x()) >= 0 ? Qt::SplitHCursor : Qt::ArrowCursor);
+        canvas()->setCursor(cursorNear(event.pos().x()) >= 0 ? Qt::SplitHCursor
+                            : isLevelNear(event.pos().y())   ? Qt::SplitVCursor
+                                                             : Qt::ArrowCursor);
+        break;
+    case Drag::Level:
+        Q_EMIT levelMoved(canvasMap(yLeft).invTransform(event.pos().y()) / levelCurve()->factor);
         break;
     case Drag::Cursor:
         Q_EMIT cursorMoved(m_draggedCursor, timeAt(event.pos().x()));

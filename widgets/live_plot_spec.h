@@ -42,6 +42,15 @@ struct PlotSpec {
     bool operator==(const PlotSpec&) const = default;
 };
 
+/// Where a trigger waits for a signal, in its SI unit.
+struct PlotLevel {
+    std::string signal;
+    double level = 0.0;
+    double hysteresis = 0.0;
+
+    bool operator==(const PlotLevel&) const = default;
+};
+
 /// What the tree of signals drags: names, one a line, UTF-8.
 inline constexpr char SignalsMimeType[] = "application/x-halbench-signals";
 

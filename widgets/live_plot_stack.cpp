@@ -144,6 +144,7 @@ void LivePlotStack::connectPlot(int index) {
     connect(plot, &LivePlot::viewAboutToChange, this, &LivePlotStack::remember);
     connect(plot, &LivePlot::fitRequested, this, &LivePlotStack::fitAll);
     connect(plot, &LivePlot::cursorMoved, this, &LivePlotStack::setCursor);
+    connect(plot, &LivePlot::levelMoved, this, &LivePlotStack::levelMoved);
     connect(plot, &LivePlot::valuesChanged, this, [this] { m_isDirty = true; });
     connect(plot, &LivePlot::panRequested, this, [this](double by_s) {
         const bool wasFollowing = isFollowing();
@@ -192,6 +193,8 @@ void LivePlotStack::configureRow(std::size_t index) {
     row.plot->setNamesShown(index == 0);
     row.plot->setMarkers(m_markers);
     row.plot->setCursors(m_cursors);
+    row.plot->setEvent(m_event_s);
+    row.plot->setLevel(m_level);
     if (row.isConfigured && row.plot->spec() == m_specs[index] && row.plot->history() == m_history) {
         return; // keeps its zoom and its hidden curves
     }

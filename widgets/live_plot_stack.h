@@ -89,6 +89,11 @@ public:
     void setCursorsVisible(bool areVisible);
     const CursorPair& cursors() const { return m_cursors; }
     void setCursor(int index, double time_s);
+    /// The moment of a trigger's event, from which the time axis counts while it is given.
+    void setEvent(std::optional<double> event_s);
+    /// Where a trigger waits; drawn in the plots of its signal, where it can be dragged.
+    void setLevel(const std::optional<PlotLevel>& level);
+    const std::optional<PlotLevel>& level() const { return m_level; }
     void setMarkers(std::vector<PlotMarker> markers);
     const std::vector<PlotMarker>& markers() const { return m_markers; }
 
@@ -108,6 +113,7 @@ Q_SIGNALS:
     void followingChanged(bool isFollowing);
     void cursorsChanged();
     void markersChanged();
+    void levelMoved(double level); ///< by the mouse, in SI
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -154,6 +160,8 @@ private:
     TimeView m_view;
     CursorPair m_cursors;
     std::vector<PlotMarker> m_markers;
+    std::optional<double> m_event_s;
+    std::optional<PlotLevel> m_level;
     std::vector<Snapshot> m_zoomHistory;
     bool m_isWheeling = false; ///< turns of the wheel in a row are one step of the zoom history
     std::map<Command, QAction*> m_actions;

@@ -164,6 +164,22 @@ void LivePlotStack::dropMarker() {
     setMarkers(std::move(markers));
 }
 
+void LivePlotStack::setEvent(std::optional<double> event_s) {
+    m_event_s = event_s;
+    for (const Row& row : m_rows) {
+        row.plot->setEvent(m_event_s);
+    }
+    m_isDirty = true;
+}
+
+void LivePlotStack::setLevel(const std::optional<PlotLevel>& level) {
+    m_level = level;
+    for (const Row& row : m_rows) {
+        row.plot->setLevel(m_level);
+    }
+    m_isDirty = true;
+}
+
 void LivePlotStack::setMarkers(std::vector<PlotMarker> markers) {
     m_markers = std::move(markers);
     for (const Row& row : m_rows) {

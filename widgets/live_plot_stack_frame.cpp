@@ -74,7 +74,7 @@ void LivePlotStack::drawFrame() {
         fitTitles();
     }
     align();
-    m_timeAxis->setRange(m_view.range(), timeStep_s());
+    m_timeAxis->setRange(m_view.range(), timeStep_s(), m_event_s);
 }
 
 void LivePlotStack::fitTitles() {
@@ -151,7 +151,8 @@ void LivePlotStack::showState() {
         m_timeAxis->setState(tr("Following, %1 s").arg(locale.toString(m_view.range().length_s(), 'g', 4)),
                              false);
     } else {
-        m_timeAxis->setState(tr("Scrolled; press End to follow"), true);
+        m_timeAxis->setState(
+            m_event_s ? tr("At an event; press End to follow") : tr("Scrolled; press End to follow"), true);
     }
 }
 

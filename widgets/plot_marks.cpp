@@ -87,9 +87,15 @@ OverlayItem::OverlayItem() {
     setZ(100.0);
 }
 
-void OverlayItem::draw(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap&,
+void OverlayItem::setLevel(std::optional<double> level, double hysteresis) {
+    m_level = level;
+    m_hysteresis = hysteresis;
+}
+
+void OverlayItem::draw(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,
                        const QRectF& canvas) const {
     painter->save();
+    drawTrigger(painter, xMap, yMap, canvas);
     drawMarkers(painter, xMap, canvas);
     drawCursors(painter, xMap, canvas);
     if (m_box) {
@@ -133,6 +139,49 @@ void OverlayItem::drawMarkers(QPainter* painter, const QwtScaleMap& xMap, const 
             drawFlag(painter, x, canvas, marker.text, m_theme.raised, m_theme.text);
         }
     }
+}
+
+/// Lines of the event and of the level with their letter T; the hysteresis as dots on both sides.
+void OverlayItem::drawTrigger(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,
+                              const QRectF& canvas) const {
+    if (m_event_s) {
+        const double x = std::round(xMap.transform(*m_event_s));
+        if (x >= canvas.left() && x <= canvas.right()) {
+            painter->setPen(QPen(m_theme.accent, 1.0, Qt::DashLine));
+            painter->drawLine(QPointF(x, canvas.top()), QPointF(x, canvas.bottom()));
+            if (m_areNamesShown) {
+                drawFlag(painter, x, canvas, QStringLiteral("T"), m_theme.accent, m_theme.panel);
+            }
+        }
+    }
+    if (!m_level) {
+        return;
+    }
+    const auto line = [&](double value, Qt::PenStyle style) {
+        const double y = std::round(yMap.transform(value));
+        if (y >= canvas.top() && y <= canvas.bottom()) {
+            painter->setPen(QPen(m_theme.accent, 1.0, style));
+            painter->drawLine(QPointF(canvas.left(), y), QPointF(canvas.right(), y));
+        }
+    };
+    line(*m_level, Qt::SolidLine);
+    if (m_hysteresis > 0.0) {
+        line(*m_level - m_hysteresis, Qt::DotLine);
+        line(*m_level + m_hysteresis, Qt::DotLine);
+    }
+    const QFontMetricsF metrics(painter->font());
+    const double y = std::clamp(yMap.transform(*m_level) - metrics.height(), canvas.top(),
+                                std::max(canvas.top(), canvas.bottom() - metrics.height()));
+    painter->setPen(m_theme.accent);
+    painter->drawText(QPointF(canvas.left() + WordMargin, y + metrics.ascent()), levelText(yMap));
+}
+
+/// With an arrow to where it is when the axis does not reach it.
+QString OverlayItem::levelText(const QwtScaleMap& yMap) const {
+    if (*m_level > std::max(yMap.s1(), yMap.s2())) {
+        return QStringLiteral("T \u2191");
+    }
+    return *m_level < std::min(yMap.s1(), yMap.s2()) ? QStringLiteral("T \u2193") : QStringLiteral("T");
 }
 
 void OverlayItem::drawCursors(QPainter* painter, const QwtScaleMap& xMap, const QRectF& canvas) const {

@@ -71,6 +71,10 @@ public:
     void setMarkers(std::vector<PlotMarker> markers) { m_markers = std::move(markers); }
     void setFocused(bool isFocused) { m_isFocused = isFocused; }
     void setBox(std::optional<QRectF> box) { m_box = box; }
+    /// The moment of a trigger's event.
+    void setEvent(std::optional<double> event_s) { m_event_s = event_s; }
+    /// A trigger's level and the one that hysteresis asks for, in the unit shown.
+    void setLevel(std::optional<double> level, double hysteresis);
     void setMessage(const QString& message) { m_message = message; }
     /// Names of cursors and markers are written in the topmost plot only.
     void setNamesShown(bool areShown) { m_areNamesShown = areShown; }
@@ -82,11 +86,17 @@ private:
                   const QColor& colour, const QColor& textColour) const;
     void drawMarkers(QPainter* painter, const QwtScaleMap& xMap, const QRectF& canvas) const;
     void drawCursors(QPainter* painter, const QwtScaleMap& xMap, const QRectF& canvas) const;
+    void drawTrigger(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,
+                     const QRectF& canvas) const;
+    QString levelText(const QwtScaleMap& yMap) const;
 
     Theme m_theme;
     CursorPair m_cursors;
     std::vector<PlotMarker> m_markers;
     std::optional<QRectF> m_box;
+    std::optional<double> m_event_s;
+    std::optional<double> m_level;
+    double m_hysteresis = 0.0;
     QString m_message;
     bool m_areNamesShown = true;
     bool m_isFocused = false;

@@ -36,9 +36,11 @@ void TimeAxisBar::setCanvas(int left, int width) {
     }
 }
 
-void TimeAxisBar::setRange(control::TimeRange range, double step_s) {
+void TimeAxisBar::setRange(control::TimeRange range, double step_s, std::optional<double> origin_s) {
     m_scale->setDecimals(decimalsOf(step_s));
-    m_scale->setScaleDiv(divisionOf(range.begin_s, range.end_s, step_s));
+    const double zero_s = origin_s.value_or(0.0);
+    m_isFromEvent = origin_s.has_value();
+    m_scale->setScaleDiv(divisionOf(range.begin_s - zero_s, range.end_s - zero_s, step_s));
     update();
 }
 
@@ -63,7 +65,7 @@ void TimeAxisBar::paintEvent(QPaintEvent*) {
     m_scale->draw(&painter, colours);
     const QRect line(m_left, height() - fontMetrics().height() - 2, m_width, fontMetrics().height());
     painter.setPen(m_isWarning ? m_theme.warn : m_theme.muted);
-    const QString title = tr("time [s]");
+    const QString title = m_isFromEvent ? tr("time from the event [s]") : tr("time [s]");
     const int titleWidth = fontMetrics().horizontalAdvance(title);
     painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
                      fontMetrics().elidedText(m_state, Qt::ElideRight, m_width - titleWidth - StateGap));

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 
 namespace halbench::widgets {
 
@@ -21,7 +22,8 @@ public:
     void setTheme(const Theme& theme);
     /// The canvases' left edge and width in this widget's coordinates.
     void setCanvas(int left, int width);
-    void setRange(control::TimeRange range, double step_s);
+    /// `origin_s`: the moment from which it counts.
+    void setRange(control::TimeRange range, double step_s, std::optional<double> origin_s = {});
     void setState(const QString& state, bool isWarning);
     const QString& state() const { return m_state; }
 
@@ -35,6 +37,7 @@ private:
     int m_width = 100;
     QString m_state;
     bool m_isWarning = false;
+    bool m_isFromEvent = false;
 };
 
 } // namespace halbench::widgets

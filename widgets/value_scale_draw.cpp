@@ -32,4 +32,12 @@ QwtScaleDiv divisionOf(double low, double high, double step) {
     return QwtScaleDiv(low, high, QList<double>(), QList<double>(), ticks);
 }
 
+QwtScaleDiv divisionFrom(double origin, double low, double high, double step) {
+    QList<double> ticks;
+    for (const double tick : ticksOf({low - origin, high - origin}, step)) {
+        ticks << origin + tick;
+    }
+    return QwtScaleDiv(low, high, QList<double>(), QList<double>(), ticks);
+}
+
 } // namespace halbench::widgets

@@ -18,5 +18,7 @@ private:
 
 /// A division with the given distance of labelled ticks.
 QwtScaleDiv divisionOf(double low, double high, double step);
+/// The same with its ticks counted from `origin`.
+QwtScaleDiv divisionFrom(double origin, double low, double high, double step);
 
 } // namespace halbench::widgets

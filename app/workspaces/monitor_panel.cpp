@@ -1,6 +1,7 @@
 #include "app/workspaces/monitor_panel.h"
 
 #include "app/workspaces/monitor_plots.h"
+#include "app/workspaces/monitor_trigger.h"
 #include "app/workspaces/panel_parts.h"
 #include "widgets/empty_state.h"
 #include "widgets/icons.h"
@@ -51,10 +52,12 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     m_stack = new widgets::LivePlotStack(this);
     m_stack->setTheme(widgets::currentTheme());
     m_stack->setHistory(&m_bench.history());
+    m_trigger = new MonitorTrigger(m_bench, *m_stack, *this);
     auto* column = new QVBoxLayout(plots);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(buildTools());
+    column->addWidget(&m_trigger->bar());
     m_message = new widgets::MessageBar(plots);
     column->addWidget(m_message);
     column->addWidget(m_stack, 1);
@@ -88,6 +91,8 @@ QWidget* MonitorPanel::buildTools() {
         bar->addAction(action);
         bar->widgetForAction(action)->setAccessibleName(action->text());
     }
+    bar->addAction(&m_trigger->action());
+    bar->widgetForAction(&m_trigger->action())->setAccessibleName(m_trigger->action().text());
     auto* space = new QWidget(bar);
     space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(space);
@@ -125,8 +130,11 @@ void MonitorPanel::onDevice() {
     m_pages->setCurrentIndex(1); // and stays: what was measured can be looked at without the device
     m_stack->setMarkers({});
     m_stack->setPaused(false);
-    m_stack->setFollowing(true);
+    if (!m_trigger->isOn()) {
+        m_stack->setFollowing(true);
+    }
     if (device != m_device) {
+        m_trigger->setChoice(m_device.isEmpty() ? m_view.trigger : TriggerChoice{});
         m_view =
             m_device.isEmpty() ? m_view : MonitorView{}; // what was set is for the device that came first
         m_device = device;
@@ -157,6 +165,7 @@ void MonitorPanel::showView() {
 
 void MonitorPanel::setView(const MonitorView& view) {
     m_view = view;
+    m_trigger->setChoice(view.trigger);
     m_message->clear();
     m_isIncomplete = false;
     if (m_bench.session().state() == SessionState::Connected && !m_device.isEmpty()) {
@@ -172,8 +181,10 @@ MonitorView MonitorPanel::view() const {
         return m_view;
     }
     MonitorView view;
-    view.isFollowing = m_stack->isFollowing();
-    view.span_s = view.isFollowing ? std::optional(rounded(m_stack->timeRange().length_s())) : m_view.span_s;
+    view.trigger = m_trigger->choice();
+    view.isFollowing = m_trigger->isOn() ? m_trigger->isFollowingOtherwise() : m_stack->isFollowing();
+    view.span_s =
+        m_stack->isFollowing() ? std::optional(rounded(m_stack->timeRange().length_s())) : m_view.span_s;
     if (m_isIncomplete) {
         view.plots = m_view.plots;
         return view;

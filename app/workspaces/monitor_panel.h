@@ -20,6 +20,8 @@ class MessageBar;
 
 namespace halbench::app {
 
+class MonitorTrigger;
+
 /// What the device does, over time, in stacked plots (resources/help/monitor.md, "Plots").
 class MonitorPanel : public QWidget {
     Q_OBJECT
@@ -61,6 +63,7 @@ private:
     QStackedWidget* m_pages = nullptr;
     widgets::EmptyState* m_empty = nullptr;
     widgets::LivePlotStack* m_stack = nullptr;
+    MonitorTrigger* m_trigger = nullptr;
     QLabel* m_stream = nullptr;
     QTimer m_values; ///< what is said of the stream
     std::size_t m_markers = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/workspaces/trigger_choice.h"
 #include "widgets/value_range.h"
 
 #include <optional>
@@ -22,6 +23,7 @@ struct MonitorView {
     std::vector<PlotChoice> plots;
     bool isFollowing = true;
     std::optional<double> span_s; ///< time shown while following
+    TriggerChoice trigger;
 
     bool operator==(const MonitorView&) const = default;
 };

@@ -97,5 +97,23 @@ TEST_F(LivePlotStackTest, titlesChangeTheirFormForAllPlotsSoThatAxesAlign) {
     }
 }
 
+TEST_F(LivePlotStackTest, anEventIsTheZeroOfTheTimeAxisAndOfItsGrid) {
+    const auto ticks = [&] {
+        return plots().front()->axisScaleDiv(QwtPlot::xBottom).ticks(QwtScaleDiv::MajorTick);
+    };
+    stack.setEvent(12.3456);
+    stack.showTimeRange({12.0, 13.0});
+    frame();
+    const QList<double> fromEvent = ticks();
+    ASSERT_FALSE(fromEvent.isEmpty());
+    EXPECT_TRUE(std::any_of(fromEvent.begin(), fromEvent.end(),
+                            [](double tick) { return std::abs(tick - 12.3456) < 1e-9; }));
+    stack.setEvent(std::nullopt);
+    frame();
+    const QList<double> plain = ticks();
+    EXPECT_TRUE(
+        std::any_of(plain.begin(), plain.end(), [](double tick) { return std::abs(tick - 12.0) < 1e-9; }));
+}
+
 } // namespace
 } // namespace halbench::widgets

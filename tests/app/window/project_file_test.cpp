@@ -22,6 +22,9 @@ Project sample() {
                              {{"speed"}, {}, {}}};
     project.monitor.isFollowing = false;
     project.monitor.span_s = 2.5;
+    project.monitor.trigger = {
+        true, "speed", control::TriggerMode::Single, control::TriggerSlope::Either, 1.25, 0.05, 0.4,
+        0.1,  2.0};
     return project;
 }
 
@@ -61,7 +64,9 @@ TEST(ProjectFile, aPlotThatMakesNoSenseIsRefusedWithItsLine) {
     for (const char* lines :
          {"[[plot]]\nsignals = 7\n", "[[plot]]\nmin = 1.0\n", "[[plot]]\nmin = 1.0\nmax = 1.0\n",
           "[[plot]]\nmin = nan\nmax = 1.0\n", "[monitor]\nspan_s = 0.0\n", "[monitor]\nfollow = 1\n",
-          "plot = 3\n", "monitor = 3\n", "plot = [3]\n"}) {
+          "[monitor]\ntrigger = 1\n", "[monitor.trigger]\nmode = \"always\"\n",
+          "[monitor.trigger]\nwindow_s = 0.0\n", "[monitor.trigger]\non = 1\n",
+          "[monitor.trigger]\nedge = 1\n", "plot = 3\n", "monitor = 3\n", "plot = [3]\n"}) {
         const auto read =
             parseProject(std::string("schema = \"halbench.project/1\"\n") + lines, "motor.toml");
         ASSERT_FALSE(read) << lines;

@@ -1,0 +1,174 @@
+#include "app/window/project_monitor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace halbench::app {
+
+namespace {
+
+/// As files name them, in the order of the enumerations.
+constexpr std::array<const char*, 3> Modes{"auto", "normal", "single"};
+constexpr std::array<const char*, 3> Slopes{"rising", "falling", "either"};
+
+toml::table triggerTable(const TriggerChoice& trigger) {
+    return toml::table{{"on", trigger.isOn},
+                       {"source", projectValue(trigger.source)},
+                       {"mode", Modes[static_cast<std::size_t>(trigger.mode)]},
+                       {"slope", Slopes[static_cast<std::size_t>(trigger.slope)]},
+                       {"level", trigger.level},
+                       {"hysteresis", trigger.hysteresis},
+                       {"window_s", trigger.window_s},
+                       {"pre_trigger_ratio", trigger.preTrigger_ratio},
+                       {"hold_off_s", trigger.holdOff_s}};
+}
+
+template <typename Choice>
+void readName(ProjectReader& reader, const ConfigNode& node, const std::array<const char*, 3>& names,
+              Choice& target) {
+    const auto found = std::find(names.begin(), names.end(), node.text);
+    if (node.kind != ConfigNode::Kind::Text || found == names.end()) {
+        reader.refuse(node, fmt::format("must be '{}', '{}' or '{}'", names[0], names[1], names[2]));
+        return;
+    }
+    target = static_cast<Choice>(found - names.begin());
+}
+
+void readTriggerKey(ProjectReader& reader, const std::string& key, const ConfigNode& value,
+                    TriggerChoice& trigger) {
+    if (key == "on") {
+        trigger.isOn = reader.flag(value, key);
+    } else if (key == "source") {
+        reader.text(value, key, trigger.source);
+    } else if (key == "mode") {
+        readName(reader, value, Modes, trigger.mode);
+    } else if (key == "slope") {
+        readName(reader, value, Slopes, trigger.slope);
+    } else if (key == "level") {
+        trigger.level = reader.number(value, key);
+    } else if (key == "hysteresis") {
+        trigger.hysteresis = reader.number(value, key);
+    } else if (key == "window_s") {
+        trigger.window_s = reader.number(value, key);
+    } else if (key == "pre_trigger_ratio") {
+        trigger.preTrigger_ratio = reader.number(value, key);
+    } else if (key == "hold_off_s") {
+        trigger.holdOff_s = reader.number(value, key);
+    } else {
+        reader.refuse(value, fmt::format("unknown key '{}'; [monitor.trigger] has on, source, mode, slope, "
+                                         "level, hysteresis, window_s, pre_trigger_ratio, hold_off_s",
+                                         key));
+    }
+}
+
+void readTrigger(ProjectReader& reader, const ConfigNode& node, TriggerChoice& trigger) {
+    if (node.kind != ConfigNode::Kind::Table) {
+        reader.refuse(node, "'trigger' must be a table, [monitor.trigger]");
+    }
+    for (const auto& [key, value] : node.members) {
+        readTriggerKey(reader, key, value, trigger);
+    }
+    if (trigger.hysteresis < 0.0 || trigger.holdOff_s < 0.0 || trigger.window_s <= 0.0 ||
+        trigger.preTrigger_ratio < 0.0 || trigger.preTrigger_ratio > 1.0) {
+        reader.refuse(node, "of a trigger window_s is more than 0, hysteresis and hold_off_s are not "
+                            "negative, pre_trigger_ratio is from 0 to 1");
+    }
+}
+
+void readSignals(ProjectReader& reader, const ConfigNode& node, std::vector<std::string>& target) {
+    if (node.kind != ConfigNode::Kind::List) {
+        reader.refuse(node, "'signals' must be a list of texts");
+    }
+    for (const ConfigNode& item : node.items) {
+        reader.text(item, "signals", target.emplace_back());
+    }
+}
+
+void readPlot(ProjectReader& reader, const ConfigNode& node, PlotChoice& plot) {
+    widgets::ValueRange range;
+    int ends = 0;
+    for (const auto& [key, value] : node.members) {
+        if (key == "signals") {
+            readSignals(reader, value, plot.signalNames);
+        } else if (key == "unit") {
+            reader.text(value, key, plot.unit);
+        } else if (key == "min" || key == "max") {
+            (key == "min" ? range.low : range.high) = reader.number(value, key);
+            ++ends;
+        } else {
+            reader.refuse(value,
+                          fmt::format("unknown key '{}'; a [[plot]] has signals, min, max, unit", key));
+        }
+    }
+    if (ends == 1 || (ends == 2 && !(range.low < range.high))) {
+        reader.refuse(node, "a [[plot]] has both min and max, or neither; min is less than max");
+    }
+    plot.range = ends == 2 ? std::optional(range) : std::nullopt;
+}
+
+} // namespace
+
+toml::array projectPlots(const std::vector<PlotChoice>& list) {
+    toml::array array;
+    for (const PlotChoice& plot : list) {
+        toml::array names;
+        for (const std::string& name : plot.signalNames) {
+            names.push_back(projectValue(name));
+        }
+        toml::table table{{"signals", names}};
+        if (plot.range) {
+            table.insert("min", plot.range->low);
+            table.insert("max", plot.range->high);
+            table.insert("unit", projectValue(plot.unit));
+        }
+        array.push_back(table);
+    }
+    return array;
+}
+
+toml::table projectMonitor(const MonitorView& view) {
+    toml::table table{{"follow", view.isFollowing}};
+    if (view.span_s) {
+        table.insert("span_s", *view.span_s);
+    }
+    if (view.trigger != TriggerChoice{}) {
+        table.insert("trigger", triggerTable(view.trigger));
+    }
+    return table;
+}
+
+void readPlots(ProjectReader& reader, const ConfigNode& node, std::vector<PlotChoice>& plots) {
+    if (node.kind != ConfigNode::Kind::List) {
+        reader.refuse(node, "'plot' must be a list of tables, [[plot]]");
+    }
+    for (const ConfigNode& item : node.items) {
+        if (item.kind != ConfigNode::Kind::Table) {
+            reader.refuse(item, "'plot' must be a list of tables, [[plot]]");
+        }
+        readPlot(reader, item, plots.emplace_back());
+    }
+}
+
+void readMonitor(ProjectReader& reader, const ConfigNode& node, MonitorView& view) {
+    if (node.kind != ConfigNode::Kind::Table) {
+        reader.refuse(node, "'monitor' must be a table");
+    }
+    for (const auto& [key, value] : node.members) {
+        if (key == "follow" && value.kind == ConfigNode::Kind::Boolean) {
+            view.isFollowing = value.boolean;
+        } else if (key == "span_s") {
+            view.span_s = reader.number(value, key);
+        } else if (key == "trigger") {
+            readTrigger(reader, value, view.trigger);
+        } else {
+            reader.refuse(value, "[monitor] has follow (true or false), span_s and trigger");
+        }
+    }
+    if (view.span_s && *view.span_s <= 0.0) {
+        reader.refuse(node, "'span_s' must be more than 0");
+    }
+}
+
+} // namespace halbench::app

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "app/window/project_reader.h"
+#include "app/workspaces/monitor_view.h"
+
+#include <toml++/toml.h>
+
+#include <vector>
+
+namespace halbench::app {
+
+/// `[monitor]` of a project.
+toml::table projectMonitor(const MonitorView& view);
+void readMonitor(ProjectReader& reader, const ConfigNode& node, MonitorView& view);
+
+/// `[[plot]]`.
+toml::array projectPlots(const std::vector<PlotChoice>& list);
+void readPlots(ProjectReader& reader, const ConfigNode& node, std::vector<PlotChoice>& plots);
+
+} // namespace halbench::app

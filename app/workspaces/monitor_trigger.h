@@ -1,0 +1,60 @@
+#pragma once
+
+#include "app/workspaces/live_trigger.h"
+#include "app/workspaces/workbench.h"
+
+#include <QObject>
+
+class QAction;
+class QWidget;
+
+namespace halbench::widgets {
+class LivePlotStack;
+}
+
+namespace halbench::app {
+
+class TriggerBar;
+
+/// The Monitor as an oscilloscope: while it is on, the plots show a window of time around the newest event
+/// until the next one comes (resources/help/monitor.md, "Trigger"). Following the newest sample ends it.
+class MonitorTrigger : public QObject {
+    Q_OBJECT
+
+public:
+    /// `panel` gets the actions and the bar.
+    MonitorTrigger(Workbench& bench, widgets::LivePlotStack& stack, QWidget& panel);
+
+    QAction& action() { return *m_onOff; }
+    QWidget& bar();
+
+    TriggerChoice choice() const;
+    void setChoice(const TriggerChoice& choice);
+    bool isOn() const { return m_isOn; }
+    /// Of the view when it is off.
+    bool isFollowingOtherwise() const { return m_wasFollowing; }
+
+private:
+    void createActions(QWidget& panel);
+    void switchTo(bool isOn);
+    void onDevice();
+    void restart();
+    void update();
+    void showEvent();
+    void showLevel();
+    void takeMiddle();
+    void moveLevel(double level);
+    void say();
+
+    Workbench& m_bench;
+    widgets::LivePlotStack& m_stack;
+    LiveTrigger m_trigger;
+    QAction* m_onOff = nullptr;
+    QAction* m_again = nullptr;
+    TriggerBar* m_bar = nullptr;
+    bool m_isOn = false;
+    bool m_wasFollowing = true;
+    std::optional<double> m_event_s; ///< at which the view stands
+};
+
+} // namespace halbench::app

@@ -1,0 +1,200 @@
+#include "app/workspaces/trigger_bar.h"
+
+#include "app/workspaces/field_grid.h"
+#include "widgets/action_button.h"
+#include "widgets/elided_label.h"
+#include "widgets/quantity_edit.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr int LeastCharacters = 24; ///< of the state
+constexpr int Columns = 5;
+constexpr double LargestLevel = 1e6; ///< as shown
+constexpr double LongestWindow_s = 600.0;
+constexpr double ShortestWindow_s = 1e-3;
+constexpr double PerCent = 100.0;
+
+} // namespace
+
+TriggerBar::TriggerBar(QAction& again, QWidget* parent) : QWidget(parent) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(widgets::PanelMargin_px, 0, widgets::PanelMargin_px, widgets::GridStep_px);
+    column->setSpacing(widgets::GridStep_px);
+    auto* grid = new FieldGrid(Columns, this);
+    buildBoxes(*grid);
+    buildNumbers(*grid);
+    column->addWidget(grid);
+    auto* row = new QHBoxLayout;
+    m_state = new widgets::ElidedLabel(LeastCharacters, this);
+    m_state->setAccessibleName(tr("State of the trigger"));
+    row->addWidget(m_state, 1);
+    row->addWidget(new widgets::ActionButton(again, widgets::ActionButton::Shape::IconAndText, this));
+    column->addLayout(row);
+    showChoice();
+}
+
+void TriggerBar::buildBoxes(FieldGrid& grid) {
+    m_mode = grid.addBox(tr("Mode"),
+                         tr("Auto shows something after half a second even if nothing happens; Normal waits; "
+                            "Single stops after one event"),
+                         {tr("Auto"), tr("Normal"), tr("Single")});
+    m_source = grid.addBox(tr("Source"), tr("The signal whose edge is the event, or the set-point"));
+    m_slope = grid.addBox(tr("Slope"), tr("Which way the source passes the level"),
+                          {tr("rising"), tr("falling"), tr("either")});
+    connect(m_mode, QOverload<int>::of(&QComboBox::activated), this, [this](int mode) {
+        m_choice.mode = static_cast<control::TriggerMode>(mode);
+        Q_EMIT edited();
+    });
+    connect(m_slope, QOverload<int>::of(&QComboBox::activated), this, [this](int slope) {
+        m_choice.slope = static_cast<control::TriggerSlope>(slope);
+        Q_EMIT edited();
+    });
+    connect(m_source, QOverload<int>::of(&QComboBox::activated), this, &TriggerBar::onSource);
+}
+
+void TriggerBar::buildNumbers(FieldGrid& grid) {
+    const NumberField numbers[Fields] = {
+        {tr("Level"), tr("The event is where the source passes it; the line in the plot can be dragged")},
+        {tr("Hysteresis"), tr("So far on the other side of the level the source must have been before")},
+        {tr("Window"), tr("The stretch of time shown of an event")},
+        {tr("Before"), tr("Share of the window that lies before the event")},
+        {tr("Hold-off"), tr("Least time from one event to the next")},
+    };
+    for (int field = 0; field < Fields; ++field) {
+        m_numbers[field] = grid.addNumber(numbers[field]);
+        connect(m_numbers[field], &widgets::QuantityEdit::edited, this,
+                [this, field](double value) { onEdited(static_cast<Field>(field), value); });
+    }
+    m_middle = makeButton({tr("Level to the middle"),
+                           tr("Sets the level half way between what the source reaches in the view, and the "
+                              "hysteresis to a twentieth of it"),
+                           {}},
+                          this);
+    grid.addPlain(m_middle, 2);
+    connect(m_middle, &QPushButton::clicked, this, &TriggerBar::middleRequested);
+}
+
+DisplayQuantity TriggerBar::shown() const {
+    const SignalSpec* spec = m_catalogue.findSignal(m_choice.source);
+    return spec != nullptr ? displayQuantity(spec->unit, m_units) : DisplayQuantity{};
+}
+
+void TriggerBar::setCatalogue(const devices::Catalogue& catalogue, const DisplayUnits& units) {
+    m_catalogue = catalogue;
+    m_units = units;
+    showChoice();
+}
+
+void TriggerBar::setChoice(const TriggerChoice& choice) {
+    m_choice = choice;
+    showChoice();
+}
+
+void TriggerBar::showChoice() {
+    const QSignalBlocker quiet(m_source);
+    m_source->clear();
+    if (m_choice.source.empty() || !m_catalogue.signalForRole("reference").empty()) {
+        m_source->addItem(tr("Set-point change"), QString());
+    }
+    for (const SignalSpec& spec : m_catalogue.signals) {
+        m_source->addItem(signalWords(spec.name), QString::fromStdString(spec.name));
+    }
+    const QString source = QString::fromStdString(m_choice.source);
+    if (m_source->findData(source) < 0) { // of another device: it is kept and said
+        m_source->addItem(source, source);
+    }
+    m_source->setCurrentIndex(m_source->findData(source));
+    m_mode->setCurrentIndex(static_cast<int>(m_choice.mode));
+    m_slope->setCurrentIndex(static_cast<int>(m_choice.slope));
+    dressFields();
+}
+
+void TriggerBar::dressFields() {
+    const DisplayQuantity quantity = shown();
+    const NumberField formats[Fields] = {
+        {{}, {}, quantity.unit, quantity.decimals, -LargestLevel, LargestLevel, quantity.typical / 20.0},
+        {{}, {}, quantity.unit, quantity.decimals, 0.0, LargestLevel, quantity.typical / 100.0},
+        {{}, {}, QStringLiteral("s"), 3, ShortestWindow_s, LongestWindow_s, 0.1},
+        {{}, {}, QStringLiteral("%"), 0, 0.0, PerCent, 5.0},
+        {{}, {}, QStringLiteral("s"), 3, 0.0, LongestWindow_s, 0.1},
+    };
+    const double values[Fields] = {quantity.factor * m_choice.level, quantity.factor * m_choice.hysteresis,
+                                   m_choice.window_s, PerCent * m_choice.preTrigger_ratio,
+                                   m_choice.holdOff_s};
+    for (int field = 0; field < Fields; ++field) {
+        const NumberField& format = formats[field];
+        m_numbers[field]->setFormat({format.unit, format.min, format.max, format.step, format.decimals});
+        m_numbers[field]->setQuantity(values[field]);
+    }
+    const bool hasLevel = !m_choice.source.empty();
+    for (QWidget* field :
+         std::initializer_list<QWidget*>{m_slope, m_numbers[Level], m_numbers[Hysteresis], m_middle}) {
+        field->setEnabled(hasLevel);
+    }
+}
+
+void TriggerBar::onEdited(Field field, double value) {
+    const double factor = shown().factor;
+    switch (field) {
+    case Level:
+        m_choice.level = value / factor;
+        break;
+    case Hysteresis:
+        m_choice.hysteresis = value / factor;
+        break;
+    case Window:
+        m_choice.window_s = value;
+        break;
+    case Before:
+        m_choice.preTrigger_ratio = value / PerCent;
+        break;
+    case HoldOff:
+    case Fields:
+        m_choice.holdOff_s = value;
+        break;
+    }
+    Q_EMIT edited();
+}
+
+void TriggerBar::onSource(int index) {
+    m_choice.source = m_source->itemData(index).toString().toStdString();
+    m_choice.level = 0.0;
+    m_choice.hysteresis = 0.0;
+    dressFields();
+    Q_EMIT sourceChosen();
+}
+
+void TriggerBar::setState(const QString& words, widgets::Role role) {
+    if (m_state->words() != words) {
+        m_state->setWords(words);
+    }
+    showRole(*m_state, role);
+}
+
+QString TriggerBar::eventWords() const {
+    if (m_choice.source.empty()) {
+        return tr("the set-point changes");
+    }
+    const QString level = m_numbers[Level]->text();
+    const QString source = signalWords(m_choice.source);
+    switch (m_choice.slope) {
+    case control::TriggerSlope::Rising:
+        return tr("%1 rises through %2").arg(source, level);
+    case control::TriggerSlope::Falling:
+        return tr("%1 falls through %2").arg(source, level);
+    case control::TriggerSlope::Either:
+        break;
+    }
+    return tr("%1 passes %2").arg(source, level);
+}
+
+} // namespace halbench::app

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "app/workspaces/display_quantity.h"
+#include "app/workspaces/live_trigger.h"
+#include "devices/device.h"
+#include "widgets/theme_style.h"
+
+#include <QWidget>
+
+class QAction;
+class QComboBox;
+class QPushButton;
+
+namespace halbench::widgets {
+class ElidedLabel;
+class QuantityEdit;
+} // namespace halbench::widgets
+
+namespace halbench::app {
+
+class FieldGrid;
+
+/// The settings of the oscilloscope trigger and what it does, in words (resources/help/monitor.md,
+/// "Trigger").
+class TriggerBar : public QWidget {
+    Q_OBJECT
+
+public:
+    /// `again`: the action that waits anew.
+    TriggerBar(QAction& again, QWidget* parent);
+
+    /// Whose signals can be the source; without a role `reference` no set-point is offered.
+    void setCatalogue(const devices::Catalogue& catalogue, const DisplayUnits& units);
+    void setChoice(const TriggerChoice& choice);
+    const TriggerChoice& choice() const { return m_choice; }
+    void setState(const QString& words, widgets::Role role);
+    /// "Speed rises through 10 r/min", "the set-point changes".
+    QString eventWords() const;
+
+Q_SIGNALS:
+    void edited();          ///< choice() is another
+    void sourceChosen();    ///< likewise, and the level is that of another signal
+    void middleRequested(); ///< the level into the middle of what the source does
+
+private:
+    enum Field { Level, Hysteresis, Window, Before, HoldOff, Fields };
+    void buildBoxes(FieldGrid& grid);
+    void buildNumbers(FieldGrid& grid);
+    void onEdited(Field field, double shown);
+    void onSource(int index);
+    void dressFields();
+    void showChoice();
+    DisplayQuantity shown() const;
+
+    devices::Catalogue m_catalogue;
+    DisplayUnits m_units;
+    TriggerChoice m_choice;
+    QComboBox* m_mode = nullptr;
+    QComboBox* m_source = nullptr;
+    QComboBox* m_slope = nullptr;
+    QPushButton* m_middle = nullptr;
+    widgets::QuantityEdit* m_numbers[Fields] = {};
+    widgets::ElidedLabel* m_state = nullptr;
+};
+
+} // namespace halbench::app
