@@ -59,6 +59,14 @@
         <source>Configuration</source>
         <translation>Konfiguration</translation>
     </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>XY</source>
+        <translation>XY</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -4640,15 +4648,15 @@
     </message>
     <message>
         <source>must be &apos;{}&apos;, &apos;{}&apos; or &apos;{}&apos;</source>
-        <translation>muss '{}', '{}' oder '{}' sein</translation>
+        <translation>muss &apos;{}&apos;, &apos;{}&apos; oder &apos;{}&apos; sein</translation>
     </message>
     <message>
         <source>unknown key &apos;{}&apos;; [monitor.trigger] has on, source, mode, slope, level, hysteresis, window_s, pre_trigger_ratio, hold_off_s</source>
-        <translation>unbekannter Schlüssel '{}'; [monitor.trigger] hat on, source, mode, slope, level, hysteresis, window_s, pre_trigger_ratio, hold_off_s</translation>
+        <translation>unbekannter Schlüssel &apos;{}&apos;; [monitor.trigger] hat on, source, mode, slope, level, hysteresis, window_s, pre_trigger_ratio, hold_off_s</translation>
     </message>
     <message>
         <source>&apos;trigger&apos; must be a table, [monitor.trigger]</source>
-        <translation>'trigger' muss eine Tabelle sein, [monitor.trigger]</translation>
+        <translation>&apos;trigger&apos; muss eine Tabelle sein, [monitor.trigger]</translation>
     </message>
     <message>
         <source>of a trigger window_s is more than 0, hysteresis and hold_off_s are not negative, pre_trigger_ratio is from 0 to 1</source>
@@ -4660,7 +4668,7 @@
     </message>
     <message>
         <source>&apos;{}&apos; must be true or false</source>
-        <translation>'{}' muss true oder false sein</translation>
+        <translation>&apos;{}&apos; muss true oder false sein</translation>
     </message>
 </context>
 <context>
@@ -7913,6 +7921,196 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::SpectrumFigure</name>
+    <message>
+        <source>amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>rms value</source>
+        <translation>Effektivwert</translation>
+    </message>
+    <message>
+        <source>power density</source>
+        <translation>Leistungsdichte</translation>
+    </message>
+    <message>
+        <source>amplitude density</source>
+        <translation>Amplitudendichte</translation>
+    </message>
+    <message>
+        <source>Spectrum of %1</source>
+        <translation>Spektrum von %1</translation>
+    </message>
+    <message>
+        <source>frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>Lines every %1 Hz, resolution %2 Hz, segments of %3 s</source>
+        <translation>Linien alle %1 Hz, Auflösung %2 Hz, Abschnitte von %3 s</translation>
+    </message>
+    <message>
+        <source>%1 averages (worth %2 independent ones)</source>
+        <translation>%1 Mittelungen (so gut wie %2 unabhängige)</translation>
+    </message>
+    <message>
+        <source>95 % interval of noise: %1 to %2 times the line</source>
+        <translation>95-%-Bereich bei Rauschen: das %1- bis %2-Fache der Linie</translation>
+    </message>
+    <message>
+        <source>rms of all lines %1 %2</source>
+        <translation>Effektivwert aller Linien %1 %2</translation>
+    </message>
+    <message>
+        <source>no segment reaches across the %1 gaps and %2 missing values</source>
+        <translation>kein Abschnitt reicht über die %1 Lücken und %2 fehlenden Werte</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::SpectrumPanel</name>
+    <message>
+        <source>Rectangular</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Flat top</source>
+        <translation>Flat-Top</translation>
+    </message>
+    <message>
+        <source>Nothing to analyse yet</source>
+        <translation>Noch nichts zu analysieren</translation>
+    </message>
+    <message>
+        <source>Shows which frequencies are in a signal of a connected device, live. Choose a device at the left, or try the simulated motor.</source>
+        <translation>Zeigt laufend, welche Frequenzen in einem Signal eines verbundenen Geräts stecken. Wählen Sie links ein Gerät oder probieren Sie den simulierten Motor.</translation>
+    </message>
+    <message>
+        <source>Connect the simulated motor</source>
+        <translation>Simulierten Motor verbinden</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Log frequency</source>
+        <translation>Frequenz log.</translation>
+    </message>
+    <message>
+        <source>Logarithmic axis of the frequency</source>
+        <translation>Logarithmische Achse der Frequenz</translation>
+    </message>
+    <message>
+        <source>Log values</source>
+        <translation>Werte log.</translation>
+    </message>
+    <message>
+        <source>Logarithmic axis of the values</source>
+        <translation>Logarithmische Achse der Werte</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Halten</translation>
+    </message>
+    <message>
+        <source>Keep the spectrum as it is; the data go on</source>
+        <translation>Das Spektrum bleibt, wie es ist; die Daten laufen weiter</translation>
+    </message>
+    <message>
+        <source>The arrow keys walk along the lines; Ctrl+C copies the picture, Ctrl+E saves it</source>
+        <translation>Die Pfeiltasten gehen die Linien entlang; Strg+C kopiert das Bild, Strg+E speichert es</translation>
+    </message>
+    <message>
+        <source>What the spectrum says</source>
+        <translation>Was das Spektrum sagt</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Whose frequencies; also by dropping a signal of the tree here</source>
+        <translation>Wessen Frequenzen; auch, indem ein Signal des Baums hierher gezogen wird</translation>
+    </message>
+    <message>
+        <source>Shown as</source>
+        <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>Amplitude or rms value of steady sines; densities of noise, in which the length of the segments does not count</source>
+        <translation>Amplitude oder Effektivwert gleichbleibender Sinusse; Dichten von Rauschen, bei denen die Länge der Abschnitte nicht zählt</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>Effektivwert</translation>
+    </message>
+    <message>
+        <source>Power density</source>
+        <translation>Leistungsdichte</translation>
+    </message>
+    <message>
+        <source>Amplitude density</source>
+        <translation>Amplitudendichte</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Weights against leakage: Hann for most, flat top for exact amplitudes, Blackman-Harris for weak lines beside strong ones</source>
+        <translation>Gewichte gegen Leckeffekt: Hann meistens, Flat-Top für genaue Amplituden, Blackman-Harris für schwache Linien neben starken</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Letzte</translation>
+    </message>
+    <message>
+        <source>The newest seconds are analysed</source>
+        <translation>Die neuesten Sekunden werden analysiert</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Abschnitt</translation>
+    </message>
+    <message>
+        <source>Longer segments part lines that are closer, more of them average noise. 0: the whole stretch for amplitudes, at least eight for densities</source>
+        <translation>Längere Abschnitte trennen nähere Linien, mehr davon mitteln Rauschen. 0: die ganze Zeit für Amplituden, mindestens acht für Dichten</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Überlappung</translation>
+    </message>
+    <message>
+        <source>Of neighbouring segments</source>
+        <translation>Benachbarter Abschnitte</translation>
+    </message>
+    <message>
+        <source>Highest peaks</source>
+        <translation>Höchste Spitzen</translation>
+    </message>
+    <message>
+        <source>Lines higher than all others within the window&apos;s main lobe</source>
+        <translation>Linien, die höher sind als alle anderen in der Hauptkeule des Fensters</translation>
+    </message>
+    <message>
+        <source>Peak [Hz]</source>
+        <translation>Spitze [Hz]</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Value [%1]</source>
+        <translation>Wert [%1]</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::StopLatch</name>
     <message>
         <source>The stop cannot be released yet.</source>
@@ -8616,6 +8814,101 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Saved as %1</source>
         <translation>Gespeichert als %1</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::XyPanel</name>
+    <message>
+        <source>Nothing to show yet</source>
+        <translation>Noch nichts zu zeigen</translation>
+    </message>
+    <message>
+        <source>Shows two signals of a connected device against each other, at first the Hall sensors with their ellipse. Choose a device at the left, or try the simulated motor.</source>
+        <translation>Zeigt zwei Signale eines verbundenen Geräts gegeneinander, zuerst die Hall-Sensoren mit ihrer Ellipse. Wählen Sie links ein Gerät oder probieren Sie den simulierten Motor.</translation>
+    </message>
+    <message>
+        <source>Connect the simulated motor</source>
+        <translation>Simulierten Motor verbinden</translation>
+    </message>
+    <message>
+        <source>The arrow keys walk along the points; Ctrl+C copies the picture, Ctrl+E saves it</source>
+        <translation>Die Pfeiltasten gehen die Punkte entlang; Strg+C kopiert das Bild, Strg+E speichert es</translation>
+    </message>
+    <message>
+        <source>What the ellipse says</source>
+        <translation>Was die Ellipse sagt</translation>
+    </message>
+    <message>
+        <source>Fitted ellipse</source>
+        <translation>Angepasste Ellipse</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Waagerecht</translation>
+    </message>
+    <message>
+        <source>The signal of the horizontal axis; also by dropping one of the tree here</source>
+        <translation>Das Signal der waagerechten Achse; auch, indem eines des Baums hierher gezogen wird</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Senkrecht</translation>
+    </message>
+    <message>
+        <source>The signal of the vertical axis; also by dropping one of the tree here</source>
+        <translation>Das Signal der senkrechten Achse; auch, indem eines des Baums hierher gezogen wird</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Letzte</translation>
+    </message>
+    <message>
+        <source>The newest seconds are shown</source>
+        <translation>Die neuesten Sekunden werden gezeigt</translation>
+    </message>
+    <message>
+        <source>&amp;Ellipse</source>
+        <translation>&amp;Ellipse</translation>
+    </message>
+    <message>
+        <source>Fits an ellipse through the points; they must go round it several times (Alt+E)</source>
+        <translation>Passt eine Ellipse an die Punkte an; sie müssen mehrmals herumgehen (Alt+E)</translation>
+    </message>
+    <message>
+        <source>%1 over %2</source>
+        <translation>%1 über %2</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Centre of %1</source>
+        <translation>Mitte von %1</translation>
+    </message>
+    <message>
+        <source>Amplitude of %1</source>
+        <translation>Amplitude von %1</translation>
+    </message>
+    <message>
+        <source>Ratio of the amplitudes</source>
+        <translation>Verhältnis der Amplituden</translation>
+    </message>
+    <message>
+        <source>Phase beyond 90°</source>
+        <translation>Phase über 90°</translation>
+    </message>
+    <message>
+        <source>Longest and shortest radius %1 and %2 %3</source>
+        <translation>Längster und kürzester Radius %1 und %2 %3</translation>
+    </message>
+    <message>
+        <source>rms distance of the points from the ellipse %1 % of the amplitude</source>
+        <translation>Effektiver Abstand der Punkte von der Ellipse %1 % der Amplitude</translation>
     </message>
 </context>
 <context>

@@ -59,6 +59,14 @@
         <source>Configuration</source>
         <translation>配置</translation>
     </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>频谱</translation>
+    </message>
+    <message>
+        <source>XY</source>
+        <translation>XY</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -4640,15 +4648,15 @@
     </message>
     <message>
         <source>must be &apos;{}&apos;, &apos;{}&apos; or &apos;{}&apos;</source>
-        <translation>必须是 '{}'、'{}' 或 '{}'</translation>
+        <translation>必须是 &apos;{}&apos;、&apos;{}&apos; 或 &apos;{}&apos;</translation>
     </message>
     <message>
         <source>unknown key &apos;{}&apos;; [monitor.trigger] has on, source, mode, slope, level, hysteresis, window_s, pre_trigger_ratio, hold_off_s</source>
-        <translation>未知的键 '{}'；[monitor.trigger] 有 on、source、mode、slope、level、hysteresis、window_s、pre_trigger_ratio、hold_off_s</translation>
+        <translation>未知的键 &apos;{}&apos;；[monitor.trigger] 有 on、source、mode、slope、level、hysteresis、window_s、pre_trigger_ratio、hold_off_s</translation>
     </message>
     <message>
         <source>&apos;trigger&apos; must be a table, [monitor.trigger]</source>
-        <translation>'trigger' 必须是表，[monitor.trigger]</translation>
+        <translation>&apos;trigger&apos; 必须是表，[monitor.trigger]</translation>
     </message>
     <message>
         <source>of a trigger window_s is more than 0, hysteresis and hold_off_s are not negative, pre_trigger_ratio is from 0 to 1</source>
@@ -4660,7 +4668,7 @@
     </message>
     <message>
         <source>&apos;{}&apos; must be true or false</source>
-        <translation>'{}' 必须是 true 或 false</translation>
+        <translation>&apos;{}&apos; 必须是 true 或 false</translation>
     </message>
 </context>
 <context>
@@ -7905,6 +7913,196 @@ A real device has its own time.</source>
     </message>
 </context>
 <context>
+    <name>halbench::app::SpectrumFigure</name>
+    <message>
+        <source>amplitude</source>
+        <translation>幅值</translation>
+    </message>
+    <message>
+        <source>rms value</source>
+        <translation>有效值</translation>
+    </message>
+    <message>
+        <source>power density</source>
+        <translation>功率谱密度</translation>
+    </message>
+    <message>
+        <source>amplitude density</source>
+        <translation>幅值谱密度</translation>
+    </message>
+    <message>
+        <source>Spectrum of %1</source>
+        <translation>%1 的频谱</translation>
+    </message>
+    <message>
+        <source>frequency</source>
+        <translation>频率</translation>
+    </message>
+    <message>
+        <source>Lines every %1 Hz, resolution %2 Hz, segments of %3 s</source>
+        <translation>谱线间隔 %1 Hz，分辨率 %2 Hz，分段 %3 s</translation>
+    </message>
+    <message>
+        <source>%1 averages (worth %2 independent ones)</source>
+        <translation>%1 次平均（相当于 %2 次独立平均）</translation>
+    </message>
+    <message>
+        <source>95 % interval of noise: %1 to %2 times the line</source>
+        <translation>噪声的 95 % 区间：谱线的 %1 至 %2 倍</translation>
+    </message>
+    <message>
+        <source>rms of all lines %1 %2</source>
+        <translation>全部谱线的有效值 %1 %2</translation>
+    </message>
+    <message>
+        <source>no segment reaches across the %1 gaps and %2 missing values</source>
+        <translation>分段不跨越 %1 处间断和 %2 个缺失值</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::SpectrumPanel</name>
+    <message>
+        <source>Rectangular</source>
+        <translation>矩形</translation>
+    </message>
+    <message>
+        <source>Flat top</source>
+        <translation>平顶</translation>
+    </message>
+    <message>
+        <source>Nothing to analyse yet</source>
+        <translation>暂无可分析的内容</translation>
+    </message>
+    <message>
+        <source>Shows which frequencies are in a signal of a connected device, live. Choose a device at the left, or try the simulated motor.</source>
+        <translation>实时显示已连接设备的信号中包含哪些频率。请在左侧选择设备，或试用仿真电机。</translation>
+    </message>
+    <message>
+        <source>Connect the simulated motor</source>
+        <translation>连接仿真电机</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>频谱</translation>
+    </message>
+    <message>
+        <source>Log frequency</source>
+        <translation>频率对数</translation>
+    </message>
+    <message>
+        <source>Logarithmic axis of the frequency</source>
+        <translation>频率轴取对数</translation>
+    </message>
+    <message>
+        <source>Log values</source>
+        <translation>数值对数</translation>
+    </message>
+    <message>
+        <source>Logarithmic axis of the values</source>
+        <translation>数值轴取对数</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>Keep the spectrum as it is; the data go on</source>
+        <translation>保持当前频谱；数据继续</translation>
+    </message>
+    <message>
+        <source>The arrow keys walk along the lines; Ctrl+C copies the picture, Ctrl+E saves it</source>
+        <translation>方向键沿谱线移动；Ctrl+C 复制图片，Ctrl+E 保存</translation>
+    </message>
+    <message>
+        <source>What the spectrum says</source>
+        <translation>频谱说明</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Whose frequencies; also by dropping a signal of the tree here</source>
+        <translation>分析哪个信号；也可把树中的信号拖到此处</translation>
+    </message>
+    <message>
+        <source>Shown as</source>
+        <translation>显示为</translation>
+    </message>
+    <message>
+        <source>Amplitude or rms value of steady sines; densities of noise, in which the length of the segments does not count</source>
+        <translation>稳定正弦的幅值或有效值；噪声的密度，与分段长度无关</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>幅值</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>有效值</translation>
+    </message>
+    <message>
+        <source>Power density</source>
+        <translation>功率谱密度</translation>
+    </message>
+    <message>
+        <source>Amplitude density</source>
+        <translation>幅值谱密度</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>窗口</translation>
+    </message>
+    <message>
+        <source>Weights against leakage: Hann for most, flat top for exact amplitudes, Blackman-Harris for weak lines beside strong ones</source>
+        <translation>抑制泄漏的加权：一般用 Hann，精确幅值用平顶，强线旁的弱线用 Blackman-Harris</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>最近</translation>
+    </message>
+    <message>
+        <source>The newest seconds are analysed</source>
+        <translation>分析最近若干秒</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>分段</translation>
+    </message>
+    <message>
+        <source>Longer segments part lines that are closer, more of them average noise. 0: the whole stretch for amplitudes, at least eight for densities</source>
+        <translation>分段越长可分辨越近的谱线，分段越多噪声越平滑。0：幅值取整段，密度至少八段</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>重叠</translation>
+    </message>
+    <message>
+        <source>Of neighbouring segments</source>
+        <translation>相邻分段之间</translation>
+    </message>
+    <message>
+        <source>Highest peaks</source>
+        <translation>最高峰</translation>
+    </message>
+    <message>
+        <source>Lines higher than all others within the window&apos;s main lobe</source>
+        <translation>在窗主瓣内高于其他的谱线</translation>
+    </message>
+    <message>
+        <source>Peak [Hz]</source>
+        <translation>峰 [Hz]</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Value [%1]</source>
+        <translation>值 [%1]</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::StopLatch</name>
     <message>
         <source>The stop cannot be released yet.</source>
@@ -8608,6 +8806,101 @@ A real device has its own time.</source>
     <message>
         <source>Saved as %1</source>
         <translation>已保存为 %1</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::XyPanel</name>
+    <message>
+        <source>Nothing to show yet</source>
+        <translation>暂无可显示的内容</translation>
+    </message>
+    <message>
+        <source>Shows two signals of a connected device against each other, at first the Hall sensors with their ellipse. Choose a device at the left, or try the simulated motor.</source>
+        <translation>把已连接设备的两个信号相互对照显示，默认为霍尔传感器及其椭圆。请在左侧选择设备，或试用仿真电机。</translation>
+    </message>
+    <message>
+        <source>Connect the simulated motor</source>
+        <translation>连接仿真电机</translation>
+    </message>
+    <message>
+        <source>The arrow keys walk along the points; Ctrl+C copies the picture, Ctrl+E saves it</source>
+        <translation>方向键沿各点移动；Ctrl+C 复制图片，Ctrl+E 保存</translation>
+    </message>
+    <message>
+        <source>What the ellipse says</source>
+        <translation>椭圆说明</translation>
+    </message>
+    <message>
+        <source>Fitted ellipse</source>
+        <translation>拟合椭圆</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>横轴</translation>
+    </message>
+    <message>
+        <source>The signal of the horizontal axis; also by dropping one of the tree here</source>
+        <translation>横轴的信号；也可把树中的信号拖到此处</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>纵轴</translation>
+    </message>
+    <message>
+        <source>The signal of the vertical axis; also by dropping one of the tree here</source>
+        <translation>纵轴的信号；也可把树中的信号拖到此处</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>最近</translation>
+    </message>
+    <message>
+        <source>The newest seconds are shown</source>
+        <translation>显示最近若干秒</translation>
+    </message>
+    <message>
+        <source>&amp;Ellipse</source>
+        <translation>椭圆(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Fits an ellipse through the points; they must go round it several times (Alt+E)</source>
+        <translation>用各点拟合椭圆；须转过多圈 (Alt+E)</translation>
+    </message>
+    <message>
+        <source>%1 over %2</source>
+        <translation>%1 对 %2</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>实测</translation>
+    </message>
+    <message>
+        <source>ellipse</source>
+        <translation>椭圆</translation>
+    </message>
+    <message>
+        <source>Centre of %1</source>
+        <translation>%1 的中心</translation>
+    </message>
+    <message>
+        <source>Amplitude of %1</source>
+        <translation>%1 的幅值</translation>
+    </message>
+    <message>
+        <source>Ratio of the amplitudes</source>
+        <translation>幅值之比</translation>
+    </message>
+    <message>
+        <source>Phase beyond 90°</source>
+        <translation>超出 90° 的相位</translation>
+    </message>
+    <message>
+        <source>Longest and shortest radius %1 and %2 %3</source>
+        <translation>最长与最短半径 %1 和 %2 %3</translation>
+    </message>
+    <message>
+        <source>rms distance of the points from the ellipse %1 % of the amplitude</source>
+        <translation>各点到椭圆的均方根距离为幅值的 %1 %</translation>
     </message>
 </context>
 <context>

@@ -50,6 +50,7 @@ struct Figure {
     std::string title; ///< also the accessible name of the picture
     Axis x;
     std::vector<Panel> panels;
+    bool isEqualScale = false; ///< a unit is as long on both axes of the one panel, for a picture of a place
 };
 
 } // namespace halbench::widgets

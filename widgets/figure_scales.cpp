@@ -1,5 +1,7 @@
 #include "widgets/figure_scales.h"
 
+#include "widgets/figure_painter.h"
+
 #include <qwt_scale_engine.h>
 #include <qwt_transform.h>
 
@@ -151,6 +153,24 @@ FigureScale verticalScale(const Panel& panel, double length_px) {
     }
     const int ticks = std::max(2, static_cast<int>(length_px / VerticalTickDistance_px));
     return scaleOf(panel.y, extent, true, ticks);
+}
+
+void makeEqualScale(Figure& figure, int width_px) {
+    Panel& panel = figure.panels.front();
+    // Again: other labels may need another margin.
+    for (int pass = 0; pass < 2; ++pass) {
+        const QRectF canvas = layOut(figure, width_px).panels.front().canvas;
+        const QwtScaleDiv x = horizontalScale(figure, canvas.width()).division;
+        const QwtScaleDiv y = verticalScale(panel, canvas.height()).division;
+        const double perPixel = std::max(x.range() / canvas.width(), y.range() / canvas.height());
+        const auto widen = [perPixel](Axis& axis, const QwtScaleDiv& division, double length_px) {
+            const double middle = 0.5 * (division.lowerBound() + division.upperBound());
+            axis.min = middle - 0.5 * perPixel * length_px;
+            axis.max = middle + 0.5 * perPixel * length_px;
+        };
+        widen(figure.x, x, canvas.width());
+        widen(panel.y, y, canvas.height());
+    }
 }
 
 } // namespace halbench::widgets

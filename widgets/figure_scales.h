@@ -21,4 +21,8 @@ struct FigureScale {
 FigureScale horizontalScale(const Figure& figure, double length_px);
 FigureScale verticalScale(const Panel& panel, double length_px);
 
+/// Widens the shorter axis of the first panel, so that a unit is as long on both when the figure is drawn so
+/// wide. Both must be linear.
+void makeEqualScale(Figure& figure, int width_px);
+
 } // namespace halbench::widgets

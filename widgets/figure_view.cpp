@@ -1,5 +1,6 @@
 #include "widgets/figure_view.h"
 
+#include "widgets/figure_scales.h"
 #include "widgets/figure_svg.h"
 #include "widgets/icons.h"
 
@@ -30,6 +31,14 @@ int heightOfPanels(const Figure& figure) {
         height_px += panel.height_px;
     }
     return height_px;
+}
+
+std::optional<double> abscissaOf(const Figure& figure, const FigurePoint& point) {
+    if (point.panel >= figure.panels.size() || point.curve >= figure.panels[point.panel].curves.size()) {
+        return std::nullopt;
+    }
+    const Curve& curve = figure.panels[point.panel].curves[point.curve];
+    return point.index < curve.x.size() ? std::optional(curve.x[point.index]) : std::nullopt;
 }
 
 Error notSaved(const QString& path, const QString& why) {
@@ -68,8 +77,11 @@ FigureView::FigureView(QWidget* parent)
 }
 
 void FigureView::setFigure(Figure figure) {
+    const std::optional<double> before = m_probe ? abscissaOf(m_figure, *m_probe) : std::nullopt;
     m_figure = std::move(figure);
-    m_probe.reset();
+    if (m_probe && abscissaOf(m_figure, *m_probe) != before) {
+        m_probe.reset();
+    }
     updateGeometry();
     refresh();
     refreshWords();
@@ -109,6 +121,9 @@ Figure FigureView::stretched() const {
     for (Panel& panel : figure.panels) {
         panel.height_px = std::max(LeastPanel_px, static_cast<int>(std::floor(panel.height_px * stretch)));
     }
+    if (figure.isEqualScale) {
+        makeEqualScale(figure, static_cast<int>(width_px));
+    }
     return figure;
 }
 
@@ -136,12 +151,18 @@ std::function<Result<void>()> FigureView::saving(const QString& path) const {
             return write(path, [&](QSaveFile& file) { return picture.save(&file, "PNG"); });
         };
     }
-    return [path, svg = figureSvg(m_figure, currentTheme())]() -> Result<void> {
+    return [path, svg = picture()]() -> Result<void> {
         if (!svg) {
             return failure(svg.error());
         }
         return write(path, [&](QSaveFile& file) { return file.write(QByteArray::fromStdString(*svg)) > 0; });
     };
+}
+
+/// Of its own size, or as it stands where sizes mean something.
+Result<std::string> FigureView::picture() const {
+    return m_figure.isEqualScale ? figureSvg(stretched(), currentTheme(), static_cast<int>(width() / scale()))
+                                 : figureSvg(m_figure, currentTheme());
 }
 
 QSize FigureView::sizeHint() const {

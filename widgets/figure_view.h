@@ -22,6 +22,7 @@ public:
     explicit FigureView(QWidget* parent = nullptr);
 
     /// Panels whose curves' x and y differ in number must not come here (figureSvg says which).
+    /// The mark stays when the sample it is at keeps its place on the horizontal axis.
     void setFigure(Figure figure);
     void clear();
     const Figure& figure() const { return m_figure; }
@@ -52,6 +53,7 @@ protected:
 private:
     double scale() const;
     Figure stretched() const;
+    Result<std::string> picture() const;
     void refresh();
     void refreshWords();
     void probe(std::optional<FigurePoint> point);

@@ -12,7 +12,9 @@
 #include "app/workspaces/parameters_panel.h"
 #include "app/workspaces/record_panel.h"
 #include "app/workspaces/signals_panel.h"
+#include "app/workspaces/spectrum_panel.h"
 #include "app/workspaces/tune_panel.h"
+#include "app/workspaces/xy_panel.h"
 
 #include <QCoreApplication>
 
@@ -51,6 +53,10 @@ constexpr Row Rows[] = {
      make<SignalsPanel>},
     {"monitor", QT_TRANSLATE_NOOP("Panels", "Monitor"), PanelArea::Centre,
      in(Perspective::Monitor) | in(Perspective::Record), "monitor.md", make<MonitorPanel>},
+    {"spectrum", QT_TRANSLATE_NOOP("Panels", "Spectrum"), PanelArea::Centre, in(Perspective::Monitor),
+     "monitor.md", make<SpectrumPanel>},
+    {"xy", QT_TRANSLATE_NOOP("Panels", "XY"), PanelArea::Centre, in(Perspective::Monitor), "monitor.md",
+     make<XyPanel>},
     {"field", QT_TRANSLATE_NOOP("Panels", "Field"), PanelArea::Centre, in(Perspective::Field), "monitor.md",
      make<FieldPanel>},
     {"drive", QT_TRANSLATE_NOOP("Panels", "Drive"), PanelArea::Right, in(Perspective::Monitor), "monitor.md",

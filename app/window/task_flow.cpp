@@ -8,7 +8,9 @@
 #include "app/workspaces/device_panel.h"
 #include "app/workspaces/monitor_panel.h"
 #include "app/workspaces/signals_panel.h"
+#include "app/workspaces/spectrum_panel.h"
 #include "app/workspaces/tune_panel.h"
+#include "app/workspaces/xy_panel.h"
 #include "control/base/assert.h"
 
 #include <qtadvanceddocking/DockWidget.h>
@@ -33,10 +35,14 @@ void connectMonitor(DockLayout& docks) {
         docks.docks().value(QStringLiteral("signals"))->toggleView(true);
         signalList->setFocus(Qt::ShortcutFocusReason);
     });
-    QObject::connect(monitor, &MonitorPanel::connectRequested, devices, [devices] {
+    const auto connectMotor = [devices] {
         devices->setAddress(QStringLiteral("sim:htm"));
         devices->connectAddress();
-    });
+    };
+    QObject::connect(monitor, &MonitorPanel::connectRequested, devices, connectMotor);
+    QObject::connect(panelOf<SpectrumPanel>(docks, "spectrum"), &SpectrumPanel::connectRequested, devices,
+                     connectMotor);
+    QObject::connect(panelOf<XyPanel>(docks, "xy"), &XyPanel::connectRequested, devices, connectMotor);
 }
 
 } // namespace
@@ -56,6 +62,8 @@ void connectTaskFlow(DockLayout& docks, Workbench& bench) {
     calibrate->setFileChooser(fileDialogs(bench));
     tune->setFileChooser(fileDialogs(bench));
     configuration->setFileChooser(fileDialogs(bench));
+    panelOf<SpectrumPanel>(docks, "spectrum")->setFileChooser(fileDialogs(bench));
+    panelOf<XyPanel>(docks, "xy")->setFileChooser(fileDialogs(bench));
     panelOf<DevicePanel>(docks, "devices")->setFileChooser(fileDialogs(bench));
 }
 

@@ -1,5 +1,6 @@
 #include "gui_fixture.h"
 #include "widgets/figure_probe.h"
+#include "widgets/figure_scales.h"
 #include "widgets/figure_view.h"
 
 #include <QClipboard>
@@ -134,6 +135,46 @@ TEST_F(FigureViewTest, copiesAndSavesThePicture) {
     const auto refused = view.saving(folder.filePath("none/a.png"))();
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::FileSystem);
+}
+
+TEST_F(FigureViewTest, theMarkStaysWhileItsSampleKeepsItsPlace) {
+    showFigure({700, 500});
+    view.setFocus();
+    QTest::keyClick(&view, Qt::Key_Right);
+    QTest::keyClick(&view, Qt::Key_Right);
+    const QString before = view.probeText();
+    ASSERT_FALSE(before.isEmpty());
+    Figure risen = twoPanels();
+    for (double& value : risen.panels[0].curves[0].y) {
+        value += 5.0;
+    }
+    view.setFigure(risen);
+    EXPECT_FALSE(view.probeText().isEmpty());
+    EXPECT_NE(view.probeText(), before); // the value there now
+    for (double& value : risen.panels[0].curves[0].x) {
+        value += 0.25;
+    }
+    view.setFigure(risen);
+    EXPECT_TRUE(view.probeText().isEmpty());
+}
+
+TEST_F(FigureViewTest, onEqualScalesACircleIsRound) {
+    Figure figure;
+    figure.isEqualScale = true;
+    figure.x = {"a", "mT", false, {}, {}, {}};
+    Panel panel;
+    panel.y = {"b", "mT", false, {}, {}, {}};
+    panel.curves = {{"circle", {-100.0, 100.0, 0.0, 0.0}, {0.0, 0.0, -100.0, 100.0}, CurveStyle::Points, {}}};
+    figure.panels = {panel};
+    for (const int width_px : {400, 900}) {
+        Figure drawn = figure;
+        makeEqualScale(drawn, width_px);
+        const FigureLayout layout = layOut(drawn, width_px);
+        const auto place = [&](std::size_t index) { return *placeOf(drawn, layout, {0, 0, index}); };
+        EXPECT_NEAR(place(1).x() - place(0).x(), place(2).y() - place(3).y(), 1e-6) << width_px;
+        EXPECT_TRUE(layout.panels[0].canvas.contains(place(0)));
+        EXPECT_TRUE(layout.panels[0].canvas.contains(place(3)));
+    }
 }
 
 } // namespace

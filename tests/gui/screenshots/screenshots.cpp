@@ -3,6 +3,7 @@
 #include "app/window/language.h"
 #include "app/window/main_window.h"
 #include "app/window/window_application.h"
+#include "app/workspaces/monitor_panel.h"
 #include "widgets/theme_style.h"
 
 #include <QApplication>
@@ -33,13 +34,39 @@ public:
         m_window.show();
     }
 
+    /// The Monitor in its other uses: trigger, spectrum, XY.
+    bool takeMonitor() {
+        m_window.connectDevice(QStringLiteral("sim:htm"));
+        if (!wait([this] { return !m_window.bench().deviceValues().empty(); })) {
+            return false;
+        }
+        startMotion("ramp,rate_deg_s=720");
+        takePanel("xy");
+        session().abortProcedure();
+        if (!wait([this] { return session().procedure().isEmpty(); })) {
+            return false;
+        }
+        session().request([](devices::Device& device) { return device.clearStop(); }, [](Result<void>) {});
+        startMotion("sine,amplitude_deg=100,period_s=2");
+        takePanel("spectrum");
+        MonitorView view;
+        view.plots = {
+            {{"reference", "position"}, {}, {}}, {{"speed"}, {}, {}}, {{"current_command"}, {}, {}}};
+        view.trigger = {
+            true, "speed", control::TriggerMode::Normal, control::TriggerSlope::Rising, 0.0, 0.5, 1.0,
+            0.25, 0.0};
+        static_cast<MonitorPanel*>(m_window.docks().panel("monitor"))->setView(view);
+        takePanel("monitor");
+        return m_isSaved;
+    }
+
     bool takeAll() {
         takePerspectives(QStringLiteral("empty-"));
         m_window.connectDevice(QStringLiteral("sim:htm"));
         if (!wait([this] { return !m_window.bench().deviceValues().empty(); })) {
             return false;
         }
-        startMotion();
+        startMotion("sine,amplitude_deg=100,period_s=2");
         QTest::qWait(DataTime_ms);
         takePerspectives({});
         session().abortProcedure();
@@ -72,13 +99,24 @@ private:
         return QTest::qWaitFor(condition, Patience_ms);
     }
 
-    /// A motor that follows a sine for longer than the pictures take.
-    void startMotion() {
+    /// A panel in front, when it has seen enough.
+    void takePanel(const char* panel) {
+        for (ads::CDockWidget* dock : m_window.docks().docks()) {
+            if (dock->objectName() == QLatin1String(panel)) {
+                dock->setAsCurrentTab();
+            }
+        }
+        QTest::qWait(DataTime_ms);
+        take(QStringLiteral("monitor-") + QLatin1String(panel));
+    }
+
+    /// A motor that follows a reference for longer than the pictures take.
+    void startMotion(const char* reference) {
         session().runProcedure(
             "Move",
-            [](devices::Device& device, const ProcedureObserver& observer) {
+            [reference](devices::Device& device, const ProcedureObserver& observer) {
                 MoveConfig config;
-                config.reference = *parseMoveReference("sine,amplitude_deg=100,period_s=2");
+                config.reference = *parseMoveReference(reference);
                 config.duration_s = 60.0;
                 return runMove(device, config, observer);
             },
@@ -191,8 +229,9 @@ private:
 
 int main(int count, char** words) {
     using namespace halbench::app;
-    if (count != 5) {
-        std::fprintf(stderr, "usage: halbench_screenshots FOLDER LANGUAGE WIDTH HEIGHT\n");
+    const bool isMonitorOnly = count == 6 && QByteArray(words[5]) == "monitor";
+    if (count != 5 && !isMonitorOnly) {
+        std::fprintf(stderr, "usage: halbench_screenshots FOLDER LANGUAGE WIDTH HEIGHT [monitor]\n");
         return 2;
     }
     qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -203,5 +242,6 @@ int main(int count, char** words) {
     WindowApplication application(count, words);
     speak(application, language);
     QDir().mkpath(folder);
-    return Photographer(folder, language, size).takeAll() ? 0 : 1;
+    Photographer photographer(folder, language, size);
+    return (isMonitorOnly ? photographer.takeMonitor() : photographer.takeAll()) ? 0 : 1;
 }

@@ -1,0 +1,276 @@
+#include "app/workspaces/spectrum_panel.h"
+
+#include "app/workspaces/document_files.h"
+#include "app/workspaces/field_grid.h"
+#include "app/workspaces/signal_box.h"
+#include "app/workspaces/signal_stretch.h"
+#include "widgets/empty_state.h"
+#include "widgets/figure_view.h"
+#include "widgets/phrasebook.h"
+#include "widgets/quantity_edit.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QStackedWidget>
+#include <QTableWidget>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr int Period_ms = 250;
+constexpr std::size_t MostRows = std::size_t{1} << 18; ///< copied at once, about a millisecond
+constexpr std::size_t ListedPeaks = 8;
+constexpr int PeakDigits = 5;
+constexpr int GridColumns = 3;
+constexpr double PerCent = 100.0;
+
+/// In the order of control::WindowShape; names of people are not translated.
+QStringList windowNames() {
+    return {SpectrumPanel::tr("Rectangular"),  QStringLiteral("Hann"),
+            QStringLiteral("Hamming"),         QStringLiteral("Blackman"),
+            QStringLiteral("Blackman-Harris"), SpectrumPanel::tr("Flat top")};
+}
+
+} // namespace
+
+SpectrumPanel::SpectrumPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(bench) {
+    m_pages = new QStackedWidget(this);
+    auto* empty = new widgets::EmptyState(m_pages);
+    empty->setIconName(QStringLiteral("connect"));
+    empty->setWords(tr("Nothing to analyse yet"),
+                    tr("Shows which frequencies are in a signal of a connected device, live. Choose a device "
+                       "at the left, or try the simulated motor."),
+                    tr("Connect the simulated motor"), QStringLiteral("Ctrl+Shift+S"));
+    m_pages->addWidget(empty);
+    m_pages->addWidget(buildContent());
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(m_pages);
+    connect(empty, &widgets::EmptyState::actionTriggered, this, &SpectrumPanel::connectRequested);
+    connect(&m_bench, &Workbench::deviceChanged, this, &SpectrumPanel::onDevice);
+    connect(&m_bench, &Workbench::displayUnitsChanged, this, &SpectrumPanel::askAnew);
+    connect(&m_timer, &QTimer::timeout, this, &SpectrumPanel::ask);
+    m_timer.start(Period_ms);
+    onDevice();
+}
+
+QWidget* SpectrumPanel::buildContent() {
+    auto* content = new QWidget(m_pages);
+    QVBoxLayout* column = makePanelColumn(content);
+    auto* grid = new FieldGrid(GridColumns, content);
+    buildBoxes(*grid);
+    buildNumbers(*grid);
+    column->addWidget(grid);
+    auto* bar = new QToolBar(tr("Spectrum"), content);
+    bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    m_logFrequency =
+        addSwitch(*bar, tr("Log frequency"), tr("Logarithmic axis of the frequency"), "X", false);
+    m_logValue = addSwitch(*bar, tr("Log values"), tr("Logarithmic axis of the values"), "Y", true);
+    m_hold = addSwitch(*bar, tr("Hold"), tr("Keep the spectrum as it is; the data go on"), "H", false);
+    column->addWidget(bar);
+    auto* row = new QHBoxLayout;
+    m_view = new widgets::FigureView(content);
+    m_view->setToolTip(tr("The arrow keys walk along the lines; Ctrl+C copies the picture, Ctrl+E saves it"));
+    row->addWidget(m_view, 1);
+    buildPeaks(content);
+    row->addWidget(m_peaks);
+    column->addLayout(row, 1);
+    m_words = makeNote(content);
+    m_words->setAccessibleName(tr("What the spectrum says"));
+    reserveLines(*m_words, 2);
+    column->addWidget(m_words);
+    connect(m_view, &widgets::FigureView::exportRequested, this, [this] {
+        savePicture(this, m_chooser, QStringLiteral("spectrum.svg"), m_files, *m_view,
+                    [this](const Error& error) {
+                        m_words->setText(widgets::inWords(error.message));
+                        showRole(*m_words, widgets::Role::Warn);
+                    });
+    });
+    return content;
+}
+
+void SpectrumPanel::buildBoxes(FieldGrid& grid) {
+    m_signal = new SignalBox(&grid);
+    grid.addTitled(tr("Signal"), tr("Whose frequencies; also by dropping a signal of the tree here"),
+                   m_signal);
+    m_scale = grid.addBox(tr("Shown as"),
+                          tr("Amplitude or rms value of steady sines; densities of noise, in which the "
+                             "length of the segments does not count"),
+                          {tr("Amplitude"), tr("RMS"), tr("Power density"), tr("Amplitude density")});
+    m_window = grid.addBox(tr("Window"),
+                           tr("Weights against leakage: Hann for most, flat top for exact amplitudes, "
+                              "Blackman-Harris for weak lines beside strong ones"),
+                           windowNames());
+    m_window->setCurrentIndex(static_cast<int>(control::WindowShape::Hann));
+    connect(m_signal, &SignalBox::chosen, this, [this] {
+        want();
+        askAnew();
+    });
+    for (QComboBox* box : {m_scale, m_window}) {
+        connect(box, QOverload<int>::of(&QComboBox::activated), this, &SpectrumPanel::askAnew);
+    }
+}
+
+void SpectrumPanel::buildNumbers(FieldGrid& grid) {
+    m_stretch = grid.addNumber(
+        {tr("Last"), tr("The newest seconds are analysed"), QStringLiteral("s"), 1, 0.1, 3600.0, 1.0});
+    m_stretch->setQuantity(10.0);
+    m_segment = grid.addNumber({tr("Segment"),
+                                tr("Longer segments part lines that are closer, more of them average noise. "
+                                   "0: the whole stretch for amplitudes, at least eight for densities"),
+                                QStringLiteral("s"), 3, 0.0, 3600.0, 0.1});
+    m_overlap = grid.addNumber(
+        {tr("Overlap"), tr("Of neighbouring segments"), QStringLiteral("%"), 0, 0.0, 95.0, 5.0});
+    m_overlap->setQuantity(50.0);
+    for (widgets::QuantityEdit* number : {m_stretch, m_segment, m_overlap}) {
+        connect(number, &widgets::QuantityEdit::edited, this, &SpectrumPanel::askAnew);
+    }
+}
+
+void SpectrumPanel::buildPeaks(QWidget* parent) {
+    m_peaks = new QTableWidget(0, 2, parent);
+    m_peaks->setAccessibleName(tr("Highest peaks"));
+    m_peaks->setToolTip(tr("Lines higher than all others within the window's main lobe"));
+    m_peaks->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_peaks->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_peaks->setTabKeyNavigation(false);
+    m_peaks->verticalHeader()->hide();
+    m_peaks->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_peaks->setFont(widgets::tabularFont(m_peaks->font()));
+    m_peaks->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Expanding);
+    m_peaks->setFixedWidth(24 * m_peaks->fontMetrics().averageCharWidth());
+}
+
+QAction* SpectrumPanel::addSwitch(QToolBar& bar, const QString& text, const QString& what, const char* key,
+                                  bool isOn) {
+    auto* action = new QAction(text, this);
+    action->setCheckable(true);
+    action->setChecked(isOn);
+    action->setShortcut(QKeySequence(QLatin1String(key)));
+    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    action->setToolTip(QStringLiteral("%1 (%2)").arg(what, QLatin1String(key)));
+    addAction(action);
+    bar.addAction(action);
+    bar.widgetForAction(action)->setAccessibleName(text);
+    connect(action, &QAction::toggled, this, [this] {
+        if (m_spectrum) {
+            showSpectrum(*m_spectrum, look());
+        }
+    });
+    return action;
+}
+
+void SpectrumPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    want();
+}
+
+void SpectrumPanel::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    want();
+}
+
+void SpectrumPanel::onDevice() {
+    const DeviceSession& session = m_bench.session();
+    if (session.state() != SessionState::Connected || session.returns() > 0) {
+        return; // what was measured can be looked at without the device
+    }
+    m_pages->setCurrentIndex(1);
+    m_signal->setCatalogue(session.catalogue(), {"speed", "position"});
+    want();
+    askAnew();
+}
+
+/// Sent only while somebody looks.
+void SpectrumPanel::want() {
+    std::vector<std::string> wanted;
+    if (isVisible() && !m_signal->signal().empty()) {
+        wanted.push_back(m_signal->signal());
+    }
+    m_bench.liveSignals().want(this, std::move(wanted));
+}
+
+void SpectrumPanel::askAnew() {
+    m_seen.reset();
+    m_task.cancel();
+    ask();
+}
+
+void SpectrumPanel::ask() {
+    const bool isNew = m_seen != m_bench.history().revision() && (!m_hold->isChecked() || !m_seen);
+    if (!isVisible() || !isNew || m_task.isBusy() || m_signal->signal().empty()) {
+        return;
+    }
+    m_seen = m_bench.history().revision();
+    m_task.run(
+        [stretch = lastStretch(m_bench.history(), m_signal->signal(), m_stretch->value(), MostRows),
+         config = config()] {
+            const SignalStretch open = withOpenGaps(stretch);
+            return control::spectrum({open.time_s, open.values, open.unit}, config);
+        },
+        [this, look = look()](const Result<control::Spectrum>& spectrum) {
+            m_spectrum = spectrum ? std::optional(*spectrum) : std::nullopt;
+            showSpectrum(spectrum, look);
+        });
+}
+
+control::SpectrumConfig SpectrumPanel::config() const {
+    control::SpectrumConfig config;
+    config.scale = static_cast<control::SpectrumScale>(m_scale->currentIndex());
+    config.window = static_cast<control::WindowShape>(m_window->currentIndex());
+    config.overlap_ratio = m_overlap->value() / PerCent;
+    if (m_segment->value() > 0.0) {
+        config.segment_s = m_segment->value();
+    }
+    return config;
+}
+
+SpectrumLook SpectrumPanel::look() const {
+    const SignalSpec* spec = m_bench.session().catalogue().findSignal(m_signal->signal());
+    SpectrumLook look;
+    look.signal = signalWords(m_signal->signal());
+    look.quantity = spec != nullptr ? displayQuantity(spec->unit, m_bench.displayUnits()) : DisplayQuantity{};
+    look.isFrequencyLogarithmic = m_logFrequency->isChecked();
+    look.isValueLogarithmic = m_logValue->isChecked();
+    return look;
+}
+
+/// A refusal leaves the picture empty and says what to do.
+void SpectrumPanel::showSpectrum(const Result<control::Spectrum>& spectrum, const SpectrumLook& look) {
+    showRole(*m_words, spectrum ? widgets::Role::Muted : widgets::Role::Warn);
+    if (!spectrum) {
+        m_view->clear();
+        showPeaks({}, {});
+        m_words->setText(widgets::inWords(spectrum.error().message) + QStringLiteral(": ") +
+                         widgets::inWords(spectrum.error().hint));
+        return;
+    }
+    m_view->setFigure(spectrumFigure(*spectrum, look));
+    m_words->setText(spectrumWords(*spectrum, look));
+    showPeaks(spectrumPeaks(*spectrum, look, ListedPeaks),
+              spectrumUnitText(look.quantity.unit, spectrum->config.scale));
+}
+
+void SpectrumPanel::showPeaks(const std::vector<SpectrumPeak>& peaks, const QString& unit) {
+    m_peaks->setHorizontalHeaderLabels(
+        {tr("Peak [Hz]"), unit.isEmpty() ? tr("Value") : tr("Value [%1]").arg(unit)});
+    m_peaks->setRowCount(static_cast<int>(peaks.size()));
+    const QLocale locale;
+    for (int row = 0; row < m_peaks->rowCount(); ++row) {
+        const SpectrumPeak& peak = peaks[static_cast<std::size_t>(row)];
+        int column = 0;
+        for (const double value : {peak.frequency_Hz, peak.value}) {
+            auto* item = new QTableWidgetItem(locale.toString(value, 'g', PeakDigits));
+            item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            m_peaks->setItem(row, column++, item);
+        }
+    }
+}
+
+} // namespace halbench::app

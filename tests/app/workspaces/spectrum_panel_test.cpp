@@ -1,0 +1,219 @@
+#include "app/procedures/move_procedure.h"
+#include "app/workspaces/signal_box.h"
+#include "app/workspaces/spectrum_panel.h"
+#include "control/base/units.h"
+#include "tests/app/workspaces/bench_fixture.h"
+#include "widgets/empty_state.h"
+#include "widgets/figure_view.h"
+#include "widgets/quantity_edit.h"
+
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QTemporaryDir>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::app {
+namespace {
+
+using control::SpectrumScale;
+
+SpectrumLook fieldLook() {
+    SpectrumLook look;
+    look.signal = "Hall A";
+    look.quantity = displayQuantity("T", {});
+    return look;
+}
+
+/// 3 mT at 12.5 Hz for 4 s at 1 kHz.
+Result<control::Spectrum> sineSpectrum(SpectrumScale scale) {
+    std::vector<double> time_s;
+    std::vector<double> values;
+    for (int row = 0; row < 4000; ++row) {
+        time_s.push_back(0.001 * row);
+        values.push_back(0.003 * std::sin(2.0 * Pi * 12.5 * time_s.back()));
+    }
+    control::SpectrumConfig config;
+    config.scale = scale;
+    return control::spectrum({time_s, values, "T"}, config);
+}
+
+TEST(SpectrumFigureTest, unitsFollowTheScale) {
+    EXPECT_EQ(spectrumUnitText("mT", SpectrumScale::Peak), "mT");
+    EXPECT_EQ(spectrumUnitText("mT", SpectrumScale::Density), QString::fromUtf8("mT\u00b2/Hz"));
+    EXPECT_EQ(spectrumUnitText("mT", SpectrumScale::RootDensity), QString::fromUtf8("mT/\u221aHz"));
+    EXPECT_EQ(spectrumUnitText("r/min", SpectrumScale::Density), QString::fromUtf8("(r/min)\u00b2/Hz"));
+    EXPECT_EQ(spectrumUnitText(QString::fromUtf8("\u00b0C"), SpectrumScale::Rms), "K");
+    EXPECT_EQ(spectrumUnitText("", SpectrumScale::Density), "1/Hz");
+}
+
+TEST(SpectrumFigureTest, aSineReadsItsAmplitudeInTheUnitShown) {
+    const auto spectrum = sineSpectrum(SpectrumScale::Peak);
+    ASSERT_TRUE(spectrum);
+    const auto peaks = spectrumPeaks(*spectrum, fieldLook(), 3);
+    ASSERT_FALSE(peaks.empty());
+    EXPECT_NEAR(peaks[0].frequency_Hz, 12.5, 1e-9); // 50 whole periods: on a line
+    EXPECT_NEAR(peaks[0].value, 3.0, 1e-6);         // mT
+    const widgets::Figure figure = spectrumFigure(*spectrum, fieldLook());
+    EXPECT_EQ(figure.panels.at(0).y.unit, "mT");
+    EXPECT_EQ(figure.x.unit, "Hz");
+}
+
+TEST(SpectrumFigureTest, theDensityIntegratesToTheMeanSquareInTheUnitShown) {
+    const auto spectrum = sineSpectrum(SpectrumScale::Density);
+    ASSERT_TRUE(spectrum);
+    SpectrumLook look = fieldLook();
+    look.isValueLogarithmic = false;
+    const widgets::Curve curve = spectrumFigure(*spectrum, look).panels.at(0).curves.at(0);
+    double sum = 0.0;
+    for (const double value : curve.y) {
+        sum += value * spectrum->lineDistance_Hz();
+    }
+    EXPECT_NEAR(sum, 0.5 * 3.0 * 3.0, 0.01); // mT^2; segments cut the sine's period by a part of a line
+}
+
+TEST(SpectrumFigureTest, aLogarithmicAxisHasNoZero) {
+    const auto spectrum = sineSpectrum(SpectrumScale::Peak);
+    ASSERT_TRUE(spectrum);
+    SpectrumLook look = fieldLook();
+    look.isFrequencyLogarithmic = true;
+    const widgets::Figure figure = spectrumFigure(*spectrum, look);
+    for (const double frequency_Hz : figure.panels.at(0).curves.at(0).x) {
+        EXPECT_GT(frequency_Hz, 0.0);
+    }
+}
+
+TEST(SpectrumFigureTest, saysResolutionAveragesAndTotal) {
+    const auto spectrum = sineSpectrum(SpectrumScale::Peak);
+    ASSERT_TRUE(spectrum);
+    const QString words = spectrumWords(*spectrum, fieldLook());
+    EXPECT_TRUE(words.contains("Lines every 0.25 Hz, resolution 0.375 Hz"))
+        << words.toStdString(); // Hann: 1.5
+    EXPECT_TRUE(words.contains("1 averages")) << words.toStdString();
+    EXPECT_TRUE(words.contains("rms of all lines 2.121 mT")) << words.toStdString(); // 3/sqrt(2)
+    EXPECT_FALSE(words.contains("gaps"));
+}
+
+class SpectrumPanelTest : public BenchTest {
+protected:
+    void SetUp() override {
+        BenchTest::SetUp();
+        panel = std::make_unique<SpectrumPanel>(bench());
+        panel->resize(900, 700);
+        panel->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(panel.get()));
+    }
+    void TearDown() override { panel.reset(); }
+
+    void swing() {
+        session().runProcedure(
+            "Move",
+            [](devices::Device& device, const ProcedureObserver& observer) {
+                MoveConfig config;
+                config.reference = *parseMoveReference("sine,amplitude_deg=20,period_s=0.5");
+                config.duration_s = 20.0;
+                return runMove(device, config, observer);
+            },
+            [](const Result<MoveResult>& moved) {
+                EXPECT_TRUE(moved || moved.error().code == ErrorCode::Interrupted) << moved.error().message;
+            });
+    }
+    QTableWidget& peaks() { return *find<QTableWidget>(*panel, "Highest peaks"); }
+    QString words() { return find<QLabel>(*panel, "What the spectrum says")->text(); }
+    widgets::FigureView& view() { return *panel->findChild<widgets::FigureView*>(); }
+
+    std::unique_ptr<SpectrumPanel> panel;
+};
+
+TEST_F(SpectrumPanelTest, withoutADeviceItOffersTheSimulatedMotor) {
+    QSignalSpy asked(panel.get(), &SpectrumPanel::connectRequested);
+    click(*panel, "Connect the simulated motor");
+    EXPECT_EQ(asked.count(), 1);
+    connectTo("sim:htm", 5.0);
+    EXPECT_FALSE(panel->findChild<widgets::EmptyState*>()->isVisible());
+}
+
+TEST_F(SpectrumPanelTest, aMotorThatSwingsHasItsFrequencyAsTheHighestPeak) {
+    connectTo("sim:htm", 0.0); // as fast as possible: a busy machine changes nothing
+    swing();
+    panel->findChild<SignalBox*>()->choose("reference");
+    // Ten seconds of it: lines every 0.1 Hz. The peak is on the line of 2 Hz.
+    const auto hasPeak = [&] {
+        return peaks().rowCount() > 0 && std::fabs(peaks().item(0, 0)->text().toDouble() - 2.0) < 0.06 &&
+               std::fabs(peaks().item(0, 1)->text().toDouble() - 20.0) < 1.0; // degrees, the amplitude
+    };
+    EXPECT_TRUE(wait(hasPeak)) << words().toStdString();
+    EXPECT_TRUE(words().contains("Lines every")) << words().toStdString();
+    EXPECT_FALSE(view().isEmpty());
+}
+
+TEST_F(SpectrumPanelTest, holdKeepsThePictureAndItsCursor) {
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(wait([&] { return !view().isEmpty(); }));
+    view().setFocus();
+    QTest::keyClick(&view(), Qt::Key_H);
+    QTest::qWait(300); // what was under way
+    const auto before = view().figure().panels.at(0).curves.at(0).y;
+    QTest::keyClick(&view(), Qt::Key_Right);
+    const QString read = view().probeText();
+    EXPECT_TRUE(read.contains("Hz")) << read.toStdString();
+    QTest::qWait(700);
+    EXPECT_EQ(view().figure().panels.at(0).curves.at(0).y, before);
+    EXPECT_EQ(view().probeText(), read);
+    QTest::keyClick(&view(), Qt::Key_H);
+    EXPECT_TRUE(wait([&] { return view().figure().panels.at(0).curves.at(0).y != before; }));
+}
+
+TEST_F(SpectrumPanelTest, axesAreSwitchedByKeyAndTheUnitByTheKind) {
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(wait([&] { return !view().isEmpty(); }));
+    EXPECT_TRUE(view().figure().panels.at(0).y.isLogarithmic);
+    view().setFocus();
+    QTest::keyClick(&view(), Qt::Key_Y);
+    EXPECT_FALSE(view().figure().panels.at(0).y.isLogarithmic);
+    QTest::keyClick(&view(), Qt::Key_X);
+    EXPECT_TRUE(view().figure().x.isLogarithmic);
+    auto* kind = find<QComboBox>(*panel, "Shown as");
+    kind->setCurrentIndex(2);
+    Q_EMIT kind->activated(2);
+    EXPECT_TRUE(wait([&] {
+        return !view().isEmpty() &&
+               view().figure().panels.at(0).y.unit == QString::fromUtf8("(r/min)\u00b2/Hz").toStdString();
+    }));
+    EXPECT_TRUE(words().contains("95 % interval")) << words().toStdString();
+}
+
+TEST_F(SpectrumPanelTest, aSegmentLongerThanTheStretchIsRefusedInWords) {
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(wait([&] { return !view().isEmpty(); }));
+    auto* segment = find<widgets::QuantityEdit>(*panel, "Segment");
+    type(segment, "500");
+    QTest::keyClick(segment, Qt::Key_Return);
+    EXPECT_TRUE(wait([&] { return view().isEmpty(); }));
+    EXPECT_FALSE(words().isEmpty());
+}
+
+TEST_F(SpectrumPanelTest, asksForItsSignalOnlyWhileItIsSeen) {
+    connectTo("sim:htm", 5.0);
+    panel->findChild<SignalBox*>()->choose("truth.speed");
+    EXPECT_TRUE(wait([&] { return bench().history().latest("truth.speed").has_value(); }));
+    panel->hide();
+    const auto& streamed = bench().liveSignals().streamed();
+    EXPECT_EQ(std::count(streamed.begin(), streamed.end(), "truth.speed"), 0);
+}
+
+TEST_F(SpectrumPanelTest, thePictureIsSaved) {
+    QTemporaryDir folder;
+    const QString path = folder.filePath("spectrum.svg");
+    panel->setFileChooser({[&](QWidget*, const FileQuestion&) { return path; }, {}});
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(wait([&] { return !view().isEmpty(); }));
+    view().setFocus();
+    QTest::keyClick(&view(), Qt::Key_E, Qt::ControlModifier);
+    EXPECT_TRUE(wait([&] { return QFile::exists(path); }));
+}
+
+} // namespace
+} // namespace halbench::app
