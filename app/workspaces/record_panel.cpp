@@ -15,6 +15,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace halbench::app {
 
 namespace {
@@ -25,7 +27,9 @@ constexpr int DefaultRate = 3;
 
 /// "312", or "312 (2 gaps, 3.1 s)"
 QString missingText(const RecorderStatus& status) {
-    const QString rows = QLocale().toString(static_cast<qulonglong>(status.missingRows));
+    // What is dropped behind the last row leaves no gap.
+    const QString rows =
+        QLocale().toString(static_cast<qulonglong>(std::max(status.missingRows, status.droppedRows)));
     return status.gaps == 0 ? rows
                             : RecordPanel::tr("%1 (gaps: %2, %3 s)")
                                   .arg(rows, QLocale().toString(static_cast<qulonglong>(status.gaps)),
@@ -184,7 +188,7 @@ void RecordPanel::onFinished(const QString& path, const RecorderStatus& status) 
     m_message->showMessage(
         {severity,
          tr("%Ln row(s) in %1", nullptr, rows).arg(QDir::toNativeSeparators(path)),
-         status.gaps > 0
+         status.gaps > 0 || status.droppedRows > 0
              ? tr("Missing: %1; the sidecar says where.").arg(missingText(status)) + droppedText(status)
              : tr("What was measured, with its units; the sidecar beside it has the rest."),
          {}});
