@@ -69,7 +69,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "Time until the generator ends"),
     QT_TRANSLATE_NOOP("Phrases", "Constant motion added: rad/s in mode position, else A"),
     QT_TRANSLATE_NOOP("Phrases", "Phases of the multisine; 0 = Schroeder"),
-    QT_TRANSLATE_NOOP("Phrases", "1 starts, 0 stops the generator"),
+    QT_TRANSLATE_NOOP("Phrases", "0 stops, 1 starts the generator, 2 to 255 start it once"),
     QT_TRANSLATE_NOOP("Phrases", "Number of plateaus"),
     QT_TRANSLATE_NOOP("Phrases", "Time of one plateau"),
     QT_TRANSLATE_NOOP("Phrases", "Current of one plateau"),
@@ -80,7 +80,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "Direction of the crossing"),
     QT_TRANSLATE_NOOP("Phrases", "Samples before the trigger"),
     QT_TRANSLATE_NOOP("Phrases", "Milliseconds per sample"),
-    QT_TRANSLATE_NOOP("Phrases", "1 starts, 0 stops the capture"),
+    QT_TRANSLATE_NOOP("Phrases", "0 stops, 1 starts the capture, 2 to 255 start it once"),
     // groups of parameters
     QT_TRANSLATE_NOOP("Phrases", "gain"),
     QT_TRANSLATE_NOOP("Phrases", "feedforward"),

@@ -82,10 +82,10 @@ void MainWindow::usePreferredPerspective() {
 
 MainWindow::~MainWindow() {
     m_frame.stop();
+    m_bench.session().end(); // first: a slow disk must not keep it armed
     if (m_project) {
         m_project->finishWriting(); // while there is a window to say how it went
     }
-    m_bench.session().end();
 }
 
 bool MainWindow::event(QEvent* event) {

@@ -53,7 +53,13 @@ void MainWindow::leaveThenClose() {
     session.disconnectDevice();
 }
 
+/// The device is left before anything is written: a disk that is slow holds up this thread, and with it Esc.
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!m_hasLeft && m_bench.session().state() != SessionState::Disconnected) {
+        event->ignore();
+        leaveThenClose();
+        return;
+    }
     furnish(); // what it keeps is in the panels
     collectProject();
     if (const Result<void> kept = m_project->autosaveNow(); !kept && !m_isLossAccepted) {
@@ -68,11 +74,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     m_preferences.lastDevice = m_devices->remembered();
     m_preferences.arrangements = m_docks->arrangements();
     savePreferences(m_preferences);
-    if (!m_hasLeft && m_bench.session().state() != SessionState::Disconnected) {
-        event->ignore();
-        leaveThenClose();
-        return;
-    }
     QMainWindow::closeEvent(event);
 }
 

@@ -36,8 +36,21 @@ void ProjectMenu::addTo(QMenu& menu) {
     menu.addAction(tr("Save project &as…"), this, &ProjectMenu::saveAs)->setShortcut(QKeySequence::SaveAs);
 }
 
+bool ProjectMenu::refuseWhileBusy() {
+    const bool isBusy = m_isBusy();
+    if (isBusy) {
+        refused(tr("No project is opened while the actuator is armed or a procedure runs: a slow disk would "
+                   "hold up Esc."),
+                tr("Disarm it, or wait for the end of the procedure, then open the project."));
+    }
+    return isBusy;
+}
+
 /// What is open is left once all of it is kept; until then it stays.
 void ProjectMenu::leaveThen(std::function<void()> next) {
+    if (refuseWhileBusy()) {
+        return;
+    }
     collecting();
     m_next = std::move(next);
     m_session.keep([self = QPointer(this)](const Result<void>& kept) {
@@ -45,11 +58,19 @@ void ProjectMenu::leaveThen(std::function<void()> next) {
             return;
         }
         if (kept) {
-            std::exchange(self->m_next, {})();
+            self->goOn();
         } else {
             self->unkept(kept.error());
         }
     });
+}
+
+/// It may have been armed while the project was written.
+void ProjectMenu::goOn() {
+    const auto next = std::exchange(m_next, {});
+    if (!refuseWhileBusy()) {
+        next();
+    }
 }
 
 void ProjectMenu::tryAgain() {
@@ -59,9 +80,9 @@ void ProjectMenu::tryAgain() {
 }
 
 void ProjectMenu::discard() {
-    if (m_next) {
+    if (m_next && !refuseWhileBusy()) {
         m_session.giveUp();
-        std::exchange(m_next, {})();
+        goOn();
     }
 }
 

@@ -23,6 +23,8 @@ public:
     ProjectMenu(ProjectSession& session, FileChooser files, QWidget* window);
 
     void addTo(QMenu& menu);
+    /// While this says so no project is left or opened: a file that is read holds up this thread.
+    void setBusy(std::function<bool()> isBusy) { m_isBusy = std::move(isBusy); }
     /// Opens the file; an autosave of it that is newer work is offered in `recovered()`.
     void open(const QString& path);
     /// As a new project without a name; the file stays with the window that has it.
@@ -44,7 +46,9 @@ Q_SIGNALS:
     void unkept(const halbench::Error& error);
 
 private:
+    bool refuseWhileBusy();
     void leaveThen(std::function<void()> next);
+    void goOn();
     void startNew();
     void chooseAndOpen();
     void openFile(const QString& path);
@@ -59,6 +63,7 @@ private:
     ProjectSession& m_session;
     FileChooser m_files;
     QWidget* m_window;
+    std::function<bool()> m_isBusy = [] { return false; };
     QMenu* m_recent = nullptr;
     std::function<void()> m_next; ///< what waits until the open project is kept
 };

@@ -55,6 +55,20 @@ protected:
     /// A folder in the autosave's place: what a full or vanished disk does to it.
     void blockAutosave() { ASSERT_TRUE(QDir(folder.path()).mkpath("motor.toml.autosave/full")); }
 
+    void arm() {
+        session().request([](devices::Device& device) { return device.arm(); },
+                          [](const Result<void>& armed) { EXPECT_TRUE(armed); });
+        ASSERT_TRUE(wait([&] { return session().report().board.isArmed; }));
+    }
+    widgets::MessageBar* saying(const char* words) {
+        for (auto* bar : window->findChildren<widgets::MessageBar*>()) {
+            if (bar->isVisible() && bar->message().text.contains(words)) {
+                return bar;
+            }
+        }
+        return nullptr;
+    }
+
     widgets::MessageBar* offering(const char* action) {
         for (auto* bar : window->findChildren<widgets::MessageBar*>()) {
             if (bar->isVisible() && bar->message().actionText == action) {
@@ -143,6 +157,43 @@ TEST_F(KeepingWorkTest, aWindowThatCannotKeepItsWorkStaysOpenAndOffersWaysOut) {
     EXPECT_EQ(offering("Save project as…"), nullptr); // nothing is wrong any more
     EXPECT_EQ(offering("Close anyway"), nullptr);
     EXPECT_TRUE(window->close());
+}
+
+/// Writing may take as long as the disk likes, and Esc waits for it: nothing is armed by then.
+TEST_F(KeepingWorkTest, theDeviceIsLeftBeforeAnythingIsWritten) {
+    openNew();
+    blockAutosave();
+    type("typed");
+    connectMotor(1.0);
+    arm();
+    std::size_t offers = 1;
+    QObject::connect(&session(), &DeviceSession::stateChanged, window.get(), [&] {
+        if (session().state() == SessionState::Disconnected) {
+            offers = offering("Close anyway") == nullptr ? 0 : 1;
+        }
+    });
+    EXPECT_FALSE(window->close());
+    EXPECT_EQ(offering("Close anyway"), nullptr); // nothing was written yet
+    ASSERT_TRUE(wait([&] { return session().state() == SessionState::Disconnected; }));
+    EXPECT_EQ(offers, 0U); // what leaving disarms is shown in tests/app/session
+    ASSERT_TRUE(wait([&] { return offering("Close anyway") != nullptr; }));
+    EXPECT_TRUE(window->isVisible()); // the work is not lost
+}
+
+TEST_F(KeepingWorkTest, noProjectIsReadWhileTheActuatorIsArmed) {
+    openNew("other.toml");
+    openNew();
+    connectMotor(1.0);
+    arm();
+    window->openProject(path("other.toml"));
+    EXPECT_EQ(window->project().path(), file());
+    EXPECT_NE(saying("No project is opened while the actuator is armed"), nullptr);
+    QTest::keyClick(window.get(), Qt::Key_Escape);
+    ASSERT_TRUE(wait([&] { return !session().report().board.isArmed; }));
+    window->openProject(path("other.toml"));
+    window->project().finishWriting();
+    EXPECT_EQ(window->project().path(), file("other.toml"));
+    EXPECT_EQ(saying("No project is opened"), nullptr);
 }
 
 TEST_F(KeepingWorkTest, closingAnywayIsTheUsersChoice) {
