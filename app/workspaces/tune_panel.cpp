@@ -1,6 +1,7 @@
 #include "app/workspaces/tune_panel.h"
 
 #include "app/batch/loop_conditions.h"
+#include "app/workspaces/foreign_motor_notice.h"
 #include "app/workspaces/gain_editor.h"
 #include "app/workspaces/preflight.h"
 #include "app/workspaces/tune_form.h"
@@ -68,6 +69,7 @@ void TunePanel::connectParts() {
         ask();
     });
     connect(m_preflight, &Preflight::changed, this, &TunePanel::refreshButtons);
+    connect(m_foreign, &ForeignMotorNotice::changed, this, &TunePanel::refreshButtons);
     connect(m_apply, &QPushButton::clicked, this, &TunePanel::apply);
     connect(m_keep, &QPushButton::clicked, this, &TunePanel::keep);
     connect(m_restore, &QPushButton::clicked, this, &TunePanel::restore);
@@ -88,6 +90,7 @@ void TunePanel::connectParts() {
         }
     });
     connect(&m_bench.session(), &DeviceSession::procedureChanged, this, &TunePanel::refreshButtons);
+    connect(&m_bench.session(), &DeviceSession::reportChanged, this, &TunePanel::refreshButtons); // armed?
     connect(&m_bench.session(), &DeviceSession::procedureProgress, this,
             [this](double fraction, const QString& text) {
                 if (m_isApplying) {

@@ -30,6 +30,7 @@ class VerdictView;
 
 namespace halbench::app {
 
+class ForeignMotorNotice;
 class GainEditor;
 class PageChooser;
 class Preflight;
@@ -113,6 +114,7 @@ private:
     TuneForm* m_form = nullptr;
     GainEditor* m_gains = nullptr;
     Preflight* m_preflight = nullptr;
+    ForeignMotorNotice* m_foreign = nullptr;
     QPushButton* m_apply = nullptr;
     QPushButton* m_keep = nullptr;
     QPushButton* m_restore = nullptr;

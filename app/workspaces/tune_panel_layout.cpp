@@ -1,5 +1,6 @@
 // What the Tune panel is made of, and its words.
 #include "app/workspaces/document_files.h"
+#include "app/workspaces/foreign_motor_notice.h"
 #include "app/workspaces/gain_editor.h"
 #include "app/workspaces/page_chooser.h"
 #include "app/workspaces/preflight.h"
@@ -51,9 +52,11 @@ QWidget* TunePanel::buildSettings() {
     m_verdict = new widgets::VerdictView(page);
     m_verdict->setObjectName(QStringLiteral("design"));
     m_preflight = new Preflight(m_bench, page);
+    m_foreign = new ForeignMotorNotice(m_bench, page);
     m_progress = new widgets::ProgressRow(page);
     m_progress->hide();
-    for (QWidget* part : std::initializer_list<QWidget*>{m_model, m_form, m_gains, m_verdict, m_preflight}) {
+    for (QWidget* part :
+         std::initializer_list<QWidget*>{m_model, m_form, m_gains, m_verdict, m_preflight, m_foreign}) {
         column->addWidget(part);
     }
     column->addStretch(1);

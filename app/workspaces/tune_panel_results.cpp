@@ -3,6 +3,7 @@
 #include "app/procedures/loop_verdict.h"
 #include "app/report/tuning_figures.h"
 #include "app/workspaces/document_files.h"
+#include "app/workspaces/foreign_motor_notice.h"
 #include "app/workspaces/gain_editor.h"
 #include "app/workspaces/page_chooser.h"
 #include "app/workspaces/preflight.h"
@@ -122,7 +123,7 @@ void TunePanel::showProblem(const Error& error) {
 
 void TunePanel::refreshButtons() {
     const bool isUsable = m_shown && m_shown->quality.verdict != Verdict::Refused;
-    m_apply->setEnabled(isUsable && m_preflight->isPassed() && !m_isApplying);
+    m_apply->setEnabled(isUsable && m_preflight->isPassed() && m_foreign->isAllowed() && !m_isApplying);
     m_save->setEnabled(m_shown.has_value());
     m_numbers->setUndecided(!m_before.empty());
     m_keep->setVisible(!m_before.empty());
@@ -130,7 +131,7 @@ void TunePanel::refreshButtons() {
     const bool isFree =
         m_bench.session().state() == SessionState::Connected && m_bench.session().procedure().isEmpty();
     m_keep->setEnabled(isFree);
-    m_restore->setEnabled(isFree);
+    m_restore->setEnabled(isFree && !m_bench.session().report().board.isArmed); // a loop that runs would jump
 }
 
 /// To decide is next; after that to choose other gains. Apply goes off while its prediction is asked anew.

@@ -4,7 +4,16 @@
 namespace halbench::app {
 namespace {
 
-class TuneVerificationTest : public TunePanelTest {};
+class TuneVerificationTest : public TunePanelTest {
+protected:
+    /// By hand, as another panel does.
+    void arm(bool isArmed) {
+        bench.session().request(
+            [isArmed](devices::Device& device) { return isArmed ? device.arm() : device.disarm(); },
+            [](const Result<void>& done) { EXPECT_TRUE(done); });
+        ASSERT_TRUE(wait([&] { return bench.session().report().board.isArmed == isArmed; }));
+    }
+};
 
 TEST_F(TuneVerificationTest, itEndsWithItsDevice) {
     prepare();
@@ -55,6 +64,17 @@ TEST_F(TuneVerificationTest, itEndsWithItsMotorWhoseGainsCanStillBeRestored) {
     click(panel, "Restore"); // the device is the same
     ASSERT_TRUE(wait([&] { return message().contains("before run again"); }));
     EXPECT_EQ(valuesNow(), before);
+}
+
+TEST_F(TuneVerificationTest, theGainsFromBeforeAreNotWrittenIntoALoopThatRuns) {
+    prepare();
+    verify();
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Restore"); }));
+    arm(true);
+    EXPECT_FALSE(isEnabled(panel, "Restore"));
+    EXPECT_TRUE(isEnabled(panel, "Keep")); // that writes nothing
+    arm(false);
+    EXPECT_TRUE(wait([&] { return isEnabled(panel, "Restore"); }));
 }
 
 TEST_F(TuneVerificationTest, theNextOneBeginsWithoutTheVerdictBefore) {
