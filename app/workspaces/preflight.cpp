@@ -59,6 +59,9 @@ PreflightItem faultItem(const PreflightFacts& facts) {
         return {false, Words::tr("The stop is latched"),
                 Words::tr("Press Release, beside the state at the top")};
     }
+    if (facts.isJustReleased) {
+        return {false, Words::tr("The stop was released a moment ago"), Words::tr("Look, then start")};
+    }
     if (facts.isBusy) {
         return {true, Words::tr("No fault, not stopped"), {}}; // armed or not is the procedure's
     }
@@ -145,6 +148,7 @@ Preflight::Preflight(Workbench& bench, QWidget* parent)
     });
     DeviceSession& session = m_bench.session();
     connect(&session, &DeviceSession::reportChanged, this, &Preflight::refresh);
+    connect(&m_bench.stopLatch(), &StopLatch::changed, this, &Preflight::refresh);
     connect(&session, &DeviceSession::procedureChanged, this, [this] {
         refresh();
         readTemperature();
@@ -168,6 +172,7 @@ PreflightFacts Preflight::facts() const {
     PreflightFacts facts;
     facts.state = session.state();
     facts.board = session.report().board;
+    facts.isJustReleased = m_bench.stopLatch().isJustReleased();
     facts.isMotorKnown = session.catalogue().hasProcedure("identify");
     facts.isBusy = !session.procedure().isEmpty();
     facts.running = facts.isBusy ? m_running : QString();

@@ -19,9 +19,10 @@ namespace halbench::app {
 struct PreflightFacts {
     SessionState state = SessionState::Disconnected;
     devices::DeviceState board;
-    bool isMotorKnown = true; ///< the device has a profile with procedures
-    bool isBusy = false;      ///< a procedure runs
-    QString running;          ///< what runs, when it is that of this list itself; empty otherwise
+    bool isJustReleased = false; ///< the stop, so lately that a second click may mean the release
+    bool isMotorKnown = true;    ///< the device has a profile with procedures
+    bool isBusy = false;         ///< a procedure runs
+    QString running;             ///< what runs, when it is that of this list itself; empty otherwise
     bool isSimulated = false;
     bool hasConsent = false;                 ///< the user says that the rotor is free to turn
     std::optional<double> temperature_degC;  ///< warmest coil

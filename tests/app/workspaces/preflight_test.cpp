@@ -36,7 +36,7 @@ TEST(Preflight, warmCoilsOnlyForbidWhatWouldBeTooWarmFromTheColdToo) {
 }
 
 TEST(Preflight, everythingThatForbidsMotionIsSaidWithItsRemedy) {
-    std::vector<PreflightFacts> wrong(9, ready());
+    std::vector<PreflightFacts> wrong(10, ready());
     wrong[0].state = SessionState::Lost;
     wrong[1].isBusy = true;
     wrong[2].board.fault = 3;
@@ -46,6 +46,7 @@ TEST(Preflight, everythingThatForbidsMotionIsSaidWithItsRemedy) {
     wrong[6].isSimulated = false;
     wrong[7].state = SessionState::Reconnecting;
     wrong[8].isMotorKnown = false;
+    wrong[9].isJustReleased = true;
     for (const PreflightFacts& facts : wrong) {
         EXPECT_FALSE(isPassed(facts));
         for (const PreflightItem& item : preflightItems(facts)) {

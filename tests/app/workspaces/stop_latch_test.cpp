@@ -1,4 +1,5 @@
 #include "app/workspaces/drive_control.h"
+#include "app/workspaces/preflight.h"
 #include "app/workspaces/stop_latch.h"
 #include "tests/app/workspaces/bench_fixture.h"
 
@@ -43,6 +44,29 @@ TEST_F(StopLatchTest, armingWaitsAfterTheReleaseAtLeastADoubleClick) {
     EXPECT_FALSE(bench().drive().isPending());
     EXPECT_TRUE(wait([&] { return !latch.isJustReleased(); }));
     EXPECT_TRUE(bench().drive().canArm());
+}
+
+/// Procedures arm too: a second click, or a key that is held, right after the release must start none.
+TEST_F(StopLatchTest, noProcedureStartsRightAfterTheReleaseEither) {
+    connectTo("sim:htm", 5.0);
+    const Preflight checks(bench());
+    ASSERT_TRUE(wait([&] { return checks.isPassed(); }));
+    StopLatch& latch = bench().stopLatch();
+    latch.setLockOut_ms(0);
+    session().stopActuator();
+    ASSERT_TRUE(wait([&] { return latch.isLatched() && !latch.isLocked(); }));
+    bool wasOpen = false;
+    QObject::connect(&latch, &StopLatch::changed, &latch,
+                     [&] { wasOpen = wasOpen || (latch.isJustReleased() && checks.isPassed()); });
+    QObject::connect(&session(), &DeviceSession::reportChanged, &latch,
+                     [&] { wasOpen = wasOpen || (latch.isJustReleased() && checks.isPassed()); });
+    latch.release([](const Result<void>& done) { EXPECT_TRUE(done); });
+    ASSERT_TRUE(wait([&] { return latch.isJustReleased(); }));
+    EXPECT_FALSE(checks.isPassed());
+    EXPECT_FALSE(checks.remedy().isEmpty());
+    EXPECT_TRUE(wait([&] { return checks.isPassed(); }));
+    EXPECT_FALSE(latch.isJustReleased());
+    EXPECT_FALSE(wasOpen);
 }
 
 TEST_F(StopLatchTest, everyFurtherStopLocksAnew) {
