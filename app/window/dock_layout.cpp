@@ -64,6 +64,12 @@ bool isIn(const PanelSpec& spec, Perspective perspective) {
            spec.perspectives.end();
 }
 
+/// From a tool of a window the shortcuts of that window work, and they do not while a dialog is open: the
+/// docking library makes it a window of its own, in which every one of them is dead.
+void belongToWindow(ads::CFloatingDockContainer& window) {
+    window.setWindowFlags((window.windowFlags() & ~Qt::WindowType_Mask) | Qt::Tool);
+}
+
 } // namespace
 
 DockLayout::DockLayout(QWidget* container) : QObject(container), m_specs(panelSpecs()) {
@@ -71,7 +77,10 @@ DockLayout::DockLayout(QWidget* container) : QObject(container), m_specs(panelSp
     m_manager = new ads::CDockManager(container);
     widgets::clearOwnSheet(*m_manager);
     connect(m_manager, &ads::CDockManager::floatingWidgetCreated, this,
-            [this](ads::CFloatingDockContainer* window) { addStop(*window); });
+            [this](ads::CFloatingDockContainer* window) {
+                belongToWindow(*window);
+                addStop(*window);
+            });
 }
 
 void DockLayout::furnish(Workbench& bench) {

@@ -61,6 +61,10 @@ void MainWindow::fillFileMenu() {
 
 void MainWindow::createProjects() {
     m_projects = new ProjectMenu(*m_project, fileDialogs(m_bench), this);
+    m_projects->setBusy([&session = m_bench.session()] {
+        const bool isConnected = session.state() != SessionState::Disconnected;
+        return isConnected && (session.report().board.isArmed || !session.procedure().isEmpty());
+    });
     connect(m_projects, &ProjectMenu::opened, this, &MainWindow::takeOverProject);
     connect(m_projects, &ProjectMenu::refused, this, [this](const QString& text, const QString& hint) {
         onMessage(widgets::Severity::Error, text, hint);

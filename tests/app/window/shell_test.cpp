@@ -1,12 +1,15 @@
 #include "app/window/dock_layout.h"
 #include "app/window/help_window.h"
 #include "app/workspaces/device_panel.h"
+#include "app/workspaces/drive_control.h"
 #include "app/workspaces/log_panel.h"
 #include "tests/app/window/window_test.h"
 #include "widgets/message_bar.h"
 #include "widgets/stop_button.h"
 
+#include <QDialog>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMenuBar>
 #include <QPushButton>
@@ -34,6 +37,25 @@ protected:
             }
         }
         return nullptr;
+    }
+
+    /// A field of the Parameters panel, which floats in a window that has the focus.
+    QWidget* floatParameters() {
+        dock("parameters").setFloating();
+        auto* floating = dock("parameters").floatingDockContainer();
+        auto* field = window->docks().panel("parameters")->findChild<QLineEdit*>();
+        EXPECT_TRUE(wait([&] { return field->isVisible(); }));
+        QApplication::setActiveWindow(floating); // the platform without a screen gives no window the focus
+        field->setFocus();
+        return field;
+    }
+    static QString parametersHelp() {
+        for (const PanelSpec& spec : panelSpecs()) {
+            if (spec.id == "parameters") {
+                return spec.helpPage;
+            }
+        }
+        return {};
     }
 
     HelpWindow* help() { return window->findChild<HelpWindow*>(); }
@@ -190,6 +212,57 @@ TEST_F(ShellTest, aFloatingDockOfARestoredArrangementCarriesItsStopToo) {
     EXPECT_TRUE(wait([&] { return session().report().board.isStopLatched; }));
 }
 
+/// A floating dock belongs to its window: F1, arming and the perspectives by key, from the field one types
+/// in.
+TEST_F(ShellTest, theShortcutsOfTheWindowWorkFromAFloatingDock) {
+    open();
+    connectMotor(1.0);
+    QWidget* field = floatParameters();
+    ASSERT_NE(field, nullptr);
+    ASSERT_TRUE(wait([&] { return window->bench().drive().canArm(); }));
+    QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_TRUE(wait([&] { return session().report().board.isArmed; }));
+    QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_TRUE(wait([&] { return !session().report().board.isArmed; }));
+    const QTemporaryDir folder;
+    window->bench().recording().setFolder(folder.path());
+    QTest::keyClick(field, Qt::Key_R, Qt::ControlModifier);
+    EXPECT_TRUE(wait([&] { return window->bench().recording().isRecording(); }));
+    QTest::keyClick(field, Qt::Key_R, Qt::ControlModifier);
+    EXPECT_TRUE(wait([&] { return !window->bench().recording().isRecording(); }));
+    QApplication::setActiveWindow(field->window()); // what ended the recording may have taken the focus
+    field->setFocus();
+    QTest::keyClick(field, Qt::Key_F1);
+    ASSERT_NE(help(), nullptr);
+    QTextBrowser page;
+    page.setMarkdown(helpText(parametersHelp()));
+    EXPECT_EQ(helpWords(), page.toPlainText());
+    QApplication::setActiveWindow(field->window());
+    QTest::keyClick(field, Qt::Key_2, Qt::ControlModifier);
+    EXPECT_NE(window->docks().perspective(), Perspective::Monitor);
+}
+
+TEST_F(ShellTest, theShortcutsOfTheWindowAreDeadInItsDialogsAndInTheHelp) {
+    open();
+    connectMotor(1.0);
+    QWidget* field = floatParameters();
+    ASSERT_NE(field, nullptr);
+    ASSERT_TRUE(wait([&] { return window->bench().drive().canArm(); }));
+    HelpWindow page("index.md", window.get());
+    page.show();
+    QApplication::setActiveWindow(&page);
+    QTest::keyClick(&page, Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_FALSE(window->bench().drive().isPending());
+    QDialog dialog(window.get());
+    dialog.setModal(true);
+    dialog.show();
+    for (QWidget* active : {static_cast<QWidget*>(&dialog), field->window()}) {
+        QApplication::setActiveWindow(active);
+        QTest::keyClick(active, Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
+        EXPECT_FALSE(window->bench().drive().isPending());
+    }
+}
+
 TEST_F(ShellTest, resettingBringsMovedAndFloatingPanelsBack) {
     open();
     const QPoint logPlace = dock("log").mapTo(window.get(), QPoint());
@@ -210,8 +283,7 @@ TEST_F(ShellTest, helpOpensThePageOfThePanelThatHasTheFocus) {
     ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
     list->setFocus();
     ASSERT_TRUE(wait([&] { return QApplication::focusWidget() == list; }));
-    action(QKeySequence::HelpContents)
-        ->trigger(); // what F1 does; offscreen has no active window for a shortcut
+    QTest::keyClick(list, Qt::Key_F1);
     ASSERT_NE(help(), nullptr);
     QTextBrowser page;
     page.setMarkdown(helpText("command-line.md"));
