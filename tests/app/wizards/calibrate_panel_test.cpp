@@ -7,7 +7,10 @@
 #include "widgets/message_bar.h"
 
 #include <QCheckBox>
+#include <QFile>
 #include <QLabel>
+#include <QProcess>
+#include <QTemporaryDir>
 
 namespace halbench::app {
 namespace {
@@ -77,6 +80,30 @@ TEST_F(CalibratePanelTest, aResultIsNotAppliedToAnotherBoardNorToAnArmedOne) {
     EXPECT_EQ(button(panel, "Apply"), nullptr);
     EXPECT_NE(button(panel, "Start calibration"), nullptr);
     EXPECT_TRUE(message().contains("connection before")) << message().toStdString();
+}
+
+TEST_F(CalibratePanelTest, savesTheSameBytesAsTheBatchProgramForTheSameSeed) {
+    // Second route: the headless program, with all imperfections of the motor.
+    const QTemporaryDir folder;
+    const auto content = [&folder](const char* name) {
+        QFile file(folder.filePath(name));
+        EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << name;
+        return file.readAll();
+    };
+    QProcess batch;
+    batch.start(HALBENCH_PROGRAM,
+                {"calibrate", "sim:htm?seed=5", "all", "--out", folder.filePath("batch.json")});
+    panel.setFileChooser(
+        {[&folder](QWidget*, const FileQuestion&) { return folder.filePath("panel.json"); }, {}});
+    connectMotor("sim:htm?seed=5", 0.0);
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start calibration"); }));
+    click(panel, "Start calibration");
+    ASSERT_TRUE(wait([&] { return isResultShown(); })) << message().toStdString();
+    click(panel, "Save calibration\u2026");
+    ASSERT_TRUE(wait([&] { return message().startsWith("Saved"); })) << message().toStdString();
+    ASSERT_TRUE(wait([&] { return batch.state() == QProcess::NotRunning; }));
+    ASSERT_EQ(batch.exitCode(), 0) << batch.readAllStandardError().toStdString();
+    EXPECT_EQ(content("panel.json"), content("batch.json"));
 }
 
 TEST_F(CalibratePanelTest, onlyWhatIsChosenIsDone) {
