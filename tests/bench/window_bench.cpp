@@ -1,5 +1,6 @@
 // What the user of the window feels: how soon the window is there, what it costs to idle.
 #include "app/window/main_window.h"
+#include "app/window/window_application.h"
 #include "app/window/window_program.h"
 #include "tests/bench/goal.h"
 #include "tests/bench/window_rig.h"
@@ -101,7 +102,7 @@ int run(const std::string& self) {
 int main(int count, char** arguments) {
     QStandardPaths::setTestModeEnabled(true);
     halbench::app::followDisplayScale();
-    QApplication application(count, arguments);
+    halbench::app::WindowApplication application(count, arguments);
     const std::string which = count > 1 ? arguments[1] : "";
     if (which == "panels") {
         return halbench::bench::furnishOnce(application);
