@@ -5899,6 +5899,21 @@ wird er in gleichmäßiger Rampe mit Tippdrehzahl angefahren</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::ForeignMotorNotice</name>
+    <message>
+        <source>Apply gains of another motor here</source>
+        <translation>Reglerparameter eines anderen Motors hier übernehmen</translation>
+    </message>
+    <message>
+        <source>They were designed for a motor that this device may not be</source>
+        <translation>Sie wurden für einen Motor entworfen, der dieses Gerät womöglich nicht ist</translation>
+    </message>
+    <message>
+        <source>Whose motor is tuned</source>
+        <translation>Wessen Motor eingestellt wird</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::Freshness</name>
     <message>
         <source>No new values since %1</source>
@@ -7352,6 +7367,14 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>No fault, not stopped</source>
         <translation>Kein Fehler, nicht gestoppt</translation>
+    </message>
+    <message>
+        <source>The stop was released a moment ago</source>
+        <translation>Der Stopp wurde eben erst aufgehoben</translation>
+    </message>
+    <message>
+        <source>Look, then start</source>
+        <translation>Sehen Sie hin, dann starten Sie</translation>
     </message>
 </context>
 <context>

@@ -5894,6 +5894,21 @@ is approached as an even ramp at the jog speed</source>
     </message>
 </context>
 <context>
+    <name>halbench::app::ForeignMotorNotice</name>
+    <message>
+        <source>Apply gains of another motor here</source>
+        <translation>在此应用另一台电机的增益</translation>
+    </message>
+    <message>
+        <source>They were designed for a motor that this device may not be</source>
+        <translation>这些增益是为另一台电机设计的，可能不是本设备</translation>
+    </message>
+    <message>
+        <source>Whose motor is tuned</source>
+        <translation>正在整定哪台电机</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::Freshness</name>
     <message>
         <source>No new values since %1</source>
@@ -7345,6 +7360,14 @@ A real device has its own time.</source>
     <message>
         <source>No fault, not stopped</source>
         <translation>无故障，未停止</translation>
+    </message>
+    <message>
+        <source>The stop was released a moment ago</source>
+        <translation>停止刚刚解除</translation>
+    </message>
+    <message>
+        <source>Look, then start</source>
+        <translation>请先查看，再启动</translation>
     </message>
 </context>
 <context>
