@@ -303,10 +303,6 @@
         <translation>Phasen des Multisinus; 0 = Schroeder</translation>
     </message>
     <message>
-        <source>1 starts, 0 stops the generator</source>
-        <translation>1 startet, 0 stoppt den Generator</translation>
-    </message>
-    <message>
         <source>Number of plateaus</source>
         <translation>Zahl der Plateaus</translation>
     </message>
@@ -341,10 +337,6 @@
     <message>
         <source>Milliseconds per sample</source>
         <translation>Millisekunden je Abtastwert</translation>
-    </message>
-    <message>
-        <source>1 starts, 0 stops the capture</source>
-        <translation>1 startet, 0 stoppt die Erfassung</translation>
     </message>
     <message>
         <source>gain</source>
@@ -4670,6 +4662,14 @@
         <source>&apos;{}&apos; must be true or false</source>
         <translation>&apos;{}&apos; muss true oder false sein</translation>
     </message>
+    <message>
+        <source>0 stops, 1 starts the generator, 2 to 255 start it once</source>
+        <translation>0 hält den Generator an, 1 startet ihn, 2 bis 255 starten ihn einmal</translation>
+    </message>
+    <message>
+        <source>0 stops, 1 starts the capture, 2 to 255 start it once</source>
+        <translation>0 hält die Erfassung an, 1 startet sie, 2 bis 255 starten sie einmal</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -7450,6 +7450,14 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Unnamed project, %1</source>
         <translation>Projekt ohne Namen, %1</translation>
+    </message>
+    <message>
+        <source>No project is opened while the actuator is armed or a procedure runs: a slow disk would hold up Esc.</source>
+        <translation>Solange der Aktor freigegeben ist oder ein Vorgang läuft, wird kein Projekt geöffnet: Ein langsamer Datenträger hielte Esc auf.</translation>
+    </message>
+    <message>
+        <source>Disarm it, or wait for the end of the procedure, then open the project.</source>
+        <translation>Sperren Sie ihn oder warten Sie das Ende des Vorgangs ab; öffnen Sie dann das Projekt.</translation>
     </message>
 </context>
 <context>

@@ -303,10 +303,6 @@
         <translation>多正弦相位；0 = Schroeder 相位</translation>
     </message>
     <message>
-        <source>1 starts, 0 stops the generator</source>
-        <translation>1 启动、0 停止发生器</translation>
-    </message>
-    <message>
         <source>Number of plateaus</source>
         <translation>平台数</translation>
     </message>
@@ -341,10 +337,6 @@
     <message>
         <source>Milliseconds per sample</source>
         <translation>每个样本的毫秒数</translation>
-    </message>
-    <message>
-        <source>1 starts, 0 stops the capture</source>
-        <translation>1 启动、0 停止捕获</translation>
     </message>
     <message>
         <source>gain</source>
@@ -4670,6 +4662,14 @@
         <source>&apos;{}&apos; must be true or false</source>
         <translation>&apos;{}&apos; 必须是 true 或 false</translation>
     </message>
+    <message>
+        <source>0 stops, 1 starts the generator, 2 to 255 start it once</source>
+        <translation>0 停止，1 启动信号发生器，2 到 255 只启动一次</translation>
+    </message>
+    <message>
+        <source>0 stops, 1 starts the capture, 2 to 255 start it once</source>
+        <translation>0 停止，1 启动采集，2 到 255 只启动一次</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -7443,6 +7443,14 @@ A real device has its own time.</source>
     <message>
         <source>Unnamed project, %1</source>
         <translation>未命名项目，%1</translation>
+    </message>
+    <message>
+        <source>No project is opened while the actuator is armed or a procedure runs: a slow disk would hold up Esc.</source>
+        <translation>执行器已使能或任务运行时不打开项目：慢速磁盘会延误 Esc。</translation>
+    </message>
+    <message>
+        <source>Disarm it, or wait for the end of the procedure, then open the project.</source>
+        <translation>请先解除使能，或等待任务结束，再打开项目。</translation>
     </message>
 </context>
 <context>
