@@ -178,7 +178,7 @@ class Files(ProgramCase):
         command = ["record", "sim:htm", "--duration", "10", "--rate", "1000", "--out", "f.csv"]
         answer = self.fill_disk(100_000, *command)
         self.assertRegex(answer.err, r"cannot write 'f\.csv'.*'f\.csv\.partial', halbench convert")
-        self.assert_nothing_left("f.csv.partial", "f.meta.json.partial")
+        self.assert_nothing_left("f.csv.partial", "f.chunks.partial", "f.meta.json.partial")
         self.assertEqual(os.path.getsize(self.path("f.csv.partial")), 100_000)
         with open(self.path("f.csv.partial"), encoding="utf-8") as file:
             kept = file.read().rpartition("\n")[0] + "\n"
@@ -194,7 +194,7 @@ class Files(ProgramCase):
                          preexec_fn=halbench.limit_file_size(100_000))
         with open(self.path("f.csv"), encoding="utf-8") as file:
             self.assertEqual(file.read(), "old\n")
-        self.assert_nothing_left("f.csv", "f.csv.partial", "f.meta.json.partial")
+        self.assert_nothing_left("f.csv", "f.csv.partial", "f.chunks.partial", "f.meta.json.partial")
 
     def test_unknown_recording_formats_are_refused_with_the_known_ones(self):
         self.accept(*self.record("--out", "f.csv"))

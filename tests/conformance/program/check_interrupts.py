@@ -84,7 +84,7 @@ class Killed(BoardCase):
         self.assertRegex(answer.err, r"'f\.interrupted\.csv\.partial'; halbench convert")
         self.assert_nothing_left("f.csv", "f.meta.json", "f.interrupted.csv.partial")
         answer = self.accept("convert", "f.interrupted.csv.partial", "old.csv", "--json")
-        self.assertEqual(answer.json()["recovered"], {"rows": 2, "duration_s": 0.01, "cut_octets": 3})
+        self.assertEqual(answer.json()["recovered"], {"rows": 2, "duration_s": 0.01, "cut_octets": 3, "damaged_octets": 0})
 
     def test_nothing_to_recover_is_said(self):
         for text in ("", "time_s,posi", "time_s,position_rad\n", "time_s,position_rad\n0,"):
@@ -151,7 +151,7 @@ class Departures(BoardCase):
         _, err = process.communicate(timeout=15)
         self.assertEqual(process.returncode, 3, err)
         self.assertRegex(err.strip(), r"\A[^\n]*'f\.csv\.partial', halbench convert[^\n]*\Z")
-        self.assert_nothing_left("f.csv.partial", "f.meta.json.partial")
+        self.assert_nothing_left("f.csv.partial", "f.chunks.partial", "f.meta.json.partial")
         self.recover("f.csv")
         server.send_signal(signal.SIGCONT)
         self.accept("describe", uri)
@@ -187,7 +187,7 @@ class Departures(BoardCase):
         _, err = process.communicate(timeout=20)
         self.assertEqual(process.returncode, 3, err)
         self.assertRegex(err, "waiting for the device")
-        self.assert_nothing_left("f.csv.partial", "f.meta.json.partial")
+        self.assert_nothing_left("f.csv.partial", "f.chunks.partial", "f.meta.json.partial")
 
     def test_killed_program_leaves_a_board_that_stops_itself(self):
         _, uri = self.serve()
