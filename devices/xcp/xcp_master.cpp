@@ -232,24 +232,29 @@ Reply<void> XcpMaster::tryWrite(Address address, Octets data) {
 
 Result<std::optional<Error>> XcpMaster::writeOnce(Address address, Octets data, Repetition repetition) {
     HB_ASSERT(fitsOneDownload(data.size()));
-    auto tried = m_link->recover([&]() -> Reply<std::optional<Error>> {
+    std::optional<Error> unknown; // why nobody knows whether the board took it
+    const Result<void> tried = m_link->recover([&]() -> Reply<void> {
         const Reply<void> done = tryWrite(address, data);
         if (done) {
-            return std::optional<Error>();
+            return {};
         }
         const Trouble& trouble = done.error();
         const bool isHarmless = repetition == Repetition::Known && trouble.cause != TroubleCause::Overtaken;
         if (isHarmless || trouble.cause == TroubleCause::Lost || isDefinite(trouble)) {
             return tl::unexpected(trouble);
         }
-        return std::optional<Error>(trouble.error);
+        unknown = trouble.error;
+        return {};
     });
-    if (tried && *tried) {
+    if (!tried) {
+        return failure(tried.error());
+    }
+    if (unknown) {
         if (const Result<void> synchronised = m_link->synchronise(); !synchronised) {
             return failure(synchronised.error());
         }
     }
-    return tried;
+    return unknown;
 }
 
 Result<void> XcpMaster::write(Address address, Octets data) {
