@@ -63,7 +63,8 @@ protected:
     /// As a user does: the address into its field, Enter.
     void connectBy(const QString& address) {
         auto* field = called<QLineEdit>(panel<DevicePanel>(), "Device address");
-        field->setText(address);
+        field->selectAll();
+        QTest::keyClicks(field, address); // as typed: the list of devices, when it comes, leaves it alone
         QTest::keyClick(field, Qt::Key_Return);
     }
 
@@ -246,9 +247,12 @@ TEST_F(ForeignDeviceTest, withoutADescriptionOfItsOwnItIsUsedByAFile) {
     EXPECT_EQ(session().state(), SessionState::Disconnected);
 
     panel<DevicePanel>().setFileChooser({{}, [&](QWidget*, const FileQuestion&) { return path; }});
+    ASSERT_TRUE(
+        wait([&] { return called<QPushButton>(panel<DevicePanel>(), "Description file…")->isEnabled(); }));
     QTest::mouseClick(called<QPushButton>(panel<DevicePanel>(), "Description file…"), Qt::LeftButton);
     EXPECT_TRUE(panel<DevicePanel>().address().contains("?a2l="))
         << panel<DevicePanel>().address().toStdString();
+    ASSERT_TRUE(wait([&] { return called<QPushButton>(panel<DevicePanel>(), "Connect")->isEnabled(); }));
     QTest::mouseClick(called<QPushButton>(panel<DevicePanel>(), "Connect"), Qt::LeftButton);
     ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }))
         << said(panel<DevicePanel>()).toStdString();
