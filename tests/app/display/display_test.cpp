@@ -2,9 +2,9 @@
 #include "app/window/main_window.h"
 #include "app/window/window_program.h"
 #include "tests/app/display/display.h"
+#include "tests/app/window/clipped_buttons.h"
 #include "widgets/stop_button.h"
 
-#include <QAbstractButton>
 #include <QApplication>
 #include <QScreen>
 #include <QStandardPaths>
@@ -54,19 +54,6 @@ protected:
     /// The height of the text in pixels of the screen.
     double textHeight_px() const { return window->fontMetrics().height() * window->devicePixelRatioF(); }
 
-    QStringList clipped() const {
-        QStringList found;
-        for (const QAbstractButton* button : window->findChildren<QAbstractButton*>()) {
-            const QSize need = button->minimumSizeHint();
-            const bool isInSight = button->isVisible() && !button->visibleRegion().isEmpty();
-            if (isInSight && !button->text().isEmpty() &&
-                (button->width() < need.width() || button->height() < need.height())) {
-                found << button->text();
-            }
-        }
-        return found;
-    }
-
     static constexpr int Patience_ms = 20000;
     int argumentCount = 1;
     char name[5] = "test";
@@ -83,7 +70,7 @@ TEST_F(DisplayTest, everythingIsTwiceAsLargeOnADisplayOfTwiceTheDensity) {
     open("3840x2160x24", 192);
     EXPECT_NEAR(window->devicePixelRatioF(), 2.0, 0.02); // the server tells its size in whole millimetres
     EXPECT_EQ(window->size(), QSize(1440, 900));         // 2880 x 1800 of the screen
-    EXPECT_EQ(clipped().join(", ").toStdString(), "");
+    EXPECT_EQ(clippedButtons(*window).join(", ").toStdString(), "");
     const double lines =
         window->docks().panel("devices")->height() * window->devicePixelRatioF() / textHeight_px();
     EXPECT_GE(lines, 12.0); // as at scale 1
@@ -94,7 +81,7 @@ TEST_F(DisplayTest, scalesBetweenAreNotRounded) {
     EXPECT_NEAR(window->devicePixelRatioF(), 1.5, 0.02);
     EXPECT_LE(window->width(), window->screen()->availableSize().width());
     EXPECT_LE(window->height(), window->screen()->availableSize().height() - 24); // below a title bar
-    EXPECT_EQ(clipped().join(", ").toStdString(), "");
+    EXPECT_EQ(clippedButtons(*window).join(", ").toStdString(), "");
 }
 
 TEST_F(DisplayTest, nothingIsScaledOnAnOrdinaryDisplay) {
@@ -107,7 +94,7 @@ TEST_F(DisplayTest, theUsersOwnFactorCounts) {
     qputenv("QT_SCALE_FACTOR", "1.5");
     open("3840x2160x24", 96);
     EXPECT_NEAR(window->devicePixelRatioF(), 1.5, 0.02);
-    EXPECT_EQ(clipped().join(", ").toStdString(), "");
+    EXPECT_EQ(clippedButtons(*window).join(", ").toStdString(), "");
 }
 
 TEST_F(DisplayTest, aDesktopThatChangesItsScaleIsFollowedAtRunTime) {
@@ -122,7 +109,7 @@ TEST_F(DisplayTest, aDesktopThatChangesItsScaleIsFollowedAtRunTime) {
         ASSERT_TRUE(QTest::qWaitFor([&] { return window->devicePixelRatioF() == scale; }, Patience_ms));
         QTest::qWait(200); // layouts follow with the next frames
         EXPECT_EQ(window->grab().devicePixelRatioF(), scale);
-        EXPECT_EQ(clipped().join(", ").toStdString(), "") << scale;
+        EXPECT_EQ(clippedButtons(*window).join(", ").toStdString(), "") << scale;
         const auto* stop = window->findChild<widgets::StopButton*>();
         EXPECT_TRUE(window->rect().contains(QRect(stop->mapTo(window.get(), QPoint()), stop->size())));
         EXPECT_EQ(window->bench().session().state(), SessionState::Connected);

@@ -1,8 +1,8 @@
 #include "app/window/dock_layout.h"
+#include "tests/app/window/clipped_buttons.h"
 #include "tests/app/window/window_test.h"
 #include "widgets/stop_button.h"
 
-#include <QAbstractButton>
 
 namespace halbench::app {
 namespace {
@@ -15,20 +15,6 @@ protected:
         ASSERT_TRUE(theme);
         widgets::applyTheme(application, *theme, {QLocale(), widgets::Dress().fontSize_pt * scale_ratio});
         QTest::qWait(100); // layouts follow with the next frames
-    }
-
-    /// Buttons of the window that are in sight and narrower or lower than their words need.
-    QStringList clipped() const {
-        QStringList found;
-        for (const QAbstractButton* button : window->findChildren<QAbstractButton*>()) {
-            const QSize need = button->minimumSizeHint();
-            const bool isInSight = button->isVisible() && !button->visibleRegion().isEmpty();
-            if (isInSight && !button->text().isEmpty() &&
-                (button->width() < need.width() || button->height() < need.height())) {
-                found << button->text();
-            }
-        }
-        return found;
     }
 
     /// Panels in sight that have less room than they say they need.
@@ -58,7 +44,7 @@ TEST_F(ScaleChangeTest, nothingIsClippedWhenTheTextGrowsAndShrinksAtRunTime) {
             window->docks().setPerspective(perspective);
             QTest::qWait(100);
             EXPECT_TRUE(window->rect().contains(QRect(stop->mapTo(window.get(), QPoint()), stop->size())));
-            EXPECT_EQ(clipped().join(", ").toStdString(), "");
+            EXPECT_EQ(clippedButtons(*window).join(", ").toStdString(), "");
             EXPECT_LE(window->width(), 1920);
         }
     }
@@ -82,7 +68,8 @@ TEST_F(ScaleChangeTest, anArrangementThatWasKeptAtAnotherScaleCutsNothing) {
     for (const Perspective perspective : AllPerspectives) {
         window->docks().setPerspective(perspective);
         QTest::qWait(100);
-        EXPECT_EQ(clipped().join(", ").toStdString(), "") << perspectiveId(perspective).toStdString();
+        EXPECT_EQ(clippedButtons(*window).join(", ").toStdString(), "")
+            << perspectiveId(perspective).toStdString();
         EXPECT_EQ(cutPanels().join(", ").toStdString(), "") << perspectiveId(perspective).toStdString();
     }
 }
