@@ -6587,6 +6587,13 @@ wird er in gleichmäßiger Rampe mit Tippdrehzahl angefahren</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::LivePicture</name>
+    <message>
+        <source>Connect the simulated motor</source>
+        <translation>Simulierten Motor verbinden</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::LivePlateaus</name>
     <message>
         <source>line forward</source>
@@ -8017,10 +8024,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Zeigt laufend, welche Frequenzen in einem Signal eines verbundenen Geräts stecken. Wählen Sie links ein Gerät oder probieren Sie den simulierten Motor.</translation>
     </message>
     <message>
-        <source>Connect the simulated motor</source>
-        <translation>Simulierten Motor verbinden</translation>
-    </message>
-    <message>
         <source>Spectrum</source>
         <translation>Spektrum</translation>
     </message>
@@ -8856,10 +8859,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Shows two signals of a connected device against each other, at first the Hall sensors with their ellipse. Choose a device at the left, or try the simulated motor.</source>
         <translation>Zeigt zwei Signale eines verbundenen Geräts gegeneinander, zuerst die Hall-Sensoren mit ihrer Ellipse. Wählen Sie links ein Gerät oder probieren Sie den simulierten Motor.</translation>
-    </message>
-    <message>
-        <source>Connect the simulated motor</source>
-        <translation>Simulierten Motor verbinden</translation>
     </message>
     <message>
         <source>The arrow keys walk along the points; Ctrl+C copies the picture, Ctrl+E saves it</source>

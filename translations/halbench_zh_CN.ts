@@ -6582,6 +6582,13 @@ is approached as an even ramp at the jog speed</source>
     </message>
 </context>
 <context>
+    <name>halbench::app::LivePicture</name>
+    <message>
+        <source>Connect the simulated motor</source>
+        <translation>连接仿真电机</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::LivePlateaus</name>
     <message>
         <source>line forward</source>
@@ -8009,10 +8016,6 @@ A real device has its own time.</source>
         <translation>实时显示已连接设备的信号中包含哪些频率。请在左侧选择设备，或试用仿真电机。</translation>
     </message>
     <message>
-        <source>Connect the simulated motor</source>
-        <translation>连接仿真电机</translation>
-    </message>
-    <message>
         <source>Spectrum</source>
         <translation>频谱</translation>
     </message>
@@ -8848,10 +8851,6 @@ A real device has its own time.</source>
     <message>
         <source>Shows two signals of a connected device against each other, at first the Hall sensors with their ellipse. Choose a device at the left, or try the simulated motor.</source>
         <translation>把已连接设备的两个信号相互对照显示，默认为霍尔传感器及其椭圆。请在左侧选择设备，或试用仿真电机。</translation>
-    </message>
-    <message>
-        <source>Connect the simulated motor</source>
-        <translation>连接仿真电机</translation>
     </message>
     <message>
         <source>The arrow keys walk along the points; Ctrl+C copies the picture, Ctrl+E saves it</source>

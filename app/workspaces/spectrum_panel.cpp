@@ -1,12 +1,10 @@
 #include "app/workspaces/spectrum_panel.h"
 
-#include "app/workspaces/document_files.h"
 #include "app/workspaces/field_grid.h"
+#include "app/workspaces/panel_parts.h"
 #include "app/workspaces/signal_box.h"
 #include "app/workspaces/signal_stretch.h"
-#include "widgets/empty_state.h"
 #include "widgets/figure_view.h"
-#include "widgets/phrasebook.h"
 #include "widgets/quantity_edit.h"
 
 #include <QAction>
@@ -14,7 +12,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
-#include <QStackedWidget>
 #include <QTableWidget>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -23,7 +20,6 @@ namespace halbench::app {
 
 namespace {
 
-constexpr int Period_ms = 250;
 constexpr std::size_t MostRows = std::size_t{1} << 18; ///< copied at once, about a millisecond
 constexpr std::size_t ListedPeaks = 8;
 constexpr int PeakDigits = 5;
@@ -39,29 +35,15 @@ QStringList windowNames() {
 
 } // namespace
 
-SpectrumPanel::SpectrumPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(bench) {
-    m_pages = new QStackedWidget(this);
-    auto* empty = new widgets::EmptyState(m_pages);
-    empty->setIconName(QStringLiteral("connect"));
-    empty->setWords(tr("Nothing to analyse yet"),
-                    tr("Shows which frequencies are in a signal of a connected device, live. Choose a device "
-                       "at the left, or try the simulated motor."),
-                    tr("Connect the simulated motor"), QStringLiteral("Ctrl+Shift+S"));
-    m_pages->addWidget(empty);
-    m_pages->addWidget(buildContent());
-    auto* whole = new QVBoxLayout(this);
-    whole->setContentsMargins(0, 0, 0, 0);
-    whole->addWidget(m_pages);
-    connect(empty, &widgets::EmptyState::actionTriggered, this, &SpectrumPanel::connectRequested);
-    connect(&m_bench, &Workbench::deviceChanged, this, &SpectrumPanel::onDevice);
-    connect(&m_bench, &Workbench::displayUnitsChanged, this, &SpectrumPanel::askAnew);
-    connect(&m_timer, &QTimer::timeout, this, &SpectrumPanel::ask);
-    m_timer.start(Period_ms);
-    onDevice();
+SpectrumPanel::SpectrumPanel(Workbench& bench, QWidget* parent) : LivePicture(bench, parent) {
+    begin(tr("Nothing to analyse yet"),
+          tr("Shows which frequencies are in a signal of a connected device, live. Choose a device "
+             "at the left, or try the simulated motor."),
+          buildContent());
 }
 
 QWidget* SpectrumPanel::buildContent() {
-    auto* content = new QWidget(m_pages);
+    auto* content = new QWidget(this);
     QVBoxLayout* column = makePanelColumn(content);
     auto* grid = new FieldGrid(GridColumns, content);
     buildBoxes(*grid);
@@ -75,28 +57,20 @@ QWidget* SpectrumPanel::buildContent() {
     m_hold = addSwitch(*bar, tr("Hold"), tr("Keep the spectrum as it is; the data go on"), "H", false);
     column->addWidget(bar);
     auto* row = new QHBoxLayout;
-    m_view = new widgets::FigureView(content);
-    m_view->setToolTip(tr("The arrow keys walk along the lines; Ctrl+C copies the picture, Ctrl+E saves it"));
+    m_view = makeView(content,
+                      tr("The arrow keys walk along the lines; Ctrl+C copies the picture, Ctrl+E saves it"),
+                      QStringLiteral("spectrum.svg"));
     row->addWidget(m_view, 1);
     buildPeaks(content);
     row->addWidget(m_peaks);
     column->addLayout(row, 1);
-    m_words = makeNote(content);
-    m_words->setAccessibleName(tr("What the spectrum says"));
-    reserveLines(*m_words, 2);
+    m_words = makeWords(content, tr("What the spectrum says"));
     column->addWidget(m_words);
-    connect(m_view, &widgets::FigureView::exportRequested, this, [this] {
-        savePicture(this, m_chooser, QStringLiteral("spectrum.svg"), m_files, *m_view,
-                    [this](const Error& error) {
-                        m_words->setText(widgets::inWords(error.message));
-                        showRole(*m_words, widgets::Role::Warn);
-                    });
-    });
     return content;
 }
 
 void SpectrumPanel::buildBoxes(FieldGrid& grid) {
-    m_signal = new SignalBox(&grid);
+    m_signal = makeBox(&grid);
     grid.addTitled(tr("Signal"), tr("Whose frequencies; also by dropping a signal of the tree here"),
                    m_signal);
     m_scale = grid.addBox(tr("Shown as"),
@@ -108,10 +82,6 @@ void SpectrumPanel::buildBoxes(FieldGrid& grid) {
                               "Blackman-Harris for weak lines beside strong ones"),
                            windowNames());
     m_window->setCurrentIndex(static_cast<int>(control::WindowShape::Hann));
-    connect(m_signal, &SignalBox::chosen, this, [this] {
-        want();
-        askAnew();
-    });
     for (QComboBox* box : {m_scale, m_window}) {
         connect(box, QOverload<int>::of(&QComboBox::activated), this, &SpectrumPanel::askAnew);
     }
@@ -166,50 +136,17 @@ QAction* SpectrumPanel::addSwitch(QToolBar& bar, const QString& text, const QStr
     return action;
 }
 
-void SpectrumPanel::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
-    want();
+void SpectrumPanel::takeCatalogue(const devices::Catalogue& catalogue) {
+    m_signal->setCatalogue(catalogue, {"speed", "position"});
 }
 
-void SpectrumPanel::hideEvent(QHideEvent* event) {
-    QWidget::hideEvent(event);
-    want();
+bool SpectrumPanel::isHeld() const {
+    return m_hold->isChecked();
 }
 
-void SpectrumPanel::onDevice() {
-    const DeviceSession& session = m_bench.session();
-    if (session.state() != SessionState::Connected || session.returns() > 0) {
-        return; // what was measured can be looked at without the device
-    }
-    m_pages->setCurrentIndex(1);
-    m_signal->setCatalogue(session.catalogue(), {"speed", "position"});
-    want();
-    askAnew();
-}
-
-/// Sent only while somebody looks.
-void SpectrumPanel::want() {
-    std::vector<std::string> wanted;
-    if (isVisible() && !m_signal->signal().empty()) {
-        wanted.push_back(m_signal->signal());
-    }
-    m_bench.liveSignals().want(this, std::move(wanted));
-}
-
-void SpectrumPanel::askAnew() {
-    m_seen.reset();
-    m_task.cancel();
-    ask();
-}
-
-void SpectrumPanel::ask() {
-    const bool isNew = m_seen != m_bench.history().revision() && (!m_hold->isChecked() || !m_seen);
-    if (!isVisible() || !isNew || m_task.isBusy() || m_signal->signal().empty()) {
-        return;
-    }
-    m_seen = m_bench.history().revision();
-    m_task.run(
-        [stretch = lastStretch(m_bench.history(), m_signal->signal(), m_stretch->value(), MostRows),
+void SpectrumPanel::compute() {
+    task().run(
+        [stretch = lastStretch(bench().history(), m_signal->signal(), m_stretch->value(), MostRows),
          config = config()] {
             const SignalStretch open = withOpenGaps(stretch);
             return control::spectrum({open.time_s, open.values, open.unit}, config);
@@ -232,10 +169,9 @@ control::SpectrumConfig SpectrumPanel::config() const {
 }
 
 SpectrumLook SpectrumPanel::look() const {
-    const SignalSpec* spec = m_bench.session().catalogue().findSignal(m_signal->signal());
     SpectrumLook look;
     look.signal = signalWords(m_signal->signal());
-    look.quantity = spec != nullptr ? displayQuantity(spec->unit, m_bench.displayUnits()) : DisplayQuantity{};
+    look.quantity = shown(*m_signal);
     look.isFrequencyLogarithmic = m_logFrequency->isChecked();
     look.isValueLogarithmic = m_logValue->isChecked();
     return look;
@@ -243,14 +179,13 @@ SpectrumLook SpectrumPanel::look() const {
 
 /// A refusal leaves the picture empty and says what to do.
 void SpectrumPanel::showSpectrum(const Result<control::Spectrum>& spectrum, const SpectrumLook& look) {
-    showRole(*m_words, spectrum ? widgets::Role::Muted : widgets::Role::Warn);
     if (!spectrum) {
         m_view->clear();
         showPeaks({}, {});
-        m_words->setText(widgets::inWords(spectrum.error().message) + QStringLiteral(": ") +
-                         widgets::inWords(spectrum.error().hint));
+        sayWarning(spectrum.error());
         return;
     }
+    showRole(*m_words, widgets::Role::Muted);
     m_view->setFigure(spectrumFigure(*spectrum, look));
     m_words->setText(spectrumWords(*spectrum, look));
     showPeaks(spectrumPeaks(*spectrum, look, ListedPeaks),

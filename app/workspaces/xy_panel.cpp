@@ -1,20 +1,16 @@
 #include "app/workspaces/xy_panel.h"
 
 #include "app/procedures/ellipse_shape.h"
-#include "app/workspaces/document_files.h"
 #include "app/workspaces/field_grid.h"
 #include "app/workspaces/signal_box.h"
 #include "control/base/units.h"
-#include "widgets/empty_state.h"
 #include "widgets/estimate_table.h"
 #include "widgets/figure_view.h"
-#include "widgets/phrasebook.h"
 #include "widgets/quantity_edit.h"
 
 #include <QCheckBox>
 #include <QLabel>
 #include <QLocale>
-#include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -23,7 +19,6 @@ namespace halbench::app {
 
 namespace {
 
-constexpr int Period_ms = 250;
 constexpr std::size_t MostRows = std::size_t{1} << 17; ///< copied at once, about a millisecond
 constexpr std::size_t DrawnPoints = 1500;              ///< the eye sees no more in such a cloud
 constexpr std::size_t EllipsePoints = 180;
@@ -49,56 +44,35 @@ widgets::EstimateRow estimate(const QString& name, double value, double error, c
 
 } // namespace
 
-XyPanel::XyPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(bench) {
-    m_pages = new QStackedWidget(this);
-    auto* empty = new widgets::EmptyState(m_pages);
-    empty->setIconName(QStringLiteral("connect"));
-    empty->setWords(
-        tr("Nothing to show yet"),
-        tr("Shows two signals of a connected device against each other, at first the Hall sensors "
-           "with their ellipse. Choose a device at the left, or try the simulated motor."),
-        tr("Connect the simulated motor"), QStringLiteral("Ctrl+Shift+S"));
-    m_pages->addWidget(empty);
-    m_pages->addWidget(buildContent());
-    auto* whole = new QVBoxLayout(this);
-    whole->setContentsMargins(0, 0, 0, 0);
-    whole->addWidget(m_pages);
-    connect(empty, &widgets::EmptyState::actionTriggered, this, &XyPanel::connectRequested);
-    connect(&m_bench, &Workbench::deviceChanged, this, &XyPanel::onDevice);
-    connect(&m_bench, &Workbench::displayUnitsChanged, this, &XyPanel::askAnew);
-    connect(&m_timer, &QTimer::timeout, this, &XyPanel::ask);
-    m_timer.start(Period_ms);
-    onDevice();
+XyPanel::XyPanel(Workbench& bench, QWidget* parent) : LivePicture(bench, parent) {
+    begin(tr("Nothing to show yet"),
+          tr("Shows two signals of a connected device against each other, at first the Hall sensors "
+             "with their ellipse. Choose a device at the left, or try the simulated motor."),
+          buildContent());
 }
 
 QWidget* XyPanel::buildContent() {
-    auto* content = new QWidget(m_pages);
+    auto* content = new QWidget(this);
     QVBoxLayout* column = makePanelColumn(content);
     column->addWidget(buildFields(content));
-    m_view = new widgets::FigureView(content);
-    m_view->setToolTip(
-        tr("The arrow keys walk along the points; Ctrl+C copies the picture, Ctrl+E saves it"));
+    m_view = makeView(content,
+                      tr("The arrow keys walk along the points; Ctrl+C copies the picture, Ctrl+E saves it"),
+                      QStringLiteral("xy.svg"));
     column->addWidget(m_view, 1);
-    m_words = makeNote(content);
-    m_words->setAccessibleName(tr("What the ellipse says"));
-    reserveLines(*m_words, 2);
+    m_words = makeWords(content, tr("What the ellipse says"));
     column->addWidget(m_words);
     m_numbers = new widgets::EstimateTable(content);
     m_numbers->setAccessibleName(tr("Fitted ellipse"));
     column->addWidget(m_numbers);
-    connect(m_view, &widgets::FigureView::exportRequested, this, [this] {
-        savePicture(this, m_chooser, QStringLiteral("xy.svg"), m_files, *m_view,
-                    [this](const Error& error) { sayWarning(error); });
-    });
     return content;
 }
 
 QWidget* XyPanel::buildFields(QWidget* parent) {
     auto* grid = new FieldGrid(GridColumns, parent);
-    m_x = new SignalBox(grid);
+    m_x = makeBox(grid);
     grid->addTitled(tr("Across"),
                     tr("The signal of the horizontal axis; also by dropping one of the tree here"), m_x);
-    m_y = new SignalBox(grid);
+    m_y = makeBox(grid);
     grid->addTitled(tr("Up"), tr("The signal of the vertical axis; also by dropping one of the tree here"),
                     m_y);
     m_stretch = grid->addNumber(
@@ -109,66 +83,21 @@ QWidget* XyPanel::buildFields(QWidget* parent) {
         tr("Fits an ellipse through the points; they must go round it several times (Alt+E)"));
     m_ellipse->setChecked(true);
     grid->addPlain(m_ellipse);
-    for (SignalBox* box : {m_x, m_y}) {
-        connect(box, &SignalBox::chosen, this, [this] {
-            want();
-            askAnew();
-        });
-    }
     connect(m_stretch, &widgets::QuantityEdit::edited, this, &XyPanel::askAnew);
     connect(m_ellipse, &QCheckBox::toggled, this, &XyPanel::askAnew);
     return grid;
 }
 
-void XyPanel::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
-    want();
+void XyPanel::takeCatalogue(const devices::Catalogue& catalogue) {
+    m_x->setCatalogue(catalogue, {"hall.a"});
+    m_y->setCatalogue(catalogue, {"hall.b"});
 }
 
-void XyPanel::hideEvent(QHideEvent* event) {
-    QWidget::hideEvent(event);
-    want();
-}
-
-void XyPanel::onDevice() {
-    const DeviceSession& session = m_bench.session();
-    if (session.state() != SessionState::Connected || session.returns() > 0) {
-        return; // what was measured can be looked at without the device
-    }
-    m_pages->setCurrentIndex(1);
-    m_x->setCatalogue(session.catalogue(), {"hall.a"});
-    m_y->setCatalogue(session.catalogue(), {"hall.b"});
-    want();
-    askAnew();
-}
-
-/// Sent only while somebody looks.
-void XyPanel::want() {
-    std::vector<std::string> wanted;
-    for (const SignalBox* box : {m_x, m_y}) {
-        if (isVisible() && !box->signal().empty()) {
-            wanted.push_back(box->signal());
-        }
-    }
-    m_bench.liveSignals().want(this, std::move(wanted));
-}
-
-void XyPanel::askAnew() {
-    m_seen.reset();
-    m_task.cancel();
-    ask();
-}
-
-void XyPanel::ask() {
-    const std::uint64_t revision = m_bench.history().revision();
-    if (!isVisible() || m_seen == revision || m_task.isBusy() || m_x->signal().empty()) {
-        return;
-    }
-    m_seen = revision;
+void XyPanel::compute() {
     const auto stretch = [this](const SignalBox& box) {
-        return lastStretch(m_bench.history(), box.signal(), m_stretch->value(), MostRows);
+        return lastStretch(bench().history(), box.signal(), m_stretch->value(), MostRows);
     };
-    m_task.run(
+    task().run(
         [x = stretch(*m_x), y = stretch(*m_y), isFitted = m_ellipse->isChecked(),
          xFactor = shown(*m_x).factor, yFactor = shown(*m_y).factor] {
             const SignalPair all = pairUp(x, y);
@@ -179,11 +108,6 @@ void XyPanel::ask() {
             return answer;
         },
         [this](const Answer& answer) { showAnswer(answer); });
-}
-
-DisplayQuantity XyPanel::shown(const SignalBox& box) const {
-    const SignalSpec* spec = m_bench.session().catalogue().findSignal(box.signal());
-    return spec != nullptr ? displayQuantity(spec->unit, m_bench.displayUnits()) : DisplayQuantity{};
 }
 
 void XyPanel::showAnswer(const Answer& answer) {
@@ -245,11 +169,6 @@ void XyPanel::showFit(const Result<control::HallEllipseFit>& fit, widgets::Figur
                  .arg(locale.toString(PerCent * fit->residual_ratio, 'g', 3));
     m_words->setText(words.join(QStringLiteral("; ")) + '.');
     showRole(*m_words, widgets::Role::Muted);
-}
-
-void XyPanel::sayWarning(const Error& error) {
-    m_words->setText(widgets::inWords(error.message) + QStringLiteral(": ") + widgets::inWords(error.hint));
-    showRole(*m_words, widgets::Role::Warn);
 }
 
 } // namespace halbench::app

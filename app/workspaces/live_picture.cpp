@@ -1,0 +1,128 @@
+#include "app/workspaces/live_picture.h"
+
+#include "app/workspaces/document_files.h"
+#include "app/workspaces/panel_parts.h"
+#include "app/workspaces/signal_box.h"
+#include "widgets/empty_state.h"
+#include "widgets/figure_view.h"
+#include "widgets/phrasebook.h"
+
+#include <QLabel>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr int Period_ms = 250;
+
+} // namespace
+
+LivePicture::LivePicture(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(bench) {
+    m_pages = new QStackedWidget(this);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(m_pages);
+}
+
+void LivePicture::begin(const QString& title, const QString& purpose, QWidget* content) {
+    auto* empty = new widgets::EmptyState(m_pages);
+    empty->setIconName(QStringLiteral("connect"));
+    empty->setWords(title, purpose, tr("Connect the simulated motor"), QStringLiteral("Ctrl+Shift+S"));
+    m_pages->addWidget(empty);
+    m_pages->addWidget(content);
+    connect(empty, &widgets::EmptyState::actionTriggered, this, &LivePicture::connectRequested);
+    connect(&m_bench, &Workbench::deviceChanged, this, &LivePicture::onDevice);
+    connect(&m_bench, &Workbench::displayUnitsChanged, this, &LivePicture::askAnew);
+    connect(&m_timer, &QTimer::timeout, this, &LivePicture::ask);
+    m_timer.start(Period_ms);
+    onDevice();
+}
+
+widgets::FigureView* LivePicture::makeView(QWidget* parent, const QString& toolTip, const QString& fileName) {
+    auto* view = new widgets::FigureView(parent);
+    view->setToolTip(toolTip);
+    connect(view, &widgets::FigureView::exportRequested, this, [this, view, fileName] {
+        savePicture(this, m_chooser, fileName, m_files, *view,
+                    [this](const Error& error) { sayWarning(error); });
+    });
+    return view;
+}
+
+QLabel* LivePicture::makeWords(QWidget* parent, const QString& accessibleName) {
+    m_words = makeNote(parent);
+    m_words->setAccessibleName(accessibleName);
+    reserveLines(*m_words, 2);
+    return m_words;
+}
+
+SignalBox* LivePicture::makeBox(QWidget* parent) {
+    auto* box = new SignalBox(parent);
+    connect(box, &SignalBox::chosen, this, [this] {
+        want();
+        askAnew();
+    });
+    m_boxes.push_back(box);
+    return box;
+}
+
+void LivePicture::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    want();
+}
+
+void LivePicture::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    want();
+}
+
+void LivePicture::onDevice() {
+    const DeviceSession& session = m_bench.session();
+    if (session.state() != SessionState::Connected || session.returns() > 0) {
+        return; // what was measured can be looked at without the device
+    }
+    m_pages->setCurrentIndex(1);
+    takeCatalogue(session.catalogue());
+    want();
+    askAnew();
+}
+
+/// Sent only while somebody looks.
+void LivePicture::want() {
+    std::vector<std::string> wanted;
+    for (const SignalBox* box : m_boxes) {
+        if (isVisible() && !box->signal().empty()) {
+            wanted.push_back(box->signal());
+        }
+    }
+    m_bench.liveSignals().want(this, std::move(wanted));
+}
+
+void LivePicture::askAnew() {
+    m_seen.reset();
+    m_task.cancel();
+    ask();
+}
+
+void LivePicture::ask() {
+    const std::uint64_t revision = m_bench.history().revision();
+    const bool isNew = m_seen != revision && (!isHeld() || !m_seen);
+    if (!isVisible() || !isNew || m_task.isBusy() || m_boxes.front()->signal().empty()) {
+        return;
+    }
+    m_seen = revision;
+    compute();
+}
+
+void LivePicture::sayWarning(const Error& error) {
+    m_words->setText(widgets::inWords(error.message) + QStringLiteral(": ") + widgets::inWords(error.hint));
+    showRole(*m_words, widgets::Role::Warn);
+}
+
+DisplayQuantity LivePicture::shown(const SignalBox& box) const {
+    const SignalSpec* spec = m_bench.session().catalogue().findSignal(box.signal());
+    return spec != nullptr ? displayQuantity(spec->unit, m_bench.displayUnits()) : DisplayQuantity{};
+}
+
+} // namespace halbench::app
