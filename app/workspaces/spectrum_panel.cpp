@@ -16,6 +16,8 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace halbench::app {
 
 namespace {
@@ -206,6 +208,10 @@ void SpectrumPanel::showPeaks(const std::vector<SpectrumPeak>& peaks, const QStr
             m_peaks->setItem(row, column++, item);
         }
     }
+    // A number that is cut is another number; the width only grows, so that nothing jumps.
+    m_peaks->horizontalHeader()->resizeSections(QHeaderView::ResizeToContents);
+    const int needed_px = m_peaks->horizontalHeader()->length() + 2 * m_peaks->frameWidth();
+    m_peaks->setFixedWidth(std::max(m_peaks->minimumWidth(), needed_px));
 }
 
 } // namespace halbench::app

@@ -7,6 +7,7 @@
 #include "widgets/figure_view.h"
 #include "widgets/quantity_edit.h"
 
+#include <QHeaderView>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTableWidget>
@@ -147,6 +148,22 @@ TEST_F(SpectrumPanelTest, aMotorThatSwingsHasItsFrequencyAsTheHighestPeak) {
     EXPECT_TRUE(wait(hasPeak)) << words().toStdString();
     EXPECT_TRUE(words().contains("Lines every")) << words().toStdString();
     EXPECT_FALSE(view().isEmpty());
+}
+
+/// A number that is cut is another number.
+TEST_F(SpectrumPanelTest, theListOfPeaksIsAsWideAsItsLongestUnit) {
+    connectTo("sim:htm", 5.0);
+    panel->findChild<SignalBox*>()->choose("speed");
+    for (QComboBox* box : panel->findChildren<QComboBox*>()) {
+        if (box->accessibleName() == "Shown as") {
+            box->setFocus();
+            QTest::keyClick(box, Qt::Key_P); // power density
+        }
+    }
+    ASSERT_TRUE(wait([&] {
+        return peaks().rowCount() > 0 && peaks().horizontalHeaderItem(1)->text().contains("/Hz");
+    })) << words().toStdString();
+    EXPECT_LE(peaks().horizontalHeader()->length(), peaks().viewport()->width());
 }
 
 TEST_F(SpectrumPanelTest, holdKeepsThePictureAndItsCursor) {
