@@ -71,7 +71,9 @@ TEST_F(MonitorTriggerTest, theKeyShowsItsSettingsAndItWaitsInWords) {
     choose("Mode", "Normal");
     choose("Source", "Speed");
     enter("Level", "10");
-    EXPECT_EQ(state(), QString::fromUtf8("Waiting until Speed rises through 10.0\u00a0r/min"));
+    const QString waiting = QString::fromUtf8("Waiting until Speed rises through 10.0\u00a0r/min");
+    EXPECT_TRUE(wait([&] { return state() == waiting; }))
+        << state().toStdString(); // samples are on their way
     ASSERT_TRUE(stack().level());
     EXPECT_NEAR(stack().level()->level, 10.0 * 2.0 * M_PI / 60.0, 1e-12); // r/min to rad/s
     EXPECT_TRUE(stack().isFollowing());                                   // nothing to show yet
@@ -129,10 +131,11 @@ TEST_F(MonitorTriggerTest, theLevelIsDraggedInThePlotAndPutIntoTheMiddle) {
     press(Qt::Key_T);
     choose("Mode", "Normal");
     choose("Source", "Hall A");
-    ASSERT_TRUE(wait([&] { return bench().history().latest("hall.a").has_value(); }));
+    const auto inView = [&] { return bench().history().extremes("hall.a", stack().timeRange()); };
+    ASSERT_TRUE(wait([&] { return inView().min <= inView().max; })); // the picture follows the data
     click(*panel, "Level to the middle");
     const double middle = stack().level()->level;
-    const control::Extremes extremes = bench().history().extremes("hall.a", stack().timeRange());
+    const control::Extremes extremes = inView();
     EXPECT_GE(middle, extremes.min);
     EXPECT_LE(middle, extremes.max);
     const auto plots = panel->findChildren<widgets::LivePlot*>();
