@@ -176,6 +176,10 @@ void AvrCore::twiMessage(std::uint32_t value) {
     }
 }
 
+std::span<std::uint8_t> AvrCore::variables() {
+    return {m_avr->data + RamStart, m_sizes.ram};
+}
+
 std::uint32_t AvrCore::untouchedRam() const {
     const std::uint8_t* first = m_avr->data + RamStart + m_sizes.ram;
     const std::uint8_t* last = m_avr->data + m_avr->ramend + 1U;

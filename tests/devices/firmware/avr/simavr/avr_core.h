@@ -55,6 +55,8 @@ public:
     std::function<void(bool isHigh)> onPin;
 
     AvrSizes sizes() const { return m_sizes; }
+    /// The program's variables where they lie in RAM, without its stack.
+    std::span<std::uint8_t> variables();
     /// Octets of RAM between variables and stack that were never written since load().
     std::uint32_t untouchedRam() const;
 
