@@ -14,6 +14,8 @@ namespace halbench::app {
 namespace {
 
 constexpr int JogPeriod_ms = 20;
+/// Two seconds at 30 frames: a stream that was asked for is there, or does not come.
+constexpr int FramesToOrigin = 60;
 
 Result<void> write(devices::Device& device, const std::vector<ParameterValue>& values) {
     return device.writeParameters(values);
@@ -68,13 +70,15 @@ bool DriveControl::needsConsent() const {
 }
 
 bool DriveControl::canMove() const {
-    return isArmed() && isAvailable() && !isPending() && m_mode != devices::BoardMode::Idle;
+    return isArmed() && isAvailable() && !isPending() && m_framesToOrigin == 0 &&
+           m_mode != devices::BoardMode::Idle;
 }
 
 void DriveControl::onDevice() {
     m_hasConsent = false;
     settleConsent();
     m_origin_rad.reset();
+    m_framesToOrigin = 0;
     clearMotion();
     m_isJogPending = false;
     m_pending = 0;
@@ -97,6 +101,7 @@ void DriveControl::onReport() {
 }
 
 void DriveControl::onSamples() {
+    seekOrigin();
     const bool wasRunning = isRunning();
     const bool isPosition = m_mode == devices::BoardMode::Position;
     // A ramp to a set-point is none of the angle that is held beside it.
@@ -184,8 +189,22 @@ void DriveControl::releaseStop() {
 void DriveControl::takeOrigin() {
     clearMotion();
     m_startedShape.reset();
+    m_origin_rad.reset();
+    m_framesToOrigin = m_bench.session().catalogue().findSignal("position") ? FramesToOrigin : 0;
+    seekOrigin();
+}
+
+/// Where a motion begins is known before it may begin: what is held and the window's ends count from there.
+void DriveControl::seekOrigin() {
+    if (m_framesToOrigin == 0) {
+        return;
+    }
     const auto latest = m_bench.history().latest("position");
     m_origin_rad = latest ? std::optional(latest->value) : std::nullopt;
+    m_framesToOrigin = latest ? 0 : m_framesToOrigin - 1;
+    if (m_framesToOrigin == 0) {
+        Q_EMIT changed();
+    }
 }
 
 double DriveControl::excursion_rad() const {

@@ -106,6 +106,7 @@ private:
     void onDevice();
     void jogStep();
     void takeOrigin();
+    void seekOrigin();
     void onSamples();
     void settleConsent();
     bool rampsOnBoard() const;
@@ -135,6 +136,7 @@ private:
     std::optional<Way> m_way;
     std::optional<std::pair<double, double>> m_next; ///< set-point and speed, when the way has ended
     std::optional<double> m_origin_rad;
+    int m_framesToOrigin = 0; ///< for which the first sample of the angle is still waited for
     HeldReference m_reference;
     std::optional<double> m_startedShape;
     bool m_hasConsent = false;

@@ -37,6 +37,9 @@ protected:
         ASSERT_TRUE(wait([&] { return !bench().deviceValues().empty(); }));
     }
 
+    /// No samples reach the panels, as when the stream has only just begun.
+    void holdSamplesBack(bool isHeld) { isHeld ? m_frame.stop() : m_frame.start(30); }
+
     template <typename Condition>
     static bool wait(Condition condition) {
         return QTest::qWaitFor(condition, Patience_ms);

@@ -128,6 +128,21 @@ TEST_F(DriveArmingTest, aModeThatCouldNotBeWrittenIsNotShown) {
     session().disconnectDevice();
 }
 
+TEST_F(DriveArmingTest, nothingMovesBeforeItIsKnownWhereTheRotorStands) {
+    holdSamplesBack(true);
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Arm")->isEnabled(); }));
+    click(*panel, "Arm");
+    ASSERT_TRUE(wait([&] { return isArmed() && !bench().drive().isPending(); }));
+    EXPECT_FALSE(bench().drive().canMove());
+    bench().drive().setSetpoint(0.1, 1.0);
+    EXPECT_FALSE(find<QPushButton>(*panel, "Go")->isEnabled());
+    holdSamplesBack(false);
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Go")->isEnabled(); }));
+    EXPECT_TRUE(bench().drive().origin_rad().has_value());
+    EXPECT_EQ(parameter("hb.setpoint"), 0.0);
+}
+
 TEST_F(DriveArmingTest, aRealDeviceAsksOnceWithWordsAboutMotion) {
     ServedBoard board;
     ASSERT_TRUE(wait([&] { return !board.uri().isEmpty(); }));
