@@ -105,7 +105,7 @@ Result<void> XcpDevice::arm() {
         return zero;
     }
     m_nextStatus_s = now_s() + m_options.watchdog_s / 4.0;
-    m_link.limitAnswerTimeout(std::max(m_options.watchdog_s / 4.0, 4.0 * m_link.roundTripMedian_s()));
+    m_link.limitAnswerTimeout(std::max(m_options.watchdog_s / 10.0, 4.0 * m_link.roundTripMedian_s()));
     if (Result<void> armed = writeLive(ArmName, 1.0); !armed) {
         m_link.limitAnswerTimeout(std::nullopt);
         return armed;

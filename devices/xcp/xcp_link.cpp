@@ -10,10 +10,12 @@ namespace {
 
 constexpr double DefaultTimeout_s = 0.5;
 /// A command with all its repetitions is given up after this time: nobody waits longer than 2 s for a dead
-/// board.
+/// board. Two repetitions, as other programs have, lose the session on a line that loses one octet in a
+/// hundred (resources/help/protocol.md, 3.6).
 constexpr double MaxSilence_s = 1.8;
+/// More than fit into that time when answers are missing: the end for a board that answers nonsense at once.
+constexpr int MaxRepeats = 16;
 constexpr double MaxDrain_s = 0.05;
-constexpr int MaxRepeats = 2;
 constexpr int MaxWaits = 50;
 constexpr double BusyWait_s = 0.02;
 constexpr std::size_t RoundTripsKept = 1024;
@@ -262,12 +264,17 @@ Result<void> XcpLink::sendNow(const Packet& command) {
 }
 
 Result<void> XcpLink::synchronise() {
+    return synchronise(m_transport->now_s() + MaxSilence_s);
+}
+
+Result<void> XcpLink::synchronise(double deadline_s) {
     const Packet command = CommandEncoder().plain(Command::Synch);
-    for (int attempt = 0; attempt < 2; ++attempt) {
+    while (m_transport->now_s() < deadline_s) {
         if (Result<void> sent = sendNow(command); !sent) {
             return sent;
         }
-        const Result<bool> synchronised = awaitSynchronised();
+        const Result<bool> synchronised =
+            awaitSynchronised(std::min(m_transport->now_s() + timeout_s(), deadline_s));
         if (!synchronised) {
             return failure(synchronised.error());
         }
@@ -283,9 +290,8 @@ Result<void> XcpLink::synchronise() {
 
 /// Discards what arrives until SYNCH is answered. A stop that is sent meanwhile takes a SYNCH of its own
 /// along, so that its answer is discarded as well.
-Result<bool> XcpLink::awaitSynchronised() {
+Result<bool> XcpLink::awaitSynchronised(double deadline_s) {
     const Packet command = CommandEncoder().plain(Command::Synch);
-    const double deadline_s = m_transport->now_s() + timeout_s();
     int sent = 1;
     int answered = 0;
     while (answered < sent && m_transport->now_s() < deadline_s) {
@@ -340,7 +346,7 @@ std::optional<Error> XcpLink::afterTrouble(const Trouble& trouble, int& repeats,
     }
     ++repeats;
     ++m_repeated;
-    const Result<void> synchronised = synchronise();
+    const Result<void> synchronised = synchronise(start_s + MaxSilence_s);
     return synchronised ? std::nullopt : std::optional<Error>(synchronised.error());
 }
 

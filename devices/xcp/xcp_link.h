@@ -59,8 +59,8 @@ public:
     const Transport& transport() const { return *m_transport; }
     void setHandlers(LinkHandlers handlers) { m_handlers = std::move(handlers); }
     void setAnswerTimeout(double timeout_s) { m_timeout_s = timeout_s; }
-    /// Waits no longer than this for an answer, whatever the board asks for: two lost in a row must not let
-    /// its watchdog run out. Nothing: as set.
+    /// Waits no longer than this for an answer, whatever the board asks for: several lost in a row must not
+    /// let its watchdog run out. Nothing: as set.
     void limitAnswerTimeout(std::optional<double> limit_s) { m_timeoutLimit_s = limit_s; }
     /// What other threads want, looked at while an answer is awaited and with each packet; may be empty.
     /// Stops that were asked for before concern the link before this one.
@@ -116,7 +116,8 @@ private:
     Result<void> sendNow(const Packet& command);
     bool obeyStop();
     std::optional<Trouble> obeyOrders();
-    Result<bool> awaitSynchronised();
+    Result<void> synchronise(double deadline_s);
+    Result<bool> awaitSynchronised(double deadline_s);
     /// Longest time until the orders are looked at again.
     double patience_s(double deadline_s) const;
     void dispatch();
