@@ -57,9 +57,10 @@ StateSpace backwards(const StateSpace& system) {
             system.timeBase};
 }
 
+/// Not set to zero: the room for a small system is larger than what most of them use, at each frequency.
 struct Value {
-    double re = 0.0;
-    double im = 0.0;
+    double re;
+    double im;
 };
 
 // Written out: the compiler's complex product and quotient check every factor for infinities.
