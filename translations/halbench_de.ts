@@ -4837,7 +4837,7 @@
     </message>
     <message>
         <source>What the Hall sensors read; centre, axes and tilt of the ellipse are measured</source>
-        <translation>Was die Hallsensoren lesen; gemessen werden Mitte, Achsen und Neigung der Ellipse</translation>
+        <translation>Was die Hall-Sensoren lesen; gemessen werden Mitte, Achsen und Neigung der Ellipse</translation>
     </message>
     <message>
         <source>The calibration belonged to the connection before and cannot be applied.</source>
@@ -4850,6 +4850,34 @@
     <message>
         <source>It can be applied to the device it was measured on only; calibrate again when the sensors were touched.</source>
         <translation>Sie lässt sich nur auf das Gerät anwenden, an dem sie gemessen wurde; nach Arbeiten an den Sensoren neu kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Hall ellipse</source>
+        <translation>Hall-Ellipse</translation>
+    </message>
+    <message>
+        <source>What the Hall sensors read, and the ellipse that was fitted to it</source>
+        <translation>Was die Hall-Sensoren messen, und die daran angepasste Ellipse</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Residuum</translation>
+    </message>
+    <message>
+        <source>How far the readings lie outside of the ellipse, over the angle</source>
+        <translation>Wie weit die Messwerte außerhalb der Ellipse liegen, über dem Winkel</translation>
+    </message>
+    <message>
+        <source>Static friction</source>
+        <translation>Haftreibung</translation>
+    </message>
+    <message>
+        <source>Current at the first motion over the angle, both ways</source>
+        <translation>Strom bei der ersten Bewegung über dem Winkel, in beiden Richtungen</translation>
+    </message>
+    <message>
+        <source>Pictures of the calibration</source>
+        <translation>Bilder der Kalibrierung</translation>
     </message>
 </context>
 <context>
@@ -4976,6 +5004,34 @@
     <message>
         <source>angle</source>
         <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>fitted ellipse</source>
+        <translation>angepasste Ellipse</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>Hall B</source>
+        <translation>Hall B</translation>
+    </message>
+    <message>
+        <source>Hall readings and their ellipse</source>
+        <translation>Hall-Messwerte und ihre Ellipse</translation>
+    </message>
+    <message>
+        <source>Hall A</source>
+        <translation>Hall A</translation>
+    </message>
+    <message>
+        <source>reading minus ellipse</source>
+        <translation>Messwert minus Ellipse</translation>
+    </message>
+    <message>
+        <source>What the ellipse leaves over</source>
+        <translation>Was die Ellipse übrig lässt</translation>
     </message>
 </context>
 <context>
@@ -6579,7 +6635,7 @@ wird er in gleichmäßiger Rampe mit Tippdrehzahl angefahren</translation>
     </message>
     <message>
         <source>Field that the Hall sensors read</source>
-        <translation>Feld, das die Hallsensoren lesen</translation>
+        <translation>Feld, das die Hall-Sensoren lesen</translation>
     </message>
     <message>
         <source>Hall A</source>

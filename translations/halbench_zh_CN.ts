@@ -3864,7 +3864,7 @@
     </message>
     <message>
         <source>its calibration was measured there and is left out unless you ask for it</source>
-        <translation>其校准是在那台设备上测得的,除非您要求,否则不恢复</translation>
+        <translation>其标定是在那台设备上测得的，除非您要求，否则不恢复</translation>
     </message>
     <message>
         <source>the configuration was read from firmware &apos;{}&apos;, this device runs &apos;{}&apos;</source>
@@ -4841,15 +4841,43 @@
     </message>
     <message>
         <source>The calibration belonged to the connection before and cannot be applied.</source>
-        <translation>该校准属于先前的连接，无法应用。</translation>
+        <translation>该标定属于先前的连接，无法应用。</translation>
     </message>
     <message>
         <source>Calibrate again.</source>
-        <translation>请重新校准。</translation>
+        <translation>请重新标定。</translation>
     </message>
     <message>
         <source>It can be applied to the device it was measured on only; calibrate again when the sensors were touched.</source>
         <translation>只能应用于测量时的设备；传感器被动过后请重新标定。</translation>
+    </message>
+    <message>
+        <source>Hall ellipse</source>
+        <translation>霍尔椭圆</translation>
+    </message>
+    <message>
+        <source>What the Hall sensors read, and the ellipse that was fitted to it</source>
+        <translation>霍尔传感器的读数，以及据此拟合的椭圆</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>How far the readings lie outside of the ellipse, over the angle</source>
+        <translation>读数偏出椭圆的距离随角度的变化</translation>
+    </message>
+    <message>
+        <source>Static friction</source>
+        <translation>静摩擦</translation>
+    </message>
+    <message>
+        <source>Current at the first motion over the angle, both ways</source>
+        <translation>首次运动时的电流随角度的变化（两个方向）</translation>
+    </message>
+    <message>
+        <source>Pictures of the calibration</source>
+        <translation>标定图形</translation>
     </message>
 </context>
 <context>
@@ -4977,6 +5005,34 @@
         <source>angle</source>
         <translation>角度</translation>
     </message>
+    <message>
+        <source>fitted ellipse</source>
+        <translation>拟合椭圆</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>实测</translation>
+    </message>
+    <message>
+        <source>Hall B</source>
+        <translation>霍尔 B</translation>
+    </message>
+    <message>
+        <source>Hall readings and their ellipse</source>
+        <translation>霍尔读数及其椭圆</translation>
+    </message>
+    <message>
+        <source>Hall A</source>
+        <translation>霍尔 A</translation>
+    </message>
+    <message>
+        <source>reading minus ellipse</source>
+        <translation>读数减椭圆</translation>
+    </message>
+    <message>
+        <source>What the ellipse leaves over</source>
+        <translation>椭圆未能解释的部分</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ConfigurationPanel</name>
@@ -5018,7 +5074,7 @@
     </message>
     <message>
         <source>With &amp;calibration</source>
-        <translation>含校准(&amp;C)</translation>
+        <translation>含标定(&amp;C)</translation>
     </message>
     <message>
         <source>Ticks what was measured on one device; measured on another device, it is wrong on this one</source>
@@ -5141,7 +5197,7 @@
     </message>
     <message>
         <source>calibration</source>
-        <translation>校准</translation>
+        <translation>标定</translation>
     </message>
     <message>
         <source>refused</source>

@@ -44,6 +44,13 @@ CalibrateResult resultOf(const JsonValue& root) {
             result.staticFriction.push_back({*angle_rad, *current_A});
         }
     }
+    for (const JsonValue& entry : itemsIn(&root, "hall_points")) {
+        const auto a_T = numberIn(&entry, "a_T");
+        const auto b_T = numberIn(&entry, "b_T");
+        if (a_T && b_T) {
+            result.hallPoints.push_back({*a_T, *b_T});
+        }
+    }
     result.duration_s = numberIn(&root, "duration_s").value_or(0.0);
     result.quality = qualityOf(member(&root, "data_quality"));
     return result;

@@ -49,6 +49,11 @@ JsonValue calibrationBody(const CalibrateResult& result) {
         JsonValue entry = JsonValue::object();
         friction.push(entry.set("angle_rad", point.angle_rad).set("current_A", point.current_A));
     }
+    JsonValue readings = JsonValue::array();
+    for (const HallPoint& point : result.hallPoints) {
+        JsonValue entry = JsonValue::object();
+        readings.push(entry.set("a_T", point.a_T).set("b_T", point.b_T));
+    }
     JsonValue body = JsonValue::object();
     body.set("figures", figures)
         .set("before", toJson(result.before))
@@ -56,7 +61,8 @@ JsonValue calibrationBody(const CalibrateResult& result) {
     body.set("applied", result.isApplied);
     body.set("residual_before_deg", finiteOrNull(radiansToDegrees(result.residualBefore_rad)));
     body.set("residual_after_deg", finiteOrNull(radiansToDegrees(result.residualAfter_rad)));
-    return body.set("static_friction", friction).set("duration_s", result.duration_s);
+    body.set("static_friction", friction).set("hall_points", readings);
+    return body.set("duration_s", result.duration_s);
 }
 
 JsonValue moveFigures(const MoveFigures& figures) {

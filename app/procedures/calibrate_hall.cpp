@@ -59,6 +59,17 @@ Result<control::HallEllipse> presentCalibration(devices::Device& device) {
 // What the ellipse leaves: harmonics of sensors and magnets. More than this spoils the decoding.
 constexpr double WorstResidual_ratio = 0.02;
 
+// For the picture: evenly out of all.
+std::vector<HallPoint> some(const HallReadings& readings) {
+    constexpr std::size_t Most = 360;
+    const std::size_t step = readings.a_T.size() / Most + 1;
+    std::vector<HallPoint> points;
+    for (std::size_t i = 0; i < readings.a_T.size(); i += step) {
+        points.push_back({readings.a_T[i], readings.b_T[i]});
+    }
+    return points;
+}
+
 void judgeEllipse(CalibrateResult& result, const control::HallEllipseFit& fit) {
     if (fit.residual_ratio > WorstResidual_ratio) {
         result.quality.verdict = std::max(result.quality.verdict, Verdict::Doubtful);
@@ -120,6 +131,7 @@ Result<void> calibrateHall(devices::Device& device, const CalibrateConfig& confi
             {"hall_not_calibrated", fit.error().message, "use a spin current above the breakaway current"});
         return {};
     }
+    result.hallPoints = some(readings);
     const control::HallEllipse& e = fit->ellipse;
     addFigure(result, "hall.offset_a", "T", e.offsetA_T, fit->error.offsetA_T, fit->parts);
     addFigure(result, "hall.offset_b", "T", e.offsetB_T, fit->error.offsetB_T, fit->parts);

@@ -41,6 +41,12 @@ struct StaticFrictionPoint {
     double current_A = 0.0; ///< at the first motion, signed
 };
 
+/// What the two Hall sensors read in slow motion, without the field of the phase currents.
+struct HallPoint {
+    double a_T = 0.0;
+    double b_T = 0.0;
+};
+
 /// `halbench.calibration/1`: what was found, which parameter values are proposed, what they were.
 struct CalibrateResult {
     std::vector<CalibrationFigure> figures;
@@ -50,6 +56,7 @@ struct CalibrateResult {
     double residualBefore_rad = 0.0; ///< rms angle error from the ellipse with the old values
     double residualAfter_rad = 0.0;
     std::vector<StaticFrictionPoint> staticFriction;
+    std::vector<HallPoint> hallPoints; ///< some hundred of those that the ellipse was fitted to
     DataQuality quality;
     double duration_s = 0.0; ///< device time that it took; 0: a file of an older version does not say
 };

@@ -6,6 +6,7 @@
 #include "app/wizards/calibrate_words.h"
 #include "app/wizards/identify_words.h"
 #include "app/wizards/note_label.h"
+#include "app/workspaces/document_files.h"
 #include "app/workspaces/preflight.h"
 #include "widgets/figure_view.h"
 #include "widgets/icons.h"
@@ -18,6 +19,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QTabWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -105,7 +107,15 @@ QWidget* CalibratePanel::buildResult() {
     m_verdict = new widgets::VerdictView(page);
     m_table = new widgets::EstimateTable(page);
     m_gain = new QLabel(page);
-    m_figure = new widgets::FigureView(page);
+    m_figures = new QTabWidget(page);
+    for (widgets::FigureView*& view : m_views) {
+        view = new widgets::FigureView(m_figures);
+        m_figures->addTab(view, {});
+        connect(view, &widgets::FigureView::exportRequested, this, [this, view = view] {
+            savePicture(this, chooser(), QStringLiteral("calibration.svg"), files(), *view,
+                        [this](const Error& error) { showError(error); });
+        });
+    }
     m_friction = noteLabel(page);
     m_provenance = new QLabel(page);
     for (QLabel* label : {m_gain, m_provenance}) {
@@ -118,7 +128,7 @@ QWidget* CalibratePanel::buildResult() {
          std::initializer_list<QWidget*>{m_verdict, m_table, m_gain, m_friction, m_provenance}) {
         column->addWidget(part);
     }
-    column->addWidget(m_figure, 1);
+    column->addWidget(m_figures, 1);
     return page;
 }
 

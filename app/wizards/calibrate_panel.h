@@ -15,6 +15,7 @@
 class QCheckBox;
 class QLabel;
 class QPushButton;
+class QTabWidget;
 
 namespace halbench::widgets {
 class EstimateTable;
@@ -67,6 +68,7 @@ private:
     void forget();
     void showResult();
     void showRows();
+    void showFigures();
     void sayProject();
     bool isOfThisDevice() const;
     void apply();
@@ -96,7 +98,8 @@ private:
     QLabel* m_gain = nullptr;
     QLabel* m_friction = nullptr;
     QLabel* m_provenance = nullptr;
-    widgets::FigureView* m_figure = nullptr;
+    QTabWidget* m_figures = nullptr;
+    std::array<widgets::FigureView*, 3> m_views{}; ///< ellipse, what it leaves, static friction
     QPushButton* m_apply = nullptr;
     QPushButton* m_restore = nullptr;
     QPushButton* m_save = nullptr;

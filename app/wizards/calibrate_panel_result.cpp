@@ -9,6 +9,9 @@
 #include "widgets/verdict_view.h"
 
 #include <QLabel>
+#include <QTabWidget>
+
+#include <tuple>
 
 namespace halbench::app {
 
@@ -66,12 +69,33 @@ void CalibratePanel::showResult() {
     m_provenance->setText(provenanceText(m_header, m_result->duration_s, std::nullopt));
     m_gain->setText(calibrationGain(*m_result, bench().displayUnits()));
     m_gain->setVisible(!m_gain->text().isEmpty());
-    const bool hasFigure = !m_result->staticFriction.empty();
-    m_figure->setFigure(hasFigure
-                            ? staticFrictionFigure(m_result->staticFriction, bench().displayUnits().angle)
-                            : widgets::Figure{});
-    m_figure->setVisible(hasFigure);
+    showFigures();
     refreshPlan();
+}
+
+void CalibratePanel::showFigures() {
+    const widgets::AngleUnit unit = bench().displayUnits().angle;
+    std::optional<widgets::Figure> friction;
+    if (!m_result->staticFriction.empty()) {
+        friction = staticFrictionFigure(m_result->staticFriction, unit);
+    }
+    const std::tuple<std::optional<widgets::Figure>, QString, QString> pictures[] = {
+        {hallEllipseFigure(*m_result), tr("Hall ellipse"),
+         tr("What the Hall sensors read, and the ellipse that was fitted to it")},
+        {hallResidualFigure(*m_result, unit), tr("Residual"),
+         tr("How far the readings lie outside of the ellipse, over the angle")},
+        {friction, tr("Static friction"), tr("Current at the first motion over the angle, both ways")}};
+    bool isAny = false;
+    for (int i = 0; i < m_figures->count(); ++i) {
+        const auto& [figure, title, help] = pictures[i];
+        m_views[static_cast<std::size_t>(i)]->setFigure(figure.value_or(widgets::Figure{}));
+        m_figures->setTabText(i, title);
+        m_figures->setTabToolTip(i, help);
+        m_figures->setTabVisible(i, figure.has_value());
+        isAny = isAny || figure.has_value();
+    }
+    m_figures->setAccessibleName(tr("Pictures of the calibration"));
+    m_figures->setVisible(isAny);
 }
 
 /// Beside each value the one that the device has now, whoever wrote it.

@@ -199,7 +199,12 @@ TEST_P(WalkTest, findsNothingWrongInACalibration) {
     const auto* panel = static_cast<app::CalibratePanel*>(window->docks().panel("calibrate"));
     ASSERT_TRUE(QTest::qWaitFor([&] { return panel->record().has_value(); }, Fit_ms));
     session().setPace({1.0});
-    look("calibrate/result");
+    auto* pictures = panel->findChild<QTabWidget*>();
+    ASSERT_NE(pictures, nullptr);
+    for (int picture = 0; picture < pictures->count(); ++picture) {
+        pictures->setCurrentIndex(picture);
+        look(QStringLiteral("calibrate/result %1").arg(picture));
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(

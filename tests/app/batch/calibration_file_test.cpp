@@ -22,6 +22,7 @@ CalibrationRecord record() {
     made.result.residualBefore_rad = 0.02;
     made.result.residualAfter_rad = 0.003;
     made.result.staticFriction = {{0.5, 1.6}, {1.5, -1.7}};
+    made.result.hallPoints = {{0.15, 0.01}, {-0.02, 0.14}};
     made.result.duration_s = 61.5;
     made.result.quality = {Verdict::Doubtful, {{"few", "few points", "more"}}};
     return made;

@@ -47,6 +47,54 @@ TEST(CalibrationFigures, staticFrictionLiesAtThePlaceOnTheRotorWithoutSign) {
     EXPECT_NEAR(radians.panels.at(0).curves.at(0).x.front(), 0.5 * M_PI, 1e-12);
 }
 
+CalibrateResult hallResult() {
+    CalibrateResult result;
+    result.figures = {{"hall.offset_a", "T", identified(2e-3, 1e-5, "T")},
+                      {"hall.offset_b", "T", identified(-1e-3, 1e-5, "T")},
+                      {"hall.gain_ratio", "", identified(1.1, 1e-4, "")},
+                      {"hall.quadrature", "rad", identified(0.05, 1e-4, "rad")},
+                      {"hall.amplitude", "T", identified(0.15, 1e-5, "T")}};
+    return result;
+}
+
+/// The ellipse of control/identify/ellipse_fit.h, written down a second time.
+HallPoint reading(double angle_rad, double scale_ratio) {
+    return {2e-3 + scale_ratio * 0.15 * std::cos(angle_rad),
+            -1e-3 + scale_ratio * 0.15 * 1.1 * std::sin(angle_rad + 0.05)};
+}
+
+TEST(CalibrationFigures, theHallReadingsLieOnTheirEllipseWhereTheFitIsRight) {
+    CalibrateResult result = hallResult();
+    EXPECT_FALSE(hallEllipseFigure(result)); // no readings: a file of an older version
+    result.hallPoints = {reading(0.3, 1.0), reading(2.0, 1.0), reading(-2.0, 1.0)};
+    const auto ellipse = hallEllipseFigure(result);
+    ASSERT_TRUE(ellipse);
+    const auto& curves = ellipse->panels.at(0).curves;
+    ASSERT_EQ(curves.size(), 2U);
+    EXPECT_NEAR(curves[1].x.front(), 152.0, 1e-9); // (2 + 150) mT at the angle 0
+    EXPECT_NEAR(curves[1].y.front(), -1.0 + 165.0 * std::sin(0.05), 1e-9);
+    const auto residual = hallResidualFigure(result);
+    ASSERT_TRUE(residual);
+    for (const double left_mT : residual->panels.at(0).curves.at(0).y) {
+        EXPECT_NEAR(left_mT, 0.0, 1e-9);
+    }
+    result.figures.pop_back();
+    EXPECT_FALSE(hallEllipseFigure(result));
+    EXPECT_FALSE(hallResidualFigure(result));
+}
+
+TEST(CalibrationFigures, aReadingOutsideOfTheEllipseIsLeftOverAtItsAngle) {
+    CalibrateResult result = hallResult();
+    result.hallPoints = {reading(0.0, 1.02)};
+    const auto residual = hallResidualFigure(result);
+    ASSERT_TRUE(residual);
+    const auto& curve = residual->panels.at(0).curves.at(0);
+    EXPECT_NEAR(curve.x.front(), 0.0, 1e-9);
+    // 2 % of the ray from the centre, which is hypot(150, 165 sin 0.05) mT long there
+    EXPECT_NEAR(curve.y.front(), 0.02 * std::hypot(150.0, 165.0 * std::sin(0.05)), 1e-9);
+    EXPECT_NEAR(hallResidualFigure(result, widgets::AngleUnit::Radian)->x.max.value(), M_PI, 1e-12);
+}
+
 bool hasLine(const widgets::Panel& panel, double at, const std::string& part) {
     return std::any_of(panel.lines.begin(), panel.lines.end(), [&](const widgets::ReferenceLine& line) {
         return std::abs(line.at - at) < 1e-9 && line.label.find(part) != std::string::npos;

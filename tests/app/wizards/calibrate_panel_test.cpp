@@ -4,12 +4,14 @@
 #include "tests/app/workspaces/panel_fixture.h"
 #include "widgets/display_units.h"
 #include "widgets/estimate_table.h"
+#include "widgets/figure_view.h"
 #include "widgets/message_bar.h"
 
 #include <QCheckBox>
 #include <QFile>
 #include <QLabel>
 #include <QProcess>
+#include <QTabWidget>
 #include <QTemporaryDir>
 
 namespace halbench::app {
@@ -22,6 +24,17 @@ protected:
         show(panel);
     }
     QString message() const { return panel.findChild<widgets::MessageBar*>()->message().text; }
+    /// Titles of those that can be chosen and show something.
+    QStringList pictures() const {
+        const auto* tabs = panel.findChild<QTabWidget*>();
+        QStringList titles;
+        for (int i = 0; tabs->isVisible() && i < tabs->count(); ++i) {
+            if (tabs->isTabVisible(i) && !static_cast<widgets::FigureView*>(tabs->widget(i))->isEmpty()) {
+                titles << tabs->tabText(i);
+            }
+        }
+        return titles;
+    }
     bool isResultShown() const { return button(panel, "Calibrate again") != nullptr; }
 
     CalibratePanel panel{bench};
@@ -36,6 +49,7 @@ TEST_F(CalibratePanelTest, proposesAppliesOnPurposeAndRestores) {
     EXPECT_EQ(valuesNow(), before); // nothing is applied by itself
     const auto* table = panel.findChild<widgets::EstimateTable*>();
     ASSERT_GE(table->rowCount(), 6);
+    EXPECT_EQ(pictures(), (QStringList{"Hall ellipse", "Residual", "Static friction"}));
     EXPECT_TRUE(table->text().contains("now "));
     panel.resize(900, 420); // lower than the table: what is to be done stays in sight
     const auto* apply = button(panel, "Apply");
@@ -117,6 +131,7 @@ TEST_F(CalibratePanelTest, onlyWhatIsChosenIsDone) {
     click(panel, "Start calibration");
     ASSERT_TRUE(wait([&] { return isResultShown(); })) << message().toStdString();
     EXPECT_EQ(panel.findChild<widgets::EstimateTable*>()->rowCount(), 1);
+    EXPECT_EQ(pictures(), QStringList()); // the stray field alone has none
 }
 
 TEST_F(CalibratePanelTest, cancelLeavesEverythingAsItWas) {

@@ -170,7 +170,11 @@ private:
         session().setPace({0.0}); // as fast as possible
         const bool isDone = wait([this] { return session().procedure().isEmpty(); });
         QTest::qWait(Settling_ms);
-        take(QStringLiteral("calibrate-result"));
+        auto* pictures = m_window.docks().panel("calibrate")->findChild<QTabWidget*>();
+        for (int page = 0; page < pictures->count(); ++page) {
+            pictures->setCurrentIndex(page);
+            take(QStringLiteral("calibrate-result%1").arg(page + 1));
+        }
         return isDone && press("calibrate", "halbench::app::CalibratePanel", "Apply");
     }
 
