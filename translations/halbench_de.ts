@@ -6252,7 +6252,7 @@ wird er in gleichmäßiger Rampe mit Tippdrehzahl angefahren</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation>Einpassen</translation>
+        <translation>Anpassen</translation>
     </message>
     <message>
         <source>Judge</source>

@@ -3840,19 +3840,19 @@
     </message>
     <message>
         <source>the configuration is of a device of model &apos;{}&apos;, this one is of model &apos;{}&apos;</source>
-        <translation>该配置属于型号“{}”的设备,而此设备型号为“{}”</translation>
+        <translation>该配置属于型号“{}”的设备，而此设备型号为“{}”</translation>
     </message>
     <message>
         <source>take a file of this model; nothing was written</source>
-        <translation>请使用此型号的文件;没有写入任何内容</translation>
+        <translation>请使用此型号的文件；没有写入任何内容</translation>
     </message>
     <message>
         <source>this device takes it as an order or does not let it be written</source>
-        <translation>此设备把它当作命令,或不允许写入</translation>
+        <translation>此设备把它当作命令，或不允许写入</translation>
     </message>
     <message>
         <source>the file has it in &apos;{}&apos;, the device in &apos;{}&apos;</source>
-        <translation>文件中的单位是“{}”,设备中是“{}”</translation>
+        <translation>文件中的单位是“{}”，设备中是“{}”</translation>
     </message>
     <message>
         <source>this device does not have it</source>
@@ -3860,7 +3860,7 @@
     </message>
     <message>
         <source>the configuration was read from the device &apos;{}&apos;, this one is &apos;{}&apos;</source>
-        <translation>该配置读自设备“{}”,而此设备是“{}”</translation>
+        <translation>该配置读自设备“{}”，而此设备是“{}”</translation>
     </message>
     <message>
         <source>its calibration was measured there and is left out unless you ask for it</source>
@@ -3868,11 +3868,11 @@
     </message>
     <message>
         <source>the configuration was read from firmware &apos;{}&apos;, this device runs &apos;{}&apos;</source>
-        <translation>该配置读自固件“{}”,而此设备运行“{}”</translation>
+        <translation>该配置读自固件“{}”，而此设备运行“{}”</translation>
     </message>
     <message>
         <source>look at each row: a value may mean something else there</source>
-        <translation>请逐行查看:某个值在那里可能含义不同</translation>
+        <translation>请逐行查看：某个值在那里可能含义不同</translation>
     </message>
     <message>
         <source>the configuration has no value for &apos;{}&apos;</source>
@@ -3880,23 +3880,23 @@
     </message>
     <message>
         <source>choose among its rows; nothing was written</source>
-        <translation>请从其各行中选择;没有写入任何内容</translation>
+        <translation>请从其各行中选择；没有写入任何内容</translation>
     </message>
     <message>
         <source>&apos;{}&apos; cannot be restored: {}</source>
-        <translation>无法恢复“{}”:{}</translation>
+        <translation>无法恢复“{}”：{}</translation>
     </message>
     <message>
         <source>leave it out; nothing was written</source>
-        <translation>请去掉它;没有写入任何内容</translation>
+        <translation>请去掉它；没有写入任何内容</translation>
     </message>
     <message>
         <source>the actuator is armed; a configuration is not restored then</source>
-        <translation>执行器已解锁;此时不能恢复配置</translation>
+        <translation>执行器已使能；此时不能恢复配置</translation>
     </message>
     <message>
         <source>disarm it first; nothing was written</source>
-        <translation>请先锁定;没有写入任何内容</translation>
+        <translation>请先解除使能；没有写入任何内容</translation>
     </message>
     <message>
         <source>the device keeps another value</source>
@@ -3904,7 +3904,7 @@
     </message>
     <message>
         <source>nothing was written; mend this line or take another file</source>
-        <translation>没有写入任何内容;请改正这一行或换一个文件</translation>
+        <translation>没有写入任何内容；请改正这一行或换一个文件</translation>
     </message>
     <message>
         <source>&apos;{}&apos; was written by a newer Halbench</source>
@@ -3912,7 +3912,7 @@
     </message>
     <message>
         <source>&apos;{}&apos; is not a configuration; expected &apos;{}&apos;</source>
-        <translation>“{}”不是配置;应为“{}”</translation>
+        <translation>“{}”不是配置；应为“{}”</translation>
     </message>
     <message>
         <source>&apos;device.{}&apos; has no place there</source>
@@ -3924,11 +3924,11 @@
     </message>
     <message>
         <source>&apos;{}&apos; must be a table, [{}]</source>
-        <translation>“{}”必须是表,[{}]</translation>
+        <translation>“{}”必须是表，[{}]</translation>
     </message>
     <message>
         <source>&apos;{}&apos; of &apos;{}&apos; is unknown; a row has value and unit</source>
-        <translation>“{}”(属于“{}”)未知;一行只有 value 和 unit</translation>
+        <translation>“{}”（属于“{}”）未知；一行只有 value 和 unit</translation>
     </message>
     <message>
         <source>&apos;{}&apos; has no value</source>
@@ -4036,7 +4036,7 @@
     </message>
     <message>
         <source>look at the rows again, then restore</source>
-        <translation>请再次查看各行,然后恢复</translation>
+        <translation>请再次查看各行，然后恢复</translation>
     </message>
     <message>
         <source>recommended by the program for this motor</source>
@@ -4068,7 +4068,7 @@
     </message>
     <message>
         <source>a {}: address has no option but a2l</source>
-        <translation>{}: 地址除 a2l 外没有其他选项</translation>
+        <translation>{}：地址除 a2l 外没有其他选项</translation>
     </message>
     <message>
         <source>no udev runs here, so that rules have no effect: allow it with &apos;sudo chmod a+rw {}&apos; each time it was plugged in</source>
@@ -4484,27 +4484,27 @@
     </message>
     <message>
         <source>{}; whether it has begun is not known, so it was ended</source>
-        <translation>{};是否已经开始无从得知,因此已将其结束</translation>
+        <translation>{}；是否已经开始无从得知，因此已将其结束</translation>
     </message>
     <message>
         <source>see where the actuator stands, then start again; newer firmware of this board takes a lost answer without harm</source>
-        <translation>请查看执行器的位置,然后重新启动;该控制板的新固件可以承受应答丢失</translation>
+        <translation>请查看执行器的位置，然后重新启动；该控制板的新固件可以承受应答丢失</translation>
     </message>
     <message>
         <source>the board followed another reference than commanded, {} degrees away</source>
-        <translation>控制板跟随的给定值与指令不同,相差 {} 度</translation>
+        <translation>控制板跟随的给定值与指令不同，相差 {} 度</translation>
     </message>
     <message>
         <source>See where the rotor stands and that no other program uses the board, then move again.</source>
-        <translation>请查看转子的位置,确认没有其他程序在使用控制板,然后重新运动。</translation>
+        <translation>请查看转子的位置，确认没有其他程序在使用控制板，然后重新运动。</translation>
     </message>
     <message>
         <source>the rotor ended at {} instead of {} degrees</source>
-        <translation>转子停在 {} 度,而不是 {} 度</translation>
+        <translation>转子停在 {} 度，而不是 {} 度</translation>
     </message>
     <message>
         <source>Move for longer; check the gains and that nothing blocks the rotor.</source>
-        <translation>请延长运动时间;检查增益,并确认没有东西卡住转子。</translation>
+        <translation>请延长运动时间；检查增益，并确认没有东西卡住转子。</translation>
     </message>
     <message>
         <source>the limit or level of a nonlinear element must be positive, its hysteresis not negative</source>
@@ -5050,7 +5050,7 @@
     </message>
     <message>
         <source>Shows a file beside the device; nothing is written yet</source>
-        <translation>将文件与设备并列显示;尚不写入</translation>
+        <translation>将文件与设备并列显示；尚不写入</translation>
     </message>
     <message>
         <source>No configuration file is open</source>
@@ -5058,7 +5058,7 @@
     </message>
     <message>
         <source>A file shows row by row what differs from the device, to restore what you tick. Before that, what the device has is kept.</source>
-        <translation>文件逐行显示与设备的不同之处,恢复您勾选的项。恢复前会保留设备现有的值。</translation>
+        <translation>文件逐行显示与设备的不同之处，恢复您勾选的项。恢复前会保留设备现有的值。</translation>
     </message>
     <message>
         <source>Compare with a file …</source>
@@ -5078,7 +5078,7 @@
     </message>
     <message>
         <source>Ticks what was measured on one device; measured on another device, it is wrong on this one</source>
-        <translation>勾选在某台设备上测得的值;若在另一台设备上测得,则对此设备是错误的</translation>
+        <translation>勾选在某台设备上测得的值；若在另一台设备上测得，则对此设备是错误的</translation>
     </message>
     <message>
         <source>Restore</source>
@@ -5086,7 +5086,7 @@
     </message>
     <message>
         <source>Writes the ticked rows in one step and reads them back; they last until power-down unless they are saved in the device</source>
-        <translation>一步写入勾选的行并读回;若不保存到设备,断电后丢失</translation>
+        <translation>一步写入勾选的行并读回；若不保存到设备，断电后丢失</translation>
     </message>
     <message numerus="yes">
         <source>Restore %n row(s)</source>
@@ -5114,7 +5114,7 @@
     </message>
     <message>
         <source>%1: device %2, firmware %3, written %4</source>
-        <translation>%1:设备 %2,固件 %3,写于 %4</translation>
+        <translation>%1：设备 %2，固件 %3，写于 %4</translation>
     </message>
     <message>
         <source>What the device had before is kept in %1.</source>
@@ -5123,7 +5123,7 @@
     <message numerus="yes">
         <source>%n row(s) not restored; the rows say why.</source>
         <translation>
-            <numerusform>%n 行未恢复;各行说明了原因。</numerusform>
+            <numerusform>%n 行未恢复；各行说明了原因。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -5149,7 +5149,7 @@
     </message>
     <message>
         <source>Ticked rows are restored (Space ticks); numbers are in SI units, as in the file</source>
-        <translation>勾选的行将被恢复(空格键勾选);数值为 SI 单位,与文件一致</translation>
+        <translation>勾选的行将被恢复（空格键勾选）；数值为 SI 单位，与文件一致</translation>
     </message>
     <message>
         <source>Parameter</source>
@@ -5205,7 +5205,7 @@
     </message>
     <message>
         <source>differs, and was measured on one device: wrong on another</source>
-        <translation>不同,且是在某台设备上测得的:对另一台是错误的</translation>
+        <translation>不同，且是在某台设备上测得的：对另一台是错误的</translation>
     </message>
 </context>
 <context>
@@ -5368,7 +5368,7 @@ Firmware %2</source>
     </message>
     <message>
         <source>%1 is back after %2 s, disarmed</source>
-        <translation>%1 在 %2 s 后恢复连接，处于锁定状态</translation>
+        <translation>%1 在 %2 s 后恢复连接，处于未使能状态</translation>
     </message>
     <message numerus="yes">
         <source>%Ln row(s) came faster than the window could show them and are not drawn</source>
@@ -6247,7 +6247,7 @@ is approached as an even ramp at the jog speed</source>
     </message>
     <message>
         <source>Fit</source>
-        <translation>适应</translation>
+        <translation>拟合</translation>
     </message>
     <message>
         <source>Judge</source>
@@ -7539,7 +7539,7 @@ A real device has its own time.</source>
     </message>
     <message>
         <source>written: %1</source>
-        <translation>已写入:%1</translation>
+        <translation>已写入：%1</translation>
     </message>
     <message>
         <source>Record data</source>
@@ -7928,11 +7928,11 @@ A real device has its own time.</source>
     </message>
     <message>
         <source>Back after %1 s, disarmed.</source>
-        <translation>%1 s 后恢复连接，处于锁定状态。</translation>
+        <translation>%1 s 后恢复连接，处于未使能状态。</translation>
     </message>
     <message>
         <source>Back after %1 s, disarmed. Values that differ from before: %2.</source>
-        <translation>%1 s 后恢复连接，处于锁定状态。与之前不同的值：%2 个。</translation>
+        <translation>%1 s 后恢复连接，处于未使能状态。与之前不同的值：%2 个。</translation>
     </message>
     <message>
         <source>The device may have been restarted. Nothing was written.</source>
