@@ -6081,6 +6081,10 @@ wird er in gleichmäßiger Rampe mit Tippdrehzahl angefahren</translation>
         <source>The page before (Alt+Left)</source>
         <translation>Die vorige Seite (Alt+Links)</translation>
     </message>
+    <message>
+        <source>This page is in English only.</source>
+        <translation>Diese Seite gibt es nur auf Englisch.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::IdentificationFigures</name>

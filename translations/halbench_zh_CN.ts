@@ -6076,6 +6076,10 @@ is approached as an even ramp at the jog speed</source>
         <source>The page before (Alt+Left)</source>
         <translation>上一页 (Alt+Left)</translation>
     </message>
+    <message>
+        <source>This page is in English only.</source>
+        <translation>本页只有英文版。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::IdentificationFigures</name>

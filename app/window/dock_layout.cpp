@@ -292,10 +292,10 @@ void DockLayout::reset() {
     arrange(m_perspective);
 }
 
-QString DockLayout::helpPageOf(const QWidget* widget) const {
+QString DockLayout::helpAddressOf(const QWidget* widget) const {
     for (const PanelSpec& spec : m_specs) {
         if (widget != nullptr && m_docks.value(spec.id)->isAncestorOf(widget)) {
-            return spec.helpPage;
+            return spec.helpAddress;
         }
     }
     return {};

@@ -41,7 +41,7 @@ public:
     void reset();
 
     /// Name of the panel that holds the widget; empty when none does.
-    QString helpPageOf(const QWidget* widget) const;
+    QString helpAddressOf(const QWidget* widget) const;
     const QHash<QString, ads::CDockWidget*>& docks() const { return m_docks; }
 
     /// Arrangements by perspectiveId(). One that cannot be shown stays among them under another name.

@@ -1,56 +1,32 @@
 #include "app/window/help_window.h"
 
+#include "app/window/help_pages.h"
+#include "app/window/help_text.h"
+#include "app/window/language.h"
 #include "widgets/stop_button.h"
 #include "widgets/theme_style.h"
 
 #include <QAction>
-#include <QFile>
 #include <QHBoxLayout>
-#include <QPointer>
-#include <QRegularExpression>
-#include <QTextBlock>
-#include <QTextBrowser>
-#include <QTextDocument>
+#include <QShowEvent>
 #include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
 
-/// A static library's resources are linked only when asked for by name.
-static void initialiseHelp() {
-    Q_INIT_RESOURCE(help);
-}
-
 namespace halbench::app {
 
-QString helpText(const QString& page) {
-    initialiseHelp();
-    QFile file(":/help/" + page);
-    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
-}
-
-namespace {
-
-/// As links in Markdown name a heading: "6.2 Two currents" is "62-two-currents".
-QString anchorOf(const QString& heading) {
-    QString anchor = heading.toLower();
-    anchor.remove(QRegularExpression(QStringLiteral("[^\\w\\- ]")));
-    return anchor.replace(QLatin1Char(' '), QLatin1Char('-'));
-}
-
-} // namespace
-
-HelpWindow::HelpWindow(const QString& page, QWidget* parent) : QWidget(parent, Qt::Window) {
+HelpWindow::HelpWindow(const QString& page, QWidget* parent)
+    : QWidget(parent, Qt::Window), m_language(spokenLanguage()) {
     setWindowTitle(tr("Halbench help"));
     new QVBoxLayout(this);
     layout()->setContentsMargins(0, 0, 0, 0);
     layout()->setSpacing(0);
     buildBar();
-    m_text = new QTextBrowser(this);
-    m_text->setOpenLinks(false);
+    m_text = new HelpText(this);
     m_text->setAccessibleName(tr("Help page"));
     m_text->setToolTip(tr("Alt+Left goes back"));
     layout()->addWidget(m_text);
-    connect(m_text, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) {
+    connect(m_text, &HelpText::anchorClicked, this, [this](const QUrl& link) {
         if (link.isRelative()) {
             openPage(link.toString());
         }
@@ -80,45 +56,41 @@ void HelpWindow::buildBar() {
 }
 
 void HelpWindow::openPage(const QString& address) {
-    const QString page = address.section(QLatin1Char('#'), 0, 0);
+    const QString page = address.section(QLatin1Char('#'), 0, 0).section(QLatin1Char('/'), -1);
+    m_section = address.section(QLatin1Char('#'), 1);
     if (!page.isEmpty()) {
         m_visited << page;
         showPage(page);
     }
-    showSection(address.section(QLatin1Char('#'), 1));
+    m_text->showSection(m_section);
 }
 
-/// Headings of Markdown have no anchors in Qt.
-void HelpWindow::showSection(const QString& anchor) {
-    const QTextDocument& document = *m_text->document();
-    for (QTextBlock block = document.begin(); !anchor.isEmpty() && block.isValid(); block = block.next()) {
-        if (block.blockFormat().headingLevel() > 0 && anchorOf(block.text()) == anchor) {
-            m_text->setTextCursor(QTextCursor(document.lastBlock())); // so that the heading comes to the top
-            m_text->setTextCursor(QTextCursor(block));
-        }
+/// What was brought to the top of a window that had no size yet is elsewhere now.
+void HelpWindow::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    if (!event->spontaneous()) {
+        m_text->showSection(m_section);
     }
 }
 
 void HelpWindow::goBack() {
     m_visited.removeLast();
+    m_section.clear();
     showPage(m_visited.last());
 }
 
 void HelpWindow::showPage(const QString& page) {
     m_back->setEnabled(m_visited.size() > 1);
-    const QString text = helpText(page);
-    // Read before it is shown: a shown document is laid out again for every word that comes, which takes
-    // seconds for a long page.
-    auto* document = new QTextDocument(m_text);
-    document->setDefaultFont(m_text->font());
-    if (text.isEmpty()) {
-        document->setPlainText(tr("There is no help page '%1' in this program.").arg(page));
+    const QString english = helpText(page);
+    const QString text = helpText(page, m_language);
+    if (english.isEmpty()) {
+        m_text->setMessage(tr("There is no help page '%1' in this program.").arg(page));
+    } else if (text.isEmpty()) {
+        const QString note = tr("This page is in English only.");
+        m_text->setPage('*' + note + "*\n\n" + english, helpFolder("en"), english);
     } else {
-        document->setMarkdown(text);
+        m_text->setPage(text, helpFolder(m_language), english);
     }
-    const QPointer<QTextDocument> before = m_text->document();
-    m_text->setDocument(document); // deletes the first one, which it made itself
-    delete before;
 }
 
 } // namespace halbench::app

@@ -66,4 +66,13 @@ void speak(QCoreApplication& application, const QString& language) {
     QLocale::setDefault(localeOf(language, QLocale::system()));
 }
 
+QString spokenLanguage() {
+    const QLocale now;
+    const auto found = std::find_if(languages().begin(), languages().end(), [&](const Language& one) {
+        const QLocale own(one.id);
+        return own.language() == now.language() && own.script() == now.script();
+    });
+    return found == languages().end() ? QStringLiteral("en") : found->id;
+}
+
 } // namespace halbench::app

@@ -27,4 +27,7 @@ QLocale localeOf(const QString& language, const QLocale& system);
 /// once, before the first widget: what was made before keeps its words.
 void speak(QCoreApplication& application, const QString& language);
 
+/// The language that speak() chose; English where nobody did.
+QString spokenLanguage();
+
 } // namespace halbench::app

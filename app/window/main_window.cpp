@@ -202,12 +202,12 @@ void MainWindow::connectDevice(const QString& uri) {
 }
 
 void MainWindow::showHelp() {
-    const QString page = m_docks->helpPageOf(QApplication::focusWidget());
-    openHelp(page.isEmpty() ? QString("index.md") : page);
+    const QString address = m_docks->helpAddressOf(QApplication::focusWidget());
+    openHelp(address.isEmpty() ? QString("index.md") : address);
 }
 
-void MainWindow::openHelp(const QString& page) {
-    auto* window = new HelpWindow(page, this);
+void MainWindow::openHelp(const QString& address) {
+    auto* window = new HelpWindow(address, this);
     window->setAttribute(Qt::WA_DeleteOnClose);
     connect(window, &HelpWindow::stopRequested, &m_bench.session(), &DeviceSession::stopActuator);
     connect(window, &HelpWindow::stopRequested, this, [this] { noteStop(tr("by STOP of the help")); });

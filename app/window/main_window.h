@@ -72,7 +72,7 @@ private:
     void askPreferences();
     void usePreferences(const Preferences& chosen);
     void showHelp();
-    void openHelp(const QString& page);
+    void openHelp(const QString& address);
     void noteStop(const QString& by);
     void keepLastDevice();
     void leaveConnection();

@@ -42,38 +42,39 @@ struct Row {
     const char* title;
     PanelArea area;
     unsigned perspectives; ///< sum of in()
-    const char* helpPage;
+    const char* helpAddress;
     QWidget* (*make)(Workbench&);
 };
 
 constexpr Row Rows[] = {
-    {"devices", QT_TRANSLATE_NOOP("Panels", "Devices"), PanelArea::Left, Everywhere, "command-line.md",
+    {"devices", QT_TRANSLATE_NOOP("Panels", "Devices"), PanelArea::Left, Everywhere, "monitor.md#devices",
      make<DevicePanel>},
-    {"signals", QT_TRANSLATE_NOOP("Panels", "Signals"), PanelArea::LeftBelow, Everywhere, "monitor.md",
+    {"signals", QT_TRANSLATE_NOOP("Panels", "Signals"), PanelArea::LeftBelow, Everywhere, "monitor.md#plots",
      make<SignalsPanel>},
     {"monitor", QT_TRANSLATE_NOOP("Panels", "Monitor"), PanelArea::Centre,
-     in(Perspective::Monitor) | in(Perspective::Record), "monitor.md", make<MonitorPanel>},
+     in(Perspective::Monitor) | in(Perspective::Record), "monitor.md#plots", make<MonitorPanel>},
     {"spectrum", QT_TRANSLATE_NOOP("Panels", "Spectrum"), PanelArea::Centre, in(Perspective::Monitor),
-     "monitor.md", make<SpectrumPanel>},
-    {"xy", QT_TRANSLATE_NOOP("Panels", "XY"), PanelArea::Centre, in(Perspective::Monitor), "monitor.md",
+     "monitor.md#spectrum", make<SpectrumPanel>},
+    {"xy", QT_TRANSLATE_NOOP("Panels", "XY"), PanelArea::Centre, in(Perspective::Monitor), "monitor.md#xy",
      make<XyPanel>},
-    {"field", QT_TRANSLATE_NOOP("Panels", "Field"), PanelArea::Centre, in(Perspective::Field), "monitor.md",
-     make<FieldPanel>},
-    {"drive", QT_TRANSLATE_NOOP("Panels", "Drive"), PanelArea::Right, in(Perspective::Monitor), "monitor.md",
-     make<DrivePanel>},
+    {"field", QT_TRANSLATE_NOOP("Panels", "Field"), PanelArea::Centre, in(Perspective::Field),
+     "monitor.md#field", make<FieldPanel>},
+    {"drive", QT_TRANSLATE_NOOP("Panels", "Drive"), PanelArea::Right, in(Perspective::Monitor),
+     "monitor.md#drive", make<DrivePanel>},
     {"parameters", QT_TRANSLATE_NOOP("Panels", "Parameters"), PanelArea::Right,
-     in(Perspective::Monitor) | in(Perspective::Tune), "monitor.md", make<ParametersPanel>},
+     in(Perspective::Monitor) | in(Perspective::Tune), "monitor.md#parameters", make<ParametersPanel>},
     {"configuration", QT_TRANSLATE_NOOP("Panels", "Configuration"), PanelArea::Right, in(Perspective::Tune),
-     "monitor.md", make<ConfigurationPanel>},
+     "monitor.md#configuration", make<ConfigurationPanel>},
     {"record", QT_TRANSLATE_NOOP("Panels", "Record"), PanelArea::Right,
-     in(Perspective::Monitor) | in(Perspective::Record), "monitor.md", make<RecordPanel>},
+     in(Perspective::Monitor) | in(Perspective::Record), "monitor.md#recording", make<RecordPanel>},
     {"identify", QT_TRANSLATE_NOOP("Panels", "Identify"), PanelArea::Centre, in(Perspective::Identify),
-     "identification.md", make<IdentifyPanel>},
+     "identification.md#7-in-the-window", make<IdentifyPanel>},
     {"calibrate", QT_TRANSLATE_NOOP("Panels", "Calibrate"), PanelArea::Centre, in(Perspective::Identify),
-     "identification.md", make<CalibratePanel>},
-    {"tune", QT_TRANSLATE_NOOP("Panels", "Tune"), PanelArea::Centre, in(Perspective::Tune), "tuning.md",
-     make<TunePanel>},
-    {"log", QT_TRANSLATE_NOOP("Panels", "Log"), PanelArea::Bottom, Everywhere, "index.md", make<LogPanel>},
+     "identification.md#6-calibrations", make<CalibratePanel>},
+    {"tune", QT_TRANSLATE_NOOP("Panels", "Tune"), PanelArea::Centre, in(Perspective::Tune),
+     "tuning.md#in-the-window", make<TunePanel>},
+    {"log", QT_TRANSLATE_NOOP("Panels", "Log"), PanelArea::Bottom, Everywhere,
+     "monitor.md#stop-faults-a-device-that-fails", make<LogPanel>},
     {"notes", QT_TRANSLATE_NOOP("Panels", "Notes"), PanelArea::Bottom, Everywhere, "projects.md",
      make<NotesPanel>},
 };
@@ -104,7 +105,7 @@ QString perspectiveId(Perspective perspective) {
 std::vector<PanelSpec> panelSpecs() {
     std::vector<PanelSpec> specs;
     for (const Row& row : Rows) {
-        PanelSpec spec{row.id, words(row.title), row.area, {}, row.helpPage, row.make};
+        PanelSpec spec{row.id, words(row.title), row.area, {}, row.helpAddress, row.make};
         for (const Perspective perspective : AllPerspectives) {
             if ((row.perspectives & in(perspective)) != 0) {
                 spec.perspectives.push_back(perspective);

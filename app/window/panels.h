@@ -29,7 +29,7 @@ struct PanelSpec {
     QString title;
     PanelArea area = PanelArea::Centre;
     std::vector<Perspective> perspectives;
-    QString helpPage; ///< file of resources/help
+    QString helpAddress; ///< page and section of resources/help, as in English
     std::function<QWidget*(Workbench&)> make;
 };
 

@@ -189,7 +189,7 @@ CITATION = re.compile(r"(?:resources/help/)?\b((?:htm-theory|protocol|architectu
 def citations_exist(files):
     """A comment that names a help page, and perhaps a section of it, names something that is there."""
     sections = {path.rsplit("/", 1)[1]: {h.split()[0].rstrip(".") for h in headings(text) if h[:1].isdigit()}
-                for path, text in files.items() if path.startswith("resources/help/")}
+                for path, text in files.items() if re.fullmatch(r"resources/help/[^/]+", path)}
     sections.get("htm-theory.md", set()).update(re.findall(r"^\| (6\.\d+) \|",
                                                            files.get("resources/help/htm-theory.md", ""), re.M))
     for path, text in files.items():

@@ -37,7 +37,11 @@ TEST_F(LanguageTest, numbersAreWrittenAsTheSystemDoesWhenItSpeaksTheLanguage) {
 }
 
 TEST_F(LanguageTest, theWindowSpeaksIt) {
-    speak(application, "de");
+    EXPECT_EQ(spokenLanguage(), "en");
+    for (const char* one : {"zh_CN", "en", "de"}) {
+        speak(application, one);
+        EXPECT_EQ(spokenLanguage(), one);
+    }
     open();
     EXPECT_NE(action("Datei"), nullptr);
     EXPECT_EQ(QLocale().decimalPoint(), ',');

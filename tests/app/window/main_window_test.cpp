@@ -233,11 +233,5 @@ TEST_F(MainWindowTest, aDamagedProjectIsSaidInPlaceAndNothingIsLost) {
     }));
 }
 
-TEST_F(MainWindowTest, everyPanelNamesAHelpPageThatExists) {
-    for (const PanelSpec& spec : panelSpecs()) {
-        EXPECT_FALSE(helpText(spec.helpPage).isEmpty()) << spec.id.toStdString();
-    }
-}
-
 } // namespace
 } // namespace halbench::app

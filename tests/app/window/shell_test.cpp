@@ -1,4 +1,5 @@
 #include "app/window/dock_layout.h"
+#include "app/window/help_pages.h"
 #include "app/window/help_window.h"
 #include "app/workspaces/device_panel.h"
 #include "app/workspaces/drive_control.h"
@@ -52,7 +53,7 @@ protected:
     static QString parametersHelp() {
         for (const PanelSpec& spec : panelSpecs()) {
             if (spec.id == "parameters") {
-                return spec.helpPage;
+                return spec.helpAddress.section('#', 0, 0);
             }
         }
         return {};
@@ -286,8 +287,9 @@ TEST_F(ShellTest, helpOpensThePageOfThePanelThatHasTheFocus) {
     QTest::keyClick(list, Qt::Key_F1);
     ASSERT_NE(help(), nullptr);
     QTextBrowser page;
-    page.setMarkdown(helpText("command-line.md"));
+    page.setMarkdown(helpText("monitor.md"));
     EXPECT_EQ(helpWords(), page.toPlainText());
+    EXPECT_EQ(help()->findChild<QTextBrowser*>()->textCursor().block().text(), "Devices");
 }
 
 TEST_F(ShellTest, aLinkIntoAPageShowsItsSection) {

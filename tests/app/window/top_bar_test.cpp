@@ -1,5 +1,6 @@
 #include "app/window/connect_button.h"
 #include "app/window/dock_layout.h"
+#include "app/window/help_pages.h"
 #include "app/window/help_window.h"
 #include "app/window/perspective_bar.h"
 #include "app/window/record_button.h"

@@ -1,5 +1,6 @@
 #include "app/procedures/move_procedure.h"
 #include "app/window/dock_layout.h"
+#include "app/window/help_window.h"
 #include "app/window/language.h"
 #include "app/window/main_window.h"
 #include "app/window/window_application.h"
@@ -16,6 +17,8 @@
 #include <qtadvanceddocking/DockWidget.h>
 
 #include <cstdio>
+#include <map>
+#include <utility>
 
 namespace halbench::app {
 
@@ -58,6 +61,27 @@ public:
         static_cast<MonitorPanel*>(m_window.docks().panel("monitor"))->setView(view);
         takePanel("monitor");
         return m_isSaved;
+    }
+
+    /// Pages of the help: the first one, pictures, a panel's section, one that is in English only.
+    bool takeHelp() {
+        const std::pair<const char*, const char*> pages[] = {
+            {"help-index", "index.md"},         {"help-monitor", "monitor.md"},
+            {"help-drive", "monitor.md#drive"}, {"help-field", "monitor.md#field"},
+            {"help-tune", "tuning.md#margins"}, {"help-english", "protocol.md"}};
+        for (const auto& [scene, address] : pages) {
+            HelpWindow help(address, &m_window);
+            help.show();
+            take(QString::fromLatin1(scene), help);
+        }
+        return m_isSaved;
+    }
+
+    /// A calibration with its pictures.
+    bool takeCalibrationOnly() {
+        m_window.connectDevice(QStringLiteral("sim:htm"));
+        return wait([this] { return !m_window.bench().deviceValues().empty(); }) && takeCalibration() &&
+               m_isSaved;
     }
 
     bool takeAll() {
@@ -123,14 +147,16 @@ private:
             [](Result<MoveResult>) {});
     }
 
-    void take(const QString& scene) {
+    void take(const QString& scene) { take(scene, m_window); }
+
+    void take(const QString& scene, QWidget& shown) {
         for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
             wear(choice);
             QTest::qWait(Settling_ms);
             const QString file = QStringLiteral("%1-%2-%3-%4x.png")
                                      .arg(scene, themeName(choice), m_language)
-                                     .arg(m_window.devicePixelRatioF());
-            m_isSaved = m_window.grab().save(QDir(m_folder).filePath(file)) && m_isSaved;
+                                     .arg(shown.devicePixelRatioF());
+            m_isSaved = shown.grab().save(QDir(m_folder).filePath(file)) && m_isSaved;
         }
     }
 
@@ -233,9 +259,15 @@ private:
 
 int main(int count, char** words) {
     using namespace halbench::app;
-    const bool isMonitorOnly = count == 6 && QByteArray(words[5]) == "monitor";
-    if (count != 5 && !isMonitorOnly) {
-        std::fprintf(stderr, "usage: halbench_screenshots FOLDER LANGUAGE WIDTH HEIGHT [monitor]\n");
+    const std::map<QByteArray, bool (Photographer::*)()> subjects = {
+        {"", &Photographer::takeAll},
+        {"monitor", &Photographer::takeMonitor},
+        {"help", &Photographer::takeHelp},
+        {"calibration", &Photographer::takeCalibrationOnly}};
+    const auto subject = subjects.find(count == 6 ? QByteArray(words[5]) : QByteArray(""));
+    if (count < 5 || count > 6 || subject == subjects.end()) {
+        std::fprintf(stderr,
+                     "usage: halbench_screenshots FOLDER LANGUAGE WIDTH HEIGHT [monitor|help|calibration]\n");
         return 2;
     }
     qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -247,5 +279,5 @@ int main(int count, char** words) {
     speak(application, language);
     QDir().mkpath(folder);
     Photographer photographer(folder, language, size);
-    return (isMonitorOnly ? photographer.takeMonitor() : photographer.takeAll()) ? 0 : 1;
+    return (photographer.*subject->second)() ? 0 : 1;
 }
