@@ -116,6 +116,9 @@ void DeviceSession::leave() {
         return;
     }
     abortProcedure();
+    if (report().board.isArmed) {
+        message(MessageLevel::Info, tr("connection"), tr("armed: it is disarmed before it is left"));
+    }
     setState(SessionState::Leaving);
     if (m_procedure.isEmpty()) {
         m_connection->close();

@@ -29,6 +29,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QMenuBar>
+#include <QScreen>
 #include <QStandardPaths>
 #include <QVBoxLayout>
 #include <qtadvanceddocking/DockWidget.h>
@@ -67,8 +68,22 @@ MainWindow::MainWindow(Preferences preferences) : m_preferences(std::move(prefer
     m_docks->widget()->setFocus(); // never STOP first
     setWindowTitle(QStringLiteral("Halbench"));
     resize(FirstSize);
-    restoreGeometry(m_preferences.geometry);
+    if (restoreGeometry(m_preferences.geometry)) {
+        fitScreen();
+    }
     usePreferredPerspective();
+}
+
+/// A place that was kept on another display, or at another scale, may reach beyond this one; STOP with it.
+void MainWindow::fitScreen() {
+    const QRect room = screen()->availableGeometry();
+    if (isMaximized() || isFullScreen() || room.contains(geometry())) {
+        return;
+    }
+    resize(size().boundedTo(room.size()));
+    const int left = std::clamp(x(), room.left(), std::max(room.left(), room.right() + 1 - width()));
+    const int top = std::clamp(y(), room.top(), std::max(room.top(), room.bottom() + 1 - height()));
+    move(left, top);
 }
 
 void MainWindow::usePreferredPerspective() {

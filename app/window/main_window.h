@@ -59,6 +59,7 @@ protected:
 private:
     void buildCentre();
     void connectPanels();
+    void fitScreen();
     void usePreferredPerspective();
     void createMenus();
     void fillMenus();

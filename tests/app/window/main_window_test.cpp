@@ -10,6 +10,7 @@
 #include <QDialog>
 #include <QFile>
 #include <QListWidget>
+#include <QScreen>
 #include <QTemporaryDir>
 #include <qtadvanceddocking/DockWidget.h>
 
@@ -42,6 +43,19 @@ TEST_F(MainWindowTest, enterInTheDeviceListConnectsTheSimulatedMotor) {
     QTest::keyClick(list, Qt::Key_Return);
     ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
     EXPECT_TRUE(session().info().isSimulated);
+}
+
+// From a display of twice the size, or the same one at half the scale.
+TEST_F(MainWindowTest, aPlaceThatWasKeptElsewhereIsBroughtOntoTheScreen) {
+    open();
+    const QRect room = window->screen()->availableGeometry();
+    window->setGeometry(room.right() - 40, room.bottom() - 40, 3 * room.width(), 3 * room.height());
+    Preferences kept;
+    kept.geometry = window->saveGeometry();
+    MainWindow again(kept);
+    EXPECT_TRUE(room.contains(again.pos())) << again.x() << ", " << again.y();
+    EXPECT_LE(again.width(), std::max(room.width(), again.minimumSizeHint().width()));
+    EXPECT_LE(again.height(), std::max(room.height(), again.minimumSizeHint().height()));
 }
 
 TEST_F(MainWindowTest, theListMarksTheDeviceThatIsConnectedAndNoOther) {
