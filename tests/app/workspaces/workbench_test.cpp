@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace halbench::app {
 namespace {
 
@@ -62,6 +65,39 @@ TEST_F(WorkbenchTest, samplesOfTheLiveStreamReachTheHistory) {
         Patience_ms));
     EXPECT_EQ(bench.history().unit("hall.a"), "T");
     EXPECT_EQ(bench.history().lostRows(), 0U);
+}
+
+TEST_F(WorkbenchTest, currentsThatAProcedureCommandsAreNoReferenceOfTheAngle) {
+    connectMotor(20.0);
+    bench.session().setLiveStream({"position", "reference", "status"}, 100.0);
+    bool isDone = false;
+    bench.session().runProcedure(
+        "Spin",
+        [](devices::Device& device, const ProcedureObserver&) -> Result<void> {
+            const std::vector<ParameterValue> mode = {
+                {"hb.mode", static_cast<double>(devices::BoardMode::Current)}};
+            const std::vector<ParameterValue> push = {{"hb.setpoint", 0.5}};
+            if (!device.writeParameters(mode) || !device.arm() || !device.writeParameters(push)) {
+                return failure(ErrorCode::DeviceRefused, "not driven");
+            }
+            (void)device.clock().waitFor(2.0);
+            return device.disarm();
+        },
+        [&](const Result<void>& driven) { isDone = bool(driven); });
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+            bench.drainSamples();
+            return isDone;
+        },
+        Patience_ms));
+    bench.drainSamples();
+    const auto all = bench.history().range("position").value_or(control::TimeRange{});
+    ASSERT_GT(all.length_s(), 1.0);
+    std::vector<control::TimedValue> shown;
+    bench.history().samples("reference", all, shown);
+    EXPECT_TRUE(std::all_of(shown.begin(), shown.end(), [](const auto& one) {
+        return std::isnan(one.value);
+    })) << "0.5 A would be drawn as 29 degrees";
 }
 
 TEST_F(WorkbenchTest, valuesAreGoneWithTheDevice) {
