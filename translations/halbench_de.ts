@@ -5381,6 +5381,10 @@ Firmware %2</translation>
             <numerusform>%Ln Zeilen kamen schneller, als das Fenster sie zeigen konnte, und sind nicht gezeichnet</numerusform>
         </translation>
     </message>
+    <message>
+        <source>armed: it is disarmed before it is left</source>
+        <translation>freigegeben: es wird gesperrt, bevor die Verbindung getrennt wird</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DisplayQuantity</name>
@@ -8779,6 +8783,10 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>To have them after that too: save them as a preset, in the Parameters panel.</source>
         <translation>Sollen sie auch danach gelten: Speichern Sie sie als Parametersatz im Feld Parameter.</translation>
+    </message>
+    <message>
+        <source>Within the predicted band, but these gains do not run any more</source>
+        <translation>Im vorhergesagten Band, aber diese Reglerparameter laufen nicht mehr</translation>
     </message>
 </context>
 <context>

@@ -5376,6 +5376,10 @@ Firmware %2</source>
             <numerusform>%Ln 行到达过快，窗口来不及显示，因此未绘制</numerusform>
         </translation>
     </message>
+    <message>
+        <source>armed: it is disarmed before it is left</source>
+        <translation>已使能：断开前先解除使能</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DisplayQuantity</name>
@@ -8771,6 +8775,10 @@ A real device has its own time.</source>
     <message>
         <source>To have them after that too: save them as a preset, in the Parameters panel.</source>
         <translation>若此后也要保留：在“参数”面板中保存为预设。</translation>
+    </message>
+    <message>
+        <source>Within the predicted band, but these gains do not run any more</source>
+        <translation>在预测范围内，但这些增益已不再运行</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include "control/base/assert.h"
 #include "widgets/theme_style.h"
 
+#include <QAbstractButton>
 #include <QButtonGroup>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -76,6 +77,12 @@ void PageChooser::setPageEnabled(QWidget* page, bool isEnabled) {
 
 void PageChooser::setCurrent(QWidget* page) {
     pageOf(isBeside(pageOf(page)) ? m_pair.first : page).button->setChecked(true);
+}
+
+void PageChooser::focusCurrent() {
+    if (QAbstractButton* button = m_group->checkedButton()) {
+        button->setFocus(Qt::OtherFocusReason);
+    }
 }
 
 void PageChooser::pairWhenWide(QWidget* first, QWidget* second, int least_px) {

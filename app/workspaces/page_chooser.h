@@ -24,6 +24,8 @@ public:
     void setTitle(QWidget* page, const QString& title, const QString& toolTip);
     void setPageEnabled(QWidget* page, bool isEnabled);
     void setCurrent(QWidget* page);
+    /// The keyboard goes to the button of the page that is shown, where a key changes nothing.
+    void focusCurrent();
     /// From this width of the pages on, the second stands beside the first, under one button with both
     /// titles.
     void pairWhenWide(QWidget* first, QWidget* second, int least_px);

@@ -3,6 +3,7 @@
 #include "app/batch/loop_conditions.h"
 #include "app/workspaces/foreign_motor_notice.h"
 #include "app/workspaces/gain_editor.h"
+#include "app/workspaces/page_chooser.h"
 #include "app/workspaces/preflight.h"
 #include "app/workspaces/tune_form.h"
 #include "widgets/empty_state.h"
@@ -74,6 +75,13 @@ void TunePanel::connectParts() {
     connect(m_keep, &QPushButton::clicked, this, &TunePanel::keep);
     connect(m_restore, &QPushButton::clicked, this, &TunePanel::restore);
     connect(m_save, &QPushButton::clicked, this, &TunePanel::saveGains);
+    m_decision.setSingleShot(true);
+    connect(&m_decision, &QTimer::timeout, this, [this] {
+        refreshButtons();
+        if (m_figures->isAncestorOf(focusWidget())) { // else it went elsewhere meanwhile
+            focusNext();
+        }
+    });
     connect(m_progress, &widgets::ProgressRow::cancelRequested, &m_bench.session(),
             &DeviceSession::abortProcedure);
     connect(&m_bench, &Workbench::identificationChanged, this, [this] {

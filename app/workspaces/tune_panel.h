@@ -8,6 +8,7 @@
 #include "app/workspaces/tune_question.h"
 #include "app/workspaces/workbench.h"
 
+#include <QTimer>
 #include <QWidget>
 
 #include <map>
@@ -101,6 +102,8 @@ private:
     std::optional<TuneResult> m_shown;                ///< what the numbers say, and what would be applied
     std::vector<ParameterValue> m_before;             ///< what an apply replaced; empty when that is decided
     std::optional<ApplyResult> m_verified;            ///< the last apply that moved
+    bool m_isUndone = false;                          ///< the gains that were verified were taken back
+    QTimer m_decision;                                ///< runs until Keep can be meant
     bool m_isApplying = false;
     bool m_isOfThisMotor = false; ///< what is applied now; not once another project was opened meanwhile
     QString m_toldOfDevice;       ///< the message while it is of an apply, thus of one device and motor

@@ -69,6 +69,9 @@ QString rippleOf(const ApplyResult& verified, const LoopConditions& conditions, 
     return ripple ? rippleWords(*ripple, units) : QString();
 }
 
+/// Keep comes to where Apply was clicked: not for a double click, nor before the picture can have been seen.
+constexpr int LeastLook_ms = 1000;
+
 QString firstFinding(const DataQuality& quality) {
     return quality.findings.empty() ? QString() : widgets::inWords(quality.findings.front().message);
 }
@@ -130,12 +133,16 @@ void TunePanel::refreshButtons() {
     m_restore->setVisible(!m_before.empty());
     const bool isFree =
         m_bench.session().state() == SessionState::Connected && m_bench.session().procedure().isEmpty();
-    m_keep->setEnabled(isFree);
+    m_keep->setEnabled(isFree && !m_decision.isActive());
     m_restore->setEnabled(isFree && !m_bench.session().report().board.isArmed); // a loop that runs would jump
 }
 
 /// To decide is next; after that to choose other gains. Apply goes off while its prediction is asked anew.
 void TunePanel::focusNext() {
+    if (m_decision.isActive()) {
+        m_figures->focusCurrent();
+        return;
+    }
     QWidget* next = m_before.empty() ? static_cast<QWidget*>(m_form) : m_keep;
     next->setFocus(Qt::OtherFocusReason);
 }
@@ -175,6 +182,7 @@ void TunePanel::apply() {
     m_isOfThisMotor = true;
     m_preflight->setRunning(tr("This verification is running"));
     const QPointer<TunePanel> self(this);
+    m_bench.setProcedureFollowsAngle(true);
     m_isApplying = m_bench.session().runProcedure(
         tr("Apply"),
         [config](devices::Device& device, const ProcedureObserver& observer) {
@@ -186,6 +194,7 @@ void TunePanel::apply() {
             }
         });
     if (!m_isApplying) {
+        m_bench.setProcedureFollowsAngle(false);
         m_preflight->setRunning({});
     }
     m_progress->setText(tr("Writing the gains"));
@@ -199,6 +208,7 @@ void TunePanel::apply() {
 
 void TunePanel::finishApply(const Result<ApplyResult>& result) {
     m_isApplying = false;
+    m_bench.setProcedureFollowsAngle(false);
     m_preflight->setRunning({});
     m_progress->hide();
     if (!result) {
@@ -223,6 +233,7 @@ void TunePanel::finishApply(const Result<ApplyResult>& result) {
                 m_before.push_back(old);
             }
         }
+        m_decision.start(LeastLook_ms);
         const QString done = tr("Applied, and the verification move went as predicted.");
         m_bench.session().message(MessageLevel::Info, tr("Tune"), done);
         tellOfDevice(
@@ -244,6 +255,7 @@ void TunePanel::finishApply(const Result<ApplyResult>& result) {
 
 void TunePanel::showVerification(const ApplyResult& result) {
     m_verified = result;
+    m_isUndone = !result.isKept;
     drawVerification();
     m_figures->setPageEnabled(m_verificationPage, true);
     m_figures->setCurrent(m_verificationPage);
@@ -279,6 +291,12 @@ void TunePanel::drawVerification() {
     if (const QString ripple = rippleOf(*m_verified, m_conditions, units); !ripple.isEmpty()) {
         remarks.push_back({ripple, {}});
     }
+    if (isWithin && m_isUndone) {
+        m_agreement->setVerdict(widgets::VerdictLevel::Doubtful,
+                                tr("Within the predicted band, but these gains do not run any more"),
+                                remarks);
+        return;
+    }
     m_agreement->setVerdict(isWithin ? widgets::VerdictLevel::Good : widgets::VerdictLevel::Refused,
                             isWithin ? tr("Within the predicted band") : tr("Outside the predicted band"),
                             remarks);
@@ -295,6 +313,8 @@ void TunePanel::restore() {
             return;
         }
         self->m_before.clear();
+        self->m_isUndone = true;
+        self->drawVerification();
         const QString done = tr("The gains from before run again.");
         self->m_bench.session().message(MessageLevel::Info, tr("Tune"), done);
         self->tellOfDevice({widgets::Severity::Success, done, {}, {}});

@@ -103,7 +103,7 @@ protected:
     }
     void verify() {
         click(panel, "Apply and verify");
-        ASSERT_TRUE(wait([&] { return button(panel, "Keep") != nullptr; })) << message().toStdString();
+        ASSERT_TRUE(wait([&] { return isEnabled(panel, "Keep"); })) << message().toStdString();
     }
     static QString focused() {
         const QWidget* widget = QApplication::focusWidget();

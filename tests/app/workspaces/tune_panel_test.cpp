@@ -127,14 +127,30 @@ TEST_F(TunePanelTest, appliesVerifiesDrawsAndRestores) {
     EXPECT_TRUE(words.contains("farthest from the prediction")) << words.toStdString();
     click(panel, "Restore");
     ASSERT_TRUE(wait([&] { return message().contains("before run again"); }));
+    EXPECT_TRUE(agreement().contains("do not run any more")) << agreement().toStdString();
     EXPECT_EQ(valuesNow(), before);
     EXPECT_EQ(button(panel, "Restore"), nullptr);
+}
+
+TEST_F(TunePanelTest, aDoubleClickOnApplyKeepsNothing) {
+    prepare();
+    click(panel, "Apply and verify");
+    std::optional<bool> wasEnabled;
+    ASSERT_TRUE(wait([&] {
+        if (const auto* keep = button(panel, "Keep"); keep != nullptr && !wasEnabled) {
+            wasEnabled = keep->isEnabled();
+        }
+        return wasEnabled.has_value();
+    }));
+    EXPECT_FALSE(*wasEnabled) << "its place is where Apply was clicked";
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Keep"); }));
+    EXPECT_TRUE(isEnabled(panel, "Restore"));
 }
 
 TEST_F(TunePanelTest, keepLetsTheNewGainsStay) {
     prepare();
     click(panel, "Apply and verify");
-    ASSERT_TRUE(wait([&] { return button(panel, "Keep") != nullptr; })) << message().toStdString();
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Keep"); })) << message().toStdString();
     click(panel, "Keep");
     EXPECT_EQ(button(panel, "Restore"), nullptr);
     EXPECT_NEAR(valuesNow().at("gain.kp"), 40.0, 1e-4);
@@ -163,7 +179,7 @@ TEST_F(TunePanelTest, beforeStaysWhatRanBeforeTheApplyUntilThatIsDecided) {
     };
     EXPECT_EQ(numbersHeader(), "On the device");
     click(panel, "Apply and verify");
-    ASSERT_TRUE(wait([&] { return button(panel, "Keep") != nullptr; })) << message().toStdString();
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Keep"); })) << message().toStdString();
     EXPECT_NEAR(valuesNow().at("gain.kp"), 40.0, 1e-4); // and every value is read anew
     ASSERT_TRUE(wait([&] { return canApply(); }));
     EXPECT_TRUE(areAsBefore());
@@ -171,6 +187,7 @@ TEST_F(TunePanelTest, beforeStaysWhatRanBeforeTheApplyUntilThatIsDecided) {
     ASSERT_TRUE(wait([&] { return bench.session().procedure().isEmpty() && canApply(); }));
     EXPECT_TRUE(areAsBefore());
     EXPECT_EQ(numbersHeader(), "Before the apply");
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Keep"); }));
     click(panel, "Keep");
     ASSERT_TRUE(wait([&] { return curve("Open loop", "before") == proposed["Open loop"]; }));
     EXPECT_EQ(numbersHeader(), "On the device");
@@ -180,7 +197,7 @@ TEST_F(TunePanelTest, restoreAfterTwoAppliesBringsBackWhatRanBeforeBoth) {
     prepare();
     const auto before = valuesNow();
     click(panel, "Apply and verify");
-    ASSERT_TRUE(wait([&] { return button(panel, "Keep") != nullptr; })) << message().toStdString();
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Keep"); })) << message().toStdString();
     type("gain.kp", "38");
     ASSERT_TRUE(wait([&] { return canApply(); }));
     click(panel, "Apply and verify");

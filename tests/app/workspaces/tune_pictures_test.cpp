@@ -68,7 +68,7 @@ TEST_F(TunePicturesTest, marginsHaveTheIntervalOfTheIdentificationOrSayThatNoneI
 TEST_F(TunePicturesTest, figuresAndGainsFollowThePreferredAngle) {
     prepare();
     click(panel, "Apply and verify");
-    ASSERT_TRUE(wait([&] { return button(panel, "Keep") != nullptr; })) << message().toStdString();
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Keep"); })) << message().toStdString();
     const auto unit = [&](const QString& title) { return figure(title)->figure().panels.at(0).y.unit; };
     for (const char* title : {"Predicted step with", "Predicted step of", "Verification"}) {
         EXPECT_EQ(unit(title), "rad") << title;
