@@ -6556,6 +6556,10 @@ wird er in gleichmäßiger Rampe mit Tippdrehzahl angefahren</translation>
         <source>Connected is another one: %1.</source>
         <translation>Verbunden ist ein anderes: %1.</translation>
     </message>
+    <message>
+        <source>Good, with the remarks below</source>
+        <translation>Gut, mit den Anmerkungen unten</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::JogRow</name>
@@ -8555,12 +8559,12 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>nicht bekannt</translation>
     </message>
     <message>
-        <source>at rest %1 from the set-point, allowed are %2</source>
-        <translation>in Ruhe %1 vom Sollwert entfernt, zulässig sind %2</translation>
+        <source>at rest %1 from the set-point by its own sensors, allowed are %2</source>
+        <translation>in Ruhe nach den eigenen Sensoren %1 vom Sollwert entfernt, zulässig sind %2</translation>
     </message>
     <message>
-        <source>at rest %1 from the set-point, %2 more than allowed</source>
-        <translation>in Ruhe %1 vom Sollwert entfernt, %2 mehr als zulässig</translation>
+        <source>at rest %1 from the set-point by its own sensors, %2 more than allowed</source>
+        <translation>in Ruhe nach den eigenen Sensoren %1 vom Sollwert entfernt, %2 mehr als zulässig</translation>
     </message>
     <message>
         <source>overshoot %1 %, %2 % more than allowed</source>

@@ -6551,6 +6551,10 @@ is approached as an even ramp at the jog speed</source>
         <source>Connected is another one: %1.</source>
         <translation>当前连接的是另一个设备：%1。</translation>
     </message>
+    <message>
+        <source>Good, with the remarks below</source>
+        <translation>良好，请留意下列说明</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::JogRow</name>
@@ -8547,12 +8551,12 @@ A real device has its own time.</source>
         <translation>未知</translation>
     </message>
     <message>
-        <source>at rest %1 from the set-point, allowed are %2</source>
-        <translation>静止时距设定值 %1，允许 %2</translation>
+        <source>at rest %1 from the set-point by its own sensors, allowed are %2</source>
+        <translation>静止时按自身传感器距设定值 %1，允许 %2</translation>
     </message>
     <message>
-        <source>at rest %1 from the set-point, %2 more than allowed</source>
-        <translation>静止时距设定值 %1，超出允许值 %2</translation>
+        <source>at rest %1 from the set-point by its own sensors, %2 more than allowed</source>
+        <translation>静止时按自身传感器距设定值 %1，超出允许值 %2</translation>
     </message>
     <message>
         <source>overshoot %1 %, %2 % more than allowed</source>

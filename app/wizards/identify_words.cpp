@@ -156,7 +156,8 @@ widgets::VerdictLevel verdictLevel(Verdict verdict) {
 QString verdictTitle(const DataQuality& quality) {
     switch (quality.verdict) {
     case Verdict::Good:
-        return Words::tr("Good: nothing speaks against the model");
+        return quality.findings.empty() ? Words::tr("Good: nothing speaks against the model")
+                                        : Words::tr("Good, with the remarks below");
     case Verdict::Doubtful:
         return Words::tr("Doubtful: look at the findings before you rely on it");
     case Verdict::Refused:

@@ -132,11 +132,12 @@ std::vector<TuneNumber> tuneNumbers(const TuneResult& proposed, const std::optio
 QString agreementWords(const VerificationBand& band, const MoveFigures& measured, const DisplayUnits& units) {
     const double rest_rad = std::abs(measured.finalError_rad);
     const double excess_rad = rest_rad - band.allowed_rad;
-    QStringList parts = {excess_rad <= 0.0
-                             ? Words::tr("at rest %1 from the set-point, allowed are %2")
-                                   .arg(angleText(rest_rad, units, 2), angleText(band.allowed_rad, units, 2))
-                             : Words::tr("at rest %1 from the set-point, %2 more than allowed")
-                                   .arg(angleText(rest_rad, units, 2), angleText(excess_rad, units, 2))};
+    QStringList parts = {
+        excess_rad <= 0.0
+            ? Words::tr("at rest %1 from the set-point by its own sensors, allowed are %2")
+                  .arg(angleText(rest_rad, units, 2), angleText(band.allowed_rad, units, 2))
+            : Words::tr("at rest %1 from the set-point by its own sensors, %2 more than allowed")
+                  .arg(angleText(rest_rad, units, 2), angleText(excess_rad, units, 2))};
     if (measured.overshoot_percent && band.allowedOvershoot_percent &&
         *measured.overshoot_percent > *band.allowedOvershoot_percent) {
         parts << Words::tr("overshoot %1 %, %2 % more than allowed")

@@ -34,6 +34,15 @@ TEST(IdentifyWords, theOutlookSaysBeforeTheRunWhatItCannotFind) {
     }
 }
 
+TEST(IdentifyWords, aGoodResultThatIsRemarkedOnDoesNotSayThatNothingSpeaksAgainstIt) {
+    DataQuality quality;
+    quality.verdict = Verdict::Good;
+    EXPECT_TRUE(verdictTitle(quality).contains("nothing"));
+    quality.findings.push_back({"calibration_unknown", "the sensors were not calibrated", "calibrate first"});
+    EXPECT_FALSE(verdictTitle(quality).contains("nothing"));
+    EXPECT_TRUE(verdictTitle(quality).startsWith("Good"));
+}
+
 TEST(IdentifyWords, saysWhatSuppliesEachMissingConstant) {
     IdentifyResult result; // nothing identified, steady plateaus only
     EXPECT_TRUE(missingText(result).contains("run-ups and coast-downs"));
