@@ -20,6 +20,7 @@ struct ServeRequest {
     std::string address;               ///< HOST:PORT, port 0 picks one; not for a pseudo terminal
     std::optional<std::uint64_t> seed; ///< wins over `?seed=`; also of the faults
     LineFaults faults{};
+    SxiProfile profile{}; ///< of a pseudo terminal
 };
 
 /// Serves a simulated board to other XCP tools, paced by the wall clock, until the flag is set.

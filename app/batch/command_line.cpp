@@ -167,6 +167,12 @@ void addServe(CLI::App& app, CommandOptions& options) {
     serve->add_option("--tcp", options.tcp, "Listen there; port 0 picks one")->type_name("HOST:PORT");
     serve->add_option("--udp", options.udp, "Listen there; port 0 picks one")->type_name("HOST:PORT");
     serve->add_flag("--pty", options.usesPty, "A pseudo terminal");
+    serve->add_option("--framing", options.framing, "With --pty: SYNC and escapes, or none")
+        ->type_name("on|off");
+    serve->add_option("--header", options.sxiHeader, "With --pty: what is in front of a packet")
+        ->type_name("len_byte|len_ctr_byte|...");
+    serve->add_option("--checksum", options.checksum, "With --pty: what is behind it")
+        ->type_name("none|byte|word");
     serve->add_option("--drop", options.drop, "Share of the messages that vanish, 0 to 1")->type_name("P");
     serve->add_option("--corrupt", options.corrupt, "Share of the messages with a flipped bit, 0 to 1")
         ->type_name("P");

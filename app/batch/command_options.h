@@ -56,7 +56,8 @@ struct CommandOptions {
     bool isDryRun = false;
     std::string tcp, udp;
     bool usesPty = false;
-    std::string drop, corrupt, latency; ///< serve
+    std::string framing, sxiHeader, checksum; ///< serve --pty, in the words of a serial address
+    std::string drop, corrupt, latency;       ///< serve
     std::string input;
     std::string from, to;
     std::string signal, kind, window, segment, overlap; ///< spectrum

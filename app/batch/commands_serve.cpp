@@ -1,8 +1,12 @@
 #include "app/batch/commands.h"
 #include "app/batch/numbers.h"
+#include "devices/port_address.h"
 #include "devices/serve_device.h"
 
 #include <fmt/format.h>
+
+#include <string>
+#include <utility>
 
 namespace halbench::app {
 
@@ -25,6 +29,26 @@ Result<devices::LineFaults> faultsOf(const CommandOptions& options) {
     return devices::LineFaults{*drop, *corrupt, 1e-3 * *latency_ms};
 }
 
+/// By the address of who will open the terminal, so that both ends know the same words.
+Result<devices::SxiProfile> profileOf(const CommandOptions& options) {
+    std::string address = "serial:PTY";
+    char joint = '?';
+    for (const auto& [key, value] : {std::pair{"framing", &options.framing},
+                                     {"header", &options.sxiHeader},
+                                     {"checksum", &options.checksum}}) {
+        if (!value->empty()) {
+            address += fmt::format("{}{}={}", std::exchange(joint, '&'), key, *value);
+        }
+    }
+    if (joint == '&' && !options.usesPty) {
+        return failure(ErrorCode::Usage, "--framing, --header and --checksum are of a serial line",
+                       "serve with --pty, or leave them out");
+    }
+    return devices::parseDeviceUri(address).and_then(devices::parseSerialAddress).map([](const auto& serial) {
+        return serial.profiles.front();
+    });
+}
+
 Result<devices::ServeRequest> requestOf(const CommandContext& context, const CommandOptions& options) {
     using devices::ServedLine;
     const int chosen =
@@ -37,6 +61,10 @@ Result<devices::ServeRequest> requestOf(const CommandContext& context, const Com
     if (!faults) {
         return failure(faults.error());
     }
+    const Result<devices::SxiProfile> profile = profileOf(options);
+    if (!profile) {
+        return failure(profile.error());
+    }
     devices::ServeRequest request;
     request.device = options.device;
     request.line = options.usesPty        ? ServedLine::Pty
@@ -45,6 +73,7 @@ Result<devices::ServeRequest> requestOf(const CommandContext& context, const Com
     request.address = options.tcp + options.udp; // one of them is empty
     request.seed = context.global.seed;
     request.faults = *faults;
+    request.profile = *profile;
     return request;
 }
 

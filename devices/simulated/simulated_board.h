@@ -23,7 +23,7 @@ public:
     /// The line the board is told it hangs on: the A2L block that describes it, and the longest measurement
     /// packet it carries.
     struct Line {
-        const char* a2l = nullptr; ///< a literal; nullptr: TCP
+        const char* a2l = nullptr; ///< outlives the board; nullptr: TCP
         std::uint16_t maxDto = 0;  ///< 0: the board's own limit
     };
     /// Errors: OutOfRange (parameters that make no amplifier).

@@ -8,9 +8,11 @@ namespace halbench::devices {
 
 namespace {
 
-/// Octets behind the SYNC of the shortest frame: LEN, CTR, a packet of one octet, fill and checksum
-/// (resources/help/protocol.md 3.3).
-constexpr std::size_t ShortestFrame = 6;
+/// Octets that follow the first one of every frame (resources/help/protocol.md 3.3).
+std::size_t octetsBehindFirst(const SxiProfile& profile) {
+    const std::size_t shortest = SxiCodec(profile).shortestMessage();
+    return profile.isFramed ? shortest : shortest - 1;
+}
 
 bool happens(Random& random, double ratio) {
     return ratio > 0.0 && random.uniform() < ratio;
@@ -107,20 +109,27 @@ bool FaultyBoard::transmit(std::vector<std::uint8_t>& packet, std::uint16_t& cou
     return true;
 }
 
-FaultyFraming::FaultyFraming(std::unique_ptr<PacketFraming> framing, std::uint8_t sync, double corrupt_ratio,
-                             const Random& random, LineTraffic& traffic)
-    : m_framing(std::move(framing)), m_sync(sync), m_corrupt_ratio(corrupt_ratio), m_random(random),
+FaultyFraming::FaultyFraming(std::unique_ptr<PacketFraming> framing, const SxiProfile& profile,
+                             double corrupt_ratio, const Random& random, LineTraffic& traffic)
+    : m_framing(std::move(framing)), m_profile(profile), m_corrupt_ratio(corrupt_ratio), m_random(random),
       m_traffic(&traffic) {}
 
 std::span<const std::uint8_t> FaultyFraming::receive(std::uint8_t octet) {
-    if (octet == m_sync) {
+    if (m_profile.isFramed ? octet == m_profile.sync : m_isBetweenFrames) {
         const bool isDamaged = happens(m_random, m_corrupt_ratio);
-        m_untilDamage = isDamaged ? 1 + m_random.below(ShortestFrame) : 0;
+        m_untilDamage = isDamaged ? 1 + m_random.below(octetsBehindFirst(m_profile)) : 0;
         m_traffic->corrupted += isDamaged ? 1 : 0;
     } else if (m_untilDamage > 0 && --m_untilDamage == 0) {
         flipBit(m_random, {&octet, 1});
     }
-    return m_framing->receive(octet);
+    const std::span<const std::uint8_t> packet = m_framing->receive(octet);
+    m_isBetweenFrames = !packet.empty();
+    return packet;
+}
+
+void FaultyFraming::noteSilence() {
+    m_isBetweenFrames = true;
+    m_framing->noteSilence();
 }
 
 void FaultyFraming::append(std::vector<std::uint8_t>& line, std::uint16_t counter,

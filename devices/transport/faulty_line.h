@@ -4,6 +4,7 @@
 #include "control/base/result.h"
 #include "devices/transport/board_server.h"
 #include "devices/transport/pty_server.h"
+#include "devices/transport/sxi_codec.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -67,23 +68,26 @@ private:
     std::deque<Message> m_toMaster;
 };
 
-/// Flips one bit of some frames on a serial line, header and checksum included: the receivers notice. Wraps a
-/// framing whose frames begin with an octet that is nowhere else in them. Thread: the server's.
+/// Flips one bit of some frames on a serial line, header and checksum included: the receivers notice where
+/// there is a checksum. A frame from the master begins with SYNC, or without framing behind the one before or
+/// a silence. Thread: the server's.
 class FaultyFraming : public PacketFraming {
 public:
-    FaultyFraming(std::unique_ptr<PacketFraming> framing, std::uint8_t sync, double corrupt_ratio,
+    FaultyFraming(std::unique_ptr<PacketFraming> framing, const SxiProfile& profile, double corrupt_ratio,
                   const Random& random, LineTraffic& traffic);
 
     std::span<const std::uint8_t> receive(std::uint8_t octet) override;
     void append(std::vector<std::uint8_t>& line, std::uint16_t counter,
                 std::span<const std::uint8_t> packet) override;
+    void noteSilence() override;
 
 private:
     std::unique_ptr<PacketFraming> m_framing;
-    std::uint8_t m_sync;
+    SxiProfile m_profile;
     double m_corrupt_ratio;
     Random m_random;
     LineTraffic* m_traffic;
+    bool m_isBetweenFrames = true; ///< without framing
     std::size_t m_untilDamage = 0; ///< octets of the frame that is coming in; 0: it stays whole
 };
 

@@ -19,6 +19,8 @@ namespace {
 /// overflows and drops whole samples.
 constexpr std::size_t MaxOutgoing = 4096;
 constexpr std::size_t PathCapacity = 128;
+/// Without framing, octets further apart than this do not belong together.
+constexpr std::chrono::milliseconds InterOctetTimeout{50};
 
 tl::unexpected<Error> noTerminal(const char* what) {
     return failure(ErrorCode::DeviceLost, fmt::format("{}: {}", what, std::strerror(errno)),
@@ -66,6 +68,13 @@ void PtyServer::waitForTraffic(int timeout_ms) const {
 void PtyServer::exchange(ServedBoard& board) {
     std::array<std::uint8_t, 4096> octets;
     const ssize_t count = ::read(m_line.number(), octets.data(), octets.size());
+    if (count > 0) {
+        const auto now = std::chrono::steady_clock::now();
+        if (now - m_lastOctet > InterOctetTimeout) {
+            m_framing->noteSilence();
+        }
+        m_lastOctet = now;
+    }
     for (ssize_t i = 0; i < count; ++i) {
         const auto packet = m_framing->receive(octets[static_cast<std::size_t>(i)]);
         if (!packet.empty()) {

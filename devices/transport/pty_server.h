@@ -4,6 +4,7 @@
 #include "devices/transport/board_server.h"
 #include "devices/transport/descriptor.h"
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -21,6 +22,8 @@ public:
     /// Appends the packet's frame to the line; a packet that is too long for it is left out.
     virtual void append(std::vector<std::uint8_t>& line, std::uint16_t counter,
                         std::span<const std::uint8_t> packet) = 0;
+    /// Nothing came for a while: what had begun will not be completed.
+    virtual void noteSilence() {}
 };
 
 /// A pseudo terminal that any program opens like a serial port. Its own end of the slave stays open, so that
@@ -48,6 +51,7 @@ private:
     std::string m_path;
     std::vector<std::uint8_t> m_outgoing;
     std::vector<std::uint8_t> m_packet;
+    std::chrono::steady_clock::time_point m_lastOctet;
 };
 
 } // namespace halbench::devices

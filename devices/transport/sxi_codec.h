@@ -40,6 +40,8 @@ public:
                 std::span<const std::uint8_t> packet) override;
     std::uint64_t damaged() const override { return m_damaged; }
     std::uint16_t counterMask() const override;
+    /// Octets of the shortest message, SYNC and escapes not counted.
+    std::size_t shortestMessage() const { return messageOctets(1); }
 
 private:
     enum class Match { Good, Bad, Incomplete };

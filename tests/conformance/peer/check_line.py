@@ -31,6 +31,8 @@ class SelfTest(unittest.TestCase):
     def test_frames_are_those_of_the_page(self):
         self.assertEqual(line.sxi_frame(b"\xff\x00", 0).hex(), "9a0200ff000101")
         self.assertEqual(line.sxi_frame(b"\xfd", 1).hex(), "9a0101fd00fe01")
+        self.assertEqual(line.plain_frame(b"\xff\x00", 0).hex(), "0200ff000101")
+        self.assertEqual(line.plain_frame(b"\xfd", 1).hex(), "0101fd00fe01")
 
     def test_any_packet_comes_back_at_any_cut(self):
         numbers = random.Random(1)
@@ -186,3 +188,41 @@ class Frames(SlaveCase):
             self.assertEqual(second.answer()[0], RES)
         except NoAnswer:
             self.fail("CONNECT was not answered")
+
+
+class PlainFrames(SlaveCase):
+    """A line without framing: what tells where a command begins is the pause before it."""
+    PAUSE_S = 0.1                           # twice what the page asks for
+
+    def test_damaged_command_is_never_answered_and_the_pause_ends_it(self):
+        master = self.master(describe=False)
+        numbers = random.Random(7)
+        for index in range(24):
+            kind = ("flip", "lost", "extra", "garbage")[index % 4]
+            frame = line.plain_frame(bytes([wire.GET_STATUS]), master.counter)
+            master.line.send_octets(damaged(frame, kind, numbers))
+            master.pump(self.PAUSE_S)
+            master.answers.clear()          # garbage may be a command to the sum of words
+            master.status()
+        self.assertEqual(master.line.splitter.damaged, 0)
+
+    def test_half_a_command_does_not_spoil_the_next_one(self):
+        master = self.master(describe=False)
+        frame = line.plain_frame(bytes([wire.GET_ID, 1]), master.counter)
+        for cut in range(1, len(frame)):
+            master.line.send_octets(frame[:cut])
+            self.assert_silent(master, self.PAUSE_S)
+            master.status()
+
+    def test_command_survives_any_cut(self):
+        master = self.master(describe=False)
+        for octet in line.plain_frame(bytes([wire.GET_STATUS]), master.counter):
+            master.line.send_octets(bytes([octet]))
+            time.sleep(0.003)
+        self.assertEqual(len(master.answer()), 6)
+
+    def test_the_description_says_how_the_line_is(self):
+        text = self.master(describe=False).get_id(4).decode("utf-8")
+        sxi = text[text.index("/begin XCP_ON_SxI"):text.index("/end XCP_ON_SxI")]
+        self.assertNotIn("FRAMING", sxi)
+        self.assertIn("HEADER_LEN_CTR_BYTE CHECKSUM_WORD", sxi)

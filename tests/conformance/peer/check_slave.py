@@ -8,13 +8,13 @@ import unittest
 
 import check_base
 import target
-from check_line import Datagrams, Frames, SelfTest
+from check_line import Datagrams, Frames, PlainFrames, SelfTest
 from check_measurement import Measurement
 from check_parameters import Pages, Parameters, Store
 from check_safety import Safety
 from check_session import Identity, Memory, Session
 
-__all__ = ["Datagrams", "Frames", "Identity", "Measurement", "Memory", "Pages", "Parameters", "Safety", "SelfTest", "Session", "Store"]
+__all__ = ["Datagrams", "Frames", "Identity", "Measurement", "Memory", "Pages", "Parameters", "PlainFrames", "Safety", "SelfTest", "Session", "Store"]
 
 if __name__ == "__main__":
     check_base.set_target(target.from_arguments())

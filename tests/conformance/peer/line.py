@@ -28,6 +28,37 @@ def sxi_frame(packet, counter):
     return bytes([SYNC]) + escaped
 
 
+def plain_frame(packet, counter):
+    """LEN u8, CTR u8, packet, fill to an even length and the sum of words: the same without SYNC and escapes."""
+    body = bytes([len(packet), counter & 0xFF]) + packet
+    body += b"\0" * (len(body) % 2)
+    return body + struct.pack("<H", word_sum(body))
+
+
+class PlainSplitter:
+    """Cuts a line without framing that nothing is lost on; the first damage is the end of it."""
+
+    def __init__(self):
+        self.buffer = bytearray()
+        self.damaged = 0
+
+    def feed(self, octets):
+        self.buffer += octets
+        found = []
+        while self.buffer:
+            summed = (2 + self.buffer[0] + 1) // 2 * 2
+            if len(self.buffer) < summed + 2:
+                break
+            frame = bytes(self.buffer[:summed + 2])
+            del self.buffer[:summed + 2]
+            if frame[0] == 0 or struct.unpack_from("<H", frame, summed)[0] != word_sum(frame[:summed]):
+                self.damaged += 1
+                self.buffer.clear()
+                break
+            found.append((frame[1], frame[2:2 + frame[0]]))
+        return found
+
+
 class SxiSplitter:
     """Cuts a line of octets, fed in any pieces, into (counter, packet); drops and counts what is damaged."""
 
@@ -145,18 +176,20 @@ class UdpLine:
 class SxiLine:
     turn = 0x100
     calls = 10
+    frame = staticmethod(sxi_frame)
+    make_splitter = SxiSplitter
 
     def __init__(self, place, _):
         self.file = os.open(place, os.O_RDWR | os.O_NOCTTY)
         tty.setraw(self.file)
         termios.tcflush(self.file, termios.TCIOFLUSH)
-        self.splitter = SxiSplitter()
+        self.splitter = self.make_splitter()
 
     def fileno(self):
         return self.file
 
     def send(self, packets, counter):
-        self.send_octets(b"".join(sxi_frame(packet, counter + i) for i, packet in enumerate(packets)))
+        self.send_octets(b"".join(self.frame(packet, counter + i) for i, packet in enumerate(packets)))
 
     def send_octets(self, octets):
         while octets:
@@ -176,7 +209,12 @@ class SxiLine:
         self.file = -1
 
 
+class PlainLine(SxiLine):
+    frame = staticmethod(plain_frame)
+    make_splitter = PlainSplitter
+
+
 def open_line(address, timeout_s):
-    """`tcp:HOST:PORT`, `udp:HOST:PORT` or `pty:PATH`."""
+    """`tcp:HOST:PORT`, `udp:HOST:PORT`, `pty:PATH` or, without framing, `plain:PATH`."""
     kind, place = address.split(":", 1)
-    return {"tcp": TcpLine, "udp": UdpLine, "pty": SxiLine}[kind](place, timeout_s)
+    return {"tcp": TcpLine, "udp": UdpLine, "pty": SxiLine, "plain": PlainLine}[kind](place, timeout_s)

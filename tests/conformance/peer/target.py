@@ -22,11 +22,11 @@ class Target:
     is_reset_by_opening: bool = False   # as an Arduino: what was latched is gone with the master that was
 
     def start(self):
-        return Running(self.command)
+        return Running(self.command, self.line)
 
 
 class Running:
-    def __init__(self, command):
+    def __init__(self, command, kind):
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
         line = self.process.stdout.readline()
         while line.startswith("Loaded "):               # simavr's own
@@ -36,6 +36,8 @@ class Running:
             self.stop()
             raise RuntimeError(f"{command[0]} said {line!r} instead of its address")
         self.address = line.split(" ", 1)[1].strip()
+        if kind == "plain":
+            self.address = self.address.replace("pty:", "plain:")
 
     def stop(self):
         """Ends it and returns its exit code."""
@@ -53,7 +55,8 @@ def slave_target(variant="plain"):
     return Target([sys.executable, os.path.join(HERE, "slave.py"), variant], moving="counter")
 
 
-LINES = {"tcp": ["--tcp", "127.0.0.1:0"], "udp": ["--udp", "127.0.0.1:0"], "pty": ["--pty"]}
+LINES = {"tcp": ["--tcp", "127.0.0.1:0"], "udp": ["--udp", "127.0.0.1:0"], "pty": ["--pty"],
+         "plain": ["--pty", "--framing", "off"]}
 
 
 def program_target(program, kind="tcp"):
@@ -71,11 +74,11 @@ def firmware_target(command):
 
 
 def from_arguments():
-    """`--program PATH`, `--udp PATH`, `--pty PATH`, `--slave VARIANT`, `--firmware "COMMAND"` or `--command "COMMAND"`
-    in front of unittest's own arguments."""
+    """`--program PATH`, `--udp PATH`, `--pty PATH`, `--plain PATH` (a pty without framing), `--slave VARIANT`,
+    `--firmware "COMMAND"` or `--command "COMMAND"` in front of unittest's own arguments."""
     kind, value = sys.argv[1:3]
     del sys.argv[1:3]
-    if kind in ("--udp", "--pty"):
+    if kind in ("--udp", "--pty", "--plain"):
         return program_target(value, kind[2:])
     return {"--program": program_target, "--slave": slave_target, "--command": command_target,
             "--firmware": firmware_target}[kind](value)

@@ -410,6 +410,10 @@ class Serving(ProgramCase):
         self.refuse(3, "udp:no.such.host.invalid", "serve", "sim:htm", "--udp", "no.such.host.invalid:1")
         self.refuse(2, "one of", "serve", "sim:htm", "--udp", "127.0.0.1:0", "--pty")
         self.refuse(2, "one of", "serve", "sim:htm")
+        self.refuse(2, "--pty", "serve", "sim:htm", "--tcp", "127.0.0.1:0", "--framing", "off")
+        for option, value, allowed in (("--framing", "none", "off, on"), ("--header", "byte", "len_ctr_byte"),
+                                       ("--checksum", "crc", "none, byte, word")):
+            self.refuse(2, allowed, "serve", "sim:htm", "--pty", option, value)
 
     def test_faults_that_make_no_sense_are_refused_by_their_name(self):
         for option, values in (("--drop", ("2", "-0.1", "nan", "inf", "x", "")),

@@ -1,4 +1,5 @@
 #include "devices/sxi_framing.h"
+#include "devices/transport/codec_framing.h"
 #include "devices/transport/faulty_line.h"
 #include "devices/transport/sxi_codec.h"
 #include "devices/xcp/xcp_device.h"
@@ -132,7 +133,7 @@ TEST(FaultyBoard, aMasterThatReadsNothingFillsTheLineAndThenTheBoard) {
 TEST(FaultyFraming, damageIsSeenByBothReceivers) {
     constexpr double Share = 0.05;
     LineTraffic traffic;
-    FaultyFraming line(std::make_unique<SxiFraming>(), 0x9A, Share, Random(3), traffic);
+    FaultyFraming line(std::make_unique<SxiFraming>(), SxiProfile{}, Share, Random(3), traffic);
     SxiCodec master{SxiProfile{}};
     const Octets packet{0xFF, 0x9A, 0x9B, 0x10, 0x20, 0x30, 0x40};
     std::uint64_t heard = 0;
@@ -165,6 +166,31 @@ TEST(FaultyFraming, damageIsSeenByBothReceivers) {
     }
     EXPECT_NEAR(static_cast<double>(traffic.corrupted), Share * Messages, 0.2 * Share * Messages);
     EXPECT_GE(heard + traffic.corrupted, static_cast<std::uint64_t>(Messages) - 1);
+}
+
+/// Without framing a damaged command costs those up to the next silence, and nothing wrong passes the sum.
+TEST(FaultyFraming, damageWithoutFramingIsSeenByTheBoard) {
+    constexpr double Share = 0.05;
+    const SxiProfile plain{SxiHeader::LenCtrByte, SxiChecksum::Word, false};
+    LineTraffic traffic;
+    FaultyFraming line(std::make_unique<CodecFraming>(plain), plain, Share, Random(3), traffic);
+    SxiCodec master(plain);
+    std::uint64_t heard = 0;
+    Octets stream;
+    for (int i = 0; i < Messages; ++i) {
+        stream.clear();
+        master.append(stream, static_cast<std::uint16_t>(i), Octets{0xFD});
+        line.noteSilence();
+        for (const std::uint8_t octet : stream) {
+            const auto taken = line.receive(octet);
+            if (!taken.empty()) {
+                EXPECT_EQ(Octets(taken.begin(), taken.end()), Octets{0xFD});
+                ++heard;
+            }
+        }
+    }
+    expectBinomial(traffic.corrupted, Messages, Share);
+    EXPECT_EQ(heard + traffic.corrupted, static_cast<std::uint64_t>(Messages));
 }
 
 TEST(LineFaults, refusesNonsenseByTheNameOfTheOption) {

@@ -53,6 +53,41 @@ TEST(SerialDevice, worksLikeTheEmbeddedBoard) {
     }
 }
 
+/// What tools without framing speak (resources/help/protocol.md 3.6), and a line of long headers.
+const std::vector<std::pair<std::string, SxiProfile>> PlainLines = {
+    {"?framing=off", {SxiHeader::LenCtrByte, SxiChecksum::Word, false}},
+    {"?framing=off&header=len_ctr_word&checksum=none", {SxiHeader::LenCtrWord, SxiChecksum::None, false}},
+    {"?framing=off&header=len_fill_word&checksum=byte", {SxiHeader::LenFillWord, SxiChecksum::Byte, false}}};
+
+TEST(SerialDevice, worksWithABoardThatIsServedWithoutFraming) {
+    for (const auto& [options, profile] : PlainLines) {
+        SCOPED_TRACE(options);
+        const BoardServer server(ServedLine::Pty, {}, profile);
+        const auto device = open(serialUri(server, options));
+        ASSERT_TRUE(device);
+        EXPECT_EQ(device->info().model, "htm");
+        const ParameterValue gain{"gain.kp", 12.5};
+        ASSERT_TRUE(device->writeParameters({&gain, 1}));
+        EXPECT_DOUBLE_EQ((*device->readParameters({&gain.name, 1}))[0], 12.5);
+        Recording recording;
+        ASSERT_TRUE(device->startStream({{"position", "speed"}, 200.0},
+                                        [&](const SampleBlockPtr& block) { recording.append(*block); }));
+        ASSERT_TRUE(device->clock().waitFor(0.3));
+        device->stop();
+        EXPECT_TRUE(device->state().isStopLatched);
+        EXPECT_EQ(recording.lostRows, 0U);
+        EXPECT_EQ(device->statistics().packetsDamaged, 0U);
+        EXPECT_GT(recording.rows(), 20U);
+    }
+}
+
+TEST(SerialDevice, findsOutByItselfThatABoardIsServedWithoutFraming) {
+    const BoardServer server(ServedLine::Pty, {}, PlainLines[0].second);
+    const auto device = open(serialUri(server));
+    ASSERT_TRUE(device);
+    EXPECT_TRUE(device->readSignals(std::vector<std::string>{"position"}));
+}
+
 TEST(SerialDevice, sendsAStopWhileStreamingAndSeesTheLatch) {
     const BoardServer server(ServedLine::Pty);
     const auto device = open(serialUri(server));

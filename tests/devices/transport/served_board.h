@@ -14,8 +14,9 @@ namespace halbench::devices {
 /// `halbench serve sim:htm` in a thread of the test.
 class BoardServer {
 public:
-    explicit BoardServer(ServedLine line = ServedLine::Tcp, std::optional<std::uint64_t> seed = {})
-        : m_thread([this, line, seed] { serve(line, seed); }) {
+    explicit BoardServer(ServedLine line = ServedLine::Tcp, std::optional<std::uint64_t> seed = {},
+                         const SxiProfile& profile = {})
+        : m_thread([this, line, seed, profile] { serve(line, seed, profile); }) {
         std::unique_lock lock(m_mutex);
         m_changed.wait(lock, [this] { return !m_address.empty(); });
     }
@@ -33,9 +34,14 @@ public:
     const std::string& uri() const { return m_address; }
 
 private:
-    void serve(ServedLine line, std::optional<std::uint64_t> seed) {
+    void serve(ServedLine line, std::optional<std::uint64_t> seed, const SxiProfile& profile) {
         const auto served = serveDevice(
-            {"sim:htm?imperfections=off", line, line == ServedLine::Pty ? "" : "127.0.0.1:0", seed},
+            {"sim:htm?imperfections=off",
+             line,
+             line == ServedLine::Pty ? "" : "127.0.0.1:0",
+             seed,
+             {},
+             profile},
             [this](const std::string& address) { announce(address); }, m_interrupt);
         if (!served) {
             announce(served.error().message);
