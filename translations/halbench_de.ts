@@ -4670,6 +4670,14 @@
         <source>0 stops, 1 starts the capture, 2 to 255 start it once</source>
         <translation>0 hält die Erfassung an, 1 startet sie, 2 bis 255 starten sie einmal</translation>
     </message>
+    <message>
+        <source>whether it is released is not known</source>
+        <translation>ob der Stopp aufgehoben ist, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>it is still stopped: {}</source>
+        <translation>es ist weiterhin angehalten: {}</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -4670,6 +4670,14 @@
         <source>0 stops, 1 starts the capture, 2 to 255 start it once</source>
         <translation>0 停止，1 启动采集，2 到 255 只启动一次</translation>
     </message>
+    <message>
+        <source>whether it is released is not known</source>
+        <translation>是否已解除停止尚不清楚</translation>
+    </message>
+    <message>
+        <source>it is still stopped: {}</source>
+        <translation>它仍处于停止状态：{}</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -27,6 +27,11 @@ bool startsWith(const std::string& text, std::string_view beginning) {
     return text.compare(0, beginning.size(), beginning) == 0;
 }
 
+Error unknownRelease(const Error& unanswered, const std::string& state) {
+    return {ErrorCode::Protocol, fmt::format("{}; {}", unanswered.message, state),
+            "release the stop again when the cause is gone"};
+}
+
 } // namespace
 
 DeviceState XcpDevice::state() const {
@@ -171,10 +176,16 @@ void XcpDevice::stop() noexcept {
     }
 }
 
+/// Whoever releases has seen what latched; what latches afterwards is for him to see first. The board says
+/// what became of a release whose answer was lost: released, or still stopped, from before or anew.
 Result<void> XcpDevice::clearStop() {
     m_expectsArmed = false;
-    if (Result<void> released = m_master.releaseStop(); !released) {
-        return released;
+    const Result<std::optional<Error>> unanswered = m_master.releaseStop();
+    if (!unanswered) {
+        return failure(unanswered.error());
+    }
+    if (*unanswered && m_board.measurement(StatusName) == nullptr) {
+        return failure(unknownRelease(**unanswered, "whether it is released is not known"));
     }
     const double end_s = now_s() + StatePatience_s;
     for (;;) {
@@ -185,9 +196,11 @@ Result<void> XcpDevice::clearStop() {
             return {};
         }
         if (now_s() >= end_s) {
-            return failure(ErrorCode::DeviceRefused,
-                           fmt::format("the board keeps its stop: {}", m_state.faultText),
-                           "remove the cause first");
+            return *unanswered
+                       ? failure(unknownRelease(**unanswered, "it is still stopped: " + m_state.faultText))
+                       : failure(ErrorCode::DeviceRefused,
+                                 fmt::format("the board keeps its stop: {}", m_state.faultText),
+                                 "remove the cause first");
         }
         if (Result<void> pumped = m_link.pumpUntil(now_s() + StatePoll_s); !pumped) {
             return pumped;

@@ -360,21 +360,24 @@ Result<void> XcpMaster::userCommand(std::uint8_t sub) {
     return order(m_encoder.userCommand(sub));
 }
 
-Result<void> XcpMaster::releaseStop() {
+Result<std::optional<Error>> XcpMaster::releaseStop() {
     const std::uint64_t stops = m_link->stopsSent();
-    return m_link->recover([&]() -> Reply<void> {
-        if (m_link->stopsSent() != stops) { // the repetition would undo the stop that came in between
-            return tl::unexpected(Trouble{TroubleCause::Slave,
-                                          static_cast<std::uint8_t>(SlaveError::Generic),
-                                          {ErrorCode::Interrupted, "a stop came in between",
-                                           "release the stop again when the cause is gone"}});
-        }
-        const Reply<Packet> answer = m_link->exchange(m_encoder.userCommand(ReleaseSubCommand));
-        if (!answer) {
-            return tl::unexpected(answer.error());
-        }
-        return {};
-    });
+    const Reply<Packet> answer = m_link->exchange(m_encoder.userCommand(ReleaseSubCommand));
+    if (answer) {
+        return std::optional<Error>();
+    }
+    const Trouble& trouble = answer.error();
+    if (m_link->stopsSent() != stops) {
+        return failure(ErrorCode::Interrupted, "a stop came in between",
+                       "release the stop again when the cause is gone");
+    }
+    if (trouble.cause == TroubleCause::Lost || isDefinite(trouble)) {
+        return failure(trouble.error);
+    }
+    if (const Result<void> synchronised = m_link->synchronise(); !synchronised) {
+        return failure(synchronised.error());
+    }
+    return std::optional<Error>(trouble.error);
 }
 
 } // namespace halbench::devices::xcp

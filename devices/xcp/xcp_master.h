@@ -65,8 +65,11 @@ public:
     /// SET_REQUEST 0: store the active parameters; returns when the board's session status shows it done.
     Result<void> storeCalibration();
     Result<void> userCommand(std::uint8_t sub);
-    /// Clears the stop that latched (3.11), but not one that is sent meanwhile. Errors: Interrupted then.
-    Result<void> releaseStop();
+    /// Clears what has latched (3.11). Sent once: between a release whose answer was lost and its repetition
+    /// a stop of somebody else or a fault may latch, which nobody has seen yet. Gives the trouble after which
+    /// nobody knows whether it was taken; the link is in step then. Errors: Interrupted when a stop was sent
+    /// meanwhile.
+    Result<std::optional<Error>> releaseStop();
 
     /// Nothing when the board cannot sample.
     Result<std::optional<DaqAbility>> daqAbility();
