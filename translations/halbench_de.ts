@@ -4678,6 +4678,10 @@
         <source>it is still stopped: {}</source>
         <translation>es ist weiterhin angehalten: {}</translation>
     </message>
+    <message>
+        <source>this system may keep no more than {} ms of this stream while the program is busy; what comes then is lost: raise its limit (sysctl net.core.rmem_max={}), take fewer signals or a lower rate, or connect by tcp:</source>
+        <translation>dieses System hält vielleicht nur {} ms dieses Datenstroms, während das Programm beschäftigt ist; was danach kommt, geht verloren: heben Sie seine Grenze an (sysctl net.core.rmem_max={}), nehmen Sie weniger Signale oder eine niedrigere Rate, oder verbinden Sie über tcp:</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -4678,6 +4678,10 @@
         <source>it is still stopped: {}</source>
         <translation>它仍处于停止状态：{}</translation>
     </message>
+    <message>
+        <source>this system may keep no more than {} ms of this stream while the program is busy; what comes then is lost: raise its limit (sysctl net.core.rmem_max={}), take fewer signals or a lower rate, or connect by tcp:</source>
+        <translation>程序忙碌时，本系统可能只能保留此数据流的 {} ms，之后到达的数据会丢失：请提高系统上限（sysctl net.core.rmem_max={}），减少信号或降低采样率，或改用 tcp: 连接</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

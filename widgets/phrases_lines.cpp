@@ -81,6 +81,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "the board takes no more commands"),
     QT_TRANSLATE_NOOP("Phrases", "the connection is closed"),
     QT_TRANSLATE_NOOP("Phrases", "the board closed the connection (another program may have taken it)"),
+    QT_TRANSLATE_NOOP("Phrases", "this system may keep no more than {} ms of this stream while the program is busy; what comes then is lost: raise its limit (sysctl net.core.rmem_max={}), take fewer signals or a lower rate, or connect by tcp:"),
     QT_TRANSLATE_NOOP("Phrases", "{}: the board halted its endpoint"),
     QT_TRANSLATE_NOOP("Phrases", "{}: the system has no memory left for USB transfers"),
     QT_TRANSLATE_NOOP("Phrases", "close other programs that use USB, or raise /sys/module/usbcore/parameters/usbfs_memory_mb"),

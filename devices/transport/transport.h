@@ -2,7 +2,9 @@
 
 #include "control/base/result.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -40,6 +42,12 @@ public:
 
     /// How long a board may take to answer its first CONNECT.
     virtual double connectPatience_s() const { return 1.8; }
+    /// What to say before a stream of so many packets of this size begins; nothing when all is well.
+    virtual std::optional<std::string> remarkOnStream(double packets_Hz, std::size_t octets) const {
+        (void)packets_Hz;
+        (void)octets;
+        return std::nullopt;
+    }
     /// A line that has several ways to frame packets tries the next one.
     virtual void noteUnansweredConnect() {}
 };

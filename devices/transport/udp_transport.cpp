@@ -4,7 +4,9 @@
 #include <sys/socket.h>
 
 #include <array>
+#include <bit>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 
 namespace halbench::devices {
@@ -12,6 +14,17 @@ namespace halbench::devices {
 namespace {
 
 constexpr std::size_t MaxPacket = 0xFFFF;
+constexpr std::size_t HeaderOctets = 4;
+/// A second of 32 floats at 20 kHz (resources/help/protocol.md 3.8): identification, time stamp and values.
+constexpr double Fastest_Hz = 20000.0;
+constexpr std::size_t FastestOctets = 5 + 32 * 4;
+constexpr double Enough_s = 0.2;
+
+/// What Linux counts for a datagram: a block of 2^n octets for it and 384 of its own, and what describes the
+/// block. Measured on the loopback, never less than counted there; a card's driver may take more.
+std::size_t spaceOf(std::size_t datagramOctets) {
+    return std::bit_ceil(datagramOctets + 384) + 320;
+}
 
 } // namespace
 
@@ -37,9 +50,40 @@ Result<void> UdpTransport::open() {
     if (!m_socket.isOpen() || ::connect(m_socket.number(), (*list)->ai_addr, (*list)->ai_addrlen) != 0) {
         return failure(lost(errno));
     }
+    enlargeBuffer();
     m_datagram = MessageParser(MaxPacket);
     m_counters = {};
     return {};
+}
+
+/// The system cuts the wish to its limit without a word, so that it is asked; it counts twice what it is
+/// told.
+void UdpTransport::enlargeBuffer() {
+    const int wanted =
+        static_cast<int>(Fastest_Hz / 2.0) * static_cast<int>(spaceOf(FastestOctets + HeaderOctets));
+    (void)::setsockopt(m_socket.number(), SOL_SOCKET, SO_RCVBUF, &wanted, sizeof wanted);
+    int given = 0;
+    socklen_t size = sizeof given;
+    const bool isTold = ::getsockopt(m_socket.number(), SOL_SOCKET, SO_RCVBUF, &given, &size) == 0;
+    m_buffer = isTold ? static_cast<std::size_t>(given) : 0;
+}
+
+std::size_t UdpTransport::keptDatagrams(std::size_t octets) const {
+    return m_buffer / spaceOf(octets + HeaderOctets);
+}
+
+std::optional<std::string> UdpTransport::remarkOnStream(double packets_Hz, std::size_t octets) const {
+    const double kept_s = static_cast<double>(keptDatagrams(octets)) / packets_Hz;
+    if (kept_s >= Enough_s) {
+        return std::nullopt;
+    }
+    const double limit =
+        std::ceil(Enough_s * packets_Hz * static_cast<double>(spaceOf(octets + HeaderOctets)) / 2.0);
+    return fmt::format(
+        "this system may keep no more than {:.0f} ms of this stream while the program is busy; what "
+        "comes then is lost: raise its limit (sysctl net.core.rmem_max={:.0f}), take fewer signals "
+        "or a lower rate, or connect by tcp:",
+        1e3 * kept_s, limit);
 }
 
 Result<void> UdpTransport::send(std::span<const std::uint8_t> packet) {

@@ -9,7 +9,8 @@
 namespace halbench::devices {
 
 /// A board behind a UDP port (resources/help/protocol.md 3.2): one command a datagram out, whole messages in.
-/// What is no message is counted as damaged and dropped. Time is the host's steady clock. Thread: one, the
+/// What is no message is counted as damaged and dropped. The system keeps datagrams that arrive while nobody
+/// receives, up to its own limit; the sender does not wait. Time is the host's steady clock. Thread: one, the
 /// connection's.
 class UdpTransport : public Transport {
 public:
@@ -23,14 +24,21 @@ public:
     double now_s() const override;
     TransportStatistics statistics() const override { return m_statistics; }
     std::string description() const override { return uriOf(m_address, SocketKind::Datagram); }
+    /// When the system keeps less than 0.2 s of it, each packet a datagram of its own.
+    std::optional<std::string> remarkOnStream(double packets_Hz, std::size_t octets) const override;
+
+    /// How many datagrams of one packet the system keeps at least; 0 before open().
+    std::size_t keptDatagrams(std::size_t octets) const;
 
 private:
     bool takeMessage(std::vector<std::uint8_t>& packet);
     Result<void> readDatagram();
     Error lost(int cause);
+    void enlargeBuffer();
 
     NetworkAddress m_address;
     Descriptor m_socket;
+    std::size_t m_buffer = 0; ///< what the system gave, by its own count
     MessageParser m_datagram;
     TransportStatistics m_statistics;
     std::vector<std::uint8_t> m_outgoing;

@@ -95,6 +95,7 @@ private:
     void deliverBlocks();
     Result<void> feedWatchdog();
     Result<void> checkHeartbeat();
+    void remarkOnStream(const SamplingPlan& sampling, const DaqPlan& plan) const;
     Result<void> compareClocks();
     void reportLink() const;
 

@@ -15,6 +15,7 @@ constexpr double MaxPump_s = 0.05;
 constexpr double IdleStatusPeriod_s = 0.25;
 constexpr double MaxSilence_s = 1.8;
 constexpr double ClockPeriod_s = 1.0;
+constexpr std::size_t OctetsBeforeValues = 8; ///< longest identification and time stamp (3.8)
 
 } // namespace
 
@@ -32,6 +33,7 @@ Result<void> XcpDevice::startStream(const StreamRequest& request, BlockSink sink
     if (!plan) {
         return failure(plan.error());
     }
+    remarkOnStream(*sampling, *plan);
     const Result<std::uint8_t> firstPid = m_master.configureList(
         {&sampling->entries, &*plan, sampling->event, sampling->prescaler, m_ability->hasTimestamp});
     if (!firstPid) {
@@ -46,6 +48,20 @@ Result<void> XcpDevice::startStream(const StreamRequest& request, BlockSink sink
         stopStream();
     }
     return started;
+}
+
+/// Before the first sample can be lost.
+void XcpDevice::remarkOnStream(const SamplingPlan& sampling, const DaqPlan& plan) const {
+    std::size_t octets = plan.size() * OctetsBeforeValues;
+    for (const DaqEntry& entry : sampling.entries) {
+        octets += sizeOf(entry.type);
+    }
+    const auto packets = static_cast<double>(plan.size());
+    const std::optional<std::string> remark = m_link.transport().remarkOnStream(
+        packets / sampling.boardPeriod_s, octets / std::max<std::size_t>(plan.size(), 1));
+    if (remark) {
+        message(*remark);
+    }
 }
 
 void XcpDevice::stopStream() noexcept {
