@@ -24,6 +24,8 @@ constexpr double FewestLines = 2.5;
 constexpr double SmallestDigits = 10.0;
 /// Labels are given at least this room, so that the first larger number moves nothing.
 constexpr char UsualLabel[] = "-000.00";
+/// The picture may end a device pixel before the canvas does, see fillEdges().
+constexpr int Edge_px = 2;
 
 /// Shows the plot's picture and nothing below it: each fill of a large area costs as much as several curves.
 class PictureCanvas : public QwtPlotCanvas {
@@ -46,6 +48,15 @@ QwtPlotCanvas* makeCanvas(QwtPlot* plot) {
     canvas->setFocusPolicy(Qt::NoFocus); // the plot has it
     canvas->setMouseTracking(true);
     return canvas;
+}
+
+/// At a scale as 1.04 a rectangle has one device pixel more or less, by where it stands: a picture of the
+/// rounded size can leave the canvas's last column or row as an older frame painted it.
+void fillEdges(QPainter& painter, const QRect& place, const QColor& background) {
+    painter.fillRect(place.adjusted(place.width() - Edge_px, 0, 0, 0), background);
+    painter.fillRect(place.adjusted(0, place.height() - Edge_px, 0, 0), background);
+    painter.fillRect(place.adjusted(0, 0, Edge_px - place.width(), 0), background);
+    painter.fillRect(place.adjusted(0, 0, 0, Edge_px - place.height()), background);
 }
 
 double smallestLength(const PlotSpec& spec) {
@@ -266,6 +277,7 @@ void LivePlot::drawCanvas(QPainter* painter) {
     onImage.setFont(painter->font());
     QwtPlot::drawCanvas(&onImage);
     onImage.end();
+    fillEdges(*painter, place, canvasBackground().color());
     painter->drawImage(place.topLeft(), m_image);
 }
 

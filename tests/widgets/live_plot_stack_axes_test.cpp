@@ -2,6 +2,7 @@
 #include "widgets/time_axis_bar.h"
 
 #include <QFontInfo>
+#include <QPainter>
 #include <QStyle>
 #include <qwt_scale_widget.h>
 
@@ -113,6 +114,40 @@ TEST_F(LivePlotStackTest, anEventIsTheZeroOfTheTimeAxisAndOfItsGrid) {
     const QList<double> plain = ticks();
     EXPECT_TRUE(
         std::any_of(plain.begin(), plain.end(), [](double tick) { return std::abs(tick - 12.0) < 1e-9; }));
+}
+
+/// A plot whose canvas is drawn on a picture, as the window's buffer is at a scale.
+struct DrawnPlot : LivePlot {
+    using LivePlot::drawCanvas;
+};
+
+/// A canvas promises the window that nothing shows through it, so each pixel of it must be painted wherever
+/// it stands at each scale: what is left out keeps pieces of older frames.
+TEST_F(LivePlotStackTest, aFramePaintsEachPixelOfTheCanvas) {
+    DrawnPlot plot;
+    plot.setTheme(loadTheme("light").value());
+    plot.resize(400, 200);
+    plot.updateLayout();
+    const QColor left(Qt::magenta); // no colour of the theme
+    for (const double ratio : {1.0, 1.0417, 1.25, 1.5, 2.0}) {
+        for (int place = 0; place < 24; ++place) { // the parts of a pixel come again after 24
+            const QRect canvas(QPoint(place, place), plot.canvas()->size());
+            const QRectF whole(QPointF(canvas.topLeft()) * ratio, QSizeF(canvas.size()) * ratio);
+            const auto first = static_cast<int>(std::lround(whole.left()));
+            const auto right = static_cast<int>(std::lround(whole.right()));
+            const auto bottom = static_cast<int>(std::lround(whole.bottom()));
+            QImage seen(right, bottom, QImage::Format_RGB32);
+            seen.setDevicePixelRatio(ratio);
+            seen.fill(left);
+            QPainter painter(&seen);
+            painter.translate(canvas.topLeft());
+            plot.drawCanvas(&painter);
+            painter.end();
+            EXPECT_NE(seen.pixelColor(right - 1, first), left) << place << " at " << ratio;
+            EXPECT_NE(seen.pixelColor(first, bottom - 1), left) << place << " at " << ratio;
+            EXPECT_NE(seen.pixelColor(first, first), left) << place << " at " << ratio;
+        }
+    }
 }
 
 } // namespace
