@@ -2,6 +2,7 @@
 
 #include "app/batch/document_parts.h"
 #include "app/batch/output_file.h"
+#include "control/design/board_gains.h"
 
 #include <fmt/format.h>
 
@@ -234,6 +235,10 @@ Result<GainsFile> parseGains(const std::string& text, const std::string& origin)
     file.started = textIn(&*root, "started");
     if (reader.error()) {
         return failure(*reader.error());
+    }
+    if (const Result<control::PidGains> board = control::boardGains(law.gains); !board) {
+        return failure(board.error().code, origin + ": gains.filter_s: " + board.error().message,
+                       board.error().hint);
     }
     if (const Result<void> valid = control::checkTiming(file.timing); !valid) {
         return failure(ErrorCode::InvalidInput, origin + ": " + valid.error().message, valid.error().hint);

@@ -2,6 +2,7 @@
 
 #include "app/procedures/large_step.h"
 #include "control/base/units.h"
+#include "control/design/board_gains.h"
 #include "control/lti/frequency_response.h"
 
 #include <fmt/format.h>
@@ -19,7 +20,7 @@ using control::PidGains;
 using control::TransferFunction;
 
 Result<PidGains> checkedGains(const control::PositionLaw& law) {
-    const auto gains = control::convert(law.gains, control::PidForm::Parallel, control::GainUnit::PerRadian);
+    auto gains = control::boardGains(law.gains);
     if (!gains) {
         return gains;
     }

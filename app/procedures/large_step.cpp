@@ -1,5 +1,7 @@
 #include "app/procedures/large_step.h"
 
+#include "control/design/board_gains.h"
+
 #include <utility>
 
 namespace halbench::app {
@@ -28,7 +30,7 @@ models::PositionLaw boardLaw(const control::PositionLaw& law, const LoopConditio
 
 Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const control::PositionLaw& law,
                                    const LoopConditions& conditions, double amplitude_rad) {
-    const auto gains = control::convert(law.gains, control::PidForm::Parallel, control::GainUnit::PerRadian);
+    const auto gains = control::boardGains(law.gains);
     if (!gains) {
         return failure(gains.error());
     }

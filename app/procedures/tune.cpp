@@ -1,6 +1,7 @@
 #include "app/procedures/tune.h"
 
 #include "control/base/random.h"
+#include "control/design/board_gains.h"
 
 #include <fmt/format.h>
 
@@ -49,7 +50,7 @@ const LawField& field(std::string_view name) {
 
 /// The law in the board's notation.
 Result<PositionLaw> onBoard(PositionLaw law) {
-    const auto gains = control::convert(law.gains, control::PidForm::Parallel, control::GainUnit::PerRadian);
+    const auto gains = control::boardGains(law.gains);
     if (!gains) {
         return failure(gains.error());
     }

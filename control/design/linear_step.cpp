@@ -1,3 +1,4 @@
+#include "control/design/board_gains.h"
 #include "control/design/held_rotor.h"
 #include "control/design/position_loop.h"
 
@@ -59,7 +60,7 @@ Result<LoopStep> linearStep(const PositionPlant& plant, const PidGains& gains, c
             return failure(valid.error());
         }
     }
-    const auto board = convert(gains, PidForm::Parallel, GainUnit::PerRadian);
+    const auto board = boardGains(gains);
     if (!board) {
         return failure(board.error());
     }

@@ -1,6 +1,7 @@
 #include "control/design/position_loop.h"
 
 #include "control/base/assert.h"
+#include "control/design/board_gains.h"
 #include "control/design/held_rotor.h"
 
 #include <fmt/format.h>
@@ -12,16 +13,29 @@ namespace halbench::control {
 
 namespace {
 
-/// The gains as the board takes them: parallel form, per radian, finite.
-Result<PidGains> boardGains(const PidGains& gains) {
-    return convert(gains, PidForm::Parallel, GainUnit::PerRadian);
-}
-
 Result<TransferFunction> seriesOf(const Result<TransferFunction>& first, const TransferFunction& second) {
     return first ? series(*first, second) : first;
 }
 
 } // namespace
+
+Result<PidGains> boardGains(const PidGains& gains) {
+    auto board = convert(gains, PidForm::Parallel, GainUnit::PerRadian);
+    if (!board) {
+        return board;
+    }
+    if (board->derivative != 0.0 && board->filter_s.value_or(0.0) > 0.0) {
+        return failure(
+            ErrorCode::InvalidInput,
+            fmt::format("the law on the board has no filter on its derivative, these gains have one "
+                        "of {:.4g} s",
+                        *board->filter_s),
+            "leave the filter out (filter_s null): the board takes the difference over one sample; "
+            "where its noise is too much, lower K_D");
+    }
+    board->filter_s.reset();
+    return board;
+}
 
 Result<void> checkPlant(const PositionPlant& plant) {
     if (!std::isfinite(plant.dampingRate_1_s) || !std::isfinite(plant.accelerationGain_rad_s2_A) ||
@@ -112,9 +126,12 @@ Result<TransferFunction> continuousOpenLoop(const PositionPlant& plant, const Pi
     if (const auto valid = checkPlant(plant); !valid) {
         return failure(valid.error());
     }
-    const auto board = boardGains(gains);
+    const auto board = convert(gains, PidForm::Parallel, GainUnit::PerRadian);
     if (!board) {
         return failure(board.error());
+    }
+    if (board->filter_s.value_or(0.0) > 0.0) {
+        return seriesOf(continuousController(*board), continuousPlant(plant));
     }
     Polynomial numerator = {board->derivative, board->proportional};
     Polynomial denominator = {1.0, plant.dampingRate_1_s, 0.0};
@@ -166,9 +183,9 @@ double proportionalLimit_A_per_rad(const PositionPlant& plant, const LoopTiming&
 }
 
 double frictionBand_rad(const PositionPlant& plant, const PidGains& gains) {
-    const auto board = boardGains(gains);
-    HB_ASSERT(board.has_value());
-    return plant.breakawayCurrent_A / board->proportional;
+    const auto parallel = convert(gains, PidForm::Parallel, GainUnit::PerRadian);
+    HB_ASSERT(parallel.has_value());
+    return plant.breakawayCurrent_A / parallel->proportional;
 }
 
 } // namespace halbench::control

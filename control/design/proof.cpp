@@ -1,5 +1,6 @@
 #include "control/design/proof.h"
 
+#include "control/design/board_gains.h"
 #include "control/design/riccati.h"
 #include "control/lti/state_space.h"
 
@@ -46,7 +47,7 @@ Result<DesignProof> proveDesign(const PositionPlant& plant, const PidGains& gain
     if (!step) {
         return failure(step.error());
     }
-    const PidGains board = *convert(gains, PidForm::Parallel, GainUnit::PerRadian);
+    const PidGains board = *boardGains(gains);
     DesignProof proof;
     proof.poleRadius = poleRadius(*loop);
     proof.isStable = proof.poleRadius < 1.0;

@@ -89,6 +89,14 @@ TEST(GainsFile, mistakesAreRefused) {
     }
 }
 
+TEST(GainsFile, aFilterThatTheBoardHasNotIsRefusedAndNotLeftOut) {
+    const Result<GainsFile> gains =
+        parseGains(replaced(Gains, "\"filter_s\": null", "\"filter_s\": {\"value\": 0.02}"), "g.json");
+    ASSERT_FALSE(gains.has_value());
+    EXPECT_EQ(gains.error().code, ErrorCode::InvalidInput);
+    EXPECT_NE(gains.error().message.find("g.json: gains.filter_s"), std::string::npos);
+}
+
 TEST(ResultDocuments, notIdentifiableIsNullAndNeverAnAbsoluteValue) {
     const JsonValue none = toJson(control::Estimate{});
     EXPECT_TRUE(none.find("value")->isNull());

@@ -1,6 +1,7 @@
 #include "control/analysis/loop_functions.h"
 #include "control/base/random.h"
 #include "control/base/units.h"
+#include "control/design/board_gains.h"
 #include "control/design/design_methods.h"
 #include "control/design/pid.h"
 #include "control/design/robustness.h"
@@ -119,6 +120,41 @@ TEST(PidGains, conversionsKeepTheFrequencyResponseWithTheFilter) {
     series.derivative = 0.0;
     series.integral = std::numeric_limits<double>::infinity();
     EXPECT_NEAR(continuousController(series)->dcGain(), 12.0, 1e-13);
+}
+
+// The board differences the angle: backward Euler of s/(1 + T_f s) with T_f = 0. Any other filter would be
+// another loop than the one that runs.
+TEST(PidGains, reachTheBoardWithoutAFilterOrNotAtAll) {
+    PidGains gains;
+    gains.proportional = 40.0;
+    gains.derivative = 1.4;
+    const auto plain = sampledController(gains, 0.01);
+    gains.filter_s = 0.0;
+    ASSERT_TRUE(boardGains(gains).has_value());
+    EXPECT_FALSE(boardGains(gains)->filter_s.has_value());
+    EXPECT_EQ(sampledController(gains, 0.01)->numerator(), plain->numerator());
+    gains.filter_s = 1e-3;
+    for (const ErrorCode code : {boardGains(gains).error().code, sampledController(gains, 0.01).error().code,
+                                 sampledOpenLoop(published(), gains, NoDelay).error().code,
+                                 linearStep(published(), gains, NoDelay, 1.0, 1.0).error().code}) {
+        EXPECT_EQ(code, ErrorCode::InvalidInput);
+    }
+    gains.derivative = 0.0; // a filter on nothing
+    EXPECT_TRUE(boardGains(gains).has_value());
+}
+
+// The books' loop keeps the filter: K_D s/(1 + T_f s) falls off where K_D s does not.
+TEST(PidGains, countTheirFilterInTheContinuousLoop) {
+    PidGains gains;
+    gains.proportional = 40.0;
+    gains.derivative = 1.4;
+    gains.filter_s = 0.02;
+    const std::complex<double> s(0.0, 100.0);
+    const auto expected =
+        (40.0 + 1.4 * s / (1.0 + 0.02 * s)) * 26.0 / (s * (s + published().dampingRate_1_s));
+    const auto loop = continuousOpenLoop(published(), gains);
+    ASSERT_TRUE(loop.has_value());
+    EXPECT_LT(std::abs(loop->atFrequency(100.0) - expected), 1e-12 * std::abs(expected));
 }
 
 TEST(PidGains, refusesTheSeriesFormForComplexZeros) {
