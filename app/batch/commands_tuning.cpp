@@ -109,6 +109,21 @@ std::string intervalLines(const control::Robustness& robust) {
     return text;
 }
 
+/// What a design is judged by beside its margins.
+std::string proofLines(const JsonValue& proof) {
+    std::string text;
+    const auto line = [&](const char* name, const char* key, double factor, const char* unit) {
+        if (const JsonValue* value = proof.find(key); value->isNumber()) {
+            text += fmt::format("{:<26} {:.4g}{}\n", name, factor * value->number(), unit);
+        }
+    };
+    line("peak of sensitivity, Ms", "max_sensitivity", 1.0, "");
+    line("noise gain", "noise_gain_A_per_rad", 1.0, " A/rad");
+    line("step within the limit", "largest_linear_step_rad", radiansToDegrees(1.0), " deg");
+    line("pole radius, 1 sample late", "pole_radius_one_sample_later", 1.0, "");
+    return text;
+}
+
 std::string gainsText(const TuneResult& result) {
     std::string text = fmt::format("method {}\n", result.method);
     const JsonValue body = gainsBody(result);
@@ -122,6 +137,10 @@ std::string gainsText(const TuneResult& result) {
     text += fmt::format("{}, gain margin {:.3g}, phase margin {:.4g} deg\n",
                         predicted.isStable ? "stable" : "UNSTABLE", predicted.margins.gainMargin_ratio,
                         predicted.margins.phaseMargin_deg);
+    text += fmt::format("delay margin {:.3g} ms\n", 1e3 * predicted.margins.delayMargin_s);
+    if (const JsonValue* proof = body.find("proof"); proof->isObject()) {
+        text += proofLines(*proof);
+    }
     return text + intervalLines(result.robust) + loopFindingLines(result.quality, true);
 }
 
@@ -210,6 +229,10 @@ Result<TuneConfig> tuneConfigFrom(const CommandOptions& options) {
         known.emplace_back(method.name);
     }
     if (std::find(known.begin(), known.end(), config.method) == known.end()) {
+        const auto why = control::designLaw(config.method, {1.0, 1.0, 0.0}, {}, {});
+        if (why.error().code != ErrorCode::UnknownName) { // known, and not for this board
+            return failure(why.error());
+        }
         return failure(ErrorCode::UnknownName,
                        fmt::format("--method: '{}' is no design method", config.method),
                        fmt::format("use {}", fmt::join(known, ", ")));

@@ -12,7 +12,8 @@ constexpr double Any = std::numeric_limits<double>::max();
 constexpr std::string_view Kinds = "identify|calibrate|tune|apply|move|record|set|wait|analyse";
 constexpr std::string_view Presets = "published|designed|micro-step|published-in-degrees|recommended";
 constexpr std::string_view Methods =
-    "recommended|pole-placement|bandwidth|phase-margin|published|designed|micro-step|published-degrees";
+    "recommended|pole-placement|bandwidth|phase-margin|simc|lambda|ziegler-nichols|ziegler-nichols-pi|"
+    "ziegler-nichols-p|lqr|min-iae|min-itae|lead|lag|published|designed|micro-step|published-degrees";
 using enum KeyType;
 
 // clang-format off

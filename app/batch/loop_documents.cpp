@@ -1,5 +1,8 @@
 #include "app/batch/result_documents.h"
 #include "control/base/units.h"
+#include "control/design/proof.h"
+
+#include <cmath>
 
 namespace halbench::app {
 
@@ -95,6 +98,42 @@ JsonValue gainsOf(const control::PositionLaw& law) {
     return gains.set("stiction_speed", valueWithUnit(law.stictionSpeed_rad_s, "rad/s"));
 }
 
+/// The same gains as times, for programs and controllers that read them so; null where that form has none
+/// (series: complex zeros) and for an integral time without integral action.
+JsonValue formOf(const control::PidGains& gains, control::PidForm form) {
+    const auto timed = control::convert(gains, form, control::GainUnit::PerRadian);
+    if (!timed) {
+        return {};
+    }
+    JsonValue body = JsonValue::object();
+    body.set("k", valueWithUnit(timed->proportional, "A/rad"));
+    body.set("ti", std::isfinite(timed->integral) ? valueWithUnit(timed->integral, "s") : JsonValue());
+    return body.set("td", valueWithUnit(timed->derivative, "s"));
+}
+
+JsonValue formsOf(const control::PidGains& gains) {
+    JsonValue forms = JsonValue::object();
+    forms.set("standard", formOf(gains, control::PidForm::Standard));
+    return forms.set("series", formOf(gains, control::PidForm::Series));
+}
+
+/// What a design is judged by beside its margins; null for a loop that grows beyond all numbers.
+JsonValue proofOf(const TuneResult& result) {
+    const auto proof = control::proveDesign(result.plant, result.law.gains, result.conditions.timing,
+                                            result.conditions.currentLimit_A);
+    if (!proof) {
+        return {};
+    }
+    const auto ifStable = [&](double value) { return proof->isStable ? finiteOrNull(value) : JsonValue(); };
+    JsonValue body = JsonValue::object();
+    body.set("max_sensitivity", finiteOrNull(proof->peaks.Ms_ratio));
+    body.set("max_complementary_sensitivity", finiteOrNull(proof->peaks.Mt_ratio));
+    body.set("noise_gain_A_per_rad", finiteOrNull(proof->noiseGain_A_per_rad));
+    body.set("peak_current_A_per_rad", ifStable(proof->peakCurrent_A));
+    body.set("largest_linear_step_rad", ifStable(proof->largestStep_rad));
+    return body.set("pole_radius_one_sample_later", finiteOrNull(proof->poleRadiusOneSampleLater));
+}
+
 } // namespace
 
 JsonValue analysisBody(const AnalysisResult& result) {
@@ -146,7 +185,8 @@ JsonValue gainsBody(const TuneResult& result) {
     body.set("form", control::pidFormName(result.law.gains.form));
     body.set("sample_period_s", result.conditions.timing.period_s);
     body.set("delay_samples", result.conditions.timing.delay_samples);
-    body.set("gains", gainsOf(result.law)).set("predicted", analysisBody(result.predicted));
+    body.set("gains", gainsOf(result.law)).set("forms", formsOf(result.law.gains));
+    body.set("predicted", analysisBody(result.predicted)).set("proof", proofOf(result));
     return body.set("robust", robust).set("warnings", toJson(result.warnings));
 }
 

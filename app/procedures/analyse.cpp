@@ -138,6 +138,18 @@ void addStabilityWarnings(AnalysisResult& result, const PidGains& gains) {
     }
 }
 
+void addDelayWarning(AnalysisResult& result, const control::PositionPlant& plant, const PidGains& gains,
+                     const control::LoopTiming& timing) {
+    const auto later = control::sampledOpenLoop(plant, gains, {timing.period_s, timing.delay_samples + 1});
+    if (result.isStable && later && control::poleRadius(*later) >= 1.0) {
+        result.warnings.push_back(
+            {"delay_sensitive",
+             fmt::format("one more sample of delay makes this loop unstable: its delay margin is {:.3g} ms",
+                         1e3 * result.margins.delayMargin_s),
+             "make sure that the delay is known (delay.samples), or choose a slower loop"});
+    }
+}
+
 void addFrictionWarning(AnalysisResult& result, const control::PositionPlant& plant, const PidGains& gains,
                         const control::PositionLaw& law) {
     const double unaided_A = std::max(0.0, plant.breakawayCurrent_A - law.stictionCurrent_A);
@@ -263,6 +275,7 @@ Result<AnalysisResult> runAnalysis(const MotorEstimate& estimate, const control:
     }
     result->largeStep = *largeStep;
     addStabilityWarnings(*result, *gains);
+    addDelayWarning(*result, *plant, *gains, conditions.timing);
     addFrictionWarning(*result, *plant, *gains, law);
     addStrayWarning(*result, conditions.stray);
     addSaturationNote(*result, *gains, conditions.currentLimit_A);

@@ -2,12 +2,14 @@
 
 #include "control/analysis/loop_functions.h"
 #include "control/base/units.h"
+#include "control/design/rule_designs.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 namespace halbench::control {
 
@@ -138,18 +140,24 @@ Result<PositionLaw> designBandwidth(const PositionPlant& plant, const LoopTiming
     return withFeedForward(shapedGains(plant, speed), plant);
 }
 
-/// Gains that put the loop on the unit circle at `crossover_rad_s` with the asked phase, with K_I/K_P in the
-/// proportion of the recommended shape: two real equations for K_P and K_D.
+/// What a loop shall have where it crosses: K_I/K_P = integralRate_ratio times the crossover.
+struct CrossoverAim {
+    double phaseMargin_deg = 0.0;
+    double integralRate_ratio = 0.0;
+};
+constexpr double ShapeIntegralRate_ratio = 1.5 / 45.7; // of the recommended shape (htm-theory.md 8.4)
+
+/// Gains that put the loop on the unit circle at `crossover_rad_s` with the asked phase: two real equations
+/// for K_P and K_D.
 PidGains gainsAtCrossover(const PositionPlant& plant, const LoopTiming& timing, double crossover_rad_s,
-                          double phaseMargin_deg) {
-    constexpr double IntegralRate_ratio = 1.5 / 45.7; // K_I/K_P over the crossover of htm-theory.md 8.4
+                          const CrossoverAim& aim) {
     using Complex = std::complex<double>;
     const double T = timing.period_s;
     const Complex z = std::polar(1.0, crossover_rad_s * T);
     const Complex withoutController = sampledPlant(plant, T).at(z) * std::pow(z, -timing.delay_samples);
     const Complex wanted =
-        std::polar(1.0, degreesToRadians(phaseMargin_deg - 180.0)) / withoutController; // C(z) asked for
-    const double integralRate_1_s = IntegralRate_ratio * crossover_rad_s;
+        std::polar(1.0, degreesToRadians(aim.phaseMargin_deg - 180.0)) / withoutController; // C(z) asked for
+    const double integralRate_1_s = aim.integralRate_ratio * crossover_rad_s;
     const Complex perProportional = 1.0 + T * integralRate_1_s / (z - 1.0);
     const Complex perDerivative = (z - 1.0) / (T * z);
     const double determinant =
@@ -179,20 +187,37 @@ bool meetsPhaseMargin(const PositionPlant& plant, const LoopTiming& timing, cons
 /// square of the crossover, makes a damper and not a position loop, and does not count.
 std::optional<PidGains> stiffestWithMargin(const PositionPlant& plant, const LoopTiming& timing,
                                            double slowest_rad_s, double fastest_rad_s,
-                                           double phaseMargin_deg) {
+                                           const CrossoverAim& aim) {
     constexpr double LeastStiffness_ratio = 0.1; // 0.5 in the recommended loop
     std::optional<PidGains> best;
     for (double crossover_rad_s = fastest_rad_s; crossover_rad_s >= slowest_rad_s; crossover_rad_s *= 0.98) {
-        const PidGains gains = gainsAtCrossover(plant, timing, crossover_rad_s, phaseMargin_deg);
+        const PidGains gains = gainsAtCrossover(plant, timing, crossover_rad_s, aim);
         const double stiffness_ratio =
             gains.proportional * plant.accelerationGain_rad_s2_A / (crossover_rad_s * crossover_rad_s);
         const bool isStiffer = !best || gains.proportional > best->proportional;
         if (isStiffer && stiffness_ratio >= LeastStiffness_ratio &&
-            meetsPhaseMargin(plant, timing, gains, phaseMargin_deg)) {
+            meetsPhaseMargin(plant, timing, gains, aim.phaseMargin_deg)) {
             best = gains;
         }
     }
     return best;
+}
+
+Result<PositionLaw> designForMargin(const PositionPlant& plant, const LoopTiming& timing,
+                                    const DesignTargets& targets, const CrossoverAim& aim) {
+    const double fastest_rad_s = targets.omega_rad_s.value_or(0.457 / timing.period_s);
+    const double slowest_rad_s = targets.omega_rad_s.value_or(0.005 / timing.period_s);
+    const auto gains = stiffestWithMargin(plant, timing, slowest_rad_s, fastest_rad_s, aim);
+    if (!gains) {
+        return failure(
+            ErrorCode::OutOfRange,
+            fmt::format("no position loop on this motor has a phase margin of {:.4g} deg and a gain margin "
+                        "of 2{}",
+                        aim.phaseMargin_deg,
+                        targets.omega_rad_s ? fmt::format(" at {:.4g} rad/s", *targets.omega_rad_s) : ""),
+            "ask for 30 to 60 deg, or leave the crossover to the program");
+    }
+    return withFeedForward(*gains, plant);
 }
 
 Result<PositionLaw> designPhaseMargin(const PositionPlant& plant, const LoopTiming& timing,
@@ -201,20 +226,14 @@ Result<PositionLaw> designPhaseMargin(const PositionPlant& plant, const LoopTimi
         return failure(ErrorCode::Usage, "method phase-margin needs a target margin",
                        "add --phase-margin-deg DEG");
     }
-    const double margin_deg = *targets.phaseMargin_deg;
-    const double fastest_rad_s = targets.omega_rad_s.value_or(0.457 / timing.period_s);
-    const double slowest_rad_s = targets.omega_rad_s.value_or(0.005 / timing.period_s);
-    const auto gains = stiffestWithMargin(plant, timing, slowest_rad_s, fastest_rad_s, margin_deg);
-    if (!gains) {
-        return failure(
-            ErrorCode::OutOfRange,
-            fmt::format("no position loop on this motor has a phase margin of {:.4g} deg and a gain margin "
-                        "of 2{}",
-                        margin_deg,
-                        targets.omega_rad_s ? fmt::format(" at {:.4g} rad/s", *targets.omega_rad_s) : ""),
-            "ask for 30 to 60 deg, or leave the crossover to the program");
-    }
-    return withFeedForward(*gains, plant);
+    return designForMargin(plant, timing, targets, {*targets.phaseMargin_deg, ShapeIntegralRate_ratio});
+}
+
+/// K_P + K_D is the lead that the board has: its zero at z = K_D/(K_P T + K_D), its pole at z = 0.
+Result<PositionLaw> designLead(const PositionPlant& plant, const LoopTiming& timing,
+                               const DesignTargets& targets) {
+    constexpr double UsualMargin_deg = 45.0;
+    return designForMargin(plant, timing, targets, {targets.phaseMargin_deg.value_or(UsualMargin_deg), 0.0});
 }
 
 PositionLaw preset(double proportional, double integral, GainUnit unit) {
@@ -280,7 +299,17 @@ Result<void> checkTargets(const DesignMethod& method, const LoopTiming& timing,
     return {};
 }
 
+/// Shapes of the books that need a stage of their own behind the law.
+bool isFilter(std::string_view name) {
+    return name == "notch" || name == "low-pass";
+}
+
 Result<DesignMethod> findMethod(std::string_view name) {
+    if (isFilter(name)) {
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("the law on the board has no stage for a {} filter", name),
+                       "a resonance or noise is avoided by a lower crossover: method bandwidth, or lead");
+    }
     std::string known;
     for (const DesignMethod& method : designMethods()) {
         if (method.name == name) {
@@ -300,6 +329,18 @@ const std::vector<DesignMethod>& designMethods() {
         {"pole-placement", "zeta, omega-rad-s", "PI with the asked dominant pair, as far as the motor damps"},
         {"bandwidth", "bandwidth-hz", "the recommended shape at the asked closed-loop bandwidth"},
         {"phase-margin", "phase-margin-deg, omega-rad-s", "the stiffest loop with the asked phase margin"},
+        {"simc", "bandwidth-hz", "SIMC, the internal-model rule of Skogestad, for lag and dead time"},
+        {"lambda", "bandwidth-hz", "lambda tuning: the closed loop is a lag of the asked bandwidth, twice"},
+        {"ziegler-nichols", "",
+         "Ziegler and Nichols, PID, from where the loop swings; a lively starting point"},
+        {"ziegler-nichols-pi", "", "Ziegler and Nichols, PI, from where the loop swings"},
+        {"ziegler-nichols-p", "", "Ziegler and Nichols, P: half of the gain at which the loop swings"},
+        {"lqr", "omega-rad-s",
+         "linear-quadratic regulator, error and current weighed for the asked frequency"},
+        {"min-iae", "", "least integral of the absolute error after a load, with Ms within 1.7"},
+        {"min-itae", "", "the same with the error weighed by time: what lasts is punished"},
+        {"lead", "phase-margin-deg, omega-rad-s", "PD, the lead of the board, with the asked phase margin"},
+        {"lag", "omega-rad-s", "PI, the lag of the board, through the asked crossover"},
         {"published", "", "10 A/rad and 0.1 A/(rad s), as printed"},
         {"designed", "", "zeta = 0.06 at 15 rad/s, as the source meant it"},
         {"micro-step", "", "5 A/deg and 0.05 A/(deg s), for steps of a few tenths of a degree"},
@@ -341,6 +382,12 @@ Result<PositionLaw> designLaw(std::string_view method, const PositionPlant& plan
     }
     if (method == "phase-margin") {
         return designPhaseMargin(plant, timing, targets);
+    }
+    if (method == "lead") {
+        return designLead(plant, timing, targets);
+    }
+    if (const auto rule = designByRule(method, {plant, timing, targets})) {
+        return *rule ? Result<PositionLaw>(withFeedForward(**rule, plant)) : failure(rule->error());
     }
     return designPreset(method, plant, timing);
 }

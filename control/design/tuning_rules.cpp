@@ -75,12 +75,14 @@ Result<PidGains> lambdaGains(const LaggedProcess& process, double lambda_s) {
     if (const auto valid = check(process, lambda_s); !valid) {
         return failure(valid.error());
     }
+    const double closing_s = lambda_s + process.deadTime_s;
     if (process.isIntegrating) {
-        return failure(ErrorCode::OutOfRange,
-                       "lambda tuning needs a process that settles, not one that integrates", "use SIMC");
+        const double twice_s = lambda_s + closing_s;
+        const double integralTime_s = twice_s + process.secondTime_s;
+        return gainsOf(PidForm::Standard, integralTime_s / (process.gain * closing_s * closing_s),
+                       integralTime_s, twice_s * process.secondTime_s / integralTime_s);
     }
-    return gainsOf(PidForm::Standard,
-                   process.timeConstant_s / (process.gain * (lambda_s + process.deadTime_s)),
+    return gainsOf(PidForm::Standard, process.timeConstant_s / (process.gain * closing_s),
                    process.timeConstant_s, 0.0);
 }
 

@@ -30,9 +30,12 @@ Result<LaggedProcess> laggedProcess(const PositionPlant& plant, const LoopTiming
 /// OutOfRange, NotFinite.
 Result<PidGains> simcGains(const LaggedProcess& process, double closedTime_s);
 
-/// Lambda tuning (Dahlin 1968; Rivera 1986), standard form PI: K = timeConstant/(gain (lambda + deadTime)),
-/// T_i = timeConstant: cancels the lag, first order with the time constant lambda. Errors: OutOfRange (also
-/// an integrating process: it has no lag to cancel), NotFinite.
+/// Lambda tuning (Dahlin 1968; Rivera 1986), standard form. A lag gets a PI: K = timeConstant/(gain (lambda +
+/// deadTime)), T_i = timeConstant: cancels the lag, first order with the time constant lambda. An integrating
+/// process with a lag gets a PID (Chien, Fruehauf 1990): with t = 2 lambda + deadTime, K = (t + secondTime)/
+/// (gain (lambda + deadTime)^2), T_i = t + secondTime, T_d = t secondTime/T_i: cancels the lag too, and the
+/// closed loop is 1/(lambda s + 1)^2 but for its zero, as far as 1 - deadTime s is the dead time. Errors:
+/// OutOfRange, NotFinite.
 Result<PidGains> lambdaGains(const LaggedProcess& process, double lambda_s);
 
 /// The gain at which a loop of proportional control swings for ever, and the period of that.

@@ -83,6 +83,11 @@ class Schemas(unittest.TestCase):
         self.accept(self.run_json("tune", "m.json", "--out", "g.json"))
         self.accept(self.run_json("tune", "m.json", "--method", "published", "--apply", "sim:htm"))
         self.accept(self.run_json("analyse", "m.json", "g.json"))
+        regulator = self.accept(self.run_json("tune", "m.json", "--method", "lqr", "--omega-rad-s", "25"))
+        self.assertIsNone(regulator["forms"]["standard"]["ti"])  # no integral action
+        self.assertGreater(regulator["proof"]["noise_gain_A_per_rad"], 0)
+        self.assertEqual(self.accept(self.run_json("tune", "m.json", "--method", "ziegler-nichols-pi", code=1))["code"],
+                         "refused")
 
     def test_experiments(self):
         experiments = glob.glob(os.path.join(RESOURCES, "experiments", "*", "*.toml"))

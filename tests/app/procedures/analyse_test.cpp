@@ -57,6 +57,19 @@ TEST(MotorEstimate, completesSteadySpeedsByOneRatioOfATransient) {
     EXPECT_NEAR(plant->accelerationGain_rad_s2_A, 26.0, 1e-9);
 }
 
+TEST(Analysis, warnsWhereOneMoreSampleOfDelayIsTooMuch) {
+    const auto isWarned = [](const control::PositionLaw& law) {
+        const auto result = runAnalysis(published(), law, {});
+        return std::any_of(result->warnings.begin(), result->warnings.end(),
+                           [](const Finding& finding) { return finding.code == "delay_sensitive"; });
+    };
+    control::PositionLaw printed; // stable without delay, unstable with one sample (htm-theory.md 5)
+    printed.gains.proportional = 10.0;
+    printed.gains.integral = 0.1;
+    EXPECT_TRUE(isWarned(printed));
+    EXPECT_FALSE(isWarned(recommended()));
+}
+
 TEST(Analysis, curvesCoverTheLoopAlmostToNyquistAndTheStepInMilliseconds) {
     const auto result = runAnalysis(published(), recommended(), {});
     ASSERT_TRUE(result.has_value());

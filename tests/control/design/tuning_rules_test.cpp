@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <limits>
 
 namespace halbench::control {
@@ -77,9 +78,23 @@ TEST(Lambda, makesAFirstOrderLoopOfItsTimeConstant) {
     for (const double w : {0.1, 1.0, 10.0}) {
         EXPECT_LT(std::abs(loop.atFrequency(w) - 1.0 / std::complex<double>(0.0, 0.7 * w)), 1e-13 / w);
     }
-    EXPECT_EQ(lambdaGains({1.0, 0.0, 0.0, 1.0, true}, 1.0).error().code, ErrorCode::OutOfRange);
     EXPECT_EQ(lambdaGains({std::nan(""), 1.0, 0.0, 1.0, false}, 1.0).error().code, ErrorCode::NotFinite);
     EXPECT_EQ(simcGains({0.0, 1.0, 0.0, 1.0, false}, 1.0).error().code, ErrorCode::OutOfRange);
+}
+
+// With the dead time as 1 - deadTime s the closed loop of an integrating process has (lambda s + 1)^2 below
+// it: exactly, because the controller cancels the lag.
+TEST(Lambda, makesTwoEqualLagsOfAnIntegratingProcess) {
+    const LaggedProcess process{2.0, 0.0, 0.4, 0.05, true};
+    const PidGains pid = *convert(*lambdaGains(process, 0.3), PidForm::Parallel, GainUnit::PerRadian);
+    for (const double w : {0.1, 1.0, 10.0, 100.0}) {
+        const std::complex<double> s(0.0, w);
+        const auto controller = pid.proportional + pid.integral / s + pid.derivative * s;
+        const auto loop = controller * 2.0 * (1.0 - 0.05 * s) / (s * (0.4 * s + 1.0));
+        const auto expected =
+            (1.0 - 0.05 * s) * (1.0 + (2.0 * 0.3 + 0.05) * s) / ((0.3 * s + 1.0) * (0.3 * s + 1.0));
+        EXPECT_LT(std::abs(loop / (1.0 + loop) - expected), 1e-12 * std::abs(expected));
+    }
 }
 
 // 1/(s + 1)^3 swings at w = sqrt 3 with a gain of 8.
