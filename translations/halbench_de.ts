@@ -4615,14 +4615,6 @@
         <translation>diese Einstellregel braucht eine Strecke mit Verstärkung und Verzögerung und eine Zeit für den geschlossenen Kreis</translation>
     </message>
     <message>
-        <source>lambda tuning needs a process that settles, not one that integrates</source>
-        <translation>die Lambda-Einstellung braucht eine Strecke, die sich einschwingt, keine integrierende</translation>
-    </message>
-    <message>
-        <source>use SIMC</source>
-        <translation>SIMC verwenden</translation>
-    </message>
-    <message>
         <source>this process never swings under proportional control: it has no ultimate gain</source>
         <translation>diese Strecke schwingt unter Proportionalregelung nie: sie hat keine kritische Verstärkung</translation>
     </message>
@@ -4681,6 +4673,110 @@
     <message>
         <source>this system may keep no more than {} ms of this stream while the program is busy; what comes then is lost: raise its limit (sysctl net.core.rmem_max={}), take fewer signals or a lower rate, or connect by tcp:</source>
         <translation>dieses System hält vielleicht nur {} ms dieses Datenstroms, während das Programm beschäftigt ist; was danach kommt, geht verloren: heben Sie seine Grenze an (sysctl net.core.rmem_max={}), nehmen Sie weniger Signale oder eine niedrigere Rate, oder verbinden Sie über tcp:</translation>
+    </message>
+    <message>
+        <source>the law on the board has no stage for a {} filter</source>
+        <translation>das Regelgesetz im Steuergerät hat keine Stufe für ein {}-Filter</translation>
+    </message>
+    <message>
+        <source>a resonance or noise is avoided by a lower crossover: method bandwidth, or lead</source>
+        <translation>eine Resonanz oder Rauschen wird durch eine niedrigere Durchtrittsfrequenz gemieden: Verfahren bandwidth oder lead</translation>
+    </message>
+    <message>
+        <source>SIMC, the internal-model rule of Skogestad, for lag and dead time</source>
+        <translation>SIMC, die Regel von Skogestad mit innerem Modell, für Verzögerung und Totzeit</translation>
+    </message>
+    <message>
+        <source>lambda tuning: the closed loop is a lag of the asked bandwidth, twice</source>
+        <translation>Lambda-Einstellung: der geschlossene Kreis ist zweimal eine Verzögerung der verlangten Bandbreite</translation>
+    </message>
+    <message>
+        <source>Ziegler and Nichols, PID, from where the loop swings; a lively starting point</source>
+        <translation>Ziegler und Nichols, PID, vom Schwingpunkt des Kreises aus; ein lebhafter Anfang</translation>
+    </message>
+    <message>
+        <source>Ziegler and Nichols, PI, from where the loop swings</source>
+        <translation>Ziegler und Nichols, PI, vom Schwingpunkt des Kreises aus</translation>
+    </message>
+    <message>
+        <source>Ziegler and Nichols, P: half of the gain at which the loop swings</source>
+        <translation>Ziegler und Nichols, P: die halbe Verstärkung, bei der der Kreis schwingt</translation>
+    </message>
+    <message>
+        <source>linear-quadratic regulator, error and current weighed for the asked frequency</source>
+        <translation>linear-quadratischer Regler, Fehler und Strom für die verlangte Frequenz gewichtet</translation>
+    </message>
+    <message>
+        <source>least integral of the absolute error after a load, with Ms within 1.7</source>
+        <translation>kleinstes Integral des Fehlerbetrags nach einer Last, mit Ms bis 1,7</translation>
+    </message>
+    <message>
+        <source>the same with the error weighed by time: what lasts is punished</source>
+        <translation>dasselbe, der Fehler mit der Zeit gewichtet: was andauert, zählt mehr</translation>
+    </message>
+    <message>
+        <source>PD, the lead of the board, with the asked phase margin</source>
+        <translation>PD, das Vorhalteglied des Steuergeräts, mit der verlangten Phasenreserve</translation>
+    </message>
+    <message>
+        <source>PI, the lag of the board, through the asked crossover</source>
+        <translation>PI, das Nachlaufglied des Steuergeräts, durch die verlangte Durchtrittsfrequenz</translation>
+    </message>
+    <message>
+        <source>the law on the board has no filter on its derivative, these gains have one of {} s</source>
+        <translation>das Regelgesetz im Steuergerät hat kein Filter am D-Anteil, diese Verstärkungen haben eines von {} s</translation>
+    </message>
+    <message>
+        <source>leave the filter out (filter_s null): the board takes the difference over one sample; where its noise is too much, lower K_D</source>
+        <translation>lassen Sie das Filter weg (filter_s null): das Steuergerät nimmt die Differenz über eine Abtastung; rauscht sie zu stark, verringern Sie K_D</translation>
+    </message>
+    <message>
+        <source>the gains of this rule, K_P = {} A/rad, K_I = {} A/(rad s) and K_D = {} A s/rad, are unstable in the sampled loop: pole radius {}</source>
+        <translation>die Verstärkungen dieser Regel, K_P = {} A/rad, K_I = {} A/(rad s) und K_D = {} A s/rad, sind im abgetasteten Regelkreis instabil: Polradius {}</translation>
+    </message>
+    <message>
+        <source>this rule needs a motor that damps: its model has c/J = 0</source>
+        <translation>diese Regel braucht einen Motor mit Dämpfung: sein Modell hat c/J = 0</translation>
+    </message>
+    <message>
+        <source>use method bandwidth, phase-margin or lqr</source>
+        <translation>verwenden Sie das Verfahren bandwidth, phase-margin oder lqr</translation>
+    </message>
+    <message>
+        <source>ask for a lower bandwidth</source>
+        <translation>verlangen Sie eine geringere Bandbreite</translation>
+    </message>
+    <message>
+        <source>this rule leaves little damping: use method recommended, bandwidth or phase-margin</source>
+        <translation>diese Regel lässt wenig Dämpfung: verwenden Sie das Verfahren recommended, bandwidth oder phase-margin</translation>
+    </message>
+    <message>
+        <source>ask for a lower crossover, or use method lead or phase-margin</source>
+        <translation>verlangen Sie eine niedrigere Durchtrittsfrequenz, oder verwenden Sie das Verfahren lead oder phase-margin</translation>
+    </message>
+    <message>
+        <source>{}: gains.filter_s: {}</source>
+        <translation>{}: gains.filter_s: {}</translation>
+    </message>
+    <message>
+        <source>a design needs a name</source>
+        <translation>ein Entwurf braucht einen Namen</translation>
+    </message>
+    <message>
+        <source>there is a design &apos;{}&apos; already</source>
+        <translation>es gibt schon einen Entwurf '{}'</translation>
+    </message>
+    <message>
+        <source>choose another name</source>
+        <translation>wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>one more sample of delay makes this loop unstable: its delay margin is {} ms</source>
+        <translation>eine Abtastung mehr an Verzögerung macht diesen Regelkreis instabil: seine Totzeitreserve ist {} ms</translation>
+    </message>
+    <message>
+        <source>make sure that the delay is known (delay.samples), or choose a slower loop</source>
+        <translation>stellen Sie sicher, dass die Verzögerung bekannt ist (delay.samples), oder wählen Sie einen langsameren Regelkreis</translation>
     </message>
 </context>
 <context>
@@ -5245,6 +5341,105 @@
     <message>
         <source>End the search for the device (Ctrl+Shift+C)</source>
         <translation>Die Suche nach dem Gerät beenden (Strg+Umschalt+C)</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::DesignTable</name>
+    <message>
+        <source>cannot be read</source>
+        <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>stable</source>
+        <translation>stabil</translation>
+    </message>
+    <message>
+        <source>UNSTABLE</source>
+        <translation>INSTABIL</translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation>Vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Gain margin</source>
+        <translation>Amplitudenreserve</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>Phasenreserve</translation>
+    </message>
+    <message>
+        <source>Delay margin</source>
+        <translation>Totzeitreserve</translation>
+    </message>
+    <message>
+        <source>Bandwidth</source>
+        <translation>Bandbreite</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Überschwingen</translation>
+    </message>
+    <message>
+        <source>Closed loop</source>
+        <translation>Geschlossener Kreis</translation>
+    </message>
+    <message>
+        <source>Designs compared</source>
+        <translation>Entwürfe im Vergleich</translation>
+    </message>
+    <message>
+        <source>A tick draws the design in the pictures (Space), F2 renames it, Del removes it</source>
+        <translation>Ein Häkchen zeichnet den Entwurf in die Bilder (Leertaste), F2 benennt ihn um, Entf entfernt ihn</translation>
+    </message>
+    <message>
+        <source>Keep this design</source>
+        <translation>Entwurf behalten</translation>
+    </message>
+    <message>
+        <source>The proposed gains stay in the project, under a name of their own</source>
+        <translation>Die vorgeschlagenen Verstärkungen bleiben unter eigenem Namen im Projekt</translation>
+    </message>
+    <message>
+        <source>Take up</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>The gains of the chosen design become the proposed ones</source>
+        <translation>Die Verstärkungen des gewählten Entwurfs werden die vorgeschlagenen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>The chosen design leaves the project</source>
+        <translation>Der gewählte Entwurf wird aus dem Projekt entfernt</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>What was last done to the list of designs is taken back (Ctrl+Z)</source>
+        <translation>Was zuletzt an der Liste der Entwürfe geschah, wird zurückgenommen (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>What was taken back is done again (Ctrl+Shift+Z)</source>
+        <translation>Was zurückgenommen wurde, geschieht wieder (Strg+Umschalt+Z)</translation>
     </message>
 </context>
 <context>
@@ -8803,6 +8998,14 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Within the predicted band, but these gains do not run any more</source>
         <translation>Im vorhergesagten Band, aber diese Reglerparameter laufen nicht mehr</translation>
+    </message>
+    <message>
+        <source>Designs</source>
+        <translation>Entwürfe</translation>
+    </message>
+    <message>
+        <source>Designs kept under a name, beside the proposed one</source>
+        <translation>Unter einem Namen behaltene Entwürfe neben dem vorgeschlagenen</translation>
     </message>
 </context>
 <context>

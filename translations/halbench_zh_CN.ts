@@ -4615,14 +4615,6 @@
         <translation>该整定规则需要具有增益和滞后的过程，以及闭环时间</translation>
     </message>
     <message>
-        <source>lambda tuning needs a process that settles, not one that integrates</source>
-        <translation>Lambda 整定需要自平衡过程，而不是积分过程</translation>
-    </message>
-    <message>
-        <source>use SIMC</source>
-        <translation>请使用 SIMC</translation>
-    </message>
-    <message>
         <source>this process never swings under proportional control: it has no ultimate gain</source>
         <translation>该过程在比例控制下从不振荡：没有临界增益</translation>
     </message>
@@ -4681,6 +4673,110 @@
     <message>
         <source>this system may keep no more than {} ms of this stream while the program is busy; what comes then is lost: raise its limit (sysctl net.core.rmem_max={}), take fewer signals or a lower rate, or connect by tcp:</source>
         <translation>程序忙碌时，本系统可能只能保留此数据流的 {} ms，之后到达的数据会丢失：请提高系统上限（sysctl net.core.rmem_max={}），减少信号或降低采样率，或改用 tcp: 连接</translation>
+    </message>
+    <message>
+        <source>the law on the board has no stage for a {} filter</source>
+        <translation>控制板上的控制律没有 {} 滤波环节</translation>
+    </message>
+    <message>
+        <source>a resonance or noise is avoided by a lower crossover: method bandwidth, or lead</source>
+        <translation>可用较低的穿越频率避开谐振或噪声：方法 bandwidth 或 lead</translation>
+    </message>
+    <message>
+        <source>SIMC, the internal-model rule of Skogestad, for lag and dead time</source>
+        <translation>SIMC，Skogestad 的内模整定规则，适用于滞后加死区时间</translation>
+    </message>
+    <message>
+        <source>lambda tuning: the closed loop is a lag of the asked bandwidth, twice</source>
+        <translation>lambda 整定：闭环为两个具有所要求带宽的滞后环节</translation>
+    </message>
+    <message>
+        <source>Ziegler and Nichols, PID, from where the loop swings; a lively starting point</source>
+        <translation>Ziegler-Nichols，PID，从回路的临界振荡点出发；一个较活跃的起点</translation>
+    </message>
+    <message>
+        <source>Ziegler and Nichols, PI, from where the loop swings</source>
+        <translation>Ziegler-Nichols，PI，从回路的临界振荡点出发</translation>
+    </message>
+    <message>
+        <source>Ziegler and Nichols, P: half of the gain at which the loop swings</source>
+        <translation>Ziegler-Nichols，P：临界振荡增益的一半</translation>
+    </message>
+    <message>
+        <source>linear-quadratic regulator, error and current weighed for the asked frequency</source>
+        <translation>线性二次型调节器，误差与电流按所要求的频率加权</translation>
+    </message>
+    <message>
+        <source>least integral of the absolute error after a load, with Ms within 1.7</source>
+        <translation>负载扰动后绝对误差积分最小，Ms 不超过 1.7</translation>
+    </message>
+    <message>
+        <source>the same with the error weighed by time: what lasts is punished</source>
+        <translation>同上，误差按时间加权：持续的误差受到惩罚</translation>
+    </message>
+    <message>
+        <source>PD, the lead of the board, with the asked phase margin</source>
+        <translation>PD，控制板的超前环节，具有所要求的相位裕度</translation>
+    </message>
+    <message>
+        <source>PI, the lag of the board, through the asked crossover</source>
+        <translation>PI，控制板的滞后环节，通过所要求的穿越频率</translation>
+    </message>
+    <message>
+        <source>the law on the board has no filter on its derivative, these gains have one of {} s</source>
+        <translation>控制板上的控制律没有微分滤波，而这组增益带有 {} s 的滤波</translation>
+    </message>
+    <message>
+        <source>leave the filter out (filter_s null): the board takes the difference over one sample; where its noise is too much, lower K_D</source>
+        <translation>请去掉滤波（filter_s 为 null）：控制板取一个采样周期的差分；若噪声过大，请降低 K_D</translation>
+    </message>
+    <message>
+        <source>the gains of this rule, K_P = {} A/rad, K_I = {} A/(rad s) and K_D = {} A s/rad, are unstable in the sampled loop: pole radius {}</source>
+        <translation>该规则给出的增益 K_P = {} A/rad、K_I = {} A/(rad s)、K_D = {} A s/rad 在采样回路中不稳定：极点半径 {}</translation>
+    </message>
+    <message>
+        <source>this rule needs a motor that damps: its model has c/J = 0</source>
+        <translation>该规则需要有阻尼的电机：其模型 c/J = 0</translation>
+    </message>
+    <message>
+        <source>use method bandwidth, phase-margin or lqr</source>
+        <translation>请使用方法 bandwidth、phase-margin 或 lqr</translation>
+    </message>
+    <message>
+        <source>ask for a lower bandwidth</source>
+        <translation>请要求较低的带宽</translation>
+    </message>
+    <message>
+        <source>this rule leaves little damping: use method recommended, bandwidth or phase-margin</source>
+        <translation>该规则留下的阻尼很小：请使用方法 recommended、bandwidth 或 phase-margin</translation>
+    </message>
+    <message>
+        <source>ask for a lower crossover, or use method lead or phase-margin</source>
+        <translation>请要求较低的穿越频率，或使用方法 lead 或 phase-margin</translation>
+    </message>
+    <message>
+        <source>{}: gains.filter_s: {}</source>
+        <translation>{}: gains.filter_s: {}</translation>
+    </message>
+    <message>
+        <source>a design needs a name</source>
+        <translation>设计需要一个名称</translation>
+    </message>
+    <message>
+        <source>there is a design &apos;{}&apos; already</source>
+        <translation>已有设计“{}”</translation>
+    </message>
+    <message>
+        <source>choose another name</source>
+        <translation>请选择其他名称</translation>
+    </message>
+    <message>
+        <source>one more sample of delay makes this loop unstable: its delay margin is {} ms</source>
+        <translation>再多一个采样的延迟就会使该回路不稳定：其时延裕度为 {} ms</translation>
+    </message>
+    <message>
+        <source>make sure that the delay is known (delay.samples), or choose a slower loop</source>
+        <translation>请确保延迟已知（delay.samples），或选择较慢的回路</translation>
     </message>
 </context>
 <context>
@@ -5241,6 +5337,105 @@
     <message>
         <source>End the search for the device (Ctrl+Shift+C)</source>
         <translation>结束查找设备 (Ctrl+Shift+C)</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::DesignTable</name>
+    <message>
+        <source>cannot be read</source>
+        <translation>无法读取</translation>
+    </message>
+    <message>
+        <source>stable</source>
+        <translation>稳定</translation>
+    </message>
+    <message>
+        <source>UNSTABLE</source>
+        <translation>不稳定</translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation>当前建议</translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>设计</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Gain margin</source>
+        <translation>幅值裕度</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>相位裕度</translation>
+    </message>
+    <message>
+        <source>Delay margin</source>
+        <translation>时延裕度</translation>
+    </message>
+    <message>
+        <source>Bandwidth</source>
+        <translation>带宽</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>超调</translation>
+    </message>
+    <message>
+        <source>Closed loop</source>
+        <translation>闭环</translation>
+    </message>
+    <message>
+        <source>Designs compared</source>
+        <translation>设计比较</translation>
+    </message>
+    <message>
+        <source>A tick draws the design in the pictures (Space), F2 renames it, Del removes it</source>
+        <translation>勾选后在图中绘出该设计（空格），F2 重命名，Del 移除</translation>
+    </message>
+    <message>
+        <source>Keep this design</source>
+        <translation>保留此设计</translation>
+    </message>
+    <message>
+        <source>The proposed gains stay in the project, under a name of their own</source>
+        <translation>建议的增益以自己的名称保留在项目中</translation>
+    </message>
+    <message>
+        <source>Take up</source>
+        <translation>采用</translation>
+    </message>
+    <message>
+        <source>The gains of the chosen design become the proposed ones</source>
+        <translation>所选设计的增益成为建议的增益</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>The chosen design leaves the project</source>
+        <translation>所选设计从项目中移除</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>What was last done to the list of designs is taken back (Ctrl+Z)</source>
+        <translation>撤回对设计列表的最近一次操作（Ctrl+Z）</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>What was taken back is done again (Ctrl+Shift+Z)</source>
+        <translation>重新执行已撤回的操作（Ctrl+Shift+Z）</translation>
     </message>
 </context>
 <context>
@@ -8795,6 +8990,14 @@ A real device has its own time.</source>
     <message>
         <source>Within the predicted band, but these gains do not run any more</source>
         <translation>在预测范围内，但这些增益已不再运行</translation>
+    </message>
+    <message>
+        <source>Designs</source>
+        <translation>设计</translation>
+    </message>
+    <message>
+        <source>Designs kept under a name, beside the proposed one</source>
+        <translation>以名称保留的设计，与当前建议并列</translation>
     </message>
 </context>
 <context>

@@ -21,6 +21,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "a PI loop cannot do better on this motor; derivative action can: method recommended"),
     QT_TRANSLATE_NOOP("Phrases", "small margins: {} deg of phase, a factor {} of gain"),
     QT_TRANSLATE_NOOP("Phrases", "the usual least are 30 deg and a factor 2"),
+    QT_TRANSLATE_NOOP("Phrases", "one more sample of delay makes this loop unstable: its delay margin is {} ms"),
+    QT_TRANSLATE_NOOP("Phrases", "make sure that the delay is known (delay.samples), or choose a slower loop"),
     QT_TRANSLATE_NOOP("Phrases", "friction holds the rotor within +-{} deg of the reference"),
     QT_TRANSLATE_NOOP("Phrases", "only the integral removes the rest, slowly; the micro-step assist or a larger K_P narrows the band"),
     QT_TRANSLATE_NOOP("Phrases", "the micro-step assist or a larger K_P narrows the band"),

@@ -72,6 +72,25 @@ AngleScale scaleOf(widgets::AngleUnit unit) {
             unit};
 }
 
+/// The colours and line styles of further designs, in the order of the theme's curves behind the proposed
+/// loop and the one before.
+struct CurveLook {
+    CurveStyle style;
+    int colour;
+};
+
+CurveLook lookOf(std::size_t other, bool hasPresent) {
+    constexpr std::size_t Colours = 8;
+    const std::size_t at = other + (hasPresent ? 2 : 1);
+    return {at < Colours ? CurveStyle::Line : CurveStyle::DottedLine, static_cast<int>(at % Colours)};
+}
+
+/// One curve alone needs no name.
+std::string proposedLabel(const std::optional<AnalysisResult>& present,
+                          const std::vector<NamedLoop>& others) {
+    return present || !others.empty() ? utf8(Words::tr("proposed")) : "";
+}
+
 widgets::Panel angleOverCurrent(widgets::Figure& figure, const AngleScale& scale) {
     widgets::Panel current;
     current.y = {utf8(Words::tr("current")), "A", false, {}, {}, {}};
@@ -85,14 +104,17 @@ widgets::Panel angleOverCurrent(widgets::Figure& figure, const AngleScale& scale
 
 } // namespace
 
-widgets::Figure openLoopFigure(const AnalysisResult& predicted,
-                               const std::optional<AnalysisResult>& present) {
+widgets::Figure openLoopFigure(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present,
+                               const std::vector<NamedLoop>& others) {
     widgets::BodeContent content;
     content.title = utf8(Words::tr("Open loop"));
-    content.responses.push_back(
-        responseOf(predicted, present ? utf8(Words::tr("proposed")) : "", CurveStyle::Line));
+    content.responses.push_back(responseOf(predicted, proposedLabel(present, others), CurveStyle::Line));
     if (present) {
         content.responses.push_back(responseOf(*present, utf8(Words::tr("before")), CurveStyle::DashedLine));
+    }
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        content.responses.push_back(
+            responseOf(*others[i].loop, others[i].name, lookOf(i, present.has_value()).style));
     }
     content.magnitudeLines = {{Direction::Horizontal, 0.0, "0 dB"}};
     content.phaseLines = {{Direction::Horizontal, -180.0, "\u2212180\u00b0"}};
@@ -102,7 +124,8 @@ widgets::Figure openLoopFigure(const AnalysisResult& predicted,
 
 std::optional<widgets::Figure> linearStepFigure(const AnalysisResult& predicted,
                                                 const std::optional<AnalysisResult>& present,
-                                                widgets::AngleUnit unit) {
+                                                widgets::AngleUnit unit,
+                                                const std::vector<NamedLoop>& others) {
     if (predicted.stepCurve.time_s.empty()) {
         return std::nullopt;
     }
@@ -124,7 +147,13 @@ std::optional<widgets::Figure> linearStepFigure(const AnalysisResult& predicted,
     if (present && !present->stepCurve.time_s.empty()) {
         add(present->stepCurve, utf8(Words::tr("before")), CurveStyle::DashedLine, 1);
     }
-    add(predicted.stepCurve, present ? utf8(Words::tr("proposed")) : "", CurveStyle::Line, 0);
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        const CurveLook look = lookOf(i, present.has_value());
+        if (!others[i].loop->stepCurve.time_s.empty()) {
+            add(others[i].loop->stepCurve, others[i].name, look.style, look.colour);
+        }
+    }
+    add(predicted.stepCurve, proposedLabel(present, others), CurveStyle::Line, 0);
     return widgets::Figure{utf8(Words::tr("Predicted step of %1, linear loop")
                                     .arg(QString::fromStdString(scale.text(1.0 / scale.factor)))),
                            {utf8(Words::tr("time")), "s", false, {}, {}, {}},
@@ -133,7 +162,8 @@ std::optional<widgets::Figure> linearStepFigure(const AnalysisResult& predicted,
 
 std::optional<widgets::Figure> largeStepFigure(const AnalysisResult& predicted,
                                                const std::optional<AnalysisResult>& present,
-                                               widgets::AngleUnit unit) {
+                                               widgets::AngleUnit unit,
+                                               const std::vector<NamedLoop>& others) {
     if (!predicted.largeStep || predicted.largeStep->trace.time_s.empty()) {
         return std::nullopt;
     }
@@ -148,7 +178,13 @@ std::optional<widgets::Figure> largeStepFigure(const AnalysisResult& predicted,
     if (present && present->largeStep) {
         add(*present->largeStep, utf8(Words::tr("before")), CurveStyle::DashedLine, 1);
     }
-    add(*predicted.largeStep, present ? utf8(Words::tr("proposed")) : "", CurveStyle::Line, 0);
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        const CurveLook look = lookOf(i, present.has_value());
+        if (others[i].loop->largeStep) {
+            add(*others[i].loop->largeStep, others[i].name, look.style, look.colour);
+        }
+    }
+    add(*predicted.largeStep, proposedLabel(present, others), CurveStyle::Line, 0);
     const double height_rad = predicted.largeStep->amplitude_rad;
     const double band_rad = predicted.frictionBand_rad;
     if (std::isfinite(band_rad) && band_rad < height_rad) {

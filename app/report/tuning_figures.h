@@ -6,25 +6,36 @@
 #include "widgets/figure.h"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace halbench::app {
 
 /// The pictures of a tuning, in a report and in the window alike.
 
+/// Another design that is drawn beside; the loop must live while the picture is made.
+struct NamedLoop {
+    std::string name;
+    const AnalysisResult* loop;
+};
+
 /// Open loop with its margins marked; `present` is the loop of the gains that run now, drawn beside it.
-widgets::Figure openLoopFigure(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present);
+widgets::Figure openLoopFigure(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present,
+                               const std::vector<NamedLoop>& others = {});
 
 /// Step of 1 rad or 1 degree of the linear loop with its current, `present` beside it; nothing for an
 /// unstable loop.
 std::optional<widgets::Figure> linearStepFigure(const AnalysisResult& predicted,
                                                 const std::optional<AnalysisResult>& present,
-                                                widgets::AngleUnit unit = widgets::AngleUnit::Radian);
+                                                widgets::AngleUnit unit = widgets::AngleUnit::Radian,
+                                                const std::vector<NamedLoop>& others = {});
 
 /// The large step with friction and current limit, with the band in which friction may hold the rotor;
 /// `present` beside it. Nothing when it was not predicted.
 std::optional<widgets::Figure> largeStepFigure(const AnalysisResult& predicted,
                                                const std::optional<AnalysisResult>& present,
-                                               widgets::AngleUnit unit = widgets::AngleUnit::Degree);
+                                               widgets::AngleUnit unit = widgets::AngleUnit::Degree,
+                                               const std::vector<NamedLoop>& others = {});
 
 /// A verifying step from its start: measured over predicted with the set-point; what is left to the set-point
 /// with the error that the prediction allows and what friction may hold; the current.

@@ -17,7 +17,7 @@ namespace halbench::app {
 
 namespace {
 
-/// Of the design that the Tune panel shows; others of the list were chosen earlier.
+/// Of the design that the Tune panel shows; the others of the list are kept under names of their own.
 constexpr const char* DesignInUse = "in use";
 
 std::string textOf(const JsonValue& document) {
@@ -67,7 +67,12 @@ ProjectWork::ProjectWork(Workbench& bench, Panels panels, QObject* parent)
 
 void ProjectWork::fill(Project& project) const {
     project.models = m_models;
-    project.designs = m_designs;
+    for (const KeptDesign& design : m_panels.tune.keptDesigns()) {
+        project.designs.push_back({design.name, design.document});
+    }
+    if (m_designInUse) {
+        project.designs.push_back(*m_designInUse);
+    }
     project.calibrations = m_calibrations;
     project.given = m_panels.identify.given();
 }
@@ -89,10 +94,12 @@ void ProjectWork::takeDesign() {
     if (!m_bench.design() || m_bench.isDesignFromProject()) {
         return; // as the project has it, to the byte
     }
-    m_designs.erase(std::remove_if(m_designs.begin(), m_designs.end(),
-                                   [](const NamedDocument& entry) { return entry.name == DesignInUse; }),
-                    m_designs.end());
-    m_designs.push_back({DesignInUse, textOf(gainsDocument(m_bench.designHeader(), *m_bench.design()))});
+    if (m_designInUse && m_designInUse->name != DesignInUse) {
+        auto kept = m_panels.tune.keptDesigns(); // it has a name of its own
+        kept.push_back(keptDesign(m_designInUse->name, m_designInUse->document));
+        m_panels.tune.setKeptDesigns(std::move(kept));
+    }
+    m_designInUse = {DesignInUse, textOf(gainsDocument(m_bench.designHeader(), *m_bench.design()))};
 }
 
 /// The same calibration applied or taken back stays one entry.
@@ -110,10 +117,9 @@ void ProjectWork::takeCalibration() {
 
 QStringList ProjectWork::restore(const Project& project) {
     m_models = project.models;
-    m_designs = project.designs;
     m_calibrations = project.calibrations;
     m_panels.identify.setGiven(project.given);
-    QStringList complaints = {restoreModel(), restoreDesign(), restoreCalibration()};
+    QStringList complaints = {restoreModel(), restoreDesign(project.designs), restoreCalibration()};
     complaints.removeAll({});
     return complaints;
 }
@@ -133,13 +139,18 @@ QString ProjectWork::restoreModel() {
     return {};
 }
 
-QString ProjectWork::restoreDesign() {
-    if (m_designs.empty()) {
+QString ProjectWork::restoreDesign(const std::vector<NamedDocument>& designs) {
+    m_designInUse = designs.empty() ? std::nullopt : std::optional(designs.back());
+    std::vector<KeptDesign> kept;
+    for (std::size_t i = 0; i + 1 < designs.size(); ++i) {
+        kept.push_back(keptDesign(designs[i].name, designs[i].document));
+    }
+    m_panels.tune.setKeptDesigns(std::move(kept));
+    if (!m_designInUse) {
         m_panels.tune.restoreDesign(std::nullopt);
         return {};
     }
-    const NamedDocument& last = m_designs.back();
-    Result<GainsFile> gains = parseGains(last.document, last.name);
+    Result<GainsFile> gains = parseGains(m_designInUse->document, m_designInUse->name);
     if (!gains) {
         m_panels.tune.restoreDesign(std::nullopt);
         return complaint(tr("gains"), gains.error());

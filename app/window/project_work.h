@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,13 +41,13 @@ private:
     void takeDesign();
     void takeCalibration();
     QString restoreModel();
-    QString restoreDesign();
+    QString restoreDesign(const std::vector<NamedDocument>& designs);
     QString restoreCalibration();
 
     Workbench& m_bench;
     Panels m_panels;
     std::vector<NamedDocument> m_models;
-    std::vector<NamedDocument> m_designs;
+    std::optional<NamedDocument> m_designInUse; ///< the others are the Tune panel's
     std::vector<NamedDocument> m_calibrations;
 };
 

@@ -60,6 +60,7 @@ TunePanel::TunePanel(Workbench& bench, QWidget* parent)
 
 void TunePanel::connectParts() {
     connect(m_empty, &widgets::EmptyState::actionTriggered, this, &TunePanel::identifyRequested);
+    connectDesigns();
     connect(m_form, &TuneForm::chosen, this, [this] {
         forgetRestored();
         ask();
@@ -128,8 +129,10 @@ void TunePanel::refreshModel() {
     if (m_bench.provenance().origin != ResultOrigin::Project) {
         forgetRestored(); // they were for another motor
     }
+    forgetJudgements();
     if (!identification) {
         m_shown.reset();
+        m_sketch.reset();
         m_sketching.cancel();
         m_judging.cancel();
         refreshButtons();
@@ -168,8 +171,12 @@ void TunePanel::readConditions() {
     const auto present = lawFromParameters(valuesBefore());
     const auto law = present ? std::optional(*present) : std::nullopt;
     if (conditions != m_conditions || law != m_presentLaw || m_form->origin() == TuneForm::Origin::Device) {
+        const bool isElsewhere = conditions != m_conditions;
         m_conditions = conditions;
         m_presentLaw = law;
+        if (isElsewhere) {
+            forgetJudgements();
+        }
         ask();
     }
 }
@@ -234,8 +241,16 @@ void TunePanel::ask() {
     if (const auto asked = question()) {
         m_sketching.run([asked = *asked] { return sketchTuning(asked); },
                         [this](const Result<TuneSketch>& sketch) { showSketch(sketch); });
-        m_judging.run([asked = *asked] { return answerTuning(asked); },
-                      [this](const Result<TuneResult>& answer) { showAnswer(answer); });
+        m_judging.run(
+            [asked = *asked] {
+                auto answer = answerTuning(asked);
+                const auto loop = answer ? judgeLoop(asked.motor, answer->law, asked.config.conditions)
+                                         : failure(answer.error());
+                return std::pair(std::move(answer), loop ? loop->bandwidth_rad_s : std::nullopt);
+            },
+            [this](const std::pair<Result<TuneResult>, std::optional<double>>& answer) {
+                showAnswer(answer.first, answer.second);
+            });
     }
     refreshButtons();
 }

@@ -4,6 +4,7 @@
 #include "app/procedures/apply_procedure.h"
 #include "app/workspaces/file_chooser.h"
 #include "app/workspaces/file_queue.h"
+#include "app/workspaces/kept_designs.h"
 #include "app/workspaces/latest_task.h"
 #include "app/workspaces/tune_question.h"
 #include "app/workspaces/workbench.h"
@@ -14,6 +15,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 class QLabel;
 class QPushButton;
@@ -31,10 +33,12 @@ class VerdictView;
 
 namespace halbench::app {
 
+class DesignTable;
 class ForeignMotorNotice;
 class GainEditor;
 class PageChooser;
 class Preflight;
+struct NamedLoop;
 class TuneForm;
 class TuneNumbers;
 
@@ -50,6 +54,9 @@ public:
     /// Shows the project's gains as they are, until others are chosen: their method is named, not run again.
     /// None: the first method.
     void restoreDesign(std::optional<GainsFile> gains);
+    /// The project's other designs, by name, and what they are now.
+    void setKeptDesigns(std::vector<KeptDesign> designs);
+    const std::vector<KeptDesign>& keptDesigns() const { return m_designs.all(); }
 
 Q_SIGNALS:
     void identifyRequested(); ///< there is no motor to tune yet
@@ -65,6 +72,14 @@ private:
     QWidget* buildVerification();
     QWidget* buildButtons();
     void connectParts();
+    void connectDesigns();
+    void keepDesign();
+    void takeUp(int kept);
+    void compareDesigns();
+    void forgetJudgements();
+    void showDesigns();
+    std::vector<NamedLoop> drawnLoops() const;
+    void drawPredictions();
     void refreshWords();
     void refreshModel();
     void forgetRestored();
@@ -75,7 +90,7 @@ private:
     void ask();
     std::optional<TuneQuestion> question();
     void showSketch(const Result<TuneSketch>& sketch);
-    void showAnswer(const Result<TuneResult>& answer);
+    void showAnswer(const Result<TuneResult>& answer, std::optional<double> bandwidth_rad_s);
     void showProblem(const Error& error);
     void refreshButtons();
     void focusNext();
@@ -94,16 +109,21 @@ private:
     FileChooser m_chooser;
     LatestTask m_sketching; ///< what can be drawn at once
     LatestTask m_judging;   ///< the rest
+    LatestTask m_comparing; ///< the kept designs
     FileQueue m_files;
     LoopConditions m_conditions;
     std::optional<control::PositionLaw> m_presentLaw; ///< that m_present is of
     std::optional<GainsFile> m_restored;              ///< of the project; until others are chosen
     std::optional<AnalysisResult> m_present;          ///< of the gains on the device, or before an apply
-    std::optional<TuneResult> m_shown;                ///< what the numbers say, and what would be applied
-    std::vector<ParameterValue> m_before;             ///< what an apply replaced; empty when that is decided
-    std::optional<ApplyResult> m_verified;            ///< the last apply that moved
-    bool m_isUndone = false;                          ///< the gains that were verified were taken back
-    QTimer m_decision;                                ///< runs until Keep can be meant
+    KeptDesigns m_designs;
+    std::map<std::string, JudgedLoop> m_judged; ///< kept designs by their document
+    std::optional<double> m_bandwidth_rad_s;    ///< of what is shown
+    std::optional<TuneSketch> m_sketch;         ///< what is drawn
+    std::optional<TuneResult> m_shown;          ///< what the numbers say, and what would be applied
+    std::vector<ParameterValue> m_before;       ///< what an apply replaced; empty when that is decided
+    std::optional<ApplyResult> m_verified;      ///< the last apply that moved
+    bool m_isUndone = false;                    ///< the gains that were verified were taken back
+    QTimer m_decision;                          ///< runs until Keep can be meant
     bool m_isApplying = false;
     bool m_isOfThisMotor = false; ///< what is applied now; not once another project was opened meanwhile
     QString m_toldOfDevice;       ///< the message while it is of an apply, thus of one device and motor
@@ -131,6 +151,7 @@ private:
     widgets::FigureView* m_verification = nullptr;
     widgets::VerdictView* m_agreement = nullptr; ///< of measured and predicted
     TuneNumbers* m_numbers = nullptr;
+    DesignTable* m_table = nullptr;
     widgets::VerdictView* m_verdict = nullptr;
 };
 

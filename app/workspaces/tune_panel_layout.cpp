@@ -1,4 +1,5 @@
 // What the Tune panel is made of, and its words.
+#include "app/workspaces/design_table.h"
 #include "app/workspaces/document_files.h"
 #include "app/workspaces/foreign_motor_notice.h"
 #include "app/workspaces/gain_editor.h"
@@ -97,9 +98,10 @@ QWidget* TunePanel::buildFigures() {
     m_large = new widgets::FigureView(m_figures);
     m_linear = new widgets::FigureView(m_figures);
     m_numbers = new TuneNumbers(m_figures);
+    m_table = new DesignTable(m_figures);
     m_verificationPage = buildVerification();
     for (QWidget* page :
-         std::initializer_list<QWidget*>{m_bode, m_large, m_linear, m_numbers, m_verificationPage}) {
+         std::initializer_list<QWidget*>{m_bode, m_large, m_linear, m_numbers, m_table, m_verificationPage}) {
         m_figures->addPage(page);
     }
     constexpr int CharactersOfAPicture = 52; // less squeezes its axes
@@ -147,6 +149,7 @@ void TunePanel::refreshWords() {
                         tr("A large step with friction and current limit"));
     m_figures->setTitle(m_linear, tr("Small step"), tr("The step of the linear loop"));
     m_figures->setTitle(m_numbers, tr("Numbers"), tr("Every predicted figure, margins with their interval"));
+    m_figures->setTitle(m_table, tr("Designs"), tr("Designs kept under a name, beside the proposed one"));
     m_figures->setTitle(m_verificationPage, tr("Verification"),
                         tr("The measured move over its prediction; there is one after Apply and verify"));
     m_figures->setAccessibleName(tr("Predictions"));

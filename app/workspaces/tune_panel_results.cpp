@@ -87,13 +87,11 @@ void TunePanel::showSketch(const Result<TuneSketch>& sketch) {
         m_gains->setLaw(sketch->law);
     }
     m_present = sketch->present;
-    const widgets::AngleUnit unit = m_bench.displayUnits().angle;
-    m_bode->setFigure(openLoopFigure(sketch->predicted, m_present));
-    m_linear->setFigure(linearStepFigure(sketch->predicted, m_present, unit).value_or(widgets::Figure{}));
-    m_large->setFigure(largeStepFigure(sketch->predicted, m_present, unit).value_or(widgets::Figure{}));
+    m_sketch = *sketch;
+    drawPredictions();
 }
 
-void TunePanel::showAnswer(const Result<TuneResult>& answer) {
+void TunePanel::showAnswer(const Result<TuneResult>& answer, std::optional<double> bandwidth_rad_s) {
     if (!answer) {
         showProblem(answer.error());
         return;
@@ -103,6 +101,7 @@ void TunePanel::showAnswer(const Result<TuneResult>& answer) {
     }
     const TuneResult& proposed = *answer;
     m_shown = proposed;
+    m_bandwidth_rad_s = bandwidth_rad_s;
     m_numbers->setNumbers(tuneNumbers(proposed, m_present, m_bench.displayUnits()));
     const DeviceSession& session = m_bench.session();
     showVerdict(*m_verdict, proposed,
@@ -114,6 +113,7 @@ void TunePanel::showAnswer(const Result<TuneResult>& answer) {
     } else {
         m_bench.setDesign(proposed);
     }
+    showDesigns();
     refreshButtons();
 }
 

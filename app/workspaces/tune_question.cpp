@@ -1,6 +1,9 @@
 #include "app/workspaces/tune_question.h"
 
+#include "control/analysis/loop_functions.h"
+
 #include <map>
+#include <utility>
 
 namespace halbench::app {
 
@@ -50,6 +53,19 @@ Result<TuneSketch> sketchTuning(const TuneQuestion& question) {
 Result<TuneResult> answerTuning(const TuneQuestion& question) {
     return question.law ? judgeLaw(question.motor, *question.law, question.config)
                         : runTune(question.motor, question.config);
+}
+
+Result<JudgedLoop> judgeLoop(const MotorEstimate& motor, const control::PositionLaw& law,
+                             const LoopConditions& conditions) {
+    auto predicted = runAnalysis(motor, law, conditions);
+    if (!predicted) {
+        return failure(predicted.error());
+    }
+    const auto plant = plantFromEstimate(motor);
+    const auto open =
+        control::sampledOpenLoop(*plant, law.gains, conditions.timing); // as the analysis had it
+    const auto closed = control::feedback(*open, control::TransferFunction::gain(1.0, open->timeBase()));
+    return JudgedLoop{*std::move(predicted), closed ? control::bandwidth_rad_s(*closed) : std::nullopt};
 }
 
 } // namespace halbench::app

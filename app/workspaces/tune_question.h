@@ -28,4 +28,13 @@ Result<TuneSketch> sketchTuning(const TuneQuestion& question);
 /// of runTune and judgeLaw.
 Result<TuneResult> answerTuning(const TuneQuestion& question);
 
+/// A loop with what the comparison of designs says of it: where the closed loop falls by 3 dB.
+struct JudgedLoop {
+    AnalysisResult predicted;
+    std::optional<double> bandwidth_rad_s;
+};
+/// A pure function. Errors: of runAnalysis.
+Result<JudgedLoop> judgeLoop(const MotorEstimate& motor, const control::PositionLaw& law,
+                             const LoopConditions& conditions);
+
 } // namespace halbench::app

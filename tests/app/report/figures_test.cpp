@@ -195,6 +195,28 @@ TEST(TuningFigures, angleUnitsScaleTheCurvesNotTheMotion) {
     EXPECT_NE(large->title.find("0.5 rad"), std::string::npos);
 }
 
+TEST(TuningFigures, keptDesignsAreDrawnUnderTheirNamesInColoursOfTheirOwn) {
+    AnalysisResult loop;
+    loop.bode = {{1.0, 10.0}, {20.0, -20.0}, {-90.0, -200.0}};
+    loop.stepCurve = {{0.0, 1.0}, {0.0, 1.1}, {40.0, 0.0}};
+    loop.largeStep = LargeStep{0.5, {}, {{0.0, 1.0}, {0.0, 0.5}, {}, {}, {4.0, 0.0}}};
+    AnalysisResult unstable;
+    unstable.bode = loop.bode;
+    const std::vector<NamedLoop> others = {{"calm", &loop}, {"wild", &unstable}};
+    const auto bode = openLoopFigure(loop, std::nullopt, others);
+    ASSERT_EQ(bode.panels.at(0).curves.size(), 3U);
+    EXPECT_EQ(bode.panels.at(0).curves.at(0).label, "proposed"); // alone it needs no name
+    EXPECT_EQ(bode.panels.at(0).curves.at(1).label, "calm");
+    EXPECT_EQ(bode.panels.at(0).curves.at(2).label, "wild");
+    const auto linear = linearStepFigure(loop, loop, widgets::AngleUnit::Radian, others);
+    ASSERT_EQ(linear->panels.at(0).curves.size(), 3U); // an unstable loop has no step
+    EXPECT_EQ(linear->panels.at(0).curves.at(1).label, "calm");
+    EXPECT_EQ(linear->panels.at(0).curves.at(1).colour, 2);
+    EXPECT_EQ(
+        largeStepFigure(loop, std::nullopt, widgets::AngleUnit::Degree, others)->panels.at(0).curves.size(),
+        2U);
+}
+
 TEST(TuningFigures, anUnstableLoopHasNoPredictedStep) {
     EXPECT_FALSE(linearStepFigure(AnalysisResult{}, std::nullopt));
 }

@@ -163,6 +163,29 @@ TEST_F(ProjectWorkTest, choosingAMethodDesignsAnewAndTheProjectTakesIt) {
     EXPECT_TRUE(content(path()).contains(QByteArray::fromStdString("\\\"method\\\": \\\"" + method)));
 }
 
+TEST_F(ProjectWorkTest, designsKeptUnderANameAreThereAgainBesideTheOneInUse) {
+    open();
+    identify();
+    const std::string document =
+        toJsonText(gainsDocument(window->bench().designHeader(), *window->bench().design())).value();
+    auto* tune = panel<TunePanel>("tune");
+    tune->setKeptDesigns({keptDesign("calm", document), keptDesign("strange", "no JSON")});
+    saveAs(path());
+    const auto saved = loadProject(path().toStdString());
+    ASSERT_TRUE(saved);
+    ASSERT_EQ(saved->designs.size(), 3U);
+    EXPECT_EQ(saved->designs.back().name, "in use");
+    open();
+    window->openProject(path());
+    const auto& kept = panel<TunePanel>("tune")->keptDesigns();
+    ASSERT_EQ(kept.size(), 2U);
+    EXPECT_EQ(kept[0].name, "calm");
+    EXPECT_EQ(kept[0].document, document); // to the byte
+    EXPECT_TRUE(kept[0].gains);
+    EXPECT_FALSE(kept[1].gains);
+    EXPECT_EQ(kept[1].document, "no JSON");
+}
+
 TEST_F(ProjectWorkTest, aModelThatCannotBeReadIsSaidAndStaysInTheProject) {
     Project project;
     project.models = {{"htm 1", "{\"schema\": \"halbench.identification/7\"}"}};

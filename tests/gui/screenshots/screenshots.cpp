@@ -5,19 +5,25 @@
 #include "app/window/main_window.h"
 #include "app/window/window_application.h"
 #include "app/workspaces/monitor_panel.h"
+#include "app/workspaces/page_chooser.h"
+#include "app/workspaces/tune_form.h"
+#include "tests/app/workspaces/published_motor.h"
 #include "widgets/theme_style.h"
 
 #include <QApplication>
+#include <QComboBox>
 #include <QDir>
 #include <QPixmap>
 #include <QPushButton>
 #include <QStandardPaths>
 #include <QTabWidget>
+#include <QTableWidget>
 #include <QtTest/QTest>
 #include <qtadvanceddocking/DockWidget.h>
 
 #include <cstdio>
 #include <map>
+#include <string_view>
 #include <utility>
 
 namespace halbench::app {
@@ -82,6 +88,16 @@ public:
         m_window.connectDevice(QStringLiteral("sim:htm"));
         return wait([this] { return !m_window.bench().deviceValues().empty(); }) && takeCalibration() &&
                m_isSaved;
+    }
+
+    /// Tune alone, for a motor that is known.
+    bool takeTune() {
+        m_window.connectDevice(QStringLiteral("sim:htm"));
+        if (!wait([this] { return !m_window.bench().deviceValues().empty(); })) {
+            return false;
+        }
+        m_window.bench().setIdentification(publishedMotor());
+        return takeTuning() && m_isSaved;
     }
 
     bool takeAll() {
@@ -230,6 +246,34 @@ private:
         return true;
     }
 
+    /// Designs kept beside each other, as a table and in the pictures.
+    bool takeDesigns() {
+        QWidget& tune = *m_window.docks().panel("tune");
+        auto* origin = tune.findChild<TuneForm*>()->findChild<QComboBox*>();
+        if (!press("tune", "halbench::app::TunePanel", "Designs")) {
+            return false;
+        }
+        for (const char* method : {"lambda", "lqr", "recommended"}) {
+            for (int i = 0; i < origin->count(); ++i) {
+                if (origin->itemText(i).endsWith(QLatin1String(method))) {
+                    origin->setCurrentIndex(i);
+                    break;
+                }
+            }
+            const bool isLast = method == std::string_view("recommended");
+            if (!wait([&] { return m_window.bench().design()->method == method; }) ||
+                !(isLast || press("tune", "halbench::app::DesignTable", "Keep this design"))) {
+                return false;
+            }
+        }
+        tune.findChild<QTableWidget*>("designs")->setCurrentCell(1, 0);
+        QTest::qWait(DataTime_ms / 5);
+        take(QStringLiteral("tune-designs"));
+        tune.findChild<PageChooser*>()->findChild<QPushButton*>()->click();
+        take(QStringLiteral("tune-compared"));
+        return true;
+    }
+
     bool takeTuning() {
         m_window.docks().setPerspective(Perspective::Tune);
         if (!wait([this] { return m_window.bench().design().has_value(); })) {
@@ -237,6 +281,9 @@ private:
         }
         QTest::qWait(DataTime_ms / 5);
         take(QStringLiteral("tune-design"));
+        if (!takeDesigns()) {
+            return false;
+        }
         session().setPace({0.0});
         if (!press("tune", "halbench::app::TunePanel", "Apply and verify")) {
             return false;
@@ -263,11 +310,13 @@ int main(int count, char** words) {
         {"", &Photographer::takeAll},
         {"monitor", &Photographer::takeMonitor},
         {"help", &Photographer::takeHelp},
-        {"calibration", &Photographer::takeCalibrationOnly}};
+        {"calibration", &Photographer::takeCalibrationOnly},
+        {"tune", &Photographer::takeTune}};
     const auto subject = subjects.find(count == 6 ? QByteArray(words[5]) : QByteArray(""));
     if (count < 5 || count > 6 || subject == subjects.end()) {
-        std::fprintf(stderr,
-                     "usage: halbench_screenshots FOLDER LANGUAGE WIDTH HEIGHT [monitor|help|calibration]\n");
+        std::fprintf(
+            stderr,
+            "usage: halbench_screenshots FOLDER LANGUAGE WIDTH HEIGHT [monitor|help|calibration|tune]\n");
         return 2;
     }
     qputenv("QT_QPA_PLATFORM", "offscreen");

@@ -1,0 +1,154 @@
+// The named designs of the Tune panel: kept, compared, drawn beside the proposed one.
+#include "app/batch/result_documents.h"
+#include "app/report/tuning_figures.h"
+#include "app/workspaces/design_table.h"
+#include "app/workspaces/gain_editor.h"
+#include "app/workspaces/tune_form.h"
+#include "app/workspaces/tune_panel.h"
+#include "control/base/assert.h"
+#include "widgets/figure_view.h"
+
+#include <utility>
+
+namespace halbench::app {
+
+void TunePanel::connectDesigns() {
+    connect(m_table, &DesignTable::keepRequested, this, &TunePanel::keepDesign);
+    connect(m_table, &DesignTable::takeUpRequested, this, &TunePanel::takeUp);
+    connect(m_table, &DesignTable::removeRequested, this, [this](int kept) {
+        m_designs.remove(static_cast<std::size_t>(kept));
+        showDesigns();
+    });
+    connect(m_table, &DesignTable::renameRequested, this, [this](int kept, const QString& name) {
+        const auto renamed = m_designs.rename(static_cast<std::size_t>(kept), name.toStdString());
+        if (!renamed) {
+            showError(renamed.error());
+        }
+        showDesigns(); // with the old name, if the new one cannot be
+    });
+    connect(m_table, &DesignTable::drawRequested, this, [this](int kept, bool isDrawn) {
+        m_designs.draw(static_cast<std::size_t>(kept), isDrawn);
+        showDesigns();
+    });
+    connect(m_table, &DesignTable::undoRequested, this, [this] {
+        m_designs.undo();
+        compareDesigns();
+    });
+    connect(m_table, &DesignTable::redoRequested, this, [this] {
+        m_designs.redo();
+        compareDesigns();
+    });
+}
+
+void TunePanel::setKeptDesigns(std::vector<KeptDesign> designs) {
+    m_designs.restore(std::move(designs));
+    compareDesigns();
+}
+
+/// What is kept is what Save gains would write.
+void TunePanel::keepDesign() {
+    if (!m_shown) {
+        return;
+    }
+    const auto text = toJsonText(gainsDocument(m_bench.designHeader(), *m_shown));
+    HB_ASSERT(text.has_value()); // a result holds finite numbers only
+    m_judged.insert_or_assign(*text, JudgedLoop{m_shown->predicted, m_bandwidth_rad_s});
+    const std::size_t at = m_designs.keep(m_shown->method, *text);
+    showDesigns();
+    m_table->editName(static_cast<int>(at));
+}
+
+void TunePanel::takeUp(int kept) {
+    const auto& gains = m_designs.all().at(static_cast<std::size_t>(kept)).gains;
+    if (!gains) {
+        return;
+    }
+    forgetRestored();
+    m_form->setEdited();
+    m_gains->setLaw(gains->law);
+    ask();
+}
+
+/// Judges what was not judged for this motor in these surroundings yet.
+void TunePanel::compareDesigns() {
+    showDesigns();
+    std::vector<std::pair<std::string, control::PositionLaw>> asked;
+    for (const KeptDesign& design : m_designs.all()) {
+        if (design.gains && m_judged.count(design.document) == 0) {
+            asked.emplace_back(design.document, design.gains->law);
+        }
+    }
+    if (asked.empty() || !m_bench.identification()) {
+        return;
+    }
+    using Judged = std::map<std::string, JudgedLoop>;
+    m_comparing.run(
+        [asked, motor = motorEstimate(*m_bench.identification()), conditions = m_conditions] {
+            Judged judged;
+            for (const auto& [document, law] : asked) {
+                if (auto loop = judgeLoop(motor, law, conditions)) {
+                    judged.insert_or_assign(document, *std::move(loop));
+                }
+            }
+            return judged;
+        },
+        [this](Judged judged) {
+            m_judged.merge(judged);
+            showDesigns();
+        });
+}
+
+/// For another motor or in other surroundings every judgement is another.
+void TunePanel::forgetJudgements() {
+    m_comparing.cancel();
+    m_judged.clear();
+    compareDesigns();
+}
+
+void TunePanel::showDesigns() {
+    std::optional<ComparedDesign> proposed;
+    if (m_shown) {
+        proposed = {{}, m_shown->method, m_shown->law.gains, m_shown->predicted, m_bandwidth_rad_s, true};
+    }
+    std::vector<ComparedDesign> kept;
+    for (const KeptDesign& design : m_designs.all()) {
+        ComparedDesign row{design.name, {}, {}, {}, {}, design.isDrawn};
+        if (design.gains) {
+            row.method = design.gains->method;
+            row.gains = design.gains->law.gains;
+        }
+        if (const auto found = m_judged.find(design.document); found != m_judged.end()) {
+            row.predicted = found->second.predicted;
+            row.bandwidth_rad_s = found->second.bandwidth_rad_s;
+        }
+        kept.push_back(std::move(row));
+    }
+    m_table->setDesigns(proposed, kept, m_bench.displayUnits());
+    m_table->setHistory(m_designs.canUndo(), m_designs.canRedo());
+    drawPredictions();
+}
+
+std::vector<NamedLoop> TunePanel::drawnLoops() const {
+    std::vector<NamedLoop> loops;
+    for (const KeptDesign& design : m_designs.all()) {
+        const auto found = m_judged.find(design.document);
+        if (design.isDrawn && found != m_judged.end()) {
+            loops.push_back({design.name, &found->second.predicted});
+        }
+    }
+    return loops;
+}
+
+void TunePanel::drawPredictions() {
+    if (!m_sketch) {
+        return;
+    }
+    const widgets::AngleUnit unit = m_bench.displayUnits().angle;
+    const AnalysisResult& predicted = m_sketch->predicted;
+    const std::vector<NamedLoop> others = drawnLoops();
+    m_bode->setFigure(openLoopFigure(predicted, m_present, others));
+    m_linear->setFigure(linearStepFigure(predicted, m_present, unit, others).value_or(widgets::Figure{}));
+    m_large->setFigure(largeStepFigure(predicted, m_present, unit, others).value_or(widgets::Figure{}));
+}
+
+} // namespace halbench::app
