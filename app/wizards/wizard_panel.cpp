@@ -106,6 +106,7 @@ void WizardPanel::resetSteps() {
 
 bool WizardPanel::couldStart(bool hasStarted) {
     m_isMine = hasStarted;
+    m_bench.setCurrentDriven(hasStarted);
     if (hasStarted) {
         m_message->clear();
     } else {

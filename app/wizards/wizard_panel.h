@@ -53,8 +53,8 @@ protected:
     void addPage(QWidget* page, bool isScrolled, QWidget* footer = nullptr);
     void showPage(int page);
 
-    /// Runs `function(Device&, const ProcedureObserver&) -> Result<T>`; `then(const Result<T>&)` follows
-    /// while this panel lives. False, with a message, when it cannot start.
+    /// Runs `function(Device&, const ProcedureObserver&) -> Result<T>`, which commands currents; `then(const
+    /// Result<T>&)` follows while this panel lives. False, with a message, when it cannot start.
     template <typename Function, typename Then>
     bool runProcedure(const QString& name, Function function, Then then);
     /// Whether the running procedure is this panel's.
@@ -92,6 +92,8 @@ bool WizardPanel::runProcedure(const QString& name, Function function, Then then
                                                      [self, then = std::move(then)](const auto& result) {
                                                          if (self) {
                                                              self->m_isMine = false;
+                                                             self->m_bench.drainSamples(); // the last of it
+                                                             self->m_bench.setCurrentDriven(false);
                                                              then(result);
                                                          }
                                                      }));

@@ -182,7 +182,6 @@ void TunePanel::apply() {
     m_isOfThisMotor = true;
     m_preflight->setRunning(tr("This verification is running"));
     const QPointer<TunePanel> self(this);
-    m_bench.setProcedureFollowsAngle(true);
     m_isApplying = m_bench.session().runProcedure(
         tr("Apply"),
         [config](devices::Device& device, const ProcedureObserver& observer) {
@@ -194,7 +193,6 @@ void TunePanel::apply() {
             }
         });
     if (!m_isApplying) {
-        m_bench.setProcedureFollowsAngle(false);
         m_preflight->setRunning({});
     }
     m_progress->setText(tr("Writing the gains"));
@@ -208,7 +206,6 @@ void TunePanel::apply() {
 
 void TunePanel::finishApply(const Result<ApplyResult>& result) {
     m_isApplying = false;
-    m_bench.setProcedureFollowsAngle(false);
     m_preflight->setRunning({});
     m_progress->hide();
     if (!result) {

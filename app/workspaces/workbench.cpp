@@ -121,9 +121,9 @@ ResultHeader Workbench::beginResult(const std::string& schema) const {
 
 void Workbench::drainSamples() {
     const std::vector<SampleBlockPtr> blocks = m_session.takeBlocks();
-    // By hand the mode is known; of what a procedure drives its owner says it.
-    const bool isAngle =
-        m_session.procedure().isEmpty() ? m_drive->mode() == devices::BoardMode::Position : m_followsAngle;
+    // By hand the mode is known; what a procedure drives is drawn as it comes, unless that drives currents.
+    const bool isAngle = !m_isCurrentDriven && (!m_session.procedure().isEmpty() ||
+                                                m_drive->mode() == devices::BoardMode::Position);
     for (const SampleBlockPtr& block : blocks) {
         m_history.append(withoutIdleReference(*block, m_session.catalogue(), isAngle));
     }

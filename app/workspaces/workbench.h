@@ -70,8 +70,8 @@ public:
     /// How time of a simulated device runs, now and when one is connected.
     Pace pace() const { return m_pace; }
     void setPace(Pace pace);
-    /// What the running procedure commands are angles; else they are currents and not drawn as a reference.
-    void setProcedureFollowsAngle(bool isAngle) { m_followsAngle = isAngle; }
+    /// While this is set, what the board has as its reference is a current and not shown as an angle.
+    void setCurrentDriven(bool isDriven) { m_isCurrentDriven = isDriven; }
     /// The recording of the panel and of the window's action.
     RecordingControl& recording() { return m_recording; }
     void setWallClock(const WallClock& clock);
@@ -169,7 +169,7 @@ private:
     ResultHeader m_designHeader;
     WallClock m_wallClock = wallClock;
     Pace m_pace;
-    bool m_followsAngle = false;
+    bool m_isCurrentDriven = false;
     std::unique_ptr<DriveControl> m_drive;
 };
 

@@ -16,6 +16,9 @@
 #include <QSplitter>
 #include <QTemporaryDir>
 
+#include <algorithm>
+#include <cmath>
+
 namespace halbench::app {
 namespace {
 
@@ -141,6 +144,14 @@ TEST_F(IdentifyPanelTest, aResultCarriesTheWallClocksStartAndTheDevicesDuration)
     click(panel, "Start identification");
     now = now.addSecs(3600); // it begins when it is started, not when it ends
     ASSERT_TRUE(wait([&] { return isResultShown(); })) << message().toStdString();
+    const auto all = bench.history().range("reference").value_or(control::TimeRange{});
+    EXPECT_GT(all.length_s(), 30.0);
+    std::vector<control::TimedValue> shown;
+    bench.history().samples("reference", all, shown);
+    EXPECT_FALSE(shown.empty());
+    EXPECT_TRUE(std::all_of(shown.begin(), shown.end(), [](const auto& one) {
+        return std::isnan(one.value);
+    })) << "4 A would be drawn as 229 degrees";
     EXPECT_EQ(bench.provenance().header.started, "2026-05-04T03:02:01Z");
     EXPECT_GT(bench.identification()->duration_s, 30.0); // eight coast-downs each way alone take longer
     bool isSaid = false;

@@ -71,6 +71,7 @@ TEST_F(WorkbenchTest, currentsThatAProcedureCommandsAreNoReferenceOfTheAngle) {
     connectMotor(20.0);
     bench.session().setLiveStream({"position", "reference", "status"}, 100.0);
     bool isDone = false;
+    bench.setCurrentDriven(true);
     bench.session().runProcedure(
         "Spin",
         [](devices::Device& device, const ProcedureObserver&) -> Result<void> {
@@ -95,6 +96,7 @@ TEST_F(WorkbenchTest, currentsThatAProcedureCommandsAreNoReferenceOfTheAngle) {
     ASSERT_GT(all.length_s(), 1.0);
     std::vector<control::TimedValue> shown;
     bench.history().samples("reference", all, shown);
+    EXPECT_FALSE(shown.empty());
     EXPECT_TRUE(std::all_of(shown.begin(), shown.end(), [](const auto& one) {
         return std::isnan(one.value);
     })) << "0.5 A would be drawn as 29 degrees";
