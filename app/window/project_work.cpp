@@ -67,6 +67,7 @@ ProjectWork::ProjectWork(Workbench& bench, Panels panels, QObject* parent)
 
 void ProjectWork::fill(Project& project) const {
     project.models = m_models;
+    project.designs.clear();
     for (const KeptDesign& design : m_panels.tune.keptDesigns()) {
         project.designs.push_back({design.name, design.document});
     }

@@ -288,7 +288,13 @@ TEST(Law, ofEveryMethodIsTakenByTheSimulatedBoardAndReadBack) {
             config.targets.phaseMargin_deg = 45.0;
         }
         const auto result = runTune(published(), config);
-        ASSERT_TRUE(result.has_value()) << design.name;
+        if (design.name == "ziegler-nichols-pi") { // without derivative action it is unstable on this motor
+            ASSERT_FALSE(result.has_value());
+            EXPECT_EQ(result.error().code, ErrorCode::Refused);
+            EXPECT_FALSE(result.error().hint.empty());
+            continue;
+        }
+        ASSERT_TRUE(result.has_value()) << design.name << ": " << result.error().message;
         const auto values = lawForDevice(result->law, (*device)->catalogue());
         ASSERT_TRUE(values.has_value()) << design.name << ": " << values.error().message;
         EXPECT_EQ(values->size(), 10u);
