@@ -17,6 +17,7 @@
 #include <QWheelEvent>
 
 #include <atomic>
+#include <cmath>
 #include <future>
 #include <mutex>
 #include <thread>
@@ -48,6 +49,8 @@ protected:
         return bar->isVisible() ? bar->message().text : QString();
     }
     double latestTime_s() { return bench().history().latest("reference")->time_s; }
+    /// The board is armed and its samples say so: before, there is no reference.
+    bool hasReference() { return std::isfinite(latest("reference")) && latest("reference") != 0.0; }
     double latest(const char* signal) {
         const auto value = bench().history().latest(signal);
         return value ? value->value : 0.0;

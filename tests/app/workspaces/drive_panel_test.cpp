@@ -97,7 +97,7 @@ TEST_F(DrivePanelTest, aNewModeStartsAtZeroWithItsOwnUnit) {
 TEST_F(DrivePanelTest, jogMovesWhileHeldAndEndsWithTheFocus) {
     connectTo("sim:htm", 1.0); // a busy machine renews the hold of 0.3 s of the device
     armByClick();
-    ASSERT_TRUE(wait([&] { return latest("reference") != 0.0; }));
+    ASSERT_TRUE(wait([&] { return hasReference(); }));
     const double before = latest("reference");
     auto* forward = find<QPushButton>(*panel, "Forward +");
     const auto isEnded = [&] { return parameter("reference.start") == 0.0; };
@@ -120,7 +120,7 @@ TEST_F(DrivePanelTest, jogMovesWhileHeldAndEndsWithTheFocus) {
 TEST_F(DrivePanelTest, jogIsAnEvenRampBelowTheCurrentLimit) {
     connectTo("sim:htm", 1.0);
     armByClick();
-    ASSERT_TRUE(wait([&] { return latest("reference") != 0.0; }));
+    ASSERT_TRUE(wait([&] { return hasReference(); }));
     auto* forward = find<QPushButton>(*panel, "Forward +");
     const double begin_s = bench().history().latest("reference")->time_s;
     QTest::mousePress(forward, Qt::LeftButton);
@@ -157,7 +157,7 @@ TEST_F(DrivePanelTest, theBoardEndsAJogThatIsNotRenewed) {
 TEST_F(DrivePanelTest, goAndZeroAfterAJogMoveNothing) {
     connectTo("sim:htm", 5.0);
     armByClick();
-    ASSERT_TRUE(wait([&] { return latest("reference") != 0.0; }));
+    ASSERT_TRUE(wait([&] { return hasReference(); }));
     const double before = latest("reference");
     auto* forward = find<QPushButton>(*panel, "Forward +");
     QTest::mousePress(forward, Qt::LeftButton);

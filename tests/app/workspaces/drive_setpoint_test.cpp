@@ -6,7 +6,7 @@ namespace {
 TEST_F(DrivePanelTest, aSetpointFarAwayIsAnEvenRampAndZeroComesBackAsOne) {
     connectTo("sim:htm", 5.0);
     armByClick();
-    ASSERT_TRUE(wait([&] { return latest("reference") != 0.0; }));
+    ASSERT_TRUE(wait([&] { return hasReference(); }));
     const double before = latest("reference");
     auto* field = find<QDoubleSpinBox>(*panel, "Set-point");
     const auto* zero = find<QPushButton>(*panel, "Zero");
@@ -44,7 +44,7 @@ TEST_F(DrivePanelTest, aSetpointFarAwayIsAnEvenRampAndZeroComesBackAsOne) {
 TEST_F(DrivePanelTest, anotherSetpointOnTheWayBeginsWhereTheRampIs) {
     connectTo("sim:htm", 1.0);
     armByClick();
-    ASSERT_TRUE(wait([&] { return latest("reference") != 0.0; }));
+    ASSERT_TRUE(wait([&] { return hasReference(); }));
     const double before = latest("reference");
     const DriveControl& drive = bench().drive();
     auto* field = find<QDoubleSpinBox>(*panel, "Set-point");
