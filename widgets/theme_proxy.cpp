@@ -1,5 +1,6 @@
 #include "widgets/theme_proxy.h"
 
+#include "widgets/icons.h"
 #include "widgets/theme_style.h"
 
 #include <QPainter>
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double CornerRadius_px = 4.0;
 constexpr double RingWidth_px = 2.0;
+constexpr int OverflowWidth_px = 26;
 
 } // namespace
 
@@ -131,6 +133,17 @@ QSize ThemeProxy::sizeFromContents(ContentsType type, const QStyleOption* option
         result.setHeight(qMax(result.height(), option->fontMetrics.height() + 11));
     }
     return result;
+}
+
+/// Fusion's button for what a tool bar has no room for is 12 pixels wide and its frame leaves no room in it.
+int ThemeProxy::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {
+    return metric == PM_ToolBarExtensionExtent ? OverflowWidth_px
+                                               : QProxyStyle::pixelMetric(metric, option, widget);
+}
+
+QIcon ThemeProxy::standardIcon(StandardPixmap icon, const QStyleOption* option, const QWidget* widget) const {
+    return icon == SP_ToolBarHorizontalExtensionButton ? themedIcon(QStringLiteral("chevron-down"))
+                                                       : QProxyStyle::standardIcon(icon, option, widget);
 }
 
 int ThemeProxy::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,

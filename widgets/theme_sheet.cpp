@@ -86,6 +86,7 @@ QGroupBox::title { subcontrol-origin: margin; left: 0px; color: @muted@; }
 QSplitter::handle { background: @line@; }
 QSplitter::handle:horizontal { width: 1px; } QSplitter::handle:vertical { height: 1px; }
 QToolBar { background: @window@; border: none; border-bottom: 1px solid @line@; spacing: 4px; padding: 4px 8px; }
+#qt_toolbar_ext_button { background: transparent; border: 1px solid @line@; padding: 0px; min-height: 0px; }
 QToolBar::separator { background: @line@; width: 1px; margin: 4px; }
 ads--CDockWidgetTab { background: @window@ !important; border: none !important;
     border-bottom: 2px solid @window@ !important; padding: 2px 0px; }

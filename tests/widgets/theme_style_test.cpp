@@ -8,7 +8,10 @@
 #include <QFontMetricsF>
 #include <QImage>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
+#include <QToolBar>
+#include <QToolButton>
 #include <QtTest/QTest>
 
 #include <memory>
@@ -42,6 +45,25 @@ TEST_F(ThemeStyle, dressesTheWholeApplicationAnewAtRunTime) {
         EXPECT_EQ(qApp->palette().color(QPalette::ToolTipText), theme.text);
         EXPECT_EQ(qApp->palette().color(QPalette::Link), theme.accent);
     }
+}
+
+TEST_F(ThemeStyle, aToolBarThatIsTooNarrowShowsThatItHasMore) {
+    QWidget panel;
+    QToolBar bar(&panel);
+    for (const char* words : {"Follow", "Show all", "Cursors", "Marker"}) {
+        bar.addAction(QLatin1String(words));
+    }
+    bar.setGeometry(0, 0, bar.sizeHint().width() / 2, bar.sizeHint().height());
+    panel.resize(bar.size());
+    panel.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+    const auto* more = bar.findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"));
+    ASSERT_TRUE(more->isVisible());
+    EXPECT_GE(more->width(), 20); // large enough to be hit
+    const QImage inside = panel.grab(more->geometry().adjusted(2, 2, -2, -2)).toImage();
+    EXPECT_TRUE(hasPixelLike(inside, loadTheme("light").value().text)); // a mark stands in it
+    EXPECT_EQ(bar.widgetForAction(bar.actions().back())->isVisible(), false);
+    EXPECT_EQ(more->menu()->actions().back(), bar.actions().back());
 }
 
 TEST_F(ThemeStyle, whatWasBuiltUndressedIsDressedAsIfItHadNotBeen) {
