@@ -41,12 +41,11 @@ FigureAxis::FigureAxis(const FigureScale& scale, Alignment alignment, const QRec
 }
 
 QwtText FigureAxis::label(double value) const {
-    if (m_decimals < 0) {
-        return QLocale::c().toString(value, 'g', 6);
-    }
-    const double unit = std::pow(10.0, -m_decimals);
+    const double unit = m_decimals < 0 ? 0.0 : std::pow(10.0, -m_decimals);
     const double shown = std::abs(value) < 0.5 * unit ? 0.0 : value; // never "-0.0"
-    return QLocale::c().toString(shown, 'f', m_decimals);
+    QString number =
+        m_decimals < 0 ? QLocale::c().toString(value, 'g', 6) : QLocale::c().toString(shown, 'f', m_decimals);
+    return number.replace(QLatin1Char('.'), m_decimalPoint);
 }
 
 } // namespace halbench::widgets

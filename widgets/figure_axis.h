@@ -12,9 +12,11 @@ class FigureAxis : public QwtScaleDraw {
 public:
     FigureAxis(const FigureScale& scale, Alignment alignment, const QRectF& canvas);
 
+    void setDecimalPoint(QChar point) { m_decimalPoint = point; }
     QwtText label(double value) const override;
 
 private:
+    QChar m_decimalPoint = QLatin1Char('.');
     int m_decimals = -1; ///< negative: shortest notation, for logarithmic, very small and very large scales
 };
 

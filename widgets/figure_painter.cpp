@@ -8,6 +8,7 @@
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QPalette>
+#include <QRegularExpression>
 #include <QVector>
 #include <qwt_painter.h>
 #include <qwt_plot_curve.h>
@@ -53,12 +54,21 @@ QString titleOf(const Axis& axis) {
                : QStringLiteral("%1 [%2]").arg(quantity, QString::fromStdString(unitText(axis.unit)));
 }
 
+/// The numbers of a label in the user's notation; names with digits and points stay.
+QString withPoint(const std::string& label, QChar decimalPoint) {
+    static const QRegularExpression number(QStringLiteral("(?<![\\w.])([0-9]+)\\.([0-9]+)(?![\\w.])"));
+    const QString words = QString::fromStdString(label);
+    return decimalPoint == QLatin1Char('.')
+               ? words
+               : QString(words).replace(number, QStringLiteral("\\1%1\\2").arg(decimalPoint));
+}
+
 /// Everything that belongs to one panel.
 class PanelPainter {
 public:
     PanelPainter(QPainter& painter, const Theme& theme, const QRectF& canvas, const FigureScale& x,
-                 const FigureScale& y)
-        : m_painter(painter), m_theme(theme), m_canvas(canvas), m_x(x), m_y(y),
+                 const FigureScale& y, QChar decimalPoint)
+        : m_painter(painter), m_theme(theme), m_canvas(canvas), m_x(x), m_y(y), m_decimalPoint(decimalPoint),
           m_xMap(x.map(canvas.left(), canvas.right())), m_yMap(y.map(canvas.bottom(), canvas.top())) {}
 
     void drawBackground() {
@@ -90,7 +100,7 @@ public:
         if (!at_px || line.label.empty()) {
             return;
         }
-        const QString label = QString::fromStdString(line.label);
+        const QString label = withPoint(line.label, m_decimalPoint);
         const QSizeF size(QFontMetricsF(figureFont()).horizontalAdvance(label) + 4.0, 14.0);
         const std::vector<QRectF> places = labelPlaces(line, *at_px, size);
         const auto isInside = [&](const QRectF& place) { return m_canvas.contains(place); };
@@ -130,6 +140,7 @@ public:
     void drawScale(QwtScaleDraw::Alignment alignment, bool hasLabels) {
         const bool isLeft = alignment == QwtScaleDraw::LeftScale;
         FigureAxis scale(isLeft ? m_y : m_x, alignment, m_canvas);
+        scale.setDecimalPoint(m_decimalPoint);
         scale.enableComponent(QwtAbstractScaleDraw::Labels, hasLabels);
         QPalette palette;
         palette.setColor(QPalette::WindowText, m_theme.plotAxis);
@@ -215,7 +226,10 @@ private:
         curve.setPen(pen);
         curve.setSamples(x, y);
         QwtPainter::setRoundingAlignment(false); // else points snap to whole pixels and the line wobbles
+        QwtPainter::setPolylineSplitting(pen.style() ==
+                                         Qt::SolidLine); // dashes would begin anew in each part
         curve.draw(&m_painter, m_xMap, m_yMap, m_canvas);
+        QwtPainter::setPolylineSplitting(true);
         QwtPainter::setRoundingAlignment(true);
     }
 
@@ -224,12 +238,14 @@ private:
     QRectF m_canvas;
     const FigureScale& m_x;
     const FigureScale& m_y;
+    QChar m_decimalPoint;
     QwtScaleMap m_xMap;
     QwtScaleMap m_yMap;
     std::vector<QRectF> m_labels; ///< that are drawn already
 };
 
-void drawLegend(QPainter& painter, const FigureLayout::PanelPlace& place, const Theme& theme) {
+void drawLegend(QPainter& painter, const FigureLayout::PanelPlace& place, const Theme& theme,
+                QChar decimalPoint) {
     painter.setFont(figureFont());
     for (const FigureLayout::LegendEntry& entry : place.legend) {
         const QColor colour = theme.curves[static_cast<std::size_t>(entry.colour)];
@@ -242,7 +258,7 @@ void drawLegend(QPainter& painter, const FigureLayout::PanelPlace& place, const 
         }
         painter.setPen(theme.text);
         painter.drawText(QPointF(entry.left + 24.0, entry.baseline),
-                         QString::fromStdString(entry.curve->label));
+                         withPoint(entry.curve->label, decimalPoint));
     }
 }
 
@@ -265,7 +281,8 @@ void drawHorizontalTitle(QPainter& painter, const QString& title, const QRectF& 
 
 } // namespace
 
-void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& layout, const Theme& theme) {
+void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& layout, const Theme& theme,
+                 QChar decimalPoint) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.translate(0.5, 0.5); // one-pixel lines fill whole pixels
     painter.setFont(figureFont(true));
@@ -280,7 +297,7 @@ void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& la
         const bool isLast = i + 1 == figure.panels.size();
         const FigureScale x = horizontalScale(figure, place.canvas.width());
         const FigureScale y = verticalScale(panel, place.canvas.height());
-        PanelPainter panelPainter(painter, theme, place.canvas, x, y);
+        PanelPainter panelPainter(painter, theme, place.canvas, x, y, decimalPoint);
         panelPainter.drawBackground();
         for (const ReferenceLine& line : panel.lines) {
             panelPainter.drawReferenceLine(line);
@@ -294,7 +311,7 @@ void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& la
         }
         panelPainter.drawScale(QwtScaleDraw::LeftScale, true);
         panelPainter.drawScale(QwtScaleDraw::BottomScale, isLast);
-        drawLegend(painter, place, theme);
+        drawLegend(painter, place, theme, decimalPoint);
         drawVerticalTitle(painter, titleOf(panel.y), place.canvas, theme);
         if (isLast) {
             drawHorizontalTitle(painter, titleOf(figure.x), place.canvas, theme);

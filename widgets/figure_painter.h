@@ -32,8 +32,10 @@ struct FigureLayout {
 
 FigureLayout layOut(const Figure& figure, int width_px);
 
-/// Draws on whatever the painter paints: SVG, PDF, pixels.
-void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& layout, const Theme& theme);
+/// Draws on whatever the painter paints: SVG, PDF, pixels. Reports keep the point in their numbers, the
+/// window has the user's decimal point.
+void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& layout, const Theme& theme,
+                 QChar decimalPoint = QLatin1Char('.'));
 
 /// Fonts have pixel sizes, so that no screen's resolution enters.
 QFont figureFont(bool isTitle = false);

@@ -11,6 +11,7 @@
 #include <QFontMetricsF>
 #include <QGuiApplication>
 #include <QKeyEvent>
+#include <QLocale>
 #include <QPainter>
 #include <QSaveFile>
 
@@ -136,7 +137,8 @@ QImage FigureView::image(double pixelRatio) const {
         const Figure figure = stretched();
         QPainter painter(&image);
         painter.scale(scale(), scale());
-        paintFigure(painter, figure, layOut(figure, static_cast<int>(width() / scale())), theme);
+        paintFigure(painter, figure, layOut(figure, static_cast<int>(width() / scale())), theme,
+                    QLocale().decimalPoint());
     }
     return image;
 }

@@ -90,6 +90,55 @@ TEST(FigurePainter, drawsEveryCurveInItsColourInsideItsPanel) {
     }
 }
 
+TEST(FigurePainter, numbersHaveTheUsersDecimalPointAndNamesTheirOwn) {
+    const auto application = OffscreenApplication::ensure();
+    const Theme theme = loadTheme("light").value();
+    const auto drawn = [&theme](const char* label, QChar point) {
+        Figure figure = twoPanels();
+        figure.panels.resize(1);
+        figure.panels[0].curves = {{label, {0.0, 0.1}, {0.0, 0.1}, CurveStyle::Line, 0}};
+        figure.panels[0].lines = {{ReferenceLine::Direction::Vertical, 0.05, label}};
+        const FigureLayout layout = layOut(figure, 600);
+        QImage image(layout.size, QImage::Format_RGB32);
+        image.fill(theme.panel);
+        QPainter painter(&image);
+        paintFigure(painter, figure, layout, theme, point);
+        painter.end();
+        return image;
+    };
+    const QChar comma = QLatin1Char(',');
+    EXPECT_EQ(drawn("limit ±1.7°", comma), drawn("limit ±1,7°", comma));
+    EXPECT_NE(drawn("limit ±1.7°", comma), drawn("limit ±1.7°", QLatin1Char('.')));
+    EXPECT_NE(drawn("run_2.5", comma), drawn("run_2,5", comma));
+    FigureAxis axis({QwtScaleDiv(0.0, 1.0, {}, {}, {0.0, 0.5, 1.0}), false}, QwtScaleDraw::LeftScale, {});
+    axis.setDecimalPoint(comma);
+    EXPECT_EQ(axis.label(0.5).text(), QStringLiteral("0,5"));
+}
+
+TEST(FigurePainter, aDashedLineOfManyPointsHasItsGaps) {
+    const auto application = OffscreenApplication::ensure();
+    const Theme theme = loadTheme("light").value();
+    const auto inked = [&theme](CurveStyle style) {
+        Figure figure = twoPanels();
+        figure.panels.resize(1);
+        Curve curve{{}, {}, {}, style, 0};
+        for (int i = 0; i <= 1000; ++i) { // two points in each column
+            curve.x.push_back(0.001 * i);
+            curve.y.push_back(0.001 * i);
+        }
+        figure.panels[0].curves = {curve};
+        const FigureLayout layout = layOut(figure, 600);
+        QImage image(layout.size, QImage::Format_RGB32);
+        image.fill(theme.panel);
+        QPainter painter(&image);
+        paintFigure(painter, figure, layout, theme);
+        painter.end();
+        return pixelsOf(image, layout.panels[0].canvas, theme.curves[0]);
+    };
+    // Qt's dashes are four widths long and two apart: a third of the line is left out.
+    EXPECT_LT(inked(CurveStyle::DashedLine), 0.85 * inked(CurveStyle::Line));
+}
+
 TEST(FigurePainter, noLineRunsThroughALabel) {
     const auto application = OffscreenApplication::ensure();
     const Theme theme = loadTheme("light").value();
