@@ -4504,7 +4504,7 @@
     </message>
     <message>
         <source>Move for longer; check the gains and that nothing blocks the rotor.</source>
-        <translation>Fahren Sie länger; prüfen Sie die Verstärkungen und dass nichts den Rotor blockiert.</translation>
+        <translation>Fahren Sie länger; prüfen Sie die Reglerparameter und dass nichts den Rotor blockiert.</translation>
     </message>
     <message>
         <source>the limit or level of a nonlinear element must be positive, its hysteresis not negative</source>
@@ -4584,7 +4584,7 @@
     </message>
     <message>
         <source>no gains of this motor meet the asked sensitivity</source>
-        <translation>keine Verstärkungen dieses Motors erreichen die verlangte Empfindlichkeit</translation>
+        <translation>keine Reglerparameter dieses Motors erreichen die verlangte Empfindlichkeit</translation>
     </message>
     <message>
         <source>allow a larger Ms, or shorten the computing delay</source>
@@ -7750,7 +7750,7 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
     <message>
         <source>gains</source>
-        <translation>Reglerwerte</translation>
+        <translation>Reglerparameter</translation>
     </message>
     <message>
         <source>calibration</source>
@@ -7785,7 +7785,7 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
     <message>
         <source>Record</source>
-        <translation>Aufnahme</translation>
+        <translation>Aufzeichnen</translation>
     </message>
     <message>
         <source>The disk does not keep up: rows are missing.</source>
@@ -8108,7 +8108,7 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <name>halbench::app::RestRippleWords</name>
     <message>
         <source>at rest the current ripples by about %1 A: that is the noise of the measured angle (%2) times these gains, while friction holds the rotor still</source>
-        <translation>in Ruhe schwankt der Strom um etwa %1 A: das ist das Rauschen des gemessenen Winkels (%2) mal diesen Verstärkungen, während Reibung den Rotor festhält</translation>
+        <translation>in Ruhe schwankt der Strom um etwa %1 A: das ist das Rauschen des gemessenen Winkels (%2) mal diesen Reglerparametern, während Reibung den Rotor festhält</translation>
     </message>
     <message>
         <source>at rest the current ripples by about %1 A, more than the noise of the measured angle (%2) explains: the loop may hunt; a smaller K_D or K_P calms it</source>
@@ -8913,7 +8913,7 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
     <message>
         <source>From the project: gains by %1.</source>
-        <translation>Aus dem Projekt: Reglerwerte nach %1.</translation>
+        <translation>Aus dem Projekt: Reglerparameter nach %1.</translation>
     </message>
     <message>
         <source>Choose a method to design anew for the motor as it is now.</source>
@@ -8961,11 +8961,11 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
     <message>
         <source>All gains at once, then a step of %1 that must go as predicted; Esc stops it</source>
-        <translation>Alle Verstärkungen auf einmal, dann ein Sprung um %1, der wie vorhergesagt gehen muss; Esc stoppt ihn</translation>
+        <translation>Alle Reglerparameter auf einmal, dann ein Sprung um %1, der wie vorhergesagt gehen muss; Esc stoppt ihn</translation>
     </message>
     <message>
         <source>The new gains run until the device is switched off.</source>
-        <translation>Die neuen Verstärkungen gelten, bis das Gerät ausgeschaltet wird.</translation>
+        <translation>Die neuen Reglerparameter gelten, bis das Gerät ausgeschaltet wird.</translation>
     </message>
     <message>
         <source>To have them after that too: Save in the device, in the Parameters panel.</source>
@@ -8973,11 +8973,11 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
     <message>
         <source>The new gains stay until the device is switched off or, for a simulated one, disconnected; Save in the device, in the Parameters panel, keeps them longer</source>
-        <translation>Die neuen Verstärkungen bleiben, bis das Gerät ausgeschaltet oder, wenn es simuliert ist, getrennt wird; „Im Gerät speichern“ im Feld Parameter behält sie länger</translation>
+        <translation>Die neuen Reglerparameter bleiben, bis das Gerät ausgeschaltet oder, wenn es simuliert ist, getrennt wird; „Im Gerät speichern“ im Feld Parameter behält sie länger</translation>
     </message>
     <message>
         <source>The new gains run until the simulated device is disconnected.</source>
-        <translation>Die neuen Verstärkungen gelten, bis das simulierte Gerät getrennt wird.</translation>
+        <translation>Die neuen Reglerparameter gelten, bis das simulierte Gerät getrennt wird.</translation>
     </message>
     <message>
         <source>This verification is running</source>
@@ -8985,7 +8985,7 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
     <message>
         <source>Keep the new gains, or restore those from before.</source>
-        <translation>Behalten Sie die neuen Verstärkungen, oder stellen Sie die früheren wieder her.</translation>
+        <translation>Behalten Sie die neuen Reglerparameter, oder stellen Sie die früheren wieder her.</translation>
     </message>
     <message>
         <source>Nothing verified yet</source>
@@ -9998,32 +9998,32 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>B</translation>
     </message>
     <message>
-        <source>ψ %1</source>
-        <translation>ψ %1</translation>
-    </message>
-    <message>
-        <source>Phase A
-%1
-Phase B
-%2</source>
-        <translation>Phase A
-%1
-Phase B
-%2</translation>
-    </message>
-    <message>
-        <source>Hall a
-%1
-Hall b
-%2</source>
-        <translation>Hall a
-%1
-Hall b
-%2</translation>
-    </message>
-    <message>
         <source>old values</source>
         <translation>alte Werte</translation>
+    </message>
+    <message>
+        <source>Angle ψ %1</source>
+        <translation>Winkel ψ %1</translation>
+    </message>
+    <message>
+        <source>Coil A
+%1
+Coil B
+%2</source>
+        <translation>Spule A
+%1
+Spule B
+%2</translation>
+    </message>
+    <message>
+        <source>Hall A
+%1
+Hall B
+%2</source>
+        <translation>Hall A
+%1
+Hall B
+%2</translation>
     </message>
 </context>
 <context>

@@ -9989,32 +9989,32 @@ A real device has its own time.</source>
         <translation>B</translation>
     </message>
     <message>
-        <source>ψ %1</source>
-        <translation>ψ %1</translation>
-    </message>
-    <message>
-        <source>Phase A
-%1
-Phase B
-%2</source>
-        <translation>A 相
-%1
-B 相
-%2</translation>
-    </message>
-    <message>
-        <source>Hall a
-%1
-Hall b
-%2</source>
-        <translation>霍尔 a
-%1
-霍尔 b
-%2</translation>
-    </message>
-    <message>
         <source>old values</source>
         <translation>旧值</translation>
+    </message>
+    <message>
+        <source>Angle ψ %1</source>
+        <translation>角度 ψ %1</translation>
+    </message>
+    <message>
+        <source>Coil A
+%1
+Coil B
+%2</source>
+        <translation>线圈 A
+%1
+线圈 B
+%2</translation>
+    </message>
+    <message>
+        <source>Hall A
+%1
+Hall B
+%2</source>
+        <translation>霍尔 A
+%1
+霍尔 B
+%2</translation>
     </message>
 </context>
 <context>

@@ -303,11 +303,11 @@ void RotorView::drawWords(QPainter& painter, const Theme& theme) const {
     painter.setFont(tabularFont(font()));
     const QRect box = rect().adjusted(PanelMargin_px, PanelMargin_px, -PanelMargin_px, -PanelMargin_px);
     painter.setPen(m_isStale ? theme.muted : theme.text);
-    painter.drawText(box, Qt::AlignLeft | Qt::AlignTop, tr("ψ %1").arg(angle));
+    painter.drawText(box, Qt::AlignLeft | Qt::AlignTop, tr("Angle ψ %1").arg(angle));
     painter.drawText(box, Qt::AlignLeft | Qt::AlignBottom,
-                     tr("Phase A\n%1\nPhase B\n%2").arg(ampere(current_A.a), ampere(current_A.b)));
+                     tr("Coil A\n%1\nCoil B\n%2").arg(ampere(current_A.a), ampere(current_A.b)));
     painter.drawText(box, Qt::AlignRight | Qt::AlignBottom,
-                     tr("Hall a\n%1\nHall b\n%2").arg(tesla(hall_T.a), tesla(hall_T.b)));
+                     tr("Hall A\n%1\nHall B\n%2").arg(tesla(hall_T.a), tesla(hall_T.b)));
     painter.setPen(theme.muted);
     painter.drawText(box, Qt::AlignRight | Qt::AlignTop,
                      m_isStale && m_angle_rad ? tr("old values") : modelName());
