@@ -39,7 +39,10 @@ SignalTree::SignalTree(QWidget* parent) : QTreeWidget(parent) {
     header()->setSectionResizeMode(ValueColumn, QHeaderView::Fixed);
     header()->setSectionResizeMode(UnitColumn, QHeaderView::Fixed);
     headerItem()->setTextAlignment(ValueColumn, Qt::AlignRight | Qt::AlignVCenter);
-    header()->resizeSection(ValueColumn, fontMetrics().horizontalAdvance(QStringLiteral("-00000.00")));
+    // An identification turns the rotor some hundred times: six digits of degrees.
+    const QFontMetrics digits(widgets::tabularFont(font()));
+    header()->resizeSection(ValueColumn, digits.horizontalAdvance(QStringLiteral("-000000.00")) +
+                                             2 * widgets::PanelMargin_px);
     header()->resizeSection(UnitColumn, std::max(fontMetrics().horizontalAdvance(QStringLiteral("r/min  ")),
                                                  header()->sectionSizeHint(UnitColumn)));
     connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {

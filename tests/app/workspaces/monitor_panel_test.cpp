@@ -13,6 +13,7 @@
 #include "widgets/message_bar.h"
 
 #include <QAction>
+#include <QHeaderView>
 #include <QMimeData>
 #include <QSignalSpy>
 #include <QToolButton>
@@ -187,6 +188,14 @@ TEST_F(MonitorPanelTest, plotsStayWhenTheSameDeviceComesBack) {
     session().disconnectDevice();
     connectTo("sim:htm", 5.0);
     EXPECT_FALSE(isPlotted("speed"));
+}
+
+TEST_F(MonitorPanelTest, anAngleOfManyTurnsIsShownWhole) {
+    connectTo("sim:htm", 1.0);
+    QAbstractItemModel* model = tree().model();
+    const QModelIndex value = model->index(0, 1, model->index(0, 0));
+    model->setData(value, QStringLiteral("-190800.25")); // 530 turns
+    EXPECT_LE(tree().sizeHintForIndex(value).width(), tree().header()->sectionSize(1));
 }
 
 TEST_F(MonitorPanelTest, everyToolSaysItsShortcut) {
