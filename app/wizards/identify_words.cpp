@@ -103,14 +103,14 @@ QString outlookText(const IdentifyConfig& config, const SweepOutlook& outlook) {
     const QString way = config.directions == SweepDirections::Both      ? Words::tr("both ways")
                         : config.directions == SweepDirections::Forward ? Words::tr("forward")
                                                                         : Words::tr("in reverse");
-    const double rpm = radPerSecondToRpm(outlook.largestSpeed_rad_s);
+    const double speed_rad_s = std::round(outlook.largestSpeed_rad_s); // one speed in both units
+    const double rpm = radPerSecondToRpm(speed_rad_s);
     QString text =
         Words::tr(
             "The rotor will turn %1, about %2 turns in all, at up to %3 rad/s (%4 r/min), for %5 minutes "
             "of device time.")
-            .arg(way, number(std::round(outlook.turns / 10.0) * 10.0, 0),
-                 number(outlook.largestSpeed_rad_s, 0), number(rpm, 0),
-                 widgets::durationText(outlook.prediction.duration_s));
+            .arg(way, number(std::round(outlook.turns / 10.0) * 10.0, 0), number(speed_rad_s, 0),
+                 number(rpm, 0), widgets::durationText(outlook.prediction.duration_s));
     text += QLatin1Char('\n');
     const double warmest_degC = outlook.prediction.highestTemperature_degC;
     const QString current_A = number(outlook.prediction.peakCurrent_A, 1);
