@@ -4,6 +4,7 @@
 #include "app/window/language.h"
 #include "app/window/main_window.h"
 #include "app/window/preferences_dialog.h"
+#include "app/window/panels.h"
 #include "app/window/project_menu.h"
 #include "app/window/unkept_bar.h"
 #include "widgets/phrasebook.h"
@@ -94,8 +95,8 @@ void MainWindow::createProjects() {
 }
 
 void MainWindow::fillViewMenu() {
-    for (ads::CDockWidget* dock : m_docks->docks()) {
-        m_viewMenu->addAction(dock->toggleViewAction());
+    for (const PanelSpec& panel : panelSpecs()) { // the docks themselves have another order at each start
+        m_viewMenu->addAction(m_docks->docks().value(panel.id)->toggleViewAction());
     }
     m_viewMenu->addSeparator();
     m_viewMenu->addAction(tr("&Reset the arrangement"), m_docks, &DockLayout::reset);

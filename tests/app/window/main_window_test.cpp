@@ -2,6 +2,7 @@
 #include "app/window/dock_layout.h"
 #include "app/window/help_window.h"
 #include "app/window/main_window.h"
+#include "app/window/panels.h"
 #include "app/workspaces/device_panel.h"
 #include "app/workspaces/notes_panel.h"
 #include "tests/app/window/window_test.h"
@@ -10,6 +11,8 @@
 #include <QDialog>
 #include <QFile>
 #include <QListWidget>
+#include <QMenu>
+#include <QMenuBar>
 #include <QScreen>
 #include <QTemporaryDir>
 #include <qtadvanceddocking/DockWidget.h>
@@ -194,6 +197,22 @@ TEST_F(MainWindowTest, quittingKeepsTheWindowWithItsStopUntilWhatRunsHasEnded) {
     }));
     fit.set_value();
     EXPECT_TRUE(wait([&] { return !window->isVisible(); }));
+}
+
+TEST_F(MainWindowTest, theViewMenuHasThePanelsInOneOrder) {
+    open();
+    QStringList titles;
+    for (const QAction* action : window->menuBar()->actions().at(1)->menu()->actions()) {
+        if (action->isSeparator()) {
+            break;
+        }
+        titles << action->text();
+    }
+    QStringList expected;
+    for (const PanelSpec& panel : panelSpecs()) {
+        expected << panel.title;
+    }
+    EXPECT_EQ(titles, expected);
 }
 
 TEST_F(MainWindowTest, anArrangementIsKeptPerPerspective) {
