@@ -180,11 +180,13 @@ TEST_F(RecorderTest, aDiskThatStallsDelaysNobodyAndWhatItMissedIsInTheSidecar) {
     recorder.push(block(layout, 0.0, 10));
     ASSERT_TRUE(QTest::qWaitFor([&] { return recorder.status().rows == 10; }, 20000));
     disk.setStuck(true);
-    for (int i = 1; i < 10; ++i) { // returns at once; the queue takes two blocks and what the writer holds
+    // Returns at once; the queue takes two blocks, what the writer holds comes on top. When it takes a block
+    // in between, there are two gaps.
+    for (int i = 1; i < 10; ++i) {
         recorder.push(block(layout, 0.1 * i, 10));
     }
     const std::uint64_t dropped = recorder.status().droppedRows;
-    EXPECT_GE(dropped, 60U);
+    EXPECT_GE(dropped, 40U);
     disk.setStuck(false);
     ASSERT_TRUE(QTest::qWaitFor([&] { return recorder.status().rows == 100 - dropped; }, 20000));
     recorder.push(block(layout, 1.0, 10)); // it goes on
@@ -196,12 +198,17 @@ TEST_F(RecorderTest, aDiskThatStallsDelaysNobodyAndWhatItMissedIsInTheSidecar) {
     ASSERT_TRUE(file);
     EXPECT_EQ(file->recording.rows(), 110U - dropped);
     EXPECT_EQ(file->meta.droppedRows, dropped);
-    ASSERT_EQ(file->meta.gaps.size(), 1U);
-    EXPECT_EQ(file->meta.gaps[0].lostRows, dropped);
-    ASSERT_EQ(file->meta.markers.size(), 1U);
+    ASSERT_FALSE(file->meta.gaps.empty());
+    std::uint64_t missing = 0;
+    for (const auto& gap : file->meta.gaps) {
+        missing += gap.lostRows;
+    }
+    EXPECT_EQ(missing, dropped);
+    ASSERT_EQ(file->meta.markers.size(), 1U) << "what is dropped within a second is told once";
     EXPECT_EQ(file->meta.markers[0].text,
               std::to_string(dropped) + " rows dropped: the disk did not keep up");
-    EXPECT_NEAR(file->meta.markers[0].time_s, file->meta.gaps[0].time_s - 0.01 * static_cast<double>(dropped),
+    EXPECT_NEAR(file->meta.markers[0].time_s,
+                file->meta.gaps[0].time_s - 0.01 * static_cast<double>(file->meta.gaps[0].lostRows),
                 1e-9); // where the gap begins
 }
 
