@@ -13,8 +13,10 @@ constexpr double DefaultTimeout_s = 0.5;
 /// board. Two repetitions, as other programs have, lose the session on a line that loses one octet in a
 /// hundred (resources/help/protocol.md, 3.6).
 constexpr double MaxSilence_s = 1.8;
-/// More than fit into that time when answers are missing: the end for a board that answers nonsense at once.
+/// The end for a board that answers nonsense at once; where answers are missing, the time is.
 constexpr int MaxRepeats = 16;
+/// SYNCH has this at least, also behind the last try: trouble just before the end is no dead board yet.
+constexpr double LeastSynch_s = 0.2;
 constexpr double MaxDrain_s = 0.05;
 constexpr int MaxWaits = 50;
 constexpr double BusyWait_s = 0.02;
@@ -338,15 +340,17 @@ std::optional<Error> XcpLink::afterTrouble(const Trouble& trouble, int& repeats,
             return trouble.error;
         }
     }
-    if (repeats >= MaxRepeats || elapsed_s >= MaxSilence_s) {
-        if (trouble.cause == TroubleCause::Timeout) {
+    const bool isUnanswered = trouble.cause == TroubleCause::Timeout;
+    if (elapsed_s >= MaxSilence_s || (repeats >= MaxRepeats && !isUnanswered)) {
+        if (isUnanswered) {
             markLost(trouble.error);
         }
         return trouble.error;
     }
     ++repeats;
     ++m_repeated;
-    const Result<void> synchronised = synchronise(start_s + MaxSilence_s);
+    const Result<void> synchronised =
+        synchronise(std::max(start_s + MaxSilence_s, m_transport->now_s() + LeastSynch_s));
     return synchronised ? std::nullopt : std::optional<Error>(synchronised.error());
 }
 

@@ -29,6 +29,22 @@ Result<SerialAddress> parsed(const std::string& text) {
     return parseSerialAddress(*parseDeviceUri(text));
 }
 
+void expectGainIsKept(Device& device) {
+    const ParameterValue gain{"gain.kp", 12.5};
+    ASSERT_TRUE(device.writeParameters({&gain, 1}));
+    EXPECT_DOUBLE_EQ((*device.readParameters({&gain.name, 1}))[0], gain.value);
+}
+
+/// 0.3 s at 200 Hz.
+Recording streamed(Device& device) {
+    Recording recording;
+    EXPECT_TRUE(device.startStream({{"position", "speed"}, 200.0},
+                                   [&](const SampleBlockPtr& block) { recording.append(*block); }));
+    EXPECT_TRUE(device.clock().waitFor(0.3));
+    device.stopStream();
+    return recording;
+}
+
 TEST(SerialDevice, worksLikeTheEmbeddedBoard) {
     const BoardServer server(ServedLine::Pty);
     const auto device = open(serialUri(server, "?baud=1000000"));
@@ -36,14 +52,8 @@ TEST(SerialDevice, worksLikeTheEmbeddedBoard) {
     EXPECT_EQ(device->info().model, "htm");
     EXPECT_EQ(device->info().transport, "serial");
     EXPECT_FALSE(device->info().isSimulated) << "what is behind a line may move: it needs consent";
-    const ParameterValue gain{"gain.kp", 12.5};
-    ASSERT_TRUE(device->writeParameters({&gain, 1}));
-    EXPECT_DOUBLE_EQ((*device->readParameters({&gain.name, 1}))[0], 12.5);
-    Recording recording;
-    ASSERT_TRUE(device->startStream({{"position", "speed"}, 200.0},
-                                    [&](const SampleBlockPtr& block) { recording.append(*block); }));
-    ASSERT_TRUE(device->clock().waitFor(0.3));
-    device->stopStream();
+    expectGainIsKept(*device);
+    const Recording recording = streamed(*device);
     EXPECT_EQ(recording.lostRows, 0U);
     EXPECT_EQ(device->statistics().packetsLost, 0U);
     EXPECT_EQ(device->statistics().packetsDamaged, 0U);
@@ -66,13 +76,8 @@ TEST(SerialDevice, worksWithABoardThatIsServedWithoutFraming) {
         const auto device = open(serialUri(server, options));
         ASSERT_TRUE(device);
         EXPECT_EQ(device->info().model, "htm");
-        const ParameterValue gain{"gain.kp", 12.5};
-        ASSERT_TRUE(device->writeParameters({&gain, 1}));
-        EXPECT_DOUBLE_EQ((*device->readParameters({&gain.name, 1}))[0], 12.5);
-        Recording recording;
-        ASSERT_TRUE(device->startStream({{"position", "speed"}, 200.0},
-                                        [&](const SampleBlockPtr& block) { recording.append(*block); }));
-        ASSERT_TRUE(device->clock().waitFor(0.3));
+        expectGainIsKept(*device);
+        const Recording recording = streamed(*device);
         device->stop();
         EXPECT_TRUE(device->state().isStopLatched);
         EXPECT_EQ(recording.lostRows, 0U);

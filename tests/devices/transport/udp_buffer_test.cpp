@@ -1,6 +1,4 @@
-#include "devices/transport/udp_server.h"
-#include "devices/transport/udp_transport.h"
-#include "tests/devices/transport/echo_board.h"
+#include "tests/devices/transport/udp_pair.h"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +7,7 @@ namespace {
 
 // What becomes of a stream by UDP while the program is busy elsewhere: the system keeps some of it.
 
-struct Flood {
-    UdpServer server = *UdpServer::bind({"127.0.0.1", 0});
-    EchoBoard board;
-    UdpTransport transport{*parseNetworkAddress(server.address().substr(4))};
-
+struct Flood : UdpPair {
     void connect() {
         ASSERT_TRUE(transport.open());
         ASSERT_TRUE(transport.send(Octets{0xFF, 0x00}));

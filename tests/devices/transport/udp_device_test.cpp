@@ -1,8 +1,6 @@
 #include "devices/open_device.h"
-#include "devices/transport/udp_server.h"
-#include "devices/transport/udp_transport.h"
-#include "tests/devices/transport/echo_board.h"
 #include "tests/devices/transport/served_board.h"
+#include "tests/devices/transport/udp_pair.h"
 
 #include <gtest/gtest.h>
 #include <sys/socket.h>
@@ -10,11 +8,7 @@
 namespace halbench::devices {
 namespace {
 
-struct Pair {
-    UdpServer server = *UdpServer::bind({"127.0.0.1", 0});
-    EchoBoard board;
-    UdpTransport transport{*parseNetworkAddress(server.address().substr(4))};
-
+struct Pair : UdpPair {
     Octets next() {
         Octets packet;
         const auto received = transport.receive(packet, 0.0);

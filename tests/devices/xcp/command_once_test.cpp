@@ -2,6 +2,7 @@
 #include "devices/simulated/loopback_transport.h"
 #include "devices/xcp/xcp_device.h"
 #include "devices/xcp/xcp_master.h"
+#include "tests/devices/xcp/spoiled_line.h"
 
 #include <gtest/gtest.h>
 
@@ -12,58 +13,16 @@ namespace {
 
 // A start is an act: what the line loses must not make it happen twice (resources/help/protocol.md 3.15).
 
-enum class Loss { None, Command, Answer, AnswerLate };
-constexpr double Late_s = 0.3; // longer than an armed master waits, 0.25 s
+constexpr double Late_s = 0.3; // longer than an armed master waits: a tenth of its watchdog's second
 constexpr double Step_rad = 1.0;
 
-/// Spoils the next write of one octet that is not this value, once.
-class SpoiledLine : public LoopbackTransport {
-public:
-    SpoiledLine(std::shared_ptr<SimulatedBoard> board, std::shared_ptr<LinkOrders> orders)
-        : LoopbackTransport(std::move(board), false), m_orders(std::move(orders)) {}
-
-    Loss loss = Loss::None;
-    std::uint32_t address = 0;
-    bool asksForStop = false; ///< another thread does, while the answer is awaited
-    int writes = 0;           ///< to the address
-
-    Result<void> send(std::span<const std::uint8_t> packet) override {
-        const bool isWrite = packet.size() == 9 && packet[0] == 0xED && addressOf(packet) == address;
-        writes += isWrite ? 1 : 0;
-        if (!isWrite || loss == Loss::None) {
-            return LoopbackTransport::send(packet);
-        }
-        m_orders->stops += asksForStop ? 1 : 0;
-        m_spoils = std::exchange(loss, Loss::None);
-        return m_spoils == Loss::Command ? Result<void>() : LoopbackTransport::send(packet);
-    }
-
-    Result<bool> receive(std::vector<std::uint8_t>& packet, double timeout_s) override {
-        if (m_heldBack && now_s() >= m_due_s) {
-            packet = *std::exchange(m_heldBack, std::nullopt);
-            return true;
-        }
-        Result<bool> received = LoopbackTransport::receive(packet, timeout_s);
-        if (received && *received && packet[0] == 0xFF && m_spoils > Loss::Command) {
-            if (std::exchange(m_spoils, Loss::None) == Loss::AnswerLate) {
-                m_heldBack = packet;
-                m_due_s = now_s() + Late_s;
-            }
-            return false;
-        }
-        return received;
-    }
-
-private:
-    static std::uint32_t addressOf(std::span<const std::uint8_t> packet) {
-        return packet[4] + 256U * packet[5] + 65536U * packet[6] + 16777216U * packet[7];
-    }
-
-    std::shared_ptr<LinkOrders> m_orders;
-    Loss m_spoils = Loss::None;
-    std::optional<std::vector<std::uint8_t>> m_heldBack;
-    double m_due_s = 0.0;
-};
+/// A write of one octet to the address.
+SpoiledLine::IsMeant writeTo(std::uint32_t address) {
+    return [address](std::span<const std::uint8_t> packet) {
+        return packet.size() == 9 && packet[0] == 0xED &&
+               packet[4] + 256U * packet[5] + 65536U * packet[6] + 16777216U * packet[7] == address;
+    };
+}
 
 enum class Firmware { Now, Before0_3 };
 
@@ -117,7 +76,7 @@ Bench openBench(Firmware firmware) {
     if (firmware == Firmware::Before0_3) {
         options.description = withoutOrders(descriptionOf(bench.board));
     }
-    auto line = std::make_unique<SpoiledLine>(bench.board, bench.orders);
+    auto line = std::make_unique<SpoiledLine>(bench.board, Late_s);
     bench.line = line.get();
     auto device = openXcpDevice(std::move(line), std::move(options));
     EXPECT_TRUE(device) << device.error().message;
@@ -136,13 +95,8 @@ Bench readyToStep(Firmware firmware) {
     }
     EXPECT_TRUE(bench.device->arm());
     EXPECT_TRUE(bench.device->clock().waitFor(0.05));
-    bench.line->address = bench.live(offsetof(hb_htm_live, reference_start));
+    bench.line->isMeant = writeTo(bench.live(offsetof(hb_htm_live, reference_start)));
     return bench;
-}
-
-std::string nameOf(const testing::TestParamInfo<Loss>& info) {
-    const char* names[] = {"nothing", "theCommand", "theAnswer", "theAnswerInTime"};
-    return names[static_cast<std::size_t>(info.param)];
 }
 
 class CommandOnce : public testing::TestWithParam<Loss> {};
@@ -158,7 +112,7 @@ TEST_P(CommandOnce, aStartMovesByOneStepWhateverIsLost) {
         // a float near 3 rad
         EXPECT_NEAR(bench.signal("reference") - before_rad, step * Step_rad, 1e-6) << step;
     }
-    EXPECT_EQ(bench.line->writes, GetParam() == Loss::None ? 3 : 6) << "each loss costs a repetition";
+    EXPECT_EQ(bench.line->sent, GetParam() == Loss::None ? 3 : 6) << "each loss costs a repetition";
 }
 
 TEST_P(CommandOnce, aStartWhileItRunsBeginsAnewOnceWhateverIsLost) {
@@ -188,7 +142,7 @@ TEST_P(CommandOnce, aStopStopsWhateverIsLost) {
 
 TEST_P(CommandOnce, aCaptureBeginsOnceWhateverIsLost) {
     Bench bench = openBench(Firmware::Now);
-    bench.line->address = bench.live(offsetof(hb_htm_live, capture_start));
+    bench.line->isMeant = writeTo(bench.live(offsetof(hb_htm_live, capture_start)));
     bench.line->loss = GetParam();
     const double sent_s = bench.board->time_s();
     ASSERT_TRUE(bench.write("capture.start", 1.0));
@@ -229,18 +183,19 @@ TEST_P(CommandOnce, anOlderBoardIsStoppedWhenNobodyKnowsWhetherItStarted) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Lost, CommandOnce,
-                         testing::Values(Loss::None, Loss::Command, Loss::Answer, Loss::AnswerLate), nameOf);
+                         testing::Values(Loss::None, Loss::Command, Loss::Answer, Loss::AnswerLate),
+                         nameOfLoss);
 
 TEST(CommandOnceStopped, aStartIsNotRepeatedAfterAStop) {
     for (const Firmware firmware : {Firmware::Now, Firmware::Before0_3}) {
         for (const Loss loss : {Loss::Command, Loss::Answer}) {
             Bench bench = readyToStep(firmware);
             bench.line->loss = loss;
-            bench.line->asksForStop = true;
+            bench.line->onSpoiling = [orders = bench.orders] { ++orders->stops; }; // another thread
             const auto started = bench.write("reference.start", 1.0);
             ASSERT_FALSE(started);
             EXPECT_EQ(started.error().code, ErrorCode::Interrupted) << started.error().message;
-            EXPECT_EQ(bench.line->writes, 2) << "the start once, then its end";
+            EXPECT_EQ(bench.line->sent, 2) << "the start once, then its end";
             EXPECT_FALSE(bench.isRunning());
             EXPECT_EQ(bench.board->firmware().safety.armed, 0);
         }

@@ -1,5 +1,5 @@
-#include "devices/simulated/loopback_transport.h"
 #include "devices/xcp/xcp_device.h"
+#include "tests/devices/xcp/spoiled_line.h"
 
 #include <gtest/gtest.h>
 
@@ -13,56 +13,14 @@ namespace {
 // A release clears what has latched: what the line loses must not make it clear what latches afterwards,
 // which nobody has seen yet (resources/help/protocol.md 3.15).
 
-enum class Loss { None, Command, Answer, AnswerLate };
 constexpr double Late_s = 0.7; // longer than a master waits, 0.5 s
 constexpr std::uint8_t UserCommand = 0xF1;
 constexpr std::uint8_t Stop = 0x45;
 constexpr std::uint8_t Release = 0x52;
 
-/// Spoils the next release, once; something may happen to the board behind it.
-class SpoiledLine : public LoopbackTransport {
-public:
-    explicit SpoiledLine(std::shared_ptr<SimulatedBoard> board)
-        : LoopbackTransport(std::move(board), false) {}
-
-    Loss loss = Loss::None;
-    std::function<void()> meanwhile;
-    int releases = 0;
-
-    Result<void> send(std::span<const std::uint8_t> packet) override {
-        const bool isRelease = packet.size() == 2 && packet[0] == UserCommand && packet[1] == Release;
-        releases += isRelease ? 1 : 0;
-        if (!isRelease || loss == Loss::None) {
-            return LoopbackTransport::send(packet);
-        }
-        m_spoils = std::exchange(loss, Loss::None);
-        return m_spoils == Loss::Command ? Result<void>() : LoopbackTransport::send(packet);
-    }
-
-    Result<bool> receive(std::vector<std::uint8_t>& packet, double timeout_s) override {
-        if (m_heldBack && now_s() >= m_due_s) {
-            packet = *std::exchange(m_heldBack, std::nullopt);
-            return true;
-        }
-        Result<bool> received = LoopbackTransport::receive(packet, timeout_s);
-        if (m_spoils > Loss::Command && received && *received && packet[0] == 0xFF) {
-            if (std::exchange(m_spoils, Loss::None) == Loss::AnswerLate) {
-                m_heldBack = packet;
-                m_due_s = now_s() + Late_s;
-            }
-            if (meanwhile) {
-                std::exchange(meanwhile, nullptr)();
-            }
-            return false;
-        }
-        return received;
-    }
-
-private:
-    Loss m_spoils = Loss::None;
-    std::optional<std::vector<std::uint8_t>> m_heldBack;
-    double m_due_s = 0.0;
-};
+bool isRelease(std::span<const std::uint8_t> packet) {
+    return packet.size() == 2 && packet[0] == UserCommand && packet[1] == Release;
+}
 
 class ReleaseOnce : public testing::TestWithParam<Loss> {
 protected:
@@ -70,7 +28,7 @@ protected:
         auto made = SimulatedBoard::make({}, 1);
         ASSERT_TRUE(made);
         board = std::shared_ptr<SimulatedBoard>(std::move(*made));
-        auto transport = std::make_unique<SpoiledLine>(board);
+        auto transport = std::make_unique<SpoiledLine>(board, Late_s, isRelease);
         line = transport.get();
         auto opened = openXcpDevice(std::move(transport), {});
         ASSERT_TRUE(opened) << opened.error().message;
@@ -100,7 +58,7 @@ class ReleaseUnanswered : public ReleaseOnce {};
 TEST_P(ReleaseOnce, isSentOnceAndSaysWhatCameOfIt) {
     line->loss = GetParam();
     const auto released = device->clearStop();
-    EXPECT_EQ(line->releases, 1);
+    EXPECT_EQ(line->sent, 1);
     EXPECT_EQ(released.has_value(), GetParam() != Loss::Command);
     EXPECT_EQ(isLatched(), GetParam() == Loss::Command);
     if (!released) {
@@ -151,13 +109,11 @@ TEST_P(ReleaseOnce, changesNothingOnABoardThatIsArmed) {
     EXPECT_FALSE(isLatched());
 }
 
-std::string nameOf(const testing::TestParamInfo<Loss>& info) {
-    const char* names[] = {"nothingLost", "theCommandLost", "theAnswerLost", "theAnswerLate"};
-    return names[static_cast<std::size_t>(info.param)];
-}
 INSTANTIATE_TEST_SUITE_P(Line, ReleaseOnce,
-                         testing::Values(Loss::None, Loss::Command, Loss::Answer, Loss::AnswerLate), nameOf);
-INSTANTIATE_TEST_SUITE_P(Line, ReleaseUnanswered, testing::Values(Loss::Answer, Loss::AnswerLate), nameOf);
+                         testing::Values(Loss::None, Loss::Command, Loss::Answer, Loss::AnswerLate),
+                         nameOfLoss);
+INSTANTIATE_TEST_SUITE_P(Line, ReleaseUnanswered, testing::Values(Loss::Answer, Loss::AnswerLate),
+                         nameOfLoss);
 
 } // namespace
 } // namespace halbench::devices::xcp
