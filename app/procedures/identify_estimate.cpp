@@ -137,14 +137,14 @@ std::optional<SweepPoint> measurePlateau(std::span<const double> time_s, std::sp
     return point;
 }
 
-// What the loss of torque at speed takes off a steady speed: (phi/c) I L omega^2. Without it the sweep would
+// What a loss of torque at speed takes off a steady speed: (phi/c) I L omega^2. Without it the sweep would
 // be no straight line.
-double lostSpeed_rad_s(const IdentifyFits& fits, const SweepPoint& point) {
+double lostSpeed_rad_s(const IdentifyFits& fits, const SweepPoint& point, double loss_s2) {
     if (!fits.motion || !fits.balance || !(fits.motion->damping_per_s > 0.0)) {
         return 0.0;
     }
     const double gain = fits.balance->torque_rad_s2_A.value_or(0.0) / fits.motion->damping_per_s;
-    return gain * point.current_A * fits.motion->torqueLoss_s2 * point.speed_rad_s * point.speed_rad_s;
+    return gain * point.current_A * loss_s2 * point.speed_rad_s * point.speed_rad_s;
 }
 
 control::SegmentConfig segmentConfigOf(const IdentifyConfig& config) {
@@ -161,6 +161,8 @@ Result<void> fitSteadySweep(const Recording& recording, const Columns& columns,
                             const std::vector<control::CurrentPlateau>& plateaus,
                             const IdentifyConfig& config, const AbortCheck& checkAbort, IdentifyFits& fits) {
     std::vector<control::SteadyPoint> steady;
+    const double loss_s2 = fits.motion ? fits.motion->torqueLoss_s2 : 0.0;
+    const double lossError_s2 = fits.motion ? fits.motion->torqueLossError_s2 : 0.0;
     for (const control::CurrentPlateau& plateau : plateaus) {
         if (auto goesOn = askedToEnd(checkAbort); !goesOn) {
             return goesOn;
@@ -175,8 +177,8 @@ Result<void> fitSteadySweep(const Recording& recording, const Columns& columns,
         }
         fits.points.push_back(*point);
         if (point->isUsed) {
-            steady.push_back(
-                {point->current_A, point->speed_rad_s + lostSpeed_rad_s(fits, *point), error_rad_s});
+            steady.push_back({point->current_A, point->speed_rad_s + lostSpeed_rad_s(fits, *point, loss_s2),
+                              error_rad_s, lostSpeed_rad_s(fits, *point, lossError_s2)});
         }
     }
     auto sweep = control::fitFrictionSweep(steady, config.seed);

@@ -16,6 +16,7 @@ struct Problem {
     Eigen::MatrixXd design;
     Eigen::VectorXd speed;    // s omega
     Eigen::VectorXd variance; // of the measurement
+    Eigen::VectorXd shared;   // what one sigma of the shared error does to s omega
     int forwardColumn = -1;
     int reverseColumn = -1;
 };
@@ -31,6 +32,7 @@ Result<Problem> makeProblem(std::span<const SteadyPoint> points) {
     problem.design = Eigen::MatrixXd::Zero(count, columns);
     problem.speed.resize(count);
     problem.variance.resize(count);
+    problem.shared.resize(count);
     for (Eigen::Index i = 0; i < count; ++i) {
         const SteadyPoint& point = points[static_cast<std::size_t>(i)];
         const double sign = isForward(point) ? 1.0 : -1.0;
@@ -42,6 +44,7 @@ Result<Problem> makeProblem(std::span<const SteadyPoint> points) {
         problem.design(i, isForward(point) ? problem.forwardColumn : problem.reverseColumn) = 1.0;
         problem.speed(i) = sign * point.speed_rad_s;
         problem.variance(i) = point.speedError_rad_s * point.speedError_rad_s;
+        problem.shared(i) = sign * point.sharedError_rad_s;
     }
     return problem;
 }
@@ -66,6 +69,37 @@ Eigen::MatrixXd quantityJacobian(const Eigen::VectorXd& coefficients) {
     jacobian(1, 0) = intercept / (slope * slope);
     jacobian.row(1).tail(directions).setConstant(-1.0 / (slope * static_cast<double>(directions)));
     return jacobian;
+}
+
+// The fit of slope and intercepts. A shared error is one more unknown, whose prior N(0, 1) is one more row;
+// it is taken off the speeds, and what is left of the fit is that of the points.
+Result<ScatterFit> fitPoints(Problem& problem) {
+    if (problem.shared.isZero(0.0)) {
+        return fitWithScatter(problem.design, problem.speed, problem.variance);
+    }
+    const Eigen::Index rows = problem.design.rows();
+    const Eigen::Index columns = problem.design.cols();
+    Eigen::MatrixXd design = Eigen::MatrixXd::Zero(rows + 1, columns + 1);
+    design.topLeftCorner(rows, columns) = problem.design;
+    design.col(columns).head(rows) = problem.shared;
+    constexpr double PriorScale = 1e3; // the points' scatter, which joins every row, is nothing beside it
+    design(rows, columns) = PriorScale;
+    Eigen::VectorXd speed(rows + 1);
+    speed << problem.speed, 0.0;
+    Eigen::VectorXd variance(rows + 1);
+    variance << problem.variance, PriorScale * PriorScale;
+    auto scatter = fitWithScatter(design, speed, variance);
+    if (scatter) {
+        LinearFit& fit = scatter->fit;
+        problem.speed -= fit.coefficients(columns) * problem.shared;
+        fit.coefficients.conservativeResize(columns);
+        fit.covariance.conservativeResize(columns, columns);
+        fit.unscaled.conservativeResize(columns, columns);
+        fit.residuals.conservativeResize(rows);
+        fit.leverage.conservativeResize(rows);
+        scatter->weights.conservativeResize(rows);
+    }
+    return scatter;
 }
 
 void addDirections(FrictionSweep& sweep, const Problem& problem, const LinearFit& fit) {
@@ -139,11 +173,11 @@ Result<FrictionSweep> fitFrictionSweep(std::span<const SteadyPoint> points, std:
     if (points.empty()) {
         return failure(ErrorCode::Refused, "no usable plateau", "use currents above the breakaway current");
     }
-    const auto problem = makeProblem(points);
+    auto problem = makeProblem(points);
     if (!problem) {
         return failure(problem.error());
     }
-    const auto scatter = fitWithScatter(problem->design, problem->speed, problem->variance);
+    const auto scatter = fitPoints(*problem);
     if (!scatter) {
         return failure(scatter.error());
     }

@@ -149,6 +149,60 @@ TEST(FrictionSweep, flagsAnOutlierAndCurvature) {
     EXPECT_LT(bent->runs.probability, 1e-3);
 }
 
+// A correction that goes with I omega^2, 2e-7 s^2 of loss uncertain by one sigma: at most 1.6 mrad/s.
+std::vector<SteadyPoint> sweepWithSharedError(double size, double noise_rad_s, Random& random) {
+    auto points = sweep(13, 0.0, random, true);
+    for (SteadyPoint& point : points) {
+        const double shared =
+            Torque / Damping * 2e-7 * point.current_A * point.speed_rad_s * point.speed_rad_s;
+        point.sharedError_rad_s = shared;
+        point.speed_rad_s += size * shared + noise_rad_s * random.gaussian();
+        point.speedError_rad_s = noise_rad_s;
+    }
+    return points;
+}
+
+TEST(FrictionSweep, oneErrorOfAllPointsIsNoRunOfResiduals) {
+    Random random(8);
+    for (const double size : {-2.0, 2.0}) {
+        auto points = sweepWithSharedError(size, 3e-5, random);
+        const auto known = fitFrictionSweep(points, 1);
+        ASSERT_TRUE(known && known->lackOfFit.has_value() == false);
+        EXPECT_GT(known->runs.probability, 0.01) << size;
+        for (SteadyPoint& point : points) {
+            point.sharedError_rad_s = 0.0;
+        }
+        EXPECT_LT(fitFrictionSweep(points, 1)->runs.probability, 1e-3) << size; // the bend is there
+    }
+    // Twenty times what the error may be is no error of it: the bend stays, but for what one sigma explains.
+    const auto bent = fitFrictionSweep(sweepWithSharedError(20.0, 1e-3, random), 1);
+    ASSERT_TRUE(bent);
+    EXPECT_LT(bent->runs.probability, 0.01);
+}
+
+TEST(FrictionSweep, theIntervalsHoldTheErrorThatAllPointsShare) {
+    Random random(9);
+    int covered = 0;
+    int coveredWithout = 0;
+    constexpr int Runs = 400;
+    for (int run = 0; run < Runs; ++run) {
+        auto points = sweepWithSharedError(random.gaussian(), 3e-5, random);
+        const auto holds = [&points] {
+            const auto fit = fitFrictionSweep(points, 1);
+            const double half = studentQuantile(0.975, fit->freedom) * std::sqrt(fit->covariance(0, 0));
+            return std::fabs(fit->damping_A_s - Damping / Torque) <= half;
+        };
+        covered += holds() ? 1 : 0;
+        for (SteadyPoint& point : points) {
+            point.sharedError_rad_s = 0.0;
+        }
+        coveredWithout += holds() ? 1 : 0;
+    }
+    // 95 % of 400 with 3 sigma of the binomial, 13; the t quantile is a little wide for a known variance.
+    EXPECT_GT(covered, 380 - 13);
+    EXPECT_LT(coveredWithout, 300);
+}
+
 TEST(FrictionSweep, scatterIsThePublishedOneAndIsCoveredByTheIntervals) {
     // resources/help/htm-theory.md section 7.2: published R^2 0.9965; simulated mean 0.9967 and 95 % range
     // 0.9934 to 0.9988 for 13 points. The lower tail is thin: its quantile of 500 runs is known to 4e-4.
