@@ -16,11 +16,12 @@ constexpr std::size_t SampleChunk::firstGroup(std::size_t level) {
 
 SampleChunk::SampleChunk(std::size_t columns)
     : m_columns(columns), m_time_s(Rows), m_values(Rows * columns),
-      m_references(columns, std::numeric_limits<double>::quiet_NaN()), m_pyramid(Groups * columns) {}
+      m_references(columns, std::numeric_limits<double>::quiet_NaN()), m_pyramid(Groups * columns),
+      m_moments(columns) {}
 
 std::size_t SampleChunk::bytesFor(std::size_t columns) {
     return sizeof(SampleChunk) + Rows * sizeof(double) * (1 + columns) +
-           columns * (sizeof(double) + Groups * sizeof(FloatExtremes));
+           columns * (sizeof(double) + Groups * sizeof(FloatExtremes) + sizeof(Moments));
 }
 
 void SampleChunk::add(double time_s, const double* values) {
@@ -38,6 +39,23 @@ void SampleChunk::add(double time_s, const double* values) {
             closeGroups(column);
         }
     }
+    if (m_rows == Rows) {
+        for (std::size_t column = 0; column < m_columns; ++column) {
+            m_moments[column] = momentsOf(column, 0, Rows);
+        }
+    }
+}
+
+Moments SampleChunk::momentsOf(std::size_t column, std::size_t begin, std::size_t end) const {
+    Moments moments;
+    for (std::size_t row = begin; row < end; ++row) {
+        moments.add(value(column, row));
+    }
+    return moments;
+}
+
+Moments SampleChunk::moments(std::size_t column, std::size_t begin, std::size_t end) const {
+    return begin == 0 && end == Rows && m_rows == Rows ? m_moments[column] : momentsOf(column, begin, end);
 }
 
 Extremes SampleChunk::lowestGroup(std::size_t column, std::size_t firstRow) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "control/signals/extremes.h"
+#include "control/signals/moments.h"
 
 #include <array>
 #include <cstddef>
@@ -29,6 +30,8 @@ public:
     double value(std::size_t column, std::size_t row) const { return m_values[column * Rows + row]; }
     /// Extremes of the complete group `index` of 4^level rows, level 1 ... Levels.
     Extremes group(std::size_t column, std::size_t level, std::size_t index) const;
+    /// Of the rows [begin, end); all rows of a full chunk at no cost.
+    Moments moments(std::size_t column, std::size_t begin, std::size_t end) const;
 
 private:
     struct FloatExtremes {
@@ -39,6 +42,7 @@ private:
     static constexpr std::size_t firstGroup(std::size_t level);
 
     void closeGroups(std::size_t column);
+    Moments momentsOf(std::size_t column, std::size_t begin, std::size_t end) const;
     Extremes lowestGroup(std::size_t column, std::size_t firstRow) const;
 
     std::size_t m_columns;
@@ -47,6 +51,7 @@ private:
     std::vector<double> m_values;         ///< column by column
     std::vector<double> m_references;     ///< first value of each column that is finite
     std::vector<FloatExtremes> m_pyramid; ///< column by column, levels from fine to coarse
+    std::vector<Moments> m_moments;       ///< per column, of a full chunk
 };
 
 } // namespace halbench::control

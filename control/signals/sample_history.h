@@ -31,6 +31,13 @@ struct HistoryColumn {
     bool isAfterGap = false; ///< the line from the column before is interrupted
 };
 
+/// What a signal did in a stretch of time.
+struct SampleStatistics {
+    Extremes extremes;
+    Moments moments;
+    std::size_t gaps = 0; ///< places where its line is interrupted by missing rows
+};
+
 /// The recent past of all signals for showing it: bounded in memory, oldest rows go first, and any stretch of
 /// it is asked for in time proportional to the pixels, not to the samples. Blocks of different layouts (other
 /// signals, another rate) may follow each other; a signal keeps its name. Each such change, lost rows and a
@@ -69,6 +76,9 @@ public:
     std::optional<TimedValue> valueAt(const std::string& signal, double time_s) const;
     /// Extremes of a stretch of time, both ends included. O(log rows).
     Extremes extremes(const std::string& signal, TimeRange range) const;
+
+    /// Of a stretch of time, both ends included: a step for every 4096 rows.
+    SampleStatistics statistics(const std::string& signal, TimeRange range) const;
 
     /// Rows of the signal in a stretch of time: what decides between samples() and columns().
     std::size_t rowsIn(const std::string& signal, TimeRange range) const;

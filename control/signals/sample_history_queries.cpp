@@ -77,6 +77,29 @@ Extremes SampleHistory::extremes(const std::string& signal, TimeRange range) con
     return result;
 }
 
+SampleStatistics SampleHistory::statistics(const std::string& signal, TimeRange range) const {
+    SampleStatistics result;
+    result.extremes = extremes(signal, range);
+    const auto places = m_places.find(signal);
+    if (places == m_places.end()) {
+        return result;
+    }
+    for (const Place& place : places->second) {
+        const SampleTrack& track = m_streams.at(place.stream).track;
+        const std::uint64_t begin = track.rowAt(range.begin_s);
+        const std::uint64_t end =
+            track.rowAt(std::nextafter(range.end_s, std::numeric_limits<double>::infinity()));
+        if (begin >= end) {
+            continue;
+        }
+        const bool isFurther = result.moments.count() + result.moments.missing() > 0;
+        result.moments.add(track.moments(place.column, begin, end));
+        // A gap before the first row lies outside; one stream does not go on in the next.
+        result.gaps += track.gaps(begin + 1, end) + (isFurther ? 1 : 0);
+    }
+    return result;
+}
+
 std::size_t SampleHistory::rowsIn(const std::string& signal, TimeRange range) const {
     std::size_t rows = 0;
     if (const auto places = m_places.find(signal); places != m_places.end()) {

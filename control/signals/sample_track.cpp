@@ -127,6 +127,23 @@ Extremes SampleTrack::extremes(std::size_t column, std::uint64_t begin, std::uin
     return result;
 }
 
+Moments SampleTrack::moments(std::size_t column, std::uint64_t begin, std::uint64_t end) const {
+    Moments moments;
+    while (begin < end) {
+        const auto first = static_cast<std::size_t>(begin % SampleChunk::Rows);
+        const auto rows =
+            static_cast<std::size_t>(std::min<std::uint64_t>(SampleChunk::Rows - first, end - begin));
+        moments.add(chunkOf(begin).moments(column, first, first + rows));
+        begin += rows;
+    }
+    return moments;
+}
+
+std::size_t SampleTrack::gaps(std::uint64_t begin, std::uint64_t end) const {
+    const auto first = std::lower_bound(m_gaps.begin(), m_gaps.end(), begin);
+    return static_cast<std::size_t>(std::lower_bound(first, m_gaps.end(), end) - first);
+}
+
 bool SampleTrack::hasGap(std::uint64_t begin, std::uint64_t end) const {
     const auto gap = std::lower_bound(m_gaps.begin(), m_gaps.end(), begin);
     return gap != m_gaps.end() && *gap < end;

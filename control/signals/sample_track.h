@@ -36,8 +36,11 @@ public:
     std::uint64_t rowAtFrom(std::uint64_t start, double time_s) const;
     /// Extremes of rows [begin, end) in O(log(end - begin)).
     Extremes extremes(std::size_t column, std::uint64_t begin, std::uint64_t end) const;
-    /// Whether the line is interrupted before any of the rows [begin, end).
+    /// Moments of rows [begin, end): a step a chunk, and up to two chunks row by row.
+    Moments moments(std::size_t column, std::uint64_t begin, std::uint64_t end) const;
+    /// Whether the line is interrupted before any of the rows [begin, end); and how often.
     bool hasGap(std::uint64_t begin, std::uint64_t end) const;
+    std::size_t gaps(std::uint64_t begin, std::uint64_t end) const;
 
 private:
     using Level = std::vector<std::deque<Extremes>>; ///< per column; index 0 is group m_firstGroup
