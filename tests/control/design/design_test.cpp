@@ -1,10 +1,7 @@
 #include "control/analysis/loop_functions.h"
-#include "control/base/random.h"
 #include "control/base/units.h"
-#include "control/design/board_gains.h"
 #include "control/design/design_methods.h"
-#include "control/design/pid.h"
-#include "control/design/robustness.h"
+#include "tests/control/design/published_motor.h"
 
 #include <gtest/gtest.h>
 
@@ -13,12 +10,6 @@
 
 namespace halbench::control {
 namespace {
-
-constexpr LoopTiming NoDelay{0.01, 0};
-
-PositionPlant published() {
-    return {1.23e-3 / 5.5e-4, 1.43e-2 / 5.5e-4, 2.05e-2 / 1.43e-2};
-}
 
 PositionPlant other() {
     return {1.1, 75.0, 0.6};
@@ -38,135 +29,6 @@ DesignTargets bandwidth(double bandwidth_Hz) {
     DesignTargets targets;
     targets.bandwidth_Hz = bandwidth_Hz;
     return targets;
-}
-
-// help: htm-theory.md 10, property 12
-TEST(PidGains, tenPerDegreeIsFiveHundredSeventyThreePerRadian) {
-    PidGains gains;
-    gains.unit = GainUnit::PerDegree;
-    gains.proportional = 10.0;
-    const auto converted = convert(gains, PidForm::Parallel, GainUnit::PerRadian);
-    ASSERT_TRUE(converted.has_value());
-    EXPECT_NEAR(converted->proportional, 572.958, 0.5e-3);
-}
-
-TEST(PidGains, conversionsKeepTheFrequencyResponse) {
-    PidGains gains;
-    gains.proportional = 12.0;
-    gains.integral = 8.0;
-    gains.derivative = 0.9;
-    const std::complex<double> s(0.0, 3.0);
-    const auto wanted = 12.0 + 8.0 / s + 0.9 * s;
-    const auto standard = convert(gains, PidForm::Standard, GainUnit::PerRadian);
-    ASSERT_TRUE(standard.has_value());
-    const auto asStandard =
-        standard->proportional * (1.0 + 1.0 / (standard->integral * s) + standard->derivative * s);
-    EXPECT_LT(std::abs(asStandard - wanted), 1e-13);
-    const auto series = convert(*standard, PidForm::Series, GainUnit::PerRadian);
-    ASSERT_TRUE(series.has_value());
-    const auto asSeries =
-        series->proportional * (1.0 + 1.0 / (series->integral * s)) * (1.0 + series->derivative * s);
-    EXPECT_LT(std::abs(asSeries - wanted), 1e-12);
-    const auto back = convert(*series, PidForm::Parallel, GainUnit::PerRadian);
-    ASSERT_TRUE(back.has_value());
-    EXPECT_NEAR(back->proportional, 12.0, 1e-12);
-    EXPECT_NEAR(back->integral, 8.0, 1e-12);
-    EXPECT_NEAR(back->derivative, 0.9, 1e-13);
-}
-
-TEST(PidGains, withoutIntegralActionTheIntegralTimeIsInfiniteAndComesBackAsZero) {
-    PidGains gains;
-    gains.proportional = 4.0;
-    gains.derivative = 1.0;
-    for (const PidForm form : {PidForm::Standard, PidForm::Series}) {
-        const auto timed = convert(gains, form, GainUnit::PerDegree);
-        ASSERT_TRUE(timed.has_value());
-        EXPECT_TRUE(std::isinf(timed->integral));
-        const auto back = convert(*timed, PidForm::Parallel, GainUnit::PerRadian);
-        ASSERT_TRUE(back.has_value());
-        EXPECT_EQ(back->integral, 0.0);
-        EXPECT_NEAR(back->proportional, 4.0, 1e-14);
-        EXPECT_NEAR(back->derivative, 1.0, 1e-14);
-    }
-}
-
-// All three notations are one controller, with the filter on the derivative in each as its own definition has
-// it.
-TEST(PidGains, conversionsKeepTheFrequencyResponseWithTheFilter) {
-    PidGains series;
-    series.form = PidForm::Series;
-    series.proportional = 12.0;
-    series.integral = 0.8;
-    series.derivative = 0.05;
-    series.filter_s = 0.01;
-    const auto parallel = convert(series, PidForm::Parallel, GainUnit::PerRadian);
-    const auto standard = convert(*parallel, PidForm::Standard, GainUnit::PerDegree);
-    const auto back = convert(*standard, PidForm::Series, GainUnit::PerRadian);
-    ASSERT_TRUE(parallel && standard && back);
-    EXPECT_NEAR(back->proportional, 12.0, 1e-12);
-    EXPECT_NEAR(back->integral, 0.8, 1e-13);
-    EXPECT_NEAR(back->derivative, 0.05, 1e-14);
-    for (const double w : {0.1, 5.0, 300.0}) {
-        const std::complex<double> s(0.0, w);
-        const auto expected = 12.0 * (1.0 + 1.0 / (0.8 * s)) * (1.0 + 0.05 * s / (1.0 + 0.01 * s));
-        for (const auto& gains : {series, *parallel, *standard, *back}) {
-            const auto controller = continuousController(gains);
-            ASSERT_TRUE(controller.has_value());
-            EXPECT_LT(std::abs(controller->atFrequency(w) - expected), 1e-12 * std::abs(expected));
-        }
-    }
-    series.filter_s.reset();
-    EXPECT_EQ(continuousController(series).error().code, ErrorCode::InvalidInput);
-    series.derivative = 0.0;
-    series.integral = std::numeric_limits<double>::infinity();
-    EXPECT_NEAR(continuousController(series)->dcGain(), 12.0, 1e-13);
-}
-
-// The board differences the angle: backward Euler of s/(1 + T_f s) with T_f = 0. Any other filter would be
-// another loop than the one that runs.
-TEST(PidGains, reachTheBoardWithoutAFilterOrNotAtAll) {
-    PidGains gains;
-    gains.proportional = 40.0;
-    gains.derivative = 1.4;
-    const auto plain = sampledController(gains, 0.01);
-    gains.filter_s = 0.0;
-    ASSERT_TRUE(boardGains(gains).has_value());
-    EXPECT_FALSE(boardGains(gains)->filter_s.has_value());
-    EXPECT_EQ(sampledController(gains, 0.01)->numerator(), plain->numerator());
-    gains.filter_s = 1e-3;
-    for (const ErrorCode code : {boardGains(gains).error().code, sampledController(gains, 0.01).error().code,
-                                 sampledOpenLoop(published(), gains, NoDelay).error().code,
-                                 linearStep(published(), gains, NoDelay, 1.0, 1.0).error().code}) {
-        EXPECT_EQ(code, ErrorCode::InvalidInput);
-    }
-    gains.derivative = 0.0; // a filter on nothing
-    EXPECT_TRUE(boardGains(gains).has_value());
-}
-
-// The books' loop keeps the filter: K_D s/(1 + T_f s) falls off where K_D s does not.
-TEST(PidGains, countTheirFilterInTheContinuousLoop) {
-    PidGains gains;
-    gains.proportional = 40.0;
-    gains.derivative = 1.4;
-    gains.filter_s = 0.02;
-    const std::complex<double> s(0.0, 100.0);
-    const auto expected =
-        (40.0 + 1.4 * s / (1.0 + 0.02 * s)) * 26.0 / (s * (s + published().dampingRate_1_s));
-    const auto loop = continuousOpenLoop(published(), gains);
-    ASSERT_TRUE(loop.has_value());
-    EXPECT_LT(std::abs(loop->atFrequency(100.0) - expected), 1e-12 * std::abs(expected));
-}
-
-TEST(PidGains, refusesTheSeriesFormForComplexZeros) {
-    PidGains gains;
-    gains.proportional = 1.0;
-    gains.integral = 10.0;
-    gains.derivative = 1.0;
-    EXPECT_EQ(convert(gains, PidForm::Series, GainUnit::PerRadian).error().code, ErrorCode::InvalidInput);
-    gains.proportional = 0.0;
-    EXPECT_EQ(convert(gains, PidForm::Standard, GainUnit::PerRadian).error().code, ErrorCode::InvalidInput);
-    gains.proportional = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(convert(gains, PidForm::Parallel, GainUnit::PerRadian).error().code, ErrorCode::NotFinite);
 }
 
 // help: htm-theory.md 6.4, 6.5
@@ -317,112 +179,6 @@ TEST(Design, refusesUnknownMethodsForeignTargetsAndNonsense) {
     EXPECT_EQ(designLaw("phase-margin", published(), NoDelay, phaseMargin(200.0)).error().code,
               ErrorCode::OutOfRange);
     EXPECT_EQ(designLaw("recommended", {-1.0, 1.0, 0.0}, NoDelay, {}).error().code, ErrorCode::OutOfRange);
-}
-
-UncertainPlant uncertain(double gainDeviation_ratio) {
-    UncertainPlant result;
-    result.mean = Eigen::Vector2d(2.2363636, 26.0);
-    result.covariance = Eigen::MatrixXd::Zero(2, 2);
-    result.covariance(1, 1) = std::pow(26.0 * gainDeviation_ratio, 2);
-    result.toPlant = [](const Eigen::VectorXd& p) { return PositionPlant{p(0), p(1), 1.4336}; };
-    return result;
-}
-
-PidGains proportional(double gain) {
-    PidGains gains;
-    gains.proportional = gain;
-    return gains;
-}
-
-// The loop is unstable when k is more than 17.27/K_P of nominal: at 17.27 half of the draws.
-TEST(Robustness, halfOfTheDrawsAreUnstableAtTheLimit) {
-    const double limit = proportionalLimit_A_per_rad(published(), NoDelay);
-    const auto robust = assessRobustness(uncertain(0.1), proportional(limit), NoDelay, 4000, Random(3));
-    ASSERT_TRUE(robust.has_value());
-    EXPECT_NEAR(robust->unstable_fraction, 0.5, 4.0 * 0.5 / std::sqrt(4000.0)); // 4 sigma of the counting
-}
-
-// K_P = 10: GM = 1.727/(1 + 0.1 n), so the 5th percentile is at n = +1.645.
-TEST(Robustness, fifthPercentileOfTheGainMarginFollowsTheGainOfTheMotor) {
-    const auto robust = assessRobustness(uncertain(0.1), proportional(10.0), NoDelay, 4000, Random(3));
-    ASSERT_TRUE(robust.has_value());
-    const double limit = proportionalLimit_A_per_rad(published(), NoDelay);
-    // Counting error of a 5 % quantile: sqrt(0.05 0.95/4000)/density(1.645) = 0.033 sigma.
-    EXPECT_NEAR(robust->gainMargin_ratio_p5, limit / 10.0 / 1.1645, 4.0 * 0.033 * 0.1 * limit / 10.0);
-    EXPECT_EQ(robust->draws, 4000);
-    ASSERT_TRUE(robust->gainMargin_ratio);
-    EXPECT_EQ(robust->gainMargin_ratio->p5, robust->gainMargin_ratio_p5);
-    // ... and the 95th at n = -1.645, where the same counting error is stretched by (1.1645/0.8355)^2.
-    EXPECT_NEAR(robust->gainMargin_ratio->p95, limit / 10.0 / 0.8355, 4.0 * 0.033 * 0.1 * limit / 10.0 * 2.0);
-}
-
-// Of a P loop on this motor a larger gain means a later crossover with less phase: the crossover at n =
-// +1.645 belongs to the margins at the other end.
-TEST(Robustness, everyMarginHasTheIntervalOfItsMotors) {
-    const auto robust = assessRobustness(uncertain(0.1), proportional(10.0), NoDelay, 4000, Random(3));
-    ASSERT_TRUE(robust.has_value());
-    const auto at = [](double n) {
-        PositionPlant plant = published();
-        plant.accelerationGain_rad_s2_A *= 1.0 + 0.1 * n;
-        return smallestMargins(*sampledOpenLoop(plant, proportional(10.0), NoDelay));
-    };
-    const StabilityMargins least = at(1.645);
-    const StabilityMargins most = at(-1.645);
-    ASSERT_TRUE(robust->phaseMargin_deg && robust->delayMargin_s && robust->modulusMargin &&
-                robust->gainCrossover_rad_s);
-    // 4 counting errors of 0.0033 in the gain of the motor move each of them by less than 3 %.
-    constexpr double Counting_ratio = 0.03;
-    EXPECT_NEAR(robust->phaseMargin_deg->p5 / least.phaseMargin_deg, 1.0, Counting_ratio);
-    EXPECT_NEAR(robust->phaseMargin_deg->p95 / most.phaseMargin_deg, 1.0, Counting_ratio);
-    EXPECT_NEAR(robust->delayMargin_s->p5 / least.delayMargin_s, 1.0, Counting_ratio);
-    EXPECT_NEAR(robust->delayMargin_s->p95 / most.delayMargin_s, 1.0, Counting_ratio);
-    EXPECT_NEAR(robust->modulusMargin->p5 / least.modulusMargin, 1.0, Counting_ratio);
-    EXPECT_NEAR(robust->modulusMargin->p95 / most.modulusMargin, 1.0, Counting_ratio);
-    EXPECT_NEAR(robust->gainCrossover_rad_s->p5 / *most.gainCrossover_rad_s, 1.0, Counting_ratio);
-    EXPECT_NEAR(robust->gainCrossover_rad_s->p95 / *least.gainCrossover_rad_s, 1.0, Counting_ratio);
-}
-
-TEST(Robustness, withoutUncertaintyNoIntervalIsKnown) {
-    const auto robust = assessRobustness(uncertain(0.0), proportional(10.0), NoDelay, 1000, Random(3));
-    ASSERT_TRUE(robust.has_value());
-    EXPECT_FALSE(robust->gainMargin_ratio || robust->phaseMargin_deg || robust->delayMargin_s ||
-                 robust->modulusMargin || robust->gainCrossover_rad_s);
-}
-
-TEST(Robustness, isTheSameForTheSameSeedAndTightForAMotorKnownExactly) {
-    const auto first = assessRobustness(uncertain(0.1), proportional(10.0), NoDelay, 1000, Random(5));
-    const auto second = assessRobustness(uncertain(0.1), proportional(10.0), NoDelay, 1000, Random(5));
-    EXPECT_EQ(first->phaseMargin_deg_p5, second->phaseMargin_deg_p5);
-    const auto exact = assessRobustness(uncertain(0.0), proportional(10.0), NoDelay, 1000, Random(5));
-    EXPECT_EQ(exact->unstable_fraction, 0.0);
-    EXPECT_NEAR(exact->gainMargin_ratio_p5, proportionalLimit_A_per_rad(published(), NoDelay) / 10.0, 1e-6);
-}
-
-// Far beyond its limit a loop may cross with margins that look fine; an unstable draw must not count with
-// them.
-TEST(Robustness, anUnstableDrawHasNoMargin) {
-    const LoopTiming timing{0.01, 2};
-    PidGains gains = proportional(5.0);
-    gains.derivative = 10.0;
-    ASSERT_GT(smallestMargins(*sampledOpenLoop(published(), gains, timing)).phaseMargin_deg, 90.0);
-    const auto robust = assessRobustness(uncertain(0.01), gains, timing, 1000, Random(1));
-    ASSERT_TRUE(robust.has_value());
-    EXPECT_EQ(robust->unstable_fraction, 1.0);
-    EXPECT_LE(robust->phaseMargin_deg_p5, 0.0);
-    EXPECT_LE(robust->gainMargin_ratio_p5, 1.0);
-}
-
-TEST(Robustness, refusesWhatIsNoCovariance) {
-    UncertainPlant plant = uncertain(0.1);
-    plant.covariance(0, 1) = 100.0;
-    plant.covariance(1, 0) = 100.0;
-    EXPECT_EQ(assessRobustness(plant, proportional(1.0), NoDelay, 1000, Random(1)).error().code,
-              ErrorCode::InvalidInput);
-    plant.covariance(0, 1) = std::nan("");
-    EXPECT_EQ(assessRobustness(plant, proportional(1.0), NoDelay, 1000, Random(1)).error().code,
-              ErrorCode::NotFinite);
-    EXPECT_EQ(assessRobustness(uncertain(0.1), proportional(1.0), NoDelay, 10, Random(1)).error().code,
-              ErrorCode::OutOfRange);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "control/base/units.h"
 #include "control/design/position_loop.h"
 #include "control/lti/responses.h"
+#include "tests/control/design/published_motor.h"
 
 #include <gtest/gtest.h>
 
@@ -11,13 +12,8 @@
 namespace halbench::control {
 namespace {
 
-constexpr LoopTiming NoDelay{0.01, 0};
 constexpr LoopTiming OneSample{0.01, 1};
 constexpr LoopTiming TwoSamples{0.01, 2};
-
-PositionPlant published() {
-    return {1.23e-3 / 5.5e-4, 1.43e-2 / 5.5e-4, 2.05e-2 / 1.43e-2};
-}
 
 PidGains gains(double kp, double ki, double kd = 0.0) {
     PidGains result;

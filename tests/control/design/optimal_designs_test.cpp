@@ -4,6 +4,7 @@
 #include "control/design/optimal_designs.h"
 #include "control/design/riccati.h"
 #include "control/lti/eigenvalues.h"
+#include "tests/control/design/published_motor.h"
 
 #include <gtest/gtest.h>
 
@@ -13,12 +14,7 @@
 namespace halbench::control {
 namespace {
 
-constexpr LoopTiming NoDelay{0.01, 0};
 constexpr double Limit_A = 4.0;
-
-PositionPlant published() {
-    return {1.23e-3 / 5.5e-4, 1.43e-2 / 5.5e-4, 2.05e-2 / 1.43e-2};
-}
 
 PidGains gains(double kp, double ki, double kd) {
     PidGains result;

@@ -4,6 +4,7 @@
 #include "control/base/units.h"
 #include "control/design/design_methods.h"
 #include "control/design/rule_designs.h"
+#include "tests/control/design/published_motor.h"
 
 #include <gtest/gtest.h>
 
@@ -12,13 +13,8 @@
 namespace halbench::control {
 namespace {
 
-constexpr LoopTiming NoDelay{0.01, 0};
 constexpr double k = 26.0;
 constexpr double a = 1.23e-3 / 5.5e-4;
-
-PositionPlant published() {
-    return {a, k, 2.05e-2 / 1.43e-2};
-}
 
 Result<PositionLaw> design(std::string_view method, const DesignTargets& targets = {},
                            const LoopTiming& timing = NoDelay) {
