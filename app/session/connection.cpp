@@ -103,7 +103,7 @@ void Connection::run() {
         return;
     }
     m_device = *std::move(device);
-    m_isSimulated = m_device->info().isSimulated;
+    m_isPaced = m_device->info().isSimulated || m_device->info().transport == "replay";
     m_events.onOpened(m_device->info(), m_device->catalogue());
     m_lastAdvance = Clock::now();
     report(true);
@@ -195,7 +195,7 @@ void Connection::advance() {
         return;
     }
     const Result<void> passed = m_device->clock().waitFor(*slice_s);
-    if (m_isSimulated) {
+    if (m_isPaced) {
         m_debt_s = std::max(0.0, m_debt_s - (m_device->clock().now_s() - now_s));
     }
     afterSlice(passed);
@@ -268,7 +268,7 @@ std::optional<double> Connection::dueTime_s(double now_s) {
         return m_wait ? std::optional(m_wait->duration_s) : std::nullopt;
     }
     double due_s = Slice_s;
-    if (m_isSimulated) {
+    if (m_isPaced) {
         const double speed_ratio = m_speed_ratio;
         m_debt_s = std::min(m_debt_s + passed_s * speed_ratio, MaxDebt_s * std::max(1.0, speed_ratio));
         due_s = std::min(m_debt_s, MaxDeviceSlice_s);

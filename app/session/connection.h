@@ -134,7 +134,7 @@ private:
     void awaitReturn();
     void takeBack(std::unique_ptr<devices::Device> device);
     double displayTime_s() const { return m_start_s + m_device->clock().now_s(); }
-    bool isVirtual() const { return m_isSimulated && m_speed_ratio <= 0.0; }
+    bool isVirtual() const { return m_isPaced && m_speed_ratio <= 0.0; }
     std::optional<double> dueTime_s(double now_s);
     void idle(double duration_s);
     void afterSlice(const Result<void>& result);
@@ -173,8 +173,8 @@ private:
     std::chrono::steady_clock::time_point m_lastAdvance;
     std::chrono::steady_clock::time_point m_lastReport;
     devices::DeviceState m_reported;
-    double m_debt_s = 0.0; ///< device time that the wall clock asks for
-    bool m_isSimulated = false;
+    double m_debt_s = 0.0;  ///< device time that the wall clock asks for
+    bool m_isPaced = false; ///< its time passes as fast as the pace says: simulated or replayed
     bool m_isStoppedForSilence = false;
 
     std::thread m_thread; ///< last: starts when everything else is there

@@ -112,13 +112,31 @@ RecordingMeta partMeta(RecordingMeta meta, const StreamLayout& layout) {
         });
         notes.push_back(known != meta.signals.end()
                             ? *known
-                            : RecordingMeta::SignalNote{column.name, header, column.unit, {}});
+                            : RecordingMeta::SignalNote{column.name, header, column.unit, {}, {}});
     }
     meta.signals = std::move(notes);
     return meta;
 }
 
+void noteExpressions(const std::vector<DerivedSignal>& derived, RecordingMeta& meta) {
+    for (RecordingMeta::SignalNote& note : meta.signals) {
+        for (const DerivedSignal& one : derived) {
+            note.expression = note.name == one.name ? one.expression : note.expression;
+        }
+    }
+}
+
 } // namespace
+
+std::vector<std::string> withNamesOf(std::vector<std::string> signals,
+                                     const std::vector<DerivedSignal>& derived) {
+    for (const DerivedSignal& one : derived) {
+        if (!signals.empty() && std::find(signals.begin(), signals.end(), one.name) == signals.end()) {
+            signals.push_back(one.name);
+        }
+    }
+    return signals;
+}
 
 Result<Recording> selectPart(const Recording& recording, const std::vector<std::string>& signals,
                              std::optional<double> from_s, std::optional<double> to_s) {
@@ -166,12 +184,17 @@ Result<Conversion> convertRecording(const ConvertRequest& request) {
     if (!source) {
         return failure(source.error());
     }
+    Result<Recording> longer = withDerived(std::move(source->file.recording), request.derived);
+    if (!longer) {
+        return failure(longer.error());
+    }
     const Result<Recording> part =
-        selectPart(source->file.recording, request.signals, request.from_s, request.to_s);
+        selectPart(*longer, withNamesOf(request.signals, request.derived), request.from_s, request.to_s);
     if (!part) {
         return failure(part.error());
     }
     RecordingMeta meta = partMeta(std::move(source->file.meta), *part->layout);
+    noteExpressions(request.derived, meta);
     // An interrupted recording that gets its name back is no working file of this conversion.
     const bool isItsOwn = request.input == partialPathOf(request.output);
     const Result<void> written = writerFor(request.output)(request.output, *part, std::move(meta),
@@ -180,8 +203,9 @@ Result<Conversion> convertRecording(const ConvertRequest& request) {
         return failure(written.error());
     }
     const bool isWhole = request.signals.empty() && !request.from_s && !request.to_s;
-    if (isItsOwn && isWhole) {
-        removePartialRecording(request.input);
+    const bool isDamaged = source->recovery && source->recovery->damagedOctets > 0;
+    if (isItsOwn && isWhole && !isDamaged) {
+        retirePartialRecording(request.input, false);
     }
     return Conversion{part->rows(), source->recovery};
 }

@@ -2,6 +2,7 @@
 
 #include "control/base/result.h"
 #include "control/base/sample_block.h"
+#include "devices/acquisition/derived_signals.h"
 
 #include <optional>
 #include <string>
@@ -13,10 +14,15 @@ namespace halbench::devices {
 struct ConvertRequest {
     std::string input;
     std::string output;
-    std::vector<std::string> signals; ///< names or columns; empty = all
+    std::vector<std::string> signals; ///< names or columns; empty = all; derived ones are always there
     std::optional<double> from_s;     ///< first time kept
     std::optional<double> to_s;       ///< first time not kept
+    std::vector<DerivedSignal> derived = {};
 };
+
+/// The signals asked for (none: all) and those derived that are not among them.
+std::vector<std::string> withNamesOf(std::vector<std::string> signals,
+                                     const std::vector<DerivedSignal>& derived);
 
 /// Rows of [from, to) and the signals asked for, in their order; the time axis stays as recorded.
 /// Errors: UnknownName (signal), OutOfRange (no rows in the interval), NotFinite.
@@ -38,8 +44,8 @@ struct Conversion {
 
 /// Reads, selects, writes. Formats go by the file's ending; this version reads .csv, .mf4 and .csv.partial,
 /// what an interrupted recording is called, and writes .csv, .mf4 and .mat. The input stays as it is, except
-/// that `run.csv.partial` is gone once all of it has become `run.csv`. Errors: Usage (format), FileSystem,
-/// InvalidInput, those above.
+/// that `run.csv.partial` is gone once all of it has become `run.csv`; where octets inside it were damaged it
+/// stays. Errors: Usage (format), FileSystem, InvalidInput, those above and of withDerived().
 Result<Conversion> convertRecording(const ConvertRequest& request);
 
 } // namespace halbench::devices

@@ -181,11 +181,15 @@ std::string historyComment() {
     return comment.finish();
 }
 
-std::string channelComment(const std::string& role, const std::string& signal) {
+std::string channelComment(const std::string& role, const std::string& signal,
+                           const std::string& expression) {
     CommentWriter comment("CNcomment", role);
     comment.begin("common_properties");
     comment.property("role", role);
     comment.property("signal", signal);
+    if (!expression.empty()) {
+        comment.property("expression", expression);
+    }
     return comment.finish();
 }
 
@@ -206,6 +210,8 @@ Result<ChannelNote> readChannelComment(std::string_view xml) {
     const Result<void> done = forEachProperty(xml, [&](const Property& property) {
         if (property.name == "role" || property.name == "signal") {
             (property.name == "role" ? note.role : note.signal) = property.text;
+        } else if (property.name == "expression") {
+            note.expression = property.text;
         }
     });
     return done ? Result<ChannelNote>(std::move(note)) : failure(done.error());

@@ -15,8 +15,10 @@ namespace halbench::devices::mdf4 {
 std::string headerComment(const RecordingMeta& meta);
 /// <FHcomment>: who wrote the file.
 std::string historyComment();
-/// <CNcomment>: the role, and the signal's name when the channel had to be called otherwise.
-std::string channelComment(const std::string& role, const std::string& signal);
+/// <CNcomment>: the role, the signal's name when the channel had to be called otherwise, and the expression
+/// of a derived signal.
+std::string channelComment(const std::string& role, const std::string& signal,
+                           const std::string& expression = {});
 /// <EVcomment> of a change of a parameter.
 std::string changeComment(const RecordingMeta::ParameterChange& change);
 
@@ -26,6 +28,7 @@ Result<void> readHeaderComment(std::string_view xml, RecordingMeta& meta);
 struct ChannelNote {
     std::string role;
     std::string signal; ///< empty: called as the channel
+    std::string expression;
 };
 Result<ChannelNote> readChannelComment(std::string_view xml);
 /// Name and value; nothing when the event is no change of a parameter.

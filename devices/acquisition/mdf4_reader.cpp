@@ -176,7 +176,7 @@ Result<RecordingMeta::SignalNote> readSignal(Reader& reader, const Block& channe
         return reader.wrongAt(Cn.id, channel.offset, "no signal can have this name");
     }
     return RecordingMeta::SignalNote{signal, csvColumnName(signal, std::string(*unit)), std::string(*unit),
-                                     note.role};
+                                     note.role, note.expression};
 }
 
 Result<void> readChannels(Reader& reader, const Block& group, RecordingMeta& meta) {

@@ -58,10 +58,10 @@ std::string channelName(const StreamLayout::Column& column, std::set<std::string
     return name;
 }
 
-std::string roleOf(const RecordingMeta& meta, const StreamLayout::Column& column) {
+RecordingMeta::SignalNote noteOf(const RecordingMeta& meta, const StreamLayout::Column& column) {
     for (const RecordingMeta::SignalNote& note : meta.signals) {
         if (note.name == column.name && note.unit == column.unit) {
-            return note.role;
+            return note;
         }
     }
     return {};
@@ -143,11 +143,12 @@ std::uint64_t Mdf4Writer::addChannels(const StreamLayout& layout) {
     std::set<std::string> taken{"time"};
     for (const StreamLayout::Column& column : layout.columns) {
         const std::string name = channelName(column, taken);
-        const std::string role = roleOf(m_meta, column);
+        const RecordingMeta::SignalNote note = noteOf(m_meta, column);
         const std::string signal = name == column.name ? std::string() : column.name;
         Texts own{addText(name), 0, 0};
         own.unit = column.unit.empty() ? 0 : addText(column.unit);
-        own.comment = role.empty() && signal.empty() ? 0 : addComment(channelComment(role, signal));
+        const bool isPlain = note.role.empty() && signal.empty() && note.expression.empty();
+        own.comment = isPlain ? 0 : addComment(channelComment(note.role, signal, note.expression));
         texts.push_back(own);
     }
     const std::uint64_t first = here();

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 
 namespace halbench::devices {
 
@@ -210,10 +211,22 @@ Result<PartialRecording> readPartialRecording(const std::string& path) {
     return partial;
 }
 
-void removePartialRecording(const std::string& path) {
-    std::remove(path.c_str());
+std::string retirePartialRecording(const std::string& path, bool isDamaged) {
+    std::string kept;
+    std::error_code problem; // what cannot be renamed stays where it is
+    if (isDamaged && std::filesystem::exists(path, problem)) {
+        kept = finalPathOf(path) + ".damaged";
+        for (int number = 2; std::filesystem::exists(kept, problem); ++number) {
+            kept = finalPathOf(path) + ".damaged-" + std::to_string(number);
+        }
+        std::filesystem::rename(path, kept, problem);
+        kept = problem ? path : kept;
+    } else {
+        std::remove(path.c_str());
+    }
     std::remove(metaPartialOf(path).c_str());
     std::remove(journalPathOf(finalPathOf(path)).c_str());
+    return kept;
 }
 
 } // namespace halbench::devices

@@ -45,7 +45,9 @@ bool isPartialRecording(const std::string& path);
 /// InvalidInput (no whole row; line and column).
 Result<PartialRecording> readPartialRecording(const std::string& path);
 
-/// Removes `run.csv.partial`, its sidecar and its checksums.
-void removePartialRecording(const std::string& path);
+/// Ends `run.csv.partial` when what can be had of it is safe elsewhere: removes it, its sidecar and its
+/// checksums. Where octets inside it were damaged it is renamed instead, to `run.csv.damaged` or one beside
+/// it: somebody may read more out of it. Answers that name, else nothing.
+std::string retirePartialRecording(const std::string& path, bool isDamaged);
 
 } // namespace halbench::devices

@@ -149,10 +149,14 @@ std::string toMetaJson(const RecordingMeta& meta) {
         {"sha256", textOf(meta.sha256)},
         {"signals", arrayOf(meta.signals,
                             [](const RecordingMeta::SignalNote& note) {
-                                return QJsonObject{{"name", textOf(note.name)},
+                                QJsonObject signal{{"name", textOf(note.name)},
                                                    {"column", textOf(note.column)},
                                                    {"unit", textOf(note.unit)},
                                                    {"role", textOf(note.role)}};
+                                if (!note.expression.empty()) {
+                                    signal.insert("expression", textOf(note.expression));
+                                }
+                                return signal;
                             })},
         {"parameters", arrayOf(meta.parameters,
                                [](const RecordingMeta::ParameterNote& note) {
@@ -200,7 +204,8 @@ Result<RecordingMeta> parseMetaJson(const std::string& text, const std::string& 
     meta.sha256 = stringOf(root, "sha256");
     meta.signals = listOf(root, "signals", [](const QJsonObject& object) {
         return RecordingMeta::SignalNote{stringOf(object, "name"), stringOf(object, "column"),
-                                         stringOf(object, "unit"), stringOf(object, "role")};
+                                         stringOf(object, "unit"), stringOf(object, "role"),
+                                         stringOf(object, "expression")};
     });
     meta.parameters = listOf(root, "parameters", [](const QJsonObject& object) {
         return RecordingMeta::ParameterNote{stringOf(object, "name"), numberOf(object, "value"),

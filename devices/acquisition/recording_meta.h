@@ -15,6 +15,7 @@ struct RecordingMeta {
         std::string column; ///< "hall_a_T"
         std::string unit;
         std::string role;
+        std::string expression = {}; ///< of a signal that was derived
     };
     struct ParameterNote {
         std::string name;

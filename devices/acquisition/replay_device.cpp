@@ -3,9 +3,12 @@
 #include "devices/acquisition/recording_file.h"
 #include "devices/profile.h"
 
+#include <QtCore/QFileInfo>
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace halbench::devices {
@@ -22,7 +25,8 @@ tl::unexpected<Error> readOnly() {
 
 class ReplayDevice final : public Device, private Clock {
 public:
-    ReplayDevice(const std::string& uri, RecordedFile file) : m_file(std::move(file)) {
+    ReplayDevice(const std::string& uri, RecordedFile file, double begin_s)
+        : m_file(std::move(file)), m_now_s(begin_s) {
         m_info = m_file.meta.device;
         m_info.uri = uri;
         m_info.transport = "replay";
@@ -62,7 +66,7 @@ private:
     RecordedFile m_file;
     DeviceInfo m_info;
     Catalogue m_catalogue;
-    double m_now_s = 0.0;
+    double m_now_s;
     BlockSink m_sink;
     std::shared_ptr<const StreamLayout> m_layout;
     std::vector<std::size_t> m_columns;
@@ -229,18 +233,46 @@ Result<void> ReplayDevice::waitFor(double duration_s) {
     return {};
 }
 
+struct Source {
+    std::string path;
+    double begin_s = 0.0;
+};
+
+/// A file may have a question mark in its name.
+Source sourceOf(const std::string& text) {
+    constexpr std::string_view Option = "?at=";
+    const std::size_t place = text.rfind(Option);
+    if (place == std::string::npos || QFileInfo::exists(QString::fromStdString(text))) {
+        return {text, 0.0};
+    }
+    const char* const begin = text.data() + place + Option.size();
+    const char* const end = text.data() + text.size();
+    double begin_s = 0.0;
+    const auto parsed = std::from_chars(begin, end, begin_s);
+    const bool isTime = parsed.ec == std::errc{} && parsed.ptr == end && begin_s >= 0.0;
+    return isTime ? Source{text.substr(0, place), begin_s} : Source{text, 0.0};
+}
+
 } // namespace
 
-Result<std::unique_ptr<Device>> openReplayDevice(const std::string& uri, const std::string& path) {
-    Result<RecordedFile> file = readRecordingFile(path);
+Result<std::unique_ptr<Device>> openReplayDevice(const std::string& uri, const std::string& text) {
+    const Source source = sourceOf(text);
+    Result<RecordedFile> file = readRecordingFile(source.path);
     if (!file) {
         return failure(file.error());
     }
-    if (file->recording.rows() < 2 || !(file->recording.layout->period_s > 0.0)) {
-        return failure(ErrorCode::InvalidInput, fmt::format("'{}' has fewer than two rows", path),
+    const Recording& recording = file->recording;
+    if (recording.rows() < 2 || !(recording.layout->period_s > 0.0)) {
+        return failure(ErrorCode::InvalidInput, fmt::format("'{}' has fewer than two rows", source.path),
                        "give a recording with data");
     }
-    return std::unique_ptr<Device>(std::make_unique<ReplayDevice>(uri, *std::move(file)));
+    const double length_s = recording.time_s.back() - recording.time_s.front();
+    if (!(source.begin_s <= length_s)) {
+        return failure(ErrorCode::OutOfRange,
+                       fmt::format("the recording ends at {} s, before {} s", length_s, source.begin_s),
+                       "begin earlier");
+    }
+    return std::unique_ptr<Device>(std::make_unique<ReplayDevice>(uri, *std::move(file), source.begin_s));
 }
 
 } // namespace halbench::devices

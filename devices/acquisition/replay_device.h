@@ -9,7 +9,9 @@ namespace halbench::devices {
 
 /// A recording as a Device (`replay:FILE`): its signals stream again on a virtual clock that begins at the
 /// first row; its parameters have the values of the recording's start. It cannot be changed and never arms.
-/// Waiting beyond the last row is a DeviceLost. Errors: those of reading the file.
+/// Waiting beyond the last row is a DeviceLost. `FILE?at=S`, where no file is called so, begins S seconds
+/// after the first row: the clock and the rows have the same times as without it. Errors: those of reading
+/// the file; OutOfRange (a time behind its end).
 Result<std::unique_ptr<Device>> openReplayDevice(const std::string& uri, const std::string& path);
 
 } // namespace halbench::devices

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 namespace halbench::devices {
 namespace {
@@ -54,7 +55,17 @@ TEST_F(RecordingRecoveryTest, whatTheChecksumsSayIsDamagedIsLeftOutAndSaid) {
     ASSERT_TRUE(back);
     ASSERT_EQ(back->meta.gaps.size(), 1U) << "ten rows, marked as a gap";
     EXPECT_EQ(back->meta.gaps[0].lostRows, 10U);
-    EXPECT_FALSE(fs::exists(path("run.chunks.partial")));
+    // Ten rows are in nobody's file but this one.
+    std::ifstream kept(path("run.csv.partial"), std::ios::binary);
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(kept), {}), written);
+}
+
+TEST_F(RecordingRecoveryTest, aDamagedOriginalReplacesNoOlderOne) {
+    std::ofstream(path("run.csv.damaged")) << "older";
+    std::ofstream(path("run.csv.partial")) << "newer";
+    EXPECT_EQ(retirePartialRecording(path("run.csv.partial"), true), path("run.csv.damaged-2"));
+    EXPECT_EQ(fs::file_size(path("run.csv.damaged")), 5U);
+    EXPECT_EQ(retirePartialRecording(path("run.csv.partial"), false), "");
 }
 
 TEST_F(RecordingRecoveryTest, aPowerLossKeepsAllThatHasAChecksumWhateverFollows) {

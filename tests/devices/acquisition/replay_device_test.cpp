@@ -1,4 +1,5 @@
 #include "devices/acquisition/guard.h"
+#include "devices/acquisition/recording_file.h"
 #include "devices/acquisition/recording_writer.h"
 #include "devices/open_device.h"
 
@@ -61,6 +62,29 @@ TEST_F(ReplayDeviceTest, playsEveryTenthSampleAtATenthOfTheRate) {
     for (std::size_t row = 0; row < 40; ++row) {
         EXPECT_NEAR(slow.time_s[row], static_cast<double>(row) / 100.0, 1e-12);
     }
+}
+
+TEST_F(ReplayDeviceTest, beginsWhereItIsAskedWithTheTimesOfTheRecording) {
+    const auto late = openDevice("replay:" + m_path + "?at=0.3", {});
+    ASSERT_TRUE(late) << late.error().message;
+    EXPECT_EQ((*late)->clock().now_s(), 0.3);
+    const std::string name = "position";
+    EXPECT_EQ((*(*late)->readSignals({&name, 1}))[0], (*readRecordingFile(m_path)).recording.values[3 * 300]);
+    std::size_t rows = 0;
+    ASSERT_TRUE((*late)->startStream({{"position"}, 1000.0},
+                                     [&](const SampleBlockPtr& block) { rows += block->rows(); }));
+    ASSERT_TRUE((*late)->clock().waitFor(0.1));
+    EXPECT_NEAR(static_cast<double>(rows), 101.0, 1.0); // both ends
+    EXPECT_EQ(openDevice("replay:" + m_path + "?at=7", {}).error().code, ErrorCode::OutOfRange);
+    EXPECT_EQ(openDevice("replay:" + m_path + "?at=x", {}).error().code, ErrorCode::FileSystem);
+}
+
+TEST_F(ReplayDeviceTest, aQuestionMarkInAFilesNameIsOne) {
+    const std::string name = m_folder.filePath("odd?at=0.csv").toStdString();
+    ASSERT_TRUE(writeRecordingFile(name, m_live, {}));
+    const auto device = openDevice("replay:" + name, {});
+    ASSERT_TRUE(device) << device.error().message;
+    EXPECT_EQ((*device)->clock().now_s(), 0.0);
 }
 
 TEST_F(ReplayDeviceTest, cannotBeChangedOrArmed) {
