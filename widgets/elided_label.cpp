@@ -31,9 +31,13 @@ QSize ElidedLabel::sizeHint() const {
     return sizeFor(m_words);
 }
 
+int ElidedLabel::leastWidth_px() const {
+    return sizeFor(QString(m_leastCharacters, QLatin1Char('n'))).width();
+}
+
 QSize ElidedLabel::minimumSizeHint() const {
-    const QSize least = sizeFor(QString(m_leastCharacters, QLatin1Char('n')));
-    return {std::min(least.width(), sizeHint().width()), least.height()};
+    const QSize all = sizeHint();
+    return {std::min(leastWidth_px(), all.width()), all.height()};
 }
 
 void ElidedLabel::fit() {

@@ -16,6 +16,8 @@ public:
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
+    /// What minimumSizeHint() is for words that are longer: a row that keeps it does not move with the words.
+    int leastWidth_px() const;
 
 protected:
     void showEvent(QShowEvent* event) override;

@@ -49,9 +49,10 @@ void drawMarker(QPainter& painter, CurveStyle style, const QColor& colour, const
 
 QString titleOf(const Axis& axis) {
     const QString quantity = QString::fromStdString(axis.quantity);
-    return axis.unit.empty()
-               ? quantity
-               : QStringLiteral("%1 [%2]").arg(quantity, QString::fromStdString(unitText(axis.unit)));
+    return axis.unit.empty() ? quantity
+                             : QStringLiteral("%1 [%2]")
+                                   .arg(quantity, QString::fromStdString(unitText(axis.unit)))
+                                   .trimmed();
 }
 
 /// The numbers of a label in the user's notation; names with digits and points stay.

@@ -9,7 +9,6 @@
 #include <QSvgGenerator>
 
 namespace halbench::widgets {
-namespace {
 
 Result<void> checkFigure(const Figure& figure) {
     if (figure.panels.empty()) {
@@ -27,6 +26,8 @@ Result<void> checkFigure(const Figure& figure) {
     }
     return {};
 }
+
+namespace {
 
 QString attribute(const QString& tag, const char* name) {
     const QRegularExpression pattern(QStringLiteral("%1=\"([^\"]*)\"").arg(QLatin1String(name)));

@@ -1,11 +1,13 @@
 #include "widgets/figure_view.h"
 
+#include "widgets/figure_file.h"
 #include "widgets/figure_scales.h"
-#include "widgets/figure_svg.h"
-#include "widgets/icons.h"
+#include "widgets/picture_actions.h"
+#include "widgets/theme_style.h"
 
 #include <QAccessible>
 #include <QAction>
+#include <QBuffer>
 #include <QClipboard>
 #include <QFontInfo>
 #include <QFontMetricsF>
@@ -13,7 +15,6 @@
 #include <QKeyEvent>
 #include <QLocale>
 #include <QPainter>
-#include <QSaveFile>
 
 #include <algorithm>
 #include <cmath>
@@ -42,35 +43,22 @@ std::optional<double> abscissaOf(const Figure& figure, const FigurePoint& point)
     return point.index < curve.x.size() ? std::optional(curve.x[point.index]) : std::nullopt;
 }
 
-Error notSaved(const QString& path, const QString& why) {
-    return {ErrorCode::FileSystem, QStringLiteral("%1: %2").arg(path, why).toStdString(),
-            "choose another folder or name"};
-}
-
-Result<void> write(const QString& path, const std::function<bool(QSaveFile&)>& content) {
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || !content(file) || !file.commit()) {
-        return failure(notSaved(path, file.errorString()));
-    }
-    return {};
+/// As it stands on the screen.
+QByteArray png(const QImage& image) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, "PNG");
+    return bytes;
 }
 
 } // namespace
 
 FigureView::FigureView(QWidget* parent)
     : QWidget(parent), m_copy(new QAction(this)), m_export(new QAction(this)) {
-    setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
-    setContextMenuPolicy(Qt::ActionsContextMenu);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    m_copy->setIcon(themedIcon(QStringLiteral("copy")));
-    m_copy->setShortcut(QKeySequence::Copy);
-    m_export->setIcon(themedIcon(QStringLiteral("export")));
-    m_export->setShortcut(QKeySequence(QStringLiteral("Ctrl+E")));
-    for (QAction* action : {m_copy, m_export}) {
-        action->setShortcutContext(Qt::WidgetShortcut);
-        addAction(action);
-    }
+    addPictureActions(*this, *m_copy, *m_export);
     connect(m_copy, &QAction::triggered, this,
             [this] { QGuiApplication::clipboard()->setImage(image(2.0)); });
     connect(m_export, &QAction::triggered, this, &FigureView::exportRequested);
@@ -148,23 +136,15 @@ std::function<Result<void>()> FigureView::saving(const QString& path) const {
         return
             [] { return Result<void>(failure(ErrorCode::InvalidInput, "there is no picture to save", "")); };
     }
-    if (!path.endsWith(QStringLiteral(".svg"), Qt::CaseInsensitive)) {
-        return [path, picture = image(2.0)] {
-            return write(path, [&](QSaveFile& file) { return picture.save(&file, "PNG"); });
-        };
-    }
-    return [path, svg = picture()]() -> Result<void> {
-        if (!svg) {
-            return failure(svg.error());
-        }
-        return write(path, [&](QSaveFile& file) { return file.write(QByteArray::fromStdString(*svg)) > 0; });
-    };
+    const PictureFormat format = pictureFormat(path).value_or(PictureFormat::Png);
+    return pictureWriting(format == PictureFormat::Png ? png(image(2.0)) : picture(format), path);
 }
 
 /// Of its own size, or as it stands where sizes mean something.
-Result<std::string> FigureView::picture() const {
-    return m_figure.isEqualScale ? figureSvg(stretched(), currentTheme(), static_cast<int>(width() / scale()))
-                                 : figureSvg(m_figure, currentTheme());
+Result<QByteArray> FigureView::picture(PictureFormat format) const {
+    return m_figure.isEqualScale
+               ? pictureFile(stretched(), currentTheme(), format, static_cast<int>(width() / scale()))
+               : pictureFile(m_figure, currentTheme(), format);
 }
 
 QSize FigureView::sizeHint() const {

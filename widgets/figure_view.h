@@ -1,6 +1,7 @@
 #pragma once
 
 #include "control/base/result.h"
+#include "widgets/figure_file.h"
 #include "widgets/figure_probe.h"
 
 #include <QImage>
@@ -53,7 +54,7 @@ protected:
 private:
     double scale() const;
     Figure stretched() const;
-    Result<std::string> picture() const;
+    Result<QByteArray> picture(PictureFormat format) const;
     void refresh();
     void refreshWords();
     void probe(std::optional<FigurePoint> point);

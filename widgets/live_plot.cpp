@@ -1,5 +1,6 @@
 #include "widgets/live_plot.h"
 
+#include "widgets/theme_style.h"
 #include "widgets/value_scale_draw.h"
 
 #include <QFontInfo>
@@ -167,9 +168,10 @@ void LivePlot::setTheme(const Theme& theme) {
     updateTitle();
 }
 
-/// Tick labels may make the canvas lower, never the axis: what does not change when values do.
+/// Tick labels may make the canvas lower, never the axis: what does not change when values do. The axis
+/// leaves a margin at either end, and letters on their side are a little wider than their metrics say.
 int LivePlot::titleRoom() const {
-    return contentsRect().height();
+    return contentsRect().height() - PanelMargin_px;
 }
 
 bool LivePlot::isTitleWhole(const TitleForm& form) const {

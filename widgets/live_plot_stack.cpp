@@ -11,6 +11,7 @@
 #include <QSplitter>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <QVector>
 
 #include <algorithm>
 #include <utility>
@@ -20,6 +21,7 @@ namespace {
 
 constexpr int FramePeriod_ms = 33; ///< 30 frames a second
 constexpr int HandleWidth = 4;
+constexpr int EvenShare = 1000; ///< the splitter makes heights of it
 constexpr std::size_t ZoomHistoryLength = 50;
 
 } // namespace
@@ -171,7 +173,9 @@ void LivePlotStack::connectPlot(int index) {
     });
 }
 
+/// Other plots are equally high at first, whatever room those had that went.
 void LivePlotStack::matchRows() {
+    const std::size_t before = m_rows.size();
     while (m_rows.size() < m_specs.size()) {
         m_rows.push_back(makeRow());
         connectPlot(static_cast<int>(m_rows.size()) - 1);
@@ -181,6 +185,9 @@ void LivePlotStack::matchRows() {
         m_rows.back().box->setParent(this); // out of the splitter
         m_rows.back().box->deleteLater();   // the request may come from one of its own signals
         m_rows.pop_back();
+    }
+    if (m_rows.size() != before) {
+        m_splitter->setSizes(QVector<int>(static_cast<int>(m_rows.size()), EvenShare).toList());
     }
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         configureRow(i);

@@ -152,6 +152,16 @@ void StatusStrip::refreshSymbol() {
     m_stateSymbol->setPixmap(symbol);
 }
 
+QSize StatusStrip::minimumSizeHint() const {
+    const auto spared_px = [](const ElidedLabel& label) {
+        return label.leastWidth_px() - label.minimumSizeHint().width();
+    };
+    const QSize now = QFrame::minimumSizeHint();
+    const int badge_px =
+        m_simulatedBadge->isHidden() ? m_simulatedBadge->sizeHint().width() + layout()->spacing() : 0;
+    return {now.width() + spared_px(*m_deviceLabel) + spared_px(*m_stateBadge) + badge_px, now.height()};
+}
+
 void StatusStrip::changeEvent(QEvent* event) {
     QFrame::changeEvent(event);
     if (event->type() == QEvent::LanguageChange || event->type() == QEvent::StyleChange) {

@@ -30,6 +30,9 @@ public:
     WorkState state() const { return m_state; }
     QString stateText() const; ///< as shown, e.g. "Stopped (Esc)"
 
+    /// The same for every device and state in a language: nothing beside it moves when they change.
+    QSize minimumSizeHint() const override;
+
 protected:
     void changeEvent(QEvent* event) override;
 

@@ -63,16 +63,28 @@ void TimeAxisBar::paintEvent(QPaintEvent*) {
     colours.setColor(QPalette::Text, m_theme.plotAxis);
     painter.setFont(font());
     m_scale->draw(&painter, colours);
-    const QRect line(m_left, height() - fontMetrics().height() - 2, m_width, fontMetrics().height());
+    const int top = height() - fontMetrics().height() - 2;
+    const QRect line(m_left, top, std::max(0, width() - m_left), fontMetrics().height());
     painter.setPen(m_isWarning ? m_theme.warn : m_theme.muted);
-    const QString title = m_isFromEvent ? tr("time from the event [s]") : tr("time [s]");
-    const int titleWidth = fontMetrics().horizontalAdvance(title);
-    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
-                     fontMetrics().elidedText(m_state, Qt::ElideRight, m_width - titleWidth - StateGap));
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, shownState());
     painter.setPen(m_theme.text);
-    const bool isRoomy = m_width > 2 * fontMetrics().horizontalAdvance(m_state) + titleWidth + 16;
-    painter.drawText(line, static_cast<int>(isRoomy ? Qt::AlignCenter : Qt::AlignRight | Qt::AlignVCenter),
-                     title);
+    painter.drawText(line.adjusted(titleLeft() - m_left, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, title());
+}
+
+QString TimeAxisBar::title() const {
+    return m_isFromEvent ? tr("time from the event [s]") : tr("time [s]");
+}
+
+/// Below the middle of the canvases, but never on the state, and never beyond the edge.
+int TimeAxisBar::titleLeft() const {
+    const int title_px = fontMetrics().horizontalAdvance(title());
+    const int middle = m_left + (m_width - title_px) / 2;
+    const int afterState = m_left + fontMetrics().horizontalAdvance(m_state) + StateGap;
+    return std::min(std::max(middle, afterState), width() - title_px);
+}
+
+QString TimeAxisBar::shownState() const {
+    return fontMetrics().elidedText(m_state, Qt::ElideRight, titleLeft() - m_left - StateGap);
 }
 
 } // namespace halbench::widgets

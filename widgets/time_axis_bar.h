@@ -26,11 +26,16 @@ public:
     void setRange(control::TimeRange range, double step_s, std::optional<double> origin_s = {});
     void setState(const QString& state, bool isWarning);
     const QString& state() const { return m_state; }
+    /// What of the state there is room for. Beside a narrow canvas the title gives way, to below the legend.
+    QString shownState() const;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    QString title() const;
+    int titleLeft() const;
+
     std::unique_ptr<ValueScaleDraw> m_scale;
     Theme m_theme;
     int m_left = 0;

@@ -73,16 +73,21 @@ TEST(FigureLayout, wrapsALegendThatIsTooLong) {
     EXPECT_GT(layout.panels[0].canvas.top(), layout.panels[0].legend[1].baseline);
 }
 
+QImage painted(const Figure& figure, const FigureLayout& layout, const Theme& theme,
+               QChar decimalPoint = QLatin1Char('.')) {
+    QImage image(layout.size, QImage::Format_RGB32);
+    image.fill(theme.panel);
+    QPainter painter(&image);
+    paintFigure(painter, figure, layout, theme, decimalPoint);
+    return image;
+}
+
 TEST(FigurePainter, drawsEveryCurveInItsColourInsideItsPanel) {
     const auto application = OffscreenApplication::ensure();
     const Theme theme = loadTheme("dark").value();
     const Figure figure = twoPanels();
     const FigureLayout layout = layOut(figure, 600);
-    QImage image(layout.size, QImage::Format_RGB32);
-    image.fill(theme.panel);
-    QPainter painter(&image);
-    paintFigure(painter, figure, layout, theme);
-    painter.end();
+    const QImage image = painted(figure, layout, theme);
     for (const FigureLayout::PanelPlace& place : layout.panels) {
         EXPECT_GT(pixelsOf(image, place.canvas, theme.curves[0]), 100); // a line across the panel
         EXPECT_GT(pixelsOf(image, place.canvas, theme.curves[1]), 10);  // one marker
@@ -99,12 +104,7 @@ TEST(FigurePainter, numbersHaveTheUsersDecimalPointAndNamesTheirOwn) {
         figure.panels[0].curves = {{label, {0.0, 0.1}, {0.0, 0.1}, CurveStyle::Line, 0}};
         figure.panels[0].lines = {{ReferenceLine::Direction::Vertical, 0.05, label}};
         const FigureLayout layout = layOut(figure, 600);
-        QImage image(layout.size, QImage::Format_RGB32);
-        image.fill(theme.panel);
-        QPainter painter(&image);
-        paintFigure(painter, figure, layout, theme, point);
-        painter.end();
-        return image;
+        return painted(figure, layout, theme, point);
     };
     const QChar comma = QLatin1Char(',');
     EXPECT_EQ(drawn("limit ±1.7°", comma), drawn("limit ±1,7°", comma));
@@ -128,12 +128,7 @@ TEST(FigurePainter, aDashedLineOfManyPointsHasItsGaps) {
         }
         figure.panels[0].curves = {curve};
         const FigureLayout layout = layOut(figure, 600);
-        QImage image(layout.size, QImage::Format_RGB32);
-        image.fill(theme.panel);
-        QPainter painter(&image);
-        paintFigure(painter, figure, layout, theme);
-        painter.end();
-        return pixelsOf(image, layout.panels[0].canvas, theme.curves[0]);
+        return pixelsOf(painted(figure, layout, theme), layout.panels[0].canvas, theme.curves[0]);
     };
     // Qt's dashes are four widths long and two apart: a third of the line is left out.
     EXPECT_LT(inked(CurveStyle::DashedLine), 0.85 * inked(CurveStyle::Line));
@@ -150,11 +145,7 @@ TEST(FigurePainter, noLineRunsThroughALabel) {
     figure.panels[0].lines = {{Direction::Vertical, 0.90, {}},
                               {Direction::Vertical, 0.99, std::string(30, ' ') + "."}};
     const FigureLayout layout = layOut(figure, 600);
-    QImage image(layout.size, QImage::Format_RGB32);
-    image.fill(theme.panel);
-    QPainter painter(&image);
-    paintFigure(painter, figure, layout, theme);
-    painter.end();
+    const QImage image = painted(figure, layout, theme);
     const QRectF& canvas = layout.panels[0].canvas;
     const double at_px = canvas.left() + 0.90 * canvas.width();
     const QRectF column(at_px - 3.0, canvas.top() + 2.0, 6.0, canvas.height() - 4.0);

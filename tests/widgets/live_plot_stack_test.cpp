@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QDropEvent>
 #include <QMimeData>
+#include <QSplitter>
 
 #include <gtest/gtest.h>
 
@@ -29,6 +30,21 @@ TEST_F(LivePlotStackTest, followsTheNewestSampleAndPausesWithoutLosingData) {
     trigger(LivePlotStack::Command::Pause);
     EXPECT_TRUE(stack.isFollowing());
     EXPECT_GT(stack.timeRange().end_s, 34.0);
+}
+
+TEST_F(LivePlotStackTest, plotsAreEquallyHighWhateverWasThereBefore) {
+    stack.findChild<QSplitter*>()->setSizes({600, 60, 60, 60, 60});
+    std::vector<PlotSpec> fewer = stack.plots();
+    fewer.resize(3);
+    stack.setPlots(fewer);
+    QApplication::processEvents();
+    int lowest = stack.height();
+    int highest = 0;
+    for (const LivePlot* plot : plots()) {
+        lowest = std::min(lowest, plot->height());
+        highest = std::max(highest, plot->height());
+    }
+    EXPECT_LE(highest - lowest, 2); // rounding
 }
 
 TEST_F(LivePlotStackTest, wheelZoomsTimeAtThePointerOfAllPlots) {

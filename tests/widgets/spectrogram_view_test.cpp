@@ -1,0 +1,117 @@
+#include "tests/widgets/gui_fixture.h"
+#include "widgets/sequence_colours.h"
+#include "widgets/spectrogram_view.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QFile>
+#include <QGuiApplication>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QtTest/QTest>
+#include <qwt_scale_widget.h>
+
+namespace halbench::widgets {
+namespace {
+
+class SpectrogramViewTest : public GuiTest {
+protected:
+    void SetUp() override {
+        view.resize(600, 400);
+        view.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+    }
+
+    /// A second of 50 Hz between two of nothing, from 10 s on.
+    static SpectrogramPicture tone() {
+        SpectrogramPicture picture;
+        picture.title = "Spectrogram of Hall A";
+        picture.quantity = "amplitude";
+        picture.unit = "mT";
+        picture.time_s = {10.0, 11.0, 12.0};
+        for (int line = 0; line < 11; ++line) {
+            picture.frequency_Hz.push_back(10.0 * line);
+        }
+        picture.values.assign(33, 0.01);
+        picture.values[11 + 5] = 3.0;
+        return picture;
+    }
+
+    /// The colour at a place of the axes.
+    QColor colourAt(double time_s, double frequency_Hz) {
+        const QImage shown = view.canvas()->grab().toImage();
+        const double ratio = shown.devicePixelRatio();
+        return shown.pixelColor(static_cast<int>(ratio * view.transform(QwtPlot::xBottom, time_s)),
+                                static_cast<int>(ratio * view.transform(QwtPlot::yLeft, frequency_Hz)));
+    }
+
+    SpectrogramView view;
+};
+
+TEST_F(SpectrogramViewTest, whatIsLoudIsBrightAndAtItsPlace) {
+    view.setPicture(tone());
+    const SequenceColours colours(true); // 0.01 to 10
+    EXPECT_EQ(colourAt(11.0, 50.0).rgb(), colours.rgb({0.01, 10.0}, 3.0));
+    EXPECT_EQ(colourAt(10.0, 50.0).rgb(), colours.rgb({0.01, 10.0}, 0.01));
+    EXPECT_EQ(colourAt(11.0, 80.0).rgb(), colours.rgb({0.01, 10.0}, 0.01));
+}
+
+TEST_F(SpectrogramViewTest, everyAxisHasQuantityAndUnit) {
+    view.setPicture(tone());
+    EXPECT_EQ(view.axisTitle(QwtPlot::xBottom).text(), "time [s]");
+    EXPECT_EQ(view.axisTitle(QwtPlot::yLeft).text(), "frequency [Hz]");
+    EXPECT_EQ(view.axisTitle(QwtPlot::yRight).text(), "amplitude [mT]");
+    EXPECT_TRUE(view.axisWidget(QwtPlot::yRight)->isColorBarEnabled());
+    EXPECT_EQ(view.accessibleName(), "Spectrogram of Hall A");
+    EXPECT_TRUE(view.accessibleDescription().contains("11.000 s, 50 Hz: 3 mT"))
+        << view.accessibleDescription().toStdString();
+}
+
+TEST_F(SpectrogramViewTest, theKeysWalkFromTheHighestValue) {
+    QTest::keyClick(&view, Qt::Key_Right);
+    EXPECT_EQ(view.probeText(), ""); // nothing to walk in
+    view.setPicture(tone());
+    QTest::keyClick(&view, Qt::Key_Up);
+    EXPECT_EQ(view.probeText(), "11.000 s, 50 Hz: 3 mT");
+    QTest::keyClick(&view, Qt::Key_Up);
+    EXPECT_EQ(view.probeText(), "11.000 s, 60 Hz: 0.01 mT");
+    QTest::keyClick(&view, Qt::Key_Left);
+    QTest::keyClick(&view, Qt::Key_Left); // stays at the end
+    EXPECT_EQ(view.probeText(), "10.000 s, 60 Hz: 0.01 mT");
+    QTest::keyClick(&view, Qt::Key_Down, Qt::ShiftModifier);
+    EXPECT_EQ(view.probeText(), "10.000 s, 0 Hz: 0.01 mT");
+}
+
+TEST_F(SpectrogramViewTest, theMarkStaysAtItsTimeAndGoesWithIt) {
+    view.setPicture(tone());
+    QTest::keyClick(&view, Qt::Key_Right);
+    SpectrogramPicture later = tone();
+    later.time_s = {11.0, 12.0, 13.0};
+    view.setPicture(later);
+    EXPECT_TRUE(view.probeText().startsWith("11.000 s, 50 Hz")) << view.probeText().toStdString();
+    later.time_s = {21.0, 22.0, 23.0};
+    view.setPicture(later);
+    EXPECT_EQ(view.probeText(), "");
+}
+
+TEST_F(SpectrogramViewTest, isSavedInEveryFormatAndCopied) {
+    QTemporaryDir folder;
+    EXPECT_FALSE(view.saving(folder.filePath("none.png"))());
+    view.setPicture(tone());
+    for (const auto& [name, start] :
+         {std::pair{"a.svg", "<?xml"}, std::pair{"a.pdf", "%PDF-"}, std::pair{"a.png", "\x89PNG"}}) {
+        const QString path = folder.filePath(name);
+        ASSERT_TRUE(view.saving(path)());
+        QFile file(path);
+        ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+        EXPECT_TRUE(file.readAll().startsWith(start)) << name;
+    }
+    QSignalSpy asked(&view, &SpectrogramView::exportRequested);
+    QTest::keyClick(&view, Qt::Key_E, Qt::ControlModifier);
+    EXPECT_EQ(asked.count(), 1);
+    QTest::keyClick(&view, Qt::Key_C, Qt::ControlModifier);
+    EXPECT_EQ(QGuiApplication::clipboard()->image().size(), 2 * view.size());
+}
+
+} // namespace
+} // namespace halbench::widgets
