@@ -1,4 +1,5 @@
 #include "app/batch/command_options.h"
+#include "app/batch/command_syntax.h"
 #include "app/batch/numbers.h"
 
 #include <CLI/CLI.hpp>
@@ -34,12 +35,6 @@ void addGlobalOptions(CLI::App& app, RawGlobals& raw) {
     app.add_option("--log-level", raw.level, "error, warning, info or debug")->type_name("LEVEL");
     app.add_flag("--no-color", raw.isColorless, "No colours on a terminal");
     app.add_flag("--version", raw.isVersion, "Print the version and exit");
-}
-
-CLI::App* addCommand(CLI::App& app, const char* name, const char* help) {
-    CLI::App* command = app.add_subcommand(name, help);
-    command->fallthrough();
-    return command;
 }
 
 void addDevice(CLI::App* command, CommandOptions& options) {
@@ -103,6 +98,33 @@ void addMovingCommands(CLI::App& app, CommandOptions& options) {
     move->add_option("--out", options.out, "Recording")->type_name("FILE.csv");
 }
 
+void addCalibration(CLI::App* command, CommandOptions& options) {
+    command
+        ->add_option("--calibration", options.calibrationFile,
+                     "How well the stray field is known, from calibrate --out")
+        ->type_name("CAL.json");
+}
+
+void addFrequency(CLI::App* identify, CommandOptions& options) {
+    identify->add_flag("--frequency", options.isFrequency,
+                       "Measure the frequency response instead: plant, loops, margins");
+    identify->add_option("--excitation", options.excitation, "multisine (default) or stepped-sine");
+    identify->add_option("--from-hz", options.fromFrequency, "Lowest frequency, default 0.5")
+        ->type_name("HZ");
+    identify->add_option("--to-hz", options.toFrequency, "Highest frequency, default 40")->type_name("HZ");
+    identify->add_option("--base-rad-s", options.base, "Constant speed below the excitation, default 5")
+        ->type_name("RAD_S");
+    identify
+        ->add_option("--amplitude-deg", options.amplitude, "Of a sine of the same rms; default: what is safe")
+        ->type_name("DEG");
+    identify->add_option("--periods", options.periods, "That are averaged, 4 to 64, default 8")
+        ->type_name("N");
+    identify->add_option("--coherence", options.coherence, "Least of a point that is used, default 0.9")
+        ->type_name("RATIO");
+    identify->add_option("--bode", options.bodeFile, "Measured responses as a table")->type_name("F.csv");
+    addCalibration(identify, options);
+}
+
 void addIdentifyingCommands(CLI::App& app, CommandOptions& options) {
     CLI::App* calibrate = addCommand(app, "calibrate", "Calibrate the sensors");
     addDevice(calibrate, options);
@@ -125,13 +147,7 @@ void addIdentifyingCommands(CLI::App& app, CommandOptions& options) {
     identify->add_option("--added-inertia", options.addedInertia, "Inertia added since --bare, kg*m^2")
         ->type_name("KGM2");
     identify->add_option("--out", options.out, "Result")->type_name("MODEL.json");
-}
-
-void addCalibration(CLI::App* command, CommandOptions& options) {
-    command
-        ->add_option("--calibration", options.calibrationFile,
-                     "How well the stray field is known, from calibrate --out")
-        ->type_name("CAL.json");
+    addFrequency(identify, options);
 }
 
 void addTuningCommands(CLI::App& app, CommandOptions& options) {
@@ -180,45 +196,6 @@ void addServe(CLI::App& app, CommandOptions& options) {
         ->type_name("MS");
 }
 
-void addSpectrum(CLI::App& app, CommandOptions& options) {
-    CLI::App* spectrum = addCommand(app, "spectrum", "Spectrum or power density of a recorded signal");
-    spectrum->add_option("RECORDING", options.input, "Recording")->required();
-    spectrum->add_option("--signal", options.signal, "Its name or column")->required()->type_name("NAME");
-    spectrum->add_option("--kind", options.kind, "amplitude (default), rms, psd or asd");
-    spectrum->add_option("--window", options.window,
-                         "hann (default), rectangular, hamming, blackman, blackman-harris or flat-top");
-    spectrum->add_option("--segment_s", options.segment, "Length of a segment")->type_name("S");
-    spectrum->add_option("--overlap", options.overlap, "Of neighbouring segments, default 0.5")
-        ->type_name("RATIO");
-    spectrum->add_option("--from", options.from, "First time")->type_name("S");
-    spectrum->add_option("--to", options.to, "Last time")->type_name("S");
-    spectrum->add_option("--out", options.out, "Spectrum")->required()->type_name("FILE.csv");
-}
-
-void addImport(CLI::App& app, CommandOptions& options) {
-    CLI::App* import = addCommand(app, "import", "Make a recording of another program's table");
-    import->add_option("FILE", options.input, "Text with columns of numbers")->required();
-    import->add_option("--out", options.out, "Recording")->type_name("FILE.csv");
-    import->add_option("--separator", options.separator, "',', ';', tab, space, or none for one column")
-        ->type_name("SIGN");
-    import->add_option("--decimal", options.decimal, "Decimal sign: . or ,")->type_name("SIGN");
-    import->add_option("--header", options.header, "0, 1, or units for a line of names and one of units")
-        ->type_name("LINES");
-    import->add_option("--time", options.timeColumn, "Name or number of the time's column")
-        ->type_name("COLUMN");
-    import->add_option("--rate_Hz", options.rate, "Rows per second of a table without a time")
-        ->type_name("F");
-    import->add_option("--map", options.mappings, "Name of ours for a column of theirs; repeatable")
-        ->take_all()
-        ->allow_extra_args(false)
-        ->type_name("OUR=THEIR");
-    import->add_option("--unit", options.columnUnits, "Unit that a column is written in; repeatable")
-        ->take_all()
-        ->allow_extra_args(false)
-        ->type_name("COLUMN=UNIT");
-    import->add_flag("--preview", options.isPreview, "Say how the table would be read, write nothing");
-}
-
 void addFileCommands(CLI::App& app, CommandOptions& options) {
     CLI::App* run = addCommand(app, "run", "Run an experiment file and judge its checks");
     run->add_option("EXPERIMENT.toml", options.experiment, "Experiment")->required();
@@ -230,14 +207,7 @@ void addFileCommands(CLI::App& app, CommandOptions& options) {
     run->add_flag("--dry-run", options.isDryRun, "Validate and predict, move nothing");
     run->add_option("--out", options.out, "Folder of the results")->type_name("DIR");
     addServe(app, options);
-    CLI::App* convert = addCommand(app, "convert", "Convert, cut and thin out recordings");
-    convert->add_option("IN", options.input, "Recording")->required();
-    convert->add_option("OUT", options.out, "New recording")->required();
-    convert->add_option("--signals", options.signals, "Names, separated by commas")->type_name("A,B");
-    convert->add_option("--from", options.from, "First time")->type_name("S");
-    convert->add_option("--to", options.to, "Last time")->type_name("S");
-    addSpectrum(app, options);
-    addImport(app, options);
+    addRecordingCommands(app, options);
 }
 
 Result<GlobalOptions> globalsFrom(const RawGlobals& raw, ConsoleStyle style) {

@@ -45,6 +45,8 @@ struct CommandOptions {
     std::string recordFile;
     std::string bare;         ///< --bare MODEL.json
     std::string addedInertia; ///< --added-inertia KGM2
+    bool isFrequency = false; ///< identify --frequency; the next line only with it
+    std::string excitation, fromFrequency, toFrequency, base, amplitude, periods, coherence;
     std::string method;
     std::string zeta, omega, bandwidth, phaseMargin;
     std::string gainsFile;
@@ -59,6 +61,8 @@ struct CommandOptions {
     std::string framing, sxiHeader, checksum; ///< serve --pty, in the words of a serial address
     std::string drop, corrupt, latency;       ///< serve
     std::string input;
+    std::vector<std::string> derived; ///< --derive
+    std::string title;                ///< plot
     std::string from, to;
     std::string signal, kind, window, segment, overlap; ///< spectrum
     std::string separator, decimal, header;             ///< import
@@ -66,6 +70,8 @@ struct CommandOptions {
     std::vector<std::string> mappings;                  ///< import --map OUR=THEIR
     std::vector<std::string> columnUnits;               ///< import --unit COLUMN=UNIT
     bool isPreview = false;                             ///< import --preview
+    std::string search;                                 ///< recordings --search
+    std::string align;                                  ///< overlay --align
 };
 
 struct CommandLine {

@@ -124,4 +124,17 @@ Result<void> checkStore(const CommandOptions& options, const devices::Device& de
                    "keep one running with 'halbench serve " + options.device + " --tcp 127.0.0.1:0'");
 }
 
+Result<std::vector<devices::DerivedSignal>> derivedOption(const std::vector<std::string>& texts) {
+    std::vector<devices::DerivedSignal> list;
+    for (const std::string& text : texts) {
+        Result<devices::DerivedSignal> derived = devices::parseDerivedSignal(text);
+        if (!derived) {
+            const Error& error = derived.error();
+            return failure(error.code, "--derive: " + error.message, error.hint);
+        }
+        list.push_back(*std::move(derived));
+    }
+    return list;
+}
+
 } // namespace halbench::app

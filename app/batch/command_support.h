@@ -3,6 +3,7 @@
 #include "app/batch/commands.h"
 #include "app/procedures/calibrate_procedure.h"
 #include "app/procedures/identify_procedure.h"
+#include "devices/acquisition/derived_signals.h"
 
 #include <map>
 #include <string>
@@ -48,6 +49,9 @@ Result<IdentifyConfig> identifyConfigFrom(const CommandOptions& options);
 Result<SweepDirections> sweepDirections(const std::string& name);
 /// "hall", "stray", "static-friction", "all". Error: Usage.
 Result<std::vector<Calibration>> calibrationsFrom(const std::string& name);
+
+/// The signals of --derive. Errors: InvalidInput, naming the option.
+Result<std::vector<devices::DerivedSignal>> derivedOption(const std::vector<std::string>& texts);
 
 std::string identificationText(const IdentifyResult& result);
 

@@ -19,7 +19,10 @@ CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& o
 CommandResult runRunCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runConvertCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runSpectrumCommand(CommandContext& context, const CommandOptions& options);
+CommandResult runPlotCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runImportCommand(CommandContext& context, const CommandOptions& options);
+CommandResult runRecordingsCommand(CommandContext& context, const CommandOptions& options);
+CommandResult runOverlayCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runServeCommand(CommandContext& context, const CommandOptions& options);
 
 } // namespace halbench::app

@@ -1,6 +1,7 @@
-#include "app/batch/commands.h"
+#include "app/batch/command_support.h"
 #include "app/batch/names.h"
 #include "app/batch/numbers.h"
+#include "app/batch/output_file.h"
 #include "app/batch/result_header.h"
 #include "devices/acquisition/convert_recording.h"
 
@@ -37,7 +38,15 @@ CommandResult runConvertCommand(CommandContext& context, const CommandOptions& o
     if (!from || !to) {
         return failure(from ? to.error() : from.error());
     }
-    const devices::ConvertRequest request{options.input, options.out, splitList(options.signals), *from, *to};
+    Result<std::vector<devices::DerivedSignal>> derived = derivedOption(options.derived);
+    if (!derived) {
+        return failure(derived.error());
+    }
+    if (const Result<void> free = checkIsNoInput(options.out, {options.input}); !free) {
+        return failure(free.error());
+    }
+    const devices::ConvertRequest request{options.input, options.out, splitList(options.signals),
+                                          *from,         *to,         *std::move(derived)};
     const Result<devices::Conversion> done = devices::convertRecording(request);
     if (!done) {
         return failure(done.error());

@@ -1,4 +1,5 @@
 #include "app/batch/command_support.h"
+#include "app/batch/frequency_options.h"
 #include "app/batch/recording_file.h"
 #include "app/batch/result_documents.h"
 #include "devices/acquisition/recording_file.h"
@@ -79,14 +80,21 @@ std::optional<std::string> recordingPath(const std::string& text) {
 } // namespace
 
 CommandResult runIdentifyCommand(CommandContext& context, const CommandOptions& options) {
+    if (const Result<void> fits = checkFrequencyOptions(options); !fits) {
+        return failure(fits.error());
+    }
+    const std::optional<std::string> path = recordingPath(options.device);
+    if (options.isFrequency) {
+        return path ? failure(ErrorCode::Usage, options.device + ": a recording cannot be excited",
+                              "--frequency needs a device")
+                    : runFrequencyCommand(context, options);
+    }
     Result<IdentifyConfig> config = identifyConfigFrom(options);
     if (!config) {
         return failure(config.error());
     }
-    if (const std::optional<std::string> path = recordingPath(options.device)) {
-        return identifyFile(context, options, *path, *std::move(config));
-    }
-    return identifyDevice(context, options, *std::move(config));
+    return path ? identifyFile(context, options, *path, *std::move(config))
+                : identifyDevice(context, options, *std::move(config));
 }
 
 } // namespace halbench::app

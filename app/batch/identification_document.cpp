@@ -94,6 +94,10 @@ JsonValue identificationDocument(ResultHeader header, const IdentifyResult& resu
     return joined(std::move(header), result.quality, identificationBody(result));
 }
 
+JsonValue frequencyDocument(ResultHeader header, const FrequencyResult& result) {
+    return joined(std::move(header), result.quality, frequencyBody(result));
+}
+
 JsonValue calibrationDocument(ResultHeader header, const CalibrateResult& result) {
     return joined(std::move(header), result.quality, calibrationBody(result));
 }

@@ -42,7 +42,10 @@ constexpr std::array Commands = {
     CommandEntry{"record", runRecordCommand},
     CommandEntry{"convert", runConvertCommand},
     CommandEntry{"spectrum", runSpectrumCommand},
+    CommandEntry{"plot", runPlotCommand},
     CommandEntry{"import", runImportCommand},
+    CommandEntry{"recordings", runRecordingsCommand},
+    CommandEntry{"overlay", runOverlayCommand},
 };
 
 CommandResult dispatch(CommandContext& context, const CommandLine& line) {

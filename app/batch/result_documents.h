@@ -4,6 +4,7 @@
 #include "app/procedures/amplifier_analysis.h"
 #include "app/procedures/apply_procedure.h"
 #include "app/procedures/calibrate_procedure.h"
+#include "app/procedures/frequency_procedure.h"
 #include "app/procedures/identify_procedure.h"
 #include "app/procedures/motor_analysis.h"
 #include "app/procedures/move_procedure.h"
@@ -17,6 +18,8 @@ namespace halbench::app {
 
 /// halbench.identification/1
 JsonValue identificationDocument(ResultHeader header, const IdentifyResult& result);
+/// halbench.frequency/1
+JsonValue frequencyDocument(ResultHeader header, const FrequencyResult& result);
 /// halbench.calibration/1
 JsonValue calibrationDocument(ResultHeader header, const CalibrateResult& result);
 /// halbench.gains/1
@@ -26,6 +29,7 @@ JsonValue analysisDocument(ResultHeader header, const AnalysisResult& result);
 
 /// The same without the header, for the steps of a run and for parts of other results.
 JsonValue identificationBody(const IdentifyResult& result);
+JsonValue frequencyBody(const FrequencyResult& result);
 JsonValue calibrationBody(const CalibrateResult& result);
 JsonValue gainsBody(const TuneResult& result);
 JsonValue analysisBody(const AnalysisResult& result);

@@ -74,7 +74,8 @@ std::optional<widgets::Figure> hallEllipseFigure(const CalibrateResult& result) 
     panel.curves = {std::move(measured), std::move(fit)};
     return widgets::Figure{utf8(Words::tr("Hall readings and their ellipse")),
                            {utf8(Words::tr("Hall A")), "mT", false, {}, {}, {}},
-                           {std::move(panel)}};
+                           {std::move(panel)},
+                           true}; // whether it is a circle is what one looks for
 }
 
 std::optional<widgets::Figure> hallResidualFigure(const CalibrateResult& result, widgets::AngleUnit unit) {

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace halbench::app {
@@ -24,9 +25,22 @@ std::string utf8(const QString& text) {
     return text.toStdString();
 }
 
-widgets::BodeContent::Response responseOf(const AnalysisResult& loop, const std::string& label,
-                                          CurveStyle style) {
-    return {label, loop.bode.frequency_Hz, loop.bode.magnitude_dB, loop.bode.phase_deg, style};
+/// Coherent points, and behind them those that are not; nothing of a kind that there is none of.
+void addMeasured(widgets::BodeContent& content, const MeasuredLoop& measured) {
+    widgets::BodeContent::Response coherent{utf8(Words::tr("measured")), {}, {}, {}, CurveStyle::Points};
+    widgets::BodeContent::Response rest{
+        utf8(Words::tr("measured, not coherent")), {}, {}, {}, CurveStyle::HollowPoints};
+    for (std::size_t i = 0; i < measured.isUsed.size(); ++i) {
+        widgets::BodeContent::Response& response = measured.isUsed[i] ? coherent : rest;
+        response.frequency_Hz.push_back(measured.frequency_Hz[i]);
+        response.magnitude_dB.push_back(measured.magnitude_dB[i]);
+        response.phase_deg.push_back(measured.phase_deg[i]);
+    }
+    for (widgets::BodeContent::Response* response : {&coherent, &rest}) {
+        if (!response->frequency_Hz.empty()) {
+            content.responses.push_back(std::move(*response));
+        }
+    }
 }
 
 /// A margin is read in one panel and its crossover seen in both.
@@ -72,23 +86,10 @@ AngleScale scaleOf(widgets::AngleUnit unit) {
             unit};
 }
 
-/// The colours and line styles of further designs, in the order of the theme's curves behind the proposed
-/// loop and the one before.
-struct CurveLook {
-    CurveStyle style;
-    int colour;
-};
-
-CurveLook lookOf(std::size_t other, bool hasPresent) {
-    constexpr std::size_t Colours = 8;
-    const std::size_t at = other + (hasPresent ? 2 : 1);
-    return {at < Colours ? CurveStyle::Line : CurveStyle::DottedLine, static_cast<int>(at % Colours)};
-}
-
-/// One curve alone needs no name.
-std::string proposedLabel(const std::optional<AnalysisResult>& present,
-                          const std::vector<NamedLoop>& others) {
-    return present || !others.empty() ? utf8(Words::tr("proposed")) : "";
+/// The proposed loop last: it is drawn over the others.
+std::vector<LoopCurve> proposedLast(std::vector<LoopCurve> curves) {
+    std::rotate(curves.begin(), curves.begin() + 1, curves.end());
+    return curves;
 }
 
 widgets::Panel angleOverCurrent(widgets::Figure& figure, const AngleScale& scale) {
@@ -105,16 +106,19 @@ widgets::Panel angleOverCurrent(widgets::Figure& figure, const AngleScale& scale
 } // namespace
 
 widgets::Figure openLoopFigure(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present,
-                               const std::vector<NamedLoop>& others) {
+                               const std::vector<NamedLoop>& others,
+                               const std::optional<MeasuredLoop>& measured) {
     widgets::BodeContent content;
     content.title = utf8(Words::tr("Open loop"));
-    content.responses.push_back(responseOf(predicted, proposedLabel(present, others), CurveStyle::Line));
-    if (present) {
-        content.responses.push_back(responseOf(*present, utf8(Words::tr("before")), CurveStyle::DashedLine));
-    }
-    for (std::size_t i = 0; i < others.size(); ++i) {
+    for (const LoopCurve& each : loopCurves(predicted, present, others)) {
+        const auto& bode = each.loop->bode;
+        const bool needsName = each.label.empty() && measured; // it is not alone any more
+        const std::string label = needsName ? utf8(Words::tr("proposed")) : each.label;
         content.responses.push_back(
-            responseOf(*others[i].loop, others[i].name, lookOf(i, present.has_value()).style));
+            {label, bode.frequency_Hz, bode.magnitude_dB, bode.phase_deg, each.style});
+    }
+    if (measured) {
+        addMeasured(content, *measured);
     }
     content.magnitudeLines = {{Direction::Horizontal, 0.0, "0 dB"}};
     content.phaseLines = {{Direction::Horizontal, -180.0, "\u2212180\u00b0"}};
@@ -136,24 +140,17 @@ std::optional<widgets::Figure> linearStepFigure(const AnalysisResult& predicted,
     widgets::Panel current;
     current.y = {utf8(Words::tr("current")), "A", false, {}, {}, {}};
     current.height_px = 120;
-    const auto add = [&](const AnalysisResult::Step& step, const std::string& label, CurveStyle style,
-                         int colour) {
-        response.curves.push_back({label, step.time_s, step.response_rad, style, colour});
-        current.curves.push_back({label, step.time_s, {}, style, colour});
+    for (const LoopCurve& each : proposedLast(loopCurves(predicted, present, others))) {
+        const AnalysisResult::Step& step = each.loop->stepCurve;
+        if (step.time_s.empty()) {
+            continue;
+        }
+        response.curves.push_back({each.label, step.time_s, step.response_rad, each.style, each.colour});
+        current.curves.push_back({each.label, step.time_s, {}, each.style, each.colour});
         for (const double current_A : step.current_A) { // of a step of one unit: the loop is linear
             current.curves.back().y.push_back(current_A / scale.factor);
         }
-    };
-    if (present && !present->stepCurve.time_s.empty()) {
-        add(present->stepCurve, utf8(Words::tr("before")), CurveStyle::DashedLine, 1);
     }
-    for (std::size_t i = 0; i < others.size(); ++i) {
-        const CurveLook look = lookOf(i, present.has_value());
-        if (!others[i].loop->stepCurve.time_s.empty()) {
-            add(others[i].loop->stepCurve, others[i].name, look.style, look.colour);
-        }
-    }
-    add(predicted.stepCurve, proposedLabel(present, others), CurveStyle::Line, 0);
     return widgets::Figure{utf8(Words::tr("Predicted step of %1, linear loop")
                                     .arg(QString::fromStdString(scale.text(1.0 / scale.factor)))),
                            {utf8(Words::tr("time")), "s", false, {}, {}, {}},
@@ -171,20 +168,14 @@ std::optional<widgets::Figure> largeStepFigure(const AnalysisResult& predicted,
     const AngleScale scale = scaleOf(unit);
     widgets::Panel current = angleOverCurrent(figure, scale);
     widgets::Panel& angle = figure.panels.front();
-    const auto add = [&](const LargeStep& step, const std::string& label, CurveStyle style, int colour) {
-        angle.curves.push_back({label, step.trace.time_s, scale.of(step.trace.angle_rad), style, colour});
-        current.curves.push_back({label, step.trace.time_s, step.trace.current_A, style, colour});
-    };
-    if (present && present->largeStep) {
-        add(*present->largeStep, utf8(Words::tr("before")), CurveStyle::DashedLine, 1);
-    }
-    for (std::size_t i = 0; i < others.size(); ++i) {
-        const CurveLook look = lookOf(i, present.has_value());
-        if (others[i].loop->largeStep) {
-            add(*others[i].loop->largeStep, others[i].name, look.style, look.colour);
+    for (const LoopCurve& each : proposedLast(loopCurves(predicted, present, others))) {
+        if (each.loop->largeStep) {
+            const auto& trace = each.loop->largeStep->trace;
+            angle.curves.push_back(
+                {each.label, trace.time_s, scale.of(trace.angle_rad), each.style, each.colour});
+            current.curves.push_back({each.label, trace.time_s, trace.current_A, each.style, each.colour});
         }
     }
-    add(*predicted.largeStep, proposedLabel(present, others), CurveStyle::Line, 0);
     const double height_rad = predicted.largeStep->amplitude_rad;
     const double band_rad = predicted.frictionBand_rad;
     if (std::isfinite(band_rad) && band_rad < height_rad) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "app/procedures/apply_procedure.h"
+#include "app/procedures/measured_loop.h"
+#include "app/report/loop_curves.h"
 #include "control/base/sample_block.h"
 #include "widgets/display_units.h"
 #include "widgets/figure.h"
@@ -13,15 +15,11 @@ namespace halbench::app {
 
 /// The pictures of a tuning, in a report and in the window alike.
 
-/// Another design that is drawn beside; the loop must live while the picture is made.
-struct NamedLoop {
-    std::string name;
-    const AnalysisResult* loop;
-};
-
 /// Open loop with its margins marked; `present` is the loop of the gains that run now, drawn beside it.
+/// `measured`: the same gains on a measured plant, as points; those that are not coherent are hollow.
 widgets::Figure openLoopFigure(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present,
-                               const std::vector<NamedLoop>& others = {});
+                               const std::vector<NamedLoop>& others = {},
+                               const std::optional<MeasuredLoop>& measured = std::nullopt);
 
 /// Step of 1 rad or 1 degree of the linear loop with its current, `present` beside it; nothing for an
 /// unstable loop.

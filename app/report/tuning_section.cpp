@@ -1,3 +1,4 @@
+#include "app/report/loop_figures.h"
 #include "app/report/parameter_units.h"
 #include "app/report/report_blocks.h"
 #include "app/report/step_sections.h"
@@ -109,6 +110,7 @@ ReportSection analysisSection(const std::string& heading, const AnalysisResult& 
     section.blocks.emplace_back(ReportQuality{result.quality});
     section.blocks.emplace_back(marginTable(result, std::nullopt));
     section.blocks.emplace_back(ReportPlot{openLoopFigure(result, std::nullopt), {}});
+    section.blocks.emplace_back(ReportPlot{nyquistFigure(result, std::nullopt), {}});
     appendPredictedStep(section, result, std::nullopt);
     return section;
 }
@@ -122,6 +124,7 @@ ReportSection tuningSection(const std::string& heading, const TuneResult& result
     section.blocks.emplace_back(marginTable(result.predicted, present));
     section.blocks.emplace_back(robustFacts(result.robust));
     section.blocks.emplace_back(ReportPlot{openLoopFigure(result.predicted, present), {}});
+    section.blocks.emplace_back(ReportPlot{nyquistFigure(result.predicted, present), {}});
     appendPredictedStep(section, result.predicted, present);
     return section;
 }

@@ -69,6 +69,8 @@ class Schemas(unittest.TestCase):
     def test_commands_that_move(self):
         self.accept(self.run_json("record", "sim:htm", "--duration", "0.1", "--out", "f.csv"))
         self.accept(self.run_json("convert", "f.csv", "g.csv", "--signals", "position"))
+        self.accept(self.run_json("convert", "f.csv", "h.csv", "--derive", "degrees [1] = position*180/pi"))
+        self.accept(self.run_json("plot", "f.csv", "--out", "f.pdf"))
         for kind in ("amplitude", "psd"):
             self.accept(self.run_json("spectrum", "f.csv", "--signal", "position", "--kind", kind, "--segment_s", "0.08",
                                       "--out", "s.csv"))
@@ -88,6 +90,35 @@ class Schemas(unittest.TestCase):
         self.assertGreater(regulator["proof"]["noise_gain_A_per_rad"], 0)
         self.assertEqual(self.accept(self.run_json("tune", "m.json", "--method", "ziegler-nichols-pi", code=1))["code"],
                          "refused")
+        self.run_json("record", "sim:htm", "--duration", "0.1", "--out", "m.csv")
+        self.run_json("record", "sim:htm?seed=2", "--duration", "0.2", "--out", "n.csv")
+        listed = self.accept(self.run_json("recordings"))
+        self.assertEqual((len(listed["recordings"]), len(listed["identifications"])), (2, 1))
+        for align in ("start", "trigger"):
+            self.accept(self.run_json("overlay", "m.csv", "n.csv", "--signals", "position,status", "--align", align,
+                                      "--out", "o.csv", code=0 if align == "start" else 2))
+
+    def test_frequency_response(self):
+        document = self.accept(self.run_json("identify", "sim:htm", "--frequency", "--out", "f.json", "--record", "r.csv", "--bode",
+                                             "b.csv"))
+        with open(os.path.join(self.folder.name, "f.json"), encoding="utf-8") as file:
+            self.assertEqual(json.load(file), document)
+        with open(os.path.join(self.folder.name, "b.csv"), encoding="utf-8") as file:
+            self.assertEqual(len(file.read().splitlines()), 1 + len(document["points"]))
+        self.assertTrue(os.path.exists(os.path.join(self.folder.name, "r.meta.json")))
+        low, high = document["rotor"]["phi_over_J"]["ci95"]
+        self.assertLess(low, 1.43e-2 / 5.5e-4)
+        self.assertGreater(high, 1.43e-2 / 5.5e-4)
+        self.accept(self.run_json("identify", "sim:htm", "--frequency", "--excitation", "stepped-sine", "--from-hz", "2"))
+        refused = self.accept(self.run_json("identify", "sim:htm", "--frequency", "--amplitude-deg", "0.001", code=1))
+        self.assertEqual(refused["data_quality"]["verdict"], "refused")
+        self.assertIsNone(refused["rotor"])
+        for options in (["--base-rad-s", "2"], ["--amplitude-deg", "30"], ["--to-hz", "60"], ["--periods", "2"],
+                        ["--periods", "8.5"], ["--excitation", "chirp"], ["--given", "J=1e-3"], ["--currents", "1:2:1"]):
+            with self.subTest(options=options):
+                self.accept(self.run_json("identify", "sim:htm", "--frequency", *options, code=2))
+        self.accept(self.run_json("identify", "sim:htm", "--to-hz", "20", code=2))
+        self.accept(self.run_json("identify", "r.csv", "--frequency", code=2))
 
     def test_experiments(self):
         experiments = glob.glob(os.path.join(RESOURCES, "experiments", "*", "*.toml"))

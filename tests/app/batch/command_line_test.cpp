@@ -34,7 +34,7 @@ TEST(CommandLineTest, withoutArgumentsItIsHelp) {
     EXPECT_EQ(line->command, "help");
     for (const char* command :
          {"devices", "describe", "get", "set", "record", "move", "calibrate", "identify", "tune", "analyse",
-          "run", "serve", "convert", "spectrum", "import"}) {
+          "run", "serve", "convert", "spectrum", "plot", "import", "recordings", "overlay"}) {
         EXPECT_THAT(line->helpText, testing::HasSubstr(command));
     }
 }

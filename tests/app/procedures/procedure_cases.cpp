@@ -3,6 +3,7 @@
 #include "app/procedures/apply_procedure.h"
 #include "app/procedures/calibrate_procedure.h"
 #include "app/procedures/capture_procedure.h"
+#include "app/procedures/frequency_procedure.h"
 #include "app/procedures/identify_procedure.h"
 #include "app/procedures/move_procedure.h"
 #include "app/procedures/record_procedure.h"
@@ -62,6 +63,14 @@ Result<void> identifyShortly(devices::Device& device, const ProcedureObserver& o
     return withoutValue(runIdentify(device, config, observer));
 }
 
+Result<void> identifyFrequency(devices::Device& device, const ProcedureObserver& observer) {
+    FrequencyConfig config;
+    config.from_Hz = 2.0;
+    config.to_Hz = 6.0;
+    config.periods = 4;
+    return withoutValue(runFrequency(device, config, {}, observer));
+}
+
 Result<void> calibrateAndApply(devices::Device& device, const ProcedureObserver& observer) {
     CalibrateConfig config;
     config.apply = true;
@@ -83,6 +92,10 @@ std::vector<ProcedureCase> procedureCases() {
         {"identify",
          {State::Prepare, State::Excite, State::Record, State::Fit, State::Judge, State::Done},
          identifyShortly,
+         {}},
+        {"frequency",
+         {State::Prepare, State::Excite, State::Record, State::Fit, State::Judge, State::Done},
+         identifyFrequency,
          {}},
         {"calibrate",
          {State::Prepare, State::Excite, State::Propose, State::Apply, State::Verify, State::Done},

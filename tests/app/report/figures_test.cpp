@@ -217,6 +217,24 @@ TEST(TuningFigures, keptDesignsAreDrawnUnderTheirNamesInColoursOfTheirOwn) {
         2U);
 }
 
+TEST(TuningFigures, aMeasuredLoopIsPointsAndThoseThatAreNotCoherentAreHollow) {
+    AnalysisResult loop;
+    loop.bode = {{1.0, 10.0}, {20.0, -20.0}, {-90.0, -200.0}};
+    const MeasuredLoop measured{
+        {1.0, 5.0, 9.0}, {19.0, 1.0, -15.0}, {-95.0, -150.0, -10.0}, {true, true, false}};
+    const auto figure = openLoopFigure(loop, std::nullopt, {}, measured);
+    for (const widgets::Panel& panel : figure.panels) {
+        ASSERT_EQ(panel.curves.size(), 3U);
+        EXPECT_EQ(panel.curves.at(0).label, "proposed"); // not alone any more
+        EXPECT_EQ(panel.curves.at(1).style, widgets::CurveStyle::Points);
+        EXPECT_EQ(panel.curves.at(2).style, widgets::CurveStyle::HollowPoints);
+    }
+    EXPECT_EQ(figure.panels.at(0).curves.at(1).y, (std::vector<double>{19.0, 1.0}));
+    EXPECT_EQ(figure.panels.at(1).curves.at(2).y, (std::vector<double>{-10.0}));
+    const MeasuredLoop coherent{{1.0}, {19.0}, {-95.0}, {true}};
+    EXPECT_EQ(openLoopFigure(loop, std::nullopt, {}, coherent).panels.at(0).curves.size(), 2U);
+}
+
 TEST(TuningFigures, anUnstableLoopHasNoPredictedStep) {
     EXPECT_FALSE(linearStepFigure(AnalysisResult{}, std::nullopt));
 }

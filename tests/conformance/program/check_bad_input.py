@@ -43,7 +43,8 @@ class Usage(ProgramCase):
 
     def test_help_of_every_command_is_printed(self):
         for command in ("devices", "describe", "get", "set", "record", "move", "calibrate", "identify", "tune",
-                        "analyse", "run", "serve", "convert", "spectrum", "import"):
+                        "analyse", "run", "serve", "convert", "spectrum", "import", "recordings",
+                        "overlay"):
             with self.subTest(command=command):
                 answer = self.accept(command, "--help")
                 self.assertIn(command, answer.out)

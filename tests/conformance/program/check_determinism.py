@@ -68,6 +68,10 @@ class Determinism(ProgramCase):
         self.compare("identify", "sim:htm?seed=3", "--given", "J=5.5e-4", "--out", "m.json", "--record", "r.csv",
                      at_least=5)
 
+    def test_frequency_response(self):
+        self.compare("identify", "sim:htm?seed=3", "--frequency", "--out", "f.json", "--record", "r.csv", "--bode", "b.csv",
+                     at_least=6)
+
     def test_tuning(self):
         self.compare("tune", "sim:htm?seed=3", "--out", "g.json", at_least=3)
 

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/batch/command_options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace halbench::app {
+
+// The parts of the command line's syntax, each for one kind of command.
+
+/// A command that understands the global options behind its name too.
+CLI::App* addCommand(CLI::App& app, const char* name, const char* help);
+
+/// What works on recordings: convert, spectrum, plot, import, recordings, overlay.
+void addRecordingCommands(CLI::App& app, CommandOptions& options);
+
+} // namespace halbench::app

@@ -1,0 +1,209 @@
+#include "app/batch/command_support.h"
+#include "app/batch/frequency_options.h"
+#include "app/batch/loop_conditions.h"
+#include "app/batch/numbers.h"
+#include "app/batch/output_file.h"
+#include "app/batch/recording_file.h"
+#include "app/batch/result_documents.h"
+#include "control/base/units.h"
+#include "control/lti/frequency_response.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::app {
+
+namespace {
+
+struct Named {
+    const char* option;
+    bool isGiven;
+};
+
+Result<void> refuseGiven(std::initializer_list<Named> options, const char* message, const char* hint) {
+    for (const Named& named : options) {
+        if (named.isGiven) {
+            return failure(ErrorCode::Usage, fmt::format("{} {}", named.option, message), hint);
+        }
+    }
+    return {};
+}
+
+/// One option that is a number and may be left out.
+struct NumberOption {
+    const char* option;
+    const std::string& text;
+    double& value;
+};
+
+Result<void> take(std::initializer_list<NumberOption> numbers) {
+    for (const NumberOption& number : numbers) {
+        const Result<std::optional<double>> given = optionalNumber(number.option, number.text);
+        if (!given) {
+            return failure(given.error());
+        }
+        number.value = given->value_or(number.value);
+    }
+    return {};
+}
+
+/// Relative error as decibels either way; nothing when the circle holds zero.
+std::string decibels(double ratio) {
+    return ratio < 1.0 ? formatNumber(-20.0 * std::log10(1.0 - ratio)) : std::string();
+}
+
+std::string degrees(double ratio) {
+    return ratio < 1.0 ? formatNumber(radiansToDegrees(std::asin(ratio))) : std::string();
+}
+
+std::string tableText(const FrequencyResult& result) {
+    control::FrequencyResponse openLoop, plant;
+    for (const FrequencyResultPoint& point : result.points) {
+        openLoop.frequency_rad_s.push_back(point.measured.frequency_rad_s);
+        openLoop.value.push_back(point.openLoop);
+        plant.value.push_back(point.measured.value);
+    }
+    const std::vector<double> loop_dB = control::magnitude_dB(openLoop);
+    const std::vector<double> loop_deg = control::phase_deg(openLoop);
+    const std::vector<double> plant_dB = control::magnitude_dB(plant);
+    const std::vector<double> plant_deg = control::phase_deg(plant);
+    std::string text =
+        "frequency_hz,magnitude_db,phase_deg,plant_magnitude_db,plant_phase_deg,error_db,error_deg,"
+        "coherence,used\n";
+    for (std::size_t i = 0; i < result.points.size(); ++i) {
+        const FrequencyResultPoint& point = result.points[i];
+        const double ratio = point.radius / std::abs(point.measured.value);
+        for (const double value : {point.measured.frequency_rad_s / (2.0 * Pi), loop_dB[i], loop_deg[i],
+                                   plant_dB[i], plant_deg[i]}) {
+            text += formatNumber(value) + ",";
+        }
+        text += decibels(ratio) + "," + degrees(ratio) + "," + formatNumber(point.measured.coherence) +
+                (point.isUsed ? ",1\n" : ",0\n");
+    }
+    return text;
+}
+
+std::string marginLine(const char* name, const control::MeasuredMargin& margin, const char* unit) {
+    if (!margin.value) {
+        return fmt::format("{:<14} withheld\n", name);
+    }
+    return fmt::format("{:<14} {:.4g} {}  [{:.4g}, {:.4g}] at {:.4g} rad/s\n", name, *margin.value, unit,
+                       margin.interval->first, margin.interval->second, *margin.frequency_rad_s);
+}
+
+std::string frequencyText(const FrequencyResult& result) {
+    const auto used = std::count_if(result.points.begin(), result.points.end(),
+                                    [](const FrequencyResultPoint& point) { return point.isUsed; });
+    std::string text = fmt::format("{:<14} {} of {} used, coherence from {:.3g}\n", "frequencies", used,
+                                   result.points.size(), result.config.leastCoherence);
+    text += fmt::format("{:<14} {:.4g} rad/s, never below {:.4g} rad/s\n", "base speed", result.turn_rad_s,
+                        result.lowestSpeed_rad_s);
+    text += marginLine("phase margin", result.margins.phase_deg, "deg");
+    text += marginLine("gain margin", result.margins.gain_dB, "dB");
+    if (result.fit) {
+        text += estimateLine("c_over_J", result.fit->dampingRate);
+        text += estimateLine("phi_over_J", result.fit->accelerationGain);
+        text += estimateLine("feedthrough", result.fit->feedthrough);
+    }
+    return text + findingLines(result.quality);
+}
+
+Result<void> writeFiles(const CommandOptions& options, const FrequencyResult& result, devices::Device& device,
+                        const std::string& started) {
+    if (!options.recordFile.empty()) {
+        if (auto written = writeRecording(options.recordFile, result.recording, device, {started, {}, {}});
+            !written) {
+            return written;
+        }
+    }
+    return options.bodeFile.empty() ? Result<void>() : writeFile(options.bodeFile, tableText(result));
+}
+
+} // namespace
+
+Result<void> checkFrequencyOptions(const CommandOptions& options) {
+    if (options.isFrequency) {
+        return refuseGiven({{"--given", !options.given.empty()},
+                            {"--currents", !options.currents.empty()},
+                            {"--directions", !options.directions.empty()},
+                            {"--bare", !options.bare.empty()},
+                            {"--added-inertia", !options.addedInertia.empty()}},
+                           "belongs to the sweep and not to --frequency", "leave one of the two out");
+    }
+    return refuseGiven({{"--excitation", !options.excitation.empty()},
+                        {"--from-hz", !options.fromFrequency.empty()},
+                        {"--to-hz", !options.toFrequency.empty()},
+                        {"--base-rad-s", !options.base.empty()},
+                        {"--amplitude-deg", !options.amplitude.empty()},
+                        {"--periods", !options.periods.empty()},
+                        {"--coherence", !options.coherence.empty()},
+                        {"--bode", !options.bodeFile.empty()},
+                        {"--calibration", !options.calibrationFile.empty()}},
+                       "belongs to a frequency response", "add --frequency");
+}
+
+Result<FrequencyConfig> frequencyConfigFrom(const CommandOptions& options) {
+    FrequencyConfig config;
+    if (!options.excitation.empty()) {
+        const Result<Excitation> named = excitation(options.excitation);
+        if (!named) {
+            return failure(ErrorCode::Usage, "--excitation: " + named.error().message, named.error().hint);
+        }
+        config.excitation = *named;
+    }
+    double periods = config.periods;
+    const Result<std::optional<double>> amplitude_deg = optionalNumber("--amplitude-deg", options.amplitude);
+    const Result<void> taken = take({{"--from-hz", options.fromFrequency, config.from_Hz},
+                                     {"--to-hz", options.toFrequency, config.to_Hz},
+                                     {"--base-rad-s", options.base, config.base_rad_s},
+                                     {"--periods", options.periods, periods},
+                                     {"--coherence", options.coherence, config.leastCoherence}});
+    if (!taken || !amplitude_deg) {
+        return failure(taken ? amplitude_deg.error() : taken.error());
+    }
+    constexpr double Most = 1e6; // of an int, before the procedure judges it
+    if (periods != std::floor(periods) || std::abs(periods) > Most) {
+        return failure(ErrorCode::Usage, "--periods: '" + options.periods + "' is no whole number",
+                       "write e.g. 8");
+    }
+    config.periods = static_cast<int>(periods);
+    if (*amplitude_deg) {
+        config.amplitude_rad = degreesToRadians(**amplitude_deg);
+    }
+    return config;
+}
+
+CommandResult runFrequencyCommand(CommandContext& context, const CommandOptions& options) {
+    const Result<FrequencyConfig> config = frequencyConfigFrom(options);
+    if (!config) {
+        return failure(config.error());
+    }
+    const Result<std::unique_ptr<devices::Device>> device = openToMove(context, options.device);
+    if (!device) {
+        return failure(device.error());
+    }
+    Result<LoopConditions> conditions = loopConditionsOf(**device);
+    if (!conditions) {
+        return failure(conditions.error());
+    }
+    if (const Result<void> taken = takeCalibration(*conditions, options.calibrationFile); !taken) {
+        return failure(taken.error());
+    }
+    const ResultHeader header = headerFor(context, "halbench.frequency/1", **device);
+    const Result<FrequencyResult> result =
+        runFrequency(**device, *config, conditions->stray, observerFor(context));
+    if (!result) {
+        return failure(result.error());
+    }
+    Result<void> done = writeFiles(options, *result, **device, header.started);
+    done = done ? deliver(context, frequencyDocument(header, *result), frequencyText(*result), options.out)
+                : done;
+    if (!done) {
+        return failure(done.error());
+    }
+    return exitCodeFor(result->quality);
+}
+
+} // namespace halbench::app

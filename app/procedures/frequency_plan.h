@@ -1,0 +1,47 @@
+#pragma once
+
+#include "app/procedures/frequency_procedure.h"
+#include "app/procedures/move_reference.h"
+
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+namespace halbench::app {
+
+/// One excitation on the board's generator, repeated for all its periods without a break.
+struct FrequencyStage {
+    MoveReference reference;
+    std::size_t rowsPerPeriod = 0;
+    std::vector<int> lines;  ///< excited multiples of the period's frequency
+    double settle_s = 0.0;   ///< left out before the first period
+    double measured_s = 0.0; ///< all periods
+};
+
+struct FrequencyPlan {
+    double turn_rad_s = 0.0; ///< signed; raised so that the turn's harmonics miss the excited lines
+    double runUp_s = 0.0;
+    std::vector<FrequencyStage> stages;
+    double meanSquare_A2 = 0.0; ///< of one phase, expected
+    double duration_s() const;
+};
+
+/// What decides how strongly a motor may be excited.
+struct FrequencyMargins {
+    double period_s = 0.01;            ///< of the position loop
+    models::PositionLaw law;           ///< as it runs on the board
+    control::PositionPlant plant = {}; ///< roughly; the board's own speed is watched all the same
+};
+
+/// K_P + T K_I/(z - 1) + K_D (z - 1)/(T z) of the law: from the measured angle to the current, without the
+/// delay.
+std::complex<double> lawResponse(const models::PositionLaw& law, double period_s, double frequency_rad_s);
+
+/// Lines in bands of less than a factor five, evenly spread in each, or single ones half an octave apart. The
+/// amplitude of a band is the largest that does not let the reference's speed swing by more than 80 % of the
+/// base speed, the rotor's by more than half of it and the current by more than 60 % of what the base motion
+/// leaves of its limit, the latter two as far as they can be foreseen. Errors: NotFinite, OutOfRange, naming
+/// what to change.
+Result<FrequencyPlan> planFrequency(const FrequencyConfig& config, const FrequencyMargins& margins);
+
+} // namespace halbench::app

@@ -1,0 +1,288 @@
+#include "app/procedures/frequency_procedure.h"
+
+#include "app/procedures/coil_forecast.h"
+#include "app/procedures/excitation_limits.h"
+#include "app/procedures/frequency_judge.h"
+#include "app/procedures/identify_plan.h"
+#include "app/procedures/position_law_parameters.h"
+#include "app/procedures/procedure_steps.h"
+#include "app/procedures/restored_result.h"
+#include "app/procedures/spin_drive.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace halbench::app {
+namespace {
+
+constexpr std::array<std::string_view, 2> ExcitationNames = {"multisine", "stepped-sine"};
+constexpr double Slack_s =
+    2.0; // the generator runs on until the next stage takes over, or the motor is disarmed
+constexpr double OnTheWay_s = 0.3; // rows that are recorded but not here yet
+
+std::vector<std::string> recordedSignals() {
+    return {"position",           "speed",
+            "reference",          "current_command",
+            "reference.running",  "coil_temperature.a",
+            "coil_temperature.b", "torn_count",
+            "truth.position",     "truth.speed"};
+}
+
+/// Stops the run when the rotor comes near standstill: friction would change its sign.
+class TurnWatch {
+public:
+    explicit TurnWatch(double turn_rad_s) : m_turn_rad_s(turn_rad_s) {}
+
+    void take(const SampleBlock& block) {
+        const int column = block.layout->indexOf("speed");
+        for (std::size_t row = 0; m_isOn && column >= 0 && row < block.rows(); ++row) {
+            const double share = block.value(row, static_cast<std::size_t>(column)) / m_turn_rad_s;
+            m_lowestShare = std::min(m_lowestShare, share);
+        }
+    }
+    void begin() { m_isOn = true; }
+    Result<void> check() const {
+        constexpr double LeastShare = 0.1;
+        if (m_lowestShare >= LeastShare) {
+            return {};
+        }
+        return failure(
+            ErrorCode::Refused,
+            fmt::format("the rotor came down to {:.3g} rad/s on a base of {:.3g} rad/s: near "
+                        "standstill friction is no plain offset",
+                        m_lowestShare * m_turn_rad_s, m_turn_rad_s),
+            "use a smaller amplitude or a faster base; a loop that swings by itself needs gains with "
+            "more damping first");
+    }
+
+private:
+    double m_turn_rad_s;
+    double m_lowestShare = 1.0;
+    bool m_isOn = false;
+};
+
+Result<void> startStage(devices::Device& device, const MoveReference& reference, double duration_s) {
+    std::vector<ParameterValue> values = generatorParameters(reference, duration_s + Slack_s);
+    std::erase_if(values, [&device](const ParameterValue& value) {
+        return device.catalogue().findParameter(value.name) == nullptr;
+    });
+    values.push_back({"reference.start", 1.0});
+    return device.writeParameters(values);
+}
+
+/// The excitation as one object, so that its steps share device, observer and watch.
+class FrequencyExcitation {
+public:
+    FrequencyExcitation(devices::Device& device, const ProcedureObserver& observer, const FrequencyPlan& plan,
+                        FrequencyRun& run)
+        : m_device(device), m_outer(observer), m_observer(observer), m_watch(plan.turn_rad_s), m_plan(plan),
+          m_run(run), m_recorder(device, m_observer) {
+        m_observer.onBlock = [this](const SampleBlockPtr& block) {
+            m_watch.take(*block);
+            if (m_outer.onBlock) {
+                m_outer.onBlock(block);
+            }
+        };
+        m_observer.checkAbort = [this]() -> Result<void> {
+            const Result<void> goOn = m_outer.checkAbort ? m_outer.checkAbort() : Result<void>();
+            const Result<void> isSound = goOn ? m_recorder.check() : goOn;
+            return isSound ? m_watch.check() : isSound;
+        };
+    }
+
+    Result<void> drive() {
+        m_recorder.guardBy(excitationLimits(m_device.catalogue(), m_run.config.speedLimit_rad_s));
+        if (auto started = m_recorder.start(withWatchedSignals(m_device.catalogue(), recordedSignals()),
+                                            1.0 / m_run.margins.period_s);
+            !started) {
+            return started;
+        }
+        if (auto done = armAndExcite(); !done) {
+            return failure(m_recorder.causeOf(done.error()));
+        }
+        if (auto checked = m_recorder.check(); !checked) {
+            return checked;
+        }
+        m_run.recording = m_recorder.finish();
+        return {};
+    }
+
+private:
+    Result<void> armAndExcite() {
+        if (auto armed = m_device.arm(); !armed) {
+            return armed;
+        }
+        MoveReference turning;
+        turning.shape = MoveReference::Shape::Ramp;
+        turning.rate_rad_s = m_plan.turn_rad_s;
+        Result<void> done = startStage(m_device, turning, m_plan.runUp_s);
+        done = done ? wait(m_plan.runUp_s, "runs up") : done;
+        done = done ? enterState(m_outer, ProcedureState::Record) : done;
+        m_watch.begin();
+        for (const FrequencyStage& stage : m_plan.stages) {
+            done = done ? excite(stage) : done;
+        }
+        return done ? m_device.disarm() : done;
+    }
+
+    Result<void> excite(const FrequencyStage& stage) {
+        const double duration_s = stage.settle_s + stage.measured_s + OnTheWay_s;
+        if (auto started = startStage(m_device, stage.reference, duration_s); !started) {
+            return started;
+        }
+        const auto settling =
+            static_cast<std::size_t>(std::lround((stage.settle_s + OnTheWay_s) / m_run.margins.period_s));
+        m_run.stages.push_back({stage, m_recorder.rows() + settling});
+        return wait(duration_s + OnTheWay_s,
+                    fmt::format("excites from {:.3g} Hz", stage.reference.frequency_Hz));
+    }
+
+    Result<void> wait(double duration_s, const std::string& text) {
+        const double whole_s = m_plan.duration_s();
+        const double from = std::min(1.0, m_done_s / whole_s);
+        m_done_s += duration_s;
+        return waitObserved(m_device, m_observer, duration_s, from, std::min(1.0, m_done_s / whole_s), text);
+    }
+
+    devices::Device& m_device;
+    const ProcedureObserver& m_outer;
+    ProcedureObserver m_observer; ///< the outer one, listened in
+    TurnWatch m_watch;
+    const FrequencyPlan& m_plan;
+    FrequencyRun& m_run;
+    StreamRecorder m_recorder;
+    double m_done_s = 0.0;
+};
+
+Result<FrequencyMargins> marginsOf(devices::Device& device) {
+    constexpr const char* LawForm = "control.law";
+    if (device.catalogue().findParameter(LawForm) != nullptr) {
+        const std::string name[] = {LawForm};
+        const auto form = device.readParameters(name);
+        if (!form) {
+            return failure(form.error());
+        }
+        if (form->front() != 0.0) {
+            return failure(ErrorCode::Refused,
+                           "the board runs the printed difference equation, which is no set of gains",
+                           "set control.law=0 first; nothing was armed");
+        }
+    }
+    const auto law = readPositionLaw(device);
+    if (!law) {
+        return failure(law.error());
+    }
+    FrequencyMargins margins;
+    margins.law = *law;
+    const auto period = device.catalogue().knownConstants.find("T_s");
+    margins.period_s = period == device.catalogue().knownConstants.end() ? margins.period_s : period->second;
+    const PilotEstimate nominal = nominalMotor();
+    margins.plant = {nominal.damping_per_s, nominal.torque_rad_s2_A,
+                     nominal.friction_rad_s2 / nominal.torque_rad_s2_A};
+    return margins;
+}
+
+Result<void> checkBoard(const devices::Catalogue& catalogue, const FrequencyConfig& config) {
+    for (const char* name : {"position", "speed", "reference", "current_command"}) {
+        if (catalogue.findSignal(name) == nullptr) {
+            return failure(ErrorCode::DeviceRefused, fmt::format("the device has no signal '{}'", name),
+                           "a frequency response needs a board with a position loop of its own");
+        }
+    }
+    if (config.excitation == Excitation::SteppedSine ||
+        catalogue.findParameter("reference.frequency_end") != nullptr) {
+        return {};
+    }
+    return failure(ErrorCode::DeviceRefused, "the generator of this board makes no multisine",
+                   "use a stepped sine");
+}
+
+Result<void> prepareBoard(devices::Device& device, const FrequencyConfig& config) {
+    if (auto prepared = prepareSpinning(device, config.speedLimit_rad_s); !prepared) {
+        return prepared;
+    }
+    const ParameterValue values[] = {{"reference.start", 0.0},
+                                     {"hb.setpoint", 0.0},
+                                     {"hb.mode", static_cast<double>(devices::BoardMode::Position)}};
+    return device.writeParameters(values);
+}
+
+Result<FrequencyResult> measure(devices::Device& device, FrequencyRun run, const FrequencyPlan& plan,
+                                const ProcedureObserver& observer) {
+    if (auto prepared = prepareBoard(device, run.config); !prepared) {
+        return failure(prepared.error());
+    }
+    if (auto heat = admitHeat(device, observer, plan.meanSquare_A2, plan.duration_s(),
+                              run.config.pauseTemperature_degC, run.config.refuseTemperature_degC);
+        !heat) {
+        return failure(heat.error());
+    }
+    if (auto entered = enterState(observer, ProcedureState::Excite); !entered) {
+        return failure(entered.error());
+    }
+    if (auto driven = FrequencyExcitation(device, observer, plan, run).drive(); !driven) {
+        return failure(driven.error());
+    }
+    if (auto entered = enterState(observer, ProcedureState::Fit); !entered) {
+        return failure(entered.error());
+    }
+    auto result = estimateFrequency(std::move(run));
+    if (!result) {
+        return result;
+    }
+    if (auto entered = enterState(observer, ProcedureState::Judge); !entered) {
+        return failure(entered.error());
+    }
+    result->quality = judgeFrequency(*result);
+    return result;
+}
+
+} // namespace
+
+std::string_view excitationName(Excitation excitation) {
+    return ExcitationNames[static_cast<std::size_t>(excitation)];
+}
+
+Result<Excitation> excitation(std::string_view name) {
+    const auto found = std::find(ExcitationNames.begin(), ExcitationNames.end(), name);
+    if (found == ExcitationNames.end()) {
+        return failure(ErrorCode::UnknownName, fmt::format("there is no excitation '{}'", name),
+                       fmt::format("known: {}", fmt::join(ExcitationNames, ", ")));
+    }
+    return static_cast<Excitation>(found - ExcitationNames.begin());
+}
+
+Result<FrequencyResult> runFrequency(devices::Device& device, const FrequencyConfig& config,
+                                     const std::optional<StrayField>& stray,
+                                     const ProcedureObserver& observer) {
+    if (auto entered = enterState(observer, ProcedureState::Prepare); !entered) {
+        return failure(entered.error());
+    }
+    if (auto able = checkBoard(device.catalogue(), config); !able) {
+        return failure(able.error());
+    }
+    auto margins = marginsOf(device);
+    if (!margins) {
+        return failure(margins.error());
+    }
+    const auto plan = planFrequency(config, *margins);
+    if (!plan) {
+        return failure(plan.error());
+    }
+    auto guard = RestoreGuard::take(device);
+    if (!guard) {
+        return failure(guard.error());
+    }
+    FrequencyRun run{config, *margins, plan->turn_rad_s, stray, {}, {}};
+    auto result = restoredResult(*guard, measure(device, std::move(run), *plan, observer));
+    const auto entered = enterState(observer, result ? ProcedureState::Done : ProcedureState::Restored);
+    if (result && !entered) {
+        return failure(entered.error());
+    }
+    return result;
+}
+
+} // namespace halbench::app

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "app/procedures/analyse.h"
+#include "widgets/figure.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace halbench::app {
+
+/// Another design that is drawn beside; the loop must live while the picture is made.
+struct NamedLoop {
+    std::string name;
+    const AnalysisResult* loop;
+};
+
+/// A loop with the look that it has in every picture.
+struct LoopCurve {
+    const AnalysisResult* loop;
+    std::string label; ///< empty for one that is alone
+    widgets::CurveStyle style;
+    int colour;
+};
+
+/// The proposed loop, the one before it, the others; the arguments must live as long as the answer.
+std::vector<LoopCurve> loopCurves(const AnalysisResult& predicted,
+                                  const std::optional<AnalysisResult>& present,
+                                  const std::vector<NamedLoop>& others);
+
+} // namespace halbench::app

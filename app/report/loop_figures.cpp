@@ -1,0 +1,171 @@
+#include "app/report/loop_figures.h"
+
+#include "control/base/units.h"
+
+#include <QtCore/QCoreApplication>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace halbench::app {
+namespace {
+
+using widgets::Curve;
+using widgets::CurveStyle;
+using Direction = widgets::ReferenceLine::Direction;
+using Complex = std::complex<double>;
+
+/// The words of this file for the translator.
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(halbench::app::LoopFigures)
+};
+
+constexpr int MarkColour = 6; ///< of what belongs to the picture and not to a loop
+
+std::string utf8(const QString& text) {
+    return text.toStdString();
+}
+
+double decibel(double ratio) {
+    return 20.0 * std::log10(ratio);
+}
+
+/// L at each frequency of the Bode diagram.
+std::vector<Complex> openLoop(const AnalysisResult& loop) {
+    std::vector<Complex> values;
+    values.reserve(loop.bode.frequency_Hz.size());
+    for (std::size_t i = 0; i < loop.bode.frequency_Hz.size(); ++i) {
+        values.push_back(std::polar(std::pow(10.0, loop.bode.magnitude_dB[i] / 20.0),
+                                    Pi / 180.0 * loop.bode.phase_deg[i]));
+    }
+    return values;
+}
+
+Curve circle(Complex centre, double radius, const std::string& label, CurveStyle style) {
+    constexpr int Sides = 180;
+    Curve curve{label, {}, {}, style, MarkColour};
+    for (int i = 0; i <= Sides; ++i) {
+        const Complex point = centre + std::polar(radius, 2.0 * Pi * i / Sides);
+        curve.x.push_back(point.real());
+        curve.y.push_back(point.imag());
+    }
+    return curve;
+}
+
+std::string marginLabel(double modulusMargin) {
+    return fmt::format("{}: {:.2f} (Ms {:.2f})", utf8(Words::tr("modulus margin")), modulusMargin,
+                       1.0 / modulusMargin);
+}
+
+/// |1 + L| = `distance` where magnitude and phase are the axes; phase from -360 to 0 degrees.
+Curve distanceLine(double distance) {
+    Curve line = circle({-1.0, 0.0}, distance, marginLabel(distance), CurveStyle::DashedLine);
+    for (std::size_t i = 0; i < line.x.size(); ++i) {
+        const Complex value(line.x[i], line.y[i]);
+        const double phase_deg = 180.0 / Pi * std::arg(value);
+        line.x[i] = phase_deg > 0.0 ? phase_deg - 360.0 : phase_deg;
+        line.y[i] = decibel(std::abs(value));
+    }
+    return line;
+}
+
+Curve sensitivityCurve(const LoopCurve& each, bool isComplementary) {
+    Curve curve{each.label, each.loop->bode.frequency_Hz, {}, each.style, each.colour};
+    for (const Complex& value : openLoop(*each.loop)) {
+        const double distance = std::abs(1.0 + value);
+        curve.y.push_back(decibel((isComplementary ? std::abs(value) : 1.0) / distance));
+    }
+    return curve;
+}
+
+} // namespace
+
+widgets::Figure nyquistFigure(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present,
+                              const std::vector<NamedLoop>& others) {
+    widgets::Panel plane;
+    plane.y = {utf8(Words::tr("imaginary part of L")), {}, false, -2.0, 1.5, {}};
+    plane.height_px = 360;
+    for (const LoopCurve& each : loopCurves(predicted, present, others)) {
+        Curve curve{each.label, {}, {}, each.style, each.colour};
+        for (const Complex& value : openLoop(*each.loop)) {
+            curve.x.push_back(value.real());
+            curve.y.push_back(value.imag());
+        }
+        plane.curves.push_back(std::move(curve));
+    }
+    plane.curves.push_back(circle({}, 1.0, utf8(Words::tr("unit circle")), CurveStyle::DottedLine));
+    if (predicted.isStable && predicted.margins.modulusMargin > 0.0) {
+        const double margin = predicted.margins.modulusMargin;
+        plane.curves.push_back(circle({-1.0, 0.0}, margin, marginLabel(margin), CurveStyle::DashedLine));
+    }
+    plane.curves.push_back({"\u22121", {-1.0}, {0.0}, CurveStyle::Points, MarkColour});
+    widgets::Figure figure;
+    figure.title = utf8(Words::tr("Nyquist plot of the open loop"));
+    figure.x = {utf8(Words::tr("real part of L")), {}, false, -2.5, 1.5, {}};
+    figure.panels = {std::move(plane)};
+    figure.isEqualScale = true;
+    return figure;
+}
+
+widgets::Figure nicholsFigure(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present,
+                              const std::vector<NamedLoop>& others) {
+    constexpr double Turn_deg = 90.0;
+    widgets::Panel panel;
+    panel.y = {utf8(Words::tr("magnitude")), "dB", false, -40.0, 60.0, {}};
+    panel.height_px = 360;
+    panel.lines = {{Direction::Horizontal, 0.0, "0 dB"}, {Direction::Vertical, -180.0, {}}};
+    double least_deg = -270.0;
+    for (const LoopCurve& each : loopCurves(predicted, present, others)) {
+        const auto& bode = each.loop->bode;
+        panel.curves.push_back({each.label, bode.phase_deg, bode.magnitude_dB, each.style, each.colour});
+        for (const double phase_deg : bode.phase_deg) {
+            least_deg = std::min(least_deg, phase_deg);
+        }
+    }
+    if (predicted.isStable && predicted.margins.modulusMargin > 0.0) {
+        panel.curves.push_back(distanceLine(predicted.margins.modulusMargin));
+    }
+    panel.curves.push_back({"\u2212180\u00b0, 0 dB", {-180.0}, {0.0}, CurveStyle::Points, MarkColour});
+    widgets::Figure figure;
+    figure.title = utf8(Words::tr("Nichols plot of the open loop"));
+    figure.x = {utf8(Words::tr("phase")),
+                "deg",
+                false,
+                std::floor(least_deg / Turn_deg) * Turn_deg,
+                0.0,
+                0.5 * Turn_deg};
+    figure.panels = {std::move(panel)};
+    return figure;
+}
+
+std::optional<widgets::Figure> sensitivityFigure(const AnalysisResult& predicted,
+                                                 const std::optional<AnalysisResult>& present,
+                                                 const std::vector<NamedLoop>& others) {
+    if (!predicted.isStable) {
+        return std::nullopt;
+    }
+    widgets::Panel error;
+    error.y = {utf8(Words::tr("sensitivity S")), "dB", false, -60.0, 20.0, {}};
+    widgets::Panel response;
+    response.y = {utf8(Words::tr("closed loop T")), "dB", false, -60.0, 20.0, {}};
+    for (const LoopCurve& each : loopCurves(predicted, present, others)) {
+        if (each.loop->isStable) {
+            error.curves.push_back(sensitivityCurve(each, false));
+            response.curves.push_back(sensitivityCurve(each, true));
+            response.curves.back().label.clear(); // the panel above names it
+        }
+    }
+    const double peak = 1.0 / predicted.margins.modulusMargin;
+    error.lines = {{Direction::Horizontal, decibel(peak), fmt::format("Ms {:.2f}", peak)}};
+    response.lines = {{Direction::Horizontal, 0.0, "0 dB"}};
+    widgets::Figure figure;
+    figure.title = utf8(Words::tr("Sensitivity and closed loop"));
+    figure.x = {utf8(Words::tr("frequency")), "Hz", true, {}, {}, {}};
+    figure.panels = {std::move(error), std::move(response)};
+    return figure;
+}
+
+} // namespace halbench::app

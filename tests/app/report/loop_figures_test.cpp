@@ -1,0 +1,114 @@
+#include "app/report/loop_figures.h"
+#include "control/base/units.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace halbench::app {
+namespace {
+
+const widgets::Curve& curve(const widgets::Figure& figure, std::size_t panel, const std::string& part) {
+    const auto& curves = figure.panels.at(panel).curves;
+    return *std::find_if(curves.begin(), curves.end(), [&part](const widgets::Curve& each) {
+        return each.label.find(part) != std::string::npos;
+    });
+}
+
+/// Three points of a loop: far below, at and above its crossover.
+AnalysisResult crossing() {
+    AnalysisResult loop;
+    loop.isStable = true;
+    loop.bode = {{0.1, 1.0, 10.0}, {40.0, 0.0, -40.0}, {-90.0, -90.0, -180.0}};
+    loop.margins.modulusMargin = 0.5;
+    return loop;
+}
+
+TEST(LoopFigures, theNyquistPlotHasTheLoopAsComplexNumbers) {
+    const widgets::Figure figure = nyquistFigure(crossing(), std::nullopt);
+    EXPECT_TRUE(figure.isEqualScale);
+    const widgets::Curve& loop = figure.panels.at(0).curves.at(0);
+    EXPECT_NEAR(loop.x.at(0), 0.0, 1e-12);
+    EXPECT_NEAR(loop.y.at(0), -100.0, 1e-12);
+    EXPECT_NEAR(loop.y.at(1), -1.0, 1e-12);
+    EXPECT_NEAR(loop.x.at(2), -0.01, 1e-12);
+    const widgets::Curve& margin = curve(figure, 0, "modulus margin: 0.50 (Ms 2.00)");
+    for (std::size_t i = 0; i < margin.x.size(); ++i) {
+        EXPECT_NEAR(std::hypot(margin.x[i] + 1.0, margin.y[i]), 0.5, 1e-12);
+    }
+    const widgets::Curve& critical = curve(figure, 0, "\u22121");
+    EXPECT_EQ(critical.x, std::vector<double>{-1.0});
+    EXPECT_EQ(critical.y, std::vector<double>{0.0});
+}
+
+TEST(LoopFigures, theNicholsPlotHasThePhaseAcrossAndTheSameDistanceFromMinusOne) {
+    const widgets::Figure figure = nicholsFigure(crossing(), std::nullopt);
+    const widgets::Curve& loop = figure.panels.at(0).curves.at(0);
+    EXPECT_EQ(loop.x, (std::vector<double>{-90.0, -90.0, -180.0}));
+    EXPECT_EQ(loop.y, (std::vector<double>{40.0, 0.0, -40.0}));
+    EXPECT_LE(*figure.x.min, -180.0);
+    const widgets::Curve& margin = curve(figure, 0, "Ms 2.00");
+    for (std::size_t i = 0; i < margin.x.size(); ++i) {
+        const auto value = std::polar(std::pow(10.0, margin.y[i] / 20.0), margin.x[i] * Pi / 180.0);
+        EXPECT_NEAR(std::abs(1.0 + value), 0.5, 1e-12);
+        EXPECT_GT(margin.x[i], -360.0);
+        EXPECT_LE(margin.x[i], 0.0);
+    }
+}
+
+TEST(LoopFigures, sensitivityIsWhatTheLoopLeavesOver) {
+    const auto figure = sensitivityFigure(crossing(), std::nullopt);
+    ASSERT_TRUE(figure);
+    const auto& left = figure->panels.at(0).curves.at(0).y;
+    const auto& follows = figure->panels.at(1).curves.at(0).y;
+    // L = -100 i, -i and -0.01: |1 + L| is sqrt(10001), sqrt(2) and 0.99.
+    EXPECT_NEAR(left.at(0), -10.0 * std::log10(10001.0), 1e-9);
+    EXPECT_NEAR(left.at(1), -10.0 * std::log10(2.0), 1e-9);
+    EXPECT_NEAR(left.at(2), -20.0 * std::log10(0.99), 1e-9);
+    EXPECT_NEAR(follows.at(0), 40.0 - 10.0 * std::log10(10001.0), 1e-9);
+    EXPECT_NEAR(follows.at(1), -10.0 * std::log10(2.0), 1e-9);
+    EXPECT_NEAR(follows.at(2), -40.0 - 20.0 * std::log10(0.99), 1e-9);
+    EXPECT_NEAR(figure->panels.at(0).lines.at(0).at, 20.0 * std::log10(2.0), 1e-12);
+}
+
+TEST(LoopFigures, anUnstableLoopHasNeitherSensitivityNorModulusMargin) {
+    AnalysisResult unstable = crossing();
+    unstable.isStable = false;
+    EXPECT_FALSE(sensitivityFigure(unstable, std::nullopt));
+    EXPECT_EQ(nyquistFigure(unstable, std::nullopt).panels.at(0).curves.size(), 3U); // loop, circle, point
+    const auto beside = sensitivityFigure(crossing(), unstable);
+    EXPECT_EQ(beside->panels.at(0).curves.size(), 1U);
+}
+
+// The curve of the published motor with its recommended gains: what the pictures show against the margins,
+// which are found on a grid of their own.
+TEST(LoopFigures, theCurveTouchesTheCircleOfTheModulusMarginAndCutsTheAxisAtTheGainMargin) {
+    const MotorEstimate motor{{{"c_over_J", 2.23636}, {"Kf_over_J", 37.27}, {"phi_over_J", 26.0}}, {}, {}};
+    control::PositionLaw law;
+    law.gains.proportional = 40.0;
+    law.gains.integral = 60.0;
+    law.gains.derivative = 1.4;
+    const auto loop = runAnalysis(motor, law, {});
+    ASSERT_TRUE(loop) << loop.error().message;
+    ASSERT_TRUE(loop->isStable);
+    const widgets::Figure figure = nyquistFigure(*loop, std::nullopt);
+    const widgets::Curve& drawn = figure.panels.at(0).curves.at(0);
+    double nearest = 1e9;
+    double cut = 0.0; // where the curve comes up through the negative real axis
+    for (std::size_t i = 0; i < drawn.x.size(); ++i) {
+        nearest = std::min(nearest, std::hypot(drawn.x[i] + 1.0, drawn.y[i]));
+        if (i > 0 && drawn.y[i - 1] < 0.0 && drawn.y[i] >= 0.0 && drawn.x[i] < 0.0) {
+            const double part = drawn.y[i - 1] / (drawn.y[i - 1] - drawn.y[i]);
+            cut = drawn.x[i - 1] + part * (drawn.x[i] - drawn.x[i - 1]);
+        }
+    }
+    // 400 points on 3.7 decades stand 2 % of frequency apart: half of that beside the minimum, and squared.
+    EXPECT_NEAR(nearest, loop->margins.modulusMargin, 2e-3);
+    EXPECT_GE(nearest, loop->margins.modulusMargin - 1e-9);
+    EXPECT_NEAR(-1.0 / cut, loop->margins.gainMargin_ratio, 2e-3 * loop->margins.gainMargin_ratio);
+}
+
+} // namespace
+} // namespace halbench::app
