@@ -5,6 +5,8 @@
 #include <QKeyEvent>
 #include <QMenu>
 
+#include <algorithm>
+
 namespace halbench::app {
 
 ConnectButton::ConnectButton(Workbench& bench, QWidget* parent) : QToolButton(parent), m_bench(bench) {
@@ -42,6 +44,22 @@ void ConnectButton::refresh() {
                    : tr("End what runs, disarm and disconnect (Ctrl+Shift+C)"));
     setAccessibleDescription(toolTip());
     setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+C"))); // a new text forgets it
+}
+
+int ConnectButton::words_px() const {
+    return std::max(fontMetrics().horizontalAdvance(tr("Connect")),
+                    fontMetrics().horizontalAdvance(tr("Disconnect")));
+}
+
+int ConnectButton::saved_px() const {
+    constexpr int IconGap_px = 4; // of a tool button, which also puts a space on either side of its words
+    return words_px() + IconGap_px + fontMetrics().horizontalAdvance(QStringLiteral("  "));
+}
+
+QSize ConnectButton::sizeHint() const {
+    const QSize now = QToolButton::sizeHint();
+    const bool isIcon = toolButtonStyle() == Qt::ToolButtonIconOnly;
+    return {now.width() + (isIcon ? 0 : words_px() - fontMetrics().horizontalAdvance(text())), now.height()};
 }
 
 void ConnectButton::keyPressEvent(QKeyEvent* event) {

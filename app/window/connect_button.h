@@ -24,6 +24,10 @@ public:
     /// Asked whenever the menu opens.
     void setDevices(std::function<Devices()> devices) { m_devices = std::move(devices); }
 
+    int saved_px() const; ///< of its width as an icon alone
+    /// Room for either word: nothing beside it moves when it changes.
+    QSize sizeHint() const override;
+
 Q_SIGNALS:
     void toggleRequested();
     void deviceChosen(const QString& uri);
@@ -35,6 +39,7 @@ protected:
 private:
     void fillMenu();
     void refresh();
+    int words_px() const; ///< of the longer word
 
     Workbench& m_bench;
     std::function<Devices()> m_devices;

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace halbench::app {
 
@@ -76,6 +77,7 @@ DockLayout::DockLayout(QWidget* container) : QObject(container), m_specs(panelSp
     configureDocking();
     m_manager = new ads::CDockManager(container);
     widgets::clearOwnSheet(*m_manager);
+    connect(m_manager, &ads::CDockManager::dockAreaCreated, this, &DockLayout::watchTabs);
     connect(m_manager, &ads::CDockManager::floatingWidgetCreated, this,
             [this](ads::CFloatingDockContainer* window) {
                 belongToWindow(*window);
@@ -226,12 +228,27 @@ void DockLayout::keepFocus(QWidget* before) {
     }
 }
 
+/// The focus goes with the tab: left alone it goes to the window's first control, which disconnects.
+void DockLayout::watchTabs(ads::CDockAreaWidget* area) {
+    connect(area, &ads::CDockAreaWidget::currentChanging, this,
+            [this, area] { m_hadFocus = area->isAncestorOf(QApplication::focusWidget()); });
+    connect(area, &ads::CDockAreaWidget::currentChanged, this, [this, area] {
+        const ads::CDockWidget* shown = area->currentDockWidget();
+        if (std::exchange(m_hadFocus, false) && shown != nullptr &&
+            !shown->isAncestorOf(QApplication::focusWidget())) {
+            focusFirst(*shown->widget());
+        }
+    });
+}
+
 void DockLayout::focusCentre() {
-    const ads::CDockAreaWidget* centre = areaOf(PanelArea::Centre);
-    if (centre == nullptr) {
-        return;
+    if (const ads::CDockAreaWidget* centre = areaOf(PanelArea::Centre)) {
+        focusFirst(*centre->currentDockWidget()->widget());
     }
-    QWidget* panel = centre->currentDockWidget()->widget();
+}
+
+void DockLayout::focusFirst(QWidget& content) {
+    QWidget* panel = &content;
     for (QWidget* next = panel->nextInFocusChain(); next != panel; next = next->nextInFocusChain()) {
         if (panel->isAncestorOf(next) && next->isVisible() && next->isEnabled() &&
             (next->focusPolicy() & Qt::TabFocus) != 0) {

@@ -66,9 +66,12 @@ private:
     void growCentre();
     void keepFocus(QWidget* before);
     void focusCentre();
+    static void focusFirst(QWidget& content);
+    void watchTabs(ads::CDockAreaWidget* area);
 
     std::vector<PanelSpec> m_specs;
     ads::CDockManager* m_manager = nullptr;
+    bool m_hadFocus = false; ///< the area whose tab is being changed
     QHash<QString, ads::CDockWidget*> m_docks;
     QHash<QString, QByteArray> m_arrangements;
     QByteArray m_first; ///< every panel at its first place

@@ -127,7 +127,7 @@ void MainWindow::refreshTitle() {
                              ? tr("unnamed project")
                              : QFileInfo(QString::fromStdString(m_project->path())).fileName();
     setWindowTitle(tr("%1[*] — Halbench").arg(name));
-    setWindowModified(m_project->isChanged());
+    setWindowModified(m_project->isWorkUnsaved()); // plots that a device brought are no work
 }
 
 } // namespace halbench::app

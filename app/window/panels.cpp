@@ -3,6 +3,7 @@
 #include "app/wizards/calibrate_panel.h"
 #include "app/wizards/identify_panel.h"
 #include "app/workspaces/configuration_panel.h"
+#include "app/workspaces/derived_panel.h"
 #include "app/workspaces/device_panel.h"
 #include "app/workspaces/drive_panel.h"
 #include "app/workspaces/field_panel.h"
@@ -11,6 +12,7 @@
 #include "app/workspaces/notes_panel.h"
 #include "app/workspaces/parameters_panel.h"
 #include "app/workspaces/record_panel.h"
+#include "app/workspaces/recordings_panel.h"
 #include "app/workspaces/signals_panel.h"
 #include "app/workspaces/spectrum_panel.h"
 #include "app/workspaces/tune_panel.h"
@@ -51,6 +53,8 @@ constexpr Row Rows[] = {
      make<DevicePanel>},
     {"signals", QT_TRANSLATE_NOOP("Panels", "Signals"), PanelArea::LeftBelow, Everywhere, "monitor.md#plots",
      make<SignalsPanel>},
+    {"recordings", QT_TRANSLATE_NOOP("Panels", "Recordings"), PanelArea::Centre, in(Perspective::Record),
+     "monitor.md#recordings", make<RecordingsPanel>},
     {"monitor", QT_TRANSLATE_NOOP("Panels", "Monitor"), PanelArea::Centre,
      in(Perspective::Monitor) | in(Perspective::Record), "monitor.md#plots", make<MonitorPanel>},
     {"spectrum", QT_TRANSLATE_NOOP("Panels", "Spectrum"), PanelArea::Centre, in(Perspective::Monitor),
@@ -75,6 +79,8 @@ constexpr Row Rows[] = {
      "tuning.md#in-the-window", make<TunePanel>},
     {"log", QT_TRANSLATE_NOOP("Panels", "Log"), PanelArea::Bottom, Everywhere,
      "monitor.md#stop-faults-a-device-that-fails", make<LogPanel>},
+    {"derived", QT_TRANSLATE_NOOP("Panels", "Derived signals"), PanelArea::Bottom, in(Perspective::Monitor),
+     "monitor.md#derived-signals", make<DerivedPanel>},
     {"notes", QT_TRANSLATE_NOOP("Panels", "Notes"), PanelArea::Bottom, Everywhere, "projects.md",
      make<NotesPanel>},
 };

@@ -65,10 +65,12 @@ void readKey(Reader& reader, const std::string& key, const ConfigNode& node, Pro
         readMonitor(reader, node, project.monitor);
     } else if (key == "plot") {
         readPlots(reader, node, project.monitor.plots);
+    } else if (key == "derived") {
+        readDerived(reader, node, project.monitor.derived);
     } else if (key != "schema") {
         reader.refuse(node,
                       fmt::format("unknown key '{}'; known are schema, device, notes, perspective, layout, "
-                                  "monitor, plot, given, model, design, calibration",
+                                  "monitor, plot, derived, given, model, design, calibration",
                                   key));
     }
 }
@@ -106,17 +108,20 @@ std::string projectText(const Project& project) {
     for (const auto& [symbol, value] : project.given) {
         given.insert(symbol, value);
     }
-    const toml::table table{{"schema", Schema},
-                            {"device", projectValue(project.device)},
-                            {"notes", projectValue(project.notes)},
-                            {"perspective", projectValue(project.perspective)},
-                            {"layout", layouts},
-                            {"monitor", projectMonitor(project.monitor)},
-                            {"plot", projectPlots(project.monitor.plots)},
-                            {"given", given},
-                            {"model", documents(project.models)},
-                            {"design", documents(project.designs)},
-                            {"calibration", documents(project.calibrations)}};
+    toml::table table{{"schema", Schema},
+                      {"device", projectValue(project.device)},
+                      {"notes", projectValue(project.notes)},
+                      {"perspective", projectValue(project.perspective)},
+                      {"layout", layouts},
+                      {"monitor", projectMonitor(project.monitor)},
+                      {"plot", projectPlots(project.monitor.plots)},
+                      {"given", given},
+                      {"model", documents(project.models)},
+                      {"design", documents(project.designs)},
+                      {"calibration", documents(project.calibrations)}};
+    if (!project.monitor.derived.empty()) { // an older version does not know the key
+        table.insert("derived", projectDerived(project.monitor.derived));
+    }
     std::ostringstream text;
     text << toml::toml_formatter(table, toml::toml_formatter::default_flags &
                                             ~toml::format_flags::allow_literal_strings)

@@ -171,4 +171,38 @@ void readMonitor(ProjectReader& reader, const ConfigNode& node, MonitorView& vie
     }
 }
 
+toml::array projectDerived(const std::vector<devices::DerivedSignal>& list) {
+    toml::array array;
+    for (const devices::DerivedSignal& derived : list) {
+        array.push_back(toml::table{{"name", projectValue(derived.name)},
+                                    {"expression", projectValue(derived.expression)},
+                                    {"unit", projectValue(derived.unit)}});
+    }
+    return array;
+}
+
+void readDerived(ProjectReader& reader, const ConfigNode& node, std::vector<devices::DerivedSignal>& list) {
+    if (node.kind != ConfigNode::Kind::List) {
+        reader.refuse(node, "'derived' must be a list of tables, [[derived]]");
+    }
+    for (const ConfigNode& item : node.items) {
+        devices::DerivedSignal& derived = list.emplace_back();
+        for (const auto& [key, value] : item.members) {
+            std::string* target = key == "name"         ? &derived.name
+                                  : key == "expression" ? &derived.expression
+                                  : key == "unit"       ? &derived.unit
+                                                        : nullptr;
+            if (target != nullptr) {
+                reader.text(value, key, *target);
+            } else {
+                reader.refuse(value,
+                              fmt::format("unknown key '{}'; a [[derived]] has name, expression, unit", key));
+            }
+        }
+        if (derived.name.empty() || derived.expression.empty()) {
+            reader.refuse(item, "a [[derived]] has a name and an expression");
+        }
+    }
+}
+
 } // namespace halbench::app

@@ -37,6 +37,9 @@ public:
     /// Whether this file is the one that is open here.
     bool has(const std::string& path) const { return !m_path.empty() && m_lock.isOf(path); }
 
+    /// Changed; without a name only what someone worked on counts, not what a device brought to the panels.
+    bool isWorkUnsaved() const;
+
     void update(const Project& project);
     /// What the panels show of a new project before anyone touches them: no change of it.
     void beginWith(const Project& shown);
@@ -86,7 +89,6 @@ private:
     void startWriting();
     void completeWrite();
     Result<ProjectLock> lockOf(const std::string& path);
-    bool isWorkUnsaved() const;
     void leave();
     void take(std::string path, ProjectLock lock, Project project, Project saved);
     std::string autosaveFile() const;

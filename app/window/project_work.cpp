@@ -11,14 +11,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace halbench::app {
 
 namespace {
-
-/// Of the design that the Tune panel shows; the others of the list are kept under names of their own.
-constexpr const char* DesignInUse = "in use";
 
 std::string textOf(const JsonValue& document) {
     const Result<std::string> text = toJsonText(document);
@@ -96,9 +94,7 @@ void ProjectWork::takeDesign() {
         return; // as the project has it, to the byte
     }
     if (m_designInUse && m_designInUse->name != DesignInUse) {
-        auto kept = m_panels.tune.keptDesigns(); // it has a name of its own
-        kept.push_back(keptDesign(m_designInUse->name, m_designInUse->document));
-        m_panels.tune.setKeptDesigns(std::move(kept));
+        m_panels.tune.adoptDesign(m_designInUse->name, m_designInUse->document); // it has a name of its own
     }
     m_designInUse = {DesignInUse, textOf(gainsDocument(m_bench.designHeader(), *m_bench.design()))};
 }
@@ -141,10 +137,16 @@ QString ProjectWork::restoreModel() {
 }
 
 QString ProjectWork::restoreDesign(const std::vector<NamedDocument>& designs) {
-    m_designInUse = designs.empty() ? std::nullopt : std::optional(designs.back());
+    // Files from before there were names have the one in use at their end, whatever it is called.
+    const auto named = std::find_if(designs.begin(), designs.end(),
+                                    [](const NamedDocument& one) { return one.name == DesignInUse; });
+    const auto inUse = named != designs.end() || designs.empty() ? named : std::prev(designs.end());
+    m_designInUse = inUse == designs.end() ? std::nullopt : std::optional(*inUse);
     std::vector<KeptDesign> kept;
-    for (std::size_t i = 0; i + 1 < designs.size(); ++i) {
-        kept.push_back(keptDesign(designs[i].name, designs[i].document));
+    for (auto one = designs.begin(); one != designs.end(); ++one) {
+        if (one != inUse) {
+            kept.push_back(keptDesign(one->name, one->document));
+        }
     }
     m_panels.tune.setKeptDesigns(std::move(kept));
     if (!m_designInUse) {
@@ -153,6 +155,9 @@ QString ProjectWork::restoreDesign(const std::vector<NamedDocument>& designs) {
     }
     Result<GainsFile> gains = parseGains(m_designInUse->document, m_designInUse->name);
     if (!gains) {
+        // Beside what is designed in its place, which would be written over it.
+        m_panels.tune.adoptDesign(m_designInUse->name, m_designInUse->document);
+        m_designInUse.reset();
         m_panels.tune.restoreDesign(std::nullopt);
         return complaint(tr("gains"), gains.error());
     }

@@ -7,6 +7,7 @@
 #include "app/workspaces/configuration_panel.h"
 #include "app/workspaces/device_panel.h"
 #include "app/workspaces/monitor_panel.h"
+#include "app/workspaces/recordings_panel.h"
 #include "app/workspaces/signals_panel.h"
 #include "app/workspaces/spectrum_panel.h"
 #include "app/workspaces/tune_panel.h"
@@ -62,8 +63,16 @@ void connectTaskFlow(DockLayout& docks, Workbench& bench) {
     calibrate->setFileChooser(fileDialogs(bench));
     tune->setFileChooser(fileDialogs(bench));
     configuration->setFileChooser(fileDialogs(bench));
+    panelOf<MonitorPanel>(docks, "monitor")->setFileChooser(fileDialogs(bench));
     panelOf<SpectrumPanel>(docks, "spectrum")->setFileChooser(fileDialogs(bench));
     panelOf<XyPanel>(docks, "xy")->setFileChooser(fileDialogs(bench));
+    auto* recordings = panelOf<RecordingsPanel>(docks, "recordings");
+    recordings->setFileChooser(fileDialogs(bench));
+    QObject::connect(recordings, &RecordingsPanel::played, &docks, [&docks] {
+        ads::CDockWidget* monitor = docks.docks().value(QStringLiteral("monitor"));
+        monitor->toggleView(true);
+        monitor->setAsCurrentTab();
+    });
     panelOf<DevicePanel>(docks, "devices")->setFileChooser(fileDialogs(bench));
 }
 

@@ -22,8 +22,8 @@ namespace halbench::app {
 
 namespace {
 
-/// The state keeps so much room for longer words before a control gives up its own.
-constexpr int SpareCharacters = 8;
+/// So much more must be free before a control takes its words back.
+constexpr int GrowthCharacters = 4;
 
 } // namespace
 
@@ -89,8 +89,8 @@ int TopBar::saved_px(Room room) const {
     if (room == Room::Wide) {
         return 0;
     }
-    const int words_px = m_connection->fontMetrics().horizontalAdvance(m_connection->text());
-    return words_px + m_record->saved_px() + (room == Room::Narrow ? m_perspectives->saved_px() : 0);
+    return m_connection->saved_px() + m_record->saved_px() +
+           (room == Room::Narrow ? m_perspectives->saved_px() : 0);
 }
 
 int TopBar::needed_px(Room room) const {
@@ -102,13 +102,15 @@ QSize TopBar::minimumSizeHint() const {
 }
 
 void TopBar::fit() {
-    const int spare_px = fontMetrics().averageCharWidth() * SpareCharacters;
+    // Right after a change of form the layouts still know the sizes before it, and the form went back.
+    m_perspectives->layout()->invalidate();
+    layout()->invalidate();
     Room room = Room::Narrow;
     for (const Room wider : {Room::Icons, Room::Wide}) {
         // What a form saves is known to a few pixels: without a gap between growing and shrinking it would
         // do both in turn where they meet.
-        const bool isGrowth = wider < m_room;
-        room = needed_px(wider) + (isGrowth ? 2 : 1) * spare_px <= width() ? wider : room;
+        const int gap_px = wider < m_room ? fontMetrics().averageCharWidth() * GrowthCharacters : 0;
+        room = needed_px(wider) + gap_px <= width() ? wider : room;
     }
     if (room == m_room) {
         return;

@@ -54,7 +54,7 @@ std::optional<UnnamedPlace> firstPlace(const std::string& base, bool (*isWanted)
 
 bool holdsWork(const Project& project) {
     return !project.notes.empty() || !project.models.empty() || !project.designs.empty() ||
-           !project.calibrations.empty() || !project.given.empty();
+           !project.calibrations.empty() || !project.given.empty() || !project.monitor.derived.empty();
 }
 
 UnnamedPlace claimUnnamed(const std::string& base, bool isFresh) {

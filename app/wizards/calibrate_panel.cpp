@@ -6,6 +6,7 @@
 #include "app/wizards/calibrate_words.h"
 #include "app/wizards/identify_words.h"
 #include "app/wizards/note_label.h"
+#include "app/wizards/words_and_pictures.h"
 #include "app/workspaces/document_files.h"
 #include "app/workspaces/preflight.h"
 #include "widgets/figure_view.h"
@@ -39,7 +40,7 @@ constexpr std::array Choices = {Calibration::Hall, Calibration::Stray, Calibrati
 CalibratePanel::CalibratePanel(Workbench& workbench, QWidget* parent) : WizardPanel(workbench, parent) {
     addPage(buildPrepare(), true);
     addPage(buildRun(), false);
-    addPage(buildResult(), true, buildResultButtons());
+    addPage(buildResult(), false, buildResultButtons());
     connect(&bench(), &Workbench::deviceChanged, this, &CalibratePanel::onDevice);
     connect(&bench(), &Workbench::valuesChanged, this, &CalibratePanel::showRows);
     connect(&bench().session(), &DeviceSession::reportChanged, this, &CalibratePanel::refreshPlan);
@@ -102,12 +103,8 @@ QWidget* CalibratePanel::buildRun() {
 }
 
 QWidget* CalibratePanel::buildResult() {
-    auto* page = new QWidget;
-    auto* column = columnOf(page, widgets::GroupSpacing_px);
-    m_verdict = new widgets::VerdictView(page);
-    m_table = new widgets::EstimateTable(page);
-    m_gain = new QLabel(page);
-    m_figures = new QTabWidget(page);
+    QWidget* words = buildWords();
+    m_figures = new QTabWidget;
     for (widgets::FigureView*& view : m_views) {
         view = new widgets::FigureView(m_figures);
         m_figures->addTab(view, {});
@@ -116,6 +113,16 @@ QWidget* CalibratePanel::buildResult() {
                         [this](const Error& error) { showError(error); });
         });
     }
+    m_both = new WordsAndPictures(words, m_table, m_figures);
+    return m_both;
+}
+
+QWidget* CalibratePanel::buildWords() {
+    auto* page = new QWidget;
+    auto* column = columnOf(page, widgets::GroupSpacing_px);
+    m_verdict = new widgets::VerdictView(page);
+    m_table = new widgets::EstimateTable(page);
+    m_gain = new QLabel(page);
     m_friction = noteLabel(page);
     m_provenance = new QLabel(page);
     for (QLabel* label : {m_gain, m_provenance}) {
@@ -128,7 +135,7 @@ QWidget* CalibratePanel::buildResult() {
          std::initializer_list<QWidget*>{m_verdict, m_table, m_gain, m_friction, m_provenance}) {
         column->addWidget(part);
     }
-    column->addWidget(m_figures, 1);
+    column->addStretch(1);
     return page;
 }
 

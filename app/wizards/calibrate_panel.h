@@ -27,6 +27,7 @@ class VerdictView;
 namespace halbench::app {
 
 class Preflight;
+class WordsAndPictures;
 
 /// Calibration of the sensors, the stray field and the static friction: what will happen, what was found
 /// beside what the device has, and its application as an act of its own
@@ -57,6 +58,7 @@ private:
     QWidget* buildPrepare();
     QWidget* buildRun();
     QWidget* buildResult();
+    QWidget* buildWords();
     QWidget* buildResultButtons();
     CalibrateConfig config() const;
     void refreshPlan();
@@ -98,6 +100,7 @@ private:
     QLabel* m_gain = nullptr;
     QLabel* m_friction = nullptr;
     QLabel* m_provenance = nullptr;
+    WordsAndPictures* m_both = nullptr; ///< result: table and pictures
     QTabWidget* m_figures = nullptr;
     std::array<widgets::FigureView*, 3> m_views{}; ///< ellipse, what it leaves, static friction
     QPushButton* m_apply = nullptr;

@@ -3,6 +3,7 @@
 #include "app/wizards/calibrate_words.h"
 #include "app/wizards/identify_words.h"
 #include "app/wizards/note_label.h"
+#include "app/wizards/words_and_pictures.h"
 #include "widgets/figure_view.h"
 #include "widgets/message_bar.h"
 #include "widgets/step_list.h"
@@ -70,6 +71,8 @@ void CalibratePanel::showResult() {
     m_gain->setText(calibrationGain(*m_result, bench().displayUnits()));
     m_gain->setVisible(!m_gain->text().isEmpty());
     showFigures();
+    m_both->setWordsName(tr("Calibrated values"));
+    m_both->shareAnew();
     refreshPlan();
 }
 

@@ -5,6 +5,7 @@
 #include "app/wizards/identify_form.h"
 #include "app/wizards/identify_result_view.h"
 #include "app/wizards/identify_words.h"
+#include "app/workspaces/figure_units.h"
 #include "app/workspaces/pace_row.h"
 #include "app/workspaces/preflight.h"
 #include "widgets/figure_view.h"
@@ -42,8 +43,10 @@ IdentifyPanel::IdentifyPanel(Workbench& workbench, QWidget* parent) : WizardPane
     connect(&bench(), &Workbench::valuesChanged, this, &IdentifyPanel::refreshPlan);
     connect(&bench(), &Workbench::identificationChanged, this, &IdentifyPanel::onIdentification);
     connect(&bench().session(), &DeviceSession::procedureStage, this, &IdentifyPanel::onStage);
+    connect(&bench(), &Workbench::displayUnitsChanged, this, &IdentifyPanel::onUnits);
     IdentifyPanel::refreshWords();
     onDevice();
+    onUnits();
 }
 
 void IdentifyPanel::onFileChooser() {
@@ -235,7 +238,8 @@ void IdentifyPanel::start() {
     m_predicted_s = outlook.prediction.duration_s;
     m_drawnPoints = 0;
     m_isCancelling = false;
-    m_liveView->setFigure(livePlateauFigure({}, config->sweep.to_A, outlook.largestSpeed_rad_s * 1.2));
+    m_largest_rad_s = 1.2 * outlook.largestSpeed_rad_s;
+    drawLive({});
     m_progress->setText(tr("Identifying"));
     m_progress->setProgress(0.0);
     runStep(PrepareStep);
@@ -249,12 +253,10 @@ void IdentifyPanel::showLive() {
     const auto points = m_live->points();
     if (points.size() != m_drawnPoints) {
         m_drawnPoints = points.size();
-        const widgets::Axis& y = m_liveView->figure().panels.front().y;
-        double largest_rad_s = *y.max;
         for (const LivePlateaus::Point& point : points) {
-            largest_rad_s = std::max(largest_rad_s, 1.2 * std::abs(point.speed_rad_s));
+            m_largest_rad_s = std::max(m_largest_rad_s, 1.2 * std::abs(point.speed_rad_s));
         }
-        m_liveView->setFigure(livePlateauFigure(points, m_running.sweep.to_A, largest_rad_s));
+        drawLive(points);
     }
     if (!m_isCancelling && m_predicted_s > 0.0) {
         // The plan is that of the published motor; another one may take longer.
@@ -262,6 +264,18 @@ void IdentifyPanel::showLive() {
         const double wall_s = 1e-3 * static_cast<double>(m_sinceStart.elapsed());
         m_progress->setProgress(done,
                                 done > 0.02 ? std::optional(wall_s * (1.0 - done) / done) : std::nullopt);
+    }
+}
+
+void IdentifyPanel::drawLive(const std::vector<LivePlateaus::Point>& points) {
+    m_liveView->setFigure(
+        inUnits(livePlateauFigure(points, m_running.sweep.to_A, m_largest_rad_s), bench().displayUnits()));
+}
+
+void IdentifyPanel::onUnits() {
+    m_result->setUnits(bench().displayUnits());
+    if (isMine()) {
+        drawLive(m_live->points());
     }
 }
 

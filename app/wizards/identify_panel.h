@@ -55,6 +55,8 @@ private:
     void refreshPlan();
     void start();
     void showLive();
+    void drawLive(const std::vector<LivePlateaus::Point>& points);
+    void onUnits();
     void onStage(ProcedureState stage);
     void finish(const ResultHeader& header, const Result<IdentifyResult>& result);
     void load();
@@ -67,6 +69,7 @@ private:
     IdentifyConfig m_running; ///< of the run that is under way
     double m_predicted_s = 0.0;
     std::size_t m_drawnPoints = 0;
+    double m_largest_rad_s = 0.0; ///< end of the live picture's speeds: grows only
     bool m_isCancelling = false;
     QElapsedTimer m_sinceStart;
     QTimer m_frame;

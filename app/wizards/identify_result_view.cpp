@@ -3,7 +3,9 @@
 #include "app/report/identification_figures.h"
 #include "app/wizards/identify_words.h"
 #include "app/wizards/note_label.h"
+#include "app/wizards/words_and_pictures.h"
 #include "app/workspaces/document_files.h"
+#include "app/workspaces/figure_units.h"
 #include "widgets/estimate_table.h"
 #include "widgets/figure_view.h"
 #include "widgets/phrasebook.h"
@@ -12,39 +14,21 @@
 
 #include <QEvent>
 #include <QLabel>
-#include <QScrollArea>
-#include <QSplitter>
-#include <QStyle>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
-#include <algorithm>
-
 namespace halbench::app {
-namespace {
-
-constexpr double MostWords_ratio = 0.6; ///< of the width; the pictures get the rest
-
-} // namespace
 
 IdentifyResultView::IdentifyResultView(QWidget* parent)
     : QWidget(parent), m_figures(new QTabWidget(this)), m_fit(new widgets::FigureView(m_figures)),
       m_region(new widgets::FigureView(m_figures)) {
     m_figures->addTab(m_fit, {});
     m_figures->addTab(m_region, {});
-    auto* scroll = new QScrollArea(this);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setAccessibleName(tr("Identified values"));
-    scroll->setWidget(buildWords());
-    m_splitter = new QSplitter(Qt::Horizontal, this);
-    m_splitter->setChildrenCollapsible(false);
-    m_splitter->addWidget(scroll);
-    m_splitter->addWidget(m_figures);
-    m_splitter->setStretchFactor(1, 1);
+    QWidget* words = buildWords();
+    m_both = new WordsAndPictures(words, m_table, m_figures, this);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(m_splitter);
+    column->addWidget(m_both);
     for (widgets::FigureView* view : {m_fit, m_region}) {
         connect(view, &widgets::FigureView::exportRequested, this, [this, view] {
             savePicture(this, m_chooser != nullptr ? *m_chooser : FileChooser(),
@@ -83,28 +67,13 @@ QWidget* IdentifyResultView::buildWords() {
 void IdentifyResultView::setResult(const IdentifyResult& result, const ResultHeader& header) {
     m_result = result;
     m_header = header;
-    m_isShared = false;
     refresh();
-    if (isVisible()) {
-        shareWidth();
-    }
+    m_both->shareAnew();
 }
 
-/// The table is as wide as its columns where that leaves room for the pictures.
-void IdentifyResultView::shareWidth() {
-    m_isShared = true;
-    const int table_px = m_table->neededWidth() + 2 * widgets::PanelMargin_px +
-                         style()->pixelMetric(QStyle::PM_ScrollBarExtent);
-    const int words_px = std::min(table_px, static_cast<int>(MostWords_ratio * width()));
-    m_splitter->setSizes({words_px, std::max(1, width() - words_px - m_splitter->handleWidth())});
-}
-
-/// A page that was never shown has no width to share before.
-void IdentifyResultView::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    if (!m_isShared) {
-        shareWidth();
-    }
+void IdentifyResultView::setUnits(const DisplayUnits& units) {
+    m_units = units;
+    refresh();
 }
 
 void IdentifyResultView::refresh() {
@@ -112,13 +81,14 @@ void IdentifyResultView::refresh() {
                           remarksOf(m_result.quality.findings));
     m_table->setRows(estimateRows(m_result));
     m_table->setAccessibleName(tr("Identified values"));
+    m_both->setWordsName(tr("Identified values"));
     showNote(*m_friction, frictionNote(m_result));
     m_missing->setText(missingText(m_result));
     m_missing->setVisible(!m_missing->text().isEmpty());
     m_provenance->setText(provenanceText(m_header, m_result.duration_s, m_result.highestTemperature_degC));
     const auto fit = steadySpeedFigure(m_result);
     const auto region = jointRegion(m_result);
-    m_fit->setFigure(fit.value_or(widgets::Figure{}));
+    m_fit->setFigure(inUnits(fit.value_or(widgets::Figure{}), m_units));
     m_region->setFigure(region ? region->figure : widgets::Figure{});
     m_figures->setTabEnabled(1, region.has_value());
     m_figures->setVisible(fit || region);

@@ -2,13 +2,13 @@
 
 #include "app/batch/result_header.h"
 #include "app/procedures/identify_procedure.h"
+#include "app/workspaces/display_quantity.h"
 #include "app/workspaces/file_chooser.h"
 #include "app/workspaces/file_queue.h"
 
 #include <QWidget>
 
 class QLabel;
-class QSplitter;
 class QTabWidget;
 
 namespace halbench::widgets {
@@ -20,6 +20,8 @@ class VerdictView;
 
 namespace halbench::app {
 
+class WordsAndPictures;
+
 /// An identification as it is read: verdict and findings, values with their intervals, what would supply
 /// what is missing, provenance; beside them the fit with its residuals and the joint region.
 class IdentifyResultView : public QWidget {
@@ -28,6 +30,7 @@ public:
     explicit IdentifyResultView(QWidget* parent = nullptr);
 
     void setResult(const IdentifyResult& result, const ResultHeader& header);
+    void setUnits(const DisplayUnits& units);
     void setFileChooser(const FileChooser* chooser) { m_chooser = chooser; }
 
 Q_SIGNALS:
@@ -36,15 +39,14 @@ Q_SIGNALS:
 
 protected:
     void changeEvent(QEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void shareWidth();
     QWidget* buildWords();
     void refresh();
 
     IdentifyResult m_result;
     ResultHeader m_header;
+    DisplayUnits m_units; ///< of the pictures; the values of the table stay in SI, as in the file
     const FileChooser* m_chooser = nullptr;
     FileQueue m_files;
     widgets::VerdictView* m_verdict = nullptr;
@@ -52,8 +54,7 @@ private:
     QLabel* m_friction = nullptr;
     QLabel* m_missing = nullptr;
     QLabel* m_provenance = nullptr;
-    QSplitter* m_splitter = nullptr;
-    bool m_isShared = false; ///< the width, between words and pictures; later the user's affair
+    WordsAndPictures* m_both = nullptr;
     QTabWidget* m_figures = nullptr;
     widgets::FigureView* m_fit = nullptr;
     widgets::FigureView* m_region = nullptr;

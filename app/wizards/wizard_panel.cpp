@@ -106,8 +106,8 @@ void WizardPanel::resetSteps() {
 
 bool WizardPanel::couldStart(bool hasStarted) {
     m_isMine = hasStarted;
-    m_bench.setCurrentDriven(hasStarted);
     if (hasStarted) {
+        m_bench.setCurrentDriven();
         m_message->clear();
     } else {
         m_message->showMessage({widgets::Severity::Error,

@@ -92,8 +92,6 @@ bool WizardPanel::runProcedure(const QString& name, Function function, Then then
                                                      [self, then = std::move(then)](const auto& result) {
                                                          if (self) {
                                                              self->m_isMine = false;
-                                                             self->m_bench.drainSamples(); // the last of it
-                                                             self->m_bench.setCurrentDriven(false);
                                                              then(result);
                                                          }
                                                      }));

@@ -6,6 +6,8 @@
 #include <QMouseEvent>
 #include <QShortcut>
 
+#include <algorithm>
+
 namespace halbench::app {
 
 widgets::Message armingWarning() {
@@ -59,6 +61,15 @@ void ArmButton::sayWords() {
     setToolTip(isArmed ? tr("No current; set-points to zero (Ctrl+Shift+A)")
                        : tr("Lets the actuator move; set-points start at zero (Ctrl+Shift+A)"));
     setAccessibleDescription(toolTip());
+}
+
+QSize ArmButton::sizeHint() const {
+    const auto width_px = [this](const QString& words) {
+        return fontMetrics().size(Qt::TextShowMnemonic, words).width();
+    };
+    const QSize now = QPushButton::sizeHint();
+    const int widest_px = std::max(width_px(tr("Arm")), width_px(tr("Disarm")));
+    return {now.width() + widest_px - width_px(text()), now.height()};
 }
 
 /// The icon stands out from the armed colour.

@@ -20,6 +20,10 @@ public:
     enum class Key { Has, IsToldOnly };
     ArmButton(DriveControl& control, Key key, QWidget* parent);
 
+    /// Room for either word: nothing beside it moves when it changes.
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
 Q_SIGNALS:
     void consentNeeded();
 

@@ -1,6 +1,7 @@
 #include "app/workspaces/design_table.h"
 
 #include "app/report/parameter_units.h"
+#include "app/workspaces/design_names.h"
 #include "control/base/units.h"
 #include "widgets/icons.h"
 #include "widgets/theme_style.h"
@@ -22,21 +23,22 @@
 namespace halbench::app {
 namespace {
 
+/// What designs are compared by comes first: in a narrow panel the rest is reached by scrolling.
 enum Column {
     Name,
+    Loop,
+    PhaseMargin,
+    GainMargin,
+    Bandwidth,
+    Overshoot,
+    Ms,
+    DelayMargin,
     Method,
     Kp,
     Ki,
-    Kd,
-    GainMargin,
-    PhaseMargin,
-    Ms,
-    DelayMargin,
-    Bandwidth,
-    Overshoot,
-    Loop
+    Kd
 };
-constexpr int Columns = Loop + 1;
+constexpr int Columns = Kd + 1;
 constexpr int ProposedRow = 0;
 
 QString amount(const std::optional<double>& value, int digits = 3) {
@@ -48,7 +50,7 @@ widgets::DisplayUnit gainUnit(const char* parameter, const DisplayUnits& units) 
 }
 
 int alignmentOf(int column) {
-    const bool isWords = column <= Method || column == Loop;
+    const bool isWords = column == Name || column == Loop || column == Method;
     return static_cast<int>((isWords ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
 }
 
@@ -131,6 +133,11 @@ void DesignTable::setText(int row, int column, const QString& text) {
 
 void DesignTable::fillFigures(int row, const ComparedDesign& design) {
     const bool isKnown = design.gains.has_value();
+    for (const int column : {Kp, Ki, Kd}) {
+        if (!isKnown) { // another design may have stood here
+            setText(row, column, {});
+        }
+    }
     if (isKnown) {
         setText(row, Kp, amount(design.gains->proportional * gainUnit("gain.kp", m_units).factor, 4));
         setText(row, Ki, amount(design.gains->integral * gainUnit("gain.ki", m_units).factor, 4));
@@ -139,7 +146,7 @@ void DesignTable::fillFigures(int row, const ComparedDesign& design) {
     if (!design.predicted) {
         const bool isDamaged = row != ProposedRow && !isKnown;
         setText(row, Loop, isDamaged ? tr("cannot be read") : QString());
-        for (int column = GainMargin; column < Loop; ++column) {
+        for (int column = PhaseMargin; column <= DelayMargin; ++column) {
             setText(row, column, {});
         }
         return;
@@ -158,7 +165,7 @@ void DesignTable::fillFigures(int row, const ComparedDesign& design) {
 
 void DesignTable::fillRow(int row, const ComparedDesign& design, bool isKept) {
     setText(row, Name, isKept ? QString::fromStdString(design.name) : tr("Proposed"));
-    setText(row, Method, QString::fromStdString(design.method));
+    setText(row, Method, designTitle(design.method));
     if (isKept) {
         QTableWidgetItem& cell = *m_table->item(row, Name);
         const Qt::ItemFlags flags = cell.flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable;
@@ -217,10 +224,11 @@ void DesignTable::refreshWords() {
         return titled(QString::fromLatin1(name), gainUnit(parameter, m_units).text);
     };
     m_table->setHorizontalHeaderLabels(
-        {tr("Design"), tr("Method"), gain("K_P", "gain.kp"), gain("K_I", "gain.ki"), gain("K_D", "gain.kd"),
-         tr("Gain margin"), titled(tr("Phase margin"), QStringLiteral("\u00b0")), QStringLiteral("Ms"),
-         titled(tr("Delay margin"), QStringLiteral("ms")), titled(tr("Bandwidth"), QStringLiteral("Hz")),
-         titled(tr("Overshoot"), QStringLiteral("%")), tr("Closed loop")});
+        {tr("Design"), tr("Closed loop"), titled(tr("Phase margin"), QStringLiteral("\u00b0")),
+         tr("Gain margin"), titled(tr("Bandwidth"), QStringLiteral("Hz")),
+         titled(tr("Overshoot"), QStringLiteral("%")), QStringLiteral("Ms"),
+         titled(tr("Delay margin"), QStringLiteral("ms")), tr("Method"), gain("K_P", "gain.kp"),
+         gain("K_I", "gain.ki"), gain("K_D", "gain.kd")});
     for (int column = 0; column < Columns; ++column) {
         m_table->horizontalHeaderItem(column)->setTextAlignment(alignmentOf(column));
     }

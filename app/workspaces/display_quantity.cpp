@@ -40,6 +40,7 @@ constexpr Row Rows[] = {
     {"s", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "time"), "s", 1.0, 3, 999.0},
     {"Hz", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "frequency"), "Hz", 1.0, 2, 999.0},
     {"A/s", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "current slope"), "A/s", 1.0, 2, 99.0},
+    {"1", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "ratio"), "", 1.0, 4, 999.0},
     {"", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "state"), "", 1.0, 0, 9999.0},
 };
 

@@ -28,7 +28,8 @@ struct DisplayQuantity {
 };
 
 /// The one table of units shown in plots, live numbers and the controls for driving: angles and speeds as the
-/// user prefers, mT, A, °C. A unit that is not in it is shown as it is.
+/// user prefers, mT, A, °C. A unit that is not in it is shown as it is; 1 is
+/// that of a ratio.
 DisplayQuantity displayQuantity(const std::string& symbol, const DisplayUnits& units);
 
 /// A power of ten near this step in SI, for a field that shows the quantity.

@@ -32,18 +32,25 @@ void saveDocument(QWidget* asking, const FileChooser& chooser, const FileQuestio
 }
 
 void savePicture(QWidget* asking, const FileChooser& chooser, const QString& suggestedName, FileQueue& files,
-                 const widgets::FigureView& view, std::function<void(const Error& error)> refused) {
+                 const PictureSaving& saving, std::function<void(const Error& error)> refused) {
     const QString path = chooser.save ? chooser.save(asking, {Words::tr("Save picture"), suggestedName,
-                                                              Words::tr("Picture (*.svg *.png)")})
+                                                              Words::tr("Picture (*.svg *.pdf *.png)")})
                                       : QString();
     if (path.isEmpty()) {
         return;
     }
-    files.run(view.saving(path), [refused = std::move(refused)](const Result<void>& saved) {
+    files.run(saving(path), [refused = std::move(refused)](const Result<void>& saved) {
         if (!saved) {
             refused(saved.error());
         }
     });
+}
+
+void savePicture(QWidget* asking, const FileChooser& chooser, const QString& suggestedName, FileQueue& files,
+                 const widgets::FigureView& view, std::function<void(const Error& error)> refused) {
+    savePicture(
+        asking, chooser, suggestedName, files, [&view](const QString& path) { return view.saving(path); },
+        std::move(refused));
 }
 
 } // namespace halbench::app

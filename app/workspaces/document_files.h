@@ -18,7 +18,13 @@ void saveDocument(QWidget* asking, const FileChooser& chooser, const FileQuestio
                   std::function<JsonValue()> document,
                   std::function<void(const QString& path, const Result<void>& written)> then);
 
-/// Asks for a file and writes what the view shows to it, off the GUI thread; `refused` gets what went wrong.
+/// What writes a picture to the file, on any thread.
+using PictureSaving = std::function<std::function<Result<void>()>(const QString& path)>;
+
+/// Asks for a file and writes the picture to it, off the GUI thread; `refused` gets what went wrong.
+void savePicture(QWidget* asking, const FileChooser& chooser, const QString& suggestedName, FileQueue& files,
+                 const PictureSaving& saving, std::function<void(const Error& error)> refused);
+/// What the view shows.
 void savePicture(QWidget* asking, const FileChooser& chooser, const QString& suggestedName, FileQueue& files,
                  const widgets::FigureView& view, std::function<void(const Error& error)> refused);
 

@@ -14,8 +14,7 @@ namespace halbench::app {
 namespace {
 
 constexpr int JogPeriod_ms = 20;
-/// Two seconds at 30 frames: a stream that was asked for is there, or does not come.
-constexpr int FramesToOrigin = 60;
+constexpr const char* AngleName = "position";
 
 Result<void> write(devices::Device& device, const std::vector<ParameterValue>& values) {
     return device.writeParameters(values);
@@ -70,7 +69,7 @@ bool DriveControl::needsConsent() const {
 }
 
 bool DriveControl::canMove() const {
-    return isArmed() && isAvailable() && !isPending() && m_framesToOrigin == 0 &&
+    return isArmed() && isAvailable() && !isPending() && !m_awaitsOrigin &&
            m_mode != devices::BoardMode::Idle;
 }
 
@@ -78,7 +77,7 @@ void DriveControl::onDevice() {
     m_hasConsent = false;
     settleConsent();
     m_origin_rad.reset();
-    m_framesToOrigin = 0;
+    m_awaitsOrigin = false;
     clearMotion();
     m_isJogPending = false;
     m_pending = 0;
@@ -190,25 +189,25 @@ void DriveControl::takeOrigin() {
     clearMotion();
     m_startedShape.reset();
     m_origin_rad.reset();
-    m_framesToOrigin = m_bench.session().catalogue().findSignal("position") ? FramesToOrigin : 0;
-    seekOrigin();
+    const auto latest = m_bench.history().latest(AngleName);
+    m_staleSample_s = latest ? std::optional(latest->time_s) : std::nullopt;
+    const std::vector<std::string>& streamed = m_bench.liveSignals().streamed();
+    m_awaitsOrigin = std::find(streamed.begin(), streamed.end(), AngleName) != streamed.end();
 }
 
-/// Where a motion begins is known before it may begin: what is held and the window's ends count from there.
+/// Where a motion begins is known before it may begin: what is held and the window's ends count from there. A
+/// sample from before does not tell: a hand, or what came while the link was lost, may have turned the rotor.
 void DriveControl::seekOrigin() {
-    if (m_framesToOrigin == 0) {
-        return;
-    }
-    const auto latest = m_bench.history().latest("position");
-    m_origin_rad = latest ? std::optional(latest->value) : std::nullopt;
-    m_framesToOrigin = latest ? 0 : m_framesToOrigin - 1;
-    if (m_framesToOrigin == 0) {
+    const auto latest = m_bench.history().latest(AngleName);
+    if (m_awaitsOrigin && latest && latest->time_s != m_staleSample_s && std::isfinite(latest->value)) {
+        m_origin_rad = latest->value;
+        m_awaitsOrigin = false;
         Q_EMIT changed();
     }
 }
 
 double DriveControl::excursion_rad() const {
-    const auto latest = m_bench.history().latest("position");
+    const auto latest = m_bench.history().latest(AngleName);
     return isArmed() && m_origin_rad && latest ? std::abs(latest->value - *m_origin_rad) : 0.0;
 }
 

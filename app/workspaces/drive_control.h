@@ -71,6 +71,8 @@ public:
     double held_rad() const { return m_reference.angle_rad(); }
     /// Angle from which the position mode counts; nothing before it was seen.
     std::optional<double> origin_rad() const { return m_origin_rad; }
+    /// Armed, but no sample has told yet where the rotor stands: until then nothing moves from here.
+    bool awaitsOrigin() const { return m_awaitsOrigin; }
     /// How far the rotor is from there, as the board's excursion window counts; 0 while that is not known.
     double excursion_rad() const;
 
@@ -136,7 +138,8 @@ private:
     std::optional<Way> m_way;
     std::optional<std::pair<double, double>> m_next; ///< set-point and speed, when the way has ended
     std::optional<double> m_origin_rad;
-    int m_framesToOrigin = 0; ///< for which the first sample of the angle is still waited for
+    bool m_awaitsOrigin = false;
+    std::optional<double> m_staleSample_s; ///< the angle's last sample before: a newer one is waited for
     HeldReference m_reference;
     std::optional<double> m_startedShape;
     bool m_hasConsent = false;

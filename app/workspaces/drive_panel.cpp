@@ -171,6 +171,7 @@ void DrivePanel::refresh() {
 void DrivePanel::showSetpoint() {
     const double held_rad = m_control.held_rad();
     QString words = m_control.canMove()                  ? tr("Now %1").arg(valueText(m_control.setpoint()))
+                    : m_control.awaitsOrigin()           ? tr("Waits for a sample of the angle.")
                     : m_asking != Asking::NothingToDrive ? tr("Arm first; set-points start at zero.")
                                                          : QString();
     if (m_control.canMove() && m_control.mode() == BoardMode::Position && held_rad != 0.0) {

@@ -12,8 +12,8 @@ namespace halbench::app {
 namespace {
 
 bool hasName(const std::vector<KeptDesign>& designs, const std::string& name) {
-    return std::any_of(designs.begin(), designs.end(),
-                       [&](const KeptDesign& design) { return design.name == name; });
+    return name == DesignInUse || std::any_of(designs.begin(), designs.end(),
+                                              [&](const KeptDesign& design) { return design.name == name; });
 }
 
 } // namespace
@@ -30,9 +30,15 @@ void KeptDesigns::restore(std::vector<KeptDesign> designs) {
     m_redo.clear();
 }
 
+/// Free also in what undo and redo bring back.
 std::string KeptDesigns::freeName(const std::string& stem) const {
+    const auto isTaken = [this](const std::string& name) {
+        const auto isIn = [&name](const std::vector<KeptDesign>& designs) { return hasName(designs, name); };
+        return isIn(m_designs) || std::any_of(m_undo.begin(), m_undo.end(), isIn) ||
+               std::any_of(m_redo.begin(), m_redo.end(), isIn);
+    };
     std::string name = stem;
-    for (std::size_t number = 2; hasName(m_designs, name); ++number) {
+    for (std::size_t number = 2; isTaken(name); ++number) {
         name = fmt::format("{} {}", stem, number);
     }
     return name;
@@ -47,6 +53,16 @@ std::size_t KeptDesigns::keep(const std::string& stem, std::string document) {
     remember();
     m_designs.push_back(keptDesign(freeName(stem), std::move(document)));
     return m_designs.size() - 1;
+}
+
+void KeptDesigns::adopt(const std::string& stem, std::string document) {
+    const KeptDesign adopted = keptDesign(freeName(stem), std::move(document));
+    for (auto* history : {&m_undo, &m_redo}) {
+        for (std::vector<KeptDesign>& designs : *history) {
+            designs.push_back(adopted);
+        }
+    }
+    m_designs.push_back(adopted);
 }
 
 Result<void> KeptDesigns::rename(std::size_t at, const std::string& name) {

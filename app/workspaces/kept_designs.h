@@ -9,6 +9,9 @@
 
 namespace halbench::app {
 
+/// The name in a project of the gains that are worked on.
+constexpr const char* DesignInUse = "in use";
+
 /// Gains kept under a name beside those that are worked on.
 struct KeptDesign {
     std::string name;
@@ -26,7 +29,9 @@ public:
     void restore(std::vector<KeptDesign> designs);
     /// Under `stem` or, when that is taken, "stem 2", "stem 3" ...; where it stands.
     std::size_t keep(const std::string& stem, std::string document);
-    /// Errors: InvalidInput for a name that is empty or taken; nothing changes.
+    /// The same for one that is to be kept whatever is undone; what was done before can still be undone.
+    void adopt(const std::string& stem, std::string document);
+    /// Errors: InvalidInput for a name that is empty or taken, also by the one in use; nothing changes.
     Result<void> rename(std::size_t at, const std::string& name);
     void remove(std::size_t at);
     void draw(std::size_t at, bool isDrawn); ///< no change to undo

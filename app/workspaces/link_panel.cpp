@@ -1,6 +1,6 @@
 #include "app/workspaces/link_panel.h"
 
-#include "widgets/phrasebook.h"
+#include "app/workspaces/fault_words.h"
 #include "widgets/theme_style.h"
 
 #include <QHBoxLayout>
@@ -59,7 +59,7 @@ void LinkPanel::refresh() {
                              locale.toString(link.packetsDamaged),
                              locale.toString(link.roundTripMedian_s * 1e3, 'f', 1),
                              locale.toString(link.roundTripWorst_s * 1e3, 'f', 1)));
-    const QString fault = widgets::inWords(session.report().board.faultText);
+    const QString fault = faultWords(session.report().board, m_bench.stopAsker()).what;
     m_board->setText(tr("board: firmware %1%2")
                          .arg(QString::fromStdString(session.info().firmware),
                               fault.isEmpty() ? QString() : tr(", %1").arg(fault)));

@@ -1,6 +1,5 @@
 #include "app/workspaces/live_picture.h"
 
-#include "app/workspaces/document_files.h"
 #include "app/workspaces/panel_parts.h"
 #include "app/workspaces/signal_box.h"
 #include "widgets/empty_state.h"
@@ -35,6 +34,7 @@ void LivePicture::begin(const QString& title, const QString& purpose, QWidget* c
     connect(empty, &widgets::EmptyState::actionTriggered, this, &LivePicture::connectRequested);
     connect(&m_bench, &Workbench::deviceChanged, this, &LivePicture::onDevice);
     connect(&m_bench, &Workbench::displayUnitsChanged, this, &LivePicture::askAnew);
+    connect(&m_bench, &Workbench::derivedSignalsChanged, this, &LivePicture::onDerived);
     connect(&m_timer, &QTimer::timeout, this, &LivePicture::ask);
     m_timer.start(Period_ms);
     onDevice();
@@ -44,10 +44,14 @@ widgets::FigureView* LivePicture::makeView(QWidget* parent, const QString& toolT
     auto* view = new widgets::FigureView(parent);
     view->setToolTip(toolTip);
     connect(view, &widgets::FigureView::exportRequested, this, [this, view, fileName] {
-        savePicture(this, m_chooser, fileName, m_files, *view,
-                    [this](const Error& error) { sayWarning(error); });
+        savePictureAs(fileName, [view](const QString& path) { return view->saving(path); });
     });
     return view;
+}
+
+void LivePicture::savePictureAs(const QString& fileName, const PictureSaving& saving) {
+    savePicture(this, m_chooser, fileName, m_files, saving,
+                [this](const Error& error) { sayWarning(error); });
 }
 
 QLabel* LivePicture::makeWords(QWidget* parent, const QString& accessibleName) {
@@ -83,9 +87,15 @@ void LivePicture::onDevice() {
         return; // what was measured can be looked at without the device
     }
     m_pages->setCurrentIndex(1);
-    takeCatalogue(session.catalogue());
-    want();
-    askAnew();
+    onDerived();
+}
+
+void LivePicture::onDerived() {
+    if (m_bench.session().state() == SessionState::Connected) {
+        takeCatalogue(m_bench.catalogue());
+        want();
+        askAnew();
+    }
 }
 
 /// Sent only while somebody looks.
@@ -121,7 +131,7 @@ void LivePicture::sayWarning(const Error& error) {
 }
 
 DisplayQuantity LivePicture::shown(const SignalBox& box) const {
-    const SignalSpec* spec = m_bench.session().catalogue().findSignal(box.signal());
+    const SignalSpec* spec = m_bench.catalogue().findSignal(box.signal());
     return spec != nullptr ? displayQuantity(spec->unit, m_bench.displayUnits()) : DisplayQuantity{};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/workspaces/document_files.h"
 #include "app/workspaces/file_chooser.h"
 #include "app/workspaces/file_queue.h"
 #include "app/workspaces/latest_task.h"
@@ -40,6 +41,8 @@ protected:
     void begin(const QString& title, const QString& purpose, QWidget* content);
     /// The picture; Ctrl+E saves it, at first under this name.
     widgets::FigureView* makeView(QWidget* parent, const QString& toolTip, const QString& fileName);
+    /// Asks for a file for a picture that is another widget's.
+    void savePictureAs(const QString& fileName, const PictureSaving& saving);
     /// What is said below the picture.
     QLabel* makeWords(QWidget* parent, const QString& accessibleName);
     /// A choice of a signal that the panel asks the device for.
@@ -62,6 +65,7 @@ protected:
 
 private:
     void onDevice();
+    void onDerived();
     void want();
     void ask();
 

@@ -97,13 +97,25 @@ bool LiveSignals::isWanted(const std::string& name) const {
     });
 }
 
+bool LiveSignals::isNeeded(const std::string& name) const {
+    return isWanted(name) || std::any_of(m_sources.begin(), m_sources.end(), [&](const auto& entry) {
+               const auto& [derived, needed] = entry;
+               return isWanted(derived) && std::find(needed.begin(), needed.end(), name) != needed.end();
+           });
+}
+
+void LiveSignals::setSources(std::map<std::string, std::vector<std::string>> sources) {
+    m_sources = std::move(sources);
+    restart();
+}
+
 void LiveSignals::restart() {
     if (m_session.state() != SessionState::Connected) {
         return;
     }
     std::vector<const SignalSpec*> specs;
     for (const SignalSpec& spec : m_session.catalogue().signals) {
-        if (isWanted(spec.name)) {
+        if (isNeeded(spec.name)) {
             specs.push_back(&spec);
         }
     }

@@ -22,6 +22,10 @@ public:
     /// device does not have are left out.
     void want(const QObject* client, std::vector<std::string> names);
 
+    /// Signals that are not the device's own, and those of the device that each needs: who wants one gets
+    /// these.
+    void setSources(std::map<std::string, std::vector<std::string>> sources);
+
     const std::vector<std::string>& streamed() const { return m_streamed; } ///< in the catalogue's order
     double rate_Hz() const { return m_rate_Hz; }
     /// Wanted, but not streamed: the device samples them at another event than the others, or at none.
@@ -33,9 +37,11 @@ Q_SIGNALS:
 private:
     void restart();
     bool isWanted(const std::string& name) const;
+    bool isNeeded(const std::string& name) const;
 
     DeviceSession& m_session;
     std::map<const QObject*, std::vector<std::string>> m_wanted;
+    std::map<std::string, std::vector<std::string>> m_sources;
     std::vector<std::string> m_streamed;
     std::vector<std::string> m_leftOut;
     double m_rate_Hz = 0.0;

@@ -1,6 +1,8 @@
 #include "app/workspaces/monitor_panel.h"
 
+#include "app/workspaces/monitor_picture.h"
 #include "app/workspaces/monitor_plots.h"
+#include "app/workspaces/monitor_statistics.h"
 #include "app/workspaces/monitor_trigger.h"
 #include "app/workspaces/panel_parts.h"
 #include "widgets/empty_state.h"
@@ -31,15 +33,24 @@ constexpr double DefaultSpan_s = 10.0;
 struct Tool {
     Command command;
     const char* icon;
+    bool hasText = false;
 };
-constexpr Tool Tools[] = {{Command::Pause, "pause"},   {Command::Follow, "follow"},
-                          {Command::Fit, "fit"},       {Command::ShowAll, "zoom"},
-                          {Command::ZoomBack, "undo"}, {Command::Cursors, "cursor"},
-                          {Command::Marker, "note"},   {Command::AddSignals, "add"}};
+constexpr Tool Tools[] = {{Command::Pause, "pause", true}, {Command::Follow, "follow", true},
+                          {Command::Fit, "fit"},           {Command::ShowAll, "zoom"},
+                          {Command::ZoomBack, "undo"},     {Command::Cursors, "cursor"},
+                          {Command::Marker, "note"},       {Command::AddSignals, "add"}};
 
 /// To milliseconds: the view moves by whole pixel columns, a project shall not.
 double rounded(double time_s) {
     return std::round(time_s * 1e3) * 1e-3;
+}
+
+/// The tool of the action; but for the most used ones its name is in the tool tip, so that all fit.
+void addTool(QToolBar& bar, QAction& action, bool hasText) {
+    bar.addAction(&action);
+    auto* button = static_cast<QToolButton*>(bar.widgetForAction(&action));
+    button->setAccessibleName(action.text());
+    button->setToolButtonStyle(hasText ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
 }
 
 } // namespace
@@ -53,6 +64,8 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     m_stack->setTheme(widgets::currentTheme());
     m_stack->setHistory(&m_bench.history());
     m_trigger = new MonitorTrigger(m_bench, *m_stack, *this);
+    m_picture = new MonitorPicture(m_bench, *m_stack, *this);
+    m_statistics = new MonitorStatistics(m_bench, *m_stack, *this);
     auto* column = new QVBoxLayout(plots);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -61,6 +74,7 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     m_message = new widgets::MessageBar(plots);
     column->addWidget(m_message);
     column->addWidget(m_stack, 1);
+    column->addWidget(&m_statistics->table());
     m_pages->addWidget(m_empty);
     m_pages->addWidget(plots);
     auto* whole = new QVBoxLayout(this);
@@ -71,6 +85,7 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     connect(&m_bench, &Workbench::deviceChanged, this, &MonitorPanel::onDevice);
     connect(&m_bench, &Workbench::valuesChanged, this, &MonitorPanel::onValues);
     connect(&m_bench, &Workbench::displayUnitsChanged, this, &MonitorPanel::onValues);
+    connect(&m_bench, &Workbench::derivedSignalsChanged, this, &MonitorPanel::onDerived);
     connect(&m_bench.freshness(), &Freshness::changed, this,
             [this] { m_stack->setStale(m_bench.freshness().words()); });
     connect(&m_values, &QTimer::timeout, this, &MonitorPanel::refreshStream);
@@ -84,15 +99,15 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
 QWidget* MonitorPanel::buildTools() {
     auto* bar = new QToolBar(tr("Plots"), this);
     bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"))->setToolTip(tr("More tools"));
-    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     for (const Tool& tool : Tools) {
         QAction* action = m_stack->action(tool.command);
         action->setIcon(widgets::themedIcon(QLatin1String(tool.icon)));
-        bar->addAction(action);
-        bar->widgetForAction(action)->setAccessibleName(action->text());
+        addTool(*bar, *action, tool.hasText);
     }
-    bar->addAction(&m_trigger->action());
-    bar->widgetForAction(&m_trigger->action())->setAccessibleName(m_trigger->action().text());
+    for (QAction* action : {&m_trigger->action(), &m_statistics->action(), &m_picture->copyAction(),
+                            &m_picture->saveAction()}) {
+        addTool(*bar, *action, false);
+    }
     auto* space = new QWidget(bar);
     space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(space);
@@ -103,7 +118,14 @@ QWidget* MonitorPanel::buildTools() {
     return bar;
 }
 
+void MonitorPanel::setFileChooser(FileChooser chooser) {
+    m_picture->setFileChooser(std::move(chooser));
+}
+
 void MonitorPanel::connectStack() {
+    connect(m_picture, &MonitorPicture::failed, this, [this](const QString& text, const QString& remedy) {
+        m_message->showMessage({widgets::Severity::Error, text, remedy, {}});
+    });
     connect(m_stack, &widgets::LivePlotStack::signalsDropped, this,
             [this](int plot, const QStringList& names) {
                 for (const QString& name : names) {
@@ -144,7 +166,7 @@ void MonitorPanel::onDevice() {
 }
 
 void MonitorPanel::showView() {
-    const devices::Catalogue& catalogue = m_bench.session().catalogue();
+    const devices::Catalogue& catalogue = m_bench.catalogue();
     const TemperatureBands bands = temperatureBands(catalogue, m_bench.deviceValue("limit.temperature"));
     QStringList missing;
     auto plots = chosenPlots(m_view.plots, catalogue, bands, m_bench.displayUnits(), missing);
@@ -165,6 +187,7 @@ void MonitorPanel::showView() {
 
 void MonitorPanel::setView(const MonitorView& view) {
     m_view = view;
+    m_bench.setDerivedSignals(view.derived);
     m_trigger->setChoice(view.trigger);
     m_message->clear();
     m_isIncomplete = false;
@@ -177,10 +200,11 @@ void MonitorPanel::setView(const MonitorView& view) {
 }
 
 MonitorView MonitorPanel::view() const {
+    MonitorView view = m_device.isEmpty() ? m_view : MonitorView{};
+    view.derived = m_bench.derivedSignals();
     if (m_device.isEmpty()) {
-        return m_view;
+        return view;
     }
-    MonitorView view;
     view.trigger = m_trigger->choice();
     view.isFollowing = m_trigger->isOn() ? m_trigger->isFollowingOtherwise() : m_stack->isFollowing();
     view.span_s =
@@ -214,12 +238,28 @@ void MonitorPanel::forgetMissing() {
 /// curves stay.
 void MonitorPanel::onValues() {
     const TemperatureBands bands =
-        temperatureBands(m_bench.session().catalogue(), m_bench.deviceValue("limit.temperature"));
+        temperatureBands(m_bench.catalogue(), m_bench.deviceValue("limit.temperature"));
     std::vector<widgets::PlotSpec> plots =
-        inUnits(m_stack->plots(), m_bench.session().catalogue(), bands, m_bench.displayUnits());
+        inUnits(m_stack->plots(), m_bench.catalogue(), bands, m_bench.displayUnits());
     if (plots != m_stack->plots()) {
         m_stack->setPlots(std::move(plots));
     }
+}
+
+/// A curve goes with its signal; the others may mean something else now.
+void MonitorPanel::onDerived() {
+    const devices::Catalogue& catalogue = m_bench.catalogue();
+    if (m_device.isEmpty() || m_bench.session().state() != SessionState::Connected) {
+        return;
+    }
+    for (const std::string& name : plottedSignals(m_stack->plots())) {
+        for (int i = static_cast<int>(m_stack->plots().size()) - 1;
+             catalogue.findSignal(name) == nullptr && i >= 0; --i) {
+            m_stack->removeCurve(i, name);
+        }
+    }
+    onValues();
+    onPlotsChanged();
 }
 
 void MonitorPanel::plot(const QString& name, bool isPlotted) {
@@ -237,7 +277,7 @@ void MonitorPanel::plot(const QString& name, bool isPlotted) {
 
 /// To the plot asked for if its unit fits, else to the first that fits, else to a new one below.
 void MonitorPanel::addTo(int plot, const std::string& name) {
-    const devices::Catalogue& catalogue = m_bench.session().catalogue();
+    const devices::Catalogue& catalogue = m_bench.catalogue();
     const SignalSpec* spec = catalogue.findSignal(name);
     if (spec == nullptr) {
         return;
@@ -267,7 +307,7 @@ void MonitorPanel::onPlotsChanged() {
     const std::set<std::string> plotted = plottedSignals(m_stack->plots());
     Q_EMIT plottedChanged(plotted);
     std::vector<std::string> wanted(plotted.begin(), plotted.end());
-    const auto& defaults = m_bench.session().catalogue().defaultSignals; // for the tree's live values
+    const auto& defaults = m_bench.catalogue().defaultSignals; // for the tree's live values
     wanted.insert(wanted.end(), defaults.begin(), defaults.end());
     m_bench.liveSignals().want(this, std::move(wanted));
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/workspaces/file_chooser.h"
 #include "app/workspaces/monitor_view.h"
 #include "app/workspaces/workbench.h"
 
@@ -20,6 +21,8 @@ class MessageBar;
 
 namespace halbench::app {
 
+class MonitorStatistics;
+class MonitorPicture;
 class MonitorTrigger;
 
 /// What the device does, over time, in stacked plots (resources/help/monitor.md, "Plots").
@@ -29,6 +32,7 @@ class MonitorPanel : public QWidget {
 public:
     explicit MonitorPanel(Workbench& bench, QWidget* parent = nullptr);
 
+    void setFileChooser(FileChooser chooser);
     MonitorView view() const;
     /// Shown when a device is there. Signals that it does not have are left out and said in place; they stay
     /// part of view() until the user changes the plots.
@@ -50,6 +54,7 @@ private:
     void connectStack();
     void onDevice();
     void onValues();
+    void onDerived();
     void addTo(int plot, const std::string& name);
     void onPlotsChanged();
     void showView();
@@ -64,6 +69,8 @@ private:
     widgets::EmptyState* m_empty = nullptr;
     widgets::LivePlotStack* m_stack = nullptr;
     MonitorTrigger* m_trigger = nullptr;
+    MonitorPicture* m_picture = nullptr;
+    MonitorStatistics* m_statistics = nullptr;
     QLabel* m_stream = nullptr;
     QTimer m_values; ///< what is said of the stream
     std::size_t m_markers = 0;

@@ -52,6 +52,7 @@ MonitorTrigger::MonitorTrigger(Workbench& bench, widgets::LivePlotStack& stack, 
     connect(&m_bench, &Workbench::samplesArrived, this, &MonitorTrigger::update);
     connect(&m_bench, &Workbench::deviceChanged, this, &MonitorTrigger::onDevice);
     connect(&m_bench, &Workbench::displayUnitsChanged, this, &MonitorTrigger::onDevice);
+    connect(&m_bench, &Workbench::derivedSignalsChanged, this, &MonitorTrigger::onDevice);
 }
 
 void MonitorTrigger::createActions(QWidget& panel) {
@@ -83,7 +84,7 @@ void MonitorTrigger::setChoice(const TriggerChoice& choice) {
 void MonitorTrigger::onDevice() {
     const DeviceSession& session = m_bench.session();
     if (session.state() == SessionState::Connected) {
-        m_bar->setCatalogue(session.catalogue(), m_bench.displayUnits());
+        m_bar->setCatalogue(m_bench.catalogue(), m_bench.displayUnits());
         restart();
     }
 }
@@ -185,29 +186,34 @@ void MonitorTrigger::say() {
     const QString when = shown ? locale.toString(shown->time_s, 'f', TimeDecimals) : QString();
     const std::string& source = m_bar->choice().source;
     if (!source.empty() && !m_bench.history().contains(source)) {
-        m_bar->setState(tr("No samples of %1 come").arg(signalWords(source)), widgets::Role::Warn);
+        m_bar->setState(tr("No samples"), tr("No samples of %1 come").arg(signalWords(source)),
+                        widgets::Role::Warn);
         return;
     }
     switch (m_trigger.state()) {
     case TriggerState::Off:
-        m_bar->setState({}, widgets::Role::Muted);
+        m_bar->setState({}, {}, widgets::Role::Muted);
         break;
     case TriggerState::Waiting:
-        m_bar->setState(tr("Waiting until %1").arg(m_bar->eventWords()), widgets::Role::Muted);
+        m_bar->setState(tr("Waiting"), tr("Waiting until %1").arg(m_bar->eventWords()), widgets::Role::Muted);
         break;
     case TriggerState::Filling:
     case TriggerState::Shown:
         if (!shown) {
-            m_bar->setState(tr("Triggered; the window is not over yet"), widgets::Role::Good);
-            break;
+            m_bar->setState(tr("Triggered"), tr("Triggered; the window is not over yet"),
+                            widgets::Role::Good);
+        } else if (isByItself) {
+            m_bar->setState(tr("Auto: no event"),
+                            tr("Auto: no event, shown by itself; waiting until %1").arg(m_bar->eventWords()),
+                            widgets::Role::Muted);
+        } else {
+            m_bar->setState(tr("Triggered at %1 s").arg(when),
+                            tr("Triggered at %1 s; waiting for the next").arg(when), widgets::Role::Good);
         }
-        m_bar->setState(isByItself
-                            ? tr("Auto: no event, shown by itself; waiting until %1").arg(m_bar->eventWords())
-                            : tr("Triggered at %1 s; waiting for the next").arg(when),
-                        isByItself ? widgets::Role::Muted : widgets::Role::Good);
         break;
     case TriggerState::Stopped:
-        m_bar->setState(tr("Stopped after the event at %1 s; Shift+T waits again").arg(when),
+        m_bar->setState(tr("Stopped at %1 s").arg(when),
+                        tr("Stopped after the event at %1 s; Shift+T waits again").arg(when),
                         widgets::Role::Warn);
         break;
     }

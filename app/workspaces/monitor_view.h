@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/workspaces/trigger_choice.h"
+#include "devices/acquisition/derived_signals.h"
 #include "widgets/value_range.h"
 
 #include <optional>
@@ -24,6 +25,7 @@ struct MonitorView {
     bool isFollowing = true;
     std::optional<double> span_s; ///< time shown while following
     TriggerChoice trigger;
+    std::vector<devices::DerivedSignal> derived;
 
     bool operator==(const MonitorView&) const = default;
 };

@@ -53,7 +53,7 @@ void PaceRow::sayWords() {
 void PaceRow::refresh() {
     const DeviceSession& session = m_bench.session();
     const bool isFree = session.state() == SessionState::Disconnected;
-    const bool isSimulated = session.info().isSimulated;
+    const bool isSimulated = session.info().isSimulated || session.info().transport == "replay";
     setVisible(m_place == Place::Devices || (isSimulated && !isFree));
     m_box->setEnabled((isSimulated || isFree) && session.procedure().isEmpty());
     m_label->setEnabled(m_box->isEnabled());

@@ -50,6 +50,13 @@ RecordingControl::~RecordingControl() {
     m_session.setBlockSink({});
 }
 
+void RecordingControl::setFolder(const QString& folder) {
+    if (folder != m_folder) {
+        m_folder = folder;
+        Q_EMIT folderChanged();
+    }
+}
+
 void RecordingControl::start() {
     if (isRecording()) {
         return;

@@ -29,7 +29,7 @@ public:
     ~RecordingControl() override;
 
     /// Where and how densely the next recording goes; the rate is lowered to what the stream has.
-    void setFolder(const QString& folder) { m_folder = folder; }
+    void setFolder(const QString& folder);
     const QString& folder() const { return m_folder; }
     void setRate_Hz(double rate_Hz) { m_rate_Hz = rate_Hz; }
     double rate_Hz() const { return m_rate_Hz; }
@@ -54,6 +54,7 @@ public:
 
 Q_SIGNALS:
     void changed(); ///< ten times a second while recording
+    void folderChanged();
     void finished(const QString& path, const halbench::app::RecorderStatus& status);
     void failed(const QString& text, const QString& remedy);
     void rowsDropped(); ///< the first ones of this recording: the disk does not keep up

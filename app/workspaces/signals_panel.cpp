@@ -21,6 +21,7 @@ SignalsPanel::SignalsPanel(Workbench& bench, QWidget* parent)
     connect(m_tree, &SignalTree::plotRequested, this, &SignalsPanel::plotRequested);
     connect(&m_bench, &Workbench::deviceChanged, this, &SignalsPanel::onDevice);
     connect(&m_bench, &Workbench::displayUnitsChanged, this, &SignalsPanel::onUnits);
+    connect(&m_bench, &Workbench::derivedSignalsChanged, this, &SignalsPanel::onUnits);
     connect(&m_values, &QTimer::timeout, this, &SignalsPanel::refreshValues);
     m_values.start(ValuesPeriod_ms);
     onDevice();
@@ -31,12 +32,12 @@ void SignalsPanel::onDevice() {
     const QString device = deviceKey(session.info());
     if (session.state() == SessionState::Connected && device != m_device) {
         m_device = device;
-        m_tree->setSignals(session.catalogue().signals, m_bench.displayUnits());
+        m_tree->setSignals(m_bench.catalogue().signals, m_bench.displayUnits());
         m_tree->setPlotted(m_plotted);
     }
 }
 
-/// The same signals, in other units: now, or when the device is there again.
+/// The same signals in other units, or other derived ones: now, or when the device is there again.
 void SignalsPanel::onUnits() {
     m_device.clear();
     onDevice();

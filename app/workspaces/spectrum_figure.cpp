@@ -23,7 +23,13 @@ QString number(double value, int digits = Digits) {
     return QLocale().toString(value, 'g', digits);
 }
 
-QString scaleWords(SpectrumScale scale) {
+bool isDensity(SpectrumScale scale) {
+    return scale == SpectrumScale::Density || scale == SpectrumScale::RootDensity;
+}
+
+} // namespace
+
+QString spectrumQuantity(SpectrumScale scale) {
     switch (scale) {
     case SpectrumScale::Peak:
         return Words::tr("amplitude");
@@ -36,12 +42,6 @@ QString scaleWords(SpectrumScale scale) {
     }
     return Words::tr("amplitude density");
 }
-
-bool isDensity(SpectrumScale scale) {
-    return scale == SpectrumScale::Density || scale == SpectrumScale::RootDensity;
-}
-
-} // namespace
 
 QString spectrumUnitText(const QString& unit, SpectrumScale scale) {
     const QString base = unit == QStringLiteral("\u00b0C") ? QStringLiteral("K") : unit;
@@ -70,7 +70,7 @@ widgets::Figure spectrumFigure(const control::Spectrum& spectrum, const Spectrum
     figure.title = Words::tr("Spectrum of %1").arg(look.signal).toStdString();
     figure.x = {Words::tr("frequency").toStdString(), "Hz", look.isFrequencyLogarithmic, {}, {}, {}};
     widgets::Panel panel;
-    panel.y = {scaleWords(scale).toStdString(),
+    panel.y = {spectrumQuantity(scale).toStdString(),
                spectrumUnitText(look.quantity.unit, scale).toStdString(),
                look.isValueLogarithmic,
                {},
@@ -94,9 +94,10 @@ QString spectrumWords(const control::Spectrum& spectrum, const SpectrumLook& loo
     words << Words::tr("Lines every %1 Hz, resolution %2 Hz, segments of %3 s")
                  .arg(number(spectrum.lineDistance_Hz()), number(spectrum.noiseBandwidth_Hz()),
                       number(spectrum.segment_s()));
-    words << Words::tr("%1 averages (worth %2 independent ones)")
-                 .arg(QLocale().toString(static_cast<qulonglong>(spectrum.segments)),
-                      number(spectrum.equivalentAverages, 3));
+    const QString averages = Words::tr("%Ln average(s)", nullptr, static_cast<int>(spectrum.segments));
+    words << (spectrum.segments > 1 ? Words::tr("%1 (worth %2 independent ones)")
+                                          .arg(averages, number(spectrum.equivalentAverages, 3))
+                                    : averages);
     const std::size_t middle = spectrum.values.size() / 2;
     if (isDensity(spectrum.config.scale) && middle < spectrum.low.size() && spectrum.values[middle] > 0.0) {
         words << Words::tr("95 % interval of noise: %1 to %2 times the line")

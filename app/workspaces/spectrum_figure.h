@@ -20,6 +20,8 @@ struct SpectrumLook {
 
 /// "mT", "mT²/Hz", "mT/√Hz"; differences of temperatures are in K.
 QString spectrumUnitText(const QString& unit, control::SpectrumScale scale);
+/// "amplitude", "power density".
+QString spectrumQuantity(control::SpectrumScale scale);
 /// Shown value = this x SI value.
 double spectrumFactor(double factor, control::SpectrumScale scale);
 

@@ -4,14 +4,17 @@
 #include "app/workspaces/panel_parts.h"
 #include "app/workspaces/signal_box.h"
 #include "app/workspaces/signal_stretch.h"
+#include "app/workspaces/spectrogram_figure.h"
 #include "widgets/figure_view.h"
 #include "widgets/quantity_edit.h"
+#include "widgets/spectrogram_view.h"
 
 #include <QAction>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
+#include <QStackedWidget>
 #include <QTableWidget>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -56,19 +59,39 @@ QWidget* SpectrumPanel::buildContent() {
     m_logFrequency =
         addSwitch(*bar, tr("Log frequency"), tr("Logarithmic axis of the frequency"), "X", false);
     m_logValue = addSwitch(*bar, tr("Log values"), tr("Logarithmic axis of the values"), "Y", true);
+    m_overTime =
+        addSwitch(*bar, tr("Over time"),
+                  tr("Spectrogram: spectra of the segments beside each other, in colours"), "O", false);
     m_hold = addSwitch(*bar, tr("Hold"), tr("Keep the spectrum as it is; the data go on"), "H", false);
     column->addWidget(bar);
-    auto* row = new QHBoxLayout;
-    m_view = makeView(content,
-                      tr("The arrow keys walk along the lines; Ctrl+C copies the picture, Ctrl+E saves it"),
-                      QStringLiteral("spectrum.svg"));
-    row->addWidget(m_view, 1);
-    buildPeaks(content);
-    row->addWidget(m_peaks);
-    column->addLayout(row, 1);
+    column->addWidget(buildPictures(content), 1);
     m_words = makeWords(content, tr("What the spectrum says"));
     column->addWidget(m_words);
     return content;
+}
+
+QWidget* SpectrumPanel::buildPictures(QWidget* parent) {
+    m_pictures = new QStackedWidget(parent);
+    auto* lines = new QWidget(m_pictures);
+    auto* row = new QHBoxLayout(lines);
+    row->setContentsMargins(0, 0, 0, 0);
+    m_view =
+        makeView(lines, tr("The arrow keys walk along the lines; Ctrl+C copies the picture, Ctrl+E saves it"),
+                 QStringLiteral("spectrum.svg"));
+    row->addWidget(m_view, 1);
+    buildPeaks(lines);
+    row->addWidget(m_peaks);
+    m_gram = new widgets::SpectrogramView(m_pictures);
+    m_gram->setToolTip(tr("The arrow keys walk from the highest value, with Shift ten times as far; Ctrl+C "
+                          "copies the picture, Ctrl+E saves it"));
+    connect(m_gram, &widgets::SpectrogramView::exportRequested, this, [this] {
+        savePictureAs(QStringLiteral("spectrogram.png"),
+                      [this](const QString& path) { return m_gram->saving(path); });
+    });
+    m_pictures->addWidget(lines);
+    m_pictures->addWidget(m_gram);
+    connect(m_overTime, &QAction::toggled, this, &SpectrumPanel::showOverTime);
+    return m_pictures;
 }
 
 void SpectrumPanel::buildBoxes(FieldGrid& grid) {
@@ -130,12 +153,32 @@ QAction* SpectrumPanel::addSwitch(QToolBar& bar, const QString& text, const QStr
     addAction(action);
     bar.addAction(action);
     bar.widgetForAction(action)->setAccessibleName(text);
-    connect(action, &QAction::toggled, this, [this] {
-        if (m_spectrum) {
-            showSpectrum(*m_spectrum, look());
-        }
-    });
+    connect(action, &QAction::toggled, this, &SpectrumPanel::showAgain);
     return action;
+}
+
+/// The same numbers in another look.
+void SpectrumPanel::showAgain() {
+    if (m_spectrum) {
+        showSpectrum(*m_spectrum, look());
+    } else if (m_spectrogram) {
+        showSpectrogram(*m_spectrogram, look());
+    }
+}
+
+/// With the same settings; the focus goes along with the picture.
+void SpectrumPanel::showOverTime(bool isOverTime) {
+    const bool hadFocus = m_view->hasFocus() || m_gram->hasFocus();
+    m_spectrum.reset();
+    m_spectrogram.reset();
+    m_pictures->setCurrentIndex(isOverTime ? 1 : 0);
+    m_logFrequency->setEnabled(!isOverTime);
+    if (hadFocus && isOverTime) {
+        m_gram->setFocus();
+    } else if (hadFocus) {
+        m_view->setFocus();
+    }
+    askAnew();
 }
 
 void SpectrumPanel::takeCatalogue(const devices::Catalogue& catalogue) {
@@ -147,6 +190,10 @@ bool SpectrumPanel::isHeld() const {
 }
 
 void SpectrumPanel::compute() {
+    if (m_overTime->isChecked()) {
+        computeOverTime();
+        return;
+    }
     task().run(
         [stretch = lastStretch(bench().history(), m_signal->signal(), m_stretch->value(), MostRows),
          config = config()] {
@@ -157,6 +204,15 @@ void SpectrumPanel::compute() {
             m_spectrum = spectrum ? std::optional(*spectrum) : std::nullopt;
             showSpectrum(spectrum, look);
         });
+}
+
+void SpectrumPanel::computeOverTime() {
+    task().run([stretch = lastStretch(bench().history(), m_signal->signal(), m_stretch->value(), MostRows),
+                config = config()] { return spectrogramOf(stretch, config); },
+               [this, look = look()](const Result<control::Spectrogram>& spectrogram) {
+                   m_spectrogram = spectrogram ? std::optional(*spectrogram) : std::nullopt;
+                   showSpectrogram(spectrogram, look);
+               });
 }
 
 control::SpectrumConfig SpectrumPanel::config() const {
@@ -192,6 +248,19 @@ void SpectrumPanel::showSpectrum(const Result<control::Spectrum>& spectrum, cons
     m_words->setText(spectrumWords(*spectrum, look));
     showPeaks(spectrumPeaks(*spectrum, look, ListedPeaks),
               spectrumUnitText(look.quantity.unit, spectrum->config.scale));
+}
+
+void SpectrumPanel::showSpectrogram(const Result<control::Spectrogram>& spectrogram,
+                                    const SpectrumLook& look) {
+    if (!spectrogram) {
+        m_gram->clear();
+        sayWarning(spectrogram.error());
+        return;
+    }
+    showRole(*m_words, widgets::Role::Muted);
+    const control::SpectrumConfig shown = config();
+    m_gram->setPicture(spectrogramPicture(*spectrogram, shown.scale, look));
+    m_words->setText(spectrogramWords(*spectrogram, shown.window));
 }
 
 void SpectrumPanel::showPeaks(const std::vector<SpectrumPeak>& peaks, const QString& unit) {

@@ -5,11 +5,13 @@
 
 class QComboBox;
 class QLabel;
+class QStackedWidget;
 class QTableWidget;
 class QToolBar;
 
 namespace halbench::widgets {
 class QuantityEdit;
+class SpectrogramView;
 } // namespace halbench::widgets
 
 namespace halbench::app {
@@ -17,7 +19,7 @@ namespace halbench::app {
 class FieldGrid;
 
 /// Which frequencies are in a signal, live: of its last seconds, computed on another thread four times a
-/// second at most (resources/help/monitor.md, "Spectrum").
+/// second at most; all at once or over time (resources/help/monitor.md, "Spectrum").
 class SpectrumPanel : public LivePicture {
     Q_OBJECT
 
@@ -31,10 +33,15 @@ protected:
 
 private:
     QWidget* buildContent();
+    QWidget* buildPictures(QWidget* parent);
     void buildBoxes(FieldGrid& grid);
     void buildNumbers(FieldGrid& grid);
     void buildPeaks(QWidget* parent);
     QAction* addSwitch(QToolBar& bar, const QString& text, const QString& what, const char* key, bool isOn);
+    void computeOverTime();
+    void showOverTime(bool isOverTime);
+    void showSpectrogram(const Result<control::Spectrogram>& spectrogram, const SpectrumLook& look);
+    void showAgain();
     void showSpectrum(const Result<control::Spectrum>& spectrum, const SpectrumLook& look);
     void showPeaks(const std::vector<SpectrumPeak>& peaks, const QString& unit);
     control::SpectrumConfig config() const;
@@ -49,10 +56,14 @@ private:
     QAction* m_logFrequency = nullptr;
     QAction* m_logValue = nullptr;
     QAction* m_hold = nullptr;
+    QAction* m_overTime = nullptr;
+    QStackedWidget* m_pictures = nullptr;
+    widgets::SpectrogramView* m_gram = nullptr;
     widgets::FigureView* m_view = nullptr;
     QTableWidget* m_peaks = nullptr;
     QLabel* m_words = nullptr;
     std::optional<control::Spectrum> m_spectrum;
+    std::optional<control::Spectrogram> m_spectrogram;
 };
 
 } // namespace halbench::app

@@ -16,7 +16,9 @@ namespace halbench::app {
 
 namespace {
 
-constexpr int LeastCharacters = 24; ///< of the state
+constexpr int LeastCharacters = 8; ///< of the state
+constexpr int SourceCharacters = 10;
+constexpr int LevelCharacters = 16; ///< with unit and steps
 constexpr int Columns = 5;
 constexpr double LargestLevel = 1e6; ///< as shown
 constexpr double LongestWindow_s = 600.0;
@@ -29,27 +31,52 @@ TriggerBar::TriggerBar(QAction& again, QWidget* parent) : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(widgets::PanelMargin_px, 0, widgets::PanelMargin_px, widgets::GridStep_px);
     column->setSpacing(widgets::GridStep_px);
-    auto* grid = new FieldGrid(Columns, this);
-    buildBoxes(*grid);
-    buildNumbers(*grid);
-    column->addWidget(grid);
-    auto* row = new QHBoxLayout;
+    auto* line = new QHBoxLayout;
+    line->setSpacing(widgets::GridStep_px);
+    buildEvent(*line);
     m_state = new widgets::ElidedLabel(LeastCharacters, this);
     m_state->setAccessibleName(tr("State of the trigger"));
-    row->addWidget(m_state, 1);
-    row->addWidget(new widgets::ActionButton(again, widgets::ActionButton::Shape::IconAndText, this));
-    column->addLayout(row);
+    line->addWidget(m_state, 1);
+    line->addWidget(new widgets::ActionButton(again, widgets::ActionButton::Shape::IconOnly, this));
+    auto* more = makeButton(
+        {{}, tr("Hysteresis, window and hold-off of the trigger"), QStringLiteral("settings")}, this);
+    more->setAccessibleName(tr("More settings of the trigger"));
+    more->setCheckable(true);
+    line->addWidget(more);
+    column->addLayout(line);
+    auto* grid = new FieldGrid(Columns, this);
+    buildSettings(*grid);
+    grid->hide();
+    connect(more, &QPushButton::toggled, grid, &QWidget::setVisible);
+    column->addWidget(grid);
     showChoice();
 }
 
-void TriggerBar::buildBoxes(FieldGrid& grid) {
-    m_mode = grid.addBox(tr("Mode"),
-                         tr("Auto shows something after half a second even if nothing happens; Normal waits; "
-                            "Single stops after one event"),
-                         {tr("Auto"), tr("Normal"), tr("Single")});
-    m_source = grid.addBox(tr("Source"), tr("The signal whose edge is the event, or the set-point"));
-    m_slope = grid.addBox(tr("Slope"), tr("Which way the source passes the level"),
-                          {tr("rising"), tr("falling"), tr("either")});
+/// Without titles: the fields read as a sentence, "Normal, Speed, rising, 10 r/min".
+void TriggerBar::buildEvent(QHBoxLayout& line) {
+    const auto addBox = [&](const QString& name, const QString& toolTip, const QStringList& items) {
+        auto* box = new QComboBox(this);
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        box->addItems(items);
+        box->setAccessibleName(name);
+        box->setToolTip(toolTip);
+        line.addWidget(box);
+        return box;
+    };
+    m_mode = addBox(tr("Mode"),
+                    tr("Auto shows something after half a second even if nothing happens; Normal waits; "
+                       "Single stops after one event"),
+                    {tr("Auto"), tr("Normal"), tr("Single")});
+    m_source = addBox(tr("Source"), tr("The signal whose edge is the event, or the set-point"), {});
+    m_source->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_source->setMinimumContentsLength(SourceCharacters);
+    m_slope = addBox(tr("Slope"), tr("Which way the source passes the level"),
+                     {tr("rising"), tr("falling"), tr("either")});
+    watch(Level, makeNumberField({tr("Level"), tr("The event is where the source passes it; the line in the "
+                                                  "plot can be dragged")},
+                                 this));
+    m_numbers[Level]->setMaximumWidth(LevelCharacters * fontMetrics().averageCharWidth());
+    line.addWidget(m_numbers[Level]);
     connect(m_mode, QOverload<int>::of(&QComboBox::activated), this, [this](int mode) {
         m_choice.mode = static_cast<control::TriggerMode>(mode);
         Q_EMIT edited();
@@ -61,26 +88,26 @@ void TriggerBar::buildBoxes(FieldGrid& grid) {
     connect(m_source, QOverload<int>::of(&QComboBox::activated), this, &TriggerBar::onSource);
 }
 
-void TriggerBar::buildNumbers(FieldGrid& grid) {
-    const NumberField numbers[Fields] = {
-        {tr("Level"), tr("The event is where the source passes it; the line in the plot can be dragged")},
-        {tr("Hysteresis"), tr("So far on the other side of the level the source must have been before")},
-        {tr("Window"), tr("The stretch of time shown of an event")},
-        {tr("Before"), tr("Share of the window that lies before the event")},
-        {tr("Hold-off"), tr("Least time from one event to the next")},
-    };
-    for (int field = 0; field < Fields; ++field) {
-        m_numbers[field] = grid.addNumber(numbers[field]);
-        connect(m_numbers[field], &widgets::QuantityEdit::edited, this,
-                [this, field](double value) { onEdited(static_cast<Field>(field), value); });
-    }
+void TriggerBar::buildSettings(FieldGrid& grid) {
+    watch(Hysteresis,
+          grid.addNumber({tr("Hysteresis"),
+                          tr("So far on the other side of the level the source must have been before")}));
+    watch(Window, grid.addNumber({tr("Window"), tr("The stretch of time shown of an event")}));
+    watch(Before, grid.addNumber({tr("Before"), tr("Share of the window that lies before the event")}));
+    watch(HoldOff, grid.addNumber({tr("Hold-off"), tr("Least time from one event to the next")}));
     m_middle = makeButton({tr("Level to the middle"),
                            tr("Sets the level half way between what the source reaches in the view, and the "
                               "hysteresis to a twentieth of it"),
                            {}},
                           this);
-    grid.addPlain(m_middle, 2);
+    grid.addPlain(m_middle);
     connect(m_middle, &QPushButton::clicked, this, &TriggerBar::middleRequested);
+}
+
+void TriggerBar::watch(Field field, widgets::QuantityEdit* box) {
+    m_numbers[field] = box;
+    connect(box, &widgets::QuantityEdit::edited, this,
+            [this, field](double value) { onEdited(field, value); });
 }
 
 DisplayQuantity TriggerBar::shown() const {
@@ -173,9 +200,11 @@ void TriggerBar::onSource(int index) {
     Q_EMIT sourceChosen();
 }
 
-void TriggerBar::setState(const QString& words, widgets::Role role) {
-    if (m_state->words() != words) {
+void TriggerBar::setState(const QString& words, const QString& sentence, widgets::Role role) {
+    if (m_state->accessibleDescription() != sentence || m_state->words() != words) {
         m_state->setWords(words);
+        m_state->setToolTip(sentence);
+        m_state->setAccessibleDescription(sentence);
     }
     showRole(*m_state, role);
 }

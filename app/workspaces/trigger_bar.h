@@ -9,6 +9,7 @@
 
 class QAction;
 class QComboBox;
+class QHBoxLayout;
 class QPushButton;
 
 namespace halbench::widgets {
@@ -20,8 +21,8 @@ namespace halbench::app {
 
 class FieldGrid;
 
-/// The settings of the oscilloscope trigger and what it does, in words (resources/help/monitor.md,
-/// "Trigger").
+/// The oscilloscope trigger in a line above the plots: what is waited for and what it does, in words; the
+/// other settings in a line below when asked for (resources/help/monitor.md, "Trigger").
 class TriggerBar : public QWidget {
     Q_OBJECT
 
@@ -33,7 +34,8 @@ public:
     void setCatalogue(const devices::Catalogue& catalogue, const DisplayUnits& units);
     void setChoice(const TriggerChoice& choice);
     const TriggerChoice& choice() const { return m_choice; }
-    void setState(const QString& words, widgets::Role role);
+    /// `sentence`: all of it, for who asks.
+    void setState(const QString& words, const QString& sentence, widgets::Role role);
     /// "Speed rises through 10 r/min", "the set-point changes".
     QString eventWords() const;
 
@@ -44,8 +46,9 @@ Q_SIGNALS:
 
 private:
     enum Field { Level, Hysteresis, Window, Before, HoldOff, Fields };
-    void buildBoxes(FieldGrid& grid);
-    void buildNumbers(FieldGrid& grid);
+    void buildEvent(QHBoxLayout& line);
+    void buildSettings(FieldGrid& grid);
+    void watch(Field field, widgets::QuantityEdit* box);
     void onEdited(Field field, double shown);
     void onSource(int index);
     void dressFields();

@@ -2,6 +2,7 @@
 
 #include "app/batch/experiment_keys.h"
 #include "app/batch/presets.h"
+#include "app/workspaces/design_names.h"
 #include "widgets/optional_number_edit.h"
 #include "widgets/phrasebook.h"
 #include "widgets/theme_style.h"
@@ -170,11 +171,11 @@ void TuneForm::refreshWords() {
         QString help;
         switch (static_cast<Origin>(m_origin->itemData(i, OriginRole).toInt())) {
         case Origin::Method:
-            text = tr("Method: %1").arg(id);
+            text = tr("Method: %1").arg(designTitle(id.toStdString()));
             help = widgets::inWords(std::string(methodNamed(id.toStdString())->summary));
             break;
         case Origin::Preset:
-            text = tr("Preset: %1").arg(id);
+            text = tr("Preset: %1").arg(designTitle(id.toStdString()));
             if (const auto preset = findPreset(m_model, id.toStdString())) {
                 help = widgets::inWords(preset->title);
             }

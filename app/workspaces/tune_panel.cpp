@@ -1,6 +1,7 @@
 #include "app/workspaces/tune_panel.h"
 
 #include "app/batch/loop_conditions.h"
+#include "app/workspaces/design_names.h"
 #include "app/workspaces/foreign_motor_notice.h"
 #include "app/workspaces/gain_editor.h"
 #include "app/workspaces/page_chooser.h"
@@ -76,6 +77,7 @@ void TunePanel::connectParts() {
     connect(m_keep, &QPushButton::clicked, this, &TunePanel::keep);
     connect(m_restore, &QPushButton::clicked, this, &TunePanel::restore);
     connect(m_save, &QPushButton::clicked, this, &TunePanel::saveGains);
+    connect(m_measure, &QPushButton::clicked, this, &TunePanel::chooseMeasured);
     m_decision.setSingleShot(true);
     connect(&m_decision, &QTimer::timeout, this, [this] {
         refreshButtons();
@@ -129,9 +131,9 @@ void TunePanel::refreshModel() {
     if (m_bench.provenance().origin != ResultOrigin::Project) {
         forgetRestored(); // they were for another motor
     }
+    m_shown.reset(); // it was proposed for the motor before
     forgetJudgements();
     if (!identification) {
-        m_shown.reset();
         m_sketch.reset();
         m_sketching.cancel();
         m_judging.cancel();
@@ -258,16 +260,16 @@ void TunePanel::ask() {
 void TunePanel::restoreDesign(std::optional<GainsFile> gains) {
     forgetRestored();
     forgetVerification(); // of the project before
+    forgetMeasured();
     m_restored = std::move(gains);
     const GainsFile shown = m_restored.value_or(GainsFile{});
     m_form->showChoice(m_restored ? shown.method : TuneConfig().method, shown.targets);
     if (m_restored) {
         m_gains->setLaw(shown.law);
-        m_message->showMessage(
-            {widgets::Severity::Information,
-             tr("From the project: gains by %1.").arg(QString::fromStdString(shown.method)),
-             tr("Choose a method to design anew for the motor as it is now."),
-             {}});
+        m_message->showMessage({widgets::Severity::Information,
+                                tr("From the project: gains by %1.").arg(designTitle(shown.method)),
+                                tr("Choose a method to design anew for the motor as it is now."),
+                                {}});
     }
     ask();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/batch/frequency_file.h"
 #include "app/batch/model_file.h"
 #include "app/procedures/apply_procedure.h"
 #include "app/workspaces/file_chooser.h"
@@ -36,6 +37,7 @@ namespace halbench::app {
 class DesignTable;
 class ForeignMotorNotice;
 class GainEditor;
+class LoopView;
 class PageChooser;
 class Preflight;
 struct NamedLoop;
@@ -56,6 +58,8 @@ public:
     void restoreDesign(std::optional<GainsFile> gains);
     /// The project's other designs, by name, and what they are now.
     void setKeptDesigns(std::vector<KeptDesign> designs);
+    /// One more that the project held otherwise; nothing done to the others is forgotten.
+    void adoptDesign(const std::string& name, std::string document);
     const std::vector<KeptDesign>& keptDesigns() const { return m_designs.all(); }
 
 Q_SIGNALS:
@@ -79,6 +83,11 @@ private:
     void forgetJudgements();
     void showDesigns();
     std::vector<NamedLoop> drawnLoops() const;
+    void chooseMeasured();
+    void showMeasured(Result<FrequencyFile> file);
+    void forgetMeasured();
+    std::optional<MeasuredLoop> drawnMeasurement() const;
+    void refreshMeasuredWords();
     void drawPredictions();
     void refreshWords();
     void refreshModel();
@@ -117,6 +126,7 @@ private:
     std::optional<AnalysisResult> m_present;          ///< of the gains on the device, or before an apply
     KeptDesigns m_designs;
     std::map<std::string, JudgedLoop> m_judged; ///< kept designs by their document
+    std::optional<MeasuredPlant> m_measured;    ///< drawn into the open loop
     std::optional<double> m_bandwidth_rad_s;    ///< of what is shown
     std::optional<TuneSketch> m_sketch;         ///< what is drawn
     std::optional<TuneResult> m_shown;          ///< what the numbers say, and what would be applied
@@ -142,8 +152,9 @@ private:
     QPushButton* m_keep = nullptr;
     QPushButton* m_restore = nullptr;
     QPushButton* m_save = nullptr;
+    QPushButton* m_measure = nullptr;
     widgets::ProgressRow* m_progress = nullptr;
-    widgets::FigureView* m_bode = nullptr;
+    LoopView* m_loop = nullptr;
     PageChooser* m_figures = nullptr;
     widgets::FigureView* m_large = nullptr;
     widgets::FigureView* m_linear = nullptr;

@@ -3,6 +3,7 @@
 #include "app/report/tuning_figures.h"
 #include "app/workspaces/design_table.h"
 #include "app/workspaces/gain_editor.h"
+#include "app/workspaces/loop_view.h"
 #include "app/workspaces/tune_form.h"
 #include "app/workspaces/tune_panel.h"
 #include "control/base/assert.h"
@@ -42,6 +43,11 @@ void TunePanel::connectDesigns() {
 
 void TunePanel::setKeptDesigns(std::vector<KeptDesign> designs) {
     m_designs.restore(std::move(designs));
+    compareDesigns();
+}
+
+void TunePanel::adoptDesign(const std::string& name, std::string document) {
+    m_designs.adopt(name, std::move(document));
     compareDesigns();
 }
 
@@ -146,7 +152,7 @@ void TunePanel::drawPredictions() {
     const widgets::AngleUnit unit = m_bench.displayUnits().angle;
     const AnalysisResult& predicted = m_sketch->predicted;
     const std::vector<NamedLoop> others = drawnLoops();
-    m_bode->setFigure(openLoopFigure(predicted, m_present, others));
+    m_loop->setLoops(predicted, m_present, others, drawnMeasurement());
     m_linear->setFigure(linearStepFigure(predicted, m_present, unit, others).value_or(widgets::Figure{}));
     m_large->setFigure(largeStepFigure(predicted, m_present, unit, others).value_or(widgets::Figure{}));
 }

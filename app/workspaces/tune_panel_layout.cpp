@@ -3,6 +3,7 @@
 #include "app/workspaces/document_files.h"
 #include "app/workspaces/foreign_motor_notice.h"
 #include "app/workspaces/gain_editor.h"
+#include "app/workspaces/loop_view.h"
 #include "app/workspaces/page_chooser.h"
 #include "app/workspaces/preflight.h"
 #include "app/workspaces/tune_form.h"
@@ -80,6 +81,7 @@ QWidget* TunePanel::buildButtons() {
     m_keep = new QPushButton(bar);
     m_restore = new QPushButton(bar);
     m_save = new QPushButton(bar);
+    m_measure = new QPushButton(bar);
     widgets::setRole(*m_apply, widgets::Role::Primary);
     m_restore->setIcon(widgets::themedIcon(QStringLiteral("revert")));
     m_save->setIcon(widgets::themedIcon(QStringLiteral("save")));
@@ -87,27 +89,29 @@ QWidget* TunePanel::buildButtons() {
     grid->addWidget(m_save, 0, 1);
     grid->addWidget(m_keep, 1, 0);
     grid->addWidget(m_restore, 1, 1);
+    grid->addWidget(m_measure, 2, 0, 1, 2);
     grid->setColumnStretch(2, 1);
     m_save->hide();
+    m_measure->hide();
     return bar;
 }
 
 QWidget* TunePanel::buildFigures() {
     m_figures = new PageChooser;
-    m_bode = new widgets::FigureView(m_figures);
+    m_loop = new LoopView(m_figures);
     m_large = new widgets::FigureView(m_figures);
     m_linear = new widgets::FigureView(m_figures);
     m_numbers = new TuneNumbers(m_figures);
     m_table = new DesignTable(m_figures);
     m_verificationPage = buildVerification();
     for (QWidget* page :
-         std::initializer_list<QWidget*>{m_bode, m_large, m_linear, m_numbers, m_table, m_verificationPage}) {
+         std::initializer_list<QWidget*>{m_loop, m_large, m_linear, m_numbers, m_table, m_verificationPage}) {
         m_figures->addPage(page);
     }
     constexpr int CharactersOfAPicture = 52; // less squeezes its axes
-    m_figures->pairWhenWide(m_bode, m_large, 2 * CharactersOfAPicture * fontMetrics().averageCharWidth());
+    m_figures->pairWhenWide(m_loop, m_large, 2 * CharactersOfAPicture * fontMetrics().averageCharWidth());
     m_figures->setPageEnabled(m_verificationPage, false);
-    for (widgets::FigureView* view : {m_bode, m_large, m_linear, m_verification}) {
+    for (widgets::FigureView* view : {&m_loop->picture(), m_large, m_linear, m_verification}) {
         connect(view, &widgets::FigureView::exportRequested, this, [this, view] {
             savePicture(this, m_chooser, QStringLiteral("tuning.svg"), m_files, *view,
                         [this](const Error& error) { showError(error); });
@@ -144,7 +148,8 @@ void TunePanel::refreshWords() {
            "in the device, in the Parameters panel, keeps them longer"));
     say(*m_restore, tr("Restore"), tr("The gains from before run again"));
     say(*m_save, tr("Save gains\u2026"), tr("Write the file that the program's analyse reads"));
-    m_figures->setTitle(m_bode, tr("Open loop"), tr("Magnitude and phase with their margins"));
+    refreshMeasuredWords();
+    m_figures->setTitle(m_loop, tr("Open loop"), tr("Bode, Nyquist and Nichols plot, and sensitivity"));
     m_figures->setTitle(m_large, tr("Step of %1").arg(angleText(LargeStep_rad, units)),
                         tr("A large step with friction and current limit"));
     m_figures->setTitle(m_linear, tr("Small step"), tr("The step of the linear loop"));

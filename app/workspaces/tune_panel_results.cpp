@@ -5,6 +5,7 @@
 #include "app/workspaces/document_files.h"
 #include "app/workspaces/foreign_motor_notice.h"
 #include "app/workspaces/gain_editor.h"
+#include "app/workspaces/loop_view.h"
 #include "app/workspaces/page_chooser.h"
 #include "app/workspaces/preflight.h"
 #include "app/workspaces/rest_ripple.h"
@@ -121,6 +122,7 @@ void TunePanel::showProblem(const Error& error) {
     m_shown.reset();
     m_verdict->setVerdict(widgets::VerdictLevel::Refused, widgets::inWords(error.message),
                           {{widgets::inWords(error.hint), {}}});
+    showDesigns(); // what was proposed before is not proposed any more
     refreshButtons();
 }
 
@@ -266,7 +268,7 @@ void TunePanel::forgetVerification() {
         m_verification->setFigure({});
         m_agreement->setVerdict(widgets::VerdictLevel::Doubtful, tr("Nothing verified yet"), {});
         if (!m_verificationPage->isHidden()) { // else another picture is chosen
-            m_figures->setCurrent(m_bode);
+            m_figures->setCurrent(m_loop);
         }
         m_figures->setPageEnabled(m_verificationPage, false);
     }
@@ -339,6 +341,7 @@ void TunePanel::saveGains() {
 void TunePanel::setFileChooser(FileChooser chooser) {
     m_chooser = std::move(chooser);
     m_save->setVisible(bool(m_chooser.save));
+    m_measure->setVisible(bool(m_chooser.open));
 }
 
 void TunePanel::tellOfDevice(const widgets::Message& message) {

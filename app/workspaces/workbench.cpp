@@ -67,6 +67,14 @@ void readInPieces(DeviceSession& session, const std::vector<std::string>& names,
     }
 }
 
+std::vector<StreamLayout::Column> columnsOf(const devices::Catalogue& catalogue) {
+    std::vector<StreamLayout::Column> columns;
+    for (const SignalSpec& spec : catalogue.signals) {
+        columns.push_back({spec.name, spec.unit});
+    }
+    return columns;
+}
+
 } // namespace
 
 QString deviceKey(const devices::DeviceInfo& info) {
@@ -80,6 +88,10 @@ Workbench::Workbench(QObject* parent)
     connect(&m_session, &DeviceSession::stateChanged, this, &Workbench::onSessionState);
     connect(&m_session, &DeviceSession::procedureChanged, this, [this] {
         if (m_session.procedure().isEmpty()) {
+            if (m_isCurrentDriven) {
+                drainSamples(); // the last of it
+                m_isCurrentDriven = false;
+            }
             readValues(true); // what the procedure wrote or restored
         }
     });
@@ -125,7 +137,7 @@ void Workbench::drainSamples() {
     const bool isAngle = !m_isCurrentDriven && (!m_session.procedure().isEmpty() ||
                                                 m_drive->mode() == devices::BoardMode::Position);
     for (const SampleBlockPtr& block : blocks) {
-        m_history.append(withoutIdleReference(*block, m_session.catalogue(), isAngle));
+        m_history.append(m_derived.with(withoutIdleReference(*block, m_session.catalogue(), isAngle)));
     }
     if (!blocks.empty()) {
         m_freshness.samplesCame();
@@ -149,7 +161,37 @@ std::optional<double> Workbench::deviceValue(const std::string& parameter) const
     return found == m_values.end() ? std::nullopt : std::optional(found->second);
 }
 
+Result<devices::Derivation> Workbench::derive(const devices::DerivedSignal& derived) const {
+    return devices::deriveSignal(derived, columnsOf(m_session.catalogue()));
+}
+
+void Workbench::setDerivedSignals(std::vector<devices::DerivedSignal> list) {
+    if (list != m_derivedList) {
+        m_derivedList = std::move(list);
+        refreshCatalogue();
+        derivedSignalsChanged();
+    }
+}
+
+void Workbench::refreshCatalogue() {
+    m_catalogue = m_session.catalogue();
+    m_derived.set(m_derivedList, columnsOf(m_session.catalogue()));
+    std::map<std::string, std::vector<std::string>> sources;
+    for (const devices::DerivedSignals::Computed& computed : m_derived.computed()) {
+        SignalSpec spec;
+        spec.name = computed.signal.name;
+        spec.unit = computed.signal.unit;
+        spec.help = computed.signal.expression;
+        m_catalogue.signals.push_back(std::move(spec));
+        sources[computed.signal.name] = computed.sources;
+    }
+    m_liveSignals.setSources(std::move(sources));
+}
+
 void Workbench::onSessionState() {
+    if (m_session.state() == SessionState::Connected) {
+        refreshCatalogue();
+    }
     if (m_session.state() == SessionState::Connected && m_session.returns() > 0) {
         onReturn();
     } else if (m_session.state() == SessionState::Connected) {

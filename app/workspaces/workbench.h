@@ -11,6 +11,7 @@
 #include "app/workspaces/stop_latch.h"
 #include "app/workspaces/wall_clock.h"
 #include "control/signals/sample_history.h"
+#include "devices/acquisition/derived_signals.h"
 
 #include <QObject>
 
@@ -63,6 +64,13 @@ public:
     void setStopAsker(const QString& by); ///< the first counts
     /// What the panels want to see of the device while no procedure streams.
     LiveSignals& liveSignals() { return m_liveSignals; }
+    /// What the connected device has, and the signals that are derived from those.
+    const devices::Catalogue& catalogue() const { return m_catalogue; }
+    const std::vector<devices::DerivedSignal>& derivedSignals() const { return m_derivedList; }
+    /// What the connected device makes of it. Errors: devices::deriveSignal().
+    Result<devices::Derivation> derive(const devices::DerivedSignal& derived) const;
+    /// Those that the device cannot give wait for one that can.
+    void setDerivedSignals(std::vector<devices::DerivedSignal> list);
     /// Whether what is shown is still updated.
     const Freshness& freshness() const { return m_freshness; }
     /// Moving by hand, for every control that does.
@@ -70,8 +78,8 @@ public:
     /// How time of a simulated device runs, now and when one is connected.
     Pace pace() const { return m_pace; }
     void setPace(Pace pace);
-    /// While this is set, what the board has as its reference is a current and not shown as an angle.
-    void setCurrentDriven(bool isDriven) { m_isCurrentDriven = isDriven; }
+    /// Until the running procedure ends, what the board has as its reference is a current, shown as no angle.
+    void setCurrentDriven() { m_isCurrentDriven = true; }
     /// The recording of the panel and of the window's action.
     RecordingControl& recording() { return m_recording; }
     void setWallClock(const WallClock& clock);
@@ -136,12 +144,14 @@ Q_SIGNALS:
     void identificationChanged();
     void designChanged();
     void displayUnitsChanged();
+    void derivedSignalsChanged();
     void strayIntervalChanged();
     void paceChanged();
     void samplesArrived(); ///< at most once per frame
 
 private:
     void onSessionState();
+    void refreshCatalogue();
     void onReturn();
     void compareValues();
     void forgetDecidedDifferences();
@@ -156,6 +166,9 @@ private:
     LiveSignals m_liveSignals{m_session};
     RecordingControl m_recording{m_session, m_liveSignals};
     control::SampleHistory m_history;
+    std::vector<devices::DerivedSignal> m_derivedList;
+    devices::DerivedSignals m_derived;
+    devices::Catalogue m_catalogue;
     std::map<std::string, double> m_values;
     bool m_areValuesOurs = false;
     std::map<std::string, double> m_formerValues; ///< before the loss, until they are compared

@@ -44,6 +44,7 @@ struct PanelPlace {
 
 constexpr PanelPlace Places[] = {{"devices", "monitor.md", "Devices"},
                                  {"signals", "monitor.md", "Plots"},
+                                 {"recordings", "monitor.md", "Recordings"},
                                  {"monitor", "monitor.md", "Plots"},
                                  {"spectrum", "monitor.md", "Spectrum"},
                                  {"xy", "monitor.md", "XY"},
@@ -56,6 +57,7 @@ constexpr PanelPlace Places[] = {{"devices", "monitor.md", "Devices"},
                                  {"calibrate", "identification.md", "6. Calibrations"},
                                  {"tune", "tuning.md", "In the window"},
                                  {"log", "monitor.md", "Stop, faults, a device that fails"},
+                                 {"derived", "monitor.md", "Derived signals"},
                                  {"notes", "projects.md", ""}};
 
 TEST_F(HelpWindowTest, everyPanelsHelpIsTheSameSectionInEveryLanguage) {

@@ -25,6 +25,7 @@ Project sample() {
     project.monitor.trigger = {
         true, "speed", control::TriggerMode::Single, control::TriggerSlope::Either, 1.25, 0.05, 0.4,
         0.1,  2.0};
+    project.monitor.derived = {{"power", "current.a^2 + current.b^2", "A^2"}};
     return project;
 }
 
@@ -66,7 +67,8 @@ TEST(ProjectFile, aPlotThatMakesNoSenseIsRefusedWithItsLine) {
           "[[plot]]\nmin = nan\nmax = 1.0\n", "[monitor]\nspan_s = 0.0\n", "[monitor]\nfollow = 1\n",
           "[monitor]\ntrigger = 1\n", "[monitor.trigger]\nmode = \"always\"\n",
           "[monitor.trigger]\nwindow_s = 0.0\n", "[monitor.trigger]\non = 1\n",
-          "[monitor.trigger]\nedge = 1\n", "plot = 3\n", "monitor = 3\n", "plot = [3]\n"}) {
+          "[monitor.trigger]\nedge = 1\n", "plot = 3\n", "derived = 3\n", "[[derived]]\nname = \"x\"\n",
+          "[[derived]]\nformula = \"x\"\n", "monitor = 3\n", "plot = [3]\n"}) {
         const auto read =
             parseProject(std::string("schema = \"halbench.project/1\"\n") + lines, "motor.toml");
         ASSERT_FALSE(read) << lines;

@@ -3,6 +3,7 @@
 #include "app/window/project_file.h"
 #include "app/wizards/identify_panel.h"
 #include "app/workspaces/gain_editor.h"
+#include "app/workspaces/tune_form.h"
 #include "app/workspaces/tune_panel.h"
 #include "tests/app/window/window_test.h"
 #include "tests/app/workspaces/published_motor.h"
@@ -152,7 +153,7 @@ TEST_F(ProjectWorkTest, choosingAMethodDesignsAnewAndTheProjectTakesIt) {
     ASSERT_TRUE(wait([&] { return window->bench().design().has_value(); }));
     EXPECT_TRUE(window->bench().isDesignFromProject());
     auto* tune = panel<TunePanel>("tune");
-    auto* origin = tune->findChild<QComboBox*>();
+    auto* origin = tune->findChild<TuneForm*>()->findChild<QComboBox*>();
     origin->setFocus();
     QTest::keyClick(origin, Qt::Key_Down);
     ASSERT_TRUE(wait([&] { return !window->bench().isDesignFromProject(); }));
@@ -184,6 +185,26 @@ TEST_F(ProjectWorkTest, designsKeptUnderANameAreThereAgainBesideTheOneInUse) {
     EXPECT_TRUE(kept[0].gains);
     EXPECT_FALSE(kept[1].gains);
     EXPECT_EQ(kept[1].document, "no JSON");
+}
+
+TEST_F(ProjectWorkTest, gainsInUseThatCannotBeReadStayBesideThoseDesignedInTheirPlace) {
+    open();
+    identify();
+    saveAs(path());
+    Project project = *loadProject(path().toStdString());
+    ASSERT_EQ(project.designs.size(), 1U);
+    project.designs[0].document = "from a newer version";
+    ASSERT_TRUE(saveProject(project, path("newer.toml").toStdString()));
+    open();
+    window->openProject(path("newer.toml"));
+    ASSERT_TRUE(wait([&] { return window->bench().design().has_value(); }));
+    saveAs(path("again.toml"));
+    const auto again = loadProject(path("again.toml").toStdString());
+    ASSERT_TRUE(again);
+    ASSERT_EQ(again->designs.size(), 2U);
+    EXPECT_EQ(again->designs[0].document, "from a newer version");
+    EXPECT_NE(again->designs[0].name, "in use");
+    EXPECT_EQ(again->designs[1].name, "in use");
 }
 
 TEST_F(ProjectWorkTest, aModelThatCannotBeReadIsSaidAndStaysInTheProject) {

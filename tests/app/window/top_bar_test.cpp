@@ -19,6 +19,7 @@
 #include <QMenu>
 #include <QTextBrowser>
 #include <QToolButton>
+#include <qtadvanceddocking/DockWidget.h>
 
 #include <algorithm>
 
@@ -242,6 +243,22 @@ TEST_F(TopBarTest, aPerspectivesButtonTakesTheFocusIntoItsMainPanel) {
     EXPECT_EQ(helpWords(), pageWords("identification.md"));
 }
 
+TEST_F(TopBarTest, theFocusGoesWithATabAndNotToWhatDisconnects) {
+    open();
+    QApplication::setActiveWindow(window.get());
+    connectMotor(1.0);
+    QTest::mouseClick(perspective("Identify"), Qt::LeftButton);
+    auto* identify = window->docks().panel("identify");
+    ASSERT_TRUE(wait([&] { return identify->isAncestorOf(QApplication::focusWidget()); }));
+    auto* calibrate = window->docks().panel("calibrate");
+    for (ads::CDockWidget* dock : window->docks().docks()) {
+        if (dock->objectName() == "calibrate") {
+            dock->setAsCurrentTab();
+        }
+    }
+    EXPECT_TRUE(wait([&] { return calibrate->isAncestorOf(QApplication::focusWidget()); }));
+}
+
 TEST_F(TopBarTest, isNarrowWhereTheWindowIsAndItsKeysStay) {
     const auto theme = widgets::loadTheme("light"); // the program's letters
     ASSERT_TRUE(theme);
@@ -265,6 +282,60 @@ TEST_F(TopBarTest, isNarrowWhereTheWindowIsAndItsKeysStay) {
     QApplication::setActiveWindow(&narrow);
     QTest::keyClick(&narrow, Qt::Key_3, Qt::ControlModifier);
     EXPECT_EQ(chosen, Perspective::Tune);
+}
+
+TEST_F(TopBarTest, takesTheFormOfItsWidthAtOnce) {
+    open();
+    const auto hasMenu = [this] { return perspective("Monitor") == nullptr; };
+    window->resize(window->minimumSizeHint());
+    QTest::qWait(0);
+    QTest::qWait(0);
+    const bool wasMenu = hasMenu();
+    window->resize(1700, 900);
+    QTest::qWait(0);
+    EXPECT_FALSE(hasMenu());
+    window->resize(window->minimumSizeHint().expandedTo({1440, 0}));
+    QTest::qWait(0);
+    const bool fromWide = hasMenu();
+    window->resize(window->minimumSizeHint());
+    QTest::qWait(0);
+    EXPECT_EQ(hasMenu(), wasMenu);
+    window->resize(window->minimumSizeHint().expandedTo({1440, 0}));
+    for (int pass = 0; pass < 3; ++pass) { // no event between brings another form
+        QTest::qWait(0);
+        EXPECT_EQ(hasMenu(), fromWide) << pass;
+    }
+}
+
+TEST_F(TopBarTest, nothingMovesWhenTheStateChanges) {
+    const auto theme = widgets::loadTheme("light"); // the program's letters
+    ASSERT_TRUE(theme);
+    widgets::applyTheme(application, *theme, {QLocale(), widgets::Dress().fontSize_pt});
+    open();
+    window->resize(1280, 800);
+    QTest::qWait(0);
+    const auto places = [this] {
+        std::vector<QRect> all;
+        for (QWidget* control :
+             std::initializer_list<QWidget*>{inBar<ConnectButton>(), inBar<ArmButton>(), inBar<ModeBox>(),
+                                             inBar<RecordButton>(), inBar<PerspectiveBar>()}) {
+            all.push_back(control->geometry());
+        }
+        return all;
+    };
+    const auto atFirst = places();
+    connectMotor(1.0);
+    QTest::qWait(0);
+    EXPECT_EQ(places(), atFirst) << "connected";
+    ASSERT_TRUE(wait([&] { return inBar<ArmButton>()->isEnabled(); }));
+    QTest::mouseClick(inBar<ArmButton>(), Qt::LeftButton);
+    ASSERT_TRUE(wait([&] { return isArmed(); }));
+    QTest::qWait(0);
+    EXPECT_EQ(places(), atFirst) << "armed";
+    key(Qt::Key_Escape, Qt::NoModifier);
+    ASSERT_TRUE(wait([&] { return window->bench().stopLatch().isLatched(); }));
+    QTest::qWait(0);
+    EXPECT_EQ(places(), atFirst) << "stopped";
 }
 
 TEST_F(TopBarTest, recordingAndThePerspectiveOfRecordingsHaveNamesOfTheirOwn) {

@@ -215,11 +215,13 @@ TEST_F(CalibratePanelTest, carriesTheWallClocksStartAndTheDevicesDuration) {
     now = now.addSecs(3600); // it begins when it is started, not when it ends
     ASSERT_TRUE(wait([&] { return isResultShown(); })) << message().toStdString();
     EXPECT_EQ(panel.record()->header.started, "2026-05-04T03:02:01Z");
-    // The board needs what the plan says, give or take how fast its coils are asked.
+    // The board's own time is what the plan says, or more where a busy computer answers late; that of the
+    // clock on the wall would be a tenth of it.
     CalibrateConfig config;
     config.which = {Calibration::Stray};
     const double predicted_s = predictCalibrate(config).duration_s;
-    EXPECT_NEAR(panel.record()->result.duration_s, predicted_s, 0.3 * predicted_s);
+    EXPECT_GT(panel.record()->result.duration_s, 0.7 * predicted_s);
+    EXPECT_LT(panel.record()->result.duration_s, 10.0 * predicted_s); // the clock that was set: an hour
     bool isSaid = false;
     for (const auto* label : panel.findChildren<QLabel*>()) {
         isSaid = isSaid || label->text().contains("started 2026-05-04T03:02:01Z");

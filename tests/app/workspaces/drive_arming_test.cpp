@@ -143,6 +143,28 @@ TEST_F(DriveArmingTest, nothingMovesBeforeItIsKnownWhereTheRotorStands) {
     EXPECT_EQ(parameter("hb.setpoint"), 0.0);
 }
 
+// As after a link that came back: the history goes on, but a hand may have turned the rotor meanwhile.
+TEST_F(DriveArmingTest, anAngleFromBeforeTheArmingIsNoOrigin) {
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(wait([&] { return bench().history().latest("position").has_value(); }));
+    holdSamplesBack(true);
+    const double stale_s = bench().history().latest("position")->time_s;
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Arm")->isEnabled(); }));
+    click(*panel, "Arm");
+    ASSERT_TRUE(wait([&] { return isArmed() && !bench().drive().isPending(); }));
+    EXPECT_FALSE(bench().drive().canMove());
+    EXPECT_FALSE(bench().drive().origin_rad().has_value());
+    bool isSaid = false;
+    for (const auto* label : panel->findChildren<QLabel*>()) {
+        isSaid = isSaid || label->text() == "Waits for a sample of the angle.";
+    }
+    EXPECT_TRUE(isSaid);
+    holdSamplesBack(false);
+    ASSERT_TRUE(wait([&] { return bench().drive().canMove(); }));
+    EXPECT_GT(bench().history().latest("position")->time_s, stale_s);
+    EXPECT_TRUE(bench().drive().origin_rad().has_value());
+}
+
 TEST_F(DriveArmingTest, aRealDeviceAsksOnceWithWordsAboutMotion) {
     ServedBoard board;
     ASSERT_TRUE(wait([&] { return !board.uri().isEmpty(); }));

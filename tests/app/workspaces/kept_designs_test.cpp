@@ -50,6 +50,26 @@ TEST(KeptDesigns, whatWasDoneIsUndoneAndRedoneInOrder) {
     EXPECT_EQ(names(designs), (Names{"one", "two"}));
 }
 
+TEST(KeptDesigns, whatIsAdoptedStaysWhateverIsUndone) {
+    KeptDesigns designs;
+    designs.restore({keptDesign("calm", "1"), keptDesign("quick", "2")});
+    designs.remove(0);
+    designs.adopt("calm", "3");
+    EXPECT_EQ(names(designs), (Names{"quick", "calm 2"}));
+    designs.undo();
+    EXPECT_EQ(names(designs), (Names{"calm", "quick", "calm 2"}));
+    designs.redo();
+    EXPECT_EQ(names(designs), (Names{"quick", "calm 2"}));
+}
+
+TEST(KeptDesigns, theNameOfTheOneInUseIsTaken) {
+    KeptDesigns designs;
+    designs.keep("lqr", "a");
+    EXPECT_EQ(designs.rename(0, "in use").error().code, ErrorCode::InvalidInput);
+    designs.adopt("in use", "b");
+    EXPECT_EQ(names(designs), (Names{"lqr", "in use 2"}));
+}
+
 TEST(KeptDesigns, aDocumentThatCannotBeReadStaysAsItIs) {
     const KeptDesign damaged = keptDesign("old", "no JSON");
     EXPECT_FALSE(damaged.gains);

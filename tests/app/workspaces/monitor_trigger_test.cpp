@@ -10,6 +10,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QMouseEvent>
+#include <QPushButton>
 
 #include <algorithm>
 
@@ -31,7 +32,9 @@ protected:
 
     widgets::LivePlotStack& stack() { return *panel->findChild<widgets::LivePlotStack*>(); }
     TriggerBar& bar() { return *panel->findChild<TriggerBar*>(); }
-    QString state() { return find<widgets::ElidedLabel>(*panel, "State of the trigger")->words(); }
+    widgets::ElidedLabel& stateLabel() { return *find<widgets::ElidedLabel>(*panel, "State of the trigger"); }
+    /// The whole sentence, for who asks.
+    QString state() { return stateLabel().accessibleDescription(); }
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
         auto* plot = panel->findChild<widgets::LivePlot*>();
         plot->setFocus();
@@ -80,6 +83,23 @@ TEST_F(MonitorTriggerTest, theKeyShowsItsSettingsAndItWaitsInWords) {
     press(Qt::Key_T);
     EXPECT_FALSE(bar().isVisible());
     EXPECT_FALSE(stack().level());
+}
+
+TEST_F(MonitorTriggerTest, isOneLineInWhichTheStateIsWholeUntilMoreIsAskedFor) {
+    connectTo("sim:htm", 5.0);
+    panel->resize(700, 560); // what 1440 x 900 leaves for it
+    press(Qt::Key_T);
+    choose("Mode", "Single");
+    ASSERT_TRUE(wait([&] { return bench().history().range().has_value(); }));
+    EXPECT_EQ(stateLabel().text(), "Waiting");
+    EXPECT_LT(bar().height(), 2 * find<QComboBox>(*panel, "Mode")->height());
+    command(0.5);
+    ASSERT_TRUE(wait([&] { return stateLabel().words().startsWith("Stopped at"); }));
+    EXPECT_EQ(stateLabel().text(), stateLabel().words()); // nothing is left out
+    auto* window = find<widgets::QuantityEdit>(*panel, "Window");
+    EXPECT_FALSE(window->isVisible());
+    find<QPushButton>(*panel, "More settings of the trigger")->click();
+    EXPECT_TRUE(window->isVisible());
 }
 
 TEST_F(MonitorTriggerTest, aSetPointChangeStandsInTheViewUntilTheNextAndEndFollowsAgain) {

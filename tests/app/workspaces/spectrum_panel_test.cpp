@@ -1,11 +1,13 @@
 #include "app/procedures/move_procedure.h"
 #include "app/workspaces/signal_box.h"
+#include "app/workspaces/spectrogram_figure.h"
 #include "app/workspaces/spectrum_panel.h"
 #include "control/base/units.h"
 #include "tests/app/workspaces/bench_fixture.h"
 #include "widgets/empty_state.h"
 #include "widgets/figure_view.h"
 #include "widgets/quantity_edit.h"
+#include "widgets/spectrogram_view.h"
 
 #include <QHeaderView>
 #include <QLabel>
@@ -92,9 +94,51 @@ TEST(SpectrumFigureTest, saysResolutionAveragesAndTotal) {
     const QString words = spectrumWords(*spectrum, fieldLook());
     EXPECT_TRUE(words.contains("Lines every 0.25 Hz, resolution 0.375 Hz"))
         << words.toStdString(); // Hann: 1.5
-    EXPECT_TRUE(words.contains("1 averages")) << words.toStdString();
+    EXPECT_TRUE(words.contains("; 1 average(s); ")) << words.toStdString();
     EXPECT_TRUE(words.contains("rms of all lines 2.121 mT")) << words.toStdString(); // 3/sqrt(2)
     EXPECT_FALSE(words.contains("gaps"));
+}
+
+/// Rows at 1 kHz with the given phase.
+template <typename Phase>
+SignalStretch stretchOf(int rows, Phase phase) {
+    SignalStretch stretch;
+    stretch.unit = "T";
+    for (int row = 0; row < rows; ++row) {
+        stretch.time_s.push_back(0.001 * row);
+        stretch.values.push_back(0.003 * std::sin(phase(stretch.time_s.back())));
+    }
+    return stretch;
+}
+
+TEST(SpectrogramFigureTest, withoutALengthThereAreAsManySegmentsAsLines) {
+    const auto made = spectrogramOf(stretchOf(10000, [](double t) { return 2.0 * Pi * 50.0 * t; }), {});
+    ASSERT_TRUE(made);
+    // 200 rows each: 101 lines, and 99 segments half over each other.
+    EXPECT_NEAR(static_cast<double>(made->frequency_Hz.size()), 101.0, 6.0); // the nearest fast length
+    EXPECT_NEAR(static_cast<double>(made->time_s.size()), 99.0, 6.0);
+}
+
+TEST(SpectrogramFigureTest, theRidgeOfAChirpIsItsFrequencyInTheUnitShown) {
+    control::SpectrumConfig config;
+    config.segment_s = 0.5;
+    const auto made = spectrogramOf(
+        stretchOf(20000, [](double t) { return 2.0 * Pi * (30.0 * t + 0.5 * 4.0 * t * t); }), config);
+    ASSERT_TRUE(made);
+    const widgets::SpectrogramPicture picture = spectrogramPicture(*made, SpectrumScale::Peak, fieldLook());
+    EXPECT_EQ(picture.unit, "mT");
+    EXPECT_EQ(picture.title, "Spectrogram of Hall A");
+    for (std::size_t column = 0; column < picture.time_s.size(); ++column) {
+        std::size_t ridge = 0;
+        for (std::size_t line = 1; line < picture.frequency_Hz.size(); ++line) {
+            ridge = picture.value(column, line) > picture.value(column, ridge) ? line : ridge;
+        }
+        EXPECT_NEAR(picture.frequency_Hz[ridge], 30.0 + 4.0 * picture.time_s[column], picture.lineStep_Hz());
+        // Hann reads a sine half way between two lines as 0.849 of it; the sweep over one line in a segment
+        // takes 0.7 % more.
+        EXPECT_LE(picture.value(column, ridge), 3.0 * 1.001);
+        EXPECT_GE(picture.value(column, ridge), 3.0 * 0.84);
+    }
 }
 
 class SpectrumPanelTest : public BenchTest {
@@ -123,6 +167,7 @@ protected:
     }
     QTableWidget& peaks() { return *find<QTableWidget>(*panel, "Highest peaks"); }
     QString words() { return find<QLabel>(*panel, "What the spectrum says")->text(); }
+    widgets::SpectrogramView& gram() { return *panel->findChild<widgets::SpectrogramView*>(); }
     widgets::FigureView& view() { return *panel->findChild<widgets::FigureView*>(); }
 
     std::unique_ptr<SpectrumPanel> panel;
@@ -200,6 +245,44 @@ TEST_F(SpectrumPanelTest, axesAreSwitchedByKeyAndTheUnitByTheKind) {
                view().figure().panels.at(0).y.unit == QString::fromUtf8("(r/min)\u00b2/Hz").toStdString();
     }));
     EXPECT_TRUE(words().contains("95 % interval")) << words().toStdString();
+}
+
+TEST_F(SpectrumPanelTest, overTimeItIsASpectrogramOfTheSameSettings) {
+    connectTo("sim:htm", 0.0); // as fast as possible: a busy machine changes nothing
+    panel->findChild<SignalBox*>()->choose("reference");
+    view().setFocus();
+    QTest::keyClick(&view(), Qt::Key_O);
+    auto* segment = find<widgets::QuantityEdit>(*panel, "Segment");
+    type(segment, "2");
+    QTest::keyClick(segment, Qt::Key_Return);
+    swing();
+    // 20 degrees at 2 Hz, in segments of whole periods: on a line, as high as the amplitude.
+    EXPECT_TRUE(wait([&] {
+        const widgets::SpectrogramPicture& shown = gram().picture();
+        const widgets::SpectrogramCell highest = widgets::highestCell(shown);
+        return !shown.isEmpty() && std::fabs(shown.lineStep_Hz() - 0.5) < 0.01 &&
+               std::fabs(shown.frequency_Hz[highest.line] - 2.0) < 0.1 &&
+               std::fabs(shown.value(highest.column, highest.line) - 20.0) < 1.0;
+    })) << words().toStdString();
+}
+
+TEST_F(SpectrumPanelTest, aKeySwitchesBetweenAllAtOnceAndOverTime) {
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(wait([&] { return !view().isEmpty(); }));
+    view().setFocus();
+    QTest::keyClick(&view(), Qt::Key_O);
+    ASSERT_TRUE(wait([&] { return !gram().isEmpty(); })) << words().toStdString();
+    EXPECT_TRUE(gram().isVisible());
+    EXPECT_FALSE(view().isVisible());
+    EXPECT_EQ(panel->focusWidget(), &gram());
+    EXPECT_EQ(gram().picture().unit, "r/min");
+    EXPECT_TRUE(words().contains("one every")) << words().toStdString();
+    EXPECT_TRUE(gram().picture().isLogarithmic);
+    QTest::keyClick(&gram(), Qt::Key_Y);
+    EXPECT_FALSE(gram().picture().isLogarithmic);
+    QTest::keyClick(&gram(), Qt::Key_O);
+    EXPECT_TRUE(view().isVisible());
+    EXPECT_EQ(panel->focusWidget(), &view());
 }
 
 TEST_F(SpectrumPanelTest, aSegmentLongerThanTheStretchIsRefusedInWords) {

@@ -49,9 +49,9 @@ TEST_F(TuneDesignsTest, aKeptDesignStandsBesideTheProposedOneWithItsFiguresAndCu
     EXPECT_EQ(cell(0, "K_P"), "40");
     EXPECT_EQ(cell(0, "Closed loop"), "stable");
     keepAs("stiff");
-    choose("Where the gains come from", "Method: lqr");
+    choose("Where the gains come from", "Method: LQR");
     ASSERT_TRUE(wait([&] { return bench.design()->method == "lqr"; }));
-    EXPECT_EQ(cell(0, "Method"), "lqr");
+    EXPECT_EQ(cell(0, "Method"), "LQR");
     EXPECT_EQ(cell(1, "Method"), "recommended");
     EXPECT_EQ(cell(1, "K_P"), "40");
     EXPECT_EQ(cell(1, "Phase margin"), "37.9"); // htm-theory.md 8.4

@@ -100,6 +100,22 @@ TEST_F(TunePicturesTest, everyPictureIsReachedByItsButtonAndTheArrowKeys) {
     EXPECT_TRUE(figure("Predicted step with")->isVisible());
 }
 
+TEST_F(TunePicturesTest, theOpenLoopIsSeenInFourWays) {
+    prepare();
+    choose("View of the open loop", "Nyquist");
+    ASSERT_NE(figure("Nyquist plot"), nullptr);
+    EXPECT_TRUE(figure("Nyquist plot")->isVisible());
+    choose("View of the open loop", "Nichols");
+    EXPECT_NE(figure("Nichols plot"), nullptr);
+    choose("View of the open loop", "Sensitivity");
+    ASSERT_NE(figure("Sensitivity and closed loop"), nullptr);
+    choose("Where the gains come from", "Preset: published"); // the view stays
+    EXPECT_TRUE(wait([&] { return bench.design() && bench.design()->law.gains.proportional == 10.0; }));
+    EXPECT_NE(figure("Sensitivity and closed loop"), nullptr);
+    choose("View of the open loop", "Bode");
+    EXPECT_NE(figure("Open loop"), nullptr);
+}
+
 TEST_F(TunePicturesTest, theTitlesOfThePicturesAreWholeInANarrowPanelToo) {
     prepare();
     panel.resize(700, 500);

@@ -71,7 +71,6 @@ TEST_F(WorkbenchTest, currentsThatAProcedureCommandsAreNoReferenceOfTheAngle) {
     connectMotor(20.0);
     bench.session().setLiveStream({"position", "reference", "status"}, 100.0);
     bool isDone = false;
-    bench.setCurrentDriven(true);
     bench.session().runProcedure(
         "Spin",
         [](devices::Device& device, const ProcedureObserver&) -> Result<void> {
@@ -85,6 +84,7 @@ TEST_F(WorkbenchTest, currentsThatAProcedureCommandsAreNoReferenceOfTheAngle) {
             return device.disarm();
         },
         [&](const Result<void>& driven) { isDone = bool(driven); });
+    bench.setCurrentDriven();
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
             bench.drainSamples();

@@ -1,0 +1,77 @@
+#include "app/workspaces/loop_view.h"
+
+#include "app/report/loop_figures.h"
+#include "widgets/figure_view.h"
+#include "widgets/theme_style.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace halbench::app {
+
+LoopView::LoopView(QWidget* parent)
+    : QWidget(parent), m_label(new QLabel(this)), m_choice(new QComboBox(this)),
+      m_picture(new widgets::FigureView(this)), m_note(new QLabel(this)) {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(widgets::PanelMargin_px);
+    row->addWidget(m_label);
+    row->addWidget(m_choice);
+    row->addStretch(1);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(widgets::GridStep_px);
+    column->addLayout(row);
+    column->addWidget(m_note);
+    column->addWidget(m_picture, 1);
+    m_label->setBuddy(m_choice);
+    m_note->setWordWrap(true);
+    m_note->hide();
+    for (std::size_t i = 0; i < Views; ++i) {
+        m_choice->addItem(QString());
+    }
+    connect(m_choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &LoopView::show);
+    sayWords();
+}
+
+void LoopView::sayWords() {
+    m_label->setText(tr("View"));
+    const QString names[] = {tr("Bode"), tr("Nyquist"), tr("Nichols"), tr("Sensitivity")};
+    for (int i = 0; i < m_choice->count(); ++i) {
+        m_choice->setItemText(i, names[i]);
+    }
+    m_choice->setAccessibleName(tr("View of the open loop"));
+    m_choice->setToolTip(tr("Bode: magnitude and phase over frequency. Nyquist: the plane around -1. "
+                            "Nichols: magnitude over phase. Sensitivity: what is left of a disturbance, and "
+                            "what follows the reference"));
+    m_note->setText(tr("The closed loop is unstable: it has no sensitivity."));
+}
+
+void LoopView::setLoops(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present,
+                        const std::vector<NamedLoop>& others, const std::optional<MeasuredLoop>& measured) {
+    m_figures = {openLoopFigure(predicted, present, others, measured),
+                 nyquistFigure(predicted, present, others), nicholsFigure(predicted, present, others),
+                 sensitivityFigure(predicted, present, others).value_or(widgets::Figure{})};
+    show(m_choice->currentIndex());
+}
+
+void LoopView::setView(View view) {
+    m_choice->setCurrentIndex(static_cast<int>(view));
+}
+
+void LoopView::show(int view) {
+    const widgets::Figure& figure = m_figures.at(static_cast<std::size_t>(view));
+    m_note->setVisible(figure.panels.empty() && !m_figures.front().panels.empty());
+    m_picture->setFigure(figure);
+}
+
+void LoopView::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        sayWords();
+    }
+}
+
+} // namespace halbench::app

@@ -1,0 +1,109 @@
+#include "app/workspaces/monitor_statistics.h"
+
+#include "widgets/icons.h"
+#include "widgets/live_plot_stack.h"
+#include "widgets/statistics_table.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QLocale>
+
+#include <algorithm>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr int Period_ms = 250;
+constexpr double PlotsShare = 2.0 / 3.0; ///< of the panel's height, at least
+
+/// Between the cursors, or what is in view.
+control::TimeRange rangeOf(const widgets::LivePlotStack& stack) {
+    const widgets::CursorPair& cursors = stack.cursors();
+    return cursors.isVisible
+               ? control::TimeRange{std::min(cursors.a_s, cursors.b_s), std::max(cursors.a_s, cursors.b_s)}
+               : stack.timeRange();
+}
+
+std::optional<double> slopeOf(const control::SampleHistory& history, const widgets::PlotCurve& curve,
+                              const widgets::CursorPair& cursors) {
+    const auto a = history.valueAt(curve.signal, cursors.a_s);
+    const auto b = history.valueAt(curve.signal, cursors.b_s);
+    const bool isThere = cursors.isVisible && a && b && a->time_s != b->time_s;
+    return isThere ? std::optional(curve.factor * (b->value - a->value) / (b->time_s - a->time_s))
+                   : std::nullopt;
+}
+
+} // namespace
+
+MonitorStatistics::MonitorStatistics(Workbench& bench, widgets::LivePlotStack& stack, QWidget& panel)
+    : QObject(&panel), m_bench(bench), m_stack(stack), m_panel(panel) {
+    m_action = new QAction(widgets::themedIcon(QStringLiteral("statistics")), tr("Statistics"), &panel);
+    m_action->setCheckable(true);
+    m_action->setShortcut(QKeySequence(QStringLiteral("S")));
+    m_action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    m_action->setToolTip(
+        tr("Smallest, largest, mean, rms and spread of what is in view or between the cursors (S)"));
+    panel.addAction(m_action);
+    m_table = new widgets::StatisticsTable(&panel);
+    m_table->hide();
+    connect(m_action, &QAction::toggled, this, [this](bool isShown) {
+        m_table->setVisible(isShown);
+        refresh();
+        fit();
+    });
+    m_stack.installEventFilter(this);
+    connect(&m_stack, &widgets::LivePlotStack::cursorsChanged, this, &MonitorStatistics::refresh);
+    connect(&m_timer, &QTimer::timeout, this, &MonitorStatistics::refresh);
+    m_timer.start(Period_ms);
+}
+
+void MonitorStatistics::refresh() {
+    if (!m_table->isVisible()) {
+        return;
+    }
+    const control::TimeRange range = rangeOf(m_stack);
+    std::vector<widgets::StatisticsRow> rows;
+    for (const widgets::PlotSpec& plot : m_stack.plots()) {
+        for (const widgets::PlotCurve& curve : plot.curves) {
+            const control::SampleStatistics found = m_bench.history().statistics(curve.signal, range);
+            widgets::StatisticsRow row;
+            row.name = curve.label;
+            row.unit = curve.unit;
+            row.decimals = curve.decimals;
+            row.min = curve.factor * found.extremes.min;
+            row.max = curve.factor * found.extremes.max;
+            row.mean = curve.factor * found.moments.mean();
+            row.rms = curve.factor * found.moments.rms();
+            row.deviation = curve.factor * found.moments.deviation();
+            row.slope = slopeOf(m_bench.history(), curve, m_stack.cursors());
+            row.count = found.moments.count();
+            row.gaps = found.gaps;
+            rows.push_back(row);
+        }
+    }
+    const QString length = QLocale().toString(range.length_s(), 'g', 5);
+    m_table->setStretch(m_stack.cursors().isVisible ? tr("Between the cursors, %1 s").arg(length)
+                                                    : tr("In view, %1 s").arg(length));
+    m_table->setRows(rows);
+}
+
+QWidget& MonitorStatistics::table() {
+    return *m_table;
+}
+
+bool MonitorStatistics::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize) {
+        fit();
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+/// What is left of the panel when the plots have their share and the tools and bars above them theirs.
+void MonitorStatistics::fit() {
+    const int above_px = m_stack.mapTo(&m_panel, QPoint()).y();
+    const int room_px = static_cast<int>((1.0 - PlotsShare) * m_panel.height()) - above_px;
+    m_table->setMaximumHeight(std::max(room_px, m_table->minimumSizeHint().height()));
+}
+
+} // namespace halbench::app

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "app/batch/result_history.h"
+#include "app/workspaces/file_chooser.h"
+#include "app/workspaces/file_queue.h"
+#include "app/workspaces/latest_task.h"
+#include "app/workspaces/recordings_table_model.h"
+#include "app/workspaces/workbench.h"
+
+#include <QTimer>
+#include <QWidget>
+
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QPushButton;
+class QTableView;
+class QVBoxLayout;
+
+namespace halbench::widgets {
+class MessageBar;
+class QuantityEdit;
+} // namespace halbench::widgets
+
+namespace halbench::app {
+
+class ResultHistoryView;
+class RunOverlay;
+
+/// The recordings of the folder: searched, tagged, replayed, laid over each other
+/// (resources/help/monitor.md, "Recordings").
+class RecordingsPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit RecordingsPanel(Workbench& bench, QWidget* parent = nullptr);
+    ~RecordingsPanel() override;
+
+    void setFileChooser(FileChooser chooser);
+
+Q_SIGNALS:
+    void played(); ///< whoever shows signals comes to the front
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    struct Folder {
+        std::vector<RecordingEntry> entries;
+        std::vector<ResultRow> results;
+    };
+
+    void buildSearch(QVBoxLayout& column);
+    void buildTable();
+    void buildActions(QVBoxLayout& column);
+    void buildTabs(QWidget* parent);
+    QWidget* buildWords(QWidget* parent);
+    void refresh();
+    void take(Folder folder);
+    void recoverAll();
+    void recover(const QString& path);
+    void onSelection();
+    void refreshActions();
+    void play();
+    void onSession();
+    void saveWords();
+    bool isFree() const;
+    QList<int> selectedRows() const;
+    const RecordingEntry* chosen() const; ///< the only one that is selected
+
+    Workbench& m_bench;
+    RecordingsTableModel m_model;
+    RecordingsFilterModel m_filter;
+    QLineEdit* m_search = nullptr;
+    QTableView* m_table = nullptr;
+    QPushButton* m_play = nullptr;
+    QPushButton* m_recover = nullptr;
+    widgets::QuantityEdit* m_from = nullptr;
+    QLineEdit* m_tags = nullptr;
+    QPlainTextEdit* m_notes = nullptr;
+    widgets::MessageBar* m_message = nullptr;
+    QLabel* m_empty = nullptr;
+    RunOverlay* m_overlay = nullptr;
+    ResultHistoryView* m_results = nullptr;
+    QString m_begun; ///< path of the recording that `m_from` is of
+    QString m_words; ///< path of the recording whose words are shown
+    bool m_hasRecovered = false;
+    QTimer m_saving;
+    FileQueue m_files;
+    LatestTask m_reading;
+};
+
+} // namespace halbench::app

@@ -1,0 +1,71 @@
+#include "app/workspaces/monitor_panel.h"
+#include "app/workspaces/monitor_picture.h"
+#include "tests/app/workspaces/bench_fixture.h"
+#include "widgets/live_plot.h"
+#include "widgets/live_plot_stack.h"
+
+#include <QClipboard>
+#include <QFile>
+#include <QGuiApplication>
+#include <QTemporaryDir>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::app {
+namespace {
+
+class MonitorPictureTest : public BenchTest {
+protected:
+    void SetUp() override {
+        BenchTest::SetUp();
+        panel = std::make_unique<MonitorPanel>(bench());
+        panel->resize(1200, 900);
+        panel->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(panel.get()));
+        connectTo("sim:htm", 10.0);
+        ASSERT_TRUE(
+            wait([&] { return bench().history().range() && bench().history().range()->length_s() > 8.0; }));
+    }
+    void TearDown() override { panel.reset(); }
+
+    widgets::LivePlotStack& stack() { return *panel->findChild<widgets::LivePlotStack*>(); }
+    void press(Qt::Key key) {
+        auto* plot = panel->findChild<widgets::LivePlot*>();
+        plot->setFocus();
+        QTest::keyClick(plot, key, Qt::ControlModifier);
+    }
+
+    std::unique_ptr<MonitorPanel> panel;
+};
+
+TEST_F(MonitorPictureTest, hasEveryPlotWithItsUnitAndNoMorePointsThanColumns) {
+    stack().setPaused(true);
+    stack().refresh();
+    const widgets::Figure figure = monitorFigure(stack(), bench().history());
+    ASSERT_EQ(figure.panels.size(), stack().plots().size());
+    EXPECT_EQ(figure.panels[0].y.unit, "mT");
+    EXPECT_EQ(figure.x.unit, "s");
+    const widgets::Curve& hall = figure.panels[0].curves[0]; // 8000 samples and more
+    EXPECT_LE(hall.x.size(), 3U * 1600U);
+    // No spike is lost: the extremes are those of the samples (the pyramid keeps floats).
+    const control::Extremes extremes = bench().history().extremes("hall.a", stack().timeRange());
+    std::vector<double> finite;
+    std::copy_if(hall.y.begin(), hall.y.end(), std::back_inserter(finite),
+                 [](double value) { return std::isfinite(value); });
+    EXPECT_NEAR(*std::max_element(finite.begin(), finite.end()), 1000.0 * extremes.max, 1e-3);
+    EXPECT_NEAR(*std::min_element(finite.begin(), finite.end()), 1000.0 * extremes.min, 1e-3);
+}
+
+TEST_F(MonitorPictureTest, isCopiedAndSavedByKey) {
+    QTemporaryDir folder;
+    const QString path = folder.filePath("plots.pdf");
+    panel->setFileChooser({[&](QWidget*, const FileQuestion&) { return path; }, {}});
+    press(Qt::Key_C);
+    EXPECT_FALSE(QGuiApplication::clipboard()->image().isNull());
+    press(Qt::Key_E);
+    EXPECT_TRUE(wait([&] { return QFile::exists(path); }));
+}
+
+} // namespace
+} // namespace halbench::app

@@ -1,0 +1,96 @@
+#include "app/workspaces/monitor_panel.h"
+#include "tests/app/workspaces/bench_fixture.h"
+#include "widgets/live_plot.h"
+#include "widgets/live_plot_stack.h"
+#include "widgets/statistics_table.h"
+
+#include <QToolBar>
+#include <QToolButton>
+
+namespace halbench::app {
+namespace {
+
+class MonitorStatisticsTest : public BenchTest {
+protected:
+    void SetUp() override {
+        BenchTest::SetUp();
+        panel = std::make_unique<MonitorPanel>(bench());
+        panel->resize(1200, 900);
+        panel->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(panel.get()));
+    }
+    void TearDown() override { panel.reset(); }
+
+    widgets::LivePlotStack& stack() { return *panel->findChild<widgets::LivePlotStack*>(); }
+    widgets::StatisticsTable& table() { return *panel->findChild<widgets::StatisticsTable*>(); }
+    QString range() { return table().horizontalHeaderItem(0)->text(); }
+    void press(Qt::Key key) {
+        auto* plot = panel->findChild<widgets::LivePlot*>();
+        plot->setFocus();
+        QTest::keyClick(plot, key);
+    }
+
+    std::unique_ptr<MonitorPanel> panel;
+};
+
+TEST_F(MonitorStatisticsTest, theKeyShowsARowForEveryCurve) {
+    connectTo("sim:htm", 5.0);
+    EXPECT_FALSE(table().isVisible());
+    press(Qt::Key_S);
+    ASSERT_TRUE(table().isVisible());
+    EXPECT_EQ(table().rowCount(), 10); // of the five default plots
+    EXPECT_EQ(table().item(0, 0)->text(), "Hall A [mT]");
+    EXPECT_TRUE(wait([&] { return QLocale().toULongLong(table().item(0, 8)->text()) > 1000; }));
+    EXPECT_TRUE(range().startsWith("In view")) << range().toStdString();
+    press(Qt::Key_S);
+    EXPECT_FALSE(table().isVisible());
+}
+
+TEST_F(MonitorStatisticsTest, withCursorsItIsTheStretchBetweenThem) {
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(
+        wait([&] { return bench().history().range() && bench().history().range()->length_s() > 2.0; }));
+    press(Qt::Key_S);
+    press(Qt::Key_C);
+    const double end_s = bench().history().range()->end_s;
+    stack().setCursor(0, end_s - 1.5);
+    stack().setCursor(1, end_s - 0.5);
+    EXPECT_EQ(range(), "Between the cursors, 1 s");
+    const control::SampleStatistics expected =
+        bench().history().statistics("hall.a", {end_s - 1.5, end_s - 0.5});
+    EXPECT_EQ(table().item(0, 4)->text(), QLocale().toString(1000.0 * expected.moments.mean(), 'f', 3));
+    EXPECT_FALSE(table().isColumnHidden(7)); // the slope
+    press(Qt::Key_C);
+    EXPECT_TRUE(table().isColumnHidden(7));
+}
+
+TEST_F(MonitorStatisticsTest, plotsKeepTwoThirdsOfThePanel) {
+    connectTo("sim:htm", 5.0);
+    for (const QSize size : {QSize(700, 560), QSize(700, 800), QSize(1400, 1200)}) {
+        panel->resize(size);
+        press(Qt::Key_S);
+        press(Qt::Key_T); // with the trigger's line
+        QTest::qWait(50);
+        EXPECT_GE(3 * stack().height(), 2 * panel->height()) << size.height();
+        EXPECT_GE(table().height(), table().minimumSizeHint().height()) << size.height();
+        press(Qt::Key_T);
+        press(Qt::Key_S);
+    }
+}
+
+TEST_F(MonitorStatisticsTest, everyToolIsInSightInTheWindowsFirstSize) {
+    connectTo("sim:htm", 5.0);
+    panel->resize(700, 560); // what 1440 x 900 leaves for it
+    QCoreApplication::processEvents();
+    int tools = 0;
+    for (const auto* button : panel->findChild<QToolBar*>()->findChildren<QToolButton*>()) {
+        if (button->defaultAction() != nullptr) {
+            EXPECT_TRUE(button->isVisible()) << button->accessibleName().toStdString();
+            ++tools;
+        }
+    }
+    EXPECT_GE(tools, 10);
+}
+
+} // namespace
+} // namespace halbench::app

@@ -1,0 +1,309 @@
+#include "app/workspaces/drive_control.h"
+#include "app/workspaces/recordings_panel.h"
+#include "app/workspaces/recordings_table_model.h"
+#include "app/workspaces/run_overlay.h"
+#include "devices/acquisition/recording_file.h"
+#include "devices/acquisition/recording_writer.h"
+#include "tests/app/workspaces/bench_fixture.h"
+#include "widgets/figure_view.h"
+#include "widgets/message_bar.h"
+#include "widgets/quantity_edit.h"
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QTableView>
+#include <QTableWidget>
+#include <QTemporaryDir>
+
+#include <cmath>
+
+namespace halbench::app {
+namespace {
+
+class RecordingsPanelTest : public BenchTest {
+protected:
+    void SetUp() override {
+        BenchTest::SetUp();
+        bench().recording().setFolder(folder.path());
+    }
+    void TearDown() override { panel.reset(); }
+
+    /// Ten seconds at 100 Hz; the position is the amplitude times the time.
+    void write(const QString& name, double amplitude,
+               std::vector<devices::RecordingMeta::Marker> markers = {}) {
+        Recording recording;
+        recording.layout = std::make_shared<const StreamLayout>(
+            StreamLayout{{{"position", "rad"}, {"current.command", "A"}}, 0.01});
+        for (int row = 0; row < 1000; ++row) {
+            recording.time_s.push_back(row / 100.0);
+            recording.values.insert(recording.values.end(), {amplitude * row / 100.0, 1.0});
+        }
+        devices::RecordingMeta meta;
+        meta.device.model = "htm";
+        meta.device.id = "HB-17";
+        meta.started = "2026-01-01T00:00:00Z";
+        meta.signals = {{"position", "position_rad", "rad", "position"},
+                        {"current.command", "current_command_A", "A", "current.command"}};
+        meta.markers = std::move(markers);
+        ASSERT_TRUE(
+            devices::writeRecordingFile(folder.filePath(name + ".csv").toStdString(), recording, meta));
+    }
+    void open() {
+        panel = std::make_unique<RecordingsPanel>(bench());
+        panel->resize(1000, 800);
+        panel->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(panel.get()));
+    }
+    QTableView* table() { return find<QTableView>(*panel, "Recordings"); }
+    bool listed(int count) {
+        return wait([&] { return table()->model()->rowCount() == count; });
+    }
+    widgets::Message message() {
+        return panel->findChild<widgets::MessageBar*>("recordings_message")->message();
+    }
+
+    QTemporaryDir folder;
+    std::unique_ptr<RecordingsPanel> panel;
+};
+
+TEST_F(RecordingsPanelTest, findsARecordingByItsWords) {
+    write("cold", 1.0);
+    write("warm", 2.0);
+    open();
+    ASSERT_TRUE(listed(2));
+    QTest::keyClick(panel.get(), Qt::Key_F, Qt::ControlModifier);
+    QTest::keyClicks(find<QLineEdit>(*panel, "Search recordings"), "HB-17 war");
+    EXPECT_EQ(table()->model()->rowCount(), 1);
+    EXPECT_EQ(table()->model()->index(0, 0).data(), "warm");
+    // The clear button fades in; until it has, Qt's animation belongs to nobody and counts as a leak.
+    const auto* clear = find<QLineEdit>(*panel, "Search recordings")->findChild<QAbstractButton*>();
+    ASSERT_NE(clear, nullptr);
+    EXPECT_TRUE(wait([&] { return clear->property("opacity").toDouble() >= 1.0; }));
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+}
+
+TEST_F(RecordingsPanelTest, severalRecordingsAreSeenInALowWindowHoweverLongTheirMarkersAre) {
+    for (int i = 0; i < 6; ++i) {
+        write(QStringLiteral("run%1").arg(i), 1.0, {{1.0, std::string(200, 'x')}});
+    }
+    open();
+    panel->resize(700, 450); // the centre of a window of 1366 x 768
+    ASSERT_TRUE(listed(6));
+    QApplication::processEvents();
+    const QRect third = table()->visualRect(table()->model()->index(2, 0));
+    EXPECT_LE(third.bottom(), table()->viewport()->height());
+    table()->selectAll();
+    auto* align = find<QComboBox>(*panel, "Moment at which they are aligned");
+    ASSERT_TRUE(wait([&] { return align->count() == 2; }));
+    QApplication::processEvents();
+    const auto* shown = find<QComboBox>(*panel, "Shown");
+    EXPECT_LE(shown->mapTo(panel.get(), shown->rect().bottomRight()).x(), 700);
+}
+
+TEST_F(RecordingsPanelTest, tagsAndNotesGoIntoTheSidecar) {
+    write("run", 1.0);
+    open();
+    ASSERT_TRUE(listed(1));
+    auto* tags = find<QLineEdit>(*panel, "Tags of the recording");
+    panel->findChild<QTabWidget*>()->setCurrentIndex(2);
+    EXPECT_FALSE(tags->isEnabled()) << "nothing is selected";
+    table()->selectRow(0);
+    QTest::keyClicks(tags, "cold, first");
+    QTest::keyClicks(find<QPlainTextEdit>(*panel, "Notes on the recording"), "new bearing");
+    const auto saved = [&] {
+        const auto file = devices::readRecordingFile(folder.filePath("run.csv").toStdString());
+        return file && file->meta.tags == std::vector<std::string>{"cold", "first"} &&
+               file->meta.notes == "new bearing";
+    };
+    EXPECT_TRUE(wait(saved));
+    EXPECT_EQ(tags->text(), "cold, first") << "what is typed stays as it is";
+}
+
+TEST_F(RecordingsPanelTest, enterPlaysARecordingInThePanelsFromWhereItIsAsked) {
+    write("run", 1.0);
+    open();
+    ASSERT_TRUE(listed(1));
+    bench().setPace({20.0});
+    table()->selectRow(0);
+    table()->setFocus();
+    QTest::keyClick(table(), Qt::Key_Return);
+    ASSERT_TRUE(wait([&] { return session().info().transport == "replay"; }));
+    bench().liveSignals().want(panel.get(), {"position"});
+    ASSERT_TRUE(wait([&] { return bench().history().latest("position").has_value(); }));
+    EXPECT_NEAR(bench().history().latest("position")->value, bench().history().latest("position")->time_s,
+                1e-6); // the position is the time
+    auto* from = find<widgets::QuantityEdit>(*panel, "Begin at");
+    from->setFocus();
+    from->selectAll();
+    QTest::keyClicks(from, "8");
+    QTest::keyClick(from, Qt::Key_Return);
+    ASSERT_TRUE(wait([&] {
+        const auto range = bench().history().range("position");
+        return range && range->begin_s >= 8.0;
+    })) << "the time axis is that of the recording";
+    EXPECT_NEAR(bench().history().latest("position")->value, bench().history().latest("position")->time_s,
+                1e-6);
+}
+
+TEST_F(RecordingsPanelTest, whereToBeginIsOfOneRecording) {
+    write("cold", 1.0);
+    write("warm", 2.0);
+    open();
+    ASSERT_TRUE(listed(2));
+    auto* from = find<widgets::QuantityEdit>(*panel, "Begin at");
+    table()->selectRow(0);
+    from->setValue(3.0);
+    QTest::keyClick(panel.get(), Qt::Key_F5);
+    EXPECT_EQ(from->value(), 3.0);
+    table()->setFocus();
+    QTest::keyClick(table(), Qt::Key_Return); // as the button does
+    EXPECT_TRUE(wait([&] { return session().report().deviceTime_s >= 3.0; }));
+    table()->selectRow(1);
+    EXPECT_EQ(from->value(), 0.0);
+}
+
+TEST_F(RecordingsPanelTest, aReplayLastsAsLongAsTheRecordingAtItsSpeed) {
+    write("run", 1.0);
+    open();
+    ASSERT_TRUE(listed(1));
+    bench().setPace({1.0});
+    table()->selectRow(0);
+    click(*panel, "Play");
+    ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
+    ASSERT_TRUE(wait([&] { return session().report().deviceTime_s > 0.05; }));
+    EXPECT_LT(session().report().deviceTime_s, 9.0) << "not all of it at once";
+    bench().setPace({100.0});
+    EXPECT_TRUE(wait([&] { return session().report().deviceTime_s > 9.0; }));
+}
+
+TEST_F(RecordingsPanelTest, selectedRecordingsAreLaidOverEachOtherWithOneCursor) {
+    write("cold", 1.0, {{1.0, "record"}, {2.0, "knock"}});
+    write("warm", 2.0, {{5.0, "knock"}});
+    open();
+    ASSERT_TRUE(listed(2));
+    table()->selectAll();
+    auto* view = panel->findChild<widgets::FigureView*>();
+    ASSERT_TRUE(wait([&] { return !view->isEmpty(); }));
+    EXPECT_EQ(view->figure().panels[0].curves.size(), 2U);
+    auto* align = find<QComboBox>(*panel, "Moment at which they are aligned");
+    const int knock = align->findText("marker: knock");
+    ASSERT_GE(knock, 0);
+    align->setCurrentIndex(knock);
+    auto* cursor = find<widgets::QuantityEdit>(*panel, "Time of the cursor");
+    cursor->setValue(1.0);
+    auto* values = find<QTableWidget>(*panel, "Values at the cursor");
+    ASSERT_EQ(values->rowCount(), 2);
+    // one second after the knock: position 3 rad of the cold run, 12 rad of the warm one, in degrees
+    for (int row = 0; row < 2; ++row) {
+        const bool isCold = values->item(row, 0)->text() == "cold";
+        const double expected_deg = (isCold ? 3.0 : 12.0) * 180.0 / M_PI;
+        EXPECT_NEAR(values->item(row, 1)->text().section(' ', 0, 0).toDouble(), expected_deg, 1e-2)
+            << values->item(row, 1)->text().toStdString();
+    }
+    auto* span = find<QComboBox>(*panel, "Shown");
+    span->setCurrentIndex(span->findData(0.1));
+    EXPECT_TRUE(wait([&] { return view->figure().x.max == 1.05; })) << "so much about the cursor";
+    align->setCurrentIndex(align->findText("trigger"));
+    EXPECT_TRUE(wait([&] { return view->figure().panels[0].curves.size() == 1; })) << "the other has none";
+    cursor->setValue(500.0);
+    EXPECT_TRUE(wait([&] { return !view->isVisible(); })) << "nothing was recorded then";
+}
+
+TEST_F(RecordingsPanelTest, aTriggerIsOfferedOnlyWhenThereIsOne) {
+    write("run", 1.0);
+    open();
+    ASSERT_TRUE(listed(1));
+    table()->selectRow(0);
+    auto* align = find<QComboBox>(*panel, "Moment at which they are aligned");
+    ASSERT_TRUE(wait([&] { return align->count() > 0; }));
+    EXPECT_EQ(align->findText("trigger"), -1);
+}
+
+TEST_F(RecordingsPanelTest, anArmedDeviceIsNotLeftForARecording) {
+    write("run", 1.0);
+    open();
+    ASSERT_TRUE(listed(1));
+    table()->selectRow(0);
+    connectTo("sim:htm", 20.0);
+    auto* play = find<QPushButton>(*panel, "Play");
+    EXPECT_TRUE(wait([&] { return play->isEnabled(); }));
+    bench().drive().arm();
+    ASSERT_TRUE(wait([&] { return bench().drive().isArmed(); }));
+    EXPECT_TRUE(wait([&] { return !play->isEnabled(); }));
+    table()->setFocus();
+    QTest::keyClick(table(), Qt::Key_Return);
+    EXPECT_EQ(session().info().transport, "loopback");
+    bench().drive().disarm();
+    EXPECT_TRUE(wait([&] { return play->isEnabled(); }));
+}
+
+TEST_F(RecordingsPanelTest, moreRecordingsThanCanBeToldApartAreNotRead) {
+    for (int i = 0; i < 18; ++i) {
+        write(QStringLiteral("run%1").arg(i), 1.0);
+    }
+    open();
+    ASSERT_TRUE(listed(18));
+    table()->selectAll();
+    auto* view = panel->findChild<widgets::FigureView*>();
+    ASSERT_TRUE(wait([&] { return !view->isEmpty(); }));
+    EXPECT_EQ(view->figure().panels[0].curves.size(), 16U);
+    EXPECT_TRUE(panel->findChild<widgets::MessageBar*>("overlay_message")->message().text.contains("16"));
+}
+
+TEST_F(RecordingsPanelTest, whatAKilledProgramLeftIsRecoveredAtTheStartAndSaid) {
+    Recording part;
+    part.layout = std::make_shared<const StreamLayout>(StreamLayout{{{"position", "rad"}}, 0.01});
+    part.time_s = {0.0, 0.01, 0.02};
+    part.values = {1.0, 2.0, 3.0};
+    {
+        auto writer =
+            devices::RecordingWriter::create(folder.filePath("run.csv").toStdString(), *part.layout, {});
+        ASSERT_TRUE(writer);
+        ASSERT_TRUE((*writer)->append({part.layout, part.time_s, part.values, 0.0, 0}));
+    }
+    open();
+    ASSERT_TRUE(wait([&] { return message().text.contains("0.02 s"); }));
+    EXPECT_TRUE(message().remedy.contains("Nothing that was written is lost"));
+    ASSERT_TRUE(listed(1));
+    EXPECT_TRUE(wait(
+        [&] { return table()->model()->index(0, RecordingsTableModel::Gaps).data().toString().isEmpty(); }));
+    EXPECT_TRUE(QFile::exists(folder.filePath("run.csv")));
+}
+
+TEST_F(RecordingsPanelTest, whatIsSelectedStaysSelectedWhenTheFolderIsReadAgain) {
+    write("cold", 1.0);
+    write("warm", 2.0);
+    open();
+    ASSERT_TRUE(listed(2));
+    table()->selectAll();
+    write("hot", 3.0);
+    QTest::keyClick(panel.get(), Qt::Key_F5);
+    ASSERT_TRUE(listed(3));
+    EXPECT_EQ(table()->selectionModel()->selectedRows().size(), 2);
+}
+
+TEST_F(RecordingsPanelTest, anotherFolderIsLookedIntoAtOnce) {
+    const QTemporaryDir empty;
+    bench().recording().setFolder(empty.path());
+    write("run", 1.0);
+    open();
+    bench().recording().setFolder(folder.path());
+    EXPECT_TRUE(listed(1));
+}
+
+TEST_F(RecordingsPanelTest, aNewRecordingAppearsByItself) {
+    open();
+    ASSERT_TRUE(listed(0));
+    connectTo("sim:htm", 20.0);
+    bench().recording().start();
+    ASSERT_TRUE(wait([&] { return bench().recording().status().rows > 20; }));
+    bench().recording().stop();
+    EXPECT_TRUE(listed(1));
+}
+
+} // namespace
+} // namespace halbench::app
