@@ -67,6 +67,14 @@
         <source>XY</source>
         <translation>XY</translation>
     </message>
+    <message>
+        <source>Derived signals</source>
+        <translation>Abgeleitete Signale</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufzeichnungen</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -3955,10 +3963,6 @@
         <translation>given: {}</translation>
     </message>
     <message>
-        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, plot, given, model, design, calibration</source>
-        <translation>unbekannter Schlüssel „{}“; bekannt sind schema, device, notes, perspective, layout, monitor, plot, given, model, design, calibration</translation>
-    </message>
-    <message>
         <source>one plateau came to rest and was left out</source>
         <translation>ein Plateau kam zum Stillstand und wurde ausgelassen</translation>
     </message>
@@ -4764,7 +4768,7 @@
     </message>
     <message>
         <source>there is a design &apos;{}&apos; already</source>
-        <translation>es gibt schon einen Entwurf '{}'</translation>
+        <translation>es gibt schon einen Entwurf &apos;{}&apos;</translation>
     </message>
     <message>
         <source>choose another name</source>
@@ -4777,6 +4781,422 @@
     <message>
         <source>make sure that the delay is known (delay.samples), or choose a slower loop</source>
         <translation>stellen Sie sicher, dass die Verzögerung bekannt ist (delay.samples), oder wählen Sie einen langsameren Regelkreis</translation>
+    </message>
+    <message>
+        <source>the excited rows are not whole periods of three signals</source>
+        <translation>Die angeregten Zeilen sind keine ganzen Perioden dreier Signale</translation>
+    </message>
+    <message>
+        <source>{} periods say too little of the scatter</source>
+        <translation>{} Perioden sagen zu wenig über die Streuung</translation>
+    </message>
+    <message>
+        <source>measure at least {}</source>
+        <translation>mindestens {} messen</translation>
+    </message>
+    <message>
+        <source>the excited lines do not ascend below half the rate</source>
+        <translation>Die angeregten Linien steigen nicht an oder reichen über die halbe Rate</translation>
+    </message>
+    <message>
+        <source>an excited row holds no number</source>
+        <translation>Eine angeregte Zeile enthält keine Zahl</translation>
+    </message>
+    <message>
+        <source>the excitation did not reach the plant</source>
+        <translation>Die Anregung hat die Strecke nicht erreicht</translation>
+    </message>
+    <message>
+        <source>check that the reference generator ran</source>
+        <translation>prüfen, ob der Sollwertgenerator lief</translation>
+    </message>
+    <message>
+        <source>too few usable frequencies for a fit of the rotor</source>
+        <translation>zu wenige brauchbare Frequenzen, um den Rotor anzupassen</translation>
+    </message>
+    <message>
+        <source>measure more frequencies, or with more excitation</source>
+        <translation>mehr Frequenzen messen, oder mit stärkerer Anregung</translation>
+    </message>
+    <message>
+        <source>the measured response is not that of a rotor</source>
+        <translation>Der gemessene Frequenzgang ist nicht der eines Rotors</translation>
+    </message>
+    <message>
+        <source>look at its points; an angle error or a resonance may be in it</source>
+        <translation>die Punkte ansehen; ein Winkelfehler oder eine Resonanz kann darin stecken</translation>
+    </message>
+    <message>
+        <source>rows are missing near {} Hz: the periods do not fit together</source>
+        <translation>In der Nähe von {} Hz fehlen Zeilen: Die Perioden passen nicht zusammen</translation>
+    </message>
+    <message>
+        <source>check the link and measure again</source>
+        <translation>die Verbindung prüfen und erneut messen</translation>
+    </message>
+    <message>
+        <source>no phase margin: the loop crosses nowhere on the frequencies that are used</source>
+        <translation>Keine Phasenreserve: Der Kreis hat auf den verwendeten Frequenzen keinen Durchtritt</translation>
+    </message>
+    <message>
+        <source>no phase margin: the loop crosses where frequencies were left out or are far apart</source>
+        <translation>Keine Phasenreserve: Der Kreis hat seinen Durchtritt dort, wo Frequenzen weggelassen wurden oder weit auseinanderliegen</translation>
+    </message>
+    <message>
+        <source>no phase margin: it lies between {} and {} deg, known to {} at best</source>
+        <translation>Keine Phasenreserve: Sie liegt zwischen {} und {} Grad und ist bestenfalls auf {} bekannt</translation>
+    </message>
+    <message>
+        <source>{} deg are allowed: measure more periods, and calibrate the sensors&apos; gain and the stray field first</source>
+        <translation>Zulässig sind {} Grad: mehr Perioden messen, und vorher Verstärkung der Sensoren und Streufeld kalibrieren</translation>
+    </message>
+    <message>
+        <source>no gain margin: the loop crosses nowhere on the frequencies that are used</source>
+        <translation>Keine Amplitudenreserve: Der Kreis hat auf den verwendeten Frequenzen keinen Durchtritt</translation>
+    </message>
+    <message>
+        <source>no gain margin: the loop crosses where frequencies were left out or are far apart</source>
+        <translation>Keine Amplitudenreserve: Der Kreis hat seinen Durchtritt dort, wo Frequenzen weggelassen wurden oder weit auseinanderliegen</translation>
+    </message>
+    <message>
+        <source>no gain margin: it lies between {} and {} dB, known to {} at best</source>
+        <translation>Keine Amplitudenreserve: Sie liegt zwischen {} und {} dB und ist bestenfalls auf {} bekannt</translation>
+    </message>
+    <message>
+        <source>{} dB are allowed: measure more periods, and calibrate the sensors&apos; gain and the stray field first</source>
+        <translation>Zulässig sind {} dB: mehr Perioden messen, und vorher Verstärkung der Sensoren und Streufeld kalibrieren</translation>
+    </message>
+    <message>
+        <source>measure up to a higher, or from a lower frequency</source>
+        <translation>bis zu einer höheren oder ab einer tieferen Frequenz messen</translation>
+    </message>
+    <message>
+        <source>measure with more periods or a larger amplitude there</source>
+        <translation>dort mit mehr Perioden oder größerer Amplitude messen</translation>
+    </message>
+    <message>
+        <source>{} of {} frequencies have a coherence below {} and were left out</source>
+        <translation>{} von {} Frequenzen haben eine Kohärenz unter {} und wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>measure more periods or with a larger amplitude</source>
+        <translation>mehr Perioden messen oder mit größerer Amplitude</translation>
+    </message>
+    <message>
+        <source>the current reached its limit of {} A: the plant is right, the closed loop was not linear</source>
+        <translation>Der Strom hat seine Grenze von {} A erreicht: Die Strecke stimmt, der geschlossene Kreis war nicht linear</translation>
+    </message>
+    <message>
+        <source>use a smaller amplitude</source>
+        <translation>eine kleinere Amplitude verwenden</translation>
+    </message>
+    <message>
+        <source>the stray field was compensated for the measurement; on the board it is not</source>
+        <translation>Für die Messung wurde das Streufeld kompensiert; auf dem Steuergerät wird es das nicht</translation>
+    </message>
+    <message>
+        <source>switch stray.enabled on: the loop that was measured is the one with it</source>
+        <translation>stray.enabled einschalten: Gemessen wurde der Kreis mit Kompensation</translation>
+    </message>
+    <message>
+        <source>the points do not decide the constants of a rotor</source>
+        <translation>Die Punkte legen die Konstanten eines Rotors nicht fest</translation>
+    </message>
+    <message>
+        <source>measure more frequencies, from 0.5 Hz or lower</source>
+        <translation>mehr Frequenzen messen, ab 0,5 Hz oder tiefer</translation>
+    </message>
+    <message>
+        <source>the points lie {} times farther from the fitted rotor than they scatter</source>
+        <translation>Die Punkte liegen {}-mal weiter vom angepassten Rotor entfernt, als sie streuen</translation>
+    </message>
+    <message>
+        <source>its intervals are widened by that; look for a resonance or an angle error that turns with it</source>
+        <translation>Die Intervalle sind darum verbreitert; nach einer Resonanz oder einem mitdrehenden Winkelfehler suchen</translation>
+    </message>
+    <message>
+        <source>allowed: {} to {}</source>
+        <translation>zulässig: {} bis {}</translation>
+    </message>
+    <message>
+        <source>lowest frequency in Hz</source>
+        <translation>tiefste Frequenz in Hz</translation>
+    </message>
+    <message>
+        <source>highest frequency in Hz</source>
+        <translation>höchste Frequenz in Hz</translation>
+    </message>
+    <message>
+        <source>number of periods</source>
+        <translation>Zahl der Perioden</translation>
+    </message>
+    <message>
+        <source>least coherence</source>
+        <translation>kleinste Kohärenz</translation>
+    </message>
+    <message>
+        <source>amplitude in rad</source>
+        <translation>Amplitude in rad</translation>
+    </message>
+    <message>
+        <source>a base speed of {} rad/s is too slow: friction is a plain offset only while the rotor turns</source>
+        <translation>Eine Grunddrehzahl von {} rad/s ist zu langsam: Nur solange der Rotor dreht, ist Reibung ein bloßer Versatz</translation>
+    </message>
+    <message>
+        <source>use at least {} rad/s in either direction</source>
+        <translation>mindestens {} rad/s in einer der Richtungen verwenden</translation>
+    </message>
+    <message>
+        <source>base speed in rad/s</source>
+        <translation>Grunddrehzahl in rad/s</translation>
+    </message>
+    <message>
+        <source>an amplitude of {} deg swings the reference&apos;s speed by {} rad/s on a base of {} rad/s: the total would change its sign and friction would be no offset</source>
+        <translation>Eine Amplitude von {} Grad lässt die Drehzahl des Sollwerts um {} rad/s schwanken, bei einer Grunddrehzahl von {} rad/s: Die Summe würde ihr Vorzeichen wechseln, und Reibung wäre kein Versatz</translation>
+    </message>
+    <message>
+        <source>use at most {} deg, a faster base, fewer high frequencies, or leave the amplitude to the program</source>
+        <translation>höchstens {} Grad, eine schnellere Grunddrehzahl oder weniger hohe Frequenzen verwenden, oder die Amplitude dem Programm überlassen</translation>
+    </message>
+    <message>
+        <source>the rotor came down to {} rad/s on a base of {} rad/s: near standstill friction is no plain offset</source>
+        <translation>Der Rotor fiel auf {} rad/s ab, bei einer Grunddrehzahl von {} rad/s: Nahe dem Stillstand ist Reibung kein bloßer Versatz</translation>
+    </message>
+    <message>
+        <source>use a smaller amplitude or a faster base; a loop that swings by itself needs gains with more damping first</source>
+        <translation>eine kleinere Amplitude oder schnellere Grunddrehzahl verwenden; ein Kreis, der von selbst schwingt, braucht erst besser gedämpfte Reglerparameter</translation>
+    </message>
+    <message>
+        <source>runs up</source>
+        <translation>läuft hoch</translation>
+    </message>
+    <message>
+        <source>excites from {} Hz</source>
+        <translation>regt ab {} Hz an</translation>
+    </message>
+    <message>
+        <source>the board runs the printed difference equation, which is no set of gains</source>
+        <translation>Das Steuergerät rechnet mit der gedruckten Differenzengleichung, die kein Satz von Reglerparametern ist</translation>
+    </message>
+    <message>
+        <source>set control.law=0 first; nothing was armed</source>
+        <translation>zuerst control.law=0 setzen; nichts wurde freigegeben</translation>
+    </message>
+    <message>
+        <source>the generator of this board makes no multisine</source>
+        <translation>Der Generator dieses Steuergeräts kann keinen Multisinus</translation>
+    </message>
+    <message>
+        <source>use a stepped sine</source>
+        <translation>einen gestuften Sinus verwenden</translation>
+    </message>
+    <message>
+        <source>there is no excitation &apos;{}&apos;</source>
+        <translation>Es gibt keine Anregung „{}“</translation>
+    </message>
+    <message>
+        <source>known: {}</source>
+        <translation>bekannt: {}</translation>
+    </message>
+    <message>
+        <source>a frequency response needs a board with a position loop of its own</source>
+        <translation>Ein Frequenzgang braucht ein Steuergerät mit eigenem Lageregelkreis</translation>
+    </message>
+    <message>
+        <source>the name &apos;{}&apos; is taken</source>
+        <translation>der Name &apos;{}&apos; ist vergeben</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no name of a signal</source>
+        <translation>&apos;{}&apos; ist kein Name eines Signals</translation>
+    </message>
+    <message>
+        <source>letters, digits, dots and underscores; it does not begin with a digit or a dot</source>
+        <translation>Buchstaben, Ziffern, Punkte und Unterstriche; er beginnt nicht mit einer Ziffer oder einem Punkt</translation>
+    </message>
+    <message>
+        <source>the expression names no signal</source>
+        <translation>Der Ausdruck nennt kein Signal</translation>
+    </message>
+    <message>
+        <source>write names of signals as recordings have them, e.g. current.a</source>
+        <translation>schreiben Sie Namen von Signalen wie in Aufzeichnungen, z. B. current.a</translation>
+    </message>
+    <message>
+        <source>column {} of the expression: there is no signal &apos;{}&apos;</source>
+        <translation>Spalte {} des Ausdrucks: Es gibt kein Signal „{}“</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; defines no signal</source>
+        <translation>„{}“ legt kein Signal fest</translation>
+    </message>
+    <message>
+        <source>write NAME = EXPRESSION or NAME [UNIT] = EXPRESSION</source>
+        <translation>schreiben Sie NAME = AUSDRUCK oder NAME [EINHEIT] = AUSDRUCK</translation>
+    </message>
+    <message>
+        <source>no unit follows from the expression</source>
+        <translation>Aus dem Ausdruck folgt keine Einheit</translation>
+    </message>
+    <message>
+        <source>write the unit of the result, 1 for a number; terms of a sum need equal units</source>
+        <translation>schreiben Sie die Einheit des Ergebnisses, 1 für eine Zahl; Glieder einer Summe brauchen gleiche Einheiten</translation>
+    </message>
+    <message>
+        <source>operators are + - * / ^ and comparisons, functions sin, cos, atan2, sqrt, abs, exp, ln, min, max</source>
+        <translation>Operatoren sind + - * / ^ und Vergleiche, Funktionen sin, cos, atan2, sqrt, abs, exp, ln, min, max</translation>
+    </message>
+    <message>
+        <source>column {} of the expression: it ends too early</source>
+        <translation>Spalte {} des Ausdrucks: Er endet zu früh</translation>
+    </message>
+    <message>
+        <source>column {} of the expression: a ) is missing</source>
+        <translation>Spalte {} des Ausdrucks: Eine ) fehlt</translation>
+    </message>
+    <message>
+        <source>every ( has its )</source>
+        <translation>jede ( hat ihre )</translation>
+    </message>
+    <message>
+        <source>column {} of the expression: a : is missing</source>
+        <translation>Spalte {} des Ausdrucks: Ein : fehlt</translation>
+    </message>
+    <message>
+        <source>every ? has its :</source>
+        <translation>Zu jedem ? gehört ein :</translation>
+    </message>
+    <message>
+        <source>column {} of the expression: too many arguments of {}</source>
+        <translation>Spalte {} des Ausdrucks: Zu viele Argumente von {}</translation>
+    </message>
+    <message>
+        <source>column {} of the expression: too few arguments of {}</source>
+        <translation>Spalte {} des Ausdrucks: Zu wenige Argumente von {}</translation>
+    </message>
+    <message>
+        <source>column {} of the expression: &apos;{}&apos; is not expected here</source>
+        <translation>Spalte {} des Ausdrucks: „{}“ wird hier nicht erwartet</translation>
+    </message>
+    <message>
+        <source>column {} of the expression: = sets nothing</source>
+        <translation>Spalte {} des Ausdrucks: = setzt nichts</translation>
+    </message>
+    <message>
+        <source>== compares</source>
+        <translation>== vergleicht</translation>
+    </message>
+    <message>
+        <source>the expression has more than {} letters</source>
+        <translation>der Ausdruck hat mehr als {} Zeichen</translation>
+    </message>
+    <message>
+        <source>divide it: a derived signal of a recording may use those before it</source>
+        <translation>Teilen Sie ihn: Ein abgeleitetes Signal einer Aufzeichnung darf die vor ihm verwenden</translation>
+    </message>
+    <message>
+        <source>the expression has several results</source>
+        <translation>der Ausdruck hat mehrere Ergebnisse</translation>
+    </message>
+    <message>
+        <source>write one; the comma separates arguments of functions</source>
+        <translation>schreiben Sie eines; das Komma trennt Argumente von Funktionen</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, plot, derived, given, model, design, calibration</source>
+        <translation>unbekannter Schlüssel &apos;{}&apos;; bekannt sind schema, device, notes, perspective, layout, monitor, plot, derived, given, model, design, calibration</translation>
+    </message>
+    <message>
+        <source>&apos;derived&apos; must be a list of tables, [[derived]]</source>
+        <translation>&apos;derived&apos; muss eine Liste von Tabellen sein, [[derived]]</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; a [[derived]] has name, expression, unit</source>
+        <translation>unbekannter Schlüssel &apos;{}&apos;; ein [[derived]] hat name, expression, unit</translation>
+    </message>
+    <message>
+        <source>a [[derived]] has a name and an expression</source>
+        <translation>ein [[derived]] hat einen Namen und einen Ausdruck</translation>
+    </message>
+    <message>
+        <source>the recording ends at {} s, before {} s</source>
+        <translation>die Aufzeichnung endet bei {} s, vor {} s</translation>
+    </message>
+    <message>
+        <source>begin earlier</source>
+        <translation>früher beginnen</translation>
+    </message>
+    <message>
+        <source>only recordings with their sidecar can have tags and notes</source>
+        <translation>nur Aufzeichnungen mit ihrer Begleitdatei können Schlagwörter und Notizen haben</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is damaged</source>
+        <translation>&apos;{}&apos; ist beschädigt</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has no rows</source>
+        <translation>„{}“ hat keine Zeilen</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has {} numbers, too many beside the others</source>
+        <translation>„{}“ hat {} Zahlen, zu viele neben den anderen</translation>
+    </message>
+    <message>
+        <source>compare fewer recordings, or parts of them (halbench convert --from --to)</source>
+        <translation>vergleichen Sie weniger Aufzeichnungen oder Teile davon (halbench convert --from --to)</translation>
+    </message>
+    <message>
+        <source>{}: schema: is not {}</source>
+        <translation>{}: schema: ist nicht {}</translation>
+    </message>
+    <message>
+        <source>make the file with &apos;halbench identify DEVICE --frequency --out&apos;</source>
+        <translation>die Datei mit „halbench identify DEVICE --frequency --out“ erzeugen</translation>
+    </message>
+    <message>
+        <source>{}: this response was refused</source>
+        <translation>{}: Dieser Frequenzgang wurde verworfen</translation>
+    </message>
+    <message>
+        <source>see its findings, then measure again</source>
+        <translation>die Befunde ansehen und erneut messen</translation>
+    </message>
+    <message>
+        <source>{}: sample_period_s: must be more than zero</source>
+        <translation>{}: sample_period_s: muss größer als null sein</translation>
+    </message>
+    <message>
+        <source>{}: points[{}]: needs a plant and a frequency above the one before, below half the rate</source>
+        <translation>{}: points[{}]: braucht eine Strecke und eine Frequenz über der vorigen, unter der halben Rate</translation>
+    </message>
+    <message>
+        <source>{}: points: there are none</source>
+        <translation>{}: points: Es gibt keine</translation>
+    </message>
+    <message>
+        <source>the response was measured every {} ms, this loop runs every {} ms</source>
+        <translation>Der Frequenzgang wurde alle {} ms gemessen, dieser Kreis läuft alle {} ms</translation>
+    </message>
+    <message>
+        <source>measure it on this board</source>
+        <translation>auf diesem Steuergerät messen</translation>
+    </message>
+    <message>
+        <source>--out {} would replace the recording itself</source>
+        <translation>--out {} würde die Aufzeichnung selbst ersetzen</translation>
+    </message>
+    <message>
+        <source>name another file</source>
+        <translation>nennen Sie eine andere Datei</translation>
+    </message>
+    <message>
+        <source>no base speed from {} to {} rad/s keeps the turn&apos;s harmonics off the lines: a period lasts only {} s</source>
+        <translation>keine Grunddrehzahl von {} bis {} rad/s hält die Oberschwingungen der Umdrehung von den Linien fern: Eine Periode dauert nur {} s</translation>
+    </message>
+    <message>
+        <source>use a lower lowest frequency, which makes the period longer</source>
+        <translation>wählen Sie eine tiefere unterste Frequenz, das macht die Periode länger</translation>
     </message>
 </context>
 <context>
@@ -5344,6 +5764,148 @@
     </message>
 </context>
 <context>
+    <name>halbench::app::DerivedPanel</name>
+    <message>
+        <source>What is wrong with the expression</source>
+        <translation>Was am Ausdruck falsch ist</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Expression</source>
+        <translation>Ausdruck</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Derived signals</source>
+        <translation>Abgeleitete Signale</translation>
+    </message>
+    <message>
+        <source>Enter takes a row into the fields above, Delete removes it</source>
+        <translation>Eingabe übernimmt eine Zeile in die Felder oben, Entf entfernt sie</translation>
+    </message>
+    <message>
+        <source>As it shall stand in the tree: letters, digits, dots, underscores</source>
+        <translation>Wie es im Baum stehen soll: Buchstaben, Ziffern, Punkte, Unterstriche</translation>
+    </message>
+    <message>
+        <source>Of names of signals in SI units, e.g. current.a^2 + current.b^2; + - * / ^, sin, cos, atan2, sqrt, abs, exp, ln, min, max, pi. Enter keeps it</source>
+        <translation>Aus Namen von Signalen in SI-Einheiten, z. B. current.a^2 + current.b^2; + - * / ^, sin, cos, atan2, sqrt, abs, exp, ln, min, max, pi. Eingabe behält es</translation>
+    </message>
+    <message>
+        <source>Of the value; empty: as it follows from the expression. A symbol such as rad, rad/s, T, A, degC is shown in the preferred unit</source>
+        <translation>Des Wertes; leer: wie sie aus dem Ausdruck folgt. Ein Zeichen wie rad, rad/s, T, A, degC wird in der bevorzugten Einheit gezeigt</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Computes the signal from now on (Enter)</source>
+        <translation>Berechnet das Signal ab jetzt (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the signal that is chosen below (Delete)</source>
+        <translation>Entfernt das unten gewählte Signal (Entf)</translation>
+    </message>
+    <message>
+        <source>waits for a device</source>
+        <translation>wartet auf ein Gerät</translation>
+    </message>
+    <message>
+        <source>computed</source>
+        <translation>wird berechnet</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::DesignNames</name>
+    <message>
+        <source>recommended</source>
+        <translation>empfohlen</translation>
+    </message>
+    <message>
+        <source>pole placement</source>
+        <translation>Polvorgabe</translation>
+    </message>
+    <message>
+        <source>bandwidth</source>
+        <translation>Bandbreite</translation>
+    </message>
+    <message>
+        <source>phase margin</source>
+        <translation>Phasenreserve</translation>
+    </message>
+    <message>
+        <source>SIMC</source>
+        <translation>SIMC</translation>
+    </message>
+    <message>
+        <source>lambda</source>
+        <translation>Lambda</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols PID</source>
+        <translation>Ziegler-Nichols PID</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols PI</source>
+        <translation>Ziegler-Nichols PI</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols P</source>
+        <translation>Ziegler-Nichols P</translation>
+    </message>
+    <message>
+        <source>LQR</source>
+        <translation>LQR</translation>
+    </message>
+    <message>
+        <source>least IAE</source>
+        <translation>kleinstes IAE</translation>
+    </message>
+    <message>
+        <source>least ITAE</source>
+        <translation>kleinstes ITAE</translation>
+    </message>
+    <message>
+        <source>lead</source>
+        <translation>Lead (PD)</translation>
+    </message>
+    <message>
+        <source>lag</source>
+        <translation>Lag (PI)</translation>
+    </message>
+    <message>
+        <source>published</source>
+        <translation>veröffentlicht</translation>
+    </message>
+    <message>
+        <source>designed</source>
+        <translation>ausgelegt</translation>
+    </message>
+    <message>
+        <source>micro-step</source>
+        <translation>Mikroschritt</translation>
+    </message>
+    <message>
+        <source>published, in degrees</source>
+        <translation>veröffentlicht, in Grad</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::DesignTable</name>
     <message>
         <source>cannot be read</source>
@@ -5711,6 +6273,10 @@ Firmware %2</translation>
         <source>True speed</source>
         <translation>Wahre Drehzahl</translation>
     </message>
+    <message>
+        <source>ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DocumentFiles</name>
@@ -5719,8 +6285,8 @@ Firmware %2</translation>
         <translation>Bild speichern</translation>
     </message>
     <message>
-        <source>Picture (*.svg *.png)</source>
-        <translation>Bild (*.svg *.png)</translation>
+        <source>Picture (*.svg *.pdf *.png)</source>
+        <translation>Bild (*.svg *.pdf *.png)</translation>
     </message>
 </context>
 <context>
@@ -5986,6 +6552,10 @@ neben dem, was eine Führungsgröße bewegt hat (Enter sendet ihn)</translation>
 is approached as an even ramp at the jog speed</source>
         <translation>Sendet den Sollwert (Eingabetaste im Feld); mehr als 30° entfernt
 wird er in gleichmäßiger Rampe mit Tippdrehzahl angefahren</translation>
+    </message>
+    <message>
+        <source>Waits for a sample of the angle.</source>
+        <translation>Wartet auf einen Messwert des Winkels.</translation>
     </message>
 </context>
 <context>
@@ -6947,6 +7517,92 @@ wird er in gleichmäßiger Rampe mit Tippdrehzahl angefahren</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::LoopFigures</name>
+    <message>
+        <source>modulus margin</source>
+        <translation>Abstand von −1</translation>
+    </message>
+    <message>
+        <source>imaginary part of L</source>
+        <translation>Imaginärteil von L</translation>
+    </message>
+    <message>
+        <source>unit circle</source>
+        <translation>Einheitskreis</translation>
+    </message>
+    <message>
+        <source>Nyquist plot of the open loop</source>
+        <translation>Nyquist-Diagramm des offenen Kreises</translation>
+    </message>
+    <message>
+        <source>real part of L</source>
+        <translation>Realteil von L</translation>
+    </message>
+    <message>
+        <source>magnitude</source>
+        <translation>Betrag</translation>
+    </message>
+    <message>
+        <source>Nichols plot of the open loop</source>
+        <translation>Nichols-Diagramm des offenen Kreises</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>sensitivity S</source>
+        <translation>Empfindlichkeit S</translation>
+    </message>
+    <message>
+        <source>closed loop T</source>
+        <translation>geschlossener Kreis T</translation>
+    </message>
+    <message>
+        <source>Sensitivity and closed loop</source>
+        <translation>Empfindlichkeit und geschlossener Kreis</translation>
+    </message>
+    <message>
+        <source>frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::LoopView</name>
+    <message>
+        <source>Bode</source>
+        <translation>Bode</translation>
+    </message>
+    <message>
+        <source>Nyquist</source>
+        <translation>Nyquist</translation>
+    </message>
+    <message>
+        <source>Nichols</source>
+        <translation>Nichols</translation>
+    </message>
+    <message>
+        <source>Sensitivity</source>
+        <translation>Empfindlichkeit</translation>
+    </message>
+    <message>
+        <source>View of the open loop</source>
+        <translation>Ansicht des offenen Kreises</translation>
+    </message>
+    <message>
+        <source>The closed loop is unstable: it has no sensitivity.</source>
+        <translation>Der geschlossene Kreis ist instabil: Er hat keine Empfindlichkeit.</translation>
+    </message>
+    <message>
+        <source>Bode: magnitude and phase over frequency. Nyquist: the plane around -1. Nichols: magnitude over phase. Sensitivity: what is left of a disturbance, and what follows the reference</source>
+        <translation>Bode: Betrag und Phase über der Frequenz. Nyquist: die Ebene um -1. Nichols: Betrag über der Phase. Empfindlichkeit: was von einer Störung bleibt und was der Führungsgröße folgt</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::MainWindow</name>
     <message>
         <source>&amp;File</source>
@@ -7197,6 +7853,64 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::MonitorPicture</name>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the plots as a picture</source>
+        <translation>Kopiert die Diagramme als Bild</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Bild speichern…</translation>
+    </message>
+    <message>
+        <source>Save the plots as SVG, PDF or PNG</source>
+        <translation>Speichert die Diagramme als SVG, PDF oder PNG</translation>
+    </message>
+    <message>
+        <source>Plots of %1</source>
+        <translation>Kurven von %1</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>plots.svg</source>
+        <translation>diagramme.svg</translation>
+    </message>
+    <message>
+        <source>Picture (*.svg *.pdf *.png)</source>
+        <translation>Bild (*.svg *.pdf *.png)</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::MonitorStatistics</name>
+    <message>
+        <source>Statistics</source>
+        <translation>Statistik</translation>
+    </message>
+    <message>
+        <source>Smallest, largest, mean, rms and spread of what is in view or between the cursors (S)</source>
+        <translation>Kleinster und größter Wert, Mittel, Effektivwert und Streuung des Sichtbaren oder zwischen den Messmarken (S)</translation>
+    </message>
+    <message>
+        <source>Between the cursors, %1 s</source>
+        <translation>Zwischen den Messmarken, %1 s</translation>
+    </message>
+    <message>
+        <source>In view, %1 s</source>
+        <translation>Im Bild, %1 s</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::MonitorTrigger</name>
     <message>
         <source>Trigger</source>
@@ -7237,6 +7951,30 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
     <message>
         <source>Stopped after the event at %1 s; Shift+T waits again</source>
         <translation>Angehalten nach dem Ereignis bei %1 s; Umschalt+T wartet erneut</translation>
+    </message>
+    <message>
+        <source>No samples</source>
+        <translation>Keine Messwerte</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
+        <source>Triggered</source>
+        <translation>Ausgelöst</translation>
+    </message>
+    <message>
+        <source>Auto: no event</source>
+        <translation>Auto: kein Ereignis</translation>
+    </message>
+    <message>
+        <source>Triggered at %1 s</source>
+        <translation>Ausgelöst bei %1 s</translation>
+    </message>
+    <message>
+        <source>Stopped at %1 s</source>
+        <translation>Angehalten bei %1 s</translation>
     </message>
 </context>
 <context>
@@ -7954,6 +8692,172 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::RecordingsPanel</name>
+    <message>
+        <source>Search recordings</source>
+        <translation>Aufzeichnungen suchen</translation>
+    </message>
+    <message>
+        <source>Search name, device, date, signals, tags, notes</source>
+        <translation>Name, Gerät, Datum, Signale, Schlagwörter, Notizen suchen</translation>
+    </message>
+    <message>
+        <source>Every word must occur somewhere (Ctrl+F)</source>
+        <translation>Jedes Wort muss irgendwo vorkommen (Strg+F)</translation>
+    </message>
+    <message>
+        <source>Refresh</source>
+        <translation>Aktualisieren</translation>
+    </message>
+    <message>
+        <source>Looks into the folder again (F5)</source>
+        <translation>Sieht wieder in den Ordner (F5)</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Enter plays the selected recording; several are laid over each other</source>
+        <translation>Eingabe spielt die gewählte Aufzeichnung ab; mehrere werden übereinandergelegt</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Opens the recording in the panels, as if its device were connected (Enter). The device that is connected is left; not while it is armed, is recorded or works</source>
+        <translation>Öffnet die Aufzeichnung in den Ansichten, als wäre ihr Gerät verbunden (Eingabe). Das verbundene Gerät wird getrennt; nicht, solange es freigegeben ist, aufgezeichnet wird oder arbeitet</translation>
+    </message>
+    <message>
+        <source>Begin at</source>
+        <translation>Beginnen bei</translation>
+    </message>
+    <message>
+        <source>Time of the recording at which it is played; Enter goes there</source>
+        <translation>Zeit der Aufzeichnung, ab der abgespielt wird; Eingabe springt dorthin</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Makes a recording of what an interrupted program left</source>
+        <translation>Macht aus dem, was ein unterbrochenes Programm hinterließ, eine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Overlay, results, tags and notes</source>
+        <translation>Überlagerung, Ergebnisse, Schlagwörter und Notizen</translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation>Überlagerung</translation>
+    </message>
+    <message>
+        <source>Results over time</source>
+        <translation>Ergebnisse über der Zeit</translation>
+    </message>
+    <message>
+        <source>Tags and notes</source>
+        <translation>Schlagwörter und Notizen</translation>
+    </message>
+    <message>
+        <source>Tags of the recording</source>
+        <translation>Schlagwörter der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Tags, with commas between them</source>
+        <translation>Schlagwörter, mit Kommas dazwischen</translation>
+    </message>
+    <message>
+        <source>Words to find it again; kept in its sidecar</source>
+        <translation>Wörter zum Wiederfinden; stehen in ihrer Begleitdatei</translation>
+    </message>
+    <message>
+        <source>Notes on the recording</source>
+        <translation>Notizen zur Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Notes on this recording</source>
+        <translation>Notizen zu dieser Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Kept in its sidecar</source>
+        <translation>Stehen in ihrer Begleitdatei</translation>
+    </message>
+    <message>
+        <source>No recordings in %1 yet. Record data (Ctrl+R) makes one.</source>
+        <translation>Noch keine Aufzeichnungen in %1. „Daten aufzeichnen“ (Strg+R) macht eine.</translation>
+    </message>
+    <message>
+        <source>An interrupted recording was recovered: %1 s in %2</source>
+        <translation>Eine unterbrochene Aufzeichnung wurde wiederhergestellt: %1 s in %2</translation>
+    </message>
+    <message>
+        <source>Nothing that was written is lost.</source>
+        <translation>Nichts Geschriebenes ging verloren.</translation>
+    </message>
+    <message>
+        <source>Lost: %1 octets at its end or damaged.</source>
+        <translation>Verloren: %1 Oktette am Ende oder beschädigt.</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>The damaged file is kept as %1.</source>
+        <translation>Die beschädigte Datei bleibt als %1.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RecordingsTableModel</name>
+    <message>
+        <source>interrupted</source>
+        <translation>unterbrochen</translation>
+    </message>
+    <message>
+        <source>%1 (%2 rows)</source>
+        <translation>%1 (%2 Zeilen)</translation>
+    </message>
+    <message>
+        <source>%1 (simulated)</source>
+        <translation>%1 (simuliert)</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
+    <message>
+        <source>Gaps</source>
+        <translation>Lücken</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Schlagwörter</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::ReferenceForm</name>
     <message>
         <source>Amplitude</source>
@@ -8116,6 +9020,77 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::ResultHistoryView</name>
+    <message>
+        <source>Damping c</source>
+        <translation>Dämpfung c</translation>
+    </message>
+    <message>
+        <source>Friction K_f</source>
+        <translation>Reibung K_f</translation>
+    </message>
+    <message>
+        <source>Torque constant</source>
+        <translation>Drehmomentkonstante</translation>
+    </message>
+    <message>
+        <source>Inertia J</source>
+        <translation>Trägheit J</translation>
+    </message>
+    <message>
+        <source>%1 (given)</source>
+        <translation>%1 (vorgegeben)</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>zweifelhaft</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>Against the first of this device: more than both intervals explain</source>
+        <translation>Gegenüber dem ersten dieses Geräts: mehr, als beide Intervalle erklären</translation>
+    </message>
+    <message>
+        <source>Against the first of this device: within the intervals</source>
+        <translation>Gegenüber dem ersten dieses Geräts: innerhalb der Intervalle</translation>
+    </message>
+    <message>
+        <source>simulated time</source>
+        <translation>simulierte Zeit</translation>
+    </message>
+    <message>
+        <source>Identified values over time</source>
+        <translation>Identifizierte Werte über der Zeit</translation>
+    </message>
+    <message>
+        <source>The identification files (.json) of the folder, oldest first, with 95 % intervals; in brackets the drift since the first of the same device</source>
+        <translation>Die Identifikationsdateien (.json) des Ordners, älteste zuerst, mit 95-%-Intervallen; in Klammern die Drift seit der ersten desselben Geräts</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Data quality</source>
+        <translation>Datenqualität</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::ReturnNotice</name>
     <message>
         <source>Values that differ from before</source>
@@ -8203,6 +9178,109 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::RunOverlay</name>
+    <message>
+        <source>Overlay of the selected recordings</source>
+        <translation>Überlagerung der gewählten Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Values at the cursor</source>
+        <translation>Werte am Cursor</translation>
+    </message>
+    <message>
+        <source>What each recording has at the time of the cursor</source>
+        <translation>Was jede Aufzeichnung zur Zeit des Cursors hat</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>At the cursor</source>
+        <translation>Am Cursor</translation>
+    </message>
+    <message>
+        <source>Signals that all selected recordings have</source>
+        <translation>Signale, die alle gewählten Aufzeichnungen haben</translation>
+    </message>
+    <message>
+        <source>What is at time zero: the first row, the trigger, or a marker that all of them have</source>
+        <translation>Was bei Zeit null liegt: die erste Zeile, der Auslöser oder eine Marke, die alle haben</translation>
+    </message>
+    <message>
+        <source>Time of the cursor</source>
+        <translation>Zeit des Cursors</translation>
+    </message>
+    <message>
+        <source>The line in the plot and the values beside it</source>
+        <translation>Die Linie im Diagramm und die Werte daneben</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Aligned at</source>
+        <translation>Ausgerichtet an</translation>
+    </message>
+    <message>
+        <source>Cursor</source>
+        <translation>Cursor</translation>
+    </message>
+    <message>
+        <source>Signal that is compared</source>
+        <translation>Verglichenes Signal</translation>
+    </message>
+    <message>
+        <source>Moment at which they are aligned</source>
+        <translation>Augenblick, an dem sie ausgerichtet sind</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Gezeigt</translation>
+    </message>
+    <message>
+        <source>All of it, or so much about the cursor</source>
+        <translation>Alles, oder so viel um den Cursor</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alles</translation>
+    </message>
+    <message>
+        <source>%1 s about the cursor</source>
+        <translation>%1 s um den Cursor</translation>
+    </message>
+    <message>
+        <source>%1 recordings are laid over each other at most</source>
+        <translation>Höchstens %1 Aufzeichnungen werden übereinandergelegt</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>trigger</source>
+        <translation>Auslöser</translation>
+    </message>
+    <message>
+        <source>marker: %1</source>
+        <translation>Marke: %1</translation>
+    </message>
+    <message>
+        <source>Select recordings in the list: their curves are drawn over each other here.</source>
+        <translation>Wählen Sie Aufzeichnungen in der Liste: ihre Kurven werden hier übereinander gezeichnet.</translation>
+    </message>
+    <message>
+        <source>These recordings have nothing in common there: choose another signal, moment or time.</source>
+        <translation>Diese Aufzeichnungen haben dort nichts gemeinsam: Wählen Sie ein anderes Signal, einen anderen Bezugspunkt oder eine andere Zeit.</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::SignalTree</name>
     <message>
         <source>Signals of the device</source>
@@ -8231,6 +9309,21 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Last</source>
         <translation>Zuletzt</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::SpectrogramFigure</name>
+    <message>
+        <source>Spectrogram of %1</source>
+        <translation>Spektrogramm von %1</translation>
+    </message>
+    <message>
+        <source>Lines every %1 Hz, resolution %2 Hz, segments of %3 s</source>
+        <translation>Linien alle %1 Hz, Auflösung %2 Hz, Abschnitte von %3 s</translation>
+    </message>
+    <message>
+        <source>one every %1 s</source>
+        <translation>einer alle %1 s</translation>
     </message>
 </context>
 <context>
@@ -8264,10 +9357,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Linien alle %1 Hz, Auflösung %2 Hz, Abschnitte von %3 s</translation>
     </message>
     <message>
-        <source>%1 averages (worth %2 independent ones)</source>
-        <translation>%1 Mittelungen (so gut wie %2 unabhängige)</translation>
-    </message>
-    <message>
         <source>95 % interval of noise: %1 to %2 times the line</source>
         <translation>95-%-Bereich bei Rauschen: das %1- bis %2-Fache der Linie</translation>
     </message>
@@ -8278,6 +9367,17 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>no segment reaches across the %1 gaps and %2 missing values</source>
         <translation>kein Abschnitt reicht über die %1 Lücken und %2 fehlenden Werte</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln average(s)</source>
+        <translation>
+            <numerusform>%Ln Mittelung</numerusform>
+            <numerusform>%Ln Mittelungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 (worth %2 independent ones)</source>
+        <translation>%1 (so gut wie %2 unabhängige)</translation>
     </message>
 </context>
 <context>
@@ -8417,6 +9517,18 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Value [%1]</source>
         <translation>Wert [%1]</translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation>Über der Zeit</translation>
+    </message>
+    <message>
+        <source>Spectrogram: spectra of the segments beside each other, in colours</source>
+        <translation>Spektrogramm: Spektren der Abschnitte nebeneinander, in Farben</translation>
+    </message>
+    <message>
+        <source>The arrow keys walk from the highest value, with Shift ten times as far; Ctrl+C copies the picture, Ctrl+E saves it</source>
+        <translation>Die Pfeiltasten gehen vom höchsten Wert aus, mit Umschalt zehnmal so weit; Strg+C kopiert das Bild, Strg+E speichert es</translation>
     </message>
 </context>
 <context>
@@ -8578,6 +9690,14 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>%1 passes %2</source>
         <translation>%1 durch %2 geht</translation>
+    </message>
+    <message>
+        <source>Hysteresis, window and hold-off of the trigger</source>
+        <translation>Hysterese, Fenster und Sperrzeit des Triggers</translation>
+    </message>
+    <message>
+        <source>More settings of the trigger</source>
+        <translation>Weitere Einstellungen des Triggers</translation>
     </message>
 </context>
 <context>
@@ -8928,10 +10048,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Offener Kreis</translation>
     </message>
     <message>
-        <source>Magnitude and phase with their margins</source>
-        <translation>Betrag und Phase mit ihren Reserven</translation>
-    </message>
-    <message>
         <source>Step of %1</source>
         <translation>Sprung um %1</translation>
     </message>
@@ -9006,6 +10122,42 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Designs kept under a name, beside the proposed one</source>
         <translation>Unter einem Namen behaltene Entwürfe neben dem vorgeschlagenen</translation>
+    </message>
+    <message>
+        <source>Bode, Nyquist and Nichols plot, and sensitivity</source>
+        <translation>Bode-, Nyquist- und Nichols-Diagramm sowie Empfindlichkeit</translation>
+    </message>
+    <message>
+        <source>Open a measured response</source>
+        <translation>Gemessenen Frequenzgang öffnen</translation>
+    </message>
+    <message>
+        <source>Response (*.json)</source>
+        <translation>Frequenzgang (*.json)</translation>
+    </message>
+    <message>
+        <source>The measured response is drawn into the open loop, with the proposed gains.</source>
+        <translation>Der gemessene Frequenzgang ist in den offenen Kreis eingezeichnet, mit den vorgeschlagenen Reglerparametern.</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 frequencies are coherent; the others are hollow.</source>
+        <translation>%1 seiner %2 Frequenzen sind kohärent; die anderen sind hohl.</translation>
+    </message>
+    <message>
+        <source>Remove the measured response</source>
+        <translation>Gemessenen Frequenzgang entfernen</translation>
+    </message>
+    <message>
+        <source>Measured response…</source>
+        <translation>Gemessener Frequenzgang…</translation>
+    </message>
+    <message>
+        <source>The open loop shows predictions alone again</source>
+        <translation>Der offene Kreis zeigt wieder nur Vorhersagen</translation>
+    </message>
+    <message>
+        <source>Draw what identify --frequency measured into the open loop, with the gains proposed here: no model of the motor is in it</source>
+        <translation>Zeichnet in den offenen Kreis, was identify --frequency gemessen hat, mit den hier vorgeschlagenen Reglerparametern: Kein Modell des Motors steckt darin</translation>
     </message>
 </context>
 <context>
@@ -9089,6 +10241,10 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>set-point</source>
         <translation>Sollwert</translation>
+    </message>
+    <message>
+        <source>measured, not coherent</source>
+        <translation>gemessen, nicht kohärent</translation>
     </message>
 </context>
 <context>
@@ -10027,10 +11183,100 @@ Hall B
     </message>
 </context>
 <context>
+    <name>halbench::widgets::SpectrogramView</name>
+    <message>
+        <source>time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>frequency [Hz]</source>
+        <translation>Frequenz [Hz]</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>Bild speichern…</translation>
+    </message>
+    <message>
+        <source>Spectrogram</source>
+        <translation>Spektrogramm</translation>
+    </message>
+    <message>
+        <source>Nothing to show yet</source>
+        <translation>Noch nichts zu zeigen</translation>
+    </message>
+    <message>
+        <source>highest %1</source>
+        <translation>höchster Wert %1</translation>
+    </message>
+    <message>
+        <source>%1 s, %2 Hz: %3 %4</source>
+        <translation>%1 s, %2 Hz: %3 %4</translation>
+    </message>
+</context>
+<context>
     <name>halbench::widgets::StaleWords</name>
     <message>
         <source>No new value since %1 s on the time axis</source>
         <translation>Kein neuer Wert seit %1 s auf der Zeitachse</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::StatisticsTable</name>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Min</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>Effektivwert</translation>
+    </message>
+    <message>
+        <source>Std dev</source>
+        <translation>Std.-Abw.</translation>
+    </message>
+    <message>
+        <source>Slope A to B</source>
+        <translation>Steigung A–B</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Gaps</source>
+        <translation>Lücken</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>Statistik</translation>
+    </message>
+    <message>
+        <source>Copy the table</source>
+        <translation>Tabelle kopieren</translation>
+    </message>
+    <message>
+        <source>Pk-pk</source>
+        <translation>Sp.-Sp.</translation>
+    </message>
+    <message>
+        <source>Peak to peak: largest less smallest value</source>
+        <translation>Spitze-Spitze: größter minus kleinster Wert</translation>
     </message>
 </context>
 <context>

@@ -33,32 +33,12 @@
     </message>
 </context>
 <context>
-    <name>halbench::app::ParametersPanel</name>
+    <name>halbench::app::DeviceSession</name>
     <message numerus="yes">
-        <source>%n value(s) written and read back.</source>
+        <source>%Ln row(s) came faster than the window could show them and are not drawn</source>
         <translation>
-            <numerusform>%n value written and read back.</numerusform>
-            <numerusform>%n values written and read back.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>halbench::widgets::RotorView</name>
-    <message numerus="yes">
-        <source>%n separate magnets</source>
-        <translation>
-            <numerusform>%n separate magnet</numerusform>
-            <numerusform>%n separate magnets</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>halbench::app::RecordPanel</name>
-    <message numerus="yes">
-        <source>%Ln row(s) in %1</source>
-        <translation>
-            <numerusform>%Ln row in %1</numerusform>
-            <numerusform>%Ln rows in %1</numerusform>
+            <numerusform>%Ln row came faster than the window could show it and is not drawn</numerusform>
+            <numerusform>%Ln rows came faster than the window could show them and are not drawn</numerusform>
         </translation>
     </message>
 </context>
@@ -73,12 +53,42 @@
     </message>
 </context>
 <context>
-    <name>halbench::app::DeviceSession</name>
+    <name>halbench::app::ParametersPanel</name>
     <message numerus="yes">
-        <source>%Ln row(s) came faster than the window could show them and are not drawn</source>
+        <source>%n value(s) written and read back.</source>
         <translation>
-            <numerusform>%Ln row came faster than the window could show it and is not drawn</numerusform>
-            <numerusform>%Ln rows came faster than the window could show them and are not drawn</numerusform>
+            <numerusform>%n value written and read back.</numerusform>
+            <numerusform>%n values written and read back.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RecordPanel</name>
+    <message numerus="yes">
+        <source>%Ln row(s) in %1</source>
+        <translation>
+            <numerusform>%Ln row in %1</numerusform>
+            <numerusform>%Ln rows in %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::SpectrumFigure</name>
+    <message numerus="yes">
+        <source>%Ln average(s)</source>
+        <translation>
+            <numerusform>%Ln average</numerusform>
+            <numerusform>%Ln averages</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::RotorView</name>
+    <message numerus="yes">
+        <source>%n separate magnets</source>
+        <translation>
+            <numerusform>%n separate magnet</numerusform>
+            <numerusform>%n separate magnets</numerusform>
         </translation>
     </message>
 </context>

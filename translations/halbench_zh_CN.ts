@@ -67,6 +67,14 @@
         <source>XY</source>
         <translation>XY</translation>
     </message>
+    <message>
+        <source>Derived signals</source>
+        <translation>派生信号</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>记录列表</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -3955,10 +3963,6 @@
         <translation>given：{}</translation>
     </message>
     <message>
-        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, plot, given, model, design, calibration</source>
-        <translation>未知的键“{}”；已知的有 schema、device、notes、perspective、layout、monitor、plot、given、model、design、calibration</translation>
-    </message>
-    <message>
         <source>one plateau came to rest and was left out</source>
         <translation>有一个平台停转，已略去</translation>
     </message>
@@ -4778,6 +4782,422 @@
         <source>make sure that the delay is known (delay.samples), or choose a slower loop</source>
         <translation>请确保延迟已知（delay.samples），或选择较慢的回路</translation>
     </message>
+    <message>
+        <source>the excited rows are not whole periods of three signals</source>
+        <translation>被激励的各行不是三个信号的整周期</translation>
+    </message>
+    <message>
+        <source>{} periods say too little of the scatter</source>
+        <translation>{} 个周期不足以说明离散程度</translation>
+    </message>
+    <message>
+        <source>measure at least {}</source>
+        <translation>至少测量 {} 个</translation>
+    </message>
+    <message>
+        <source>the excited lines do not ascend below half the rate</source>
+        <translation>被激励的谱线没有递增，或超过采样率的一半</translation>
+    </message>
+    <message>
+        <source>an excited row holds no number</source>
+        <translation>被激励的某一行不是数字</translation>
+    </message>
+    <message>
+        <source>the excitation did not reach the plant</source>
+        <translation>激励没有到达被控对象</translation>
+    </message>
+    <message>
+        <source>check that the reference generator ran</source>
+        <translation>检查参考发生器是否运行</translation>
+    </message>
+    <message>
+        <source>too few usable frequencies for a fit of the rotor</source>
+        <translation>可用频率太少，无法拟合转子</translation>
+    </message>
+    <message>
+        <source>measure more frequencies, or with more excitation</source>
+        <translation>测量更多频率，或加大激励</translation>
+    </message>
+    <message>
+        <source>the measured response is not that of a rotor</source>
+        <translation>测得的频率响应不是转子的响应</translation>
+    </message>
+    <message>
+        <source>look at its points; an angle error or a resonance may be in it</source>
+        <translation>查看各点；其中可能有角度误差或谐振</translation>
+    </message>
+    <message>
+        <source>rows are missing near {} Hz: the periods do not fit together</source>
+        <translation>{} Hz 附近缺少数据行：各周期无法衔接</translation>
+    </message>
+    <message>
+        <source>check the link and measure again</source>
+        <translation>检查连接后重新测量</translation>
+    </message>
+    <message>
+        <source>no phase margin: the loop crosses nowhere on the frequencies that are used</source>
+        <translation>没有相位裕度：在所用频率上开环没有穿越</translation>
+    </message>
+    <message>
+        <source>no phase margin: the loop crosses where frequencies were left out or are far apart</source>
+        <translation>没有相位裕度：穿越处的频率被剔除或相距太远</translation>
+    </message>
+    <message>
+        <source>no phase margin: it lies between {} and {} deg, known to {} at best</source>
+        <translation>没有相位裕度：它在 {} 与 {} 度之间，最多只知道到 {}</translation>
+    </message>
+    <message>
+        <source>{} deg are allowed: measure more periods, and calibrate the sensors&apos; gain and the stray field first</source>
+        <translation>允许 {} 度：测量更多周期，并先校准传感器增益和杂散磁场</translation>
+    </message>
+    <message>
+        <source>no gain margin: the loop crosses nowhere on the frequencies that are used</source>
+        <translation>没有增益裕度：在所用频率上开环没有穿越</translation>
+    </message>
+    <message>
+        <source>no gain margin: the loop crosses where frequencies were left out or are far apart</source>
+        <translation>没有增益裕度：穿越处的频率被剔除或相距太远</translation>
+    </message>
+    <message>
+        <source>no gain margin: it lies between {} and {} dB, known to {} at best</source>
+        <translation>没有增益裕度：它在 {} 与 {} dB 之间，最多只知道到 {}</translation>
+    </message>
+    <message>
+        <source>{} dB are allowed: measure more periods, and calibrate the sensors&apos; gain and the stray field first</source>
+        <translation>允许 {} dB：测量更多周期，并先校准传感器增益和杂散磁场</translation>
+    </message>
+    <message>
+        <source>measure up to a higher, or from a lower frequency</source>
+        <translation>测到更高频率，或从更低频率开始</translation>
+    </message>
+    <message>
+        <source>measure with more periods or a larger amplitude there</source>
+        <translation>在该处用更多周期或更大幅值测量</translation>
+    </message>
+    <message>
+        <source>{} of {} frequencies have a coherence below {} and were left out</source>
+        <translation>{}/{} 个频率的相干性低于 {}，已剔除</translation>
+    </message>
+    <message>
+        <source>measure more periods or with a larger amplitude</source>
+        <translation>测量更多周期或加大幅值</translation>
+    </message>
+    <message>
+        <source>the current reached its limit of {} A: the plant is right, the closed loop was not linear</source>
+        <translation>电流达到限值 {} A：被控对象正确，但闭环不是线性的</translation>
+    </message>
+    <message>
+        <source>use a smaller amplitude</source>
+        <translation>使用更小的幅值</translation>
+    </message>
+    <message>
+        <source>the stray field was compensated for the measurement; on the board it is not</source>
+        <translation>测量时补偿了杂散磁场；控制板上没有补偿</translation>
+    </message>
+    <message>
+        <source>switch stray.enabled on: the loop that was measured is the one with it</source>
+        <translation>打开 stray.enabled：测量的是带补偿的回路</translation>
+    </message>
+    <message>
+        <source>the points do not decide the constants of a rotor</source>
+        <translation>这些点不能确定转子的常数</translation>
+    </message>
+    <message>
+        <source>measure more frequencies, from 0.5 Hz or lower</source>
+        <translation>从 0.5 Hz 或更低开始测量更多频率</translation>
+    </message>
+    <message>
+        <source>the points lie {} times farther from the fitted rotor than they scatter</source>
+        <translation>各点偏离拟合转子的距离是其离散程度的 {} 倍</translation>
+    </message>
+    <message>
+        <source>its intervals are widened by that; look for a resonance or an angle error that turns with it</source>
+        <translation>区间已相应放宽；检查是否有谐振或随转子旋转的角度误差</translation>
+    </message>
+    <message>
+        <source>allowed: {} to {}</source>
+        <translation>允许：{} 至 {}</translation>
+    </message>
+    <message>
+        <source>lowest frequency in Hz</source>
+        <translation>最低频率（Hz）</translation>
+    </message>
+    <message>
+        <source>highest frequency in Hz</source>
+        <translation>最高频率（Hz）</translation>
+    </message>
+    <message>
+        <source>number of periods</source>
+        <translation>周期数</translation>
+    </message>
+    <message>
+        <source>least coherence</source>
+        <translation>最小相干性</translation>
+    </message>
+    <message>
+        <source>amplitude in rad</source>
+        <translation>幅值（rad）</translation>
+    </message>
+    <message>
+        <source>a base speed of {} rad/s is too slow: friction is a plain offset only while the rotor turns</source>
+        <translation>{} rad/s 的基础转速太慢：只有转子转动时摩擦才是单纯的偏置</translation>
+    </message>
+    <message>
+        <source>use at least {} rad/s in either direction</source>
+        <translation>任一方向至少使用 {} rad/s</translation>
+    </message>
+    <message>
+        <source>base speed in rad/s</source>
+        <translation>基础转速（rad/s）</translation>
+    </message>
+    <message>
+        <source>an amplitude of {} deg swings the reference&apos;s speed by {} rad/s on a base of {} rad/s: the total would change its sign and friction would be no offset</source>
+        <translation>{} 度的幅值使参考转速摆动 {} rad/s，而基础转速为 {} rad/s：总转速会变号，摩擦就不再是偏置</translation>
+    </message>
+    <message>
+        <source>use at most {} deg, a faster base, fewer high frequencies, or leave the amplitude to the program</source>
+        <translation>最多使用 {} 度、更快的基础转速、更少的高频，或让程序决定幅值</translation>
+    </message>
+    <message>
+        <source>the rotor came down to {} rad/s on a base of {} rad/s: near standstill friction is no plain offset</source>
+        <translation>转子降到 {} rad/s，而基础转速为 {} rad/s：接近静止时摩擦不是单纯的偏置</translation>
+    </message>
+    <message>
+        <source>use a smaller amplitude or a faster base; a loop that swings by itself needs gains with more damping first</source>
+        <translation>使用更小的幅值或更快的基础转速；自行振荡的回路需先换用阻尼更大的增益</translation>
+    </message>
+    <message>
+        <source>runs up</source>
+        <translation>正在加速</translation>
+    </message>
+    <message>
+        <source>excites from {} Hz</source>
+        <translation>从 {} Hz 起激励</translation>
+    </message>
+    <message>
+        <source>the board runs the printed difference equation, which is no set of gains</source>
+        <translation>控制板运行的是印刷的差分方程，它不是一组增益</translation>
+    </message>
+    <message>
+        <source>set control.law=0 first; nothing was armed</source>
+        <translation>先设置 control.law=0；未使能任何设备</translation>
+    </message>
+    <message>
+        <source>the generator of this board makes no multisine</source>
+        <translation>该控制板的发生器不能产生多正弦</translation>
+    </message>
+    <message>
+        <source>use a stepped sine</source>
+        <translation>使用步进正弦</translation>
+    </message>
+    <message>
+        <source>there is no excitation &apos;{}&apos;</source>
+        <translation>没有激励“{}”</translation>
+    </message>
+    <message>
+        <source>known: {}</source>
+        <translation>已知：{}</translation>
+    </message>
+    <message>
+        <source>a frequency response needs a board with a position loop of its own</source>
+        <translation>频率响应需要自带位置环的控制板</translation>
+    </message>
+    <message>
+        <source>the name &apos;{}&apos; is taken</source>
+        <translation>名称 &apos;{}&apos; 已被占用</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no name of a signal</source>
+        <translation>&apos;{}&apos; 不是信号名称</translation>
+    </message>
+    <message>
+        <source>letters, digits, dots and underscores; it does not begin with a digit or a dot</source>
+        <translation>字母、数字、点和下划线；不以数字或点开头</translation>
+    </message>
+    <message>
+        <source>the expression names no signal</source>
+        <translation>表达式中没有信号</translation>
+    </message>
+    <message>
+        <source>write names of signals as recordings have them, e.g. current.a</source>
+        <translation>请按录制文件中的写法写信号名，例如 current.a</translation>
+    </message>
+    <message>
+        <source>column {} of the expression: there is no signal &apos;{}&apos;</source>
+        <translation>表达式第 {} 列：没有信号“{}”</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; defines no signal</source>
+        <translation>“{}”没有定义信号</translation>
+    </message>
+    <message>
+        <source>write NAME = EXPRESSION or NAME [UNIT] = EXPRESSION</source>
+        <translation>请写 名称 = 表达式 或 名称 [单位] = 表达式</translation>
+    </message>
+    <message>
+        <source>no unit follows from the expression</source>
+        <translation>由表达式得不出单位</translation>
+    </message>
+    <message>
+        <source>write the unit of the result, 1 for a number; terms of a sum need equal units</source>
+        <translation>请写出结果的单位，纯数写 1；相加的各项单位必须相同</translation>
+    </message>
+    <message>
+        <source>operators are + - * / ^ and comparisons, functions sin, cos, atan2, sqrt, abs, exp, ln, min, max</source>
+        <translation>运算符为 + - * / ^ 和比较，函数为 sin、cos、atan2、sqrt、abs、exp、ln、min、max</translation>
+    </message>
+    <message>
+        <source>column {} of the expression: it ends too early</source>
+        <translation>表达式第 {} 列：结束过早</translation>
+    </message>
+    <message>
+        <source>column {} of the expression: a ) is missing</source>
+        <translation>表达式第 {} 列：缺少 )</translation>
+    </message>
+    <message>
+        <source>every ( has its )</source>
+        <translation>每个 ( 都要有对应的 )</translation>
+    </message>
+    <message>
+        <source>column {} of the expression: a : is missing</source>
+        <translation>表达式第 {} 列：缺少 :</translation>
+    </message>
+    <message>
+        <source>every ? has its :</source>
+        <translation>每个 ? 都要有对应的 :</translation>
+    </message>
+    <message>
+        <source>column {} of the expression: too many arguments of {}</source>
+        <translation>表达式第 {} 列：{} 的参数太多</translation>
+    </message>
+    <message>
+        <source>column {} of the expression: too few arguments of {}</source>
+        <translation>表达式第 {} 列：{} 的参数太少</translation>
+    </message>
+    <message>
+        <source>column {} of the expression: &apos;{}&apos; is not expected here</source>
+        <translation>表达式第 {} 列：此处不应出现“{}”</translation>
+    </message>
+    <message>
+        <source>column {} of the expression: = sets nothing</source>
+        <translation>表达式第 {} 列：= 不赋值</translation>
+    </message>
+    <message>
+        <source>== compares</source>
+        <translation>== 用于比较</translation>
+    </message>
+    <message>
+        <source>the expression has more than {} letters</source>
+        <translation>表达式超过 {} 个字符</translation>
+    </message>
+    <message>
+        <source>divide it: a derived signal of a recording may use those before it</source>
+        <translation>请拆分：录制文件的派生信号可以使用其前面的派生信号</translation>
+    </message>
+    <message>
+        <source>the expression has several results</source>
+        <translation>表达式有多个结果</translation>
+    </message>
+    <message>
+        <source>write one; the comma separates arguments of functions</source>
+        <translation>请只写一个；逗号用于分隔函数参数</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, plot, derived, given, model, design, calibration</source>
+        <translation>未知的键 &apos;{}&apos;；已知的有 schema、device、notes、perspective、layout、monitor、plot、derived、given、model、design、calibration</translation>
+    </message>
+    <message>
+        <source>&apos;derived&apos; must be a list of tables, [[derived]]</source>
+        <translation>&apos;derived&apos; 必须是表的列表，[[derived]]</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; a [[derived]] has name, expression, unit</source>
+        <translation>未知的键 &apos;{}&apos;；[[derived]] 有 name、expression、unit</translation>
+    </message>
+    <message>
+        <source>a [[derived]] has a name and an expression</source>
+        <translation>[[derived]] 须有名称和表达式</translation>
+    </message>
+    <message>
+        <source>the recording ends at {} s, before {} s</source>
+        <translation>记录在 {} s 处结束，早于 {} s</translation>
+    </message>
+    <message>
+        <source>begin earlier</source>
+        <translation>请从更早处开始</translation>
+    </message>
+    <message>
+        <source>only recordings with their sidecar can have tags and notes</source>
+        <translation>只有带附属文件的记录才能有标签和备注</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is damaged</source>
+        <translation>“{}”已损坏</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has no rows</source>
+        <translation>“{}”没有数据行</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; has {} numbers, too many beside the others</source>
+        <translation>“{}”有 {} 个数值，与其他记录一起太多</translation>
+    </message>
+    <message>
+        <source>compare fewer recordings, or parts of them (halbench convert --from --to)</source>
+        <translation>请比较较少的记录，或只比较其中一部分（halbench convert --from --to）</translation>
+    </message>
+    <message>
+        <source>{}: schema: is not {}</source>
+        <translation>{}：schema：不是 {}</translation>
+    </message>
+    <message>
+        <source>make the file with &apos;halbench identify DEVICE --frequency --out&apos;</source>
+        <translation>用“halbench identify DEVICE --frequency --out”生成该文件</translation>
+    </message>
+    <message>
+        <source>{}: this response was refused</source>
+        <translation>{}：该响应已被拒绝</translation>
+    </message>
+    <message>
+        <source>see its findings, then measure again</source>
+        <translation>查看其结论，然后重新测量</translation>
+    </message>
+    <message>
+        <source>{}: sample_period_s: must be more than zero</source>
+        <translation>{}：sample_period_s：必须大于零</translation>
+    </message>
+    <message>
+        <source>{}: points[{}]: needs a plant and a frequency above the one before, below half the rate</source>
+        <translation>{}：points[{}]：需要被控对象的值，以及高于前一点、低于采样率一半的频率</translation>
+    </message>
+    <message>
+        <source>{}: points: there are none</source>
+        <translation>{}：points：没有点</translation>
+    </message>
+    <message>
+        <source>the response was measured every {} ms, this loop runs every {} ms</source>
+        <translation>响应的测量周期为 {} ms，而该回路的周期为 {} ms</translation>
+    </message>
+    <message>
+        <source>measure it on this board</source>
+        <translation>在该控制板上测量</translation>
+    </message>
+    <message>
+        <source>--out {} would replace the recording itself</source>
+        <translation>--out {} 会覆盖记录本身</translation>
+    </message>
+    <message>
+        <source>name another file</source>
+        <translation>请指定另一个文件</translation>
+    </message>
+    <message>
+        <source>no base speed from {} to {} rad/s keeps the turn&apos;s harmonics off the lines: a period lasts only {} s</source>
+        <translation>{} 至 {} rad/s 之间没有能使转动谐波避开谱线的基准转速：一个周期只有 {} s</translation>
+    </message>
+    <message>
+        <source>use a lower lowest frequency, which makes the period longer</source>
+        <translation>请降低最低频率，使周期变长</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -5340,6 +5760,148 @@
     </message>
 </context>
 <context>
+    <name>halbench::app::DerivedPanel</name>
+    <message>
+        <source>What is wrong with the expression</source>
+        <translation>表达式的错误</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Expression</source>
+        <translation>表达式</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Derived signals</source>
+        <translation>派生信号</translation>
+    </message>
+    <message>
+        <source>Enter takes a row into the fields above, Delete removes it</source>
+        <translation>按 Enter 把一行取到上方，按 Delete 删除</translation>
+    </message>
+    <message>
+        <source>As it shall stand in the tree: letters, digits, dots, underscores</source>
+        <translation>在树中的名称：字母、数字、点、下划线</translation>
+    </message>
+    <message>
+        <source>Of names of signals in SI units, e.g. current.a^2 + current.b^2; + - * / ^, sin, cos, atan2, sqrt, abs, exp, ln, min, max, pi. Enter keeps it</source>
+        <translation>由信号名称组成（SI 单位），例如 current.a^2 + current.b^2；+ - * / ^、sin、cos、atan2、sqrt、abs、exp、ln、min、max、pi。按 Enter 保留</translation>
+    </message>
+    <message>
+        <source>Of the value; empty: as it follows from the expression. A symbol such as rad, rad/s, T, A, degC is shown in the preferred unit</source>
+        <translation>数值的单位；留空则由表达式推出。rad、rad/s、T、A、degC 等符号按首选单位显示</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>Computes the signal from now on (Enter)</source>
+        <translation>从现在起计算该信号 (Enter)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Removes the signal that is chosen below (Delete)</source>
+        <translation>删除下方所选的信号 (Delete)</translation>
+    </message>
+    <message>
+        <source>waits for a device</source>
+        <translation>等待设备</translation>
+    </message>
+    <message>
+        <source>computed</source>
+        <translation>已计算</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::DesignNames</name>
+    <message>
+        <source>recommended</source>
+        <translation>推荐</translation>
+    </message>
+    <message>
+        <source>pole placement</source>
+        <translation>极点配置</translation>
+    </message>
+    <message>
+        <source>bandwidth</source>
+        <translation>带宽</translation>
+    </message>
+    <message>
+        <source>phase margin</source>
+        <translation>相位裕度</translation>
+    </message>
+    <message>
+        <source>SIMC</source>
+        <translation>SIMC</translation>
+    </message>
+    <message>
+        <source>lambda</source>
+        <translation>Lambda</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols PID</source>
+        <translation>Ziegler-Nichols PID</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols PI</source>
+        <translation>Ziegler-Nichols PI</translation>
+    </message>
+    <message>
+        <source>Ziegler-Nichols P</source>
+        <translation>Ziegler-Nichols P</translation>
+    </message>
+    <message>
+        <source>LQR</source>
+        <translation>LQR</translation>
+    </message>
+    <message>
+        <source>least IAE</source>
+        <translation>最小 IAE</translation>
+    </message>
+    <message>
+        <source>least ITAE</source>
+        <translation>最小 ITAE</translation>
+    </message>
+    <message>
+        <source>lead</source>
+        <translation>超前 (PD)</translation>
+    </message>
+    <message>
+        <source>lag</source>
+        <translation>滞后 (PI)</translation>
+    </message>
+    <message>
+        <source>published</source>
+        <translation>已发表</translation>
+    </message>
+    <message>
+        <source>designed</source>
+        <translation>设计值</translation>
+    </message>
+    <message>
+        <source>micro-step</source>
+        <translation>微步</translation>
+    </message>
+    <message>
+        <source>published, in degrees</source>
+        <translation>已发表，按度</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::DesignTable</name>
     <message>
         <source>cannot be read</source>
@@ -5706,6 +6268,10 @@ Firmware %2</source>
         <source>True speed</source>
         <translation>真实转速</translation>
     </message>
+    <message>
+        <source>ratio</source>
+        <translation>比值</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DocumentFiles</name>
@@ -5714,8 +6280,8 @@ Firmware %2</source>
         <translation>保存图片</translation>
     </message>
     <message>
-        <source>Picture (*.svg *.png)</source>
-        <translation>图片 (*.svg *.png)</translation>
+        <source>Picture (*.svg *.pdf *.png)</source>
+        <translation>图片 (*.svg *.pdf *.png)</translation>
     </message>
 </context>
 <context>
@@ -5981,6 +6547,10 @@ a reference has moved it (Enter sends it)</source>
 is approached as an even ramp at the jog speed</source>
         <translation>发送设定值（在输入框中按回车键）；若相距超过 30°，
 则以点动转速按匀速斜坡前往</translation>
+    </message>
+    <message>
+        <source>Waits for a sample of the angle.</source>
+        <translation>等待一个角度采样值。</translation>
     </message>
 </context>
 <context>
@@ -6942,6 +7512,92 @@ is approached as an even ramp at the jog speed</source>
     </message>
 </context>
 <context>
+    <name>halbench::app::LoopFigures</name>
+    <message>
+        <source>modulus margin</source>
+        <translation>模裕度</translation>
+    </message>
+    <message>
+        <source>imaginary part of L</source>
+        <translation>L 的虚部</translation>
+    </message>
+    <message>
+        <source>unit circle</source>
+        <translation>单位圆</translation>
+    </message>
+    <message>
+        <source>Nyquist plot of the open loop</source>
+        <translation>开环 Nyquist 图</translation>
+    </message>
+    <message>
+        <source>real part of L</source>
+        <translation>L 的实部</translation>
+    </message>
+    <message>
+        <source>magnitude</source>
+        <translation>幅值</translation>
+    </message>
+    <message>
+        <source>Nichols plot of the open loop</source>
+        <translation>开环 Nichols 图</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>相位</translation>
+    </message>
+    <message>
+        <source>sensitivity S</source>
+        <translation>灵敏度 S</translation>
+    </message>
+    <message>
+        <source>closed loop T</source>
+        <translation>闭环 T</translation>
+    </message>
+    <message>
+        <source>Sensitivity and closed loop</source>
+        <translation>灵敏度与闭环</translation>
+    </message>
+    <message>
+        <source>frequency</source>
+        <translation>频率</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::LoopView</name>
+    <message>
+        <source>Bode</source>
+        <translation>Bode</translation>
+    </message>
+    <message>
+        <source>Nyquist</source>
+        <translation>Nyquist</translation>
+    </message>
+    <message>
+        <source>Nichols</source>
+        <translation>Nichols</translation>
+    </message>
+    <message>
+        <source>Sensitivity</source>
+        <translation>灵敏度</translation>
+    </message>
+    <message>
+        <source>View of the open loop</source>
+        <translation>开环的视图</translation>
+    </message>
+    <message>
+        <source>The closed loop is unstable: it has no sensitivity.</source>
+        <translation>闭环不稳定：没有灵敏度。</translation>
+    </message>
+    <message>
+        <source>Bode: magnitude and phase over frequency. Nyquist: the plane around -1. Nichols: magnitude over phase. Sensitivity: what is left of a disturbance, and what follows the reference</source>
+        <translation>Bode：幅值和相位对频率。Nyquist：-1 附近的复平面。Nichols：幅值对相位。灵敏度：扰动的残留，以及跟随参考值的部分</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::MainWindow</name>
     <message>
         <source>&amp;File</source>
@@ -7191,6 +7847,64 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::MonitorPicture</name>
+    <message>
+        <source>time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>复制图片</translation>
+    </message>
+    <message>
+        <source>Copy the plots as a picture</source>
+        <translation>把图复制为图片</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>保存图片…</translation>
+    </message>
+    <message>
+        <source>Save the plots as SVG, PDF or PNG</source>
+        <translation>把图保存为 SVG、PDF 或 PNG</translation>
+    </message>
+    <message>
+        <source>Plots of %1</source>
+        <translation>%1 的曲线图</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>保存图片</translation>
+    </message>
+    <message>
+        <source>plots.svg</source>
+        <translation>plots.svg</translation>
+    </message>
+    <message>
+        <source>Picture (*.svg *.pdf *.png)</source>
+        <translation>图片 (*.svg *.pdf *.png)</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::MonitorStatistics</name>
+    <message>
+        <source>Statistics</source>
+        <translation>统计</translation>
+    </message>
+    <message>
+        <source>Smallest, largest, mean, rms and spread of what is in view or between the cursors (S)</source>
+        <translation>视图内或两光标之间的最小、最大、均值、有效值和离散度 (S)</translation>
+    </message>
+    <message>
+        <source>Between the cursors, %1 s</source>
+        <translation>两光标之间，%1 s</translation>
+    </message>
+    <message>
+        <source>In view, %1 s</source>
+        <translation>视图内，%1 s</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::MonitorTrigger</name>
     <message>
         <source>Trigger</source>
@@ -7231,6 +7945,30 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
     <message>
         <source>Stopped after the event at %1 s; Shift+T waits again</source>
         <translation>在 %1 s 的事件后停止；Shift+T 再次等待</translation>
+    </message>
+    <message>
+        <source>No samples</source>
+        <translation>没有样本</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>等待</translation>
+    </message>
+    <message>
+        <source>Triggered</source>
+        <translation>已触发</translation>
+    </message>
+    <message>
+        <source>Auto: no event</source>
+        <translation>自动：没有事件</translation>
+    </message>
+    <message>
+        <source>Triggered at %1 s</source>
+        <translation>在 %1 s 触发</translation>
+    </message>
+    <message>
+        <source>Stopped at %1 s</source>
+        <translation>在 %1 s 停止</translation>
     </message>
 </context>
 <context>
@@ -7946,6 +8684,172 @@ A real device has its own time.</source>
     </message>
 </context>
 <context>
+    <name>halbench::app::RecordingsPanel</name>
+    <message>
+        <source>Search recordings</source>
+        <translation>搜索记录</translation>
+    </message>
+    <message>
+        <source>Search name, device, date, signals, tags, notes</source>
+        <translation>搜索名称、设备、日期、信号、标签、备注</translation>
+    </message>
+    <message>
+        <source>Every word must occur somewhere (Ctrl+F)</source>
+        <translation>每个词都必须出现（Ctrl+F）</translation>
+    </message>
+    <message>
+        <source>Refresh</source>
+        <translation>刷新</translation>
+    </message>
+    <message>
+        <source>Looks into the folder again (F5)</source>
+        <translation>重新查看文件夹（F5）</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>记录列表</translation>
+    </message>
+    <message>
+        <source>Enter plays the selected recording; several are laid over each other</source>
+        <translation>回车回放所选记录；选择多个则叠加显示</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>回放</translation>
+    </message>
+    <message>
+        <source>Opens the recording in the panels, as if its device were connected (Enter). The device that is connected is left; not while it is armed, is recorded or works</source>
+        <translation>在各面板中打开该记录，如同其设备已连接（回车）。当前连接的设备会断开；设备已使能、正在记录或正在工作时不可用</translation>
+    </message>
+    <message>
+        <source>Begin at</source>
+        <translation>起始于</translation>
+    </message>
+    <message>
+        <source>Time of the recording at which it is played; Enter goes there</source>
+        <translation>从记录的这一时间开始回放；回车跳转</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Makes a recording of what an interrupted program left</source>
+        <translation>把中断的程序留下的内容恢复成记录</translation>
+    </message>
+    <message>
+        <source>Overlay, results, tags and notes</source>
+        <translation>叠加、结果、标签和备注</translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation>叠加</translation>
+    </message>
+    <message>
+        <source>Results over time</source>
+        <translation>结果随时间变化</translation>
+    </message>
+    <message>
+        <source>Tags and notes</source>
+        <translation>标签和备注</translation>
+    </message>
+    <message>
+        <source>Tags of the recording</source>
+        <translation>记录的标签</translation>
+    </message>
+    <message>
+        <source>Tags, with commas between them</source>
+        <translation>标签，用逗号分隔</translation>
+    </message>
+    <message>
+        <source>Words to find it again; kept in its sidecar</source>
+        <translation>便于查找的词；保存在附属文件中</translation>
+    </message>
+    <message>
+        <source>Notes on the recording</source>
+        <translation>记录的备注</translation>
+    </message>
+    <message>
+        <source>Notes on this recording</source>
+        <translation>此记录的备注</translation>
+    </message>
+    <message>
+        <source>Kept in its sidecar</source>
+        <translation>保存在附属文件中</translation>
+    </message>
+    <message>
+        <source>No recordings in %1 yet. Record data (Ctrl+R) makes one.</source>
+        <translation>%1 中还没有记录。“记录数据”（Ctrl+R）可创建记录。</translation>
+    </message>
+    <message>
+        <source>An interrupted recording was recovered: %1 s in %2</source>
+        <translation>已恢复一条中断的记录：%1 s，位于 %2</translation>
+    </message>
+    <message>
+        <source>Nothing that was written is lost.</source>
+        <translation>已写入的内容没有丢失。</translation>
+    </message>
+    <message>
+        <source>Lost: %1 octets at its end or damaged.</source>
+        <translation>丢失：末尾或损坏的 %1 个字节。</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>The damaged file is kept as %1.</source>
+        <translation>损坏的文件保留为 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RecordingsTableModel</name>
+    <message>
+        <source>interrupted</source>
+        <translation>中断</translation>
+    </message>
+    <message>
+        <source>%1 (%2 rows)</source>
+        <translation>%1（%2 行）</translation>
+    </message>
+    <message>
+        <source>%1 (simulated)</source>
+        <translation>%1（仿真）</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Gaps</source>
+        <translation>间断</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>结果</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::ReferenceForm</name>
     <message>
         <source>Amplitude</source>
@@ -8108,6 +9012,77 @@ A real device has its own time.</source>
     </message>
 </context>
 <context>
+    <name>halbench::app::ResultHistoryView</name>
+    <message>
+        <source>Damping c</source>
+        <translation>阻尼 c</translation>
+    </message>
+    <message>
+        <source>Friction K_f</source>
+        <translation>摩擦 K_f</translation>
+    </message>
+    <message>
+        <source>Torque constant</source>
+        <translation>转矩常数</translation>
+    </message>
+    <message>
+        <source>Inertia J</source>
+        <translation>转动惯量 J</translation>
+    </message>
+    <message>
+        <source>%1 (given)</source>
+        <translation>%1（给定）</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>良好</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>存疑</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>Against the first of this device: more than both intervals explain</source>
+        <translation>与该设备的首个结果相比：超出两个区间所能解释的范围</translation>
+    </message>
+    <message>
+        <source>Against the first of this device: within the intervals</source>
+        <translation>与该设备的首个结果相比：在区间之内</translation>
+    </message>
+    <message>
+        <source>simulated time</source>
+        <translation>仿真时间</translation>
+    </message>
+    <message>
+        <source>Identified values over time</source>
+        <translation>辨识值随时间变化</translation>
+    </message>
+    <message>
+        <source>The identification files (.json) of the folder, oldest first, with 95 % intervals; in brackets the drift since the first of the same device</source>
+        <translation>文件夹中的辨识文件（.json），最早的在前，附 95 % 区间；括号中为相对同一设备首个结果的漂移</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>Data quality</source>
+        <translation>数据质量</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::ReturnNotice</name>
     <message>
         <source>Values that differ from before</source>
@@ -8195,6 +9170,109 @@ A real device has its own time.</source>
     </message>
 </context>
 <context>
+    <name>halbench::app::RunOverlay</name>
+    <message>
+        <source>Overlay of the selected recordings</source>
+        <translation>所选记录的叠加</translation>
+    </message>
+    <message>
+        <source>Values at the cursor</source>
+        <translation>光标处的值</translation>
+    </message>
+    <message>
+        <source>What each recording has at the time of the cursor</source>
+        <translation>各记录在光标时间处的值</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>At the cursor</source>
+        <translation>光标处</translation>
+    </message>
+    <message>
+        <source>Signals that all selected recordings have</source>
+        <translation>所选记录共有的信号</translation>
+    </message>
+    <message>
+        <source>What is at time zero: the first row, the trigger, or a marker that all of them have</source>
+        <translation>零时刻对应：首行、触发点，或它们共有的标记</translation>
+    </message>
+    <message>
+        <source>Time of the cursor</source>
+        <translation>光标时间</translation>
+    </message>
+    <message>
+        <source>The line in the plot and the values beside it</source>
+        <translation>曲线图中的线和旁边的数值</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Aligned at</source>
+        <translation>对齐于</translation>
+    </message>
+    <message>
+        <source>Cursor</source>
+        <translation>光标</translation>
+    </message>
+    <message>
+        <source>Signal that is compared</source>
+        <translation>比较的信号</translation>
+    </message>
+    <message>
+        <source>Moment at which they are aligned</source>
+        <translation>对齐时刻</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>显示范围</translation>
+    </message>
+    <message>
+        <source>All of it, or so much about the cursor</source>
+        <translation>全部，或光标周围的一段</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>%1 s about the cursor</source>
+        <translation>光标周围 %1 s</translation>
+    </message>
+    <message>
+        <source>%1 recordings are laid over each other at most</source>
+        <translation>最多叠加 %1 条记录</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>起点</translation>
+    </message>
+    <message>
+        <source>trigger</source>
+        <translation>触发</translation>
+    </message>
+    <message>
+        <source>marker: %1</source>
+        <translation>标记：%1</translation>
+    </message>
+    <message>
+        <source>Select recordings in the list: their curves are drawn over each other here.</source>
+        <translation>在列表中选择记录：它们的曲线在此叠加绘制。</translation>
+    </message>
+    <message>
+        <source>These recordings have nothing in common there: choose another signal, moment or time.</source>
+        <translation>这些记录在那里没有共同内容：请选择其他信号、对齐点或时间。</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>时间</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::SignalTree</name>
     <message>
         <source>Signals of the device</source>
@@ -8223,6 +9301,21 @@ A real device has its own time.</source>
     <message>
         <source>Last</source>
         <translation>最后</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::SpectrogramFigure</name>
+    <message>
+        <source>Spectrogram of %1</source>
+        <translation>%1 的频谱图</translation>
+    </message>
+    <message>
+        <source>Lines every %1 Hz, resolution %2 Hz, segments of %3 s</source>
+        <translation>谱线间隔 %1 Hz，分辨率 %2 Hz，分段 %3 s</translation>
+    </message>
+    <message>
+        <source>one every %1 s</source>
+        <translation>每 %1 s 一个</translation>
     </message>
 </context>
 <context>
@@ -8256,10 +9349,6 @@ A real device has its own time.</source>
         <translation>谱线间隔 %1 Hz，分辨率 %2 Hz，分段 %3 s</translation>
     </message>
     <message>
-        <source>%1 averages (worth %2 independent ones)</source>
-        <translation>%1 次平均（相当于 %2 次独立平均）</translation>
-    </message>
-    <message>
         <source>95 % interval of noise: %1 to %2 times the line</source>
         <translation>噪声的 95 % 区间：谱线的 %1 至 %2 倍</translation>
     </message>
@@ -8270,6 +9359,16 @@ A real device has its own time.</source>
     <message>
         <source>no segment reaches across the %1 gaps and %2 missing values</source>
         <translation>分段不跨越 %1 处间断和 %2 个缺失值</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln average(s)</source>
+        <translation>
+            <numerusform>%Ln 次平均</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 (worth %2 independent ones)</source>
+        <translation>%1（相当于 %2 次独立平均）</translation>
     </message>
 </context>
 <context>
@@ -8409,6 +9508,18 @@ A real device has its own time.</source>
     <message>
         <source>Value [%1]</source>
         <translation>值 [%1]</translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation>随时间</translation>
+    </message>
+    <message>
+        <source>Spectrogram: spectra of the segments beside each other, in colours</source>
+        <translation>频谱图：各分段的频谱并排，以颜色表示</translation>
+    </message>
+    <message>
+        <source>The arrow keys walk from the highest value, with Shift ten times as far; Ctrl+C copies the picture, Ctrl+E saves it</source>
+        <translation>方向键从最大值开始移动，按住 Shift 时移动十倍；Ctrl+C 复制图片，Ctrl+E 保存</translation>
     </message>
 </context>
 <context>
@@ -8570,6 +9681,14 @@ A real device has its own time.</source>
     <message>
         <source>%1 passes %2</source>
         <translation>%1 穿过 %2</translation>
+    </message>
+    <message>
+        <source>Hysteresis, window and hold-off of the trigger</source>
+        <translation>触发的迟滞、窗口和释抑</translation>
+    </message>
+    <message>
+        <source>More settings of the trigger</source>
+        <translation>触发的更多设置</translation>
     </message>
 </context>
 <context>
@@ -8920,10 +10039,6 @@ A real device has its own time.</source>
         <translation>开环</translation>
     </message>
     <message>
-        <source>Magnitude and phase with their margins</source>
-        <translation>幅值和相位及其裕度</translation>
-    </message>
-    <message>
         <source>Step of %1</source>
         <translation>%1 阶跃</translation>
     </message>
@@ -8998,6 +10113,42 @@ A real device has its own time.</source>
     <message>
         <source>Designs kept under a name, beside the proposed one</source>
         <translation>以名称保留的设计，与当前建议并列</translation>
+    </message>
+    <message>
+        <source>Bode, Nyquist and Nichols plot, and sensitivity</source>
+        <translation>Bode 图、Nyquist 图、Nichols 图和灵敏度</translation>
+    </message>
+    <message>
+        <source>Open a measured response</source>
+        <translation>打开测得的响应</translation>
+    </message>
+    <message>
+        <source>Response (*.json)</source>
+        <translation>频率响应 (*.json)</translation>
+    </message>
+    <message>
+        <source>The measured response is drawn into the open loop, with the proposed gains.</source>
+        <translation>测得的响应已按建议的增益画入开环图。</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 frequencies are coherent; the others are hollow.</source>
+        <translation>%2 个频率中有 %1 个相干；其余为空心点。</translation>
+    </message>
+    <message>
+        <source>Remove the measured response</source>
+        <translation>移除测得的响应</translation>
+    </message>
+    <message>
+        <source>Measured response…</source>
+        <translation>测得的响应…</translation>
+    </message>
+    <message>
+        <source>The open loop shows predictions alone again</source>
+        <translation>开环图重新只显示预测</translation>
+    </message>
+    <message>
+        <source>Draw what identify --frequency measured into the open loop, with the gains proposed here: no model of the motor is in it</source>
+        <translation>把 identify --frequency 测得的响应按此处建议的增益画入开环图：其中不含电机模型</translation>
     </message>
 </context>
 <context>
@@ -9081,6 +10232,10 @@ A real device has its own time.</source>
     <message>
         <source>set-point</source>
         <translation>设定值</translation>
+    </message>
+    <message>
+        <source>measured, not coherent</source>
+        <translation>实测，不相干</translation>
     </message>
 </context>
 <context>
@@ -10018,10 +11173,100 @@ Hall B
     </message>
 </context>
 <context>
+    <name>halbench::widgets::SpectrogramView</name>
+    <message>
+        <source>time [s]</source>
+        <translation>时间 [s]</translation>
+    </message>
+    <message>
+        <source>frequency [Hz]</source>
+        <translation>频率 [Hz]</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>复制图片</translation>
+    </message>
+    <message>
+        <source>Save picture…</source>
+        <translation>保存图片…</translation>
+    </message>
+    <message>
+        <source>Spectrogram</source>
+        <translation>频谱图</translation>
+    </message>
+    <message>
+        <source>Nothing to show yet</source>
+        <translation>暂无内容</translation>
+    </message>
+    <message>
+        <source>highest %1</source>
+        <translation>最大值 %1</translation>
+    </message>
+    <message>
+        <source>%1 s, %2 Hz: %3 %4</source>
+        <translation>%1 s，%2 Hz：%3 %4</translation>
+    </message>
+</context>
+<context>
     <name>halbench::widgets::StaleWords</name>
     <message>
         <source>No new value since %1 s on the time axis</source>
         <translation>时间轴上自 %1 s 起没有新值</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::StatisticsTable</name>
+    <message>
+        <source>Signal</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>均值</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>有效值</translation>
+    </message>
+    <message>
+        <source>Std dev</source>
+        <translation>标准差</translation>
+    </message>
+    <message>
+        <source>Slope A to B</source>
+        <translation>斜率 A 至 B</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>数值个数</translation>
+    </message>
+    <message>
+        <source>Gaps</source>
+        <translation>间断</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>统计</translation>
+    </message>
+    <message>
+        <source>Copy the table</source>
+        <translation>复制表格</translation>
+    </message>
+    <message>
+        <source>Pk-pk</source>
+        <translation>峰峰值</translation>
+    </message>
+    <message>
+        <source>Peak to peak: largest less smallest value</source>
+        <translation>峰峰值：最大值减最小值</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include "control/base/units.h"
 #include "tests/bench/goal.h"
 #include "tests/control/signals/history_blocks.h"
+#include "widgets/figure_file.h"
 #include "widgets/live_plot_stack.h"
 #include "widgets/offscreen_application.h"
 
@@ -166,6 +167,31 @@ void benchIngest(Goals& goals) {
                   "million values/s");
 }
 
+/// A recording for print, from its samples to the file's content.
+void benchPicture(Goals& goals) {
+    constexpr std::size_t Points = 1'000'000;
+    const Source source(Points * Period_s / SwingsInView);
+    widgets::Figure figure;
+    figure.x = {"time", "s", false, {}, {}, {}};
+    widgets::Panel panel;
+    panel.y = {"field", "T", false, {}, {}, {}};
+    widgets::Curve curve;
+    curve.label = "signal.0";
+    for (std::size_t row = 0; row < Points; ++row) {
+        curve.x.push_back(static_cast<double>(row) * Period_s);
+        curve.y.push_back(source.at(row, 0));
+    }
+    panel.curves.push_back(std::move(curve));
+    figure.panels.push_back(std::move(panel));
+    const widgets::Theme theme = widgets::loadTheme("light").value();
+    const auto draw = [&] {
+        return widgets::pictureFile(figure, theme, widgets::PictureFormat::Pdf).value().size();
+    };
+    const int size_octets = draw();
+    goals.below("a million points to PDF", 1e3 * processorTime_s(draw, 7), 100.0, "ms");
+    goals.below("size of that PDF", 1e-3 * size_octets, 200.0, "kB");
+}
+
 } // namespace
 } // namespace halbench::bench
 
@@ -174,5 +200,6 @@ int main() {
     halbench::bench::Goals goals;
     halbench::bench::benchIngest(goals);
     halbench::bench::benchFrames(goals);
+    halbench::bench::benchPicture(goals);
     return goals.exitCode();
 }

@@ -4,12 +4,15 @@
 #include "app/window/language.h"
 #include "app/window/main_window.h"
 #include "app/window/window_application.h"
+#include "app/workspaces/design_names.h"
+#include "app/workspaces/loop_view.h"
 #include "app/workspaces/monitor_panel.h"
 #include "app/workspaces/page_chooser.h"
 #include "app/workspaces/tune_form.h"
 #include "tests/app/workspaces/published_motor.h"
 #include "widgets/theme_style.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QDir>
@@ -17,10 +20,12 @@
 #include <QPushButton>
 #include <QStandardPaths>
 #include <QTabWidget>
+#include <QTableView>
 #include <QTableWidget>
 #include <QtTest/QTest>
 #include <qtadvanceddocking/DockWidget.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <string_view>
@@ -43,7 +48,7 @@ public:
         m_window.show();
     }
 
-    /// The Monitor in its other uses: trigger, spectrum, XY.
+    /// The Monitor in its other uses: trigger, spectrum, XY, statistics with derived signals.
     bool takeMonitor() {
         m_window.connectDevice(QStringLiteral("sim:htm"));
         if (!wait([this] { return !m_window.bench().deviceValues().empty(); })) {
@@ -58,14 +63,23 @@ public:
         session().request([](devices::Device& device) { return device.clearStop(); }, [](Result<void>) {});
         startMotion("sine,amplitude_deg=100,period_s=2");
         takePanel("spectrum");
+        QWidget& spectrum = *m_window.docks().panel("spectrum");
+        trigger(spectrum, "O");
+        QTest::qWait(Settling_ms);
+        take(QStringLiteral("monitor-spectrogram"));
+        trigger(spectrum, "O");
         MonitorView view;
         view.plots = {
             {{"reference", "position"}, {}, {}}, {{"speed"}, {}, {}}, {{"current_command"}, {}, {}}};
         view.trigger = {
             true, "speed", control::TriggerMode::Normal, control::TriggerSlope::Rising, 0.0, 0.5, 1.0,
             0.25, 0.0};
-        static_cast<MonitorPanel*>(m_window.docks().panel("monitor"))->setView(view);
+        view.derived = {{"field", "sqrt(hall.a^2 + hall.b^2)", ""}};
+        auto* monitor = static_cast<MonitorPanel*>(m_window.docks().panel("monitor"));
+        monitor->setView(view);
         takePanel("monitor");
+        trigger(*monitor, "S");
+        takePanel("derived");
         return m_isSaved;
     }
 
@@ -83,11 +97,14 @@ public:
         return m_isSaved;
     }
 
-    /// A calibration with its pictures.
+    /// A calibration with its pictures, as fast as possible: a busy machine would be stopped on the way.
     bool takeCalibrationOnly() {
         m_window.connectDevice(QStringLiteral("sim:htm"));
-        return wait([this] { return !m_window.bench().deviceValues().empty(); }) && takeCalibration() &&
-               m_isSaved;
+        if (!wait([this] { return !m_window.bench().deviceValues().empty(); })) {
+            return false;
+        }
+        session().setPace({0.0});
+        return takeCalibration() && m_isSaved;
     }
 
     /// Tune alone, for a motor that is known.
@@ -98,6 +115,34 @@ public:
         }
         m_window.bench().setIdentification(publishedMotor());
         return takeTuning() && m_isSaved;
+    }
+
+    /// Those of the folder "recordings" beside the pictures: laid over each other, their results, one that is
+    /// played.
+    bool takeRecordings() {
+        m_window.bench().recording().setFolder(QDir(m_folder).filePath(QStringLiteral("recordings")));
+        m_window.docks().setPerspective(Perspective::Record);
+        QTest::qWait(Settling_ms);
+        QWidget* panel = m_window.docks().panel("recordings");
+        const QList<QTableView*> tables = panel->findChildren<QTableView*>(); // others are of items
+        QTableView* table = *std::find_if(tables.begin(), tables.end(), [](const QTableView* one) {
+            return qobject_cast<const QTableWidget*>(one) == nullptr;
+        });
+        if (!wait([table] { return table->model()->rowCount() > 0; })) {
+            return false;
+        }
+        table->selectAll();
+        QTest::qWait(DataTime_ms / 5);
+        take(QStringLiteral("recordings-overlay"));
+        auto* tabs = panel->findChild<QTabWidget*>();
+        tabs->setCurrentIndex(1);
+        take(QStringLiteral("recordings-results"));
+        tabs->setCurrentIndex(0);
+        table->selectRow(0);
+        press("recordings", "halbench::app::RecordingsPanel", "Play");
+        QTest::qWait(DataTime_ms / 2);
+        take(QStringLiteral("recordings-played"));
+        return m_isSaved;
     }
 
     bool takeAll() {
@@ -150,10 +195,19 @@ private:
         take(QStringLiteral("monitor-") + QLatin1String(panel));
     }
 
+    /// What the key does in the panel.
+    static void trigger(const QWidget& panel, const char* key) {
+        for (QAction* action : panel.actions()) {
+            if (action->shortcut() == QKeySequence(QLatin1String(key))) {
+                action->trigger();
+            }
+        }
+    }
+
     /// A motor that follows a reference for longer than the pictures take.
     void startMotion(const char* reference) {
         session().runProcedure(
-            "Move",
+            QCoreApplication::translate("Panels", "Drive"),
             [reference](devices::Device& device, const ProcedureObserver& observer) {
                 MoveConfig config;
                 config.reference = *parseMoveReference(reference);
@@ -255,7 +309,7 @@ private:
         }
         for (const char* method : {"lambda", "lqr", "recommended"}) {
             for (int i = 0; i < origin->count(); ++i) {
-                if (origin->itemText(i).endsWith(QLatin1String(method))) {
+                if (origin->itemText(i).endsWith(designTitle(method))) {
                     origin->setCurrentIndex(i);
                     break;
                 }
@@ -271,6 +325,16 @@ private:
         take(QStringLiteral("tune-designs"));
         tune.findChild<PageChooser*>()->findChild<QPushButton*>()->click();
         take(QStringLiteral("tune-compared"));
+        auto* views = tune.findChild<LoopView*>();
+        const std::pair<LoopView::View, const char*> scenes[] = {
+            {LoopView::View::Nyquist, "tune-nyquist"},
+            {LoopView::View::Nichols, "tune-nichols"},
+            {LoopView::View::Sensitivity, "tune-sensitivity"}};
+        for (const auto& [view, scene] : scenes) {
+            views->setView(view);
+            take(QLatin1String(scene));
+        }
+        views->setView(LoopView::View::Bode);
         return true;
     }
 
@@ -310,13 +374,13 @@ int main(int count, char** words) {
         {"", &Photographer::takeAll},
         {"monitor", &Photographer::takeMonitor},
         {"help", &Photographer::takeHelp},
+        {"recordings", &Photographer::takeRecordings},
         {"calibration", &Photographer::takeCalibrationOnly},
         {"tune", &Photographer::takeTune}};
     const auto subject = subjects.find(count == 6 ? QByteArray(words[5]) : QByteArray(""));
     if (count < 5 || count > 6 || subject == subjects.end()) {
-        std::fprintf(
-            stderr,
-            "usage: halbench_screenshots FOLDER LANGUAGE WIDTH HEIGHT [monitor|help|calibration|tune]\n");
+        std::fprintf(stderr, "usage: halbench_screenshots FOLDER LANGUAGE WIDTH HEIGHT "
+                             "[monitor|help|recordings|calibration|tune]\n");
         return 2;
     }
     qputenv("QT_QPA_PLATFORM", "offscreen");
