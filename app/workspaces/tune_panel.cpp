@@ -135,6 +135,7 @@ void TunePanel::refreshModel() {
     forgetJudgements();
     if (!identification) {
         m_sketch.reset();
+        m_early.reset();
         m_sketching.cancel();
         m_judging.cancel();
         refreshButtons();
@@ -238,6 +239,7 @@ void TunePanel::ask() {
         return;
     }
     m_shown.reset(); // nothing is applied that its prediction has not caught up with
+    m_early.reset();
     m_sketching.cancel();
     m_judging.cancel(); // answers to older numbers must not come after a number that is none
     if (const auto asked = question()) {
@@ -248,10 +250,11 @@ void TunePanel::ask() {
                 auto answer = answerTuning(asked);
                 const auto loop = answer ? judgeLoop(asked.motor, answer->law, asked.config.conditions)
                                          : failure(answer.error());
-                return std::pair(std::move(answer), loop ? loop->bandwidth_rad_s : std::nullopt);
+                return Answer(std::move(answer), loop ? loop->bandwidth_rad_s : std::nullopt);
             },
-            [this](const std::pair<Result<TuneResult>, std::optional<double>>& answer) {
-                showAnswer(answer.first, answer.second);
+            [this](const Answer& answer) {
+                m_early = answer;
+                showEarlyAnswer();
             });
     }
     refreshButtons();

@@ -16,6 +16,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class QLabel;
@@ -70,6 +71,9 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    /// A proposal and its loop's bandwidth.
+    using Answer = std::pair<Result<TuneResult>, std::optional<double>>;
+
     void shareWidth();
     QWidget* buildSettings();
     QWidget* buildFigures();
@@ -99,6 +103,7 @@ private:
     void ask();
     std::optional<TuneQuestion> question();
     void showSketch(const Result<TuneSketch>& sketch);
+    void showEarlyAnswer();
     void showAnswer(const Result<TuneResult>& answer, std::optional<double> bandwidth_rad_s);
     void showProblem(const Error& error);
     void refreshButtons();
@@ -128,6 +133,7 @@ private:
     std::map<std::string, JudgedLoop> m_judged; ///< kept designs by their document
     std::optional<MeasuredPlant> m_measured;    ///< drawn into the open loop
     std::optional<double> m_bandwidth_rad_s;    ///< of what is shown
+    std::optional<Answer> m_early;              ///< waits for the sketch of the same question
     std::optional<TuneSketch> m_sketch;         ///< what is drawn
     std::optional<TuneResult> m_shown;          ///< what the numbers say, and what would be applied
     std::vector<ParameterValue> m_before;       ///< what an apply replaced; empty when that is decided

@@ -82,6 +82,7 @@ QString firstFinding(const DataQuality& quality) {
 void TunePanel::showSketch(const Result<TuneSketch>& sketch) {
     if (!sketch) {
         showProblem(sketch.error());
+        showEarlyAnswer();
         return;
     }
     if (m_form->origin() != TuneForm::Origin::Edited) {
@@ -90,6 +91,15 @@ void TunePanel::showSketch(const Result<TuneSketch>& sketch) {
     m_present = sketch->present;
     m_sketch = *sketch;
     drawPredictions();
+    showEarlyAnswer();
+}
+
+/// Two threads compute: what can be applied must not come before the gains and curves it belongs to are seen.
+void TunePanel::showEarlyAnswer() {
+    if (m_early && !m_sketching.isBusy()) {
+        const Answer answer = *std::exchange(m_early, std::nullopt);
+        showAnswer(answer.first, answer.second);
+    }
 }
 
 void TunePanel::showAnswer(const Result<TuneResult>& answer, std::optional<double> bandwidth_rad_s) {
