@@ -5,92 +5,191 @@
 #include <cmath>
 
 namespace halbench::control {
+namespace {
 
-constexpr std::size_t SampleChunk::firstGroup(std::size_t level) {
-    std::size_t first = 0;
-    for (std::size_t finer = 1; finer < level; ++finer) {
-        first += Rows >> (2 * finer);
-    }
-    return first;
+const double NaN = std::numeric_limits<double>::quiet_NaN();
+
+// Parts of a page: the times, then of each column its values and its groups by level.
+constexpr std::size_t TimePart = 0;
+constexpr std::size_t PartsPerColumn = 1 + SampleChunk::Levels;
+constexpr std::size_t partOf(std::size_t column, std::size_t level) {
+    return 1 + column * PartsPerColumn + level;
 }
+
+/// The upper groups of a column (SampleTrack): a third more than the 16 of the lowest level, rounded up.
+constexpr std::size_t UpperBytes = 22 * sizeof(Extremes);
+
+} // namespace
 
 SampleChunk::SampleChunk(std::size_t columns)
-    : m_columns(columns), m_time_s(Rows), m_values(Rows * columns),
-      m_references(columns, std::numeric_limits<double>::quiet_NaN()), m_pyramid(Groups * columns),
-      m_moments(columns) {}
-
-std::size_t SampleChunk::bytesFor(std::size_t columns) {
-    return sizeof(SampleChunk) + Rows * sizeof(double) * (1 + columns) +
-           columns * (sizeof(double) + Groups * sizeof(FloatExtremes) + sizeof(Moments));
+    : m_columns(columns), m_detail(std::make_shared<Detail>()), m_references(columns, NaN),
+      m_moments(columns) {
+    m_detail->time_s.resize(Rows);
+    m_detail->values.resize(Rows * columns);
+    for (std::size_t level = 1; level <= Levels; ++level) {
+        m_detail->groups[level - 1].resize(groupsOf(level) * columns);
+    }
 }
 
-void SampleChunk::add(double time_s, const double* values) {
-    HB_ASSERT(m_rows < Rows);
-    m_time_s[m_rows] = time_s;
+SampleChunk::~SampleChunk() {
+    if (m_page) {
+        m_pages->store().release(*m_page);
+    }
+}
+
+std::size_t SampleChunk::detailBytesFor(std::size_t columns) {
+    std::size_t groups = 0;
+    for (std::size_t level = 1; level <= Levels; ++level) {
+        groups += groupsOf(level);
+    }
+    return Rows * sizeof(double) * (1 + columns) + columns * groups * sizeof(FloatExtremes);
+}
+
+std::size_t SampleChunk::bytesFor(std::size_t columns) {
+    return sizeof(SampleChunk) + sizeof(Detail) + detailBytesFor(columns) +
+           columns * (sizeof(double) + sizeof(Moments) + UpperBytes);
+}
+
+std::size_t SampleChunk::pagedBytesFor(std::size_t columns) {
+    return sizeof(SampleChunk) + (Rows / MarkRows + 1) * sizeof(double) +
+           columns * (sizeof(double) + sizeof(Moments) + UpperBytes);
+}
+
+void SampleChunk::add(std::span<const double> time_s, const double* values) {
+    HB_ASSERT(m_detail != nullptr && m_rows + time_s.size() <= Rows);
+    std::copy(time_s.begin(), time_s.end(), m_detail->time_s.begin() + static_cast<std::ptrdiff_t>(m_rows));
     for (std::size_t column = 0; column < m_columns; ++column) {
-        m_values[column * Rows + m_rows] = values[column];
-        if (std::isnan(m_references[column]) && std::isfinite(values[column])) {
-            m_references[column] = values[column];
-        }
+        addColumn(column, time_s.size(), values + column);
     }
-    ++m_rows;
-    if (m_rows % 4 == 0) {
-        for (std::size_t column = 0; column < m_columns; ++column) {
-            closeGroups(column);
-        }
-    }
-    if (m_rows == Rows) {
-        for (std::size_t column = 0; column < m_columns; ++column) {
+    const std::size_t formerRows = m_rows;
+    m_rows += time_s.size();
+    for (std::size_t column = 0; column < m_columns; ++column) {
+        closeGroups(column, formerRows);
+        if (isFull()) {
             m_moments[column] = momentsOf(column, 0, Rows);
         }
     }
 }
 
-Moments SampleChunk::momentsOf(std::size_t column, std::size_t begin, std::size_t end) const {
-    Moments moments;
-    for (std::size_t row = begin; row < end; ++row) {
-        moments.add(value(column, row));
-    }
-    return moments;
-}
-
-Moments SampleChunk::moments(std::size_t column, std::size_t begin, std::size_t end) const {
-    return begin == 0 && end == Rows && m_rows == Rows ? m_moments[column] : momentsOf(column, begin, end);
-}
-
-Extremes SampleChunk::lowestGroup(std::size_t column, std::size_t firstRow) const {
-    Extremes extremes;
-    for (std::size_t row = firstRow; row < firstRow + 4; ++row) {
-        extremes.add(value(column, row));
-    }
-    return extremes;
-}
-
-void SampleChunk::closeGroups(std::size_t column) {
-    const double reference = std::isnan(m_references[column]) ? 0.0 : m_references[column];
-    FloatExtremes* pyramid = m_pyramid.data() + column * Groups;
-    const Extremes lowest = lowestGroup(column, m_rows - 4);
-    pyramid[m_rows / 4 - 1] = {static_cast<float>(lowest.min - reference),
-                               static_cast<float>(lowest.max - reference)};
-    for (std::size_t level = 2; level <= Levels && m_rows % (std::size_t{1} << (2 * level)) == 0; ++level) {
-        const std::size_t index = (m_rows >> (2 * level)) - 1;
-        const FloatExtremes* finer = pyramid + firstGroup(level - 1) + 4 * index;
-        FloatExtremes merged = finer[0];
-        for (std::size_t i = 1; i < 4; ++i) {
-            merged.min = std::min(merged.min, finer[i].min);
-            merged.max = std::max(merged.max, finer[i].max);
+void SampleChunk::addColumn(std::size_t column, std::size_t rows, const double* values) {
+    double* kept = m_detail->values.data() + column * Rows + m_rows;
+    double& reference = m_references[column];
+    for (std::size_t row = 0; row < rows; ++row) {
+        const double value = values[row * m_columns];
+        kept[row] = std::isfinite(value) ? value : NaN;
+        if (std::isnan(reference)) {
+            reference = kept[row];
         }
-        pyramid[firstGroup(level) + index] = merged;
     }
+}
+
+void SampleChunk::closeGroups(std::size_t column, std::size_t formerRows) {
+    const double reference = std::isnan(m_references[column]) ? 0.0 : m_references[column];
+    const double* values = m_detail->values.data() + column * Rows;
+    FloatExtremes* lowest = m_detail->groups[0].data() + column * groupsOf(1);
+    for (std::size_t index = formerRows / 4; index < m_rows / 4; ++index) {
+        Extremes extremes;
+        for (std::size_t row = 4 * index; row < 4 * index + 4; ++row) {
+            extremes.add(values[row]);
+        }
+        lowest[index] = {static_cast<float>(extremes.min - reference),
+                         static_cast<float>(extremes.max - reference)};
+    }
+    for (std::size_t level = 2; level <= Levels; ++level) {
+        const FloatExtremes* finer = m_detail->groups[level - 2].data() + column * groupsOf(level - 1);
+        FloatExtremes* groups = m_detail->groups[level - 1].data() + column * groupsOf(level);
+        for (std::size_t index = formerRows >> (2 * level); index < m_rows >> (2 * level); ++index) {
+            FloatExtremes merged = finer[4 * index];
+            for (std::size_t i = 4 * index + 1; i < 4 * index + 4; ++i) {
+                merged.min = std::min(merged.min, finer[i].min);
+                merged.max = std::max(merged.max, finer[i].max);
+            }
+            groups[index] = merged;
+        }
+    }
+}
+
+double SampleChunk::time_s(std::size_t row) const {
+    if (m_detail) {
+        return m_detail->time_s[row];
+    }
+    const auto* octets = m_pages->part(*m_page, TimePart, Rows * sizeof(double));
+    if (octets != nullptr) {
+        return reinterpret_cast<const double*>(octets)[row];
+    }
+    // The page is damaged. The line is interrupted here, but time goes on: between the times that are known.
+    const std::size_t mark = row / MarkRows;
+    const double before_s = m_marks_s[mark];
+    const std::size_t next = std::min((mark + 1) * MarkRows, Rows - 1);
+    const auto part = static_cast<double>(row - mark * MarkRows);
+    return before_s + (m_marks_s[mark + 1] - before_s) * part / static_cast<double>(next - mark * MarkRows);
+}
+
+const double* SampleChunk::values(std::size_t column) const {
+    if (m_detail) {
+        return m_detail->values.data() + column * Rows;
+    }
+    return reinterpret_cast<const double*>(m_pages->part(*m_page, partOf(column, 0), Rows * sizeof(double)));
+}
+
+double SampleChunk::value(std::size_t column, std::size_t row) const {
+    const double* all = values(column);
+    return all != nullptr ? all[row] : NaN;
 }
 
 Extremes SampleChunk::group(std::size_t column, std::size_t level, std::size_t index) const {
     if (std::isnan(m_references[column])) {
         return {};
     }
-    const FloatExtremes& relative = m_pyramid[column * Groups + firstGroup(level) + index];
-    return {m_references[column] + static_cast<double>(relative.min),
-            m_references[column] + static_cast<double>(relative.max)};
+    const FloatExtremes* groups =
+        m_detail ? m_detail->groups[level - 1].data() + column * groupsOf(level)
+                 : reinterpret_cast<const FloatExtremes*>(m_pages->part(
+                       *m_page, partOf(column, level), groupsOf(level) * sizeof(FloatExtremes)));
+    if (groups == nullptr) {
+        return {};
+    }
+    return {m_references[column] + static_cast<double>(groups[index].min),
+            m_references[column] + static_cast<double>(groups[index].max)};
+}
+
+Moments SampleChunk::momentsOf(std::size_t column, std::size_t begin, std::size_t end) const {
+    Moments moments;
+    const double* all = values(column);
+    for (std::size_t row = begin; row < end; ++row) {
+        moments.add(all != nullptr ? all[row] : NaN);
+    }
+    return moments;
+}
+
+Moments SampleChunk::moments(std::size_t column, std::size_t begin, std::size_t end) const {
+    return begin == 0 && end == Rows && isFull() ? m_moments[column] : momentsOf(column, begin, end);
+}
+
+void SampleChunk::putInto(const std::shared_ptr<PageCache>& pages) {
+    HB_ASSERT(isFull() && !isPut());
+    PageContent content;
+    content.owner = m_detail;
+    content.parts.push_back(std::as_bytes(std::span(m_detail->time_s)));
+    for (std::size_t column = 0; column < m_columns; ++column) {
+        content.parts.push_back(std::as_bytes(std::span(m_detail->values.data() + column * Rows, Rows)));
+        for (std::size_t level = 1; level <= Levels; ++level) {
+            content.parts.push_back(std::as_bytes(
+                std::span(m_detail->groups[level - 1].data() + column * groupsOf(level), groupsOf(level))));
+        }
+    }
+    m_pages = pages;
+    m_page = pages->store().put(std::move(content));
+}
+
+bool SampleChunk::settle() {
+    if (m_detail && m_page && m_pages->store().state(*m_page) == PageState::Kept) {
+        for (std::size_t row = 0; row < Rows; row += MarkRows) {
+            m_marks_s.push_back(m_detail->time_s[row]);
+        }
+        m_marks_s.push_back(m_detail->time_s[Rows - 1]);
+        m_detail.reset();
+    }
+    return m_detail == nullptr;
 }
 
 } // namespace halbench::control

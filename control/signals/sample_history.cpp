@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 
 namespace halbench::control {
 namespace {
@@ -19,22 +21,19 @@ bool isSameStream(const StreamLayout& left, const StreamLayout& right) {
 
 SampleHistory::SampleHistory(std::size_t budget_bytes) : m_budget_bytes(budget_bytes) {}
 
+SampleHistory::~SampleHistory() = default;
+
 void SampleHistory::clear() {
     m_names.clear();
     m_places.clear();
     m_streams.clear();
+    if (m_pages) {
+        m_pages->clear();
+    }
     m_edges = {};
     m_lostRows = 0;
     m_hostArrival_s = 0.0;
     ++m_revision;
-}
-
-std::size_t SampleHistory::bytes() const {
-    std::size_t sum = 0;
-    for (const auto& [number, stream] : m_streams) {
-        sum += stream.track.bytes();
-    }
-    return sum;
 }
 
 void SampleHistory::append(const SampleBlock& block) {
@@ -95,43 +94,26 @@ double SampleHistory::offsetFor(const SampleBlock& block, double period_s) const
 
 void SampleHistory::addRows(Stream& stream, const SampleBlock& block, bool isAfterGap) {
     const std::size_t width = block.layout->columns.size();
-    m_row.resize(width);
-    const double longest_s = GapPeriods * stream.period_s;
-    double before_s =
-        stream.track.isEmpty() ? block.time_s.front() : stream.track.time_s(stream.track.endRow() - 1);
-    for (std::size_t row = 0; row < block.rows(); ++row) {
-        const double time_s = block.time_s[row] + stream.offset_s;
-        for (std::size_t column = 0; column < width; ++column) {
-            const double value = block.value(row, column);
-            m_row[column] = std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN();
-        }
-        const bool isJump = stream.period_s > 0.0 && time_s - before_s > longest_s;
-        stream.track.add(time_s, m_row.data(), isAfterGap || isJump);
-        isAfterGap = false;
-        before_s = time_s;
+    const double longest_s =
+        stream.period_s > 0.0 ? GapPeriods * stream.period_s : std::numeric_limits<double>::infinity();
+    m_time_s.resize(block.rows());
+    std::transform(block.time_s.begin(), block.time_s.end(), m_time_s.begin(),
+                   [&](double time_s) { return time_s + stream.offset_s; });
+    const double before_s =
+        stream.track.isEmpty() ? m_time_s.front() : stream.track.time_s(stream.track.endRow() - 1);
+    if (isAfterGap || m_time_s.front() - before_s > longest_s) {
+        stream.track.interrupt();
     }
-}
-
-void SampleHistory::keepBudget() {
-    while (bytes() > m_budget_bytes) {
-        auto oldest = m_streams.end();
-        for (auto it = m_streams.begin(); it != m_streams.end(); ++it) {
-            const bool isInUse = it == std::prev(m_streams.end()) && it->second.track.chunks() == 1;
-            const auto firstTime = [](const Stream& s) { return s.track.time_s(s.track.firstRow()); };
-            if (!isInUse &&
-                (oldest == m_streams.end() || firstTime(it->second) < firstTime(oldest->second))) {
-                oldest = it;
+    std::size_t begin = 0;
+    for (std::size_t row = 1; row <= block.rows(); ++row) { // a run for each stretch without a gap
+        const bool isEnd = row == block.rows();
+        if (isEnd || m_time_s[row] - m_time_s[row - 1] > longest_s) {
+            stream.track.add(std::span(m_time_s).subspan(begin, row - begin),
+                             block.values.data() + begin * width);
+            begin = row;
+            if (!isEnd) {
+                stream.track.interrupt();
             }
-        }
-        if (oldest == m_streams.end()) {
-            return; // the newest chunk always stays
-        }
-        oldest->second.track.dropOldestChunk();
-        if (oldest->second.track.isEmpty()) {
-            for (auto& [name, places] : m_places) {
-                std::erase_if(places, [&](const Place& place) { return place.stream == oldest->first; });
-            }
-            m_streams.erase(oldest);
         }
     }
 }
@@ -151,7 +133,7 @@ std::optional<TimeRange> SampleHistory::range() const {
         if (stream.track.isEmpty()) {
             continue; // just made, its first block is being added
         }
-        const double begin_s = stream.track.time_s(stream.track.firstRow());
+        const double begin_s = stream.track.begin_s();
         const double end_s = stream.track.time_s(stream.track.endRow() - 1);
         result = result ? TimeRange{std::min(result->begin_s, begin_s), std::max(result->end_s, end_s)}
                         : TimeRange{begin_s, end_s};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "control/base/page_store.h"
 #include "control/base/sample_block.h"
 #include "control/signals/sample_track.h"
 
@@ -38,8 +39,10 @@ struct SampleStatistics {
     std::size_t gaps = 0; ///< places where its line is interrupted by missing rows
 };
 
-/// The recent past of all signals for showing it: bounded in memory, oldest rows go first, and any stretch of
-/// it is asked for in time proportional to the pixels, not to the samples. Blocks of different layouts (other
+/// The past of all signals for showing it: bounded in memory, oldest rows go first, and any stretch of it is
+/// asked for in time proportional to the pixels, not to the samples. With a store the oldest rows go there
+/// before memory is full, and are read back where somebody looks closely; what the store has no room for, or
+/// fails to keep, is dropped from the oldest on. Blocks of different layouts (other
 /// signals, another rate) may follow each other; a signal keeps its name. Each such change, lost rows and a
 /// jump of the device's clock are gaps; a value that is not finite is a break.
 ///
@@ -51,7 +54,12 @@ struct SampleStatistics {
 class SampleHistory {
 public:
     explicit SampleHistory(std::size_t budget_bytes);
+    ~SampleHistory();
+    SampleHistory(SampleHistory&&) = default;
+    SampleHistory& operator=(SampleHistory&&) = default;
 
+    /// Where the oldest rows go from now on; nullptr: nowhere. Forgets everything.
+    void setStore(std::shared_ptr<PageStore> store);
     void append(const SampleBlock& block);
     void clear();
 
@@ -59,6 +67,14 @@ public:
     std::uint64_t revision() const { return m_revision; }
     std::size_t bytes() const;
     std::size_t budget_bytes() const { return m_budget_bytes; }
+    /// Rows that are only in the store, times their columns and the time column, in bytes.
+    std::uint64_t pagedBytes() const;
+    /// What was asked of the store and could not be read back.
+    std::uint64_t damagedParts() const { return m_pages ? m_pages->damagedParts() : 0; }
+    /// Takes over what the store did meanwhile, as append() does.
+    void settle() { keepBudget(); }
+    /// Whether rows came faster than the store takes them: somebody who can wait should.
+    bool isBusy() const;
     /// Rows said to be lost by the blocks.
     std::uint64_t lostRows() const { return m_lostRows; }
 
@@ -112,10 +128,14 @@ private:
     double offsetFor(const SampleBlock& block, double period_s) const;
     void addRows(Stream& stream, const SampleBlock& block, bool isAfterGap);
     void keepBudget();
+    void putOldest();
+    bool dropOldest(bool isPagedOnly);
+    std::size_t pagedMemory() const;
     const std::vector<std::uint64_t>& edges(std::size_t stream, TimeRange range, std::size_t count) const;
     void addColumns(const Place& place, TimeRange range, std::vector<HistoryColumn>& result) const;
 
     std::size_t m_budget_bytes;
+    std::shared_ptr<PageCache> m_pages; ///< outlives the chunks in the streams
     std::uint64_t m_revision = 0;
     std::uint64_t m_lostRows = 0;
     double m_hostArrival_s = 0.0;
@@ -123,7 +143,7 @@ private:
     std::map<std::string, std::vector<Place>> m_places;
     std::map<std::size_t, Stream> m_streams; ///< by number, in the order of time
     std::size_t m_nextStream = 0;
-    std::vector<double> m_row;
+    std::vector<double> m_time_s; ///< of the block that is being added
     mutable Edges m_edges;
 };
 

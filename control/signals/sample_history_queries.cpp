@@ -27,7 +27,7 @@ std::optional<TimeRange> SampleHistory::range(const std::string& signal) const {
     }
     const SampleTrack& first = m_streams.at(places->second.front().stream).track;
     const SampleTrack& last = m_streams.at(places->second.back().stream).track;
-    return TimeRange{first.time_s(first.firstRow()), last.time_s(last.endRow() - 1)};
+    return TimeRange{first.begin_s(), last.time_s(last.endRow() - 1)};
 }
 
 std::optional<TimedValue> SampleHistory::latest(const std::string& signal) const {
@@ -148,7 +148,8 @@ const std::vector<std::uint64_t>& SampleHistory::edges(std::size_t number, TimeR
     for (std::size_t i = 0; i <= count; ++i) {
         const double time_s =
             range.begin_s + range.length_s() * static_cast<double>(i) / static_cast<double>(count);
-        row = track.rowAtFrom(row, time_s);
+        row =
+            snap >= SampleChunk::MarkRows ? track.markedRowAtFrom(row, time_s) : track.rowAtFrom(row, time_s);
         m_edges.rows[i] = std::max(row - row % snap, track.firstRow());
     }
     return m_edges.rows;

@@ -1,27 +1,47 @@
 #include "control/signals/sample_track.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace halbench::control {
 
 SampleTrack::SampleTrack(std::size_t columns) : m_columns(columns) {}
 
-void SampleTrack::add(double time_s, const double* values, bool isAfterGap) {
-    if (m_endRow % SampleChunk::Rows == 0) {
-        m_chunks.push_back(std::make_unique<SampleChunk>(m_columns));
+void SampleTrack::add(std::span<const double> time_s, const double* values) {
+    constexpr std::uint64_t Group = std::uint64_t{1} << (2 * (SampleChunk::Levels + 1));
+    while (!time_s.empty()) {
+        if (m_endRow % SampleChunk::Rows == 0) {
+            m_chunks.push_back(std::make_unique<SampleChunk>(m_columns));
+        }
+        const std::size_t rows = std::min(time_s.size(), static_cast<std::size_t>(Group - m_endRow % Group));
+        m_chunks.back()->add(time_s.first(rows), values);
+        m_endRow += rows;
+        time_s = time_s.subspan(rows);
+        values += rows * m_columns;
+        if (m_endRow % Group == 0) {
+            closeUpperGroups();
+        }
     }
-    if (isAfterGap) {
-        m_gaps.push_back(m_endRow);
-    }
-    m_chunks.back()->add(time_s, values);
-    ++m_endRow;
-    if (m_endRow % SampleChunk::Rows == 0) {
-        closeUpperGroups();
+}
+
+std::size_t SampleTrack::bytes() const {
+    return (m_chunks.size() - m_paged) * SampleChunk::bytesFor(m_columns) +
+           m_paged * SampleChunk::pagedBytesFor(m_columns);
+}
+
+std::optional<double> SampleTrack::nextToPut_s() const {
+    const bool isThere = m_put < m_chunks.size() && m_chunks[m_put]->isFull() && m_put + 1 < m_chunks.size();
+    return isThere ? std::optional(m_chunks[m_put]->markedTime_s(0)) : std::nullopt;
+}
+
+void SampleTrack::settle() {
+    while (m_paged < m_put && m_chunks[m_paged]->settle()) {
+        ++m_paged;
     }
 }
 
 void SampleTrack::closeUpperGroups() {
-    std::uint64_t groups = m_endRow / SampleChunk::Rows;
+    std::uint64_t groups = m_endRow >> (2 * SampleChunk::Levels);
     for (std::size_t i = 0; groups % 4 == 0; ++i) {
         groups /= 4;
         const std::size_t level = SampleChunk::Levels + 1 + i;
@@ -48,8 +68,10 @@ Extremes SampleTrack::mergedGroups(std::size_t column, std::size_t level, std::u
 void SampleTrack::dropOldestChunk() {
     m_chunks.pop_front();
     ++m_firstChunk;
+    m_paged -= m_paged > 0 ? 1 : 0;
+    m_put -= m_put > 0 ? 1 : 0;
     for (std::size_t i = 0; i < m_upper.size(); ++i) {
-        const std::uint64_t firstUseful = m_firstChunk >> (2 * (i + 1));
+        const std::uint64_t firstUseful = firstRow() >> (2 * (SampleChunk::Levels + 1 + i));
         while (m_firstUpper[i] < firstUseful && !m_upper[i].front().empty()) {
             for (auto& column : m_upper[i]) {
                 column.pop_front();
@@ -62,12 +84,23 @@ void SampleTrack::dropOldestChunk() {
     }
 }
 
-std::uint64_t SampleTrack::rowAt(double time_s) const {
-    std::uint64_t low = firstRow();
-    std::uint64_t high = m_endRow;
-    while (low < high) {
-        const std::uint64_t middle = low + (high - low) / 2;
-        if (this->time_s(middle) < time_s) {
+namespace {
+
+/// First row of the chunk that is not before a time; its first row is.
+std::size_t rowWithin(const SampleChunk& chunk, double time_s) {
+    std::size_t mark = 0;
+    for (std::size_t last = (chunk.rows() - 1) / SampleChunk::MarkRows; mark < last;) {
+        const std::size_t middle = (mark + last + 1) / 2;
+        if (chunk.markedTime_s(middle * SampleChunk::MarkRows) < time_s) {
+            mark = middle;
+        } else {
+            last = middle - 1;
+        }
+    }
+    std::size_t low = mark * SampleChunk::MarkRows + 1;
+    for (std::size_t high = std::min(low - 1 + SampleChunk::MarkRows, chunk.rows()); low < high;) {
+        const std::size_t middle = (low + high) / 2;
+        if (chunk.time_s(middle) < time_s) {
             low = middle + 1;
         } else {
             high = middle;
@@ -76,12 +109,32 @@ std::uint64_t SampleTrack::rowAt(double time_s) const {
     return low;
 }
 
-std::uint64_t SampleTrack::rowAtFrom(std::uint64_t start, double time_s) const {
+} // namespace
+
+std::uint64_t SampleTrack::rowAt(double time_s) const {
+    // The last chunk, and in it the last mark, that begins before the time: what is looked for comes after.
+    const auto chunk = std::partition_point(m_chunks.begin(), m_chunks.end(),
+                                            [&](const auto& one) { return one->markedTime_s(0) < time_s; });
+    if (chunk == m_chunks.begin()) {
+        return firstRow();
+    }
+    const SampleChunk& found = **std::prev(chunk);
+    const std::uint64_t first =
+        firstRow() + static_cast<std::uint64_t>(chunk - m_chunks.begin() - 1) * SampleChunk::Rows;
+    return first + rowWithin(found, time_s);
+}
+
+namespace {
+
+/// First of start, start + 1, ... that is not before, or end; `start` is not after it. Steps that grow and
+/// shrink: O(log(answer - start)).
+template <typename IsBefore>
+std::uint64_t gallop(std::uint64_t start, std::uint64_t end, const IsBefore& isBefore) {
     std::uint64_t step = 1;
     std::uint64_t low = start;
-    while (low < m_endRow && this->time_s(low) < time_s) {
+    while (low < end && isBefore(low)) {
         const std::uint64_t next = low + step;
-        if (next < m_endRow && this->time_s(next) < time_s) {
+        if (next < end && isBefore(next)) {
             low = next;
             step *= 2;
         } else if (step == 1) {
@@ -91,6 +144,20 @@ std::uint64_t SampleTrack::rowAtFrom(std::uint64_t start, double time_s) const {
         }
     }
     return low;
+}
+
+} // namespace
+
+std::uint64_t SampleTrack::rowAtFrom(std::uint64_t start, double time_s) const {
+    return gallop(start, m_endRow, [&](std::uint64_t row) { return this->time_s(row) < time_s; });
+}
+
+std::uint64_t SampleTrack::markedRowAtFrom(std::uint64_t start, double time_s) const {
+    constexpr std::uint64_t Step = SampleChunk::MarkRows;
+    const std::uint64_t mark = gallop(start / Step, (m_endRow + Step - 1) / Step, [&](std::uint64_t index) {
+        return markedTime_s(index * Step) < time_s;
+    });
+    return std::min(mark * Step, m_endRow);
 }
 
 Extremes SampleTrack::group(std::size_t column, std::size_t level, std::uint64_t index) const {

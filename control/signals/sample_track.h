@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -12,28 +13,44 @@ namespace halbench::control {
 
 /// The rows of one stream in the order of time: chunks with their pyramids, coarser levels above them, and
 /// where the line is interrupted. Rows are numbered from the stream's first; dropping old ones keeps numbers.
+/// The oldest chunks may be pages of a store; the coarser levels always stay in memory.
 class SampleTrack {
 public:
     explicit SampleTrack(std::size_t columns);
 
-    /// `isAfterGap`: something is missing between this row and the one before.
-    void add(double time_s, const double* values, bool isAfterGap);
+    /// `values`: row by row, what is not finite counts as NaN.
+    void add(std::span<const double> time_s, const double* values);
+    /// Something is missing before the row that comes next.
+    void interrupt() { m_gaps.push_back(m_endRow); }
     void dropOldestChunk();
 
     std::uint64_t firstRow() const { return m_firstChunk * SampleChunk::Rows; }
     std::uint64_t endRow() const { return m_endRow; }
     bool isEmpty() const { return m_chunks.empty(); }
     std::size_t chunks() const { return m_chunks.size(); }
-    std::size_t bytes() const { return m_chunks.size() * SampleChunk::bytesFor(m_columns); }
+    std::size_t bytes() const; ///< in memory
+
+    /// Chunks whose rows are only in the store.
+    std::size_t pagedChunks() const { return m_paged; }
+    /// Chunks that were put into the store and are still in memory.
+    std::size_t waitingChunks() const { return m_put - m_paged; }
+    /// Begin of the oldest full chunk that could be put into a store.
+    std::optional<double> nextToPut_s() const;
+    void putNext(const std::shared_ptr<PageCache>& pages) { m_chunks[m_put++]->putInto(pages); }
+    /// Forgets what the store has by now.
+    void settle();
 
     double time_s(std::uint64_t row) const { return chunkOf(row).time_s(row % SampleChunk::Rows); }
     double value(std::size_t column, std::uint64_t row) const {
         return chunkOf(row).value(column, row % SampleChunk::Rows);
     }
-    /// First row not before a time; endRow() when all are. O(log rows).
+    double begin_s() const { return m_chunks.front()->markedTime_s(0); }
+    /// First row not before a time; endRow() when all are. O(log rows), reads back one chunk at most.
     std::uint64_t rowAt(double time_s) const;
     /// The same, searching from a row that is not after the answer: fast for small steps.
     std::uint64_t rowAtFrom(std::uint64_t start, double time_s) const;
+    /// The same of the rows that are multiples of SampleChunk::MarkRows, which reads nothing back.
+    std::uint64_t markedRowAtFrom(std::uint64_t start, double time_s) const;
     /// Extremes of rows [begin, end) in O(log(end - begin)).
     Extremes extremes(std::size_t column, std::uint64_t begin, std::uint64_t end) const;
     /// Moments of rows [begin, end): a step a chunk, and up to two chunks row by row.
@@ -47,6 +64,9 @@ private:
     const SampleChunk& chunkOf(std::uint64_t row) const {
         return *m_chunks[static_cast<std::size_t>(row / SampleChunk::Rows - m_firstChunk)];
     }
+    double markedTime_s(std::uint64_t row) const {
+        return chunkOf(row).markedTime_s(static_cast<std::size_t>(row % SampleChunk::Rows));
+    }
     Extremes group(std::size_t column, std::size_t level, std::uint64_t index) const;
     Extremes mergedGroups(std::size_t column, std::size_t level, std::uint64_t first) const;
     void closeUpperGroups();
@@ -56,7 +76,9 @@ private:
     std::uint64_t m_firstChunk = 0;
     std::uint64_t m_endRow = 0;
     std::deque<std::unique_ptr<SampleChunk>> m_chunks;
-    std::vector<Level> m_upper;              ///< groups of 4, 16, ... chunks
+    std::size_t m_paged = 0;                 ///< the first so many chunks are only in the store
+    std::size_t m_put = 0;                   ///< the first so many were put into it
+    std::vector<Level> m_upper;              ///< groups of 256, 1024, ... rows
     std::vector<std::uint64_t> m_firstUpper; ///< number of the first group held, per upper level
     std::deque<std::uint64_t> m_gaps;        ///< rows before which the line is interrupted
 };

@@ -14,9 +14,11 @@ const double NaN = std::numeric_limits<double>::quiet_NaN();
 /// One column; time = row / 1000.
 SampleTrack trackOf(const std::vector<double>& values) {
     SampleTrack track(1);
+    std::vector<double> time_s;
     for (std::size_t row = 0; row < values.size(); ++row) {
-        track.add(static_cast<double>(row) / 1000.0, &values[row], false);
+        time_s.push_back(static_cast<double>(row) / 1000.0);
     }
+    track.add(time_s, values.data());
     return track;
 }
 
@@ -75,7 +77,8 @@ TEST(SampleTrack, keepsItsMemoryWhileRowsComeAndGo) {
     SampleTrack track(1);
     const double value = 1.0;
     for (std::uint64_t row = 0; row < 200'000; ++row) {
-        track.add(static_cast<double>(row), &value, false);
+        const double time_s = static_cast<double>(row);
+        track.add(std::span(&time_s, 1), &value);
         if (track.chunks() > 3) {
             track.dropOldestChunk();
         }
@@ -98,6 +101,38 @@ TEST(SampleTrack, findsRowsByTime) {
     }
 }
 
+TEST(SampleTrack, findsMarkedRowsByTime) {
+    const SampleTrack track = trackOf(std::vector<double>(10'000, 0.0));
+    for (const std::uint64_t start : {0U, 63U, 64U, 500U}) {
+        EXPECT_EQ(track.markedRowAtFrom(start, 0.5004), 512U) << start;
+        EXPECT_EQ(track.markedRowAtFrom(start, 0.512), 512U) << start;
+        EXPECT_EQ(track.markedRowAtFrom(start, 100.0), 10'000U) << start;
+    }
+}
+
+TEST(SampleTrack, blocksOfAnySizeGiveTheSamePyramid) {
+    const std::vector<double> values = noise(30'000, 0.0);
+    const SampleTrack whole = trackOf(values);
+    SampleTrack pieces(1);
+    Random random(3);
+    for (std::size_t row = 0; row < values.size();) {
+        const auto rows =
+            std::min(values.size() - row, static_cast<std::size_t>(1.0 + 700.0 * random.uniform()));
+        std::vector<double> time_s;
+        for (std::size_t i = row; i < row + rows; ++i) {
+            time_s.push_back(static_cast<double>(i) / 1000.0);
+        }
+        pieces.add(time_s, values.data() + row);
+        row += rows;
+    }
+    for (std::uint64_t begin = 0; begin < 30'000; begin += 257) {
+        for (std::uint64_t end = begin; end < 30'000; end += 1023) {
+            ASSERT_EQ(whole.extremes(0, begin, end).min, pieces.extremes(0, begin, end).min);
+            ASSERT_EQ(whole.extremes(0, begin, end).max, pieces.extremes(0, begin, end).max);
+        }
+    }
+}
+
 TEST(SampleTrack, valuesThatAreNotNumbersHaveNoExtremes) {
     std::vector<double> values(4096, NaN);
     EXPECT_TRUE(trackOf(values).extremes(0, 0, 4096).isEmpty());
@@ -112,7 +147,11 @@ TEST(SampleTrack, knowsWhereTheLineIsInterrupted) {
     SampleTrack track(1);
     const double value = 0.0;
     for (std::uint64_t row = 0; row < 100; ++row) {
-        track.add(static_cast<double>(row), &value, row == 40);
+        const double time_s = static_cast<double>(row);
+        if (row == 40) {
+            track.interrupt();
+        }
+        track.add(std::span(&time_s, 1), &value);
     }
     EXPECT_TRUE(track.hasGap(40, 41));
     EXPECT_TRUE(track.hasGap(0, 100));

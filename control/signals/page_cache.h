@@ -1,0 +1,62 @@
+#pragma once
+
+#include "control/base/page_store.h"
+
+#include <array>
+#include <cstdint>
+#include <list>
+#include <memory>
+#include <unordered_map>
+
+namespace halbench::control {
+
+/// Parts of pages that were read back, the latest ones: bounded in memory.
+class PageCache {
+public:
+    PageCache(std::shared_ptr<PageStore> store, std::size_t budget_bytes);
+
+    PageStore& store() { return *m_store; }
+    /// A part of `bytes` octets; nullptr when the store cannot give it as it was written. Valid until the
+    /// next call.
+    const std::byte* part(PageStore::Page page, std::size_t part, std::size_t bytes);
+    /// What was read of pages that are released stays until there is no room, or until this.
+    void clear();
+
+    std::size_t bytes() const { return m_bytes; }
+    /// Parts that could not be read back; each is asked for once.
+    std::uint64_t damagedParts() const { return m_damagedParts; }
+
+private:
+    struct Key {
+        PageStore::Page page;
+        std::size_t part;
+        bool operator==(const Key&) const = default;
+    };
+    struct Hash {
+        std::size_t operator()(const Key& key) const {
+            return static_cast<std::size_t>((key.page * 0x9E3779B97F4A7C15U) ^
+                                            (key.part * 0xC2B2AE3D27D4EB4FU));
+        }
+    };
+    struct Entry {
+        Key key;
+        std::unique_ptr<std::byte[]> octets; ///< none: damaged
+        std::size_t bytes = 0;
+    };
+    using Entries = std::list<Entry>; ///< the latest first
+
+    const std::byte* load(const Key& key, std::size_t bytes);
+    void keepBudget();
+    void drop(Entries::iterator entry);
+
+    std::shared_ptr<PageStore> m_store;
+    std::size_t m_budget_bytes;
+    std::size_t m_bytes = 0;
+    std::uint64_t m_damagedParts = 0;
+    Entries m_entries;
+    std::unordered_map<Key, Entries::iterator, Hash> m_index;
+    /// What was asked for last: a curve asks for the same few parts many times in a row.
+    std::array<std::pair<Key, const std::byte*>, 8> m_recent;
+};
+
+} // namespace halbench::control

@@ -1,0 +1,96 @@
+#pragma once
+
+#include "control/base/page_store.h"
+#include "control/base/result.h"
+#include "devices/acquisition/page_disk.h"
+
+#include <condition_variable>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <unordered_map>
+
+namespace halbench::devices {
+
+struct PageFileConfig {
+    std::string folder;                                  ///< made when the first page comes
+    std::uint64_t limit_bytes = std::uint64_t{12} << 30; ///< on the disk, and waiting to go there
+    std::uint64_t spare_bytes = std::uint64_t{4} << 30;  ///< of the disk, which stay free for others
+    std::uint64_t segment_bytes = std::uint64_t{128} << 20;
+    std::size_t waiting_bytes = std::size_t{64} << 20; ///< in memory, to be written
+};
+
+/// Pages in files without a name, which go when the program ends, however it ends. A file is as long as a
+/// segment and goes when all of its pages are released, so that room comes back in the order of time. Each
+/// part has a checksum: what reads back otherwise than it was written is no answer.
+///
+/// The disk being full, or the limit reached, is ordinary: room() says so until pages are released. Any other
+/// failure ends writing for good; what was written can still be read.
+///
+/// Threads: one for the owner, who puts, reads and releases; writing runs on one of its own.
+class PageFile final : public PageStore {
+public:
+    explicit PageFile(PageFileConfig config, PageDisk disk = realPageDisk());
+    ~PageFile() override; ///< what waits is not written any more
+
+    PageRoom room(std::size_t bytes) const override;
+    Page put(PageContent content) override;
+    PageState state(Page page) const override;
+    bool read(Page page, std::size_t part, std::span<std::byte> octets) override;
+    void release(Page page) override;
+
+    /// On the disk, released or not.
+    std::uint64_t bytes() const;
+    /// What the user should know: writing or reading failed, or the disk is full before the limit is reached.
+    /// The first of it stays. Errors: FileSystem.
+    std::optional<Error> trouble() const;
+    /// Until everything that waits is written, lost or has no room.
+    void waitUntilIdle();
+
+private:
+    struct Segment {
+        int handle = -1;
+        std::uint64_t length = 0; ///< written
+        std::size_t pages = 0;    ///< not released
+    };
+    struct Place {
+        std::shared_ptr<Segment> segment; ///< none: waiting or lost
+        std::uint64_t offset = 0;
+        std::vector<std::uint32_t> ends; ///< of the parts, within the page
+        bool isLost = false;
+    };
+    struct Order {
+        Page page = 0;
+        PageContent content;
+        std::size_t bytes = 0;
+    };
+
+    void run();
+    bool canWrite() const;
+    void writeNext(std::unique_lock<std::mutex>& lock);
+    bool openSegment(std::unique_lock<std::mutex>& lock, std::size_t bytes);
+    void onWriteFailure(int cause);
+    void closeUnused();
+    void report(std::string message, std::string hint);
+
+    const PageFileConfig m_config;
+    const PageDisk m_disk;
+    mutable std::mutex m_mutex;
+    std::condition_variable m_changed;
+    std::unordered_map<Page, Place> m_places;
+    std::deque<Order> m_orders;
+    std::vector<std::shared_ptr<Segment>> m_segments; ///< the last is written to
+    Page m_nextPage = 0;
+    std::size_t m_waiting_bytes = 0;
+    std::uint64_t m_written_bytes = 0;
+    bool m_isWriting = false;
+    bool m_isDiskFull = false; ///< until a segment goes
+    bool m_hasFailed = false;
+    bool m_isEnding = false;
+    std::optional<Error> m_trouble;
+    std::vector<std::byte> m_read; ///< of the owner: a part with its checksum
+    std::thread m_writer; ///< last: it uses the others
+};
+
+} // namespace halbench::devices
