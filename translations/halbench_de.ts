@@ -1435,10 +1435,6 @@
         <translation>sortieren Sie die Zeilen nach time_s</translation>
     </message>
     <message>
-        <source>{}: {} octets</source>
-        <translation>{}: {} Byte</translation>
-    </message>
-    <message>
         <source>at most {} are read; cut the file into pieces that each begin with its first line</source>
         <translation>höchstens {} werden gelesen; teilen Sie die Datei in Stücke, die jeweils mit ihrer ersten Zeile beginnen</translation>
     </message>
@@ -5198,6 +5194,50 @@
         <source>use a lower lowest frequency, which makes the period longer</source>
         <translation>wählen Sie eine tiefere unterste Frequenz, das macht die Periode länger</translation>
     </message>
+    <message>
+        <source>the history in &apos;{}&apos; cannot be read back: {}</source>
+        <translation>der Verlauf in „{}“ kann nicht zurückgelesen werden: {}</translation>
+    </message>
+    <message>
+        <source>damaged (checksum)</source>
+        <translation>beschädigt (Prüfsumme)</translation>
+    </message>
+    <message>
+        <source>what was recorded there is shown as a gap; recordings are not concerned; check the disk</source>
+        <translation>was dort lag, erscheint als Lücke; Aufzeichnungen sind nicht betroffen; den Datenträger prüfen</translation>
+    </message>
+    <message>
+        <source>no room for more history in &apos;{}&apos;: {}</source>
+        <translation>kein Platz für weiteren Verlauf in „{}“: {}</translation>
+    </message>
+    <message>
+        <source>the oldest samples are dropped earlier; recordings are not concerned; free disk space</source>
+        <translation>die ältesten Abtastwerte entfallen früher; Aufzeichnungen sind nicht betroffen; Speicherplatz freigeben</translation>
+    </message>
+    <message>
+        <source>cannot keep history in &apos;{}&apos;: {}</source>
+        <translation>der Verlauf kann nicht in „{}“ abgelegt werden: {}</translation>
+    </message>
+    <message>
+        <source>the oldest samples are dropped when memory is full; recordings are not concerned; check the folder and the disk</source>
+        <translation>die ältesten Abtastwerte entfallen, wenn der Arbeitsspeicher voll ist; Aufzeichnungen sind nicht betroffen; Ordner und Datenträger prüfen</translation>
+    </message>
+    <message>
+        <source>more than {} characters in a line</source>
+        <translation>mehr als {} Zeichen in einer Zeile</translation>
+    </message>
+    <message>
+        <source>the file may be damaged, or no recording</source>
+        <translation>die Datei ist vielleicht beschädigt oder keine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>its numbers need more than {} MB of memory</source>
+        <translation>ihre Zahlen brauchen mehr als {} MB Arbeitsspeicher</translation>
+    </message>
+    <message>
+        <source>cut the file into pieces that each begin with its first line</source>
+        <translation>teilen Sie die Datei in Stücke, die je mit ihrer ersten Zeile beginnen</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -7514,6 +7554,10 @@ wird er in gleichmäßiger Rampe mit Tippdrehzahl angefahren</translation>
     <message>
         <source>found changed: %1</source>
         <translation>verändert vorgefunden: %1</translation>
+    </message>
+    <message>
+        <source>history</source>
+        <translation>Verlauf</translation>
     </message>
 </context>
 <context>

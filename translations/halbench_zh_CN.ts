@@ -1435,10 +1435,6 @@
         <translation>请按 time_s 对各行排序</translation>
     </message>
     <message>
-        <source>{}: {} octets</source>
-        <translation>{}：{} 字节</translation>
-    </message>
-    <message>
         <source>at most {} are read; cut the file into pieces that each begin with its first line</source>
         <translation>最多读取 {}；请把文件分成几段，每段都以原文件的首行开头</translation>
     </message>
@@ -5198,6 +5194,50 @@
         <source>use a lower lowest frequency, which makes the period longer</source>
         <translation>请降低最低频率，使周期变长</translation>
     </message>
+    <message>
+        <source>the history in &apos;{}&apos; cannot be read back: {}</source>
+        <translation>无法读回“{}”中的历史数据：{}</translation>
+    </message>
+    <message>
+        <source>damaged (checksum)</source>
+        <translation>已损坏（校验和）</translation>
+    </message>
+    <message>
+        <source>what was recorded there is shown as a gap; recordings are not concerned; check the disk</source>
+        <translation>该处的数据显示为间断；录制不受影响；请检查磁盘</translation>
+    </message>
+    <message>
+        <source>no room for more history in &apos;{}&apos;: {}</source>
+        <translation>“{}”中没有空间存放更多历史数据：{}</translation>
+    </message>
+    <message>
+        <source>the oldest samples are dropped earlier; recordings are not concerned; free disk space</source>
+        <translation>最旧的采样会更早被丢弃；录制不受影响；请释放磁盘空间</translation>
+    </message>
+    <message>
+        <source>cannot keep history in &apos;{}&apos;: {}</source>
+        <translation>无法在“{}”中保存历史数据：{}</translation>
+    </message>
+    <message>
+        <source>the oldest samples are dropped when memory is full; recordings are not concerned; check the folder and the disk</source>
+        <translation>内存用尽时会丢弃最旧的采样；录制不受影响；请检查文件夹和磁盘</translation>
+    </message>
+    <message>
+        <source>more than {} characters in a line</source>
+        <translation>一行中超过 {} 个字符</translation>
+    </message>
+    <message>
+        <source>the file may be damaged, or no recording</source>
+        <translation>文件可能已损坏，或者不是记录</translation>
+    </message>
+    <message>
+        <source>its numbers need more than {} MB of memory</source>
+        <translation>其数值需要超过 {} MB 内存</translation>
+    </message>
+    <message>
+        <source>cut the file into pieces that each begin with its first line</source>
+        <translation>把文件切成若干段，每段都以其第一行开头</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -7509,6 +7549,10 @@ is approached as an even ramp at the jog speed</source>
     <message>
         <source>found changed: %1</source>
         <translation>发现已改变：%1</translation>
+    </message>
+    <message>
+        <source>history</source>
+        <translation>历史</translation>
     </message>
 </context>
 <context>

@@ -21,6 +21,7 @@
 #include "app/workspaces/notes_panel.h"
 #include "app/workspaces/return_notice.h"
 #include "app/workspaces/tune_panel.h"
+#include "devices/acquisition/page_file.h"
 #include "widgets/phrasebook.h"
 #include "widgets/theme_style.h"
 
@@ -54,9 +55,19 @@ std::string unnamedProject() {
         .toStdString();
 }
 
+/// Of samples that memory has no room for.
+std::shared_ptr<devices::PageFile> historyPages() {
+    devices::PageFileConfig config;
+    config.folder = QDir(QStandardPaths::writableLocation(QStandardPaths::CacheLocation))
+                        .filePath("history")
+                        .toStdString();
+    return std::make_shared<devices::PageFile>(std::move(config));
+}
+
 } // namespace
 
 MainWindow::MainWindow(Preferences preferences) : m_preferences(std::move(preferences)) {
+    m_bench.setHistoryPages(historyPages());
     buildCentre();
     createMenus();
     auto* guard = new StopGuard(this);

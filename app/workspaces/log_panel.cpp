@@ -58,6 +58,9 @@ LogPanel::LogPanel(Workbench& bench, QWidget* parent)
     connect(&session, &DeviceSession::procedureChanged, this, &LogPanel::onProcedure);
     connect(&m_bench, &Workbench::deviceChanged, this, &LogPanel::onDevice);
     connect(&m_bench, &Workbench::valuesChanged, this, &LogPanel::onValues);
+    connect(&m_bench, &Workbench::historyTroubled, this, [this](const Error& error) {
+        add(MessageLevel::Warning, tr("history"), widgets::inWords(error.message));
+    });
     connect(&m_bench.recording(), &RecordingControl::changed, this, &LogPanel::onRecording);
 }
 

@@ -9,6 +9,7 @@
 #include "widgets/icons.h"
 #include "widgets/live_plot_stack.h"
 #include "widgets/message_bar.h"
+#include "widgets/phrasebook.h"
 
 #include <QAction>
 #include <QEvent>
@@ -88,6 +89,10 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     connect(&m_bench, &Workbench::derivedSignalsChanged, this, &MonitorPanel::onDerived);
     connect(&m_bench.freshness(), &Freshness::changed, this,
             [this] { m_stack->setStale(m_bench.freshness().words()); });
+    connect(&m_bench, &Workbench::historyTroubled, this, [this](const Error& error) {
+        m_message->showMessage(
+            {widgets::Severity::Warning, widgets::inWords(error.message), widgets::inWords(error.hint), {}});
+    });
     connect(&m_values, &QTimer::timeout, this, &MonitorPanel::refreshStream);
     connect(&m_bench.liveSignals(), &LiveSignals::changed, this, &MonitorPanel::sayLeftOut);
     m_values.start(ValuesPeriod_ms);

@@ -4,6 +4,7 @@
 #include "app/batch/result_documents.h"
 #include "app/workspaces/drive_control.h"
 #include "app/workspaces/idle_reference.h"
+#include "devices/acquisition/page_file.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,7 +13,8 @@ namespace halbench::app {
 
 namespace {
 
-/// Ten minutes of twelve signals at 1 kHz and their pyramids, with room to spare.
+/// Ten minutes of twelve signals at 1 kHz and their pyramids, with room to spare; what is older is on the
+/// disk.
 constexpr std::size_t HistoryBudget_bytes = 256U << 20U;
 
 std::vector<std::string> parameterNames(const devices::Catalogue& catalogue) {
@@ -142,6 +144,23 @@ void Workbench::drainSamples() {
     if (!blocks.empty()) {
         m_freshness.samplesCame();
         samplesArrived();
+    }
+    sayHistoryTrouble();
+}
+
+void Workbench::setHistoryPages(std::shared_ptr<devices::PageFile> pages) {
+    m_pages = std::move(pages);
+    m_isTroubleSaid = false;
+    m_history.setStore(m_pages);
+}
+
+void Workbench::sayHistoryTrouble() {
+    if (m_pages == nullptr || m_isTroubleSaid) {
+        return;
+    }
+    if (const std::optional<Error> trouble = m_pages->trouble()) {
+        m_isTroubleSaid = true;
+        historyTroubled(*trouble);
     }
 }
 

@@ -23,6 +23,10 @@
 #include <utility>
 #include <vector>
 
+namespace halbench::devices {
+class PageFile;
+}
+
 namespace halbench::app {
 
 class DriveControl;
@@ -90,6 +94,8 @@ public:
     const control::SampleHistory& history() const { return m_history; }
     /// Moves what arrived into the history; called once per frame.
     void drainSamples();
+    /// Where samples go that memory has no room for. Forgets those that are there.
+    void setHistoryPages(std::shared_ptr<devices::PageFile> pages);
     /// Forgets the samples, e.g. when another device comes.
     void clearHistory();
 
@@ -147,9 +153,11 @@ Q_SIGNALS:
     void derivedSignalsChanged();
     void strayIntervalChanged();
     void paceChanged();
-    void samplesArrived(); ///< at most once per frame
+    void historyTroubled(const halbench::Error& error); ///< once: samples are lost earlier than they should
+    void samplesArrived();                              ///< at most once per frame
 
 private:
+    void sayHistoryTrouble();
     void onSessionState();
     void refreshCatalogue();
     void onReturn();
@@ -165,6 +173,8 @@ private:
     Freshness m_freshness{m_session};
     LiveSignals m_liveSignals{m_session};
     RecordingControl m_recording{m_session, m_liveSignals};
+    std::shared_ptr<devices::PageFile> m_pages; ///< of the history; may be none
+    bool m_isTroubleSaid = false;
     control::SampleHistory m_history;
     std::vector<devices::DerivedSignal> m_derivedList;
     devices::DerivedSignals m_derived;

@@ -1,4 +1,5 @@
 #include "app/workspaces/log_panel.h"
+#include "devices/acquisition/page_file.h"
 #include "tests/app/workspaces/bench_fixture.h"
 
 namespace halbench::app {
@@ -32,6 +33,20 @@ TEST_F(LogPanelTest, tellsWhichSettingsWereChangedAndByWhom) {
         [this](const Result<void>&) { bench().refreshValues(); });
     EXPECT_TRUE(wait([&] { return tells("found changed: limit.current 4 \u2192 3 A"); }))
         << log->text().toStdString();
+}
+
+TEST_F(LogPanelTest, aHistoryThatCannotBeKeptIsToldOnce) {
+    devices::PageFileConfig config;
+    config.folder = "/proc/no/such/folder";
+    const auto pages = std::make_shared<devices::PageFile>(config);
+    bench().setHistoryPages(pages);
+    bench().drainSamples();
+    EXPECT_FALSE(tells("history"));
+    pages->put({});
+    pages->waitUntilIdle();
+    bench().drainSamples();
+    bench().drainSamples();
+    EXPECT_EQ(log->text().count(QStringLiteral("cannot keep history in '/proc/no/such/folder'")), 1);
 }
 
 TEST_F(LogPanelTest, aChangeTooSmallForFiveDigitsIsToldWithAll) {
