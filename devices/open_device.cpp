@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <csignal>
 
 namespace halbench::devices {
 
@@ -90,6 +91,18 @@ Result<std::unique_ptr<Device>> openBoard(DeviceUri uri, const OpenOptions& opti
     return openXcpDevice(*std::move(transport), std::move(device));
 }
 
+/// A long recording is given up while it is read, as a board while it is opened.
+Result<std::unique_ptr<Device>> openReplay(const DeviceUri& uri, const OpenOptions& options) {
+    return openReplayDevice(uri.text, uri.address, [&]() -> Result<void> {
+        const int signal = options.interruptSignal != nullptr ? options.interruptSignal->load() : 0;
+        if (signal != 0 || (options.orders && options.orders->isLeaving)) {
+            return failure(signal == SIGTERM ? ErrorCode::Terminated : ErrorCode::Interrupted,
+                           fmt::format("{}: given up", uri.text));
+        }
+        return {};
+    });
+}
+
 DeviceListing listingOf(const PortListing& port) {
     constexpr std::array Transports = {"serial", "usb", "hid"};
     DeviceListing listing;
@@ -121,7 +134,7 @@ Result<std::unique_ptr<Device>> openDevice(const std::string& text, const OpenOp
         return openSimulatedDevice(*uri, options);
     }
     if (uri->scheme == "replay") {
-        return openReplayDevice(uri->text, uri->address);
+        return openReplay(*uri, options);
     }
     return openBoard(*uri, options);
 }

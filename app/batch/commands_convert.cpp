@@ -47,7 +47,8 @@ CommandResult runConvertCommand(CommandContext& context, const CommandOptions& o
     }
     const devices::ConvertRequest request{options.input, options.out, splitList(options.signals),
                                           *from,         *to,         *std::move(derived)};
-    const Result<devices::Conversion> done = devices::convertRecording(request);
+    const Result<devices::Conversion> done =
+        devices::convertRecording(request, [&context] { return checkInterrupt(context); });
     if (!done) {
         return failure(done.error());
     }

@@ -60,9 +60,9 @@ struct Source {
     std::optional<Recovery> recovery;
 };
 
-Result<Source> readSource(const std::string& path) {
+Result<Source> readSource(const std::string& path, const std::function<Result<void>()>& checkAbort) {
     if (!isPartialRecording(path)) {
-        Result<RecordedFile> file = readRecordingFile(path);
+        Result<RecordedFile> file = readRecordingFile(path, checkAbort);
         return file ? Result<Source>(Source{*std::move(file), {}}) : failure(file.error());
     }
     Result<PartialRecording> partial = readPartialRecording(path);
@@ -176,11 +176,12 @@ Result<Recording> selectPart(const Recording& recording, const std::vector<std::
     return part;
 }
 
-Result<Conversion> convertRecording(const ConvertRequest& request) {
+Result<Conversion> convertRecording(const ConvertRequest& request,
+                                    const std::function<Result<void>()>& checkAbort) {
     if (const Result<void> formats = checkFormats(request); !formats) {
         return failure(formats.error());
     }
-    Result<Source> source = readSource(request.input);
+    Result<Source> source = readSource(request.input, checkAbort);
     if (!source) {
         return failure(source.error());
     }

@@ -4,6 +4,7 @@
 #include "control/base/sample_block.h"
 #include "devices/acquisition/derived_signals.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,7 +46,9 @@ struct Conversion {
 /// Reads, selects, writes. Formats go by the file's ending; this version reads .csv, .mf4 and .csv.partial,
 /// what an interrupted recording is called, and writes .csv, .mf4 and .mat. The input stays as it is, except
 /// that `run.csv.partial` is gone once all of it has become `run.csv`; where octets inside it were damaged it
-/// stays. Errors: Usage (format), FileSystem, InvalidInput, those above and of withDerived().
-Result<Conversion> convertRecording(const ConvertRequest& request);
+/// stays. Errors: Usage (format), FileSystem, InvalidInput, those above and of withDerived(); that of
+/// `checkAbort`, which is asked while the input is read.
+Result<Conversion> convertRecording(const ConvertRequest& request,
+                                    const std::function<Result<void>()>& checkAbort = {});
 
 } // namespace halbench::devices

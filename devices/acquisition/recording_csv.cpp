@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace halbench::devices {
@@ -17,7 +18,7 @@ namespace halbench::devices {
 namespace {
 
 constexpr std::size_t RowsBetweenChecks = 1000;
-constexpr std::size_t MaxFile = std::size_t{256} << 20;
+constexpr std::size_t MaxLine = std::size_t{1} << 20;
 constexpr std::size_t MaxColumns = 1024;
 /// Numbers are seldom shorter: no more room than this is taken before it is needed.
 constexpr std::size_t OctetsPerValue = 4;
@@ -44,32 +45,6 @@ struct Line {
             begin = end + 1;
         }
     }
-};
-
-class LineReader {
-public:
-    explicit LineReader(std::string_view text) : m_rest(text) {
-        if (m_rest.substr(0, 3) == "\xEF\xBB\xBF") {
-            m_rest.remove_prefix(3);
-        }
-    }
-    bool next(Line& line) {
-        if (m_rest.empty()) {
-            return false;
-        }
-        const std::size_t end = m_rest.find('\n');
-        line.text = m_rest.substr(0, end);
-        m_rest.remove_prefix(end == std::string_view::npos ? m_rest.size() : end + 1);
-        if (!line.text.empty() && line.text.back() == '\r') {
-            line.text.remove_suffix(1);
-        }
-        line.number = ++m_number;
-        return true;
-    }
-
-private:
-    std::string_view m_rest;
-    std::size_t m_number = 0;
 };
 
 /// "hall_a_T" -> {"hall_a", "T"}: the longest unit suffix that fits.
@@ -237,49 +212,105 @@ void appendCsvRows(std::string& text, const SampleBlock& block, CsvNumbers numbe
     }
 }
 
+RecordingCsvParser::RecordingCsvParser(std::string origin, std::uint64_t expected_octets,
+                                       std::uint64_t most_octets, std::function<Result<void>()> checkAbort)
+    : m_origin(std::move(origin)), m_expected_octets(expected_octets), m_most_octets(most_octets),
+      m_checkAbort(std::move(checkAbort)) {}
+
+Result<void> RecordingCsvParser::feed(std::string_view piece) {
+    while (!piece.empty()) {
+        const std::size_t end = piece.find('\n');
+        const std::string_view text = piece.substr(0, end);
+        if (m_begun.size() + text.size() > MaxLine) {
+            return wrongAt(m_origin, m_number + 1, 1,
+                           fmt::format("more than {} characters in a line", MaxLine),
+                           "the file may be damaged, or no recording");
+        }
+        if (end == std::string_view::npos) {
+            m_begun += text;
+            return {};
+        }
+        piece.remove_prefix(end + 1);
+        m_begun += m_begun.empty() ? std::string_view() : text;
+        const Result<void> done = takeLine(m_begun.empty() ? text : std::string_view(m_begun));
+        if (!done) {
+            return done;
+        }
+        m_begun.clear();
+    }
+    return {};
+}
+
+Result<void> RecordingCsvParser::takeLine(std::string_view text) {
+    if (!text.empty() && text.back() == '\r') {
+        text.remove_suffix(1);
+    }
+    if (++m_number == 1) {
+        text.remove_prefix(text.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0);
+        Result<StreamLayout> layout = readHeader({text, m_number}, m_origin);
+        if (!layout) {
+            return failure(layout.error());
+        }
+        m_layout = *std::move(layout);
+        return {};
+    }
+    if (text.empty()) {
+        return {};
+    }
+    const std::size_t columns = m_layout.columns.size();
+    if (!readPlainRow(text, columns, m_recording)) {
+        if (const Result<void> row = readRow({text, m_number}, m_origin, columns, m_recording); !row) {
+            return row;
+        }
+    }
+    if (m_recording.rows() == 1) {
+        makeRoom(text.size());
+    }
+    return m_recording.rows() % RowsBetweenChecks == 0 ? check() : Result<void>();
+}
+
+Result<void> RecordingCsvParser::check() const {
+    const std::uint64_t octets =
+        sizeof(double) * (std::uint64_t{m_recording.time_s.size()} + m_recording.values.size());
+    if (octets > m_most_octets) {
+        return wrongAt(m_origin, m_number, 1,
+                       fmt::format("its numbers need more than {} MB of memory", m_most_octets >> 20U),
+                       "cut the file into pieces that each begin with its first line");
+    }
+    return m_checkAbort ? m_checkAbort() : Result<void>();
+}
+
+/// As many rows as there are if all are as long as the first.
+void RecordingCsvParser::makeRoom(std::size_t rowOctets) {
+    const auto rows = static_cast<std::size_t>(m_expected_octets / (rowOctets + 1) + 1);
+    m_recording.time_s.reserve(rows);
+    m_recording.values.reserve(std::min(rows * m_layout.columns.size(),
+                                        static_cast<std::size_t>(m_expected_octets / OctetsPerValue)));
+}
+
+Result<Recording> RecordingCsvParser::finish() {
+    if (!m_begun.empty()) {
+        const Result<void> done = takeLine(m_begun);
+        if (!done) {
+            return failure(done.error());
+        }
+    }
+    if (m_number == 0) {
+        return wrongAt(m_origin, 1, 1, "the file is empty", "a recording begins with the line time_s,...");
+    }
+    m_layout.period_s = nominalPeriod(m_recording.time_s);
+    m_recording.lostRows = countLostRows(m_recording.time_s, m_layout.period_s);
+    m_recording.layout = std::make_shared<const StreamLayout>(std::move(m_layout));
+    return std::move(m_recording);
+}
+
 Result<Recording> parseRecordingCsv(std::string_view text, const std::string& origin,
                                     const std::function<Result<void>()>& checkAbort) {
-    if (text.size() > MaxFile) {
-        return failure(
-            ErrorCode::InvalidInput, fmt::format("{}: {} octets", origin, text.size()),
-            fmt::format("at most {} are read; cut the file into pieces that each begin with its first line",
-                        MaxFile));
+    RecordingCsvParser parser(origin, text.size(), std::numeric_limits<std::uint64_t>::max(), checkAbort);
+    if (const Result<void> done = parser.feed(text); !done) {
+        return failure(done.error());
     }
-    LineReader lines(text);
-    Line line;
-    if (!lines.next(line)) {
-        return wrongAt(origin, 1, 1, "the file is empty", "a recording begins with the line time_s,...");
-    }
-    Result<StreamLayout> layout = readHeader(line, origin);
-    if (!layout) {
-        return failure(layout.error());
-    }
-    Recording recording;
-    while (lines.next(line)) {
-        if (line.text.empty()) {
-            continue;
-        }
-        if (!readPlainRow(line.text, layout->columns.size(), recording)) {
-            const Result<void> row = readRow(line, origin, layout->columns.size(), recording);
-            if (!row) {
-                return failure(row.error());
-            }
-        }
-        if (recording.time_s.size() == 1) { // as many as there are if all are as long as the first
-            const std::size_t rows = text.size() / (line.text.size() + 1) + 1;
-            recording.time_s.reserve(rows);
-            recording.values.reserve(std::min(rows * layout->columns.size(), text.size() / OctetsPerValue));
-        }
-        if (checkAbort && recording.time_s.size() % RowsBetweenChecks == 0) {
-            if (const Result<void> goesOn = checkAbort(); !goesOn) {
-                return failure(goesOn.error());
-            }
-        }
-    }
-    layout->period_s = nominalPeriod(recording.time_s);
-    recording.lostRows = countLostRows(recording.time_s, layout->period_s);
-    recording.layout = std::make_shared<const StreamLayout>(*std::move(layout));
-    return recording;
+    return parser.finish();
 }
 
 } // namespace halbench::devices

@@ -3,6 +3,7 @@
 #include "control/base/result.h"
 #include "control/base/sample_block.h"
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -34,9 +35,36 @@ void appendCsvNumber(std::string& text, double value, CsvNumbers numbers = CsvNu
 /// Reads such a text. Columns become signals named by the column without its unit suffix; an empty field,
 /// "nan" and "inf" read as NaN. Rows missing in the time axis are counted as lost. Errors: InvalidInput with
 /// line and column of `origin` (no time_s column, wrong number of fields, text where a number is due, time
-/// that does not increase, a file larger than 256 MB); that of `checkAbort`, which is asked every thousand
-/// rows.
+/// that does not increase, a line of more than a megabyte); that of `checkAbort`, which is asked every
+/// thousand rows.
 Result<Recording> parseRecordingCsv(std::string_view text, const std::string& origin,
                                     const std::function<Result<void>()>& checkAbort = {});
+
+/// The same piece by piece: of a long file only the numbers are in memory, never its text.
+class RecordingCsvParser {
+public:
+    /// `expected_octets`: of the whole text, for taking room once. `most_octets`: of memory for the numbers;
+    /// a recording that needs more is refused (InvalidInput, with the line).
+    RecordingCsvParser(std::string origin, std::uint64_t expected_octets, std::uint64_t most_octets,
+                       std::function<Result<void>()> checkAbort = {});
+
+    /// Errors: as parseRecordingCsv(). After one nothing more is fed.
+    Result<void> feed(std::string_view piece);
+    Result<Recording> finish();
+
+private:
+    Result<void> takeLine(std::string_view text);
+    Result<void> check() const;
+    void makeRoom(std::size_t rowOctets);
+
+    std::string m_origin;
+    std::uint64_t m_expected_octets;
+    std::uint64_t m_most_octets;
+    std::function<Result<void>()> m_checkAbort;
+    std::string m_begun; ///< of a line whose end has not come
+    std::size_t m_number = 0;
+    StreamLayout m_layout;
+    Recording m_recording;
+};
 
 } // namespace halbench::devices

@@ -11,7 +11,9 @@
 #include <QtCore/QFileInfo>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -20,9 +22,28 @@ namespace halbench::devices {
 namespace {
 
 constexpr qint64 MaxMeta = qint64{64} << 20;
-constexpr qint64 MaxData = qint64{256} << 20;
+constexpr qint64 Piece = qint64{4} << 20;
 constexpr std::string_view PartialEnding = ".csv.partial";
 constexpr std::string_view Mdf4Ending = ".mf4";
+
+/// Shares of this machine's memory: of the numbers of a recording, and of a file that is read as a whole
+/// (its text is held, often twice, and its numbers).
+constexpr std::uint64_t NumbersShare = 3;
+constexpr std::uint64_t TextShare = 8;
+constexpr std::uint64_t LeastText = std::uint64_t{256} << 20;
+
+std::uint64_t memoryShare(std::uint64_t share) {
+    const long pages = ::sysconf(_SC_PHYS_PAGES);
+    const long page_bytes = ::sysconf(_SC_PAGESIZE);
+    const std::uint64_t all = pages > 0 && page_bytes > 0
+                                  ? static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page_bytes)
+                                  : 0;
+    return std::max(LeastText, all / share);
+}
+
+qint64 maxText() {
+    return static_cast<qint64>(memoryShare(TextShare));
+}
 
 QString pathOf(const std::string& path) {
     return QString::fromStdString(path);
@@ -43,11 +64,57 @@ Result<std::string> readText(const std::string& path, qint64 limit) {
                       limit);
         return failure(ErrorCode::InvalidInput, fmt::format("'{}' has {} octets", path, file.size()), hint);
     }
-    return file.readAll().toStdString();
+    std::string text(static_cast<std::size_t>(file.size()), '\0');
+    qint64 length = 0;
+    while (length < static_cast<qint64>(text.size())) {
+        const qint64 got =
+            file.read(text.data() + length, std::min(Piece, static_cast<qint64>(text.size()) - length));
+        if (got <= 0) {
+            return failure(ErrorCode::FileSystem, fmt::format("cannot read '{}': {}", path, causeOf(file)),
+                           "check the path");
+        }
+        length += got;
+    }
+    return text;
 }
 
 std::string hexOf(const QByteArray& hash) {
     return hash.toHex().toStdString();
+}
+
+/// The numbers and the checksum of a file that may be longer than memory would hold as text.
+Result<void> readPieces(const std::string& path, const std::function<Result<void>()>& checkAbort,
+                        Recording& recording, std::string& sha256) {
+    QFile file(pathOf(path));
+    if (QFileInfo(file).isDir() || !file.open(QIODevice::ReadOnly)) {
+        return failure(ErrorCode::FileSystem, fmt::format("cannot read '{}': {}", path, causeOf(file)),
+                       "check the path");
+    }
+    RecordingCsvParser parser(path, static_cast<std::uint64_t>(file.size()), memoryShare(NumbersShare),
+                              checkAbort);
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    std::vector<char> piece(static_cast<std::size_t>(Piece));
+    for (;;) {
+        const qint64 length = file.read(piece.data(), Piece);
+        if (length < 0) {
+            return failure(ErrorCode::FileSystem, fmt::format("cannot read '{}': {}", path, causeOf(file)),
+                           "check the path");
+        }
+        if (length == 0) {
+            break;
+        }
+        hash.addData(piece.data(), static_cast<int>(length));
+        if (const Result<void> fed = parser.feed({piece.data(), static_cast<std::size_t>(length)}); !fed) {
+            return fed;
+        }
+    }
+    Result<Recording> whole = parser.finish();
+    if (!whole) {
+        return failure(whole.error());
+    }
+    recording = *std::move(whole);
+    sha256 = hexOf(hash.result());
+    return {};
 }
 
 /// Signal names of the shipped profiles by their column without unit: "hall_a" -> "hall.a".
@@ -137,19 +204,15 @@ Result<Recording> parseWhole(const std::string& path, std::string text, std::siz
 
 Result<RecordedFile> readRecordingFile(const std::string& path,
                                        const std::function<Result<void>()>& checkAbort) {
-    const Result<std::string> text = readText(path, MaxData);
-    if (!text) {
-        return failure(text.error());
-    }
     if (isMdf4Recording(path)) {
-        return parseMdf4(*text, path, checkAbort);
-    }
-    Result<Recording> recording = parseRecordingCsv(*text, path, checkAbort);
-    if (!recording) {
-        return failure(recording.error());
+        const Result<std::string> text = readText(path, maxText());
+        return text ? parseMdf4(*text, path, checkAbort) : failure(text.error());
     }
     RecordedFile file;
-    file.recording = *std::move(recording);
+    std::string sha256;
+    if (const Result<void> read = readPieces(path, checkAbort, file.recording, sha256); !read) {
+        return failure(read.error());
+    }
     const std::string metaPath = sidecarOf(path);
     if (QFileInfo::exists(pathOf(metaPath))) {
         const Result<std::string> metaText = readText(metaPath, MaxMeta);
@@ -162,9 +225,7 @@ Result<RecordedFile> readRecordingFile(const std::string& path,
         }
         file.meta = *std::move(meta);
         file.hasMeta = true;
-        const QByteArray hash =
-            QCryptographicHash::hash(QByteArray::fromStdString(*text), QCryptographicHash::Sha256);
-        if (hexOf(hash) != file.meta.sha256) {
+        if (sha256 != file.meta.sha256) {
             file.warnings.push_back(fmt::format("'{}' was changed since it was recorded (SHA-256)", path));
         }
     }
@@ -173,7 +234,7 @@ Result<RecordedFile> readRecordingFile(const std::string& path,
 }
 
 Result<std::string> readTableText(const std::string& path) {
-    return readText(path, MaxData);
+    return readText(path, maxText());
 }
 
 bool isPartialRecording(const std::string& path) {
@@ -185,7 +246,7 @@ bool isMdf4Recording(const std::string& path) {
 }
 
 Result<PartialRecording> readPartialRecording(const std::string& path) {
-    Result<std::string> text = readText(path, MaxData);
+    Result<std::string> text = readText(path, maxText());
     if (!text) {
         return failure(text.error());
     }

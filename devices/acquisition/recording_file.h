@@ -18,8 +18,9 @@ struct RecordedFile {
     bool hasMeta = false;
     std::vector<std::string> warnings; ///< e.g. the data were changed since
 };
-/// Reads MDF4 when the name ends so, else CSV. Errors: FileSystem, InvalidInput with line and column or block
-/// and octet, that of `checkAbort`.
+/// Reads MDF4 when the name ends so, else CSV, of which only the numbers are held: as many as a third of this
+/// machine's memory takes. Errors: FileSystem, InvalidInput with line and column or block and octet, that of
+/// `checkAbort`.
 Result<RecordedFile> readRecordingFile(const std::string& path,
                                        const std::function<Result<void>()>& checkAbort = {});
 
@@ -27,7 +28,7 @@ Result<RecordedFile> readRecordingFile(const std::string& path,
 bool isMdf4Recording(const std::string& path);
 
 /// The text of a file that may be a recording or a table of another program. Errors: FileSystem, InvalidInput
-/// (more than 256 MB).
+/// (more than an eighth of this machine's memory, at least 256 MB).
 Result<std::string> readTableText(const std::string& path);
 
 /// What can be had of a recording that was interrupted.

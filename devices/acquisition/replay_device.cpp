@@ -78,7 +78,17 @@ private:
 
 void ReplayDevice::describe() {
     const double rate_Hz = data().layout->period_s > 0.0 ? 1.0 / data().layout->period_s : 0.0;
-    for (std::size_t column = 0; column < data().layout->columns.size(); ++column) {
+    const std::size_t width = data().layout->columns.size();
+    std::vector<double> least(width, 0.0);
+    std::vector<double> largest(width, 0.0);
+    for (std::size_t row = 0; row < data().rows(); ++row) { // as they lie in memory
+        for (std::size_t column = 0; column < width; ++column) {
+            const double value = data().values[row * width + column];
+            least[column] = row == 0 ? value : std::min(least[column], value);
+            largest[column] = row == 0 ? value : std::max(largest[column], value);
+        }
+    }
+    for (std::size_t column = 0; column < width; ++column) {
         SignalSpec spec;
         spec.name = data().layout->columns[column].name;
         spec.unit = data().layout->columns[column].unit;
@@ -86,11 +96,8 @@ void ReplayDevice::describe() {
         for (const RecordingMeta::SignalNote& note : m_file.meta.signals) {
             spec.role = note.name == spec.name ? note.role : spec.role;
         }
-        for (std::size_t row = 0; row < data().rows(); ++row) {
-            const double value = data().values[row * data().layout->columns.size() + column];
-            spec.min = row == 0 ? value : std::min(spec.min, value);
-            spec.max = row == 0 ? value : std::max(spec.max, value);
-        }
+        spec.min = least[column];
+        spec.max = largest[column];
         m_catalogue.signals.push_back(std::move(spec));
         m_catalogue.defaultSignals.push_back(data().layout->columns[column].name);
     }
@@ -143,10 +150,11 @@ Result<std::vector<double>> ReplayDevice::readSignals(std::span<const std::strin
     if (!columns) {
         return failure(columns.error());
     }
-    std::size_t row = 0;
-    while (row + 1 < data().rows() && timeOf(row + 1) <= m_now_s + Rounding_s) {
-        ++row;
-    }
+    const auto& times = data().time_s;
+    const auto later = std::partition_point(times.begin(), times.end(), [this](double time_s) {
+        return time_s - data().time_s.front() <= m_now_s + Rounding_s;
+    });
+    const auto row = static_cast<std::size_t>(std::max<std::ptrdiff_t>(later - times.begin() - 1, 0));
     std::vector<double> values;
     for (const std::size_t column : *columns) {
         values.push_back(data().values[row * data().layout->columns.size() + column]);
@@ -255,9 +263,10 @@ Source sourceOf(const std::string& text) {
 
 } // namespace
 
-Result<std::unique_ptr<Device>> openReplayDevice(const std::string& uri, const std::string& text) {
+Result<std::unique_ptr<Device>> openReplayDevice(const std::string& uri, const std::string& text,
+                                                 const std::function<Result<void>()>& checkAbort) {
     const Source source = sourceOf(text);
-    Result<RecordedFile> file = readRecordingFile(source.path);
+    Result<RecordedFile> file = readRecordingFile(source.path, checkAbort);
     if (!file) {
         return failure(file.error());
     }

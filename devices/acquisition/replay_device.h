@@ -2,6 +2,7 @@
 
 #include "devices/device.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -11,7 +12,8 @@ namespace halbench::devices {
 /// first row; its parameters have the values of the recording's start. It cannot be changed and never arms.
 /// Waiting beyond the last row is a DeviceLost. `FILE?at=S`, where no file is called so, begins S seconds
 /// after the first row: the clock and the rows have the same times as without it. Errors: those of reading
-/// the file; OutOfRange (a time behind its end).
-Result<std::unique_ptr<Device>> openReplayDevice(const std::string& uri, const std::string& path);
+/// the file; OutOfRange (a time behind its end); that of `checkAbort`, which is asked while it is read.
+Result<std::unique_ptr<Device>> openReplayDevice(const std::string& uri, const std::string& path,
+                                                 const std::function<Result<void>()>& checkAbort = {});
 
 } // namespace halbench::devices

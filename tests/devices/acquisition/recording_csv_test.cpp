@@ -144,6 +144,58 @@ TEST(RecordingCsv, emptyFieldsAndWordsForNoNumberAreMissingWhereverTheyStand) {
     EXPECT_EQ(read->values[8], 9.0);
 }
 
+TEST(RecordingCsv, piecesOfAnyLengthReadAsTheWhole) {
+    const std::string text = "\xEF\xBB\xBFtime_s,hall_a_T,n\r\n0,0.25,1\r\n\r\n0.5,,2\n1,-1e-3,3\n2,7,4";
+    const Result<Recording> whole = parseRecordingCsv(text, "run.csv");
+    ASSERT_TRUE(whole) << whole.error().message;
+    ASSERT_EQ(whole->rows(), 4U);
+    for (std::size_t length = 1; length <= text.size(); ++length) {
+        RecordingCsvParser parser("run.csv", text.size(), 1000);
+        for (std::size_t begin = 0; begin < text.size(); begin += length) {
+            ASSERT_TRUE(parser.feed(std::string_view(text).substr(begin, length)));
+        }
+        const Result<Recording> pieces = parser.finish();
+        ASSERT_TRUE(pieces) << pieces.error().message;
+        EXPECT_EQ(pieces->time_s, whole->time_s);
+        EXPECT_EQ(pieces->values[0], 0.25);
+        EXPECT_TRUE(std::isnan(pieces->values[2]));
+        EXPECT_EQ(pieces->layout->columns[0].name, "hall_a");
+        EXPECT_EQ(pieces->layout->period_s, whole->layout->period_s);
+    }
+}
+
+TEST(RecordingCsv, piecesSayTheLineOfAnError) {
+    RecordingCsvParser parser("run.csv", 100, 1000);
+    ASSERT_TRUE(parser.feed("time_s,n\n0,1\n1,"));
+    const Result<void> bad = parser.feed("two\n");
+    ASSERT_FALSE(bad);
+    EXPECT_NE(bad.error().message.find("run.csv:3:3:"), std::string::npos) << bad.error().message;
+}
+
+TEST(RecordingCsv, moreThanMemoryTakesIsRefusedWithTheLine) {
+    std::string text = "time_s,n\n";
+    for (int row = 0; row < 70'000; ++row) { // 1.1 MB of numbers
+        text += std::to_string(row) + ",1\n";
+    }
+    RecordingCsvParser parser("run.csv", text.size(), std::uint64_t{1} << 20);
+    const Result<void> fed = parser.feed(text);
+    ASSERT_FALSE(fed);
+    EXPECT_EQ(fed.error().code, ErrorCode::InvalidInput);
+    // 65536 rows of 16 octets are a megabyte; it is looked at every thousand rows, below one line of header.
+    EXPECT_NE(fed.error().message.find("run.csv:66001:"), std::string::npos) << fed.error().message;
+    EXPECT_NE(fed.error().message.find("1 MB"), std::string::npos);
+    EXPECT_FALSE(fed.error().hint.empty());
+}
+
+TEST(RecordingCsv, aFileWithoutLinesIsRefusedBeforeItFillsTheMemory) {
+    RecordingCsvParser parser("run.csv", 0, 1000);
+    const std::string zeros(600'000, '\0');
+    ASSERT_TRUE(parser.feed(zeros));
+    const Result<void> fed = parser.feed(zeros);
+    ASSERT_FALSE(fed);
+    EXPECT_NE(fed.error().message.find("run.csv:1:1:"), std::string::npos) << fed.error().message;
+}
+
 TEST(RecordingCsv, aLongFileCanBeGivenUpWhileItIsRead) {
     std::string text = "time_s,a\n";
     for (int row = 0; row < 50000; ++row) {

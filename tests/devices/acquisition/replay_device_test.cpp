@@ -7,7 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+#include <csignal>
+#include <fstream>
 #include <limits>
 
 namespace halbench::devices {
@@ -52,6 +55,29 @@ TEST_F(ReplayDeviceTest, playsTheSameSamplesAtTheSameTimes) {
         // 4-octet floats are kept in their own precision: half a unit of the 24-bit mantissa.
         EXPECT_NEAR(again.values[i], m_live.values[i], std::abs(m_live.values[i]) * 6.0e-8);
     }
+}
+
+TEST_F(ReplayDeviceTest, aLongRecordingIsGivenUpWhileItIsRead) {
+    const std::string path = m_folder.filePath("long.csv").toStdString();
+    {
+        std::ofstream out(path);
+        out << "time_s,a\n";
+        for (int row = 0; row < 5000; ++row) {
+            out << row << ",1\n";
+        }
+    }
+    OpenOptions options;
+    const auto orders = std::make_shared<LinkOrders>();
+    options.orders = orders;
+    EXPECT_TRUE(openDevice("replay:" + path, options));
+    orders->isLeaving = true;
+    const auto given = openDevice("replay:" + path, options);
+    ASSERT_FALSE(given);
+    EXPECT_EQ(given.error().code, ErrorCode::Interrupted);
+    const std::atomic<int> signal = SIGTERM;
+    options.orders = nullptr;
+    options.interruptSignal = &signal;
+    EXPECT_EQ(openDevice("replay:" + path, options).error().code, ErrorCode::Terminated);
 }
 
 TEST_F(ReplayDeviceTest, playsEveryTenthSampleAtATenthOfTheRate) {
