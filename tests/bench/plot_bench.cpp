@@ -1,6 +1,7 @@
 // A frame of live plots against plain Qwt curves with the same samples, drawn into the same kind of widget.
 #include "control/base/random.h"
 #include "control/base/units.h"
+#include "devices/acquisition/page_file.h"
 #include "tests/bench/goal.h"
 #include "tests/control/signals/history_blocks.h"
 #include "widgets/figure_file.h"
@@ -8,9 +9,13 @@
 #include "widgets/offscreen_application.h"
 
 #include <QApplication>
+#include <QTemporaryDir>
 #include <qwt_plot.h>
 #include <qwt_plot_curve.h>
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -89,12 +94,13 @@ double frame_s(SampleHistory& history, Source& source, LivePlotStack& stack) {
     return processorTime_s(frames, 7) / Frames;
 }
 
-double liveFrame_s(double history_s, double view_s) {
-    SampleHistory history(Budget_bytes);
-    Source source(view_s / SwingsInView);
+void fill(SampleHistory& history, Source& source, double history_s) {
     for (double fed_s = 0.0; fed_s < history_s; fed_s += 1.0) {
         source.feed(history, 1000);
     }
+}
+
+double shownFrame_s(SampleHistory& history, Source& source, double view_s) {
     LivePlotStack stack;
     stack.setTheme(widgets::loadTheme("dark").value());
     stack.setHistory(&history);
@@ -104,6 +110,13 @@ double liveFrame_s(double history_s, double view_s) {
     stack.show();
     QApplication::processEvents();
     return frame_s(history, source, stack);
+}
+
+double liveFrame_s(double history_s, double view_s) {
+    SampleHistory history(Budget_bytes);
+    Source source(view_s / SwingsInView);
+    fill(history, source, history_s);
+    return shownFrame_s(history, source, view_s);
 }
 
 /// The same curves by QwtPlotCurve as it comes, all samples in view.
@@ -163,8 +176,75 @@ void benchIngest(Goals& goals) {
     });
     SampleHistory history(std::size_t{32} << 20);
     const double seconds = processorTime_s([&] { history.append(block); }, 7);
-    goals.atLeast("ingest into history and extremes", 1e-6 * 4.0 * 250'000.0 / seconds, 40.0,
-                  "million values/s");
+    const double values = 1e-6 * 4.0 * 250'000.0;
+    goals.atLeast("ingest into history and extremes", values / seconds, 40.0, "million values/s");
+    const QTemporaryDir folder;
+    devices::PageFileConfig config;
+    config.folder = folder.path().toStdString();
+    const auto pages = std::make_shared<devices::PageFile>(config);
+    history.setStore(pages);
+    const double paged_s = processorTime_s( // of both threads
+        [&] {
+            history.append(block);
+            pages->waitUntilIdle();
+            history.settle();
+        },
+        7);
+    goals.atLeast("the same, and to the disk", values / paged_s, 40.0, "million values/s");
+}
+
+/// Longest of the first looks at stretches of an old hour: all that is drawn is read back.
+double longestLook_s(const SampleHistory& history, double length_s, double history_s) {
+    constexpr int Looks = 5;
+    double longest_s = 0.0;
+    std::vector<control::HistoryColumn> columns;
+    for (int look = 0; look < Looks; ++look) {
+        const double begin_s = 0.1 * history_s * look / Looks;
+        const auto draw = [&] {
+            for (const std::string& signal : history.signals()) {
+                history.columns(signal, {begin_s, begin_s + length_s}, 1600, columns);
+            }
+        };
+        longest_s = std::max(longest_s, wallTime_s(draw, 1));
+    }
+    return longest_s;
+}
+
+/// A hundred million samples, of which memory holds a fifth.
+void benchLongHistory(Goals& goals) {
+    constexpr double Long_s = 8334.0;
+    constexpr double Short_s = 8.334;
+    const QTemporaryDir folder;
+    devices::PageFileConfig config;
+    config.folder = folder.path().toStdString();
+    const auto pages = std::make_shared<devices::PageFile>(config);
+    SampleHistory history(Budget_bytes);
+    history.setStore(pages);
+    Source source(Long_s / SwingsInView);
+    fill(history, source, Long_s);
+    pages->waitUntilIdle();
+    history.settle();
+    const double raw_MB = 8e-6 * (Signals + 1) * 1e3 * Long_s;
+    goals.below("history of 1e8 samples: memory", 1e-6 * static_cast<double>(history.bytes()), 268.5, "MB");
+    goals.atLeast("the same: on the disk", 1e-6 * static_cast<double>(history.pagedBytes()), 0.6 * raw_MB,
+                  "MB");
+    goals.below("the same: pages that are lost", pages->trouble() ? 1.0 : 0.0, 1.0, "");
+    for (const double length_s : {1.0, 10.0, 100.0, 1000.0, 3000.0}) {
+        goals.below(fmt::format("first look at {} s of it, 12 signals, from the disk's cache", length_s),
+                    1e3 * longestLook_s(history, length_s, Long_s), 100.0, "ms");
+    }
+    const double long_s = shownFrame_s(history, source, Long_s);
+    const double short_s = liveFrame_s(Short_s, Short_s);
+    goals.below("frame with 1e8 samples in view against 1e5", long_s / short_s, 1.5, "x");
+}
+
+void benchPyramid(Goals& goals) {
+    SampleHistory history(Budget_bytes);
+    Source source(1.0);
+    fill(history, source, 4.096 * 100.0);
+    const double raw_bytes = 8.0 * (Signals + 1) * 4096.0 * 100.0;
+    goals.below("memory of the extremes against that of the samples",
+                (static_cast<double>(history.bytes()) - raw_bytes) / raw_bytes, 1.0 / 3.0, "");
 }
 
 /// A recording for print, from its samples to the file's content.
@@ -199,7 +279,9 @@ int main() {
     const auto application = halbench::widgets::OffscreenApplication::ensure();
     halbench::bench::Goals goals;
     halbench::bench::benchIngest(goals);
+    halbench::bench::benchPyramid(goals);
     halbench::bench::benchFrames(goals);
+    halbench::bench::benchLongHistory(goals);
     halbench::bench::benchPicture(goals);
     return goals.exitCode();
 }
