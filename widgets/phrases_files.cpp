@@ -123,6 +123,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "'derived' must be a list of tables, [[derived]]"),
     QT_TRANSLATE_NOOP("Phrases", "unknown key '{}'; a [[derived]] has name, expression, unit"),
     QT_TRANSLATE_NOOP("Phrases", "a [[derived]] has a name and an expression"),
+    QT_TRANSLATE_NOOP("Phrases", "there is a [[derived]] named '{}' already"),
     QT_TRANSLATE_NOOP("Phrases", "'{}' must be a finite number"),
     QT_TRANSLATE_NOOP("Phrases", "'{}' must be true or false"),
     QT_TRANSLATE_NOOP("Phrases", "'layout' must be a table"),

@@ -202,6 +202,10 @@ void readDerived(ProjectReader& reader, const ConfigNode& node, std::vector<devi
         if (derived.name.empty() || derived.expression.empty()) {
             reader.refuse(item, "a [[derived]] has a name and an expression");
         }
+        if (std::count_if(list.begin(), list.end(),
+                          [&](const auto& one) { return one.name == derived.name; }) > 1) {
+            reader.refuse(item, fmt::format("there is a [[derived]] named '{}' already", derived.name));
+        }
     }
 }
 

@@ -186,6 +186,11 @@ Result<devices::Derivation> Workbench::derive(const devices::DerivedSignal& deri
 
 void Workbench::setDerivedSignals(std::vector<devices::DerivedSignal> list) {
     if (list != m_derivedList) {
+        for (const devices::DerivedSignal& before : m_derivedList) {
+            if (std::find(list.begin(), list.end(), before) == list.end()) {
+                m_history.forget(before.name);
+            }
+        }
         m_derivedList = std::move(list);
         refreshCatalogue();
         derivedSignalsChanged();

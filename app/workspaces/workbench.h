@@ -73,7 +73,8 @@ public:
     const std::vector<devices::DerivedSignal>& derivedSignals() const { return m_derivedList; }
     /// What the connected device makes of it. Errors: devices::deriveSignal().
     Result<devices::Derivation> derive(const devices::DerivedSignal& derived) const;
-    /// Those that the device cannot give wait for one that can.
+    /// Those that the device cannot give wait for one that can. What was computed by an expression that is
+    /// no more is forgotten.
     void setDerivedSignals(std::vector<devices::DerivedSignal> list);
     /// Whether what is shown is still updated.
     const Freshness& freshness() const { return m_freshness; }

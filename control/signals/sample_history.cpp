@@ -36,6 +36,23 @@ void SampleHistory::clear() {
     ++m_revision;
 }
 
+/// Its column loses its name, so that rows which come under it from now on begin another stream.
+void SampleHistory::forget(const std::string& signal) {
+    const auto places = m_places.find(signal);
+    if (places == m_places.end()) {
+        return;
+    }
+    for (const Place& place : places->second) {
+        std::shared_ptr<const StreamLayout>& layout = m_streams.at(place.stream).layout;
+        auto nameless = std::make_shared<StreamLayout>(*layout);
+        nameless->columns[place.column].name.clear();
+        layout = std::move(nameless);
+    }
+    m_places.erase(places);
+    std::erase(m_names, signal);
+    ++m_revision;
+}
+
 void SampleHistory::append(const SampleBlock& block) {
     m_lostRows += block.lostRows;
     if (block.layout == nullptr || block.layout->columns.empty() || block.rows() == 0) {

@@ -62,6 +62,8 @@ public:
     void setStore(std::shared_ptr<PageStore> store);
     void append(const SampleBlock& block);
     void clear();
+    /// The samples of one signal go, e.g. because its name now means something else; the others stay.
+    void forget(const std::string& signal);
 
     /// Rises with every change; a view that has drawn this revision need not draw again.
     std::uint64_t revision() const { return m_revision; }

@@ -76,6 +76,16 @@ TEST(ProjectFile, aPlotThatMakesNoSenseIsRefusedWithItsLine) {
     }
 }
 
+TEST(ProjectFile, twoDerivedSignalsOfOneNameAreRefusedWithTheSecondsLine) {
+    const auto read = parseProject("schema = \"halbench.project/1\"\n"
+                                   "[[derived]]\nname = \"x\"\nexpression = \"hall.a\"\n"
+                                   "[[derived]]\nname = \"x\"\nexpression = \"hall.b\"\n",
+                                   "motor.toml");
+    ASSERT_FALSE(read);
+    EXPECT_NE(read.error().message.find("motor.toml:5:"), std::string::npos) << read.error().message;
+    EXPECT_NE(read.error().message.find("'x'"), std::string::npos) << read.error().message;
+}
+
 TEST(ProjectFile, anEmptyProjectIsAProject) {
     const auto read = parseProject(projectText({}), "motor.toml");
     ASSERT_TRUE(read) << read.error().message;

@@ -70,6 +70,28 @@ TEST_F(DerivedPanelTest, aKeptSignalIsInTheTreeAndIsPlottedInItsUnit) {
     EXPECT_NEAR(bench().history().latest("field")->value, 0.157, 0.02);
 }
 
+TEST_F(DerivedPanelTest, anotherExpressionForgetsWhatTheOneBeforeComputed) {
+    connectTo("sim:htm", 5.0);
+    monitor->plot("hall.a", true);
+    write("x", "2 * hall.a", "");
+    enter();
+    monitor->plot("x", true);
+    ASSERT_TRUE(wait([&] { return bench().history().latest("x").has_value(); }));
+    write("x", "3 * hall.a", "");
+    enter();
+    EXPECT_FALSE(bench().history().latest("x"));
+    ASSERT_TRUE(wait([&] { return bench().history().latest("x").has_value(); }));
+    std::vector<control::TimedValue> hall;
+    std::vector<control::TimedValue> computed;
+    const control::TimeRange held = *bench().history().range("x");
+    bench().history().samples("x", held, computed);
+    bench().history().samples("hall.a", held, hall);
+    hall.erase(hall.begin(), hall.end() - static_cast<std::ptrdiff_t>(computed.size()));
+    for (std::size_t i = 0; i < computed.size(); ++i) {
+        EXPECT_DOUBLE_EQ(computed[i].value, 3.0 * hall[i].value) << i;
+    }
+}
+
 TEST_F(DerivedPanelTest, aMistakeIsSaidInPlaceAndNotKept) {
     connectTo("sim:htm", 5.0);
     write("x", "hall.a + * 2", "");

@@ -78,6 +78,26 @@ TEST(SampleHistory, columnsLoseNoSpike) {
     }
 }
 
+TEST(SampleHistory, forgetsOneSignalAndKeepsTheOthers) {
+    SampleHistory history(Large);
+    const auto layout = layoutOf({"a", "b"}, 0.01);
+    history.append(blockOf(layout, 0, 100, ramp));
+    const std::uint64_t before = history.revision();
+    history.forget("b");
+    history.forget("never there");
+    EXPECT_GT(history.revision(), before);
+    EXPECT_EQ(history.signals(), (std::vector<std::string>{"a"}));
+    EXPECT_FALSE(history.contains("b"));
+    EXPECT_FALSE(history.valueAt("b", 0.5));
+    EXPECT_DOUBLE_EQ(history.valueAt("a", 0.5)->value, 50.0);
+    // What comes under the name again is all that it has, even with the very layout of before.
+    history.append(blockOf(layout, 100, 100, ramp));
+    EXPECT_DOUBLE_EQ(history.range("b")->begin_s, 1.0);
+    EXPECT_DOUBLE_EQ(history.range("a")->begin_s, 0.0);
+    EXPECT_DOUBLE_EQ(history.latest("b")->value, 1199.0);
+    EXPECT_EQ(history.unit("b"), "T");
+}
+
 TEST(SampleHistory, rowsTheBoardLostAreAGap) {
     SampleHistory history(Large);
     const auto layout = layoutOf({"a"}, 0.001);
