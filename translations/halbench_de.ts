@@ -5238,6 +5238,22 @@
         <source>cut the file into pieces that each begin with its first line</source>
         <translation>teilen Sie die Datei in Stücke, die je mit ihrer ersten Zeile beginnen</translation>
     </message>
+    <message>
+        <source>a stream&apos;s recording waits for a signal&apos;s level</source>
+        <translation>die Aufzeichnung eines Datenstroms wartet auf den Pegel eines Signals</translation>
+    </message>
+    <message>
+        <source>give --trigger SIGNAL&gt;LEVEL or SIGNAL&lt;LEVEL; now and reference belong to --capture</source>
+        <translation>geben Sie --trigger SIGNAL&gt;PEGEL oder SIGNAL&lt;PEGEL an; now und reference gehören zu --capture</translation>
+    </message>
+    <message>
+        <source>the time before the trigger must not be negative</source>
+        <translation>die Zeit vor dem Trigger darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>Give e.g. --pre-trigger 2, in seconds.</source>
+        <translation>Geben Sie z. B. --pre-trigger 2 an, in Sekunden.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -8573,6 +8589,18 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>The disk does not keep up: rows are missing.</source>
         <translation>Der Datenträger kommt nicht nach: Zeilen fehlen.</translation>
     </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
+        <source>Waiting for the event to record</source>
+        <translation>Wartet auf das Ereignis, um aufzuzeichnen</translation>
+    </message>
+    <message>
+        <source>Waiting for the trigger&apos;s event; a click ends the wait (Ctrl+R)</source>
+        <translation>Wartet auf das Ereignis des Triggers; ein Klick beendet das Warten (Strg+R)</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::RecordPanel</name>
@@ -8711,6 +8739,86 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>Record to another disk or fewer rows per second.</source>
         <translation>Zeichnen Sie auf einen anderen Datenträger oder mit weniger Zeilen pro Sekunde auf.</translation>
     </message>
+    <message>
+        <source>Time kept before the start</source>
+        <translation>Zeit vor dem Beginn</translation>
+    </message>
+    <message>
+        <source>So much from before the start is kept in memory and goes in front; 0: nothing</source>
+        <translation>So viel von vor dem Beginn wird im Speicher gehalten und vorangestellt; 0: nichts</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>at the trigger</source>
+        <translation>beim Trigger</translation>
+    </message>
+    <message>
+        <source>Start of the recording</source>
+        <translation>Beginn der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>At the trigger: Ctrl+R waits for the event that the Monitor&apos;s trigger is set to (T in the plots shows it)</source>
+        <translation>Beim Trigger: Strg+R wartet auf das Ereignis, auf das der Trigger des Monitors eingestellt ist (T in den Diagrammen zeigt ihn)</translation>
+    </message>
+    <message>
+        <source>Time after the trigger</source>
+        <translation>Zeit nach dem Trigger</translation>
+    </message>
+    <message>
+        <source>The recording ends by itself so long after the event; 0: by hand</source>
+        <translation>Die Aufzeichnung endet so lange nach dem Ereignis von selbst; 0: von Hand</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Davor</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Danach</translation>
+    </message>
+    <message>
+        <source>What the recording waits for</source>
+        <translation>Worauf die Aufzeichnung wartet</translation>
+    </message>
+    <message>
+        <source>No samples of what the trigger waits for come.</source>
+        <translation>Von dem, worauf der Trigger wartet, kommen keine Werte.</translation>
+    </message>
+    <message>
+        <source>Waiting until %1.</source>
+        <translation>Wartet, bis %1.</translation>
+    </message>
+    <message>
+        <source>Begins when %1.</source>
+        <translation>Beginnt, wenn %1.</translation>
+    </message>
+    <message>
+        <source>In memory: %1 of %2 s.</source>
+        <translation>Im Speicher: %1 von %2 s.</translation>
+    </message>
+    <message>
+        <source>End the wait</source>
+        <translation>Warten beenden</translation>
+    </message>
+    <message>
+        <source>Wait for the trigger</source>
+        <translation>Auf den Trigger warten</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded (Ctrl+R)</source>
+        <translation>Es wird nichts aufgezeichnet (Strg+R)</translation>
+    </message>
+    <message>
+        <source>Records from the trigger&apos;s next event on (Ctrl+R)</source>
+        <translation>Zeichnet vom nächsten Ereignis des Triggers an auf (Strg+R)</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::RecordingControl</name>
@@ -8733,6 +8841,13 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>%1. What was written until then is in %2.</source>
         <translation>%1. Was bis dahin geschrieben wurde, steht in %2.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RecordingTrigger</name>
+    <message>
+        <source>the set-point changes</source>
+        <translation>sich der Sollwert ändert</translation>
     </message>
 </context>
 <context>

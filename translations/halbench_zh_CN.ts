@@ -5238,6 +5238,22 @@
         <source>cut the file into pieces that each begin with its first line</source>
         <translation>把文件切成若干段，每段都以其第一行开头</translation>
     </message>
+    <message>
+        <source>a stream&apos;s recording waits for a signal&apos;s level</source>
+        <translation>数据流的记录等待某个信号的电平</translation>
+    </message>
+    <message>
+        <source>give --trigger SIGNAL&gt;LEVEL or SIGNAL&lt;LEVEL; now and reference belong to --capture</source>
+        <translation>请给出 --trigger SIGNAL&gt;LEVEL 或 SIGNAL&lt;LEVEL；now 和 reference 属于 --capture</translation>
+    </message>
+    <message>
+        <source>the time before the trigger must not be negative</source>
+        <translation>触发前的时间不能为负</translation>
+    </message>
+    <message>
+        <source>Give e.g. --pre-trigger 2, in seconds.</source>
+        <translation>例如 --pre-trigger 2，单位为秒。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -8566,6 +8582,18 @@ A real device has its own time.</source>
         <source>The disk does not keep up: rows are missing.</source>
         <translation>磁盘跟不上：有行缺失。</translation>
     </message>
+    <message>
+        <source>Waiting</source>
+        <translation>等待中</translation>
+    </message>
+    <message>
+        <source>Waiting for the event to record</source>
+        <translation>等待事件以开始记录</translation>
+    </message>
+    <message>
+        <source>Waiting for the trigger&apos;s event; a click ends the wait (Ctrl+R)</source>
+        <translation>等待触发事件；单击结束等待（Ctrl+R）</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::RecordPanel</name>
@@ -8703,6 +8731,86 @@ A real device has its own time.</source>
         <source>Record to another disk or fewer rows per second.</source>
         <translation>请记录到另一块磁盘，或减少每秒行数。</translation>
     </message>
+    <message>
+        <source>Time kept before the start</source>
+        <translation>开始前保留的时间</translation>
+    </message>
+    <message>
+        <source>So much from before the start is kept in memory and goes in front; 0: nothing</source>
+        <translation>开始之前这么长的数据保留在内存中并放在前面；0：不保留</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>手动</translation>
+    </message>
+    <message>
+        <source>at the trigger</source>
+        <translation>触发时</translation>
+    </message>
+    <message>
+        <source>Start of the recording</source>
+        <translation>记录的开始</translation>
+    </message>
+    <message>
+        <source>At the trigger: Ctrl+R waits for the event that the Monitor&apos;s trigger is set to (T in the plots shows it)</source>
+        <translation>触发时：按 Ctrl+R 等待监视器触发所设的事件（在曲线图中按 T 显示）</translation>
+    </message>
+    <message>
+        <source>Time after the trigger</source>
+        <translation>触发后的时间</translation>
+    </message>
+    <message>
+        <source>The recording ends by itself so long after the event; 0: by hand</source>
+        <translation>事件之后经过这么长时间记录自动结束；0：手动结束</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>之前</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>之后</translation>
+    </message>
+    <message>
+        <source>What the recording waits for</source>
+        <translation>记录所等待的事件</translation>
+    </message>
+    <message>
+        <source>No samples of what the trigger waits for come.</source>
+        <translation>触发所等待的信号没有样本到来。</translation>
+    </message>
+    <message>
+        <source>Waiting until %1.</source>
+        <translation>等待：%1。</translation>
+    </message>
+    <message>
+        <source>Begins when %1.</source>
+        <translation>开始条件：%1。</translation>
+    </message>
+    <message>
+        <source>In memory: %1 of %2 s.</source>
+        <translation>内存中：%1 / %2 s。</translation>
+    </message>
+    <message>
+        <source>End the wait</source>
+        <translation>结束等待</translation>
+    </message>
+    <message>
+        <source>Wait for the trigger</source>
+        <translation>等待触发</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded (Ctrl+R)</source>
+        <translation>不作记录（Ctrl+R）</translation>
+    </message>
+    <message>
+        <source>Records from the trigger&apos;s next event on (Ctrl+R)</source>
+        <translation>从下一个触发事件起记录（Ctrl+R）</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::RecordingControl</name>
@@ -8725,6 +8833,13 @@ A real device has its own time.</source>
     <message>
         <source>%1. What was written until then is in %2.</source>
         <translation>%1。此前写入的内容在 %2 中。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RecordingTrigger</name>
+    <message>
+        <source>the set-point changes</source>
+        <translation>设定值改变</translation>
     </message>
 </context>
 <context>

@@ -71,7 +71,8 @@ void addConfigCommand(CLI::App& app, CommandOptions& options) {
 void addMovingCommands(CLI::App& app, CommandOptions& options) {
     CLI::App* record = addCommand(app, "record", "Record signals into a CSV file; never arms");
     addDevice(record, options);
-    record->add_option("--duration", options.duration, "Seconds; not with --capture")->type_name("S");
+    record->add_option("--duration", options.duration, "Seconds, from the trigger on; not with --capture")
+        ->type_name("S");
     record->add_option("--signals", options.signals, "Names, separated by commas")->type_name("A,B");
     record->add_option("--rate", options.rate, "Rows per second, default 100; of a capture 1000")
         ->type_name("HZ");
@@ -80,12 +81,14 @@ void addMovingCommands(CLI::App& app, CommandOptions& options) {
                      "The board itself records 4096 rows of 1 to 4 signals at the rate of its loop")
         ->type_name("A,B");
     record
-        ->add_option("--trigger", options.trigger, "Of a capture: now (default), reference, A>LEVEL, A<LEVEL")
+        ->add_option("--trigger", options.trigger,
+                     "Begin when it comes: A>LEVEL, A<LEVEL; of a capture also now (default), reference")
         ->type_name("T");
-    record->add_option("--pre-trigger", options.preTrigger, "Of a capture: share of rows before the trigger")
-        ->type_name("RATIO");
-    record->add_option("--wait", options.wait, "Of a capture: longest wait for the trigger, default 10")
-        ->type_name("S");
+    record
+        ->add_option("--pre-trigger", options.preTrigger,
+                     "What is kept from before the trigger, in seconds; of a capture: share of its rows")
+        ->type_name("S|RATIO");
+    record->add_option("--wait", options.wait, "Longest wait for the trigger, default 10")->type_name("S");
     record->add_flag("--reconnect", options.isReconnecting,
                      "Wait for a device that is lost and record on, with the gap marked; not with --capture");
     record->add_option("--out", options.out, "Recording")->required()->type_name("FILE.csv");

@@ -34,7 +34,7 @@ struct CommandOptions {
     std::string rate;
     bool isReconnecting = false;           ///< record --reconnect
     std::string capture;                   ///< record --capture A,B
-    std::string trigger, preTrigger, wait; ///< record --capture
+    std::string trigger, preTrigger, wait; ///< record
     std::string reference;
     std::string what; ///< hall, stray, static-friction or all; of config: save, compare or restore
     std::string only; ///< config restore --only A,B

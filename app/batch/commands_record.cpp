@@ -26,17 +26,39 @@ Result<void> readInto(double& value, const char* option, const std::string& text
     return {};
 }
 
-Result<RecordConfig> recordConfigFrom(const CommandOptions& options) {
-    for (const std::string* option : {&options.trigger, &options.preTrigger, &options.wait}) {
-        if (!option->empty()) {
-            return failure(ErrorCode::Usage, "--trigger, --pre-trigger and --wait belong to --capture",
-                           "name the signals with --capture A,B");
+Result<std::optional<RecordTrigger>> recordTriggerFrom(const CommandOptions& options) {
+    if (options.trigger.empty()) {
+        if (!options.preTrigger.empty() || !options.wait.empty()) {
+            return failure(ErrorCode::Usage, "--pre-trigger and --wait belong to --trigger or --capture",
+                           "say what is waited for with --trigger SIGNAL>LEVEL");
         }
+        return std::optional<RecordTrigger>();
+    }
+    if (options.isReconnecting) {
+        return failure(ErrorCode::Usage, "--reconnect does not go with --trigger",
+                       "record without a trigger, or without --reconnect");
+    }
+    const Result<CaptureTrigger> event = parseCaptureTrigger(options.trigger);
+    if (!event) {
+        return failure(event.error());
+    }
+    RecordTrigger trigger;
+    trigger.event = *event;
+    Result<void> read = readInto(trigger.preTrigger_s, "--pre-trigger", options.preTrigger);
+    read = read ? readInto(trigger.patience_s, "--wait", options.wait) : read;
+    return read ? Result<std::optional<RecordTrigger>>(trigger) : failure(read.error());
+}
+
+Result<RecordConfig> recordConfigFrom(const CommandOptions& options) {
+    Result<std::optional<RecordTrigger>> trigger = recordTriggerFrom(options);
+    if (!trigger) {
+        return failure(trigger.error());
     }
     if (options.duration.empty()) {
         return failure(ErrorCode::Usage, "--duration is required", "say how long to record, in seconds");
     }
     RecordConfig config;
+    config.trigger = *std::move(trigger);
     config.signals = splitList(options.signals);
     const Result<double> duration = numberOption("--duration", options.duration);
     if (!duration) {
@@ -78,6 +100,7 @@ struct Recorded {
     std::uint64_t lostRows = 0;
     std::uint64_t gaps = 0;
     double gaps_s = 0.0;
+    std::optional<double> trigger_s = {}; ///< of a stream that was waited for
 };
 
 CommandResult tell(CommandContext& context, const std::string& path, const ResultHeader& header,
@@ -88,6 +111,10 @@ CommandResult tell(CommandContext& context, const std::string& path, const Resul
         .set("gaps", recorded.gaps)
         .set("gaps_s", recorded.gaps_s);
     context.console.log(LogLevel::Info, fmt::format("wrote {} ({} rows)", path, recorded.rows));
+    if (recorded.trigger_s) {
+        document.set("trigger_s", *recorded.trigger_s);
+        context.console.log(LogLevel::Info, fmt::format("the trigger is at {:.4g} s", *recorded.trigger_s));
+    }
     for (const Finding& finding : header.quality.findings) {
         context.console.log(LogLevel::Warning, finding.message + "; " + finding.hint);
     }
@@ -142,6 +169,9 @@ CommandResult recordStream(CommandContext& context, const CommandOptions& option
     }
     const RecordOutlet outlet = output.outlet();
     const Result<RecordResult> result = runRecord(device, *config, observerFor(context), &outlet);
+    if (result && result->trigger_s) {
+        output.addMarker(*result->trigger_s, "trigger");
+    }
     const bool isCut = result && back && back->lost(); // away when the time was over
     const Result<void> done = isCut    ? failure(*back->lost())
                               : result ? output.finish()
@@ -150,7 +180,8 @@ CommandResult recordStream(CommandContext& context, const CommandOptions& option
         return failure(output.stopped(done.error()));
     }
     header.quality = result->quality;
-    return tell(context, options.out, header, {result->rows, result->lostRows, result->gaps, result->gaps_s});
+    return tell(context, options.out, header,
+                {result->rows, result->lostRows, result->gaps, result->gaps_s, result->trigger_s});
 }
 
 } // namespace

@@ -12,6 +12,15 @@ namespace {
 
 constexpr double MaxRows = 2e7; // some gigabytes
 
+std::vector<std::string> recordedSignals(const devices::Catalogue& catalogue, const RecordConfig& config) {
+    std::vector<std::string> names = config.signals.empty() ? catalogue.defaultSignals : config.signals;
+    const std::string source = config.trigger ? config.trigger->event.signal : std::string();
+    if (!source.empty() && std::find(names.begin(), names.end(), source) == names.end()) {
+        names.push_back(source);
+    }
+    return names;
+}
+
 Result<void> checkRecord(const devices::Catalogue& catalogue, const RecordConfig& config) {
     if (!std::isfinite(config.duration_s) || config.duration_s <= 0.0) {
         return failure(ErrorCode::OutOfRange, "the duration must be more than zero seconds",
@@ -20,13 +29,14 @@ Result<void> checkRecord(const devices::Catalogue& catalogue, const RecordConfig
     if (!std::isfinite(config.rate_Hz) || config.rate_Hz <= 0.0) {
         return failure(ErrorCode::OutOfRange, "the rate must be more than zero", "Give e.g. --rate 100.");
     }
-    if (config.duration_s * config.rate_Hz > MaxRows) {
+    const double length_s = config.duration_s + (config.trigger ? config.trigger->preTrigger_s : 0.0);
+    if (length_s * config.rate_Hz > MaxRows) {
         return failure(ErrorCode::OutOfRange,
-                       fmt::format("a duration of {} s at {} Hz is more than {} rows", config.duration_s,
+                       fmt::format("a duration of {} s at {} Hz is more than {} rows", length_s,
                                    config.rate_Hz, MaxRows),
                        "Record in pieces or at a lower rate.");
     }
-    for (const std::string& name : config.signals) {
+    for (const std::string& name : recordedSignals(catalogue, config)) {
         if (catalogue.findSignal(name) == nullptr) {
             return failure(ErrorCode::UnknownName, fmt::format("the device has no signal '{}'", name),
                            "`halbench describe` lists the signals.");
@@ -45,6 +55,9 @@ class RowTaker {
 public:
     RowTaker(const RecordConfig& config, const RecordOutlet* outlet)
         : m_outlet(outlet), m_rate_Hz(config.rate_Hz), m_end_s(config.duration_s - 0.5 / config.rate_Hz) {}
+
+    /// In the recording's time.
+    void setEnd(double end_s) { m_end_s = end_s; }
 
     Result<void> take(const SampleBlock& block) {
         SampleBlock wanted = block;
@@ -71,6 +84,7 @@ public:
                 m_lostRows,
                 m_gaps,
                 static_cast<double>(m_lostRows) / m_rate_Hz,
+                {},
                 {}};
     }
 
@@ -134,6 +148,90 @@ Result<void> collect(devices::Device& device, const ProcedureObserver& observer,
     return recorder.check();
 }
 
+/// Device time passes until the event comes.
+Result<void> awaitEvent(devices::Device& device, const ProcedureObserver& observer,
+                        const StreamRecorder& recorder, const TriggeredRows& rows, double patience_s) {
+    constexpr double Piece_s = 0.05;
+    for (double waited_s = 0.0; !rows.hasEvent(); waited_s += Piece_s) {
+        if (waited_s > patience_s) {
+            return failure(ErrorCode::Refused,
+                           fmt::format("the trigger did not come within {} s", patience_s),
+                           "wait longer with --wait, or choose another --trigger");
+        }
+        if (auto waited = waitObserved(device, observer, Piece_s, 0.0, 0.0, "waits for the trigger");
+            !waited) {
+            return waited;
+        }
+        if (auto checked = recorder.check(); !checked) {
+            return checked;
+        }
+    }
+    return {};
+}
+
+/// Rows at 0, 1/R, ... < end; an end that is a whole number of periods up to rounding counts as such.
+std::size_t rowsBefore(double end_s, double rate_Hz) {
+    return static_cast<std::size_t>(std::ceil(end_s * rate_Hz - 1e-6));
+}
+
+/// What goes between the stream and the file, and how far it has come.
+class Recorded {
+public:
+    Recorded(const RecordConfig& config, const RecordOutlet* outlet)
+        : m_config(config), m_taker(config, outlet) {}
+
+    Result<void> prepare() {
+        if (!m_config.trigger) {
+            return {};
+        }
+        auto rows = TriggeredRows::create(*m_config.trigger, [this](const SampleBlock& block) {
+            m_taker.setEnd(endOfStretch_s() - 0.5e-9);
+            return m_taker.take(block);
+        });
+        if (!rows) {
+            return failure(rows.error());
+        }
+        m_triggered.emplace(*std::move(rows));
+        return {};
+    }
+    Result<void> take(const SampleBlock& block) {
+        return m_triggered ? m_triggered->take(block) : m_taker.take(block);
+    }
+    Result<void> collectAll(devices::Device& device, const ProcedureObserver& observer,
+                            const StreamRecorder& recorder) {
+        Result<void> done =
+            m_triggered ? awaitEvent(device, observer, recorder, *m_triggered, m_config.trigger->patience_s)
+                        : Result<void>();
+        return done ? collect(device, observer, recorder, firstRow() + expectedRows(), m_config.duration_s)
+                    : done;
+    }
+    Result<RecordResult> result() {
+        RecordResult result = m_taker.result();
+        auto quality = judgeRows(result.rows, expectedRows());
+        if (!quality) {
+            return failure(quality.error());
+        }
+        result.quality = *std::move(quality);
+        result.trigger_s = m_triggered ? std::optional(m_triggered->trigger_s()) : std::nullopt;
+        return result;
+    }
+
+private:
+    double endOfStretch_s() const {
+        return m_config.duration_s + (m_triggered ? m_triggered->trigger_s() : 0.0);
+    }
+    /// Of the stream's.
+    std::size_t firstRow() const {
+        return m_triggered ? static_cast<std::size_t>(std::lround(m_triggered->first_s() * m_config.rate_Hz))
+                           : 0;
+    }
+    std::size_t expectedRows() const { return rowsBefore(endOfStretch_s(), m_config.rate_Hz); }
+
+    const RecordConfig& m_config;
+    RowTaker m_taker;
+    std::optional<TriggeredRows> m_triggered;
+};
+
 } // namespace
 
 Result<RecordResult> runRecord(devices::Device& device, const RecordConfig& config,
@@ -141,30 +239,28 @@ Result<RecordResult> runRecord(devices::Device& device, const RecordConfig& conf
     if (auto entered = enterState(observer, ProcedureState::Prepare); !entered) {
         return failure(entered.error());
     }
-    if (auto checked = checkRecord(device.catalogue(), config); !checked) {
-        return failure(checked.error());
+    Recorded recorded(config, outlet);
+    Result<void> done = checkRecord(device.catalogue(), config);
+    done = done ? recorded.prepare() : done;
+    if (!done) {
+        return failure(done.error());
     }
-    const auto& signals = config.signals.empty() ? device.catalogue().defaultSignals : config.signals;
-    // rows at 0, 1/R, ... < S; a duration that is a whole number of periods up to rounding counts as such
-    const auto rows = static_cast<std::size_t>(std::ceil(config.duration_s * config.rate_Hz - 1e-6));
-    RowTaker taker(config, outlet);
-    StreamRecorder recorder(device, observer, [&](const SampleBlock& block) { return taker.take(block); });
-    Result<void> done = recorder.start(signals, config.rate_Hz);
+    const std::vector<std::string> signals = recordedSignals(device.catalogue(), config);
+    StreamRecorder recorder(device, observer, [&](const SampleBlock& block) { return recorded.take(block); });
+    done = recorder.start(signals, config.rate_Hz);
     if (done && outlet != nullptr) {
         done = outlet->begin(layoutOf(device.catalogue(), signals, config.rate_Hz));
     }
     done = done ? enterState(observer, ProcedureState::Record) : done;
-    done = done ? collect(device, observer, recorder, rows, config.duration_s) : done;
+    done = done ? recorded.collectAll(device, observer, recorder) : done;
     if (!done) {
         return failure(done.error());
     }
     recorder.finish();
-    RecordResult result = taker.result();
-    auto quality = judgeRows(result.rows, rows);
-    if (!quality) {
-        return failure(quality.error());
+    Result<RecordResult> result = recorded.result();
+    if (!result) {
+        return result;
     }
-    result.quality = *std::move(quality);
     if (auto entered = enterState(observer, ProcedureState::Done); !entered) {
         return failure(entered.error());
     }

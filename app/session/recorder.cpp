@@ -38,7 +38,11 @@ void Recorder::push(SampleBlockPtr block) {
             return;
         }
         m_queued_rows += block->rows();
+        const bool isLast = m_config.end_s && block->rows() > 0 && block->time_s.back() >= *m_config.end_s;
         m_queue.push_back(std::move(block));
+        if (isLast) {
+            m_status.state = RecorderStatus::State::Finishing;
+        }
     }
     m_wake.notify_one();
 }
@@ -160,7 +164,8 @@ std::vector<SampleBlock> Recorder::keptRows(const SampleBlock& block) {
     std::vector<SampleBlock> parts;
     for (std::size_t row = 0; row < block.rows(); ++row) {
         const double time_s = block.time_s[row];
-        if (m_sourceRow++ % m_stride != 0 || (m_first_s && time_s <= m_last_s)) {
+        const bool isBeyond = m_config.end_s && time_s >= *m_config.end_s;
+        if (m_sourceRow++ % m_stride != 0 || (m_first_s && time_s <= m_last_s) || isBeyond) {
             continue;
         }
         const std::uint64_t missing = m_first_s ? missingBefore(time_s) : 0;

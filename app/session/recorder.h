@@ -24,6 +24,8 @@ struct RecorderConfig {
     std::size_t queue_rows = 120000;                   ///< what may wait for the disk: two minutes at 1 kHz
     double flushInterval_s = devices::FlushInterval_s; ///< what a power loss may take
     devices::DiskAccess disk = devices::realDisk();
+    std::optional<double> end_s; ///< no row from then on, and the recording finishes by itself; on the
+                                 ///< clock of the blocks
 };
 
 struct RecorderStatus {

@@ -55,15 +55,19 @@ void RecordButton::toggle(bool isWanted) {
 void RecordButton::refresh() {
     const RecordingControl& recording = m_bench.recording();
     const bool isRecording = recording.isRecording();
-    setChecked(isRecording);
+    const bool isWaiting = recording.isWaiting();
+    setChecked(isRecording || isWaiting);
     setEnabled(isRecording || m_bench.session().state() == SessionState::Connected);
     const QString time = isRecording ? widgets::durationText(recording.status().elapsed_s) : QString();
-    const QString words = isRecording ? time : idleWords(m_isShort);
-    const QString name = isRecording ? tr("Recording %1").arg(time) : tr("Record data");
+    const QString words = isRecording ? time : isWaiting ? tr("Waiting") : idleWords(m_isShort);
+    const QString name = isRecording ? tr("Recording %1").arg(time)
+                         : isWaiting ? tr("Waiting for the event to record")
+                                     : tr("Record data");
     if (words != text() || name != accessibleName()) {
         setText(words);
         setAccessibleName(name);
         setToolTip(isRecording ? tr("Recording to a file; a click ends it (Ctrl+R)")
+                   : isWaiting ? tr("Waiting for the trigger's event; a click ends the wait (Ctrl+R)")
                                : tr("Record data: write what is measured to a file (Ctrl+R)"));
         setShortcut(QKeySequence(QStringLiteral("Ctrl+R"))); // a new text forgets it
     }
@@ -85,7 +89,8 @@ QString RecordButton::idleWords(bool isShort) {
 }
 
 int RecordButton::room_px(bool isShort) const {
-    return std::max(fontMetrics().horizontalAdvance(idleWords(isShort)), time_px());
+    return std::max({fontMetrics().horizontalAdvance(idleWords(isShort)),
+                     fontMetrics().horizontalAdvance(tr("Waiting")), time_px()});
 }
 
 int RecordButton::saved_px() const {

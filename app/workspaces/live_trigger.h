@@ -42,6 +42,8 @@ public:
     TriggerState state() const;
     /// The newest event whose window is whole, since the start.
     const std::optional<control::TriggerEvent>& shown() const { return m_shown; }
+    /// The newest event, be its window over or not.
+    const std::optional<control::TriggerEvent>& found() const { return m_running ? m_running : m_shown; }
 
 private:
     using Samples = std::vector<control::TimedValue>;

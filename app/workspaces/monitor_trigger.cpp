@@ -1,5 +1,6 @@
 #include "app/workspaces/monitor_trigger.h"
 
+#include "app/workspaces/recording_trigger.h"
 #include "app/workspaces/trigger_bar.h"
 #include "control/base/assert.h"
 #include "widgets/icons.h"
@@ -111,6 +112,7 @@ void MonitorTrigger::restart() {
     const SetPointSignals setPoint{catalogue.signalForRole("reference"),
                                    catalogue.signalForRole("current_command")};
     const TriggerChoice& chosen = m_bar->choice();
+    m_bench.recordingTrigger().setChoice(chosen, m_bar->eventWords());
     std::vector<std::string> wanted;
     if (m_isOn && chosen.source.empty()) {
         wanted = {setPoint.reference, setPoint.command};

@@ -2,9 +2,11 @@
 
 #include "app/workspaces/panel_parts.h"
 #include "app/workspaces/recording_control.h"
+#include "app/workspaces/recording_trigger.h"
 #include "widgets/icons.h"
 #include "widgets/message_bar.h"
 #include "widgets/progress_row.h"
+#include "widgets/quantity_edit.h"
 
 #include <QComboBox>
 #include <QDir>
@@ -24,6 +26,9 @@ namespace {
 /// All divide the board's 1 kHz.
 constexpr int Rates_Hz[] = {10, 20, 50, 100, 200, 500, 1000};
 constexpr int DefaultRate = 3;
+constexpr double LongestBefore_s = 300.0;
+constexpr double LongestAfter_s = 86400.0;
+constexpr int MomentLines = 2;
 
 /// "312", or "312 (2 gaps, 3.1 s)"
 QString missingText(const RecorderStatus& status) {
@@ -51,6 +56,7 @@ RecordPanel::RecordPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m
     m_message = new widgets::MessageBar(this);
     column->addWidget(m_message);
     buildTarget();
+    buildMoment();
     buildState();
     column->addStretch(1);
     RecordingControl& recording = m_bench.recording();
@@ -66,6 +72,8 @@ RecordPanel::RecordPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m
                                 {}});
     });
     connect(&m_bench, &Workbench::deviceChanged, this, &RecordPanel::refresh);
+    connect(&m_bench.session(), &DeviceSession::reportChanged, this, &RecordPanel::showMoment);
+    connect(&m_bench.recordingTrigger(), &RecordingTrigger::changed, this, &RecordPanel::showMoment);
     refresh();
 }
 
@@ -98,6 +106,71 @@ void RecordPanel::buildTarget() {
             [&recording](const QString& name) { recording.setName(name.trimmed()); });
     connect(m_rate, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
             [this, &recording] { recording.setRate_Hz(m_rate->currentData().toDouble()); });
+}
+
+/// When the recording begins and ends.
+void RecordPanel::buildMoment() {
+    auto* rows = new QFormLayout;
+    m_before =
+        makeNumberField({tr("Time kept before the start"),
+                         tr("So much from before the start is kept in memory and goes in front; 0: nothing"),
+                         QStringLiteral("s"), 1, 0.0, LongestBefore_s, 1.0},
+                        this);
+    m_start = new QComboBox(this);
+    m_start->addItems({tr("by hand"), tr("at the trigger")});
+    m_start->setAccessibleName(tr("Start of the recording"));
+    m_start->setToolTip(
+        tr("At the trigger: Ctrl+R waits for the event that the Monitor's trigger is set to (T in the "
+           "plots shows it)"));
+    m_after = makeNumberField({tr("Time after the trigger"),
+                               tr("The recording ends by itself so long after the event; 0: by hand"),
+                               QStringLiteral("s"), 1, 0.0, LongestAfter_s, 1.0},
+                              this);
+    rows->addRow(tr("Before"), m_before);
+    rows->addRow(tr("Start"), m_start);
+    rows->addRow(tr("After"), m_after);
+    static_cast<QVBoxLayout*>(layout())->addLayout(rows);
+    m_moment = makeNote(this);
+    m_moment->setAccessibleName(tr("What the recording waits for"));
+    reserveLines(*m_moment, MomentLines);
+    layout()->addWidget(m_moment);
+    RecordingControl& recording = m_bench.recording();
+    m_before->setQuantity(recording.preTrigger_s());
+    m_after->setQuantity(0.0);
+    connect(m_before, &widgets::QuantityEdit::edited, this,
+            [&recording](double length_s) { recording.setPreTrigger_s(length_s); });
+    connect(m_after, &widgets::QuantityEdit::edited, this,
+            [&recording](double length_s) { recording.setPostTrigger_s(length_s); });
+    connect(m_start, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, &recording](int kind) {
+        recording.setAtEvent(kind > 0);
+        refresh();
+    });
+}
+
+/// What is waited for, and how much of the time before is there.
+void RecordPanel::showMoment() {
+    const RecordingControl& recording = m_bench.recording();
+    const RecordingTrigger& trigger = m_bench.recordingTrigger();
+    QString words;
+    bool isMissing = false;
+    if (recording.isWaiting()) {
+        isMissing = !trigger.hasSamples();
+        words = isMissing ? tr("No samples of what the trigger waits for come.")
+                          : tr("Waiting until %1.").arg(trigger.words());
+    } else if (recording.isAtEvent() && !recording.isRecording()) {
+        words = tr("Begins when %1.").arg(trigger.words());
+    }
+    const bool isHolding = !recording.isRecording() && m_bench.session().state() == SessionState::Connected;
+    if (isHolding && recording.preTrigger_s() > 0.0) {
+        const QString held = tr("In memory: %1 of %2 s.")
+                                 .arg(QLocale().toString(recording.held_s(), 'f', 1),
+                                      QLocale().toString(recording.preTrigger_s(), 'f', 1));
+        words += (words.isEmpty() ? QString() : QStringLiteral(" ")) + held;
+    }
+    if (words != m_moment->text()) {
+        m_moment->setText(words);
+    }
+    showRole(*m_moment, isMissing ? widgets::Role::Warn : widgets::Role::Muted);
 }
 
 void RecordPanel::buildState() {
@@ -138,7 +211,7 @@ void RecordPanel::buildState() {
 
 void RecordPanel::toggle() {
     RecordingControl& recording = m_bench.recording();
-    if (recording.isRecording()) {
+    if (recording.isRecording() || recording.isWaiting()) {
         recording.stop();
         return;
     }
@@ -158,14 +231,21 @@ void RecordPanel::refresh() {
     const bool isRecording = recording.isRecording();
     const bool isConnected = m_bench.session().state() == SessionState::Connected;
     const RecorderStatus status = recording.status();
+    const bool isWaiting = recording.isWaiting();
     m_record->setEnabled(isRecording || isConnected);
-    m_record->setText(isRecording ? tr("End the recording") : tr("Start recording"));
-    m_record->setToolTip(isRecording ? tr("Completes the file (Ctrl+R)")
-                                     : tr("Writes what is measured to a file (Ctrl+R)"));
-    for (QWidget* target :
-         {static_cast<QWidget*>(m_folder), static_cast<QWidget*>(m_name), static_cast<QWidget*>(m_rate)}) {
-        target->setEnabled(!isRecording);
+    m_record->setText(isRecording             ? tr("End the recording")
+                      : isWaiting             ? tr("End the wait")
+                      : recording.isAtEvent() ? tr("Wait for the trigger")
+                                              : tr("Start recording"));
+    m_record->setToolTip(isRecording             ? tr("Completes the file (Ctrl+R)")
+                         : isWaiting             ? tr("Nothing is recorded (Ctrl+R)")
+                         : recording.isAtEvent() ? tr("Records from the trigger's next event on (Ctrl+R)")
+                                                 : tr("Writes what is measured to a file (Ctrl+R)"));
+    for (QWidget* target : std::initializer_list<QWidget*>{m_folder, m_name, m_rate, m_before, m_start}) {
+        target->setEnabled(!isRecording && !isWaiting);
     }
+    m_after->setEnabled(!isRecording && !isWaiting && recording.isAtEvent());
+    showMoment();
     m_mark->setEnabled(isRecording);
     m_note->setEnabled(isRecording);
     if (isRecording) {

@@ -11,7 +11,8 @@ class QPushButton;
 
 namespace halbench::widgets {
 class MessageBar;
-}
+class QuantityEdit;
+} // namespace halbench::widgets
 
 namespace halbench::app {
 
@@ -24,10 +25,12 @@ public:
 
 private:
     void buildTarget();
+    void buildMoment();
     void buildState();
     void toggle();
     void addMarker();
     void refresh();
+    void showMoment();
     void onFinished(const QString& path, const RecorderStatus& status);
 
     Workbench& m_bench;
@@ -35,6 +38,10 @@ private:
     QLineEdit* m_folder = nullptr;
     QLineEdit* m_name = nullptr;
     QComboBox* m_rate = nullptr;
+    widgets::QuantityEdit* m_before = nullptr;
+    QComboBox* m_start = nullptr;
+    widgets::QuantityEdit* m_after = nullptr;
+    QLabel* m_moment = nullptr;
     QPushButton* m_record = nullptr;
     QPushButton* m_mark = nullptr;
     QLineEdit* m_note = nullptr;

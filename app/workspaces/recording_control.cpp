@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace halbench::app {
 
@@ -57,13 +58,39 @@ void RecordingControl::setFolder(const QString& folder) {
     }
 }
 
-void RecordingControl::start() {
-    if (isRecording()) {
-        return;
+/// Keeps rows while a start from before now is possible, and the signals of a recording among them, so that
+/// the stream does not change when it starts.
+void RecordingControl::hold() {
+    const bool isHolding = m_preTrigger_s > 0.0 || m_isWaiting;
+    m_feed->keep(isHolding ? std::optional(m_preTrigger_s) : std::nullopt);
+    m_session.setBlockSink(isHolding ? devices::BlockSink([feed = m_feed](SampleBlockPtr block) {
+        feed->push(std::move(block));
+    })
+                                     : devices::BlockSink());
+    m_liveSignals.want(this, isHolding ? m_session.catalogue().defaultSignals : std::vector<std::string>());
+}
+
+void RecordingControl::setPreTrigger_s(double length_s) {
+    if (length_s != m_preTrigger_s) {
+        m_preTrigger_s = length_s;
+        if (!isRecording()) {
+            hold();
+        }
+        Q_EMIT changed();
     }
+}
+
+double RecordingControl::held_s() const {
+    const auto oldest_s = m_feed->oldest_s();
+    const auto newest_s = m_feed->newest_s();
+    return oldest_s && newest_s ? std::min(*newest_s - *oldest_s, m_preTrigger_s) : 0.0;
+}
+
+/// There is a device, and a file of its own for what comes.
+bool RecordingControl::isReady() {
     if (m_session.state() != SessionState::Connected) {
         Q_EMIT failed(tr("There is nothing to record."), tr("Connect a device first."));
-        return;
+        return false;
     }
     const devices::DeviceInfo& info = m_session.info();
     const std::string& known = !info.id.empty() ? info.id : !info.model.empty() ? info.model : info.transport;
@@ -73,8 +100,43 @@ void RecordingControl::start() {
     if (QFileInfo::exists(m_path)) {
         Q_EMIT failed(tr("%1 exists already.").arg(m_path),
                       tr("Choose another name; recordings are not overwritten."));
+        return false;
+    }
+    return true;
+}
+
+void RecordingControl::start() {
+    if (isRecording() || m_isWaiting || !isReady()) {
         return;
     }
+    m_event_s.reset();
+    m_start_s.reset();
+    if (m_isAtEvent) {
+        m_isWaiting = true;
+        if (m_preTrigger_s <= 0.0) {
+            hold(); // what comes between the event and the moment in which it is seen
+        }
+        Q_EMIT changed();
+        return;
+    }
+    m_start_s = m_feed->newest_s();
+    prepare();
+}
+
+void RecordingControl::startAtEvent(double time_s) {
+    if (!std::exchange(m_isWaiting, false)) {
+        return;
+    }
+    if (!isReady()) {
+        hold();
+        Q_EMIT changed();
+        return;
+    }
+    m_event_s = time_s;
+    prepare();
+}
+
+void RecordingControl::prepare() {
     m_liveSignals.want(this, m_session.catalogue().defaultSignals);
     RecorderConfig config;
     config.path = m_path.toStdString();
@@ -82,6 +144,9 @@ void RecordingControl::start() {
     config.queue_rows = m_queue_rows;
     config.layout = layoutFor(m_session.catalogue(), m_liveSignals.streamed(),
                               periodFor(m_rate_Hz, m_liveSignals.rate_Hz()));
+    if (m_event_s && m_postTrigger_s > 0.0) {
+        config.end_s = *m_event_s + m_postTrigger_s;
+    }
     m_isStarting = true;
     const std::string started = m_wallClock().toString(Qt::ISODate).toStdString();
     m_session.request(
@@ -112,18 +177,27 @@ void RecordingControl::begin(RecorderConfig config) {
     for (const auto& note : config.meta.parameters) {
         m_values[note.name] = note.value;
     }
+    config.queue_rows += m_feed->rows(); // these come at once
     m_recorder = std::make_shared<Recorder>(std::move(config));
-    m_session.setBlockSink(
-        [recorder = m_recorder](SampleBlockPtr block) { recorder->push(std::move(block)); });
+    if (m_event_s) {
+        m_recorder->addMarker(*m_event_s, "trigger");
+    } else if (m_start_s) {
+        m_recorder->addMarker(*m_start_s, "record");
+    }
+    m_feed->give(m_recorder, m_event_s.value_or(m_start_s.value_or(0.0)) - m_preTrigger_s);
+    m_session.setBlockSink([feed = m_feed](SampleBlockPtr block) { feed->push(std::move(block)); });
     m_look.start();
     Q_EMIT changed();
 }
 
 void RecordingControl::stop() {
     m_isStarting = false;
-    m_session.setBlockSink({});
+    m_isWaiting = false;
     if (m_recorder) {
         m_recorder->finish();
+        m_session.setBlockSink({});
+    } else {
+        hold();
     }
     Q_EMIT changed();
 }
@@ -136,6 +210,12 @@ RecorderStatus RecordingControl::status() const {
 /// ends the recording; what came until then is kept.
 void RecordingControl::onSession() {
     const bool isAway = m_session.state() == SessionState::Reconnecting;
+    const bool isBack = m_session.state() == SessionState::Connected && m_session.returns() > 0;
+    if (!isRecording() && !isAway && !isBack) {
+        m_isWaiting = false;
+        hold(); // of another device, or of none
+        Q_EMIT changed();
+    }
     if (!m_recorder || (m_session.state() != SessionState::Connected && !isAway)) {
         m_isInterrupted = false;
         if (isRecording()) {
@@ -171,9 +251,9 @@ void RecordingControl::look() {
 
 void RecordingControl::leave() {
     m_look.stop();
-    m_session.setBlockSink({});
     m_recorder.reset();
-    m_liveSignals.want(this, {});
+    m_feed->leave();
+    hold();
 }
 
 void RecordingControl::addMarker(double time_s, const QString& text) {

@@ -2,6 +2,7 @@
 
 #include "app/session/device_session.h"
 #include "app/session/recorder.h"
+#include "app/session/recording_feed.h"
 #include "app/workspaces/live_signals.h"
 #include "app/workspaces/wall_clock.h"
 
@@ -40,9 +41,22 @@ public:
     /// What may wait for the disk.
     void setQueueRows(std::size_t rows) { m_queue_rows = rows; }
 
+    /// So much from before the start is kept in memory and goes in front; 0: nothing.
+    void setPreTrigger_s(double length_s);
+    double preTrigger_s() const { return m_preTrigger_s; }
+    /// How much of that there is by now.
+    double held_s() const;
+    /// Whether start() waits for an event; the recording ends by itself so long after that, 0: it does not.
+    void setAtEvent(bool isAtEvent) { m_isAtEvent = isAtEvent; }
+    bool isAtEvent() const { return m_isAtEvent; }
+    void setPostTrigger_s(double length_s) { m_postTrigger_s = length_s; }
+
     void start();
+    /// The event that was waited for, in the device's time.
+    void startAtEvent(double time_s);
     void stop();
     bool isRecording() const { return m_recorder != nullptr || m_isStarting; }
+    bool isWaiting() const { return m_isWaiting; }
     RecorderStatus status() const;
     /// Of the running recording or, after it, of the last one.
     const QString& path() const { return m_path; }
@@ -61,6 +75,9 @@ Q_SIGNALS:
 
 private:
     void onSession();
+    bool isReady();
+    void prepare();
+    void hold();
     void begin(RecorderConfig config);
     void look();
     void leave();
@@ -74,6 +91,13 @@ private:
     QString m_name;
     QString m_path;
     double m_rate_Hz = 100.0;
+    std::shared_ptr<RecordingFeed> m_feed = std::make_shared<RecordingFeed>();
+    double m_preTrigger_s = 0.0;
+    double m_postTrigger_s = 0.0;
+    bool m_isAtEvent = false;
+    bool m_isWaiting = false;
+    std::optional<double> m_event_s; ///< at which the recording starts; none: by hand
+    std::optional<double> m_start_s; ///< the newest row when it was started by hand, if rows were kept
     bool m_isStarting = false;
     bool m_hasDropped = false; ///< and it was said
     std::shared_ptr<Recorder> m_recorder;

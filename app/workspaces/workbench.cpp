@@ -4,6 +4,7 @@
 #include "app/batch/result_documents.h"
 #include "app/workspaces/drive_control.h"
 #include "app/workspaces/idle_reference.h"
+#include "app/workspaces/recording_trigger.h"
 #include "devices/acquisition/page_file.h"
 
 #include <algorithm>
@@ -86,7 +87,8 @@ QString deviceKey(const devices::DeviceInfo& info) {
 }
 
 Workbench::Workbench(QObject* parent)
-    : QObject(parent), m_history(HistoryBudget_bytes), m_drive(std::make_unique<DriveControl>(*this)) {
+    : QObject(parent), m_history(HistoryBudget_bytes), m_drive(std::make_unique<DriveControl>(*this)),
+      m_recordingTrigger(std::make_unique<RecordingTrigger>(*this)) {
     connect(&m_session, &DeviceSession::stateChanged, this, &Workbench::onSessionState);
     connect(&m_session, &DeviceSession::procedureChanged, this, [this] {
         if (m_session.procedure().isEmpty()) {
@@ -140,6 +142,9 @@ void Workbench::drainSamples() {
                                                 m_drive->mode() == devices::BoardMode::Position);
     for (const SampleBlockPtr& block : blocks) {
         m_history.append(m_derived.with(withoutIdleReference(*block, m_session.catalogue(), isAngle)));
+        if (const auto held = m_history.range(); held && block->rows() > 0) {
+            m_recordingTrigger->setHistoryShift_s(held->end_s - block->time_s.back());
+        }
     }
     if (!blocks.empty()) {
         m_freshness.samplesCame();

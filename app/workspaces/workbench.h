@@ -30,6 +30,7 @@ class PageFile;
 namespace halbench::app {
 
 class DriveControl;
+class RecordingTrigger;
 
 /// Where a result came into the window from.
 enum class ResultOrigin { Measured, File, Project };
@@ -87,6 +88,8 @@ public:
     void setCurrentDriven() { m_isCurrentDriven = true; }
     /// The recording of the panel and of the window's action.
     RecordingControl& recording() { return m_recording; }
+    /// What it waits for when it starts at an event.
+    RecordingTrigger& recordingTrigger() { return *m_recordingTrigger; }
     void setWallClock(const WallClock& clock);
     QDateTime now() const { return m_wallClock(); } ///< on the wall
     /// Header of a result that begins now, on the device if one is connected. Virtual time begins in 1970, so
@@ -195,6 +198,7 @@ private:
     Pace m_pace;
     bool m_isCurrentDriven = false;
     std::unique_ptr<DriveControl> m_drive;
+    std::unique_ptr<RecordingTrigger> m_recordingTrigger;
 };
 
 } // namespace halbench::app

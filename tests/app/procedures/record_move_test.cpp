@@ -69,6 +69,124 @@ TEST(Record, endsSoonWithTheErrorOfItsOutlet) {
     EXPECT_LT(device->clock().now_s(), 2.0);
 }
 
+/// A motor that spins up by 3 A for ever, so that its speed passes a level once.
+std::unique_ptr<devices::Device> spinningUp() {
+    auto device = openMotor("");
+    setParameter(*device, "hb.mode", static_cast<double>(devices::BoardMode::Current));
+    EXPECT_TRUE(device->arm());
+    setParameter(*device, "hb.setpoint", 3.0);
+    return device;
+}
+
+RecordConfig uponSpeed(double preTrigger_s, double duration_s) {
+    RecordConfig config;
+    config.signals = {"position", "current.a"};
+    config.rate_Hz = 500.0;
+    config.duration_s = duration_s;
+    config.trigger = RecordTrigger{*parseCaptureTrigger("speed>10"), preTrigger_s, 10.0};
+    return config;
+}
+
+TEST(Record, aTriggeredOneIsAPieceOfThePlainOneOfTheSameSeed) {
+    RecordConfig plainConfig = uponSpeed(0.0, 4.0);
+    plainConfig.trigger.reset();
+    plainConfig.signals.push_back("speed");
+    const auto plain = runRecord(*spinningUp(), plainConfig, {});
+    ASSERT_TRUE(plain) << plain.error().message;
+    const std::vector<double> speed = plain->recording.column("speed");
+    std::size_t event = 1;
+    while (event < speed.size() && !(speed[event - 1] < 10.0 && speed[event] >= 10.0)) {
+        ++event;
+    }
+    ASSERT_LT(event, speed.size());
+    ASSERT_GT(event, 60U);
+    for (const double before_s : {0.0, 0.1, 60.0}) { // the last is more than there was
+        const auto piece = runRecord(*spinningUp(), uponSpeed(before_s, 0.5), {});
+        ASSERT_TRUE(piece) << piece.error().message;
+        ASSERT_TRUE(piece->trigger_s);
+        // The level is passed between the rows event - 1 and event.
+        const std::size_t first = before_s > 1.0 ? 0 : event - static_cast<std::size_t>(before_s * 500.0);
+        const std::size_t last = event + 250;
+        ASSERT_EQ(piece->rows, last - first) << before_s;
+        const auto columns = static_cast<std::ptrdiff_t>(plain->recording.layout->columns.size());
+        const auto begin = plain->recording.values.begin();
+        EXPECT_EQ(piece->recording.values,
+                  std::vector<double>(begin + static_cast<std::ptrdiff_t>(first) * columns,
+                                      begin + static_cast<std::ptrdiff_t>(last) * columns))
+            << before_s;
+        EXPECT_EQ(piece->recording.time_s.front(), 0.0);
+        for (std::size_t row = 0; row < piece->rows; ++row) {
+            EXPECT_DOUBLE_EQ(piece->recording.time_s[row], 0.002 * static_cast<double>(row));
+        }
+        const double share = (10.0 - speed[event - 1]) / (speed[event] - speed[event - 1]);
+        EXPECT_NEAR(*piece->trigger_s, 0.002 * (static_cast<double>(event - first) - 1.0 + share), 1e-9);
+        EXPECT_EQ(piece->quality.verdict, Verdict::Good);
+        EXPECT_EQ(piece->lostRows, 0U);
+    }
+}
+
+TEST(Record, aTriggerThatDoesNotComeIsRefusedAfterItsPatience) {
+    const auto device = openMotor("");
+    RecordConfig config = uponSpeed(1.0, 0.5);
+    config.trigger->patience_s = 2.0;
+    const auto result = runRecord(*device, config, {});
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::Refused);
+    EXPECT_NEAR(device->clock().now_s(), 2.0, 0.2);
+}
+
+TEST(Record, refusesWhatIsNoTriggerOfAStream) {
+    const auto device = openMotor("");
+    RecordConfig config = uponSpeed(1.0, 0.5);
+    config.trigger->event.kind = CaptureTrigger::Kind::Reference;
+    EXPECT_EQ(runRecord(*device, config, {}).error().code, ErrorCode::Usage);
+    for (const double bad : {-1.0, std::nan(""), 1e9}) {
+        EXPECT_EQ(runRecord(*device, uponSpeed(bad, 0.5), {}).error().code, ErrorCode::OutOfRange);
+    }
+    config = uponSpeed(1.0, 0.5);
+    config.trigger->patience_s = 0.0;
+    EXPECT_EQ(runRecord(*device, config, {}).error().code, ErrorCode::OutOfRange);
+    EXPECT_FALSE(device->state().isArmed);
+}
+
+TEST(TriggeredRows, aGapInWhatWasHeldStaysAGap) {
+    std::vector<SampleBlock> given;
+    auto rows =
+        TriggeredRows::create({*parseCaptureTrigger("a>50"), 1.0, 10.0}, [&](const SampleBlock& block) {
+            given.push_back(block);
+            return Result<void>();
+        });
+    ASSERT_TRUE(rows);
+    auto layout = std::make_shared<StreamLayout>();
+    layout->columns = {{"a", "A"}};
+    layout->period_s = 0.01;
+    const auto send = [&](int from, int to, std::uint64_t lostRows) {
+        SampleBlock block;
+        block.layout = layout;
+        block.lostRows = lostRows;
+        for (int row = from; row < to; ++row) {
+            block.time_s.push_back(0.01 * row);
+            block.values.push_back(row - 200.0);
+        }
+        ASSERT_TRUE(rows->take(block));
+    };
+    send(0, 180, 0);
+    send(200, 240, 20);
+    EXPECT_TRUE(given.empty());
+    send(240, 260, 0); // -10 ... 59: passes 50 at row 250
+    send(260, 300, 0);
+    ASSERT_TRUE(rows->hasEvent());
+    EXPECT_DOUBLE_EQ(rows->event_s(), 2.5);
+    ASSERT_EQ(given.size(), 4U);
+    EXPECT_EQ(given[0].values.front(), -50.0); // row 150: one second before
+    EXPECT_EQ(given[0].rows(), 30U);
+    EXPECT_EQ(given[0].lostRows, 0U);
+    EXPECT_EQ(given[1].lostRows, 20U);
+    EXPECT_EQ(given[1].time_s.front(), 0.5);
+    EXPECT_EQ(given[3].time_s.back(), 1.49);
+    EXPECT_EQ(rows->trigger_s(), 1.0);
+}
+
 TEST(Record, refusesWhatTheDeviceCannotDo) {
     const auto device = openMotor("");
     RecordConfig config;

@@ -1,11 +1,14 @@
 #include "app/procedures/move_procedure.h"
 #include "app/workspaces/record_panel.h"
 #include "app/workspaces/recording_control.h"
+#include "app/workspaces/recording_trigger.h"
 #include "app/workspaces/wall_clock.h"
 #include "devices/acquisition/recording_file.h"
 #include "tests/app/workspaces/bench_fixture.h"
 #include "widgets/message_bar.h"
+#include "widgets/quantity_edit.h"
 
+#include <QComboBox>
 #include <QDir>
 #include <QFileInfo>
 #include <QLabel>
@@ -32,6 +35,16 @@ protected:
     void TearDown() override { panel.reset(); }
 
     widgets::Message message() { return panel->findChild<widgets::MessageBar*>()->message(); }
+    void set(const QString& field, const QString& number) {
+        auto* box = find<widgets::QuantityEdit>(*panel, field);
+        type(box, number);
+        QTest::keyClick(box, Qt::Key_Return);
+    }
+    devices::RecordedFile recorded(const QString& name) {
+        auto file = devices::readRecordingFile(folder.filePath(name + ".csv").toStdString());
+        EXPECT_TRUE(file) << (file ? "" : file.error().message);
+        return file ? *std::move(file) : devices::RecordedFile();
+    }
     QString figure(const QString& name) { return find<QLabel>(*panel, name)->text(); }
 
     QTemporaryDir folder;
@@ -172,6 +185,71 @@ TEST_F(RecordPanelTest, aDiskThatDoesNotKeepUpIsAnErrorWhileItHappensAndAtTheEnd
     const auto file = devices::readRecordingFile(folder.filePath("slow.csv").toStdString());
     ASSERT_TRUE(file) << file.error().message;
     EXPECT_GT(file->meta.droppedRows, 0U);
+}
+
+TEST_F(RecordPanelTest, theTimeBeforeTheStartIsInTheRecordingAndItsEndIsMarked) {
+    connectTo("sim:htm", 5.0);
+    set("Time kept before the start", "2");
+    ASSERT_TRUE(wait([&] { return bench().recording().held_s() >= 2.0; }));
+    EXPECT_TRUE(wait([&] { return figure("What the recording waits for").contains("2.0 of 2.0 s"); }));
+    type(find<QLineEdit>(*panel, "Name of the recording"), "before");
+    click(*panel, "Start recording");
+    ASSERT_TRUE(wait([&] { return figure("Rows written").toInt() > 250; }));
+    click(*panel, "End the recording");
+    ASSERT_TRUE(wait([&] { return message().severity == widgets::Severity::Success; }));
+    const auto file = recorded("before");
+    EXPECT_TRUE(file.meta.gaps.empty()) << "the stream did not change when the recording started";
+    ASSERT_EQ(file.meta.markers.size(), 1U);
+    EXPECT_EQ(file.meta.markers[0].text, "record");
+    // One row of the stream, at 1 kHz, may be cut off where the two seconds begin.
+    EXPECT_NEAR(file.meta.markers[0].time_s, 2.0, 1e-3 + 1e-9);
+}
+
+TEST_F(RecordPanelTest, aRecordingAtTheTriggerWaitsForItAndEndsByItself) {
+    connectTo("sim:htm?hall_noise_mT=2", 5.0);
+    TriggerChoice choice;
+    choice.source = "hall.a";
+    choice.level = 1.0; // T: more than there ever is
+    bench().recordingTrigger().setChoice(choice, "Hall A rises through 1000 mT");
+    set("Time kept before the start", "1");
+    find<QComboBox>(*panel, "Start of the recording")->setCurrentIndex(1);
+    set("Time after the trigger", "0.5");
+    EXPECT_TRUE(figure("What the recording waits for").startsWith("Begins when Hall A rises"));
+    type(find<QLineEdit>(*panel, "Name of the recording"), "event");
+    click(*panel, "Wait for the trigger");
+    EXPECT_TRUE(bench().recording().isWaiting());
+    // What is shown lags behind what is held: only then is the whole second there before any event.
+    const double begin_s = bench().history().range()->end_s;
+    ASSERT_TRUE(wait([&] { return bench().history().range()->end_s > begin_s + 1.5; }));
+    EXPECT_EQ(bench().recording().held_s(), 1.0);
+    EXPECT_FALSE(bench().recording().isRecording());
+    EXPECT_TRUE(figure("What the recording waits for").startsWith("Waiting until Hall A rises"));
+    choice.level = bench().history().latest("hall.a")->value; // in its noise: passed within a few samples
+    bench().recordingTrigger().setChoice(choice, "Hall A rises");
+    ASSERT_TRUE(wait([&] { return message().severity == widgets::Severity::Success; }));
+    EXPECT_FALSE(bench().recording().isWaiting());
+    const auto file = recorded("event");
+    EXPECT_TRUE(file.meta.gaps.empty());
+    ASSERT_EQ(file.meta.markers.size(), 1U);
+    EXPECT_EQ(file.meta.markers[0].text, "trigger");
+    EXPECT_NEAR(file.meta.markers[0].time_s, 1.0, 1e-3 + 1e-9);
+    // Rows 10 ms apart from the first one to half a second behind the event.
+    EXPECT_GT(file.recording.time_s.back(), 1.5 - 0.011 - 1e-3);
+    EXPECT_LT(file.recording.time_s.back(), 1.5);
+}
+
+TEST_F(RecordPanelTest, aWaitThatIsEndedLeavesNothing) {
+    connectTo("sim:htm", 5.0);
+    find<QComboBox>(*panel, "Start of the recording")->setCurrentIndex(1);
+    click(*panel, "Wait for the trigger");
+    EXPECT_FALSE(find<QComboBox>(*panel, "Start of the recording")->isEnabled());
+    click(*panel, "End the wait");
+    EXPECT_FALSE(bench().recording().isWaiting());
+    click(*panel, "Wait for the trigger");
+    session().disconnectDevice();
+    ASSERT_TRUE(wait([&] { return session().state() == SessionState::Disconnected; }));
+    EXPECT_FALSE(bench().recording().isWaiting());
+    EXPECT_TRUE(QDir(folder.path()).isEmpty());
 }
 
 TEST_F(RecordPanelTest, aFolderThatCannotBeMadeIsSaidInPlace) {

@@ -145,6 +145,16 @@ class Files(ProgramCase):
         self.refuse(2, "belong to --capture", *self.record("--out", "f.csv", "--trigger", "now"))
         self.refuse(1, "did not come within 2 s", "record", "sim:htm", "--out", "f.csv", "--capture", "speed",
                     "--trigger", "speed>100", "--wait", "2")
+        for code, pattern, more in ((2, "belong to --trigger", ["--pre-trigger", "1"]),
+                                    (2, "belong to --trigger", ["--wait", "1"]),
+                                    (2, "no trigger", ["--trigger", "soon"]),
+                                    (2, "no signal 'a'", ["--trigger", "a>1"]),
+                                    (2, "not be negative", ["--trigger", "speed>1", "--pre-trigger", "-1"]),
+                                    (2, "zero seconds", ["--trigger", "speed>1", "--wait", "0"]),
+                                    (2, "does not go with --trigger", ["--trigger", "speed>1", "--reconnect"]),
+                                    (1, "did not come within 2 s", ["--trigger", "speed>100", "--wait", "2"])):
+            with self.subTest(more=more):
+                self.refuse(code, pattern, *self.record("--out", "f.csv", *more))
         self.assert_nothing_left()
 
     def test_places_that_cannot_be_written_are_refused(self):

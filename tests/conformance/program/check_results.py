@@ -3,6 +3,7 @@
     python3 check_results.py build/release/halbench [Results[.case]]
 """
 import json
+import math
 import os
 import re
 import sys
@@ -68,6 +69,10 @@ class Results(ProgramCase):
         self.check("move", "sim:htm", "--reference", "step,amplitude_deg=100", "--duration", "2")
         self.check("move", "sim:htm", "--reference", "sine,amplitude_deg=45,frequency_hz=1", "--duration", "3")
 
+    def rows_of(self, name):
+        with open(self.path(name), encoding="utf-8") as file:
+            return [line.split(",") for line in file.read().split("\n")[1:-1]]
+
     def test_captures(self):
         result = self.check("record", "sim:htm?hall_noise_mT=2", "--capture", "hall.a,speed", "--trigger", "hall.a>0.157",
                             "--pre-trigger", "0.5", "--rate", "500", "--out", "f.csv")
@@ -81,6 +86,30 @@ class Results(ProgramCase):
         self.assertEqual(meta["markers"], [{"text": "trigger", "time_s": 0}])
         self.assertEqual((meta["rows"], meta["period_s"]), (4096, 0.002))
         self.accept("record", "replay:f.csv", "--duration", "8", "--rate", "500", "--out", "again.csv")
+
+    def test_a_recording_that_waits_for_its_trigger_is_a_piece_of_the_plain_one(self):
+        device = "sim:htm?hall_noise_mT=2"
+        self.check("record", device, "--signals", "position,hall.a", "--duration", "6", "--out", "plain.csv")
+        plain = self.rows_of("plain.csv")
+        hall = [float(row[2]) for row in plain]
+        level = 0.161  # two sigma above the 157 mT of the rotor at rest: soon, but not at once
+        event = next(i for i in range(1, len(hall)) if hall[i - 1] < level <= hall[i])
+        event_s = (event - 1 + (level - hall[event - 1]) / (hall[event] - hall[event - 1])) / 100
+        for before_s in (0, 0.2, 100):
+            with self.subTest(before_s=before_s):
+                result = self.check("record", device, "--signals", "position", "--trigger", f"hall.a>{level}",
+                                    "--pre-trigger", str(before_s), "--duration", "2", "--out", f"{before_s}.csv")
+                first = max(0, math.ceil((event_s - before_s) * 100))
+                last = math.ceil((event_s + 2) * 100)
+                rows = self.rows_of(f"{before_s}.csv")
+                self.assertEqual([row[1:] for row in rows], [row[1:] for row in plain[first:last]])
+                self.assertEqual([row[0] for row in rows], [row[0] for row in plain[:last - first]])
+                # The file has the values as the board's 4-octet floats: 4e-9 T of them in a rise of 4 mT in 10 ms.
+                self.assertAlmostEqual(result["trigger_s"], event_s - first / 100, delta=2e-8)
+                with open(self.path(f"{before_s}.meta.json"), encoding="utf-8") as file:
+                    meta = json.load(file)
+                self.assertEqual(meta["markers"], [{"text": "trigger", "time_s": result["trigger_s"]}])
+                self.assertEqual((meta["gaps"], meta["rows"]), ([], last - first))
 
     def test_models(self):
         free = self.check("identify", "sim:htm")
