@@ -9,7 +9,12 @@ namespace halbench::widgets {
 /// Plain values a plot is drawn from; no Qt, so that whoever computes can fill them. All in the units of the
 /// axes.
 
-enum class CurveStyle { Line, DashedLine, DottedLine, Points, HollowPoints };
+enum class CurveStyle { Line, DashedLine, DottedLine, Points, HollowPoints, Crosses };
+
+/// Places that are marked one by one, not joined.
+constexpr bool isMarkers(CurveStyle style) {
+    return style == CurveStyle::Points || style == CurveStyle::HollowPoints || style == CurveStyle::Crosses;
+}
 
 struct Curve {
     std::string label; ///< legend text; an empty label keeps the curve out of the legend

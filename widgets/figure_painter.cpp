@@ -27,10 +27,6 @@ constexpr double CurveWidth_px = 1.5;
 constexpr double SymbolSize_px = 6.0;
 constexpr std::size_t ColumnsPerPixel = 1;
 
-bool isMarkers(CurveStyle style) {
-    return style == CurveStyle::Points || style == CurveStyle::HollowPoints;
-}
-
 QPen curvePen(CurveStyle style, const QColor& colour) {
     QPen pen(colour, isMarkers(style) ? 1.2 : CurveWidth_px);
     pen.setStyle(style == CurveStyle::DashedLine   ? Qt::DashLine
@@ -41,7 +37,7 @@ QPen curvePen(CurveStyle style, const QColor& colour) {
 }
 
 void drawMarker(QPainter& painter, CurveStyle style, const QColor& colour, const QPointF& centre) {
-    const QwtSymbol symbol(QwtSymbol::Ellipse,
+    const QwtSymbol symbol(style == CurveStyle::Crosses ? QwtSymbol::XCross : QwtSymbol::Ellipse,
                            style == CurveStyle::Points ? QBrush(colour) : QBrush(Qt::NoBrush),
                            curvePen(style, colour), QSize(int(SymbolSize_px), int(SymbolSize_px)));
     symbol.drawSymbol(&painter, centre);

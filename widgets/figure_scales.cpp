@@ -109,10 +109,6 @@ FigureScale scaleOf(const Axis& axis, Extent extent, bool isWidened, int majorTi
     return scale;
 }
 
-bool isMarkers(const Curve& curve) {
-    return curve.style == CurveStyle::Points || curve.style == CurveStyle::HollowPoints;
-}
-
 } // namespace
 
 QwtScaleMap FigureScale::map(double first_px, double last_px) const {
@@ -130,7 +126,7 @@ FigureScale horizontalScale(const Figure& figure, double length_px) {
     bool isWidened = false;
     for (const Panel& panel : figure.panels) {
         for (const Curve& curve : panel.curves) {
-            isWidened = isWidened || isMarkers(curve);
+            isWidened = isWidened || isMarkers(curve.style);
             for (const double value : curve.x) {
                 extent.include(value, figure.x.isLogarithmic);
             }

@@ -222,6 +222,16 @@ void addSaturationNote(AnalysisResult& result, const PidGains& gains, double cur
     }
 }
 
+Result<AnalysisResult::Roots> rootsOf(const TransferFunction& openLoop) {
+    auto locus = control::rootLocus(openLoop, RootLocusMost_ratio);
+    if (!locus) {
+        return failure(locus.error());
+    }
+    return AnalysisResult::Roots{control::poles(openLoop), control::zeros(openLoop),
+                                 control::closedLoopPoles(openLoop), *std::move(locus),
+                                 openLoop.timeBase().period_s()};
+}
+
 /// Everything that the open loop tells.
 Result<AnalysisResult> predictLoop(const control::PositionPlant& plant, const PidGains& gains,
                                    const control::LoopTiming& timing) {
@@ -240,11 +250,13 @@ Result<AnalysisResult> predictLoop(const control::PositionPlant& plant, const Pi
     result.highFrequencyGain_A_per_rad = gains.proportional + gains.derivative / timing.period_s;
     const auto closedLoop = control::feedback(*openLoop, TransferFunction::gain(1.0, openLoop->timeBase()));
     auto bode = bodeOf(*openLoop);
-    if (!closedLoop || !bode) {
-        return failure(closedLoop ? bode.error() : closedLoop.error());
+    auto roots = rootsOf(*openLoop);
+    if (!closedLoop || !bode || !roots) {
+        return failure(!closedLoop ? closedLoop.error() : !bode ? bode.error() : roots.error());
     }
     takeDominantPair(result, *closedLoop);
     result.bode = std::move(*bode);
+    result.roots = std::move(*roots);
     return result;
 }
 

@@ -2,10 +2,12 @@
 
 #include "app/procedures/procedure.h"
 #include "control/analysis/margins.h"
+#include "control/analysis/root_locus.h"
 #include "control/design/position_loop.h"
 #include "control/design/robustness.h"
 #include "models/plants/htm_ideal_loop.h"
 
+#include <complex>
 #include <map>
 #include <optional>
 #include <string>
@@ -50,6 +52,8 @@ struct LargeStep {
     models::IdealTrace trace = {}; ///< 5 s of it
 };
 
+constexpr double RootLocusMost_ratio = 4.0;
+
 /// Everything predicted for one motor and one law, always on the sampled loop with the device's delay.
 struct AnalysisResult {
     bool isStable = false;
@@ -68,6 +72,13 @@ struct AnalysisResult {
         std::vector<double> magnitude_dB;
         std::vector<double> phase_deg;
     } bode;
+    struct Roots { ///< z plane of the sampled loop
+        std::vector<std::complex<double>> openLoop;
+        std::vector<std::complex<double>> zeros;
+        std::vector<std::complex<double>> closedLoop;
+        control::RootLocus locus; ///< the gain as a factor of what is analysed, up to RootLocusMost_ratio
+        double period_s = 0.01;
+    } roots;
     struct Step { ///< linear closed loop, reference step of 1 rad
         std::vector<double> time_s;
         std::vector<double> response_rad;

@@ -1,6 +1,7 @@
 #include "app/report/loop_figures.h"
 #include "app/report/parameter_units.h"
 #include "app/report/report_blocks.h"
+#include "app/report/root_locus_figure.h"
 #include "app/report/step_sections.h"
 #include "app/report/tuning_figures.h"
 #include "control/base/units.h"
@@ -111,6 +112,7 @@ ReportSection analysisSection(const std::string& heading, const AnalysisResult& 
     section.blocks.emplace_back(marginTable(result, std::nullopt));
     section.blocks.emplace_back(ReportPlot{openLoopFigure(result, std::nullopt), {}});
     section.blocks.emplace_back(ReportPlot{nyquistFigure(result, std::nullopt), {}});
+    section.blocks.emplace_back(ReportPlot{rootLocusFigure(result, std::nullopt), {}});
     appendPredictedStep(section, result, std::nullopt);
     return section;
 }
@@ -125,6 +127,7 @@ ReportSection tuningSection(const std::string& heading, const TuneResult& result
     section.blocks.emplace_back(robustFacts(result.robust));
     section.blocks.emplace_back(ReportPlot{openLoopFigure(result.predicted, present), {}});
     section.blocks.emplace_back(ReportPlot{nyquistFigure(result.predicted, present), {}});
+    section.blocks.emplace_back(ReportPlot{rootLocusFigure(result.predicted, present), {}});
     appendPredictedStep(section, result.predicted, present);
     return section;
 }

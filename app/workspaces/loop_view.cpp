@@ -1,6 +1,7 @@
 #include "app/workspaces/loop_view.h"
 
 #include "app/report/loop_figures.h"
+#include "app/report/root_locus_figure.h"
 #include "widgets/figure_view.h"
 #include "widgets/theme_style.h"
 
@@ -38,14 +39,15 @@ LoopView::LoopView(QWidget* parent)
 
 void LoopView::sayWords() {
     m_label->setText(tr("View"));
-    const QString names[] = {tr("Bode"), tr("Nyquist"), tr("Nichols"), tr("Sensitivity")};
+    const QString names[] = {tr("Bode"), tr("Nyquist"), tr("Nichols"), tr("Sensitivity"), tr("Root locus")};
     for (int i = 0; i < m_choice->count(); ++i) {
         m_choice->setItemText(i, names[i]);
     }
     m_choice->setAccessibleName(tr("View of the open loop"));
     m_choice->setToolTip(tr("Bode: magnitude and phase over frequency. Nyquist: the plane around -1. "
                             "Nichols: magnitude over phase. Sensitivity: what is left of a disturbance, and "
-                            "what follows the reference"));
+                            "what follows the reference. Root locus: the poles of the closed loop, and where "
+                            "they go with the gain"));
     m_note->setText(tr("The closed loop is unstable: it has no sensitivity."));
 }
 
@@ -53,7 +55,8 @@ void LoopView::setLoops(const AnalysisResult& predicted, const std::optional<Ana
                         const std::vector<NamedLoop>& others, const std::optional<MeasuredLoop>& measured) {
     m_figures = {openLoopFigure(predicted, present, others, measured),
                  nyquistFigure(predicted, present, others), nicholsFigure(predicted, present, others),
-                 sensitivityFigure(predicted, present, others).value_or(widgets::Figure{})};
+                 sensitivityFigure(predicted, present, others).value_or(widgets::Figure{}),
+                 rootLocusFigure(predicted, present, others)};
     show(m_choice->currentIndex());
 }
 

@@ -15,11 +15,11 @@ class FigureView;
 
 namespace halbench::app {
 
-/// The open loop as the user wants to see it: Bode, Nyquist, Nichols, or its sensitivity.
+/// The open loop as the user wants to see it: Bode, Nyquist, Nichols, its sensitivity or its root locus.
 class LoopView : public QWidget {
     Q_OBJECT
 public:
-    enum class View { Bode, Nyquist, Nichols, Sensitivity };
+    enum class View { Bode, Nyquist, Nichols, Sensitivity, RootLocus };
 
     explicit LoopView(QWidget* parent = nullptr);
 
@@ -33,7 +33,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    static constexpr std::size_t Views = 4;
+    static constexpr std::size_t Views = 5;
     void sayWords();
     void show(int view);
 

@@ -100,7 +100,7 @@ TEST_F(TunePicturesTest, everyPictureIsReachedByItsButtonAndTheArrowKeys) {
     EXPECT_TRUE(figure("Predicted step with")->isVisible());
 }
 
-TEST_F(TunePicturesTest, theOpenLoopIsSeenInFourWays) {
+TEST_F(TunePicturesTest, theOpenLoopIsSeenInFiveWays) {
     prepare();
     choose("View of the open loop", "Nyquist");
     ASSERT_NE(figure("Nyquist plot"), nullptr);
@@ -112,6 +112,9 @@ TEST_F(TunePicturesTest, theOpenLoopIsSeenInFourWays) {
     choose("Where the gains come from", "Preset: published"); // the view stays
     EXPECT_TRUE(wait([&] { return bench.design() && bench.design()->law.gains.proportional == 10.0; }));
     EXPECT_NE(figure("Sensitivity and closed loop"), nullptr);
+    choose("View of the open loop", "Root locus");
+    ASSERT_NE(figure("Root locus of the sampled loop"), nullptr);
+    EXPECT_TRUE(figure("Root locus")->isVisible());
     choose("View of the open loop", "Bode");
     EXPECT_NE(figure("Open loop"), nullptr);
 }
