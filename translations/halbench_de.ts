@@ -7654,12 +7654,16 @@ wird er in gleichmäßiger Rampe mit Tippdrehzahl angefahren</translation>
         <translation>Der geschlossene Kreis ist instabil: Er hat keine Empfindlichkeit.</translation>
     </message>
     <message>
-        <source>Bode: magnitude and phase over frequency. Nyquist: the plane around -1. Nichols: magnitude over phase. Sensitivity: what is left of a disturbance, and what follows the reference</source>
-        <translation>Bode: Betrag und Phase über der Frequenz. Nyquist: die Ebene um -1. Nichols: Betrag über der Phase. Empfindlichkeit: was von einer Störung bleibt und was der Führungsgröße folgt</translation>
-    </message>
-    <message>
         <source>View</source>
         <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Root locus</source>
+        <translation>Wurzelortskurve</translation>
+    </message>
+    <message>
+        <source>Bode: magnitude and phase over frequency. Nyquist: the plane around -1. Nichols: magnitude over phase. Sensitivity: what is left of a disturbance, and what follows the reference. Root locus: the poles of the closed loop, and where they go with the gain</source>
+        <translation>Bode: Betrag und Phase über der Frequenz. Nyquist: die Ebene um -1. Nichols: Betrag über der Phase. Empfindlichkeit: was von einer Störung bleibt und was der Führungsgröße folgt. Wurzelortskurve: die Pole des geschlossenen Kreises und wohin sie mit der Verstärkung gehen</translation>
     </message>
 </context>
 <context>
@@ -9337,6 +9341,49 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::RootLocusFigure</name>
+    <message>
+        <source>unit circle: limit of stability</source>
+        <translation>Einheitskreis: Stabilitätsgrenze</translation>
+    </message>
+    <message>
+        <source>damping ratio</source>
+        <translation>Dämpfungsgrad</translation>
+    </message>
+    <message>
+        <source>gain from 0 to %1 times</source>
+        <translation>Verstärkung vom 0- bis zum %1-fachen</translation>
+    </message>
+    <message>
+        <source>limit at this factor on the gain</source>
+        <translation>Grenze bei diesem Faktor auf die Verstärkung</translation>
+    </message>
+    <message>
+        <source>imaginary part of z</source>
+        <translation>Imaginärteil von z</translation>
+    </message>
+    <message>
+        <source>poles of the open loop</source>
+        <translation>Pole des offenen Kreises</translation>
+    </message>
+    <message>
+        <source>zeros</source>
+        <translation>Nullstellen</translation>
+    </message>
+    <message>
+        <source>poles of the closed loop</source>
+        <translation>Pole des geschlossenen Kreises</translation>
+    </message>
+    <message>
+        <source>Root locus of the sampled loop</source>
+        <translation>Wurzelortskurve des abgetasteten Kreises</translation>
+    </message>
+    <message>
+        <source>real part of z</source>
+        <translation>Realteil von z</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::RunOverlay</name>
     <message>
         <source>Overlay of the selected recordings</source>
@@ -10183,10 +10230,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Reglerparameter speichern</translation>
     </message>
     <message>
-        <source>Gains (*.json)</source>
-        <translation>Reglerparameter (*.json)</translation>
-    </message>
-    <message>
         <source>Saved as %1</source>
         <translation>Gespeichert als %1</translation>
     </message>
@@ -10317,6 +10360,10 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Draw what identify --frequency measured into the open loop, with the gains proposed here: no model of the motor is in it</source>
         <translation>Zeichnet in den offenen Kreis, was identify --frequency gemessen hat, mit den hier vorgeschlagenen Reglerparametern: Kein Modell des Motors steckt darin</translation>
+    </message>
+    <message>
+        <source>Gains (*.json);;The law as C (*.c)</source>
+        <translation>Reglerparameter (*.json);;Das Regelgesetz als C (*.c)</translation>
     </message>
 </context>
 <context>

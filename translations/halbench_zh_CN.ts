@@ -7649,12 +7649,16 @@ is approached as an even ramp at the jog speed</source>
         <translation>闭环不稳定：没有灵敏度。</translation>
     </message>
     <message>
-        <source>Bode: magnitude and phase over frequency. Nyquist: the plane around -1. Nichols: magnitude over phase. Sensitivity: what is left of a disturbance, and what follows the reference</source>
-        <translation>Bode：幅值和相位对频率。Nyquist：-1 附近的复平面。Nichols：幅值对相位。灵敏度：扰动的残留，以及跟随参考值的部分</translation>
-    </message>
-    <message>
         <source>View</source>
         <translation>视图</translation>
+    </message>
+    <message>
+        <source>Root locus</source>
+        <translation>根轨迹</translation>
+    </message>
+    <message>
+        <source>Bode: magnitude and phase over frequency. Nyquist: the plane around -1. Nichols: magnitude over phase. Sensitivity: what is left of a disturbance, and what follows the reference. Root locus: the poles of the closed loop, and where they go with the gain</source>
+        <translation>Bode：幅值和相位对频率。Nyquist：-1 周围的平面。Nichols：幅值对相位。灵敏度：扰动的残留，以及跟随参考值的部分。根轨迹：闭环极点，以及它们随增益的去向</translation>
     </message>
 </context>
 <context>
@@ -9329,6 +9333,49 @@ A real device has its own time.</source>
     </message>
 </context>
 <context>
+    <name>halbench::app::RootLocusFigure</name>
+    <message>
+        <source>unit circle: limit of stability</source>
+        <translation>单位圆：稳定界限</translation>
+    </message>
+    <message>
+        <source>damping ratio</source>
+        <translation>阻尼比</translation>
+    </message>
+    <message>
+        <source>gain from 0 to %1 times</source>
+        <translation>增益从 0 到 %1 倍</translation>
+    </message>
+    <message>
+        <source>limit at this factor on the gain</source>
+        <translation>增益乘以此倍数时到达界限</translation>
+    </message>
+    <message>
+        <source>imaginary part of z</source>
+        <translation>z 的虚部</translation>
+    </message>
+    <message>
+        <source>poles of the open loop</source>
+        <translation>开环极点</translation>
+    </message>
+    <message>
+        <source>zeros</source>
+        <translation>零点</translation>
+    </message>
+    <message>
+        <source>poles of the closed loop</source>
+        <translation>闭环极点</translation>
+    </message>
+    <message>
+        <source>Root locus of the sampled loop</source>
+        <translation>采样回路的根轨迹</translation>
+    </message>
+    <message>
+        <source>real part of z</source>
+        <translation>z 的实部</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::RunOverlay</name>
     <message>
         <source>Overlay of the selected recordings</source>
@@ -10174,10 +10221,6 @@ A real device has its own time.</source>
         <translation>保存增益</translation>
     </message>
     <message>
-        <source>Gains (*.json)</source>
-        <translation>增益 (*.json)</translation>
-    </message>
-    <message>
         <source>Saved as %1</source>
         <translation>已保存为 %1</translation>
     </message>
@@ -10308,6 +10351,10 @@ A real device has its own time.</source>
     <message>
         <source>Draw what identify --frequency measured into the open loop, with the gains proposed here: no model of the motor is in it</source>
         <translation>把 identify --frequency 测得的响应按此处建议的增益画入开环图：其中不含电机模型</translation>
+    </message>
+    <message>
+        <source>Gains (*.json);;The law as C (*.c)</source>
+        <translation>增益 (*.json);;C 语言控制律 (*.c)</translation>
     </message>
 </context>
 <context>

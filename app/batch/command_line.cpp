@@ -153,6 +153,10 @@ void addIdentifyingCommands(CLI::App& app, CommandOptions& options) {
     addFrequency(identify, options);
 }
 
+void addCode(CLI::App* command, CommandOptions& options) {
+    command->add_option("--code", options.codeFile, "The law for another controller")->type_name("LAW.c");
+}
+
 void addTuningCommands(CLI::App& app, CommandOptions& options) {
     CLI::App* tune = addCommand(app, "tune", "Design gains for an identified motor");
     tune->add_option("MODEL.json|DEVICE", options.device, "Identified model, or a device to identify")
@@ -172,12 +176,15 @@ void addTuningCommands(CLI::App& app, CommandOptions& options) {
         ->allow_extra_args(false)
         ->type_name("NAME=VALUE");
     tune->add_option("--out", options.out, "Gains")->type_name("GAINS.json");
+    addCode(tune, options);
     CLI::App* analyse = addCommand(app, "analyse", "Margins and step response of a model with gains");
     analyse->add_option("MODEL.json", options.device, "Identified model")->required();
     analyse->add_option("GAINS.json", options.gainsFile, "Gains")->required();
     addCalibration(analyse, options);
     analyse->add_option("--bode", options.bodeFile, "Open loop, frequency response")->type_name("F.csv");
     analyse->add_option("--step", options.stepFile, "Closed loop, step response")->type_name("F.csv");
+    analyse->add_option("--poles", options.polesFile, "Poles, zeros and root locus")->type_name("F.csv");
+    addCode(analyse, options);
 }
 
 void addServe(CLI::App& app, CommandOptions& options) {

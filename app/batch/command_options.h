@@ -51,7 +51,8 @@ struct CommandOptions {
     std::string zeta, omega, bandwidth, phaseMargin;
     std::string gainsFile;
     std::string calibrationFile; ///< tune, analyse --calibration CAL.json
-    std::string bodeFile, stepFile;
+    std::string bodeFile, stepFile, polesFile;
+    std::string codeFile; ///< tune, analyse --code
     std::string experiment;
     std::string deviceOverride; ///< run --device
     std::vector<std::string> assignments;

@@ -1,4 +1,5 @@
 #include "app/batch/command_support.h"
+#include "app/batch/law_code.h"
 #include "app/batch/loop_conditions.h"
 #include "app/batch/model_file.h"
 #include "app/batch/numbers.h"
@@ -22,6 +23,34 @@ Result<void> writeColumns(const std::string& path, const std::string& header,
             text += (column == 0 ? "" : ",") + formatNumber((*columns[column])[row]);
         }
         text += '\n';
+    }
+    return writeFile(path, text);
+}
+
+/// Closed loop: factor 1. A line each, so that any program can draw it.
+Result<void> writePoles(const std::string& path, const AnalysisResult::Roots& roots) {
+    if (path.empty()) {
+        return {};
+    }
+    std::string text = "kind,branch,gain_factor,real,imaginary\n";
+    const auto add = [&text](const char* kind, std::size_t branch, double factor,
+                             std::complex<double> place) {
+        text += fmt::format("{},{},{},{},{}\n", kind, branch, formatNumber(factor),
+                            formatNumber(place.real()), formatNumber(place.imag()));
+    };
+    const auto addAll = [&add](const char* kind, double factor,
+                               const std::vector<std::complex<double>>& places) {
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            add(kind, i, factor, places[i]);
+        }
+    };
+    addAll("zero", 0.0, roots.zeros);
+    addAll("open", 0.0, roots.openLoop);
+    addAll("closed", 1.0, roots.closedLoop);
+    for (std::size_t branch = 0; branch < roots.locus.branch.size(); ++branch) {
+        for (std::size_t i = 0; i < roots.locus.gain.size(); ++i) {
+            add("locus", branch, roots.locus.gain[i], roots.locus.branch[branch][i]);
+        }
     }
     return writeFile(path, text);
 }
@@ -69,6 +98,8 @@ CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& o
                                {&result->stepCurve.time_s, &result->stepCurve.response_rad,
                                 &result->stepCurve.current_A})
                 : done;
+    done = done ? writePoles(options.polesFile, result->roots) : done;
+    done = done ? writeLaw(options.codeFile, gains->law, *conditions, {gains->method, model->device}) : done;
     ResultHeader header = headerFor(context, "halbench.analysis/1");
     header.device = model->device;
     header.seed = context.global.seed.value_or(model->seed);

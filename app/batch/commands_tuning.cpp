@@ -1,4 +1,5 @@
 #include "app/batch/command_support.h"
+#include "app/batch/law_code.h"
 #include "app/batch/loop_conditions.h"
 #include "app/batch/model_file.h"
 #include "app/batch/numbers.h"
@@ -265,6 +266,11 @@ CommandResult runTuneCommand(CommandContext& context, const CommandOptions& opti
     const Result<void> opened = openToApply(context, options, *source, *result);
     if (!opened) {
         return failure(opened.error());
+    }
+    if (const auto coded = writeLaw(options.codeFile, result->law, source->conditions,
+                                    {result->method, source->header.device});
+        !coded) {
+        return failure(coded.error());
     }
     JsonValue document = gainsDocument(source->header, *result);
     std::string text = gainsText(*result);

@@ -19,14 +19,23 @@ struct Words {
 void saveDocument(QWidget* asking, const FileChooser& chooser, const FileQuestion& question, FileQueue& files,
                   std::function<JsonValue()> document,
                   std::function<void(const QString& path, const Result<void>& written)> then) {
+    saveText(
+        asking, chooser, question, files,
+        [document = std::move(document)](const std::string&) { return toJsonText(document()); },
+        std::move(then));
+}
+
+void saveText(QWidget* asking, const FileChooser& chooser, const FileQuestion& question, FileQueue& files,
+              std::function<Result<std::string>(const std::string& path)> text,
+              std::function<void(const QString& path, const Result<void>& written)> then) {
     const QString path = chooser.save ? chooser.save(asking, question) : QString();
     if (path.isEmpty()) {
         return;
     }
     files.run(
-        [path = path.toStdString(), document = std::move(document)]() -> Result<void> {
-            const auto text = toJsonText(document());
-            return text ? writeFile(path, *text) : failure(text.error());
+        [path = path.toStdString(), text = std::move(text)]() -> Result<void> {
+            const auto content = text(path);
+            return content ? writeFile(path, *content) : failure(content.error());
         },
         [path, then = std::move(then)](const Result<void>& written) { then(path, written); });
 }

@@ -18,6 +18,11 @@ void saveDocument(QWidget* asking, const FileChooser& chooser, const FileQuestio
                   std::function<JsonValue()> document,
                   std::function<void(const QString& path, const Result<void>& written)> then);
 
+/// The same for any text, which may depend on the name that was chosen.
+void saveText(QWidget* asking, const FileChooser& chooser, const FileQuestion& question, FileQueue& files,
+              std::function<Result<std::string>(const std::string& path)> text,
+              std::function<void(const QString& path, const Result<void>& written)> then);
+
 /// What writes a picture to the file, on any thread.
 using PictureSaving = std::function<std::function<Result<void>()>(const QString& path)>;
 

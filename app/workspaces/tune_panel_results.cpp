@@ -1,4 +1,5 @@
 // What the Tune panel shows of an answer and does with it.
+#include "app/batch/law_code.h"
 #include "app/batch/result_documents.h"
 #include "app/procedures/loop_verdict.h"
 #include "app/report/tuning_figures.h"
@@ -336,9 +337,16 @@ void TunePanel::saveGains() {
     if (!m_shown) {
         return;
     }
-    saveDocument(
-        this, m_chooser, {tr("Save gains"), QStringLiteral("gains.json"), tr("Gains (*.json)")}, m_files,
-        [header = m_bench.designHeader(), result = *m_shown] { return gainsDocument(header, result); },
+    saveText(
+        this, m_chooser,
+        {tr("Save gains"), QStringLiteral("gains.json"), tr("Gains (*.json);;The law as C (*.c)")}, m_files,
+        [header = m_bench.designHeader(), result = *m_shown,
+         conditions = m_conditions](const std::string& path) {
+            const bool isCode = path.ends_with(".c");
+            return isCode
+                       ? Result<std::string>(lawCode(result.law, conditions, {result.method, header.device}))
+                       : toJsonText(gainsDocument(header, result));
+        },
         [this](const QString& path, const Result<void>& written) {
             if (written) {
                 m_message->showMessage({widgets::Severity::Success, tr("Saved as %1").arg(path), {}, {}});

@@ -1,5 +1,8 @@
 #include "tests/app/workspaces/tune_panel_fixture.h"
 
+#include <QFile>
+#include <QRegularExpression>
+
 namespace halbench::app {
 namespace {
 
@@ -22,6 +25,22 @@ TEST_F(TunePanelTest, recommendsThePresetOfThePublishedMotorAndSavesIt) {
     const auto file = readGainsFile(gainsPath().toStdString());
     ASSERT_TRUE(file) << file.error().message;
     EXPECT_EQ(file->law.gains.proportional, bench.design()->law.gains.proportional);
+}
+
+TEST_F(TunePanelTest, underANameOfCTheLawIsSavedAsCode) {
+    const QString path = m_folder.filePath("law.c");
+    panel.setFileChooser({[&path](QWidget*, const FileQuestion&) { return path; }, {}});
+    bench.setIdentification(publishedMotor());
+    ASSERT_TRUE(wait([&] { return bench.design().has_value(); }));
+    click(panel, "Save gains\u2026");
+    ASSERT_TRUE(wait([&] { return message().startsWith("Saved"); })) << message().toStdString();
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QString code = QString::fromUtf8(file.readAll());
+    const auto gain = QRegularExpression("KP = ([0-9.e+-]+);").match(code);
+    ASSERT_TRUE(gain.hasMatch()) << code.toStdString();
+    EXPECT_EQ(gain.captured(1).toDouble(), bench.design()->law.gains.proportional);
+    EXPECT_TRUE(code.contains("position_law_step"));
 }
 
 TEST_F(TunePanelTest, gainsPerDegreeAreThoseOfTheBoardOver57) {
