@@ -1,6 +1,7 @@
 #include "widgets/optional_number_edit.h"
 
 #include "widgets/display_units.h"
+#include "widgets/number_words.h"
 #include "widgets/theme_style.h"
 
 #include <QEvent>
@@ -11,6 +12,7 @@ OptionalNumberEdit::OptionalNumberEdit(QWidget* parent) : QLineEdit(parent) {
     setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     connect(this, &QLineEdit::textEdited, this, [this] {
         read();
+        sayAt(*this, typingProblem(text()));
         Q_EMIT valueChanged();
     });
 }
@@ -39,7 +41,7 @@ void OptionalNumberEdit::read() {
         // What was set has more digits than it shows; as long as its text stands it keeps them.
         const auto number = m_exact && text() == m_exactText ? m_exact : parseNumber(text());
         if (!number) {
-            m_problem = tr("This is not a number");
+            m_problem = numberProblem(text());
         } else if (*number < m_limits.min || (*number == m_limits.min && !m_limits.isMinAllowed)) {
             m_problem = m_limits.isMinAllowed ? tr("At least %1").arg(numberText(m_limits.min, 7))
                                               : tr("More than %1").arg(numberText(m_limits.min, 7));

@@ -2,11 +2,15 @@
 
 #include "control/base/assert.h"
 #include "widgets/display_units.h"
+#include "widgets/number_words.h"
+#include "widgets/theme_style.h"
 
 #include <QEvent>
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QSignalBlocker>
+#include <QToolTip>
 
 #include <cmath>
 
@@ -17,7 +21,11 @@ QuantityEdit::QuantityEdit(QWidget* parent) : QDoubleSpinBox(parent) {
     setAlignment(Qt::AlignRight);
     setAccelerated(true);
     setFormat({});
-    connect(this, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &QuantityEdit::edited);
+    connect(this, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double value) {
+        showProblem({});
+        Q_EMIT edited(value);
+    });
+    connect(lineEdit(), &QLineEdit::textChanged, this, &QuantityEdit::judgeTyped);
 }
 
 void QuantityEdit::setFormat(const QuantityFormat& format) {
@@ -36,25 +44,26 @@ void QuantityEdit::setQuantity(double value) {
     setValue(value);
 }
 
+/// Whatever is typed stays to be seen; what is no number inside the limits is refused in words.
 QValidator::State QuantityEdit::validate(QString& text, int&) const {
-    const auto value = parseNumber(text, m_format.unit);
-    if (value) {
-        return *value >= minimum() && *value <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+    return problemOf(text).isEmpty() ? QValidator::Acceptable : QValidator::Intermediate;
+}
+
+/// The base class keeps the unit at the end of the text; in front of it the user may have typed it again.
+QString QuantityEdit::typedOf(const QString& text) const {
+    return text.endsWith(suffix()) ? text.left(text.size() - suffix().size()) : text;
+}
+
+QString QuantityEdit::problemOf(const QString& text) const {
+    const QString typed = typedOf(text);
+    if (const auto value = parseNumber(typed, m_format.unit)) {
+        return *value >= minimum() && *value <= maximum() ? QString() : allowedText();
     }
-    QString number = text;
-    number.remove(m_format.unit);
-    for (const QChar letter : number) {
-        const bool isOfANumber =
-            letter.isDigit() || letter.isSpace() || QStringLiteral("+-−.,eE").contains(letter);
-        if (!isOfANumber) {
-            return QValidator::Invalid; // "nan" and "inf" cannot even be typed
-        }
-    }
-    return QValidator::Intermediate;
+    return numberProblem(typed, m_format.unit) + QLatin1Char(' ') + allowedText();
 }
 
 double QuantityEdit::valueFromText(const QString& text) const {
-    return parseNumber(text, m_format.unit).value_or(value());
+    return parseNumber(typedOf(text), m_format.unit).value_or(value());
 }
 
 QString QuantityEdit::textFromValue(double value) const {
@@ -72,11 +81,41 @@ void QuantityEdit::describe() {
     setAccessibleDescription(rangeText());
 }
 
+/// A number that is half typed is none yet; what cannot become one is said while it is typed.
+void QuantityEdit::judgeTyped(const QString& text) {
+    const bool isWrong = lineEdit()->hasFocus() && !typingProblem(typedOf(text), m_format.unit).isEmpty();
+    showProblem(isWrong ? problemOf(text) : QString());
+}
+
+void QuantityEdit::showProblem(const QString& problem) {
+    if (problem == m_problem) {
+        return;
+    }
+    m_problem = problem;
+    setRole(*lineEdit(), problem.isEmpty() ? Role::None : Role::Bad);
+    setAccessibleDescription(problem.isEmpty() ? rangeText() : problem);
+    sayAt(*this, problem);
+}
+
+QString QuantityEdit::allowedText() const {
+    return tr("Allowed: %1.").arg(rangeText());
+}
+
+/// What is wrong goes before what the field is for.
+bool QuantityEdit::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip && !m_problem.isEmpty()) {
+        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), m_problem, this);
+        return true;
+    }
+    return QDoubleSpinBox::event(event);
+}
+
 /// The base class would fall back to the number before and then say that Enter was pressed.
 void QuantityEdit::keyPressEvent(QKeyEvent* event) {
     const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (isEnter && !hasAcceptableInput()) {
         event->accept();
+        showProblem(problemOf(lineEdit()->text()));
         Q_EMIT refused(lineEdit()->text());
         selectAll();
         return;
@@ -87,10 +126,16 @@ void QuantityEdit::keyPressEvent(QKeyEvent* event) {
     }
 }
 
+void QuantityEdit::stepBy(int steps) {
+    QDoubleSpinBox::stepBy(steps);
+    showProblem({}); // whatever was typed is a number again
+}
+
 void QuantityEdit::focusOutEvent(QFocusEvent* event) {
     const QString text = lineEdit()->text();
     const bool isRefused = !hasAcceptableInput();
     QDoubleSpinBox::focusOutEvent(event);
+    showProblem({}); // it shows the number before
     if (isRefused) {
         Q_EMIT refused(text);
     }

@@ -15,7 +15,8 @@ struct QuantityFormat {
 };
 
 /// A number with its unit. It is always finite and inside its limits; it can be typed in the user's notation
-/// or the programmers', with or without the unit; Page Up and Page Down make ten steps.
+/// or the programmers', with or without the unit; Page Up and Page Down make ten steps. A text that is no
+/// such number stays to be seen, turns red and says why in place; it has no value.
 class QuantityEdit : public QDoubleSpinBox {
     Q_OBJECT
 public:
@@ -28,10 +29,16 @@ public:
 
     /// The limits in words.
     QString rangeText() const;
+    QString allowedText() const; ///< the same as a sentence
+    /// Why this text cannot be used here, and what can; empty when it can.
+    QString problemOf(const QString& text) const;
+    /// What is said of the text in place now: it shows red.
+    const QString& problem() const { return m_problem; }
 
     QValidator::State validate(QString& text, int& position) const override;
     double valueFromText(const QString& text) const override;
     QString textFromValue(double value) const override;
+    void stepBy(int steps) override;
 
 Q_SIGNALS:
     void edited(double value); ///< by the user
@@ -41,14 +48,19 @@ Q_SIGNALS:
     void refused(const QString& text);
 
 protected:
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
     void describe();
+    QString typedOf(const QString& text) const;
+    void judgeTyped(const QString& text);
+    void showProblem(const QString& problem);
 
     QuantityFormat m_format;
+    QString m_problem;
 };
 
 } // namespace halbench::widgets

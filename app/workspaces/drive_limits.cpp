@@ -71,7 +71,7 @@ void DriveLimits::addRow(Row row) {
     });
     connect(row.limit, &widgets::QuantityEdit::refused, this, [this, index](const QString& text) {
         Q_EMIT failed(tr("'%1' is not a limit, nothing was written.").arg(text.trimmed()),
-                      tr("Allowed: %1.").arg(m_rows[index].limit->rangeText()));
+                      m_rows[index].limit->problemOf(text));
     });
     m_rows.push_back(row);
 }

@@ -31,10 +31,10 @@ Result<double> NumberCheck::take() {
 }
 
 Error NumberCheck::words(const QString& text) const {
-    const QString remedy =
-        m_field.hasAcceptableInput()
-            ? tr("Allowed: %1. The field shows %2 again.").arg(m_field.rangeText(), m_field.text())
-            : tr("Allowed: %1.").arg(m_field.rangeText());
+    QString remedy = m_field.problemOf(text);
+    if (m_field.hasAcceptableInput()) {
+        remedy += QLatin1Char(' ') + tr("The field shows %1 again.").arg(m_field.text());
+    }
     return {ErrorCode::InvalidInput,
             tr("%1: '%2' cannot be used, nothing moves.")
                 .arg(m_field.accessibleName(), text.trimmed())

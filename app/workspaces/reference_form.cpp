@@ -5,6 +5,7 @@
 #include "app/workspaces/reference_fields.h"
 #include "control/base/units.h"
 #include "widgets/display_units.h"
+#include "widgets/number_words.h"
 #include "widgets/quantity_edit.h"
 #include "widgets/theme_style.h"
 
@@ -188,7 +189,9 @@ Result<std::vector<double>> ReferenceForm::plateaus_A() const {
         const std::optional<double> current_A = widgets::parseNumber(word);
         if (!current_A) {
             return failure(ErrorCode::InvalidInput, tr("'%1' is not a current.").arg(word).toStdString(),
-                           tr("Write currents in A, e.g. 1.6; 2; 2.4.").toStdString());
+                           (widgets::numberProblem(word) + QLatin1Char(' ') +
+                            tr("Write currents in A, e.g. 1.6; 2; 2.4."))
+                               .toStdString());
         }
         currents_A.push_back(*current_A);
     }

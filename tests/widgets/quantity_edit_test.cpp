@@ -1,0 +1,112 @@
+#include "tests/widgets/gui_fixture.h"
+#include "widgets/number_words.h"
+#include "widgets/optional_number_edit.h"
+#include "widgets/quantity_edit.h"
+#include "widgets/theme_style.h"
+
+#include <QLineEdit>
+#include <QLocale>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolTip>
+
+namespace halbench::widgets {
+namespace {
+
+/// A field with the focus in a window; what is typed is typed by keys.
+class QuantityEditTest : public GuiTest {
+protected:
+    void SetUp() override {
+        QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedStates));
+        edit = new QuantityEdit(&window);
+        edit->setFormat({QStringLiteral("°"), -36000.0, 36000.0, 1.0, 2});
+        window.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+        edit->setFocus();
+    }
+    void TearDown() override { QLocale::setDefault(before); }
+    void type(const QString& text) {
+        edit->selectAll();
+        QTest::keyClick(edit, Qt::Key_Delete);
+        QTest::keyClicks(edit, text);
+    }
+    bool isRed() const { return roleOf(*edit->findChild<QLineEdit*>()) == Role::Bad; }
+
+    QLocale before;
+    QWidget window;
+    QuantityEdit* edit = nullptr;
+};
+
+TEST_F(QuantityEditTest, lettersStayToBeSeenAndAreNamed) {
+    type(QStringLiteral("12x"));
+    EXPECT_TRUE(edit->findChild<QLineEdit*>()->text().startsWith(QStringLiteral("12x"))) << "not swallowed";
+    EXPECT_TRUE(isRed());
+    EXPECT_TRUE(edit->problem().startsWith(QStringLiteral("'x'"))) << edit->problem().toStdString();
+    EXPECT_TRUE(edit->problem().contains(edit->allowedText()));
+    EXPECT_EQ(QToolTip::text(), edit->problem()) << "beside the field, at once";
+    EXPECT_EQ(edit->accessibleDescription(), edit->problem());
+    QTest::keyClick(edit, Qt::Key_Backspace);
+    EXPECT_TRUE(edit->problem().isEmpty());
+    EXPECT_FALSE(isRed());
+    EXPECT_EQ(edit->accessibleDescription(), edit->rangeText());
+}
+
+TEST_F(QuantityEditTest, theDecimalSignOfAnotherLanguageIsNamedAsTheCause) {
+    type(QStringLiteral("12,5"));
+    EXPECT_TRUE(edit->problem().startsWith(QStringLiteral("','"))) << edit->problem().toStdString();
+    EXPECT_TRUE(edit->problem().contains(QStringLiteral("write '.'"))) << edit->problem().toStdString();
+    QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+    type(QStringLiteral("12,5"));
+    EXPECT_TRUE(edit->problem().isEmpty());
+    type(QStringLiteral("1.500")); // 1500 or 1,5
+    EXPECT_TRUE(edit->problem().startsWith(QStringLiteral("'.'"))) << edit->problem().toStdString();
+    EXPECT_TRUE(edit->problem().contains(QStringLiteral("write ','"))) << edit->problem().toStdString();
+}
+
+TEST_F(QuantityEditTest, whatIsHalfTypedIsNoMistakeYet) {
+    for (const char* text : {"", "-", "1e", "1e-", "12.", "12 d", "12 de", "12 deg", "12 °", "40000"}) {
+        type(QString::fromUtf8(text));
+        EXPECT_TRUE(edit->problem().isEmpty()) << text << ": " << edit->problem().toStdString();
+    }
+}
+
+TEST_F(QuantityEditTest, theUnitMayBeTyped) {
+    type(QStringLiteral("12 deg"));
+    QTest::keyClick(edit, Qt::Key_Return);
+    EXPECT_EQ(edit->value(), 12.0);
+}
+
+TEST_F(QuantityEditTest, anArrowKeyTakesTheTextBackAndTheNextOneSteps) {
+    type(QStringLiteral("12x"));
+    QTest::keyClick(edit, Qt::Key_Up);
+    EXPECT_TRUE(edit->problem().isEmpty());
+    EXPECT_FALSE(isRed());
+    EXPECT_EQ(edit->text(), QString::fromUtf8("0.00\u00a0°"));
+    QTest::keyClick(edit, Qt::Key_Up);
+    EXPECT_EQ(edit->value(), 1.0);
+}
+
+TEST_F(QuantityEditTest, enterSaysWhyItWasRefusedAndLeavingTakesTheTextBack) {
+    QSignalSpy refusals(edit, &QuantityEdit::refused);
+    type(QStringLiteral("40000"));
+    QTest::keyClick(edit, Qt::Key_Return);
+    EXPECT_EQ(refusals.count(), 1);
+    EXPECT_TRUE(isRed());
+    EXPECT_EQ(edit->problem(), edit->allowedText()) << "only the limits are what is wrong";
+    edit->clearFocus();
+    EXPECT_FALSE(isRed()) << "it shows the number before";
+    EXPECT_EQ(edit->value(), 0.0);
+}
+
+TEST_F(QuantityEditTest, aNumberThatIsOptionalIsJudgedByTheSameWords) {
+    OptionalNumberEdit optional;
+    for (const char* text : {"12,5", "1x", "1 2"}) {
+        optional.clear();
+        QTest::keyClicks(&optional, text);
+        EXPECT_EQ(optional.problem(), numberProblem(text)) << text;
+        EXPECT_FALSE(optional.problem().isEmpty()) << text;
+    }
+}
+
+} // namespace
+} // namespace halbench::widgets
