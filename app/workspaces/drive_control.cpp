@@ -64,6 +64,14 @@ bool DriveControl::canDisarm() const {
     return isAvailable() && isArmed() && !isStopped() && !isPending();
 }
 
+bool DriveControl::isNothingToStop() const {
+    const DeviceSession& session = m_bench.session();
+    if (session.state() == SessionState::Disconnected) {
+        return true;
+    }
+    return isAvailable() && !isArmed() && !isPending() && !m_bench.freshness().isStale();
+}
+
 bool DriveControl::needsConsent() const {
     return !m_bench.session().info().isSimulated && !m_hasConsent;
 }
@@ -169,7 +177,7 @@ void DriveControl::arm() {
             const Result<void> chosen = write(device, {{"hb.mode", codeOf(mode)}});
             return chosen ? device.arm() : chosen;
         },
-        [this] { takeOrigin(); });
+        [this] { takeOrigin(OriginBy::Arming); });
 }
 
 void DriveControl::disarm() {
@@ -185,8 +193,9 @@ void DriveControl::releaseStop() {
     });
 }
 
-void DriveControl::takeOrigin() {
+void DriveControl::takeOrigin(OriginBy by) {
     clearMotion();
+    m_isOriginOfMode = by == OriginBy::Mode;
     m_startedShape.reset();
     m_origin_rad.reset();
     const auto latest = m_bench.history().latest(AngleName);
@@ -232,14 +241,14 @@ void DriveControl::setMode(devices::BoardMode mode) {
             },
             [this, mode] {
                 m_mode = mode;
-                takeOrigin();
+                takeOrigin(isArmed() ? OriginBy::Mode : OriginBy::Arming);
             });
     }
 }
 
 void DriveControl::startReference(std::vector<ParameterValue> generator) {
-    if (!canMove()) {
-        return;
+    if (!canMove() || isRunning()) {
+        return; // it would begin where the one that runs is by then, and add its way
     }
     const std::string& firmware = m_bench.session().info().firmware;
     if (m_mode == devices::BoardMode::Position && m_reference.hasRun() && !continuesReference(firmware)) {
@@ -259,6 +268,7 @@ void DriveControl::startReference(std::vector<ParameterValue> generator) {
     run([motion =
              inMode(m_mode, std::move(generator))](devices::Device& device) { return write(device, motion); },
         [this] { m_bench.refreshValues(); });
+    Q_EMIT changed();
 }
 
 std::size_t DriveControl::runningShape() const {

@@ -38,6 +38,9 @@ public:
     /// Armed, free, in a mode that drives, and neither an arm nor a mode is still on its way to the board.
     bool canMove() const;
     bool isPending() const { return m_pending != 0; }
+    /// Certain that nothing is armed or on its way to be: there is no device, or one that says so in values
+    /// that are not old, and neither a procedure nor an order from here could change it.
+    bool isNothingToStop() const;
     /// A device that is not simulated asks once per connection before it is armed the first time.
     bool needsConsent() const;
     /// Several places can ask; one answer, or nothing to arm any more, ends the question everywhere.
@@ -71,6 +74,8 @@ public:
     double held_rad() const { return m_reference.angle_rad(); }
     /// Angle from which the position mode counts; nothing before it was seen.
     std::optional<double> origin_rad() const { return m_origin_rad; }
+    /// It was taken when a mode was chosen while armed, not by arming.
+    bool isOriginOfMode() const { return m_isOriginOfMode; }
     /// Armed, but no sample has told yet where the rotor stands: until then nothing moves from here.
     bool awaitsOrigin() const { return m_awaitsOrigin; }
     /// How far the rotor is from there, as the board's excursion window counts; 0 while that is not known.
@@ -83,8 +88,8 @@ public:
     void stopJog();
     bool isJogging() const { return m_jog.isActive(); }
 
-    /// Values of the board's generator. In position mode it begins at the angle that is held; refused where
-    /// the board would leap back instead (continuesReference()).
+    /// Values of the board's generator; does nothing while a motion of it runs. In position mode it begins at
+    /// the angle that is held; refused where the board would leap back instead (continuesReference()).
     void startReference(std::vector<ParameterValue> generator);
     void stopReference();
     /// The board's generator runs, or has just been told to.
@@ -107,7 +112,8 @@ private:
     void onReport();
     void onDevice();
     void jogStep();
-    void takeOrigin();
+    enum class OriginBy { Arming, Mode };
+    void takeOrigin(OriginBy by);
     void seekOrigin();
     void onSamples();
     void settleConsent();
@@ -138,6 +144,7 @@ private:
     std::optional<Way> m_way;
     std::optional<std::pair<double, double>> m_next; ///< set-point and speed, when the way has ended
     std::optional<double> m_origin_rad;
+    bool m_isOriginOfMode = false;
     bool m_awaitsOrigin = false;
     std::optional<double> m_staleSample_s; ///< the angle's last sample before: a newer one is waited for
     HeldReference m_reference;

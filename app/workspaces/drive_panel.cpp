@@ -125,7 +125,7 @@ void DrivePanel::onSetpointRefused(const QString& text) {
         m_setpoint->setValue(m_control.goal() * factor());
     }
     showError(tr("'%1' is not a set-point, nothing was sent.").arg(text.trimmed()),
-              tr("Allowed: %1.").arg(m_setpoint->rangeText()));
+              m_setpoint->problemOf(text));
 }
 
 void DrivePanel::onStartReference() {
@@ -159,39 +159,16 @@ void DrivePanel::refresh() {
         m_setpoint->setValue(0.0); // what was typed before is no set-point of this arming
     }
     const bool canMove = m_control.canMove();
-    QWidget* const movers[] = {m_go, m_zero, m_jog, m_start};
+    QWidget* const movers[] = {m_go, m_zero, m_jog};
     for (QWidget* mover : movers) {
         m_rest.setEnabled(*mover, canMove);
     }
+    // The next reference would begin where this one is by then: nobody could say where it ends.
+    m_rest.setEnabled(*m_start, canMove && !m_control.isRunning());
     m_rest.setEnabled(*m_end, m_control.isArmed() && m_control.isAvailable() && m_control.isRunning());
+    showOrigin();
     showSetpoint();
     describeMotion();
-}
-
-void DrivePanel::showSetpoint() {
-    const double held_rad = m_control.held_rad();
-    QString words = m_control.canMove()                  ? tr("Now %1").arg(valueText(m_control.setpoint()))
-                    : m_control.awaitsOrigin()           ? tr("Waits for a sample of the angle.")
-                    : m_asking != Asking::NothingToDrive ? tr("Arm first; set-points start at zero.")
-                                                         : QString();
-    if (m_control.canMove() && m_control.mode() == BoardMode::Position && held_rad != 0.0) {
-        words = tr("Now %1, beside %2 by jog or reference")
-                    .arg(valueText(m_control.setpoint()), valueText(held_rad));
-    }
-    m_setpointNow->setText(words);
-    const double back = m_control.goal();
-    const QString zero =
-        back == 0.0 ? tr("Sends the set-point zero")
-        : m_control.isLeap(0.0)
-            ? tr("Sends the set-point zero: moves back %1 at the jog speed").arg(valueText(back))
-            : tr("Sends the set-point zero: steps back %1").arg(valueText(back));
-    if (m_zero->toolTip() != zero) {
-        m_zero->setToolTip(zero);
-        m_zero->setAccessibleDescription(zero);
-    }
-    if (std::exchange(m_shownSetpoint, back) != back && !m_setpoint->hasFocus()) {
-        m_setpoint->setValue(back * factor()); // a Go that follows moves nothing
-    }
 }
 
 /// A board of another maker is not armed by guessing how.
@@ -276,12 +253,10 @@ void DrivePanel::dressSetpoint() {
     const DisplayQuantity shown = displayQuantity(isAngle ? "rad" : "A", m_units);
     const double most = isAngle ? degreesToRadians(Farthest_deg) * shown.factor : 4.0;
     const double step = isAngle ? shownStep(shown, degreesToRadians(1.0)) : 0.1;
-    dressNumberField(*m_setpoint,
-                     {tr("Set-point"),
-                      isAngle ? tr("Angle from where it was armed or the mode chosen, beside what\n"
-                                   "a reference has moved it (Enter sends it)")
-                              : tr("Current (Enter sends it)"),
-                      shown.unit, shown.decimals, -most, most, step});
+    dressNumberField(*m_setpoint, {tr("Set-point"),
+                                   isAngle ? tr("Beside what a reference has moved it (Enter sends it)")
+                                           : tr("Current (Enter sends it)"),
+                                   shown.unit, shown.decimals, -most, most, step});
 }
 
 /// Of another mode: what was typed meant something else.
@@ -290,7 +265,7 @@ void DrivePanel::refreshUnits() {
     m_setpoint->setValue(0.0);
     m_jog->setAngular(m_control.mode() == BoardMode::Position);
     m_reference->setMode(m_control.mode());
-    describeMotion();
+    takePeak();
 }
 
 /// Every field shows the same motion in the units that are preferred now.
@@ -302,27 +277,6 @@ void DrivePanel::onUnits() {
     m_jog->setUnits(m_units);
     m_reference->setUnits(m_units);
     refresh();
-}
-
-/// What starting would do, before it is done.
-void DrivePanel::describeMotion() {
-    const BoardMode mode = m_control.mode();
-    const double peak = m_reference->peak();
-    QString words = mode == BoardMode::Position ? tr("Moves up to %1 from where it is.").arg(valueText(peak))
-                                                : tr("Commands up to %1.").arg(valueText(peak));
-    widgets::Role role = widgets::Role::Muted;
-    const double window_rad = m_bench.deviceValue("window.position").value_or(0.0);
-    const bool isWatched = m_bench.deviceValue("window.position_enabled").value_or(0.0) > 0.5;
-    const std::optional<double> limit_A = m_bench.deviceValue("limit.current");
-    const bool isTooFar =
-        mode == BoardMode::Position && isWatched && m_control.excursion_rad() + peak > window_rad;
-    const bool isTooMuch = mode != BoardMode::Position && limit_A && peak > *limit_A;
-    if (isTooFar || isTooMuch) {
-        words += QLatin1Char(' ') + tr("That is beyond the limit: the board may stop it.");
-        role = widgets::Role::Warn;
-    }
-    m_motion->setText(words);
-    showRole(*m_motion, role);
 }
 
 void DrivePanel::refreshLive() {

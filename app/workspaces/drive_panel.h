@@ -43,6 +43,7 @@ private:
     void buildLimits(QVBoxLayout* column);
     void onMessageAction();
     void endQuestion();
+    void showOrigin();
     void showSetpoint();
     void onSetpoint();
     void onSetpointRefused(const QString& text);
@@ -58,7 +59,10 @@ private:
     QString valueText(double value) const;
     void onUnits();
     void refreshLive();
+    static QString startHelp();
+    void takePeak();
     void describeMotion();
+    double commanded_rad() const; ///< from where it was armed
     void forgetError();
     void showError(const QString& text, const QString& remedy);
 
@@ -74,7 +78,9 @@ private:
     widgets::MessageBar* m_message = nullptr;
     widgets::ElidedLabel* m_state; ///< of the board
     FocusRest m_rest;              ///< there
+    double m_peak = 0.0;           ///< of the reference that Start would send
     double m_shownSetpoint = 0.0;  ///< the one that the field has followed
+    QLabel* m_from = nullptr;      ///< what the set-point counts from
     widgets::QuantityEdit* m_setpoint = nullptr;
     QPushButton* m_go = nullptr;
     QPushButton* m_zero = nullptr;

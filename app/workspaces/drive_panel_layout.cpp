@@ -42,9 +42,12 @@ void DrivePanel::buildArm(QVBoxLayout* column) {
 
 void DrivePanel::buildSetpoint(QVBoxLayout* column) {
     QVBoxLayout* section = addSection(column, tr("Set-point and jog"), this);
+    m_from = makeNote(this);
+    section->addWidget(m_from);
     auto* row = new QHBoxLayout;
     row->setSpacing(widgets::GridStep_px);
     m_setpoint = makeNumberField({}, this);
+    m_from->setBuddy(m_setpoint);
     m_go = makeButton({tr("Go"),
                        tr("Sends the set-point (Enter in the field); more than 30° away it\n"
                           "is approached as an even ramp at the jog speed"),
@@ -73,15 +76,18 @@ void DrivePanel::buildSetpoint(QVBoxLayout* column) {
     connect(m_jog, &JogRow::refused, this, &DrivePanel::showError);
 }
 
+QString DrivePanel::startHelp() {
+    return tr("Starts the reference from where the rotor is held: each start adds\n"
+              "its way to the one before (Ctrl+Shift+R)");
+}
+
 void DrivePanel::buildReference(QVBoxLayout* column) {
     QVBoxLayout* section = addSection(column, tr("Reference generator"), this);
     m_reference = new ReferenceForm(this);
     section->addWidget(m_reference);
     auto* row = new QHBoxLayout;
     row->setSpacing(widgets::GridStep_px);
-    m_start = makeButton({tr("Start"), tr("Starts the reference from where the rotor is (Ctrl+Shift+R)"),
-                          QStringLiteral("play")},
-                         this);
+    m_start = makeButton({tr("Start"), startHelp(), QStringLiteral("play")}, this);
     m_start->setShortcut(QKeySequence(tr("Ctrl+Shift+R")));
     m_end = makeButton({tr("End"),
                         tr("Ends the reference: a position is held, a current goes to zero (Ctrl+Shift+E)"),
@@ -94,7 +100,7 @@ void DrivePanel::buildReference(QVBoxLayout* column) {
     m_motion = makeNote(this);
     reserveLines(*m_motion, 3);
     section->addWidget(m_motion);
-    connect(m_reference, &ReferenceForm::changed, this, &DrivePanel::describeMotion);
+    connect(m_reference, &ReferenceForm::changed, this, &DrivePanel::takePeak);
     connect(m_reference, &ReferenceForm::refused, this, &DrivePanel::showError);
     connect(m_start, &QPushButton::clicked, this, &DrivePanel::onStartReference);
     connect(m_end, &QPushButton::clicked, &m_control, &DriveControl::stopReference);
