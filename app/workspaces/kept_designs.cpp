@@ -55,7 +55,7 @@ std::size_t KeptDesigns::keep(const std::string& stem, std::string document) {
     return m_designs.size() - 1;
 }
 
-void KeptDesigns::adopt(const std::string& stem, std::string document) {
+std::string KeptDesigns::adopt(const std::string& stem, std::string document) {
     const KeptDesign adopted = keptDesign(freeName(stem), std::move(document));
     for (auto* history : {&m_undo, &m_redo}) {
         for (std::vector<KeptDesign>& designs : *history) {
@@ -63,6 +63,7 @@ void KeptDesigns::adopt(const std::string& stem, std::string document) {
         }
     }
     m_designs.push_back(adopted);
+    return adopted.name;
 }
 
 Result<void> KeptDesigns::rename(std::size_t at, const std::string& name) {

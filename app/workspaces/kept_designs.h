@@ -30,7 +30,8 @@ public:
     /// Under `stem` or, when that is taken, "stem 2", "stem 3" ...; where it stands.
     std::size_t keep(const std::string& stem, std::string document);
     /// The same for one that is to be kept whatever is undone; what was done before can still be undone.
-    void adopt(const std::string& stem, std::string document);
+    /// Returns its name.
+    std::string adopt(const std::string& stem, std::string document);
     /// Errors: InvalidInput for a name that is empty or taken, also by the one in use; nothing changes.
     Result<void> rename(std::size_t at, const std::string& name);
     void remove(std::size_t at);

@@ -210,6 +210,7 @@ void ParametersPanel::saveOnDevice() {
                                        done,
                                        tr("It starts with these values at the next power-up."),
                                        {}});
+                                  Q_EMIT self->savedInDevice();
                               });
 }
 

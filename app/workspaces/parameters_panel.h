@@ -29,6 +29,9 @@ public:
     explicit ParametersPanel(Workbench& bench, QWidget* parent = nullptr,
                              const QString& presetFolder = userPresetFolder());
 
+Q_SIGNALS:
+    void savedInDevice(); ///< its values outlast its power from now on
+
 private:
     QWidget* buildPresets();
     void connectTable();

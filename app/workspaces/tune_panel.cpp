@@ -119,6 +119,7 @@ void TunePanel::onDevice() {
                         (session.state() == SessionState::Connected && session.returns() > 0);
     if (!isSame) {
         m_before.clear(); // nothing of another one was replaced
+        leaveGains();
         forgetVerification();
     }
     readConditions();

@@ -62,9 +62,16 @@ public:
     /// One more that the project held otherwise; nothing done to the others is forgotten.
     void adoptDesign(const std::string& name, std::string document);
     const std::vector<KeptDesign>& keptDesigns() const { return m_designs.all(); }
+    /// A kept design becomes the proposed one; nothing without one of this name.
+    void takeUpDesign(const std::string& name);
+    /// What runs on the device lasts longer than its power from now on.
+    void onSavedInDevice();
 
 Q_SIGNALS:
     void identifyRequested(); ///< there is no motor to tune yet
+    /// A device was left on which gains of this panel were kept, or still to be decided on: where they are
+    /// now. The project has them as this design.
+    void gainsLeft(const QString& text, const QString& remedy, const QString& design);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -73,6 +80,13 @@ protected:
 private:
     /// A proposal and its loop's bandwidth.
     using Answer = std::pair<Result<TuneResult>, std::optional<double>>;
+    /// Gains of this panel that a device has in its working memory.
+    struct AppliedGains {
+        std::string document; ///< what Save gains would have written
+        control::PositionLaw law;
+        QString device;
+        bool isSimulated = false;
+    };
 
     void shareWidth();
     QWidget* buildSettings();
@@ -109,6 +123,8 @@ private:
     void refreshButtons();
     void focusNext();
     void keep();
+    QString keptDesignOf(const AppliedGains& gains, const QString& stem);
+    void leaveGains();
     void apply();
     void finishApply(const Result<ApplyResult>& result);
     void showVerification(const ApplyResult& result);
@@ -136,6 +152,9 @@ private:
     std::optional<Answer> m_early;              ///< waits for the sketch of the same question
     std::optional<TuneSketch> m_sketch;         ///< what is drawn
     std::optional<TuneResult> m_shown;          ///< what the numbers say, and what would be applied
+    std::optional<AppliedGains> m_applying;     ///< on their way
+    std::optional<AppliedGains> m_undecided;    ///< applied, neither kept nor restored
+    std::optional<AppliedGains> m_onDevice;     ///< kept
     std::vector<ParameterValue> m_before;       ///< what an apply replaced; empty when that is decided
     std::optional<ApplyResult> m_verified;      ///< the last apply that moved
     bool m_isUndone = false;                    ///< the gains that were verified were taken back

@@ -3,6 +3,7 @@
 #include "app/batch/result_documents.h"
 #include "app/procedures/loop_verdict.h"
 #include "app/report/tuning_figures.h"
+#include "app/workspaces/departure_words.h"
 #include "app/workspaces/document_files.h"
 #include "app/workspaces/foreign_motor_notice.h"
 #include "app/workspaces/gain_editor.h"
@@ -13,6 +14,7 @@
 #include "app/workspaces/tune_form.h"
 #include "app/workspaces/tune_numbers.h"
 #include "app/workspaces/tune_panel.h"
+#include "control/base/assert.h"
 #include "widgets/figure_view.h"
 #include "widgets/message_bar.h"
 #include "widgets/phrasebook.h"
@@ -160,23 +162,6 @@ void TunePanel::focusNext() {
     next->setFocus(Qt::OtherFocusReason);
 }
 
-void TunePanel::keep() {
-    m_before.clear();
-    const bool isSimulated = m_bench.session().info().isSimulated; // new whenever it is connected
-    const QString until = isSimulated ? tr("The new gains run until the simulated device is disconnected.")
-                                      : tr("The new gains run until the device is switched off.");
-    m_bench.session().message(MessageLevel::Info, tr("Tune"), until);
-    tellOfDevice({widgets::Severity::Information,
-                  until,
-                  isSimulated
-                      ? tr("To have them after that too: save them as a preset, in the Parameters panel.")
-                      : tr("To have them after that too: Save in the device, in the Parameters panel."),
-                  {}});
-    refreshButtons();
-    focusNext();
-    readConditions(); // the gains on the device are those to compare with from now on
-}
-
 void TunePanel::apply() {
     const auto values = lawForDevice(m_shown->law, m_bench.session().catalogue());
     if (!values) {
@@ -190,6 +175,10 @@ void TunePanel::apply() {
     verification.reference.shape = MoveReference::Shape::Step;
     verification.reference.amplitude_rad = VerificationStep_rad;
     config.verification = verification;
+    const auto document = toJsonText(gainsDocument(m_bench.designHeader(), *m_shown));
+    HB_ASSERT(document.has_value()); // a result holds finite numbers only
+    const devices::DeviceInfo& info = m_bench.session().info();
+    m_applying = {*document, m_shown->law, QString::fromStdString(info.id), info.isSimulated};
     m_message->clear();
     forgetVerification();
     m_isOfThisMotor = true;
@@ -222,7 +211,10 @@ void TunePanel::finishApply(const Result<ApplyResult>& result) {
     m_preflight->setRunning({});
     m_progress->hide();
     if (!result) {
-        if (result.error().code == ErrorCode::Interrupted) {
+        if (const auto departure = departureMessage(m_bench.session(), result.error())) {
+            m_toldOfDevice.clear(); // it stays when the device is gone
+            m_message->showMessage(*departure);
+        } else if (result.error().code == ErrorCode::Interrupted) {
             tellOfDevice(
                 {widgets::Severity::Information, tr("Cancelled; the gains from before run again."), {}, {}});
         } else {
@@ -243,6 +235,7 @@ void TunePanel::finishApply(const Result<ApplyResult>& result) {
                 m_before.push_back(old);
             }
         }
+        m_undecided = m_applying;
         m_decision.start(LeastLook_ms);
         const QString done = tr("Applied, and the verification move went as predicted.");
         m_bench.session().message(MessageLevel::Info, tr("Tune"), done);
@@ -323,6 +316,7 @@ void TunePanel::restore() {
             return;
         }
         self->m_before.clear();
+        self->m_undecided.reset();
         self->m_isUndone = true;
         self->drawVerification();
         const QString done = tr("The gains from before run again.");
