@@ -42,7 +42,7 @@ CalibratePanel::CalibratePanel(Workbench& workbench, QWidget* parent) : WizardPa
     addPage(buildRun(), false);
     addPage(buildResult(), false, buildResultButtons());
     connect(&bench(), &Workbench::deviceChanged, this, &CalibratePanel::onDevice);
-    connect(&bench(), &Workbench::valuesChanged, this, &CalibratePanel::showRows);
+    connect(&bench(), &Workbench::valuesChanged, this, &CalibratePanel::onValues);
     connect(&bench().session(), &DeviceSession::reportChanged, this, &CalibratePanel::refreshPlan);
     connect(&bench().session(), &DeviceSession::procedureChanged, this, &CalibratePanel::refreshPlan);
     connect(&bench().session(), &DeviceSession::procedureStage, this, &CalibratePanel::onStage);
@@ -230,35 +230,20 @@ void CalibratePanel::refreshPlan() {
 }
 
 void CalibratePanel::onDevice() {
-    if (bench().session().state() == SessionState::Connected) {
-        ++m_connection;
-        if (m_result && !m_isFromProject && bench().session().returns() == 0) {
-            forget();
-        } else if (m_result) {
-            m_result->isApplied = false; // the board starts with the values that it keeps
-            if (m_isFromProject) {
-                sayProject();
-            }
-            endStep(ApplyStep, widgets::StepState::Waiting);
+    const bool isConnected = bench().session().state() == SessionState::Connected;
+    m_connection += isConnected ? 1 : 0;
+    if (m_result && isConnected) {
+        m_result->isApplied = false; // the board starts with the values that it keeps
+        endStep(ApplyStep, widgets::StepState::Waiting);
+        if (m_origin == Origin::ThisConnection) {
+            m_origin = Origin::EarlierConnection;
         }
-    } else if (m_result && m_isFromProject) {
-        sayProject();
+    }
+    if (m_result && m_origin != Origin::ThisConnection && !isDepartureTold()) {
+        sayOrigin();
     }
     showRows();
     refreshPlan();
-}
-
-/// Another board has other sensors, and the same one starts with the values that it keeps: what is proposed,
-/// what was before and whether it is applied are known of neither.
-void CalibratePanel::forget() {
-    m_kept = record(); // the project keeps it
-    m_result.reset();
-    resetSteps();
-    showPage(PreparePage);
-    messages().showMessage({widgets::Severity::Information,
-                            tr("The calibration belonged to the connection before and cannot be applied."),
-                            tr("Calibrate again."),
-                            {}});
 }
 
 void CalibratePanel::start() {
@@ -326,13 +311,8 @@ void CalibratePanel::finish(const Result<CalibrateResult>& result, const ResultH
         m_start->setFocus(Qt::OtherFocusReason);
         return;
     }
-    if (connection != m_connection) { // its device went while the result was on its way
-        forget();
-        refreshPlan();
-        return;
-    }
     m_result = *result;
-    m_isFromProject = false;
+    m_origin = connection == m_connection ? Origin::ThisConnection : Origin::EarlierConnection;
     bench().session().message(MessageLevel::Info, tr("Calibrate"), verdictTitle(result->quality));
     m_header = header;
     showResult();
@@ -340,6 +320,9 @@ void CalibratePanel::finish(const Result<CalibrateResult>& result, const ResultH
     endStep(ApplyStep, widgets::StepState::Waiting);
     showPage(ResultPage);
     (m_apply->isEnabled() ? m_apply : m_again)->setFocus(Qt::OtherFocusReason);
+    if (m_origin == Origin::EarlierConnection) {
+        sayOrigin(); // its device went while the result was on its way
+    }
     calibrated();
 }
 

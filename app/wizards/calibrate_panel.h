@@ -63,24 +63,28 @@ private:
     CalibrateConfig config() const;
     void refreshPlan();
     void onDevice();
+    void onValues();
     void start();
     void showLive();
     void onStage(ProcedureState stage);
     void finish(const Result<CalibrateResult>& result, const ResultHeader& header, std::uint64_t connection);
-    void forget();
     void showResult();
     void showRows();
     void showFigures();
-    void sayProject();
+    void sayOrigin();
     bool isOfThisDevice() const;
+    bool isOnDevice() const; ///< it has the proposed values, whoever wrote them
     void apply();
     void write(const std::vector<ParameterValue>& values, bool isApplying);
 
     std::uint64_t m_connection = 0; ///< counts the connections: a result belongs to one board, powered once
-    std::optional<CalibrateResult> m_result; ///< of this connection, or of the one that was lost last
+    std::optional<CalibrateResult> m_result;
     ResultHeader m_header;
-    std::optional<CalibrationRecord> m_kept; ///< of a connection before; cannot be applied
-    bool m_isFromProject = false;
+    /// Where the result is from. One of before, measured or from a project, is for the device it was measured
+    /// on, which starts with the values that it keeps: applying is another act.
+    enum class Origin { ThisConnection, EarlierConnection, Project };
+    Origin m_origin = Origin::ThisConnection;
+    QString m_saidOfOrigin; ///< the message while it is of that
 
     QLabel* m_intro = nullptr;
     std::array<QCheckBox*, 3> m_choices{}; ///< in the order of Calibration

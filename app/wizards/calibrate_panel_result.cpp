@@ -4,6 +4,7 @@
 #include "app/wizards/identify_words.h"
 #include "app/wizards/note_label.h"
 #include "app/wizards/words_and_pictures.h"
+#include "widgets/display_units.h"
 #include "widgets/figure_view.h"
 #include "widgets/message_bar.h"
 #include "widgets/step_list.h"
@@ -12,12 +13,13 @@
 #include <QLabel>
 #include <QTabWidget>
 
+#include <algorithm>
 #include <tuple>
 
 namespace halbench::app {
 
 std::optional<CalibrationRecord> CalibratePanel::record() const {
-    return m_result ? std::optional(CalibrationRecord{m_header, *m_result}) : m_kept;
+    return m_result ? std::optional(CalibrationRecord{m_header, *m_result}) : std::nullopt;
 }
 
 void CalibratePanel::restore(std::optional<CalibrationRecord> record) {
@@ -27,8 +29,7 @@ void CalibratePanel::restore(std::optional<CalibrationRecord> record) {
     ++m_connection; // a write that is on its way was of another result
     messages().clear();
     m_result.reset();
-    m_kept.reset();
-    m_isFromProject = record.has_value();
+    m_origin = Origin::Project;
     if (!record) {
         showPage(PreparePage);
         resetSteps();
@@ -39,18 +40,31 @@ void CalibratePanel::restore(std::optional<CalibrationRecord> record) {
     m_result = std::move(record->result);
     m_result->isApplied = false; // whether the device still has it is not known
     showResult();
-    sayProject();
+    sayOrigin();
     runStep(ApplyStep);
     endStep(ApplyStep, widgets::StepState::Waiting);
     showPage(ResultPage);
 }
 
+/// A board without a name cannot be told from another one.
 bool CalibratePanel::isOfThisDevice() const {
-    return !m_isFromProject || (m_header.device && isSameDevice(*m_header.device, bench().session().info()));
+    const auto& measured = m_header.device;
+    const bool isNamed = measured && !(measured->model + measured->id).empty();
+    return m_origin == Origin::ThisConnection ||
+           (isNamed && isSameDevice(*measured, bench().session().info()));
+}
+
+bool CalibratePanel::isOnDevice() const {
+    return std::all_of(m_result->proposed.begin(), m_result->proposed.end(),
+                       [this](const ParameterValue& proposed) {
+                           const auto value = bench().deviceValue(proposed.name);
+                           return value && widgets::areSameOnBoard(*value, proposed.value);
+                       });
 }
 
 void CalibratePanel::apply() {
-    if (m_isFromProject) { // Restore brings back what the device has now, not what it had then
+    // Restore brings back what the device has now, not what it had then.
+    if (m_origin != Origin::ThisConnection) {
         m_result->before.clear();
         for (const ParameterValue& proposed : m_result->proposed) {
             if (const auto value = bench().deviceValue(proposed.name)) {
@@ -110,16 +124,30 @@ void CalibratePanel::showRows() {
     }
 }
 
-void CalibratePanel::sayProject() {
+void CalibratePanel::onValues() {
+    showRows();
+    if (m_result && m_origin != Origin::ThisConnection && messages().message().text == m_saidOfOrigin) {
+        sayOrigin(); // whether the device has it is known now
+    }
+}
+
+/// Measured a connection ago or come with a project: whose it is, and whether that device has it.
+void CalibratePanel::sayOrigin() {
     const DeviceSession& session = bench().session();
     const bool isConnected = session.state() == SessionState::Connected;
-    messages().showMessage(
-        {widgets::Severity::Information,
-         projectCalibrationText(m_header) + QLatin1Char(' ') +
-             projectDeviceText(m_header, isConnected ? &session.info() : nullptr),
-         tr("It can be applied to the device it was measured on only; calibrate again when the sensors were "
-            "touched."),
-         {}});
+    const QString origin =
+        m_origin == Origin::Project ? projectCalibrationText(m_header) : earlierCalibrationText(m_header);
+    const bool isUsable = !m_result->proposed.empty() && m_result->quality.verdict != Verdict::Refused;
+    QString next = tr("It can be applied to the device it was measured on only; calibrate again when the "
+                      "sensors were touched.");
+    if (isConnected && isUsable && isOfThisDevice()) {
+        next = isOnDevice() ? tr("The board has these values.")
+                            : tr("The board does not have these values yet: Apply writes them. Calibrate "
+                                 "again when the sensors were touched.");
+    }
+    m_saidOfOrigin =
+        origin + QLatin1Char(' ') + projectDeviceText(m_header, isConnected ? &session.info() : nullptr);
+    messages().showMessage({widgets::Severity::Information, m_saidOfOrigin, next, {}});
 }
 
 void CalibratePanel::write(const std::vector<ParameterValue>& values, bool isApplying) {
@@ -140,7 +168,7 @@ void CalibratePanel::write(const std::vector<ParameterValue>& values, bool isApp
         self->bench().session().message(MessageLevel::Info, tr("Calibrate"), done);
         self->messages().showMessage({widgets::Severity::Success, done, {}, {}});
         self->refreshPlan();
-        if (!self->m_isFromProject) {
+        if (self->m_origin == Origin::ThisConnection) {
             self->calibrated();
         }
     });

@@ -158,6 +158,11 @@ QString breakawayNote(const CalibrateResult& result) {
            Words::tr("What is the difference?") + QStringLiteral("</a>");
 }
 
+QString earlierCalibrationText(const ResultHeader& header) {
+    return Words::tr("Measured before the last connect, device %1.")
+        .arg(header.device ? QString::fromStdString(header.device->id) : Words::tr("device not known"));
+}
+
 QString projectCalibrationText(const ResultHeader& header) {
     const QString device =
         header.device ? QString::fromStdString(header.device->id) : Words::tr("device not known");

@@ -31,5 +31,7 @@ QString breakawayNote(const CalibrateResult& result);
 
 /// That it came with the project: when it was measured, and on which device.
 QString projectCalibrationText(const ResultHeader& header);
+/// That it was measured before the device was connected again, and on which device.
+QString earlierCalibrationText(const ResultHeader& header);
 
 } // namespace halbench::app

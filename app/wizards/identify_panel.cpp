@@ -180,6 +180,12 @@ void IdentifyPanel::onDevice() {
     const DeviceSession& session = bench().session();
     if (session.state() == SessionState::Connected) {
         m_form->setSeed(seedOf(session.info()));
+    }
+    if (isDepartureTold()) { // until it is read or the next one starts
+        refreshPlan();
+        return;
+    }
+    if (session.state() == SessionState::Connected) {
         messages().clear();
     }
     if (m_isFromProject) {

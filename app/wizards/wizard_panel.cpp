@@ -1,6 +1,7 @@
 #include "app/wizards/wizard_panel.h"
 
 #include "app/batch/numbers.h"
+#include "app/workspaces/departure_words.h"
 #include "app/workspaces/document_files.h"
 #include "widgets/message_bar.h"
 #include "widgets/phrasebook.h"
@@ -125,11 +126,18 @@ void WizardPanel::fail(const Error& error, const QString& cancelledText) {
         }
     }
     m_pages->setCurrentIndex(0);
-    if (error.code == ErrorCode::Interrupted) {
+    if (const auto departure = departureMessage(m_bench.session(), error)) {
+        m_departure = departure->text;
+        m_message->showMessage(*departure);
+    } else if (error.code == ErrorCode::Interrupted) {
         m_message->showMessage({widgets::Severity::Information, cancelledText, {}, {}});
     } else {
         showError(error);
     }
+}
+
+bool WizardPanel::isDepartureTold() const {
+    return !m_departure.isEmpty() && m_message->message().text == m_departure;
 }
 
 void WizardPanel::showError(const Error& error) {

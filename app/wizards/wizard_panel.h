@@ -62,6 +62,8 @@ protected:
 
     /// The step that runs has failed; back to the first page.
     void fail(const Error& error, const QString& cancelledText);
+    /// The message says that the procedure ended because its device went (departure_words.h).
+    bool isDepartureTold() const;
     void showError(const Error& error);
 
     /// Header of a result of the device that is connected; it begins now.
@@ -80,6 +82,7 @@ private:
     FileChooser m_chooser;
     FileQueue m_files;
     bool m_isMine = false;
+    QString m_departure; ///< the message while it is of that
     widgets::StepList* m_steps = nullptr;
     widgets::MessageBar* m_message = nullptr;
     QStackedWidget* m_pages = nullptr;

@@ -24,6 +24,7 @@ protected:
         show(panel);
     }
     QString message() const { return panel.findChild<widgets::MessageBar*>()->message().text; }
+    QString remedy() const { return panel.findChild<widgets::MessageBar*>()->message().remedy; }
     /// Titles of those that can be chosen and show something.
     QStringList pictures() const {
         const auto* tabs = panel.findChild<QTabWidget*>();
@@ -90,10 +91,49 @@ TEST_F(CalibratePanelTest, aResultIsNotAppliedToAnotherBoardNorToAnArmedOne) {
     EXPECT_TRUE(isEnabled(panel, "Apply"));
 
     connectMotor("sim:htm?seed=6", 0.0);
-    ASSERT_TRUE(wait([&] { return bench.session().state() == SessionState::Connected; }));
-    EXPECT_EQ(button(panel, "Apply"), nullptr);
-    EXPECT_NE(button(panel, "Start calibration"), nullptr);
-    EXPECT_TRUE(message().contains("connection before")) << message().toStdString();
+    EXPECT_TRUE(isResultShown()) << "it is not lost";
+    EXPECT_TRUE(panel.record());
+    EXPECT_FALSE(isEnabled(panel, "Apply"));
+    EXPECT_TRUE(message().contains("Connected is another one")) << message().toStdString();
+}
+
+TEST_F(CalibratePanelTest, aResultOfThisSessionIsForItsDeviceAfterAReconnectLikeOneOfTheProject) {
+    connectMotor("sim:htm?seed=5", 0.0);
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start calibration"); }));
+    click(panel, "Start calibration");
+    ASSERT_TRUE(wait([&] { return isResultShown(); })) << message().toStdString();
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Apply"); }));
+    click(panel, "Apply");
+    ASSERT_TRUE(wait([&] { return message().startsWith("Applied"); }));
+    const auto calibrated = valuesNow();
+
+    bench.session().disconnectDevice();
+    ASSERT_TRUE(wait([&] { return bench.session().state() == SessionState::Disconnected; }));
+    EXPECT_FALSE(isEnabled(panel, "Apply"));
+    connectMotor("sim:htm?seed=5", 0.0); // begins with the values that it keeps
+    EXPECT_TRUE(isResultShown());
+    EXPECT_TRUE(message().contains("It is the device that is connected.")) << message().toStdString();
+    ASSERT_TRUE(wait([&] { return remedy().contains("does not have these values yet: Apply"); }))
+        << remedy().toStdString();
+    const auto before = valuesNow();
+    EXPECT_NE(before.at("hall.offset_a"), calibrated.at("hall.offset_a"));
+    click(panel, "Apply");
+    ASSERT_TRUE(wait([&] { return message().startsWith("Applied"); }));
+    EXPECT_EQ(valuesNow(), calibrated);
+    click(panel, "Restore");
+    ASSERT_TRUE(wait([&] { return message().contains("before are back"); }));
+    EXPECT_EQ(valuesNow(), before);
+}
+
+TEST_F(CalibratePanelTest, disconnectingWhileItRunsSaysWhyItEnded) {
+    connectMotor("sim:htm?seed=5", 1.0);
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start calibration"); }));
+    click(panel, "Start calibration");
+    ASSERT_TRUE(wait([&] { return bench.session().report().board.isArmed; }));
+    bench.session().disconnectDevice();
+    ASSERT_TRUE(wait([&] { return bench.session().state() == SessionState::Disconnected; }));
+    EXPECT_TRUE(message().contains("because the device was disconnected")) << message().toStdString();
+    EXPECT_TRUE(remedy().contains("disarmed")) << remedy().toStdString();
 }
 
 TEST_F(CalibratePanelTest, savesTheSameBytesAsTheBatchProgramForTheSameSeed) {
@@ -172,6 +212,16 @@ TEST_F(CalibratePanelTest, aCalibrationOfTheProjectIsAppliedOnPurposeAndRestores
     click(panel, "Restore");
     ASSERT_TRUE(wait([&] { return message().contains("before are back"); }));
     EXPECT_EQ(valuesNow(), before);
+}
+
+TEST_F(CalibratePanelTest, aCalibrationThatTheBoardHasIsNotCalledMissing) {
+    connectMotor("sim:htm?seed=5", 0.0);
+    panel.restore(measuredOn(bench.session().info()));
+    EXPECT_TRUE(remedy().contains("does not have these values yet")) << remedy().toStdString();
+    const CalibrationRecord record = measuredOn(bench.session().info());
+    bench.writeValues(record.result.proposed, [](const Result<void>&) {}); // by another panel
+    EXPECT_TRUE(wait([&] { return remedy().startsWith("The board has these values"); }))
+        << remedy().toStdString();
 }
 
 TEST_F(CalibratePanelTest, aCalibrationOfAnotherDeviceIsShownButNotApplied) {

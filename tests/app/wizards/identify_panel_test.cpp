@@ -260,12 +260,33 @@ TEST_F(IdentifyPanelTest, aDeviceLostMidWayIsSaidInPlaceAndThePanelStaysUsable) 
     ASSERT_TRUE(
         wait([&] { return bench.session().state() == SessionState::Reconnecting && !message().isEmpty(); }));
     EXPECT_TRUE(bench.session().procedure().isEmpty());
+    EXPECT_TRUE(message().contains("the connection to the device was lost")) << message().toStdString();
+    EXPECT_TRUE(child<widgets::MessageBar>()->message().remedy.contains("watchdog disarms it"));
     EXPECT_FALSE(isEnabled(panel, "Start identification"));
     EXPECT_NE(button(panel, "Start identification"), nullptr);
     bench.session().disconnectDevice();
     connectMotor("sim:htm", 0.0); // another device, and on it goes
+    EXPECT_TRUE(message().contains("was lost")) << "still there to be read: " << message().toStdString();
     EXPECT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
     board.waitForFinished(Patience_ms);
+}
+
+TEST_F(IdentifyPanelTest, disconnectingWhileItRunsSaysWhyItEnded) {
+    connectMotor("sim:htm", 1.0);
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
+    click(panel, "Start identification");
+    ASSERT_TRUE(wait([&] { return bench.session().report().board.isArmed; }));
+    bench.session().disconnectDevice();
+    ASSERT_TRUE(wait([&] { return bench.session().state() == SessionState::Disconnected; }));
+    EXPECT_TRUE(message().contains("because the device was disconnected")) << message().toStdString();
+    const QString remedy = child<widgets::MessageBar>()->message().remedy;
+    EXPECT_TRUE(remedy.contains("disarmed")) << remedy.toStdString();
+    connectMotor("sim:htm", 0.0);
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
+    EXPECT_TRUE(message().contains("because the device was disconnected")) << "until the next one starts";
+    click(panel, "Start identification");
+    EXPECT_TRUE(message().isEmpty());
+    ASSERT_TRUE(wait([&] { return !bench.session().procedure().isEmpty(); }));
 }
 
 TEST_F(IdentifyPanelTest, aModelThatIsDamagedIsRefusedInPlace) {
