@@ -247,6 +247,11 @@ void LivePlot::fitValues() {
     }
 }
 
+void LivePlot::rescale(bool keepsHeld) {
+    m_autoRange = AutoRange(smallestLength(m_spec));
+    m_userRange = keepsHeld ? m_userRange : m_spec.fixedRange;
+}
+
 void LivePlot::showFrame(control::TimeRange view, double timeStep_s, control::TimeRange drawn) {
     m_drawn = drawn;
     if (const auto extent = dataRange(); extent && !m_userRange) {

@@ -57,6 +57,8 @@ public:
     ValueRange shownRange() const;
     /// Fits the axis to what is drawn, now.
     void fitValues();
+    /// Forgets what the axis has been fitted to; a range that the user holds too, unless it is to be kept.
+    void rescale(bool keepsHeld);
 
     /// Width that tick labels need, and the width to give them so that stacked plots align.
     int neededExtent() const;

@@ -213,6 +213,14 @@ void LivePlotStack::configureRow(std::size_t index) {
     row.legend->setAccessibleName(tr("Live values of %1").arg(row.plot->accessibleName()));
 }
 
+void LivePlotStack::rescale(bool keepsHeld) {
+    for (const Row& row : m_rows) {
+        row.plot->rescale(keepsHeld);
+    }
+    m_zoomHistory.clear(); // of what was shown before
+    m_isDirty = true;
+}
+
 ValueRange LivePlotStack::valueRange(int plot) const {
     return m_rows.at(static_cast<std::size_t>(plot)).plot->shownRange();
 }

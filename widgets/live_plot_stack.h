@@ -82,6 +82,9 @@ public:
     void setTimeSpan(double length_s);
     const control::TimeRange& timeRange() const { return m_view.range(); }
     void showTimeRange(control::TimeRange range);
+    /// The values' axes fit the next data at once, also inwards; those that the user holds stay, unless what
+    /// is shown has nothing to do with what was.
+    void rescale(bool keepsHeld);
     ValueRange valueRange(int plot) const;
     /// Where the user holds the values' axis; none: it follows the data.
     std::optional<ValueRange> heldRange(int plot) const;

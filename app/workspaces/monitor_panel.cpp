@@ -160,6 +160,7 @@ void MonitorPanel::onDevice() {
     if (!m_trigger->isOn()) {
         m_stack->setFollowing(true);
     }
+    m_stack->rescale(device == m_device);
     if (device != m_device) {
         m_trigger->setChoice(m_device.isEmpty() ? m_view.trigger : TriggerChoice{});
         m_view =

@@ -9,6 +9,7 @@
 #include "tests/app/workspaces/bench_fixture.h"
 #include "widgets/empty_state.h"
 #include "widgets/live_legend.h"
+#include "widgets/live_plot.h"
 #include "widgets/live_plot_stack.h"
 #include "widgets/message_bar.h"
 
@@ -18,6 +19,7 @@
 #include <QSignalSpy>
 #include <QToolButton>
 
+#include <algorithm>
 #include <cmath>
 
 namespace halbench::app {
@@ -82,6 +84,31 @@ TEST_F(MonitorPanelTest, aConnectedMotorIsWatchedAtOnceInItsDefaultPlots) {
     ASSERT_TRUE(wait([&] { return item("Hall A")->text(SignalTree::ValueColumn).size() > 1; }));
     // 0.157 T is the rotor's field; the Hall sensor sees its cosine.
     EXPECT_LT(std::fabs(QLocale().toDouble(item("Hall A")->text(SignalTree::ValueColumn))), 170.0);
+}
+
+TEST_F(MonitorPanelTest, theValuesAxesFitAnotherDeviceAtOnceAndTheSameOneAsTheUserHeldThem) {
+    const auto indexOf = [&](const char* signal) {
+        const auto& plots = stack().plots();
+        const auto found = std::find_if(plots.begin(), plots.end(), [&](const widgets::PlotSpec& plot) {
+            return plot.curves.front().signal == signal;
+        });
+        return static_cast<int>(found - plots.begin());
+    };
+    connectTo("sim:htm?seed=4", 5.0);
+    const int temperature = indexOf("coil_temperature.a");
+    ASSERT_TRUE(wait([&] { return stack().valueRange(temperature).low > 1.0; })) << "fits 25 degC";
+    auto* plot = stack().findChildren<widgets::LivePlot*>().at(temperature);
+    const widgets::ValueRange held{200.0, 300.0};
+    plot->setUserRange(held);
+    connectTo("sim:htm?seed=4", 5.0);
+    EXPECT_EQ(stack().heldRange(temperature), held) << "the same one, reconnected";
+    connectTo("sim:htm?seed=9", 5.0);
+    EXPECT_FALSE(stack().heldRange(temperature).has_value());
+    ASSERT_TRUE(wait([&] { return bench().history().latest("coil_temperature.a").has_value(); }));
+    EXPECT_TRUE(wait([&] {
+        const double now_degC = bench().history().latest("coil_temperature.a")->value;
+        return stack().valueRange(temperature).contains({now_degC, now_degC});
+    }));
 }
 
 TEST_F(MonitorPanelTest, valuesThatAreNotUpdatedAnyMoreSayItAndSinceWhen) {
