@@ -8,10 +8,13 @@
 
 #include <QAction>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QShowEvent>
 #include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace halbench::app {
 
@@ -26,6 +29,7 @@ HelpWindow::HelpWindow(const QString& page, QWidget* parent)
     m_text->setAccessibleName(tr("Help page"));
     m_text->setToolTip(tr("Alt+Left goes back"));
     layout()->addWidget(m_text);
+    m_text->setFocus(); // arrow keys scroll at once
     connect(m_text, &HelpText::anchorClicked, this, [this](const QUrl& link) {
         if (link.isRelative()) {
             openPage(link.toString());
@@ -50,9 +54,34 @@ void HelpWindow::buildBar() {
     auto* stop = new widgets::StopButton(widgets::StopButton::Variant::Compact, this);
     connect(stop, &widgets::StopButton::stopRequested, this, &HelpWindow::stopRequested);
     row->addWidget(back);
+    row->addWidget(makeClose());
     row->addStretch(1);
     row->addWidget(stop);
     static_cast<QVBoxLayout*>(layout())->addLayout(row);
+}
+
+QToolButton* HelpWindow::makeClose() {
+    auto* action = new QAction(tr("Close"), this);
+    action->setShortcut(QKeySequence("Ctrl+W"));
+    action->setToolTip(tr("Closes the help (Ctrl+W; Esc too while nothing is armed and no procedure runs)"));
+    addAction(action);
+    connect(action, &QAction::triggered, this, &QWidget::close);
+    auto* button = new QToolButton(this);
+    button->setDefaultAction(action);
+    return button;
+}
+
+void HelpWindow::setNothingToStop(std::function<bool()> isNothingToStop) {
+    m_isNothingToStop = std::move(isNothingToStop);
+}
+
+/// Where there may be something to stop, Esc has stopped it and this page stays.
+void HelpWindow::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape && m_isNothingToStop && m_isNothingToStop()) {
+        close();
+        return;
+    }
+    QWidget::keyPressEvent(event);
 }
 
 void HelpWindow::openPage(const QString& address) {

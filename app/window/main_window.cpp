@@ -8,6 +8,7 @@
 #include "app/window/preferences_dialog.h"
 #include "app/window/project_menu.h"
 #include "app/window/project_work.h"
+#include "app/window/return_key.h"
 #include "app/window/stop_guard.h"
 #include "app/window/task_flow.h"
 #include "app/window/top_bar.h"
@@ -72,7 +73,9 @@ MainWindow::MainWindow(Preferences preferences) : m_preferences(std::move(prefer
     createMenus();
     auto* guard = new StopGuard(this);
     connect(guard, &StopGuard::stopRequested, &m_bench.session(), &DeviceSession::stopActuator);
+    guard->setNothingToStop([this] { return m_bench.drive().isNothingToStop(); });
     connect(guard, &StopGuard::escapePressed, this, [this] { noteStop(tr("by Esc")); });
+    new ReturnKey(this);
     connect(&m_frame, &QTimer::timeout, &m_bench, &Workbench::drainSamples);
     m_frame.start(FramePeriod_ms);
     connect(&m_autosave, &QTimer::timeout, this, &MainWindow::autosave);
@@ -148,8 +151,18 @@ void MainWindow::connectPanels() {
     auto* calibrate = static_cast<CalibratePanel*>(m_docks->panel("calibrate"));
     connect(identify, &IdentifyPanel::helpRequested, this, &MainWindow::openHelp);
     connect(calibrate, &CalibratePanel::helpRequested, this, &MainWindow::openHelp);
-    m_work = new ProjectWork(m_bench,
-                             {*identify, *calibrate, *static_cast<TunePanel*>(m_docks->panel("tune"))}, this);
+    auto* tune = static_cast<TunePanel*>(m_docks->panel("tune"));
+    connect(tune, &TunePanel::gainsLeft, this, &MainWindow::sayGainsLeft);
+    m_work = new ProjectWork(m_bench, {*identify, *calibrate, *tune}, this);
+}
+
+/// Whichever perspective is shown: it went with its device, and nothing asked.
+void MainWindow::sayGainsLeft(const QString& text, const QString& remedy, const QString& design) {
+    say({widgets::Severity::Information, text, remedy, tr("Take them up")}, [this, design] {
+        m_message->clear();
+        m_docks->setPerspective(Perspective::Tune);
+        static_cast<TunePanel*>(m_docks->panel("tune"))->takeUpDesign(design.toStdString());
+    });
 }
 
 void MainWindow::buildCentre() {
@@ -235,6 +248,7 @@ void MainWindow::showHelp() {
 void MainWindow::openHelp(const QString& address) {
     auto* window = new HelpWindow(address, this);
     window->setAttribute(Qt::WA_DeleteOnClose);
+    window->setNothingToStop([this] { return m_bench.drive().isNothingToStop(); });
     connect(window, &HelpWindow::stopRequested, &m_bench.session(), &DeviceSession::stopActuator);
     connect(window, &HelpWindow::stopRequested, this, [this] { noteStop(tr("by STOP of the help")); });
     window->show();

@@ -80,6 +80,7 @@ private:
     void onPerspective();
     void onMessage(widgets::Severity severity, const QString& text, const QString& hint);
     void say(const widgets::Message& message, std::function<void()> remedy);
+    void sayGainsLeft(const QString& text, const QString& remedy, const QString& design);
     void sayNotKept(const Error& error);
     void onKept();
     void closeAnyway();

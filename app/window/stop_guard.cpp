@@ -1,12 +1,24 @@
 #include "app/window/stop_guard.h"
 
+#include "app/window/help_window.h"
 #include "app/window/window_application.h"
 
+#include <QApplication>
 #include <QKeyEvent>
 
 #include <utility>
 
 namespace halbench::app {
+
+namespace {
+
+/// What Esc closes and nobody can mistake for a part of the workstation.
+bool isClosedByEscape() {
+    return QApplication::activePopupWidget() != nullptr ||
+           qobject_cast<HelpWindow*>(QApplication::activeWindow()) != nullptr;
+}
+
+} // namespace
 
 StopGuard::StopGuard(QObject* parent) : QObject(parent) {
     if (const auto* application = qobject_cast<WindowApplication*>(qApp)) {
@@ -20,6 +32,10 @@ StopGuard::~StopGuard() {
     qApp->removeEventFilter(this);
 }
 
+void StopGuard::setNothingToStop(std::function<bool()> isNothingToStop) {
+    m_isNothingToStop = std::move(isNothingToStop);
+}
+
 bool StopGuard::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {
         onKey(*static_cast<QKeyEvent*>(event));
@@ -30,12 +46,28 @@ bool StopGuard::eventFilter(QObject* watched, QEvent* event) {
 /// A key comes first as an offer to shortcuts, then as a key press unless a shortcut took it: the first of
 /// the two that passes here stops. Stopping twice does no harm.
 void StopGuard::onKey(const QKeyEvent& event) {
-    if (event.key() == Qt::Key_Escape) {
+    if (event.key() != Qt::Key_Escape) {
+        return;
+    }
+    if (!isMeantForWhatItCloses()) {
         stopRequested();
         if (event.type() == QEvent::ShortcutOverride && !event.isAutoRepeat()) {
             tellOnce();
         }
     }
+}
+
+/// A list may close by the offer already; the press that follows is the same key.
+bool StopGuard::isMeantForWhatItCloses() {
+    if (!m_isNothingToStop || !m_isNothingToStop()) {
+        return false;
+    }
+    if (!m_hasClosed && isClosedByEscape()) {
+        m_hasClosed = true;
+        QMetaObject::invokeMethod(
+            this, [this] { m_hasClosed = false; }, Qt::QueuedConnection);
+    }
+    return m_hasClosed;
 }
 
 /// The offer passes here for every widget from the one with the focus up to its window.

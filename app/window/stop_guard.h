@@ -2,6 +2,8 @@
 
 #include <QObject>
 
+#include <functional>
+
 class QKeyEvent;
 
 namespace halbench::app {
@@ -9,12 +11,16 @@ namespace halbench::app {
 /// Esc means stop, whatever has the focus: it watches the keys of the whole application, modal dialogs,
 /// menus, floating docks and drags included, and lets every key go on to where it was meant for. In a
 /// WindowApplication nothing comes before it; in another one an event filter that is installed later does.
+/// Esc is also how menus, lists and the help are closed: where one of them is open and the owner knows that
+/// there is nothing to stop, it is that alone.
 class StopGuard : public QObject {
     Q_OBJECT
 
 public:
     explicit StopGuard(QObject* parent);
     ~StopGuard() override;
+    /// Whether it is certain that nothing moves or may begin to; without an answer Esc always stops.
+    void setNothingToStop(std::function<bool()> isNothingToStop);
 
 Q_SIGNALS:
     void stopRequested();
@@ -27,7 +33,11 @@ private:
     void onKey(const QKeyEvent& event);
     void tellOnce();
 
-    bool m_isTold = false; ///< of the key press that goes through the widgets now
+    bool isMeantForWhatItCloses();
+
+    std::function<bool()> m_isNothingToStop;
+    bool m_hasClosed = false; ///< the key press that goes through the widgets now closes something
+    bool m_isTold = false;    ///< of the key press that goes through the widgets now
 };
 
 } // namespace halbench::app

@@ -7,6 +7,7 @@
 #include "app/workspaces/configuration_panel.h"
 #include "app/workspaces/device_panel.h"
 #include "app/workspaces/monitor_panel.h"
+#include "app/workspaces/parameters_panel.h"
 #include "app/workspaces/recordings_panel.h"
 #include "app/workspaces/signals_panel.h"
 #include "app/workspaces/spectrum_panel.h"
@@ -58,6 +59,8 @@ void connectTaskFlow(DockLayout& docks, Workbench& bench) {
                      [&docks] { docks.setPerspective(Perspective::Tune); });
     QObject::connect(tune, &TunePanel::identifyRequested, &docks,
                      [&docks] { docks.setPerspective(Perspective::Identify); });
+    QObject::connect(panelOf<ParametersPanel>(docks, "parameters"), &ParametersPanel::savedInDevice, tune,
+                     &TunePanel::onSavedInDevice);
     connectMonitor(docks);
     identify->setFileChooser(fileDialogs(bench));
     calibrate->setFileChooser(fileDialogs(bench));
