@@ -248,6 +248,10 @@ void MonitorPanel::onValues() {
     std::vector<widgets::PlotSpec> plots =
         inUnits(m_stack->plots(), m_bench.catalogue(), bands, m_bench.displayUnits());
     if (plots != m_stack->plots()) {
+        for (std::size_t i = 0; i < plots.size(); ++i) {
+            const bool isSameUnit = plots[i].unit == m_stack->plots()[i].unit;
+            plots[i].fixedRange = isSameUnit ? m_stack->heldRange(static_cast<int>(i)) : std::nullopt;
+        }
         m_stack->setPlots(std::move(plots));
     }
 }
