@@ -5254,6 +5254,10 @@
         <source>Give e.g. --pre-trigger 2, in seconds.</source>
         <translation>Geben Sie z. B. --pre-trigger 2 an, in Sekunden.</translation>
     </message>
+    <message>
+        <source>there is a [[derived]] named &apos;{}&apos; already</source>
+        <translation>es gibt schon ein [[derived]] mit dem Namen „{}“</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -5424,14 +5428,6 @@
         <translation>Was die Hall-Sensoren lesen; gemessen werden Mitte, Achsen und Neigung der Ellipse</translation>
     </message>
     <message>
-        <source>The calibration belonged to the connection before and cannot be applied.</source>
-        <translation>Die Kalibrierung gehörte zur vorigen Verbindung und kann nicht übernommen werden.</translation>
-    </message>
-    <message>
-        <source>Calibrate again.</source>
-        <translation>Kalibrieren Sie erneut.</translation>
-    </message>
-    <message>
         <source>It can be applied to the device it was measured on only; calibrate again when the sensors were touched.</source>
         <translation>Sie lässt sich nur auf das Gerät anwenden, an dem sie gemessen wurde; nach Arbeiten an den Sensoren neu kalibrieren.</translation>
     </message>
@@ -5462,6 +5458,14 @@
     <message>
         <source>Pictures of the calibration</source>
         <translation>Bilder der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>The board has these values.</source>
+        <translation>Das Steuergerät hat diese Werte.</translation>
+    </message>
+    <message>
+        <source>The board does not have these values yet: Apply writes them. Calibrate again when the sensors were touched.</source>
+        <translation>Das Steuergerät hat diese Werte noch nicht: „Übernehmen“ schreibt sie. Kalibrieren Sie neu, wenn die Sensoren berührt wurden.</translation>
     </message>
 </context>
 <context>
@@ -5565,6 +5569,10 @@
     <message>
         <source>The board ends the motion at %1 %2. Nothing is changed until you apply it.</source>
         <translation>Das Steuergerät beendet die Bewegung bei %1 %2. Nichts wird geändert, bis Sie es übernehmen.</translation>
+    </message>
+    <message>
+        <source>Measured before the last connect, device %1.</source>
+        <translation>Gemessen vor dem letzten Verbinden, Gerät %1.</translation>
     </message>
 </context>
 <context>
@@ -5817,6 +5825,25 @@
     <message>
         <source>End the search for the device (Ctrl+Shift+C)</source>
         <translation>Die Suche nach dem Gerät beenden (Strg+Umschalt+C)</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::DepartureWords</name>
+    <message>
+        <source>It ended because the connection to the device was lost: %1.</source>
+        <translation>Beendet, weil die Verbindung zum Gerät abriss: %1.</translation>
+    </message>
+    <message>
+        <source>The board&apos;s watchdog disarms it by itself. Begin anew when it is connected again.</source>
+        <translation>Der Watchdog des Steuergeräts sperrt es von selbst. Beginnen Sie neu, wenn es wieder verbunden ist.</translation>
+    </message>
+    <message>
+        <source>It ended because the device was disconnected.</source>
+        <translation>Beendet, weil das Gerät getrennt wurde.</translation>
+    </message>
+    <message>
+        <source>The board was disarmed first, and everything on it is as it was before. Begin anew when it is connected again.</source>
+        <translation>Das Steuergerät wurde zuerst gesperrt, und alles darauf ist, wie es war. Beginnen Sie neu, wenn es wieder verbunden ist.</translation>
     </message>
 </context>
 <context>
@@ -6423,10 +6450,6 @@ Firmware %2</translation>
         <translation>„%1“ ist keine Grenze; es wurde nichts geschrieben.</translation>
     </message>
     <message>
-        <source>Allowed: %1.</source>
-        <translation>Erlaubt: %1.</translation>
-    </message>
-    <message>
         <source>Enter writes it; until power-down, unless it is saved in the device</source>
         <translation>Enter schreibt ihn; bis zum Ausschalten, wenn er nicht im Gerät gespeichert wird</translation>
     </message>
@@ -6464,10 +6487,6 @@ Firmware %2</translation>
     <message>
         <source>Start</source>
         <translation>Start</translation>
-    </message>
-    <message>
-        <source>Starts the reference from where the rotor is (Ctrl+Shift+R)</source>
-        <translation>Startet den Verlauf dort, wo der Rotor steht (Strg+Umschalt+R)</translation>
     </message>
     <message>
         <source>Ctrl+Shift+R</source>
@@ -6550,10 +6569,6 @@ Firmware %2</translation>
         <translation>„%1“ ist kein Sollwert; es wurde nichts gesendet.</translation>
     </message>
     <message>
-        <source>Allowed: %1.</source>
-        <translation>Erlaubt: %1.</translation>
-    </message>
-    <message>
         <source>A stop came while nothing was armed</source>
         <translation>Es kam ein Stopp, während nichts freigegeben war</translation>
     </message>
@@ -6568,12 +6583,6 @@ Firmware %2</translation>
     <message>
         <source>Armed, %1</source>
         <translation>Freigegeben, %1</translation>
-    </message>
-    <message>
-        <source>Angle from where it was armed or the mode chosen, beside what
-a reference has moved it (Enter sends it)</source>
-        <translation>Winkel von dort, wo freigegeben oder die Betriebsart gewählt wurde,
-neben dem, was eine Führungsgröße bewegt hat (Enter sendet ihn)</translation>
     </message>
     <message>
         <source>They last until power-down; Save in the device, in Parameters, keeps them.</source>
@@ -6612,6 +6621,44 @@ wird er in gleichmäßiger Rampe mit Tippdrehzahl angefahren</translation>
     <message>
         <source>Waits for a sample of the angle.</source>
         <translation>Wartet auf einen Messwert des Winkels.</translation>
+    </message>
+    <message>
+        <source>Beside what a reference has moved it (Enter sends it)</source>
+        <translation>Neben dem, was eine Führungsgröße bewegt hat (Enter sendet ihn)</translation>
+    </message>
+    <message>
+        <source>Starts the reference from where the rotor is held: each start adds
+its way to the one before (Ctrl+Shift+R)</source>
+        <translation>Startet den Verlauf dort, wo der Rotor gehalten wird: Jeder Start legt
+seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
+    </message>
+    <message>
+        <source> (at %1)</source>
+        <translation> (bei %1)</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
+        <source>Angle from where it will be armed</source>
+        <translation>Winkel ab der Stelle beim Freigeben</translation>
+    </message>
+    <message>
+        <source>Angle from where the mode was chosen</source>
+        <translation>Winkel ab der Stelle bei der Wahl der Betriebsart</translation>
+    </message>
+    <message>
+        <source>Angle from where it was armed</source>
+        <translation>Winkel ab der Stelle beim Freigeben</translation>
+    </message>
+    <message>
+        <source>Moves up to %1 from where it is, then up to %2 from where it was armed.</source>
+        <translation>Bewegt sich bis zu %1 von der jetzigen Stelle, dann bis zu %2 von der beim Freigeben.</translation>
+    </message>
+    <message>
+        <source>Start waits until this motion has ended, or End ends it.</source>
+        <translation>Start wartet, bis diese Bewegung vorbei ist oder „Ende“ sie beendet.</translation>
     </message>
 </context>
 <context>
@@ -6921,6 +6968,14 @@ wird er in gleichmäßiger Rampe mit Tippdrehzahl angefahren</translation>
     <message>
         <source>This page is in English only.</source>
         <translation>Diese Seite gibt es nur auf Englisch.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Closes the help (Ctrl+W; Esc too while nothing is armed and no procedure runs)</source>
+        <translation>Schließt die Hilfe (Strg+W; auch Esc, solange nichts freigegeben ist und kein Ablauf läuft)</translation>
     </message>
 </context>
 <context>
@@ -7824,6 +7879,10 @@ wird er in gleichmäßiger Rampe mit Tippdrehzahl angefahren</translation>
         <source>saved: %1</source>
         <translation>gespeichert: %1</translation>
     </message>
+    <message>
+        <source>Take them up</source>
+        <translation>Aufgreifen</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ModeBox</name>
@@ -8066,16 +8125,12 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
 <context>
     <name>halbench::app::NumberCheck</name>
     <message>
-        <source>Allowed: %1. The field shows %2 again.</source>
-        <translation>Erlaubt: %1. Das Feld zeigt wieder %2.</translation>
-    </message>
-    <message>
-        <source>Allowed: %1.</source>
-        <translation>Erlaubt: %1.</translation>
-    </message>
-    <message>
         <source>%1: &apos;%2&apos; cannot be used, nothing moves.</source>
         <translation>%1: „%2“ ist nicht verwendbar; es bewegt sich nichts.</translation>
+    </message>
+    <message>
+        <source>The field shows %1 again.</source>
+        <translation>Das Feld zeigt wieder %1.</translation>
     </message>
 </context>
 <context>
@@ -10310,10 +10365,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Noch nichts nachgewiesen</translation>
     </message>
     <message>
-        <source>To have them after that too: save them as a preset, in the Parameters panel.</source>
-        <translation>Sollen sie auch danach gelten: Speichern Sie sie als Parametersatz im Feld Parameter.</translation>
-    </message>
-    <message>
         <source>Within the predicted band, but these gains do not run any more</source>
         <translation>Im vorhergesagten Band, aber diese Reglerparameter laufen nicht mehr</translation>
     </message>
@@ -10364,6 +10415,42 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Gains (*.json);;The law as C (*.c)</source>
         <translation>Reglerparameter (*.json);;Das Regelgesetz als C (*.c)</translation>
+    </message>
+    <message>
+        <source>kept on %1</source>
+        <translation>behalten auf %1</translation>
+    </message>
+    <message>
+        <source>This project has them as the design &apos;%1&apos;, to be applied again after that.</source>
+        <translation>Dieses Projekt hat sie als Entwurf „%1“; danach lassen sie sich wieder übernehmen.</translation>
+    </message>
+    <message>
+        <source>This project has them as the design &apos;%1&apos;.</source>
+        <translation>Dieses Projekt hat sie als Entwurf „%1“.</translation>
+    </message>
+    <message>
+        <source>applied on %1</source>
+        <translation>angewendet auf %1</translation>
+    </message>
+    <message>
+        <source>The gains that were applied on %1 were neither kept nor restored.</source>
+        <translation>Die auf %1 übernommenen Reglerparameter wurden weder behalten noch zurückgenommen.</translation>
+    </message>
+    <message>
+        <source>The gains that were kept on %1 were left with it.</source>
+        <translation>Die auf %1 behaltenen Reglerparameter blieben bei ihm.</translation>
+    </message>
+    <message>
+        <source>A simulated device is new whenever it is connected and has them no more.</source>
+        <translation>Ein simuliertes Gerät ist bei jedem Verbinden neu und hat sie nicht mehr.</translation>
+    </message>
+    <message>
+        <source>It has them until it is switched off.</source>
+        <translation>Es hat sie, bis es ausgeschaltet wird.</translation>
+    </message>
+    <message>
+        <source>This project has them as the design &apos;%1&apos;: Take up, then Apply and verify, runs them again.</source>
+        <translation>Dieses Projekt hat sie als Entwurf „%1“: „Übernehmen“ bei den Entwürfen, dann „Übernehmen, prüfen“ lässt sie wieder laufen.</translation>
     </message>
 </context>
 <context>
@@ -11044,11 +11131,22 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
 </context>
 <context>
-    <name>halbench::widgets::OptionalNumberEdit</name>
+    <name>halbench::widgets::NumberWords</name>
     <message>
-        <source>This is not a number</source>
-        <translation>Das ist keine Zahl</translation>
+        <source>&apos;%1&apos; belongs to no number; taken are digits, a sign, &apos;%2&apos; before the decimals and e before a power of ten.</source>
+        <translation>„%1“ gehört zu keiner Zahl; möglich sind Ziffern, ein Vorzeichen, „%2“ vor den Nachkommastellen und e vor einer Zehnerpotenz.</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; could be misread here: write &apos;%2&apos; before the decimals and nothing between thousands.</source>
+        <translation>„%1“ ist hier missverständlich: Schreiben Sie „%2“ vor die Nachkommastellen und nichts zwischen Tausender.</translation>
+    </message>
+    <message>
+        <source>This is not a number.</source>
+        <translation>Das ist keine Zahl.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::OptionalNumberEdit</name>
     <message>
         <source>At least %1</source>
         <translation>Mindestens %1</translation>
@@ -11304,6 +11402,10 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Allowed: %1 (arrow keys: one step, Page Up and Page Down: ten)</source>
         <translation>Erlaubt: %1 (Pfeiltasten: ein Schritt, Bild auf und Bild ab: zehn)</translation>
+    </message>
+    <message>
+        <source>Allowed: %1.</source>
+        <translation>Erlaubt: %1.</translation>
     </message>
 </context>
 <context>

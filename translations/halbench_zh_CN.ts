@@ -5254,6 +5254,10 @@
         <source>Give e.g. --pre-trigger 2, in seconds.</source>
         <translation>例如 --pre-trigger 2，单位为秒。</translation>
     </message>
+    <message>
+        <source>there is a [[derived]] named &apos;{}&apos; already</source>
+        <translation>已有名为“{}”的 [[derived]]</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -5424,14 +5428,6 @@
         <translation>霍尔传感器的读数；测量椭圆的中心、轴长和倾角</translation>
     </message>
     <message>
-        <source>The calibration belonged to the connection before and cannot be applied.</source>
-        <translation>该标定属于先前的连接，无法应用。</translation>
-    </message>
-    <message>
-        <source>Calibrate again.</source>
-        <translation>请重新标定。</translation>
-    </message>
-    <message>
         <source>It can be applied to the device it was measured on only; calibrate again when the sensors were touched.</source>
         <translation>只能应用于测量时的设备；传感器被动过后请重新标定。</translation>
     </message>
@@ -5462,6 +5458,14 @@
     <message>
         <source>Pictures of the calibration</source>
         <translation>标定图形</translation>
+    </message>
+    <message>
+        <source>The board has these values.</source>
+        <translation>控制板已有这些值。</translation>
+    </message>
+    <message>
+        <source>The board does not have these values yet: Apply writes them. Calibrate again when the sensors were touched.</source>
+        <translation>控制板尚无这些值：“应用”会写入。如果碰过传感器，请重新标定。</translation>
     </message>
 </context>
 <context>
@@ -5565,6 +5569,10 @@
     <message>
         <source>The board ends the motion at %1 %2. Nothing is changed until you apply it.</source>
         <translation>转速达到 %1 %2 时控制板结束运动。应用之前不会更改任何内容。</translation>
+    </message>
+    <message>
+        <source>Measured before the last connect, device %1.</source>
+        <translation>上次连接之前测得，设备 %1。</translation>
     </message>
 </context>
 <context>
@@ -5813,6 +5821,25 @@
     <message>
         <source>End the search for the device (Ctrl+Shift+C)</source>
         <translation>结束查找设备 (Ctrl+Shift+C)</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::DepartureWords</name>
+    <message>
+        <source>It ended because the connection to the device was lost: %1.</source>
+        <translation>因与设备的连接丢失而结束：%1。</translation>
+    </message>
+    <message>
+        <source>The board&apos;s watchdog disarms it by itself. Begin anew when it is connected again.</source>
+        <translation>控制板的看门狗会自行解除使能。重新连接后请再次开始。</translation>
+    </message>
+    <message>
+        <source>It ended because the device was disconnected.</source>
+        <translation>因设备已断开而结束。</translation>
+    </message>
+    <message>
+        <source>The board was disarmed first, and everything on it is as it was before. Begin anew when it is connected again.</source>
+        <translation>已先解除控制板的使能，其上一切恢复原状。重新连接后请再次开始。</translation>
     </message>
 </context>
 <context>
@@ -6418,10 +6445,6 @@ Firmware %2</source>
         <translation>“%1”不是限值，未写入任何内容。</translation>
     </message>
     <message>
-        <source>Allowed: %1.</source>
-        <translation>允许：%1。</translation>
-    </message>
-    <message>
         <source>Enter writes it; until power-down, unless it is saved in the device</source>
         <translation>按 Enter 写入；断电前有效，除非保存到设备</translation>
     </message>
@@ -6459,10 +6482,6 @@ Firmware %2</source>
     <message>
         <source>Start</source>
         <translation>启动</translation>
-    </message>
-    <message>
-        <source>Starts the reference from where the rotor is (Ctrl+Shift+R)</source>
-        <translation>从转子当前位置启动参考信号 (Ctrl+Shift+R)</translation>
     </message>
     <message>
         <source>Ctrl+Shift+R</source>
@@ -6545,10 +6564,6 @@ Firmware %2</source>
         <translation>“%1”不是设定值，未发送任何内容。</translation>
     </message>
     <message>
-        <source>Allowed: %1.</source>
-        <translation>允许：%1。</translation>
-    </message>
-    <message>
         <source>A stop came while nothing was armed</source>
         <translation>停止到来时没有任何设备使能</translation>
     </message>
@@ -6563,12 +6578,6 @@ Firmware %2</source>
     <message>
         <source>Armed, %1</source>
         <translation>已使能，%1</translation>
-    </message>
-    <message>
-        <source>Angle from where it was armed or the mode chosen, beside what
-a reference has moved it (Enter sends it)</source>
-        <translation>从使能或选择模式处算起的角度，
-不含参考信号已移动的部分（按 Enter 发送）</translation>
     </message>
     <message>
         <source>They last until power-down; Save in the device, in Parameters, keeps them.</source>
@@ -6607,6 +6616,44 @@ is approached as an even ramp at the jog speed</source>
     <message>
         <source>Waits for a sample of the angle.</source>
         <translation>等待一个角度采样值。</translation>
+    </message>
+    <message>
+        <source>Beside what a reference has moved it (Enter sends it)</source>
+        <translation>不含参考信号已移动的部分（按 Enter 发送）</translation>
+    </message>
+    <message>
+        <source>Starts the reference from where the rotor is held: each start adds
+its way to the one before (Ctrl+Shift+R)</source>
+        <translation>从转子被保持的位置启动参考信号：
+每次启动的行程都加在前一次之上 (Ctrl+Shift+R)</translation>
+    </message>
+    <message>
+        <source> (at %1)</source>
+        <translation>（%1）</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>电流</translation>
+    </message>
+    <message>
+        <source>Angle from where it will be armed</source>
+        <translation>从将使能处算起的角度</translation>
+    </message>
+    <message>
+        <source>Angle from where the mode was chosen</source>
+        <translation>从选择模式处算起的角度</translation>
+    </message>
+    <message>
+        <source>Angle from where it was armed</source>
+        <translation>从使能处算起的角度</translation>
+    </message>
+    <message>
+        <source>Moves up to %1 from where it is, then up to %2 from where it was armed.</source>
+        <translation>从当前位置最多运动 %1，届时距使能处最多 %2。</translation>
+    </message>
+    <message>
+        <source>Start waits until this motion has ended, or End ends it.</source>
+        <translation>“启动”须等此运动结束，或用“结束”终止它。</translation>
     </message>
 </context>
 <context>
@@ -6916,6 +6963,14 @@ is approached as an even ramp at the jog speed</source>
     <message>
         <source>This page is in English only.</source>
         <translation>本页只有英文版。</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Closes the help (Ctrl+W; Esc too while nothing is armed and no procedure runs)</source>
+        <translation>关闭帮助（Ctrl+W；未使能且无流程运行时也可按 Esc）</translation>
     </message>
 </context>
 <context>
@@ -7819,6 +7874,10 @@ is approached as an even ramp at the jog speed</source>
         <source>saved: %1</source>
         <translation>已保存：%1</translation>
     </message>
+    <message>
+        <source>Take them up</source>
+        <translation>采用它们</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ModeBox</name>
@@ -8060,16 +8119,12 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
 <context>
     <name>halbench::app::NumberCheck</name>
     <message>
-        <source>Allowed: %1. The field shows %2 again.</source>
-        <translation>允许：%1。该栏重新显示 %2。</translation>
-    </message>
-    <message>
-        <source>Allowed: %1.</source>
-        <translation>允许：%1。</translation>
-    </message>
-    <message>
         <source>%1: &apos;%2&apos; cannot be used, nothing moves.</source>
         <translation>%1：“%2”无法使用，不会产生任何运动。</translation>
+    </message>
+    <message>
+        <source>The field shows %1 again.</source>
+        <translation>该栏重新显示 %1。</translation>
     </message>
 </context>
 <context>
@@ -10301,10 +10356,6 @@ A real device has its own time.</source>
         <translation>尚未验证</translation>
     </message>
     <message>
-        <source>To have them after that too: save them as a preset, in the Parameters panel.</source>
-        <translation>若此后也要保留：在“参数”面板中保存为预设。</translation>
-    </message>
-    <message>
         <source>Within the predicted band, but these gains do not run any more</source>
         <translation>在预测范围内，但这些增益已不再运行</translation>
     </message>
@@ -10355,6 +10406,42 @@ A real device has its own time.</source>
     <message>
         <source>Gains (*.json);;The law as C (*.c)</source>
         <translation>增益 (*.json);;C 语言控制律 (*.c)</translation>
+    </message>
+    <message>
+        <source>kept on %1</source>
+        <translation>已保留于 %1</translation>
+    </message>
+    <message>
+        <source>This project has them as the design &apos;%1&apos;, to be applied again after that.</source>
+        <translation>本项目已将其存为设计“%1”，之后可再次应用。</translation>
+    </message>
+    <message>
+        <source>This project has them as the design &apos;%1&apos;.</source>
+        <translation>本项目已将其存为设计“%1”。</translation>
+    </message>
+    <message>
+        <source>applied on %1</source>
+        <translation>已应用于 %1</translation>
+    </message>
+    <message>
+        <source>The gains that were applied on %1 were neither kept nor restored.</source>
+        <translation>应用于 %1 的增益既未保留也未恢复。</translation>
+    </message>
+    <message>
+        <source>The gains that were kept on %1 were left with it.</source>
+        <translation>在 %1 上保留的增益留在了该设备上。</translation>
+    </message>
+    <message>
+        <source>A simulated device is new whenever it is connected and has them no more.</source>
+        <translation>模拟设备每次连接都是全新的，不再有这些增益。</translation>
+    </message>
+    <message>
+        <source>It has them until it is switched off.</source>
+        <translation>断电前设备仍有这些增益。</translation>
+    </message>
+    <message>
+        <source>This project has them as the design &apos;%1&apos;: Take up, then Apply and verify, runs them again.</source>
+        <translation>本项目已将其存为设计“%1”：先“采用”，再“应用并验证”，即可重新运行。</translation>
     </message>
 </context>
 <context>
@@ -11035,11 +11122,22 @@ A real device has its own time.</source>
     </message>
 </context>
 <context>
-    <name>halbench::widgets::OptionalNumberEdit</name>
+    <name>halbench::widgets::NumberWords</name>
     <message>
-        <source>This is not a number</source>
-        <translation>这不是数字</translation>
+        <source>&apos;%1&apos; belongs to no number; taken are digits, a sign, &apos;%2&apos; before the decimals and e before a power of ten.</source>
+        <translation>“%1”不属于数字；可用：数字、正负号、小数点“%2”和表示十的幂的 e。</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; could be misread here: write &apos;%2&apos; before the decimals and nothing between thousands.</source>
+        <translation>“%1”在此可能被误读：小数点请写“%2”，千位之间不要写任何符号。</translation>
+    </message>
+    <message>
+        <source>This is not a number.</source>
+        <translation>这不是数字。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::OptionalNumberEdit</name>
     <message>
         <source>At least %1</source>
         <translation>至少 %1</translation>
@@ -11295,6 +11393,10 @@ A real device has its own time.</source>
     <message>
         <source>Allowed: %1 (arrow keys: one step, Page Up and Page Down: ten)</source>
         <translation>允许：%1（方向键：一步，Page Up 和 Page Down：十步）</translation>
+    </message>
+    <message>
+        <source>Allowed: %1.</source>
+        <translation>允许：%1。</translation>
     </message>
 </context>
 <context>
