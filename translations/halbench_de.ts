@@ -9398,20 +9398,12 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
 <context>
     <name>halbench::app::RootLocusFigure</name>
     <message>
-        <source>unit circle: limit of stability</source>
-        <translation>Einheitskreis: Stabilitätsgrenze</translation>
-    </message>
-    <message>
         <source>damping ratio</source>
         <translation>Dämpfungsgrad</translation>
     </message>
     <message>
         <source>gain from 0 to %1 times</source>
         <translation>Verstärkung vom 0- bis zum %1-fachen</translation>
-    </message>
-    <message>
-        <source>limit at this factor on the gain</source>
-        <translation>Grenze bei diesem Faktor auf die Verstärkung</translation>
     </message>
     <message>
         <source>imaginary part of z</source>
@@ -9430,12 +9422,24 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Pole des geschlossenen Kreises</translation>
     </message>
     <message>
-        <source>Root locus of the sampled loop</source>
-        <translation>Wurzelortskurve des abgetasteten Kreises</translation>
-    </message>
-    <message>
         <source>real part of z</source>
         <translation>Realteil von z</translation>
+    </message>
+    <message>
+        <source>limit of stability</source>
+        <translation>Stabilitätsgrenze</translation>
+    </message>
+    <message>
+        <source>limit at gain factor</source>
+        <translation>Grenze bei Faktor</translation>
+    </message>
+    <message>
+        <source>closed loop: %1</source>
+        <translation>geschlossener Kreis: %1</translation>
+    </message>
+    <message>
+        <source>Root locus</source>
+        <translation type="unfinished">Wurzelortskurve</translation>
     </message>
 </context>
 <context>

@@ -9390,20 +9390,12 @@ A real device has its own time.</source>
 <context>
     <name>halbench::app::RootLocusFigure</name>
     <message>
-        <source>unit circle: limit of stability</source>
-        <translation>单位圆：稳定界限</translation>
-    </message>
-    <message>
         <source>damping ratio</source>
         <translation>阻尼比</translation>
     </message>
     <message>
         <source>gain from 0 to %1 times</source>
         <translation>增益从 0 到 %1 倍</translation>
-    </message>
-    <message>
-        <source>limit at this factor on the gain</source>
-        <translation>增益乘以此倍数时到达界限</translation>
     </message>
     <message>
         <source>imaginary part of z</source>
@@ -9422,12 +9414,24 @@ A real device has its own time.</source>
         <translation>闭环极点</translation>
     </message>
     <message>
-        <source>Root locus of the sampled loop</source>
-        <translation>采样回路的根轨迹</translation>
-    </message>
-    <message>
         <source>real part of z</source>
         <translation>z 的实部</translation>
+    </message>
+    <message>
+        <source>limit of stability</source>
+        <translation>稳定界限</translation>
+    </message>
+    <message>
+        <source>limit at gain factor</source>
+        <translation>增益倍数界限</translation>
+    </message>
+    <message>
+        <source>closed loop: %1</source>
+        <translation>闭环：%1</translation>
+    </message>
+    <message>
+        <source>Root locus</source>
+        <translation type="unfinished">根轨迹</translation>
     </message>
 </context>
 <context>

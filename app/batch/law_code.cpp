@@ -12,7 +12,7 @@ namespace {
 constexpr const char* Equation = R"( *   u = KP e + x + KD (ref' - (angle[k] - angle[k-1])/TS)
  *       + INERTIA ref'' + VISCOUS ref' + COULOMB sat(ref'/COULOMB_SPEED)
  *       + (|ref'| < STICTION_SPEED and |e| > STICTION_THRESHOLD) STICTION sgn(e)
- *   e = ref - angle, u limited to +-LIMIT; while it is limited x grows only towards zero of u:
+ *   e = ref - angle, u limited to +-LIMIT; while it is limited x changes only if e u < 0:
  *   x += TS KI e
 )";
 

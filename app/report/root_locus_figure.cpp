@@ -23,9 +23,10 @@ struct Words {
 };
 
 constexpr int MarkColour = 6; ///< of what belongs to the picture and not to a loop
-constexpr int WayColour = 2;
+constexpr int WayColour = 7;
 constexpr double Damping_ratio = 0.7;
 constexpr double Extent = 1.2;
+constexpr double LeastFactor = 1e-3; ///< below it the poles leave 1, where those of the open loop are
 
 std::string utf8(const QString& text) {
     return text.toStdString();
@@ -46,8 +47,7 @@ Curve points(const std::string& label, const std::vector<Complex>& places, Curve
 
 Curve unitCircle() {
     constexpr int Sides = 180;
-    Curve curve{
-        utf8(Words::tr("unit circle: limit of stability")), {}, {}, CurveStyle::DottedLine, MarkColour};
+    Curve curve{utf8(Words::tr("limit of stability")), {}, {}, CurveStyle::DottedLine, MarkColour};
     for (int i = 0; i <= Sides; ++i) {
         add(curve, std::polar(1.0, 2.0 * Pi * i / Sides));
     }
@@ -92,7 +92,7 @@ Curve limits(const control::RootLocus& locus, double period_s) {
     Curve curve{{}, {}, {}, CurveStyle::HollowPoints, MarkColour};
     std::string factors;
     for (const auto& crossing : locus.axisCrossings) {
-        if (crossing.gain <= 0.0 || crossing.gain > RootLocusMost_ratio) {
+        if (crossing.gain < LeastFactor || crossing.gain > RootLocusMost_ratio) {
             continue;
         }
         const Complex place = std::polar(1.0, crossing.frequency_rad_s * period_s);
@@ -101,7 +101,7 @@ Curve limits(const control::RootLocus& locus, double period_s) {
         factors += fmt::format("{}{:.2f}", factors.empty() ? "" : ", ", crossing.gain);
     }
     if (!factors.empty()) {
-        curve.label = fmt::format("{}: {}", utf8(Words::tr("limit at this factor on the gain")), factors);
+        curve.label = fmt::format("{}: {}", utf8(Words::tr("limit at gain factor")), factors);
     }
     return curve;
 }
@@ -120,12 +120,13 @@ widgets::Figure rootLocusFigure(const AnalysisResult& predicted, const std::opti
     plane.curves.push_back(
         points(utf8(Words::tr("zeros")), roots.zeros, CurveStyle::HollowPoints, WayColour));
     for (const LoopCurve& each : loopCurves(predicted, present, others)) {
-        const std::string name = utf8(Words::tr("poles of the closed loop"));
-        plane.curves.push_back(points(each.label.empty() ? name : name + ", " + each.label,
-                                      each.loop->roots.closedLoop, CurveStyle::Points, each.colour));
+        const std::string name =
+            each.label.empty() ? utf8(Words::tr("poles of the closed loop"))
+                               : utf8(Words::tr("closed loop: %1").arg(QString::fromStdString(each.label)));
+        plane.curves.push_back(points(name, each.loop->roots.closedLoop, CurveStyle::Points, each.colour));
     }
     widgets::Figure figure;
-    figure.title = utf8(Words::tr("Root locus of the sampled loop"));
+    figure.title = utf8(Words::tr("Root locus"));
     figure.x = {utf8(Words::tr("real part of z")), {}, false, -Extent, Extent, {}};
     figure.panels = {std::move(plane)};
     figure.isEqualScale = true;

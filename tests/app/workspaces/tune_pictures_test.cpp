@@ -113,7 +113,7 @@ TEST_F(TunePicturesTest, theOpenLoopIsSeenInFiveWays) {
     EXPECT_TRUE(wait([&] { return bench.design() && bench.design()->law.gains.proportional == 10.0; }));
     EXPECT_NE(figure("Sensitivity and closed loop"), nullptr);
     choose("View of the open loop", "Root locus");
-    ASSERT_NE(figure("Root locus of the sampled loop"), nullptr);
+    ASSERT_NE(figure("Root locus"), nullptr);
     EXPECT_TRUE(figure("Root locus")->isVisible());
     choose("View of the open loop", "Bode");
     EXPECT_NE(figure("Open loop"), nullptr);

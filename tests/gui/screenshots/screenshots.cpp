@@ -329,7 +329,8 @@ private:
         const std::pair<LoopView::View, const char*> scenes[] = {
             {LoopView::View::Nyquist, "tune-nyquist"},
             {LoopView::View::Nichols, "tune-nichols"},
-            {LoopView::View::Sensitivity, "tune-sensitivity"}};
+            {LoopView::View::Sensitivity, "tune-sensitivity"},
+            {LoopView::View::RootLocus, "tune-root-locus"}};
         for (const auto& [view, scene] : scenes) {
             views->setView(view);
             take(QLatin1String(scene));
