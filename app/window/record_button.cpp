@@ -59,7 +59,7 @@ void RecordButton::refresh() {
     setChecked(isRecording || isWaiting);
     setEnabled(isRecording || m_bench.session().state() == SessionState::Connected);
     const QString time = isRecording ? widgets::durationText(recording.status().elapsed_s) : QString();
-    const QString words = isRecording ? time : isWaiting ? tr("Waiting") : idleWords(m_isShort);
+    const QString words = isRecording ? time : isWaiting && !m_isShort ? tr("Waiting") : idleWords(m_isShort);
     const QString name = isRecording ? tr("Recording %1").arg(time)
                          : isWaiting ? tr("Waiting for the event to record")
                                      : tr("Record data");
@@ -89,8 +89,7 @@ QString RecordButton::idleWords(bool isShort) {
 }
 
 int RecordButton::room_px(bool isShort) const {
-    return std::max({fontMetrics().horizontalAdvance(idleWords(isShort)),
-                     fontMetrics().horizontalAdvance(tr("Waiting")), time_px()});
+    return std::max(fontMetrics().horizontalAdvance(idleWords(isShort)), time_px());
 }
 
 int RecordButton::saved_px() const {
