@@ -22,6 +22,7 @@ struct Curve {
     std::vector<double> y; ///< as long as x; a value that is not finite interrupts the line
     CurveStyle style = CurveStyle::Line;
     std::optional<int> colour; ///< curve role 0 ... 7 of the theme; default: by position in the panel
+    bool isRight = false;      ///< of the right axis, which the panel then has
 };
 
 /// A straight reference line across the panel with its text at the edge, e.g. a limit or a crossover.
@@ -48,6 +49,7 @@ struct Panel {
     std::vector<Curve> curves;
     std::vector<ReferenceLine> lines;
     int height_px = 220;
+    std::optional<Axis> right = {};
 };
 
 /// One picture: panels stacked above one shared horizontal axis.

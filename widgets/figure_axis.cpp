@@ -26,7 +26,7 @@ int decimalsFor(const FigureScale& scale) {
 
 FigureAxis::FigureAxis(const FigureScale& scale, Alignment alignment, const QRectF& canvas)
     : m_decimals(decimalsFor(scale)) {
-    const bool isLeft = alignment == LeftScale;
+    const bool isVertical = alignment == LeftScale || alignment == RightScale;
     setAlignment(alignment);
     if (scale.isLogarithmic) {
         setTransformation(new QwtLogTransform); // owned by the scale
@@ -36,8 +36,10 @@ FigureAxis::FigureAxis(const FigureScale& scale, Alignment alignment, const QRec
     setTickLength(QwtScaleDiv::MinorTick, 2.0);
     setTickLength(QwtScaleDiv::MediumTick, 2.0);
     setTickLength(QwtScaleDiv::MajorTick, 5.0);
-    move(isLeft ? canvas.topLeft() : canvas.bottomLeft());
-    setLength(isLeft ? canvas.height() : canvas.width());
+    move(alignment == LeftScale    ? canvas.topLeft()
+         : alignment == RightScale ? canvas.topRight()
+                                   : canvas.bottomLeft());
+    setLength(isVertical ? canvas.height() : canvas.width());
 }
 
 QwtText FigureAxis::label(double value) const {

@@ -37,6 +37,19 @@ double leftMargin_px(const Figure& figure) {
     return std::ceil(Edge_px + AxisTitle_px + labels_px);
 }
 
+/// The same at the right; nothing where no panel has an axis there.
+double rightAxes_px(const Figure& figure) {
+    double labels_px = 0.0;
+    for (const Panel& panel : figure.panels) {
+        if (panel.right) {
+            const QRectF canvas(0.0, 0.0, 1.0, panel.height_px);
+            const FigureAxis axis(rightScale(panel, panel.height_px), QwtScaleDraw::RightScale, canvas);
+            labels_px = std::max(labels_px, axis.extent(figureFont()));
+        }
+    }
+    return labels_px > 0.0 ? std::ceil(AxisTitle_px + labels_px + Edge_px - RightEdge_px) : 0.0;
+}
+
 } // namespace
 
 QFont figureFont(bool isTitle) {
@@ -51,7 +64,7 @@ FigureLayout layOut(const Figure& figure, int width_px) {
     FigureLayout layout;
     const QFontMetricsF metrics(figureFont());
     const double left_px = leftMargin_px(figure);
-    const double right_px = width_px - RightEdge_px;
+    const double right_px = width_px - RightEdge_px - rightAxes_px(figure);
     double y_px = figure.title.empty() ? Edge_px : TitleRow_px;
     layout.titleBaseline = 16.0;
     std::set<std::tuple<std::string, int, CurveStyle>> alreadyNamed;

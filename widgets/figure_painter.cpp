@@ -26,6 +26,8 @@ namespace {
 constexpr double CurveWidth_px = 1.5;
 constexpr double SymbolSize_px = 6.0;
 constexpr std::size_t ColumnsPerPixel = 1;
+constexpr double TitleBaseline_px = 18.0; ///< of a vertical axis' title, from the left edge
+constexpr double RightTitle_px = 10.0;    ///< from the right one
 
 QPen curvePen(CurveStyle style, const QColor& colour) {
     QPen pen(colour, isMarkers(style) ? 1.2 : CurveWidth_px);
@@ -135,8 +137,8 @@ public:
     }
 
     void drawScale(QwtScaleDraw::Alignment alignment, bool hasLabels) {
-        const bool isLeft = alignment == QwtScaleDraw::LeftScale;
-        FigureAxis scale(isLeft ? m_y : m_x, alignment, m_canvas);
+        const bool isBottom = alignment == QwtScaleDraw::BottomScale;
+        FigureAxis scale(isBottom ? m_x : m_y, alignment, m_canvas);
         scale.setDecimalPoint(m_decimalPoint);
         scale.enableComponent(QwtAbstractScaleDraw::Labels, hasLabels);
         QPalette palette;
@@ -259,11 +261,12 @@ void drawLegend(QPainter& painter, const FigureLayout::PanelPlace& place, const 
     }
 }
 
-void drawVerticalTitle(QPainter& painter, const QString& title, const QRectF& canvas, const Theme& theme) {
+void drawVerticalTitle(QPainter& painter, const QString& title, double baseline_px, const QRectF& canvas,
+                       const Theme& theme) {
     painter.save();
     painter.setFont(figureFont());
     painter.setPen(theme.text);
-    painter.translate(18.0, canvas.center().y());
+    painter.translate(baseline_px, canvas.center().y());
     painter.rotate(-90.0);
     painter.drawText(QPointF(-0.5 * QFontMetricsF(figureFont()).horizontalAdvance(title), 0.0), title);
     painter.restore();
@@ -299,9 +302,12 @@ void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& la
         for (const ReferenceLine& line : panel.lines) {
             panelPainter.drawReferenceLine(line);
         }
+        const FigureScale right = panel.right ? rightScale(panel, place.canvas.height()) : y;
+        PanelPainter rightPainter(painter, theme, place.canvas, x, right, decimalPoint);
         for (std::size_t k = 0; k < panel.curves.size(); ++k) {
             const int colour = panel.curves[k].colour.value_or(static_cast<int>(k)) % 8;
-            panelPainter.drawCurve(panel.curves[k], theme.curves[static_cast<std::size_t>(colour)]);
+            PanelPainter& onAxis = panel.curves[k].isRight ? rightPainter : panelPainter;
+            onAxis.drawCurve(panel.curves[k], theme.curves[static_cast<std::size_t>(colour)]);
         }
         for (const ReferenceLine& line : panel.lines) {
             panelPainter.drawReferenceLabel(line, panel);
@@ -309,7 +315,12 @@ void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& la
         panelPainter.drawScale(QwtScaleDraw::LeftScale, true);
         panelPainter.drawScale(QwtScaleDraw::BottomScale, isLast);
         drawLegend(painter, place, theme, decimalPoint);
-        drawVerticalTitle(painter, titleOf(panel.y), place.canvas, theme);
+        drawVerticalTitle(painter, titleOf(panel.y), TitleBaseline_px, place.canvas, theme);
+        if (panel.right) {
+            rightPainter.drawScale(QwtScaleDraw::RightScale, true);
+            drawVerticalTitle(painter, titleOf(*panel.right), layout.size.width() - RightTitle_px,
+                              place.canvas, theme);
+        }
         if (isLast) {
             drawHorizontalTitle(painter, titleOf(figure.x), place.canvas, theme);
         }

@@ -109,6 +109,20 @@ FigureScale scaleOf(const Axis& axis, Extent extent, bool isWidened, int majorTi
     return scale;
 }
 
+Extent extentOf(const std::vector<Curve>& curves, bool isRight, const Axis& axis) {
+    Extent extent;
+    for (const Curve& curve : curves) {
+        for (std::size_t i = 0; curve.isRight == isRight && i < curve.y.size(); ++i) {
+            extent.include(curve.y[i], axis.isLogarithmic);
+        }
+    }
+    return extent;
+}
+
+int verticalTicks(double length_px) {
+    return std::max(2, static_cast<int>(length_px / VerticalTickDistance_px));
+}
+
 } // namespace
 
 QwtScaleMap FigureScale::map(double first_px, double last_px) const {
@@ -136,19 +150,17 @@ FigureScale horizontalScale(const Figure& figure, double length_px) {
 }
 
 FigureScale verticalScale(const Panel& panel, double length_px) {
-    Extent extent;
-    for (const Curve& curve : panel.curves) {
-        for (const double value : curve.y) {
-            extent.include(value, panel.y.isLogarithmic);
-        }
-    }
+    Extent extent = extentOf(panel.curves, false, panel.y);
     for (const ReferenceLine& line : panel.lines) {
         if (line.direction == ReferenceLine::Direction::Horizontal) {
             extent.include(line.at, panel.y.isLogarithmic);
         }
     }
-    const int ticks = std::max(2, static_cast<int>(length_px / VerticalTickDistance_px));
-    return scaleOf(panel.y, extent, true, ticks);
+    return scaleOf(panel.y, extent, true, verticalTicks(length_px));
+}
+
+FigureScale rightScale(const Panel& panel, double length_px) {
+    return scaleOf(*panel.right, extentOf(panel.curves, true, *panel.right), true, verticalTicks(length_px));
 }
 
 void makeEqualScale(Figure& figure, int width_px) {

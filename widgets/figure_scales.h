@@ -20,6 +20,8 @@ struct FigureScale {
 /// or line crests would touch the frame; never empty. Ticks about `tickDistance_px` apart.
 FigureScale horizontalScale(const Figure& figure, double length_px);
 FigureScale verticalScale(const Panel& panel, double length_px);
+/// Of the panel's right axis, which it must have.
+FigureScale rightScale(const Panel& panel, double length_px);
 
 /// Widens the shorter axis of the first panel, so that a unit is as long on both when the figure is drawn so
 /// wide. Both must be linear.

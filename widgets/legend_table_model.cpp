@@ -29,6 +29,10 @@ std::optional<double> difference(const LegendNumbers& numbers) {
 
 } // namespace
 
+QString curveWords(const PlotCurve& curve) {
+    return curve.isRight ? LegendTableModel::tr("%1 (right)").arg(curve.label) : curve.label;
+}
+
 void LegendTableModel::setCurves(const std::vector<HistoryCurve*>& curves) {
     beginResetModel();
     m_curves = curves;
@@ -63,7 +67,7 @@ QString LegendTableModel::text(std::size_t row, int column) const {
     const LegendNumbers& numbers = m_numbers[row];
     switch (column) {
     case Name:
-        return curve.label;
+        return curveWords(curve);
     case Value:
         return fixedText(numbers.value, curve.decimals);
     case AtA:
@@ -88,7 +92,7 @@ QString LegendTableModel::widestText(int row, Column column) const {
 QString LegendTableModel::describe(std::size_t row) const {
     const QString state = isStale(row) ? QStringLiteral("\n") + m_numbers[row].stale : QString();
     return tr("%1: %2 %3%4")
-        .arg(m_curves[row]->curve().label, text(row, Value), m_curves[row]->curve().unit, state);
+        .arg(curveWords(m_curves[row]->curve()), text(row, Value), m_curves[row]->curve().unit, state);
 }
 
 QVariant LegendTableModel::colour(std::size_t row, int column) const {

@@ -11,6 +11,9 @@
 
 namespace halbench::widgets {
 
+/// Its label, with the axis where that is the right one.
+QString curveWords(const PlotCurve& curve);
+
 /// The numbers of one curve beside its plot, in the unit shown.
 struct LegendNumbers {
     std::optional<double> value;
@@ -34,6 +37,8 @@ public:
     void setNumbers(const std::vector<LegendNumbers>& numbers);
     /// The widest text a column can be expected to show, for its width.
     QString widestText(int row, Column column) const;
+    bool isShown(int row) const { return m_curves[static_cast<std::size_t>(row)]->isVisible(); }
+    bool isRight(int row) const { return m_curves[static_cast<std::size_t>(row)]->curve().isRight; }
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;

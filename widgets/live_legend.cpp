@@ -1,7 +1,11 @@
 #include "widgets/live_legend.h"
 
+#include <QAction>
+#include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QKeySequence>
+#include <QMenu>
 #include <QScrollBar>
 
 #include <algorithm>
@@ -33,7 +37,9 @@ LiveLegend::LiveLegend(QWidget* parent) : QTableView(parent) {
     horizontalHeader()->setHighlightSections(false);
     setCursorColumnsShown(false, false);
     setAccessibleName(tr("Legend with live values"));
-    setAccessibleDescription(tr("Space hides or shows the chosen curve, Delete removes it from the plot."));
+    setAccessibleDescription(
+        tr("Space hides or shows the chosen curve, R puts it on the other axis, Ctrl+Up and "
+           "Ctrl+Down into another plot, Delete removes it from the plot."));
     setToolTip(accessibleDescription());
     connect(this, &QTableView::doubleClicked, this,
             [this](const QModelIndex& index) { Q_EMIT toggleRequested(index.row()); });
@@ -77,10 +83,32 @@ void LiveLegend::setWidths(const Widths& widths, int total_px) {
     setFixedWidth(total_px);
 }
 
+/// What a key does with the chosen curve; false: nothing.
+bool LiveLegend::run(const QKeySequence& keys) {
+    const int row = currentIndex().row();
+    if (row < 0) {
+        return false;
+    }
+    if (keys == QKeySequence(Qt::Key_Space)) {
+        Q_EMIT toggleRequested(row);
+    } else if (keys == QKeySequence(Qt::Key_R)) {
+        Q_EMIT axisRequested(row);
+    } else if (keys == QKeySequence(QStringLiteral("Ctrl+Up"))) {
+        Q_EMIT moveRequested(row, -1);
+    } else if (keys == QKeySequence(QStringLiteral("Ctrl+Down"))) {
+        Q_EMIT moveRequested(row, 1);
+    } else if (keys == QKeySequence(Qt::Key_Delete)) {
+        Q_EMIT removeRequested(row);
+    } else {
+        return false;
+    }
+    return true;
+}
+
 bool LiveLegend::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) { // Space is the stack's pause elsewhere
         const int key = static_cast<QKeyEvent*>(event)->key();
-        if (currentIndex().isValid() && (key == Qt::Key_Space || key == Qt::Key_Delete)) {
+        if (currentIndex().isValid() && (key == Qt::Key_Space || key == Qt::Key_Delete || key == Qt::Key_R)) {
             event->accept();
             return true;
         }
@@ -89,14 +117,34 @@ bool LiveLegend::event(QEvent* event) {
 }
 
 void LiveLegend::keyPressEvent(QKeyEvent* event) {
-    const int row = currentIndex().row();
-    if (row >= 0 && event->key() == Qt::Key_Space) {
-        Q_EMIT toggleRequested(row);
-    } else if (row >= 0 && event->key() == Qt::Key_Delete) {
-        Q_EMIT removeRequested(row);
-    } else {
+    const int modifiers = static_cast<int>(event->modifiers() & ~Qt::KeypadModifier);
+    if (!run(QKeySequence(event->key() | modifiers))) {
         QTableView::keyPressEvent(event);
     }
+}
+
+void LiveLegend::contextMenuEvent(QContextMenuEvent* event) {
+    if (event->reason() == QContextMenuEvent::Mouse) {
+        setCurrentIndex(indexAt(event->pos()));
+    }
+    const int row = currentIndex().row();
+    if (row < 0) {
+        return;
+    }
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setAccessibleName(tr("The chosen curve"));
+    const auto add = [&](const QString& text, const QKeySequence& keys) {
+        QAction* action = menu->addAction(text);
+        action->setShortcut(keys);
+        connect(action, &QAction::triggered, this, [this, keys] { run(keys); });
+    };
+    add(m_table.isShown(row) ? tr("Hide") : tr("Show"), QKeySequence(Qt::Key_Space));
+    add(m_table.isRight(row) ? tr("To the left axis") : tr("To the right axis"), QKeySequence(Qt::Key_R));
+    add(tr("To the plot above"), QKeySequence(QStringLiteral("Ctrl+Up")));
+    add(tr("To the plot below"), QKeySequence(QStringLiteral("Ctrl+Down")));
+    add(tr("Remove from the plot"), QKeySequence(Qt::Key_Delete));
+    menu->popup(event->globalPos());
 }
 
 } // namespace halbench::widgets

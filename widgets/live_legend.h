@@ -8,7 +8,8 @@
 
 namespace halbench::widgets {
 
-/// The curves of one plot with their live values; Space hides or shows the chosen one, Delete takes it away.
+/// The curves of one plot with their live values; keys and a menu are for the chosen one: Space hides or
+/// shows it, R puts it on the other axis, Ctrl+Up and Ctrl+Down into another plot, Delete takes it away.
 class LiveLegend : public QTableView {
     Q_OBJECT
 public:
@@ -28,12 +29,17 @@ public:
 Q_SIGNALS:
     void toggleRequested(int curve);
     void removeRequested(int curve);
+    void axisRequested(int curve);         ///< the other one
+    void moveRequested(int curve, int by); ///< into the plot so many below
 
 protected:
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
+    bool run(const QKeySequence& keys);
+
     LegendTableModel m_table;
 };
 

@@ -26,6 +26,12 @@ struct TitleForm {
     bool operator==(const TitleForm&) const = default;
 };
 
+/// Where the user holds the axes of values; nothing while they follow the data.
+struct HeldRanges {
+    std::optional<ValueRange> left;
+    std::optional<ValueRange> right;
+};
+
 /// One plot of a stack: curves from the history over the stack's time axis. It decides nothing about time:
 /// the stack tells it which stretch to show, and it tells the stack what the user did. Window thread.
 class LivePlot : public QwtPlot {
@@ -55,14 +61,22 @@ public:
     /// Nothing: follow the data. A range too small or too large to show is ignored.
     void setUserRange(const std::optional<ValueRange>& range);
     ValueRange shownRange() const;
-    /// Fits the axis to what is drawn, now.
+    ValueRange shownRange(bool isRight) const;
+    HeldRanges heldRanges() const { return {m_userRange, m_rightUserRange}; }
+    void setHeldRanges(const HeldRanges& ranges);
+    /// Shows these values of the left axis, and of the right one what is beside them now.
+    void zoomValues(const ValueRange& left);
+    /// Fits the axes to what is drawn, now.
     void fitValues();
     /// Forgets what the axis has been fitted to; a range that the user holds too, unless it is to be kept.
     void rescale(bool keepsHeld);
 
     /// Width that tick labels need, and the width to give them so that stacked plots align.
     int neededExtent() const;
+    int neededRightExtent() const;
     void setExtent(int extent_px);
+    /// Nothing: no plot of the stack has a right axis.
+    void setRightExtent(std::optional<int> extent_px);
     /// Whether the axis title is as short as the axis in this form; and the form to give it, the same for all
     /// of a stack, so that their axes align.
     bool isTitleWhole(const TitleForm& form) const;
@@ -101,9 +115,14 @@ private:
     const PlotCurve* levelCurve() const;
     void finishBox(const QPoint& end);
     void panTo(const QPoint& place);
-    std::optional<ValueRange> dataRange() const;
+    std::optional<ValueRange> dataRange(bool isRight) const;
     int titleRoom() const;
     void updateTitle();
+    void setTitle(int axis, const QString& quantity, const QString& unit);
+    int extentOf(const ValueScaleDraw& scale) const;
+    void showScale(bool isRight);
+    void showLevel();
+    static int axisOf(const PlotCurve& curve) { return curve.isRight ? yRight : yLeft; }
 
     PlotSpec m_spec;
     const control::SampleHistory* m_history = nullptr;
@@ -112,9 +131,12 @@ private:
     GridItem* m_grid;
     BandItem* m_bands;
     OverlayItem* m_overlay;
-    ValueScaleDraw* m_valueScale; ///< owned by the plot's axis
+    ValueScaleDraw* m_valueScale; ///< owned by the plot's axis, as the next
+    ValueScaleDraw* m_rightScale;
     AutoRange m_autoRange{0.0};
+    AutoRange m_rightAutoRange{0.0};
     std::optional<ValueRange> m_userRange;
+    std::optional<ValueRange> m_rightUserRange;
     TitleForm m_titleForm;
     control::TimeRange m_drawn;
     QImage m_image; ///< what the canvas shows; curves set its pixels

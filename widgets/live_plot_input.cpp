@@ -64,8 +64,8 @@ int LivePlot::cursorNear(double canvasX) const {
 
 bool LivePlot::isLevelNear(double canvasY) const {
     const PlotCurve* curve = levelCurve();
-    return curve != nullptr &&
-           std::abs(canvasMap(yLeft).transform(curve->factor * m_level->level) - canvasY) < CursorReach_px;
+    return curve != nullptr && std::abs(canvasMap(axisOf(*curve)).transform(curve->factor * m_level->level) -
+                                        canvasY) < CursorReach_px;
 }
 
 void LivePlot::press(const QMouseEvent& event) {
@@ -92,7 +92,8 @@ void LivePlot::move(const QMouseEvent& event) {
                                                              : Qt::ArrowCursor);
         break;
     case Drag::Level:
-        Q_EMIT levelMoved(canvasMap(yLeft).invTransform(event.pos().y()) / levelCurve()->factor);
+        Q_EMIT levelMoved(canvasMap(axisOf(*levelCurve())).invTransform(event.pos().y()) /
+                          levelCurve()->factor);
         break;
     case Drag::Cursor:
         Q_EMIT cursorMoved(m_draggedCursor, timeAt(event.pos().x()));
@@ -112,7 +113,7 @@ void LivePlot::panTo(const QPoint& place) {
     if (m_userRange) { // an axis that follows its data is left to do so
         const QwtScaleMap map = canvasMap(yLeft);
         const double by = map.invTransform(m_last.y()) - map.invTransform(place.y());
-        m_userRange = ValueRange{m_userRange->low + by, m_userRange->high + by};
+        zoomValues({m_userRange->low + by, m_userRange->high + by});
     }
     m_last = place;
 }
@@ -148,7 +149,7 @@ void LivePlot::wheel(const QWheelEvent& event) {
     Q_EMIT viewAboutToChange();
     const ValueRange values = shownRange();
     const double at = canvasMap(yLeft).invTransform(place.y());
-    setUserRange(ValueRange{at + factor * (values.low - at), at + factor * (values.high - at)});
+    zoomValues({at + factor * (values.low - at), at + factor * (values.high - at)});
     Q_EMIT valuesChanged();
 }
 

@@ -12,11 +12,12 @@ namespace halbench::widgets {
 
 /// One signal as a plot shows it.
 struct PlotCurve {
-    std::string signal;  ///< its name in the history
-    QString label;       ///< in words, translated
-    QString unit;        ///< shown, e.g. "°"
-    double factor = 1.0; ///< shown value = factor x SI value, e.g. 180/pi
-    int decimals = 3;    ///< of the live value
+    std::string signal;   ///< its name in the history
+    QString label;        ///< in words, translated
+    QString unit;         ///< shown, e.g. "°"
+    double factor = 1.0;  ///< shown value = factor x SI value, e.g. 180/pi
+    int decimals = 3;     ///< of the live value
+    bool isRight = false; ///< its values are on the right axis
 
     bool operator==(const PlotCurve&) const = default;
 };
@@ -31,16 +32,35 @@ struct LimitBand {
     bool operator==(const LimitBand&) const = default;
 };
 
-/// One plot of a stack: axis titled `quantity [unit]`.
+/// An axis of values, titled `quantity [unit]`.
+struct PlotAxis {
+    QString quantity = {};
+    QString unit = {};
+    std::optional<ValueRange> fixedRange = {}; ///< default: follows the data
+
+    bool operator==(const PlotAxis&) const = default;
+};
+
+/// One plot of a stack; what is said here of an axis is of the left one.
 struct PlotSpec {
     QString quantity;
     QString unit;
     std::vector<PlotCurve> curves;
     std::vector<LimitBand> bands;
     std::optional<ValueRange> fixedRange; ///< default: follows the data
+    PlotAxis right = {};                  ///< of the curves that are on the right
 
     bool operator==(const PlotSpec&) const = default;
 };
+
+bool hasRightAxis(const PlotSpec& plot);
+/// Whether a curve of this unit can be on that axis: it has no other.
+bool takes(const PlotSpec& plot, bool isRight, const QString& unit);
+/// Puts one of the plot's curves on an axis; the axis gets its quantity from it if it has none yet. False: it
+/// is there already, or the axis has another unit, or nothing would be left on the left one.
+bool putOnAxis(PlotSpec& plot, const std::string& signal, bool isRight);
+/// After curves went: an axis without curves forgets what it showed, and what is left is on the left one.
+void settleAxes(PlotSpec& plot);
 
 /// Where a trigger waits for a signal, in its SI unit.
 struct PlotLevel {

@@ -66,6 +66,7 @@ void LivePlotStack::setPlots(std::vector<PlotSpec> plots) {
     }
     m_zoomHistory.clear();
     m_extent_px = 0;
+    m_rightExtent_px = 0;
     matchRows();
 }
 
@@ -97,6 +98,7 @@ void LivePlotStack::removeCurve(int plot, const std::string& signal) {
     }
     std::vector<PlotCurve>& curves = m_specs[static_cast<std::size_t>(plot)].curves;
     std::erase_if(curves, [&](const PlotCurve& curve) { return curve.signal == signal; });
+    settleAxes(m_specs[static_cast<std::size_t>(plot)]);
     if (curves.empty()) {
         m_specs.erase(m_specs.begin() + plot);
     }
@@ -141,7 +143,7 @@ LivePlotStack::Row LivePlotStack::makeRow() {
 
 void LivePlotStack::connectPlot(int index) {
     LivePlot* plot = m_rows[static_cast<std::size_t>(index)].plot;
-    LiveLegend* legend = m_rows[static_cast<std::size_t>(index)].legend;
+    connectLegend(index);
     connect(plot, &LivePlot::zoomRequested, this, &LivePlotStack::zoomTime);
     connect(plot, &LivePlot::viewAboutToChange, this, &LivePlotStack::remember);
     connect(plot, &LivePlot::fitRequested, this, &LivePlotStack::fitAll);
@@ -155,22 +157,11 @@ void LivePlotStack::connectPlot(int index) {
     });
     connect(plot, &LivePlot::boxChosen, this, [this, plot](control::TimeRange time, ValueRange values) {
         remember();
-        plot->setUserRange(values);
+        plot->zoomValues(values);
         showTimeRange(time);
     });
     connect(plot, &LivePlot::signalsDropped, this,
             [this, index](const QStringList& names) { Q_EMIT signalsDropped(index, names); });
-    connect(legend, &LiveLegend::removeRequested, this, [this, index](int curve) {
-        const PlotSpec& spec = m_specs[static_cast<std::size_t>(index)];
-        removeCurve(index, std::string(spec.curves[static_cast<std::size_t>(curve)].signal));
-        Q_EMIT plotsChanged();
-    });
-    connect(legend, &LiveLegend::toggleRequested, this, [this, plot, legend](int curve) {
-        HistoryCurve* item = plot->curves()[static_cast<std::size_t>(curve)];
-        item->setVisible(!item->isVisible());
-        legend->setTheme(m_theme);
-        m_isDirty = true;
-    });
 }
 
 /// Other plots are equally high at first, whatever room those had that went.
@@ -221,12 +212,13 @@ void LivePlotStack::rescale(bool keepsHeld) {
     m_isDirty = true;
 }
 
-ValueRange LivePlotStack::valueRange(int plot) const {
-    return m_rows.at(static_cast<std::size_t>(plot)).plot->shownRange();
+ValueRange LivePlotStack::valueRange(int plot, bool isRight) const {
+    return m_rows.at(static_cast<std::size_t>(plot)).plot->shownRange(isRight);
 }
 
-std::optional<ValueRange> LivePlotStack::heldRange(int plot) const {
-    return m_rows.at(static_cast<std::size_t>(plot)).plot->userRange();
+std::optional<ValueRange> LivePlotStack::heldRange(int plot, bool isRight) const {
+    const HeldRanges held = m_rows.at(static_cast<std::size_t>(plot)).plot->heldRanges();
+    return isRight ? held.right : held.left;
 }
 
 void LivePlotStack::changed(bool wasFollowing, bool wasPaused) {
@@ -271,7 +263,8 @@ void LivePlotStack::showTimeRange(control::TimeRange range) {
 void LivePlotStack::remember() {
     Snapshot snapshot{m_view, {}};
     for (const Row& row : m_rows) {
-        snapshot.values.push_back(row.plot->userRange());
+        const HeldRanges held = row.plot->heldRanges();
+        snapshot.values.emplace_back(held.left, held.right);
     }
     m_zoomHistory.push_back(std::move(snapshot));
     if (m_zoomHistory.size() > ZoomHistoryLength) {
@@ -288,7 +281,8 @@ void LivePlotStack::zoomBack() {
     const bool wasPaused = isPaused();
     m_view = m_zoomHistory.back().view;
     for (std::size_t i = 0; i < m_rows.size() && i < m_zoomHistory.back().values.size(); ++i) {
-        m_rows[i].plot->setUserRange(m_zoomHistory.back().values[i]);
+        const auto& [left, right] = m_zoomHistory.back().values[i];
+        m_rows[i].plot->setHeldRanges({left, right});
     }
     m_zoomHistory.pop_back();
     m_isWheeling = false;
@@ -311,7 +305,7 @@ void LivePlotStack::fitAll() {
         m_view.showAll();
     }
     for (const Row& row : m_rows) {
-        row.plot->setUserRange(std::nullopt);
+        row.plot->setHeldRanges({});
     }
     m_drawnRevision.reset();
     drawFrame();

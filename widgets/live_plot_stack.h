@@ -11,6 +11,7 @@
 
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 class QAction;
@@ -35,6 +36,9 @@ class TimeAxisBar;
 ///     Space              pause, data are kept      End                             follow the newest sample
 ///     C                  cursors; arrows move the active one, Shift coarsely, A and B choose it
 ///     M                  marker                    Insert                          add signals
+///
+/// In a legend, by its menu too: R puts the chosen curve on the other axis, Ctrl+Up and Ctrl+Down into the
+/// plot above or below, on the axis that has its unit or is free.
 ///
 /// A list without plots becomes one empty plot, which says what it is for.
 class LivePlotStack : public QWidget {
@@ -67,6 +71,9 @@ public:
     /// Adds to a plot, or as a new plot below when `plot` is none of them. A signal is shown once in a plot.
     void addCurve(int plot, const PlotCurve& curve);
     void removeCurve(int plot, const std::string& signal);
+    /// To the other side of its plot, or into another one. False: no axis there takes it.
+    bool moveToAxis(int plot, const std::string& signal, bool isRight);
+    bool moveCurve(int plot, const std::string& signal, int to);
     /// Wears the application's theme from the start and when it changes; this is for another.
     void setTheme(const Theme& theme);
 
@@ -85,9 +92,9 @@ public:
     /// The values' axes fit the next data at once, also inwards; those that the user holds stay, unless what
     /// is shown has nothing to do with what was.
     void rescale(bool keepsHeld);
-    ValueRange valueRange(int plot) const;
-    /// Where the user holds the values' axis; none: it follows the data.
-    std::optional<ValueRange> heldRange(int plot) const;
+    ValueRange valueRange(int plot, bool isRight = false) const;
+    /// Where the user holds an axis of values; none: it follows the data.
+    std::optional<ValueRange> heldRange(int plot, bool isRight = false) const;
 
     void setCursorsVisible(bool areVisible);
     const CursorPair& cursors() const { return m_cursors; }
@@ -132,13 +139,15 @@ private:
     };
     struct Snapshot { ///< an entry of the zoom history
         TimeView view;
-        std::vector<std::optional<ValueRange>> values;
+        std::vector<std::pair<std::optional<ValueRange>, std::optional<ValueRange>>> values;
     };
     void createActions();
     void addAction(Command command, const QString& text, const QString& shortcut, const QString& what);
     void run(Command command);
     Row makeRow();
     void connectPlot(int index);
+    void connectLegend(int index);
+    void choose(int plot, const std::string& signal);
     void matchRows();
     void configureRow(std::size_t index);
     void fitTitles();
@@ -177,6 +186,7 @@ private:
     bool m_isDirty = true;
     int m_framesSinceNumbers = 0;
     int m_extent_px = 0;
+    int m_rightExtent_px = 0;
 };
 
 } // namespace halbench::widgets

@@ -89,17 +89,20 @@ void LivePlotStack::fitTitles() {
 }
 
 void LivePlotStack::align() {
+    const bool hasRight = std::any_of(m_specs.begin(), m_specs.end(), hasRightAxis);
     LiveLegend::Widths widths{};
     int name_px = 0;
     for (const Row& row : m_rows) {
         m_extent_px = std::max(m_extent_px, row.plot->neededExtent()); // only grows: nothing jumps
+        m_rightExtent_px = std::max(m_rightExtent_px, row.plot->neededRightExtent());
         const LiveLegend::Widths own = row.legend->neededWidths();
         for (std::size_t i = 0; i < widths.size(); ++i) {
             widths[i] = std::max(widths[i], own[i]);
         }
-        for (const PlotCurve& curve : row.plot->spec().curves) {
+        for (int curve = 0; curve < row.legend->table().rowCount(); ++curve) {
             const int longest_px = LongestName * fontMetrics().averageCharWidth();
-            name_px = std::max(name_px, std::min(fontMetrics().horizontalAdvance(curve.label), longest_px));
+            const QString name = row.legend->table().widestText(curve, LegendTableModel::Name);
+            name_px = std::max(name_px, std::min(fontMetrics().horizontalAdvance(name), longest_px));
         }
     }
     int total_px = name_px > 0 ? name_px + LineSampleRoom : 0;
@@ -111,6 +114,7 @@ void LivePlotStack::align() {
     total_px = std::min(total_px, static_cast<int>(WidestLegend_ratio * width()));
     for (const Row& row : m_rows) {
         row.plot->setExtent(m_extent_px);
+        row.plot->setRightExtent(hasRight ? std::optional(m_rightExtent_px) : std::nullopt);
         row.legend->setWidths(widths, total_px);
     }
     const QRect canvas = m_rows.front().plot->canvasRect();
@@ -163,6 +167,7 @@ void LivePlotStack::changeEvent(QEvent* event) {
     }
     if (event->type() == QEvent::FontChange) {
         m_extent_px = 0;
+        m_rightExtent_px = 0;
         m_isDirty = true;
     }
 }

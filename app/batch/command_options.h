@@ -64,6 +64,7 @@ struct CommandOptions {
     std::string input;
     std::vector<std::string> derived; ///< --derive
     std::string title;                ///< plot
+    std::string right;                ///< plot
     std::string from, to;
     std::string signal, kind, window, segment, overlap; ///< spectrum
     std::string separator, decimal, header;             ///< import

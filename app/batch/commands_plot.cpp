@@ -64,18 +64,27 @@ Result<Source> readSource(CommandContext& context, const CommandOptions& options
     return Source{*std::move(part), std::move(file->meta), file->hasMeta};
 }
 
-JsonValue toJson(const ResultHeader& header, const Source& source) {
+JsonValue namesOf(const StreamLayout& layout, const std::vector<std::size_t>& columns) {
+    JsonValue names = JsonValue::array();
+    for (const std::size_t column : columns) {
+        names.push(layout.columns[column].name);
+    }
+    return names;
+}
+
+JsonValue toJson(const ResultHeader& header, const Source& source, const std::vector<PicturePanel>& places) {
     JsonValue document = toJson(header);
     document.set("rows", static_cast<std::uint64_t>(source.part.rows()));
     document.set("from_s", source.part.time_s.front()).set("to_s", source.part.time_s.back());
     JsonValue panels = JsonValue::array();
-    for (const PicturePanel& panel : picturePanels(*source.part.layout)) {
-        JsonValue names = JsonValue::array();
-        for (const std::size_t column : panel.columns) {
-            names.push(source.part.layout->columns[column].name);
-        }
+    const StreamLayout& layout = *source.part.layout;
+    for (const PicturePanel& panel : places) {
         JsonValue one = JsonValue::object();
-        panels.push(one.set("unit", panel.unit).set("signals", std::move(names)));
+        one.set("unit", panel.unit).set("signals", namesOf(layout, panel.columns));
+        if (!panel.rightColumns.empty()) {
+            one.set("right", namesOf(layout, panel.rightColumns)).set("right_unit", panel.rightUnit);
+        }
+        panels.push(std::move(one));
     }
     return document.set("panels", std::move(panels));
 }
@@ -93,10 +102,12 @@ CommandResult runPlotCommand(CommandContext& context, const CommandOptions& opti
         return failure(source.error());
     }
     const std::string name = std::filesystem::path(options.input).filename().string();
+    const std::vector<std::string> right = splitList(options.right);
+    const Result<std::vector<PicturePanel>> panels = picturePanels(*source->part.layout, right);
     const Result<std::string> picture =
-        recordingPicture(source->part, options.title.empty() ? name : options.title, options.out);
-    if (!picture) {
-        return failure(picture.error());
+        recordingPicture(source->part, options.title.empty() ? name : options.title, options.out, right);
+    if (!panels || !picture) {
+        return failure(panels ? picture.error() : panels.error());
     }
     if (const Result<void> written = writeFile(options.out, *picture); !written) {
         return failure(written.error());
@@ -107,7 +118,8 @@ CommandResult runPlotCommand(CommandContext& context, const CommandOptions& opti
         header.device = source->meta.device;
         header.started = source->meta.started;
     }
-    if (const Result<void> printed = context.console.printDocument(toJson(header, *source)); !printed) {
+    if (const Result<void> printed = context.console.printDocument(toJson(header, *source, *panels));
+        !printed) {
         return failure(printed.error());
     }
     return ExitCode::Done;

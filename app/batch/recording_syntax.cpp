@@ -59,6 +59,9 @@ void addPlot(CLI::App& app, CommandOptions& options) {
     plot->add_option("--signals", options.signals, "Names, separated by commas")->type_name("A,B");
     plot->add_option("--from", options.from, "First time")->type_name("S");
     plot->add_option("--to", options.to, "Last time")->type_name("S");
+    plot->add_option("--right", options.right,
+                     "Those on the right axis of the panel of the signal before them")
+        ->type_name("A,B");
     plot->add_option("--title", options.title, "Instead of the file's name")->type_name("TEXT");
     addDerive(*plot, options);
 }

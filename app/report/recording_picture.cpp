@@ -4,6 +4,8 @@
 #include "widgets/figure_file.h"
 #include "widgets/offscreen_application.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -40,18 +42,35 @@ widgets::Axis axisOf(const std::string& unit) {
             {}};
 }
 
-widgets::Figure figureOf(const Recording& recording, const std::string& title) {
+/// The quantity of one signal's axis that no unit names is the signal.
+widgets::Axis axisOf(const StreamLayout& layout, const std::string& unit,
+                     const std::vector<std::size_t>& columns) {
+    widgets::Axis axis = axisOf(unit);
+    if (axis.quantity.empty() && columns.size() == 1) {
+        axis.quantity = layout.columns[columns.front()].name;
+    }
+    return axis;
+}
+
+widgets::Figure figureOf(const Recording& recording, const std::string& title,
+                         const std::vector<PicturePanel>& places) {
     widgets::Figure figure;
     figure.title = title;
     figure.x = {"time", "s", false, recording.time_s.front(), recording.time_s.back(), {}};
-    for (const PicturePanel& place : picturePanels(*recording.layout)) {
+    for (const PicturePanel& place : places) {
         widgets::Panel panel;
-        panel.y = axisOf(place.unit);
-        if (panel.y.quantity.empty() && place.columns.size() == 1) {
-            panel.y.quantity = recording.layout->columns[place.columns.front()].name;
-        }
+        panel.y = axisOf(*recording.layout, place.unit, place.columns);
         for (const std::size_t column : place.columns) {
             panel.curves.push_back(curveOf(recording, column));
+        }
+        if (!place.rightColumns.empty()) {
+            panel.right = axisOf(*recording.layout, place.rightUnit, place.rightColumns);
+        }
+        for (const std::size_t column : place.rightColumns) {
+            widgets::Curve curve = curveOf(recording, column);
+            curve.label += " (right)";
+            curve.isRight = true;
+            panel.curves.push_back(std::move(curve));
         }
         figure.panels.push_back(std::move(panel));
     }
@@ -64,22 +83,45 @@ bool isPictureFile(const std::string& path) {
     return widgets::pictureFormat(QString::fromStdString(path)).has_value();
 }
 
-std::vector<PicturePanel> picturePanels(const StreamLayout& layout) {
-    std::vector<PicturePanel> panels;
-    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
-        const std::string& unit = layout.columns[i].unit;
-        auto panel = std::find_if(panels.begin(), panels.end(),
-                                  [&](const PicturePanel& one) { return one.unit == unit; });
-        if (panel == panels.end()) {
-            panel = panels.insert(panels.end(), {unit, {}});
+Result<std::vector<PicturePanel>> picturePanels(const StreamLayout& layout,
+                                                const std::vector<std::string>& right) {
+    for (const std::string& name : right) {
+        if (layout.indexOf(name) < 0) {
+            return failure(ErrorCode::UnknownName, fmt::format("no signal '{}' is drawn", name),
+                           "name it under --signals too");
         }
-        panel->columns.push_back(i);
+    }
+    std::vector<PicturePanel> panels;
+    std::size_t current = 0; ///< the panel of the column before
+    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+        const StreamLayout::Column& column = layout.columns[i];
+        if (std::find(right.begin(), right.end(), column.name) != right.end()) {
+            if (panels.empty() ||
+                !(panels[current].rightColumns.empty() || panels[current].rightUnit == column.unit)) {
+                return failure(ErrorCode::Usage, fmt::format("'{}' has no right axis to go to", column.name),
+                               "it goes to the panel of the signal before it, whose right axis has one unit");
+            }
+            panels[current].rightUnit = column.unit;
+            panels[current].rightColumns.push_back(i);
+            continue;
+        }
+        const auto panel = std::find_if(panels.begin(), panels.end(),
+                                        [&](const PicturePanel& one) { return one.unit == column.unit; });
+        current = static_cast<std::size_t>(panel - panels.begin());
+        if (panel == panels.end()) {
+            panels.push_back({column.unit, {}});
+        }
+        panels[current].columns.push_back(i);
     }
     return panels;
 }
 
 Result<std::string> recordingPicture(const Recording& recording, const std::string& title,
-                                     const std::string& path) {
+                                     const std::string& path, const std::vector<std::string>& right) {
+    const Result<std::vector<PicturePanel>> panels = picturePanels(*recording.layout, right);
+    if (!panels) {
+        return failure(panels.error());
+    }
     const auto application = widgets::OffscreenApplication::ensure();
     const Result<widgets::Theme> theme = widgets::loadTheme("light");
     if (!application || !theme) {
@@ -87,7 +129,8 @@ Result<std::string> recordingPicture(const Recording& recording, const std::stri
     }
     const auto format =
         widgets::pictureFormat(QString::fromStdString(path)).value_or(widgets::PictureFormat::Png);
-    const Result<QByteArray> picture = widgets::pictureFile(figureOf(recording, title), *theme, format);
+    const Result<QByteArray> picture =
+        widgets::pictureFile(figureOf(recording, title, *panels), *theme, format);
     return picture ? Result<std::string>(picture->toStdString()) : failure(picture.error());
 }
 

@@ -77,35 +77,62 @@ void readTrigger(ProjectReader& reader, const ConfigNode& node, TriggerChoice& t
     }
 }
 
-void readSignals(ProjectReader& reader, const ConfigNode& node, std::vector<std::string>& target) {
+void readSignals(ProjectReader& reader, const ConfigNode& node, const std::string& key,
+                 std::vector<std::string>& target) {
     if (node.kind != ConfigNode::Kind::List) {
-        reader.refuse(node, "'signals' must be a list of texts");
+        reader.refuse(node, fmt::format("'{}' must be a list of texts", key));
     }
     for (const ConfigNode& item : node.items) {
-        reader.text(item, "signals", target.emplace_back());
+        reader.text(item, key, target.emplace_back());
     }
 }
 
-void readPlot(ProjectReader& reader, const ConfigNode& node, PlotChoice& plot) {
+/// The two ends of an axis that the user holds: both or neither.
+struct HeldAxis {
     widgets::ValueRange range;
     int ends = 0;
+
+    void take(ProjectReader& reader, const std::string& key, const ConfigNode& value, bool isHigh) {
+        (isHigh ? range.high : range.low) = reader.number(value, key);
+        ++ends;
+    }
+    bool isWrong() const { return ends == 1 || (ends == 2 && !(range.low < range.high)); }
+    std::optional<widgets::ValueRange> held() const {
+        return ends == 2 ? std::optional(range) : std::nullopt;
+    }
+};
+
+void readPlot(ProjectReader& reader, const ConfigNode& node, PlotChoice& plot) {
+    HeldAxis left;
+    HeldAxis right;
     for (const auto& [key, value] : node.members) {
-        if (key == "signals") {
-            readSignals(reader, value, plot.signalNames);
-        } else if (key == "unit") {
-            reader.text(value, key, plot.unit);
+        if (key == "signals" || key == "right") {
+            readSignals(reader, value, key, key == "right" ? plot.rightNames : plot.signalNames);
+        } else if (key == "unit" || key == "right_unit") {
+            reader.text(value, key, key == "unit" ? plot.unit : plot.rightUnit);
         } else if (key == "min" || key == "max") {
-            (key == "min" ? range.low : range.high) = reader.number(value, key);
-            ++ends;
+            left.take(reader, key, value, key == "max");
+        } else if (key == "right_min" || key == "right_max") {
+            right.take(reader, key, value, key == "right_max");
         } else {
-            reader.refuse(value,
-                          fmt::format("unknown key '{}'; a [[plot]] has signals, min, max, unit", key));
+            reader.refuse(value, fmt::format("unknown key '{}'; a [[plot]] has signals, min, max, unit, "
+                                             "right, right_min, right_max, right_unit",
+                                             key));
         }
     }
-    if (ends == 1 || (ends == 2 && !(range.low < range.high))) {
+    if (left.isWrong() || right.isWrong()) {
         reader.refuse(node, "a [[plot]] has both min and max, or neither; min is less than max");
     }
-    plot.range = ends == 2 ? std::optional(range) : std::nullopt;
+    plot.range = left.held();
+    plot.rightRange = right.held();
+}
+
+toml::array namesArray(const std::vector<std::string>& list) {
+    toml::array names;
+    for (const std::string& name : list) {
+        names.push_back(projectValue(name));
+    }
+    return names;
 }
 
 } // namespace
@@ -113,15 +140,19 @@ void readPlot(ProjectReader& reader, const ConfigNode& node, PlotChoice& plot) {
 toml::array projectPlots(const std::vector<PlotChoice>& list) {
     toml::array array;
     for (const PlotChoice& plot : list) {
-        toml::array names;
-        for (const std::string& name : plot.signalNames) {
-            names.push_back(projectValue(name));
-        }
-        toml::table table{{"signals", names}};
+        toml::table table{{"signals", namesArray(plot.signalNames)}};
         if (plot.range) {
             table.insert("min", plot.range->low);
             table.insert("max", plot.range->high);
             table.insert("unit", projectValue(plot.unit));
+        }
+        if (!plot.rightNames.empty()) { // an older version does not know the keys
+            table.insert("right", namesArray(plot.rightNames));
+        }
+        if (plot.rightRange) {
+            table.insert("right_min", plot.rightRange->low);
+            table.insert("right_max", plot.rightRange->high);
+            table.insert("right_unit", projectValue(plot.rightUnit));
         }
         array.push_back(table);
     }

@@ -141,6 +141,7 @@ void MonitorPanel::connectStack() {
             });
     connect(m_stack, &widgets::LivePlotStack::plotsChanged, this, [this] {
         forgetMissing();
+        onValues(); // a curve may have come onto another axis
         onPlotsChanged();
     });
     connect(m_stack, &widgets::LivePlotStack::markersChanged, this, &MonitorPanel::onMarkers);
@@ -223,10 +224,14 @@ MonitorView MonitorPanel::view() const {
     for (std::size_t i = 0; i < plots.size(); ++i) {
         PlotChoice choice;
         for (const widgets::PlotCurve& curve : plots[i].curves) {
-            choice.signalNames.push_back(curve.signal);
+            (curve.isRight ? choice.rightNames : choice.signalNames).push_back(curve.signal);
         }
         choice.range = m_stack->heldRange(static_cast<int>(i));
         choice.unit = choice.range ? plots[i].unit.toStdString() : std::string();
+        if (!choice.rightNames.empty()) {
+            choice.rightRange = m_stack->heldRange(static_cast<int>(i), true);
+            choice.rightUnit = choice.rightRange ? plots[i].right.unit.toStdString() : std::string();
+        }
         if (!choice.signalNames.empty()) {
             view.plots.push_back(std::move(choice));
         }

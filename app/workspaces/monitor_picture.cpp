@@ -2,6 +2,7 @@
 
 #include "widgets/figure_file.h"
 #include "widgets/icons.h"
+#include "widgets/legend_table_model.h"
 #include "widgets/live_plot_stack.h"
 #include "widgets/phrasebook.h"
 #include "widgets/theme_style.h"
@@ -25,7 +26,8 @@ constexpr double ClipboardFineness = 2.0;
 widgets::Curve drawnCurve(const control::SampleHistory& history, const widgets::PlotCurve& curve,
                           control::TimeRange range) {
     widgets::Curve drawn;
-    drawn.label = curve.label.toStdString();
+    drawn.label = widgets::curveWords(curve).toStdString();
+    drawn.isRight = curve.isRight;
     const auto add = [&](double time_s, double value) {
         drawn.x.push_back(time_s);
         drawn.y.push_back(curve.factor * value);
@@ -81,6 +83,15 @@ widgets::Figure monitorFigure(const widgets::LivePlotStack& stack, const control
         const widgets::ValueRange values = stack.valueRange(static_cast<int>(i));
         widgets::Panel panel;
         panel.y = {plot.quantity.toStdString(), plot.unit.toStdString(), false, values.low, values.high, {}};
+        if (widgets::hasRightAxis(plot)) {
+            const widgets::ValueRange right = stack.valueRange(static_cast<int>(i), true);
+            panel.right = widgets::Axis{plot.right.quantity.toStdString(),
+                                        plot.right.unit.toStdString(),
+                                        false,
+                                        right.low,
+                                        right.high,
+                                        {}};
+        }
         panel.height_px = PanelHeight_px;
         for (const widgets::PlotCurve& curve : plot.curves) {
             panel.curves.push_back(drawnCurve(history, curve, range));

@@ -44,6 +44,32 @@ std::vector<widgets::PlotSpec> firstSignals(const devices::Catalogue& catalogue,
     return plots;
 }
 
+struct Shown {
+    const devices::Catalogue& catalogue;
+    const TemperatureBands& bands;
+    const DisplayUnits& units;
+};
+
+/// On the axis that was chosen; the first one says what the axis shows.
+void addChosen(widgets::PlotSpec& plot, const std::string& name, bool isRight, const Shown& shown,
+               QStringList& missing) {
+    const SignalSpec* spec = shown.catalogue.findSignal(name);
+    if (spec == nullptr) {
+        missing << QString::fromStdString(name);
+        return;
+    }
+    widgets::PlotSpec own = plotFor(*spec, shown.bands, shown.units);
+    own.curves.front().isRight = isRight;
+    if (isRight && !widgets::hasRightAxis(plot)) {
+        plot.right = {own.quantity, own.unit, {}};
+    } else if (!isRight && plot.curves.empty()) {
+        plot.quantity = own.quantity;
+        plot.unit = own.unit;
+        plot.bands = own.bands;
+    }
+    plot.curves.push_back(own.curves.front());
+}
+
 } // namespace
 
 TemperatureBands temperatureBands(const devices::Catalogue& catalogue, std::optional<double> limit_degC) {
@@ -109,12 +135,17 @@ std::vector<widgets::PlotSpec> inUnits(std::vector<widgets::PlotSpec> plots,
                 continue; // of another device: it keeps what it says
             }
             const widgets::PlotSpec fresh = plotFor(*spec, bands, units);
-            if (plot.unit != fresh.unit) {
-                plot.fixedRange = std::nullopt; // a held axis means another unit
+            QString& unit = curve.isRight ? plot.right.unit : plot.unit;
+            if (unit != fresh.unit) { // a held axis means another unit
+                (curve.isRight ? plot.right.fixedRange : plot.fixedRange) = std::nullopt;
             }
-            plot.unit = fresh.unit;
-            plot.bands = fresh.bands;
+            unit = fresh.unit;
+            if (!curve.isRight) {
+                plot.bands = fresh.bands;
+            }
+            const bool isRight = curve.isRight;
             curve = fresh.curves.front();
+            curve.isRight = isRight;
         }
     }
     return plots;
@@ -125,20 +156,19 @@ std::vector<widgets::PlotSpec> chosenPlots(const std::vector<PlotChoice>& choice
                                            const DisplayUnits& units, QStringList& missing) {
     std::vector<widgets::PlotSpec> plots;
     for (const PlotChoice& choice : choices) {
-        std::optional<widgets::PlotSpec> plot;
+        widgets::PlotSpec plot;
         for (const std::string& name : choice.signalNames) {
-            const SignalSpec* spec = catalogue.findSignal(name);
-            if (spec == nullptr) {
-                missing << QString::fromStdString(name);
-            } else if (plot) {
-                plot->curves.push_back(curveFor(*spec, units));
-            } else {
-                plot = plotFor(*spec, bands, units);
-            }
+            addChosen(plot, name, false, {catalogue, bands, units}, missing);
         }
-        if (plot) {
-            plot->fixedRange = choice.unit == plot->unit.toStdString() ? choice.range : std::nullopt;
-            plots.push_back(*plot);
+        for (const std::string& name : choice.rightNames) {
+            addChosen(plot, name, true, {catalogue, bands, units}, missing);
+        }
+        if (!plot.curves.empty()) {
+            plot.fixedRange = choice.unit == plot.unit.toStdString() ? choice.range : std::nullopt;
+            plot.right.fixedRange =
+                choice.rightUnit == plot.right.unit.toStdString() ? choice.rightRange : std::nullopt;
+            widgets::settleAxes(plot);
+            plots.push_back(std::move(plot));
         }
     }
     missing.removeDuplicates();

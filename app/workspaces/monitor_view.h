@@ -15,6 +15,9 @@ struct PlotChoice {
     std::vector<std::string> signalNames;
     std::optional<widgets::ValueRange> range; ///< in `unit`; none: follows the data
     std::string unit;                         ///< as shown; only with a range
+    std::vector<std::string> rightNames = {}; ///< of those on the right axis, and the same of that
+    std::optional<widgets::ValueRange> rightRange = {};
+    std::string rightUnit = {};
 
     bool operator==(const PlotChoice&) const = default;
 };

@@ -27,10 +27,28 @@ TEST(RecordingPictureTest, theEndingSaysWhatIsAPicture) {
 
 TEST(RecordingPictureTest, signalsOfOneUnitShareAPanel) {
     const auto panels = picturePanels(*sample().layout);
-    ASSERT_EQ(panels.size(), 3U);
-    EXPECT_EQ(panels[0].unit, "T");
-    EXPECT_EQ(panels[0].columns, (std::vector<std::size_t>{0, 2}));
-    EXPECT_EQ(panels[1].columns, (std::vector<std::size_t>{1}));
+    ASSERT_TRUE(panels);
+    ASSERT_EQ(panels->size(), 3U);
+    EXPECT_EQ((*panels)[0].unit, "T");
+    EXPECT_EQ((*panels)[0].columns, (std::vector<std::size_t>{0, 2}));
+    EXPECT_EQ((*panels)[1].columns, (std::vector<std::size_t>{1}));
+}
+
+TEST(RecordingPictureTest, aSignalGoesToTheRightAxisOfTheOneBeforeIt) {
+    const StreamLayout& layout = *sample().layout;
+    const std::string second = layout.columns[1].name; // an angle behind a flux density
+    const auto panels = picturePanels(layout, {second});
+    ASSERT_TRUE(panels);
+    ASSERT_EQ(panels->size(), 2U);
+    EXPECT_EQ((*panels)[0].rightUnit, "rad");
+    EXPECT_EQ((*panels)[0].rightColumns, (std::vector<std::size_t>{1}));
+    EXPECT_EQ((*panels)[0].columns, (std::vector<std::size_t>{0, 2}));
+    const auto picture = recordingPicture(sample(), "run.csv", "a.svg", {second});
+    ASSERT_TRUE(picture) << picture.error().message;
+    EXPECT_NE(picture->find(">angle [rad]<"), std::string::npos);
+    EXPECT_NE(picture->find(">" + second + " (right)<"), std::string::npos);
+    EXPECT_EQ(picturePanels(layout, {"no.such"}).error().code, ErrorCode::UnknownName);
+    EXPECT_EQ(picturePanels(layout, {layout.columns[0].name}).error().code, ErrorCode::Usage);
 }
 
 TEST(RecordingPictureTest, axesAreTitledAndTheTitleStands) {

@@ -314,6 +314,26 @@ TEST_F(MonitorPanelTest, aSignalThatTheDeviceDoesNotHaveIsSaidAndKeptUntilThePlo
     EXPECT_EQ(panel->view().plots[0].signalNames, (std::vector<std::string>{"hall.a", "hall.b"}));
 }
 
+TEST_F(MonitorPanelTest, aRightAxisIsPartOfTheView) {
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(stack().moveCurve(2, "speed", 1));
+    const MonitorView kept = panel->view();
+    EXPECT_EQ(kept.plots[1].rightNames, (std::vector<std::string>{"speed"}));
+    EXPECT_EQ(kept.plots[1].signalNames, (std::vector<std::string>{"position", "reference"}));
+    panel->setView(MonitorView());
+    EXPECT_FALSE(widgets::hasRightAxis(stack().plots()[1]));
+    panel->setView(kept);
+    ASSERT_TRUE(widgets::hasRightAxis(stack().plots()[1]));
+    EXPECT_EQ(stack().plots()[1].right.unit, "r/min");
+    EXPECT_EQ(panel->view(), kept);
+    // Other units: each axis has its own.
+    DisplayUnits units;
+    units.speed = SpeedUnit::RadiansPerSecond;
+    bench().setDisplayUnits(units);
+    EXPECT_EQ(stack().plots()[1].right.unit, "rad/s");
+    EXPECT_EQ(stack().plots()[1].unit, QString::fromUtf8("\u00b0"));
+}
+
 TEST_F(MonitorPanelTest, anAxisHeldInAnotherUnitIsLetGo) {
     MonitorView view;
     view.plots = {{{"hall.a"}, widgets::ValueRange{0.0, 1.0}, "T"}};

@@ -57,6 +57,20 @@ TEST_F(MonitorPictureTest, hasEveryPlotWithItsUnitAndNoMorePointsThanColumns) {
     EXPECT_NEAR(*std::min_element(finite.begin(), finite.end()), 1000.0 * extremes.min, 1e-3);
 }
 
+TEST_F(MonitorPictureTest, aRightAxisIsInThePictureWithItsUnit) {
+    stack().setPaused(true);
+    ASSERT_TRUE(stack().moveCurve(2, "speed", 1));
+    stack().refresh();
+    const widgets::Figure figure = monitorFigure(stack(), bench().history());
+    const widgets::Panel& panel = figure.panels[1];
+    ASSERT_TRUE(panel.right);
+    EXPECT_EQ(panel.right->unit, "r/min");
+    EXPECT_EQ(panel.right->max, stack().valueRange(1, true).high);
+    EXPECT_TRUE(panel.curves.back().isRight);
+    EXPECT_EQ(panel.curves.back().label, "Speed (right)");
+    EXPECT_FALSE(figure.panels[0].right);
+}
+
 TEST_F(MonitorPictureTest, isCopiedAndSavedByKey) {
     QTemporaryDir folder;
     const QString path = folder.filePath("plots.pdf");

@@ -1,0 +1,97 @@
+// Curves of a stack of plots: what its legends ask for, and on which axis of which plot they are.
+#include "widgets/live_legend.h"
+#include "widgets/live_plot.h"
+#include "widgets/live_plot_stack.h"
+
+#include <algorithm>
+
+namespace halbench::widgets {
+
+void LivePlotStack::connectLegend(int index) {
+    LivePlot* plot = m_rows[static_cast<std::size_t>(index)].plot;
+    LiveLegend* legend = m_rows[static_cast<std::size_t>(index)].legend;
+    const auto curveAt = [this, index](int curve) -> const PlotCurve& {
+        return m_specs[static_cast<std::size_t>(index)].curves[static_cast<std::size_t>(curve)];
+    };
+    connect(legend, &LiveLegend::removeRequested, this, [this, index, curveAt](int curve) {
+        removeCurve(index, std::string(curveAt(curve).signal));
+        Q_EMIT plotsChanged();
+    });
+    connect(legend, &LiveLegend::axisRequested, this, [this, index, curveAt](int curve) {
+        const std::string signal = curveAt(curve).signal;
+        if (moveToAxis(index, signal, !curveAt(curve).isRight)) {
+            choose(index, signal);
+            Q_EMIT plotsChanged();
+        }
+    });
+    connect(legend, &LiveLegend::moveRequested, this, [this, index, curveAt](int curve, int by) {
+        const std::string signal = curveAt(curve).signal;
+        const auto before = static_cast<int>(m_specs.size());
+        if (moveCurve(index, signal, index + by)) {
+            const bool isGone = static_cast<int>(m_specs.size()) < before; // its plot had nothing else
+            choose(index + (isGone && by > 0 ? 0 : by), signal);
+            Q_EMIT plotsChanged();
+        }
+    });
+    connect(legend, &LiveLegend::toggleRequested, this, [this, plot, legend](int curve) {
+        HistoryCurve* item = plot->curves()[static_cast<std::size_t>(curve)];
+        item->setVisible(!item->isVisible());
+        legend->setTheme(m_theme);
+        m_isDirty = true;
+    });
+}
+
+/// The curve that was moved stays the chosen one, so that keys go on with it.
+void LivePlotStack::choose(int plot, const std::string& signal) {
+    const std::vector<PlotCurve>& curves = m_specs[static_cast<std::size_t>(plot)].curves;
+    const auto found = std::find_if(curves.begin(), curves.end(),
+                                    [&](const PlotCurve& curve) { return curve.signal == signal; });
+    LiveLegend* legend = m_rows[static_cast<std::size_t>(plot)].legend;
+    legend->setCurrentIndex(legend->model()->index(static_cast<int>(found - curves.begin()), 0));
+    legend->setFocus();
+}
+
+bool LivePlotStack::moveToAxis(int plot, const std::string& signal, bool isRight) {
+    if (plot < 0 || plot >= static_cast<int>(m_specs.size()) ||
+        !putOnAxis(m_specs[static_cast<std::size_t>(plot)], signal, isRight)) {
+        return false;
+    }
+    m_zoomHistory.clear(); // its entries belong to the axes as they were
+    matchRows();
+    return true;
+}
+
+bool LivePlotStack::moveCurve(int plot, const std::string& signal, int to) {
+    const auto count = static_cast<int>(m_specs.size());
+    if (plot < 0 || plot >= count || to < 0 || to >= count || to == plot) {
+        return false;
+    }
+    const std::vector<PlotCurve>& curves = m_specs[static_cast<std::size_t>(plot)].curves;
+    const auto found = std::find_if(curves.begin(), curves.end(),
+                                    [&](const PlotCurve& curve) { return curve.signal == signal; });
+    PlotSpec& target = m_specs[static_cast<std::size_t>(to)];
+    const auto hasSignal = [&](const PlotCurve& curve) { return curve.signal == signal; };
+    if (found == curves.end() || std::any_of(target.curves.begin(), target.curves.end(), hasSignal)) {
+        return false;
+    }
+    PlotCurve moved = *found;
+    const bool isRight = !takes(target, false, moved.unit);
+    if (isRight && !takes(target, true, moved.unit)) {
+        return false;
+    }
+    const bool isNew = isRight ? !hasRightAxis(target) : target.curves.empty();
+    const PlotSpec& source = m_specs[static_cast<std::size_t>(plot)];
+    const PlotAxis axis{moved.isRight ? source.right.quantity : source.quantity, moved.unit, {}};
+    moved.isRight = isRight;
+    if (isNew && isRight) {
+        target.right = axis;
+    } else if (isNew) {
+        target.quantity = axis.quantity;
+        target.unit = axis.unit;
+    }
+    target.curves.push_back(moved);
+    removeCurve(plot, signal);
+    return true;
+}
+
+} // namespace halbench::widgets
