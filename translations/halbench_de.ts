@@ -3635,14 +3635,6 @@
         <translation>„{}“ muss eine endliche Zahl sein</translation>
     </message>
     <message>
-        <source>&apos;signals&apos; must be a list of texts</source>
-        <translation>„signals“ muss eine Liste von Texten sein</translation>
-    </message>
-    <message>
-        <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit</source>
-        <translation>unbekannter Schlüssel „{}“; ein [[plot]] hat signals, min, max, unit</translation>
-    </message>
-    <message>
         <source>a [[plot]] has both min and max, or neither; min is less than max</source>
         <translation>ein [[plot]] hat min und max oder keines von beiden; min ist kleiner als max</translation>
     </message>
@@ -5257,6 +5249,14 @@
     <message>
         <source>there is a [[derived]] named &apos;{}&apos; already</source>
         <translation>es gibt schon ein [[derived]] mit dem Namen „{}“</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be a list of texts</source>
+        <translation>„{}“ muss eine Liste von Texten sein</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit</source>
+        <translation>unbekannter Schlüssel „{}“; ein [[plot]] hat signals, min, max, unit, right, right_min, right_max, right_unit</translation>
     </message>
 </context>
 <context>
@@ -8013,6 +8013,29 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
         <source>Picture (*.svg *.pdf *.png)</source>
         <translation>Bild (*.svg *.pdf *.png)</translation>
     </message>
+    <message>
+        <source>%1, reference</source>
+        <translation>%1, Referenz</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::MonitorReference</name>
+    <message>
+        <source>Reference from a recording…</source>
+        <translation>Referenz aus einer Aufzeichnung…</translation>
+    </message>
+    <message>
+        <source>Lay a recording under the curves, aligned at the trigger or at the beginning</source>
+        <translation>Eine Aufzeichnung unter die Kurven legen, am Trigger oder am Anfang ausgerichtet</translation>
+    </message>
+    <message>
+        <source>Reference from a recording</source>
+        <translation>Referenz aus einer Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Recording (*.csv *.mf4)</source>
+        <translation>Aufzeichnung (*.csv *.mf4)</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MonitorStatistics</name>
@@ -9439,7 +9462,7 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
     <message>
         <source>Root locus</source>
-        <translation type="unfinished">Wurzelortskurve</translation>
+        <translation>Wurzelortskurve</translation>
     </message>
 </context>
 <context>
@@ -10828,6 +10851,10 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>Unit</source>
         <translation>Einheit</translation>
     </message>
+    <message>
+        <source>%1 (right)</source>
+        <translation>%1 (rechts)</translation>
+    </message>
 </context>
 <context>
     <name>halbench::widgets::LiveLegend</name>
@@ -10836,8 +10863,40 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Legende mit laufenden Werten</translation>
     </message>
     <message>
-        <source>Space hides or shows the chosen curve, Delete removes it from the plot.</source>
-        <translation>Die Leertaste blendet die gewählte Kurve aus oder ein, Entf entfernt sie aus dem Diagramm.</translation>
+        <source>Space hides or shows the chosen curve, R puts it on the other axis, Ctrl+Up and Ctrl+Down into another plot, Delete removes it from the plot.</source>
+        <translation>Leertaste blendet die gewählte Kurve aus oder ein, R legt sie auf die andere Achse, Strg+Auf und Strg+Ab legen sie in ein anderes Diagramm, Entf entfernt sie aus dem Diagramm.</translation>
+    </message>
+    <message>
+        <source>The chosen curve</source>
+        <translation>Die gewählte Kurve</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Einblenden</translation>
+    </message>
+    <message>
+        <source>To the left axis</source>
+        <translation>Auf die linke Achse</translation>
+    </message>
+    <message>
+        <source>To the right axis</source>
+        <translation>Auf die rechte Achse</translation>
+    </message>
+    <message>
+        <source>To the plot above</source>
+        <translation>Ins Diagramm darüber</translation>
+    </message>
+    <message>
+        <source>To the plot below</source>
+        <translation>Ins Diagramm darunter</translation>
+    </message>
+    <message>
+        <source>Remove from the plot</source>
+        <translation>Aus dem Diagramm entfernen</translation>
     </message>
 </context>
 <context>
@@ -10857,6 +10916,10 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Arrow keys move a cursor, plus and minus zoom, Space pauses, F fits, Insert adds signals.</source>
         <translation>Pfeiltasten bewegen eine Messmarke, Plus und Minus zoomen, die Leertaste hält an, F passt ein, Einfg fügt Signale hinzu.</translation>
+    </message>
+    <message>
+        <source>Plot of %1, at the right %2</source>
+        <translation>Diagramm: %1, rechts %2</translation>
     </message>
 </context>
 <context>
@@ -10992,6 +11055,30 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>At an event; press End to follow</source>
         <translation>An einem Ereignis; Ende folgt wieder</translation>
+    </message>
+    <message>
+        <source>Keep as reference</source>
+        <translation>Als Referenz behalten</translation>
+    </message>
+    <message>
+        <source>What is shown stays as faint curves below the live ones</source>
+        <translation>Was gezeigt wird, bleibt als blasse Kurven unter den laufenden</translation>
+    </message>
+    <message>
+        <source>Remove the reference</source>
+        <translation>Referenz entfernen</translation>
+    </message>
+    <message>
+        <source>The faint curves go</source>
+        <translation>Die blassen Kurven verschwinden</translation>
+    </message>
+    <message>
+        <source>what was shown</source>
+        <translation>was gezeigt wurde</translation>
+    </message>
+    <message>
+        <source>Remove the reference: %1</source>
+        <translation>Referenz entfernen: %1</translation>
     </message>
 </context>
 <context>

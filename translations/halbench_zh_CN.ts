@@ -3635,14 +3635,6 @@
         <translation>“{}”必须是有限数</translation>
     </message>
     <message>
-        <source>&apos;signals&apos; must be a list of texts</source>
-        <translation>“signals”必须是文本列表</translation>
-    </message>
-    <message>
-        <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit</source>
-        <translation>未知的键“{}”；[[plot]] 只有 signals、min、max、unit</translation>
-    </message>
-    <message>
         <source>a [[plot]] has both min and max, or neither; min is less than max</source>
         <translation>[[plot]] 要么同时有 min 和 max，要么都没有；min 小于 max</translation>
     </message>
@@ -5257,6 +5249,14 @@
     <message>
         <source>there is a [[derived]] named &apos;{}&apos; already</source>
         <translation>已有名为“{}”的 [[derived]]</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be a list of texts</source>
+        <translation>“{}”必须是文本列表</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit</source>
+        <translation>未知的键“{}”；[[plot]] 有 signals、min、max、unit、right、right_min、right_max、right_unit</translation>
     </message>
 </context>
 <context>
@@ -8007,6 +8007,29 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
         <source>Picture (*.svg *.pdf *.png)</source>
         <translation>图片 (*.svg *.pdf *.png)</translation>
     </message>
+    <message>
+        <source>%1, reference</source>
+        <translation>%1，参考</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::MonitorReference</name>
+    <message>
+        <source>Reference from a recording…</source>
+        <translation>用记录作参考…</translation>
+    </message>
+    <message>
+        <source>Lay a recording under the curves, aligned at the trigger or at the beginning</source>
+        <translation>把一条记录放在曲线下方，按触发或开头对齐</translation>
+    </message>
+    <message>
+        <source>Reference from a recording</source>
+        <translation>用记录作参考</translation>
+    </message>
+    <message>
+        <source>Recording (*.csv *.mf4)</source>
+        <translation>记录 (*.csv *.mf4)</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MonitorStatistics</name>
@@ -9431,7 +9454,7 @@ A real device has its own time.</source>
     </message>
     <message>
         <source>Root locus</source>
-        <translation type="unfinished">根轨迹</translation>
+        <translation>根轨迹</translation>
     </message>
 </context>
 <context>
@@ -10819,6 +10842,10 @@ A real device has its own time.</source>
         <source>Unit</source>
         <translation>单位</translation>
     </message>
+    <message>
+        <source>%1 (right)</source>
+        <translation>%1（右）</translation>
+    </message>
 </context>
 <context>
     <name>halbench::widgets::LiveLegend</name>
@@ -10827,8 +10854,40 @@ A real device has its own time.</source>
         <translation>带实时数值的图例</translation>
     </message>
     <message>
-        <source>Space hides or shows the chosen curve, Delete removes it from the plot.</source>
-        <translation>空格键隐藏或显示所选曲线，Delete 键将其从图中移除。</translation>
+        <source>Space hides or shows the chosen curve, R puts it on the other axis, Ctrl+Up and Ctrl+Down into another plot, Delete removes it from the plot.</source>
+        <translation>空格键隐藏或显示选中的曲线，R 把它放到另一侧的轴，Ctrl+上、Ctrl+下把它移到另一个曲线图，Delete 把它从曲线图中移除。</translation>
+    </message>
+    <message>
+        <source>The chosen curve</source>
+        <translation>选中的曲线</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>隐藏</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>To the left axis</source>
+        <translation>放到左轴</translation>
+    </message>
+    <message>
+        <source>To the right axis</source>
+        <translation>放到右轴</translation>
+    </message>
+    <message>
+        <source>To the plot above</source>
+        <translation>移到上方的曲线图</translation>
+    </message>
+    <message>
+        <source>To the plot below</source>
+        <translation>移到下方的曲线图</translation>
+    </message>
+    <message>
+        <source>Remove from the plot</source>
+        <translation>从曲线图中移除</translation>
     </message>
 </context>
 <context>
@@ -10848,6 +10907,10 @@ A real device has its own time.</source>
     <message>
         <source>Arrow keys move a cursor, plus and minus zoom, Space pauses, F fits, Insert adds signals.</source>
         <translation>方向键移动光标，加号和减号缩放，空格键暂停，F 键适应，Insert 键添加信号。</translation>
+    </message>
+    <message>
+        <source>Plot of %1, at the right %2</source>
+        <translation>%1 的曲线图，右轴为 %2</translation>
     </message>
 </context>
 <context>
@@ -10983,6 +11046,30 @@ A real device has its own time.</source>
     <message>
         <source>At an event; press End to follow</source>
         <translation>位于事件处；按 End 跟随</translation>
+    </message>
+    <message>
+        <source>Keep as reference</source>
+        <translation>保留为参考</translation>
+    </message>
+    <message>
+        <source>What is shown stays as faint curves below the live ones</source>
+        <translation>所显示的内容保留为实时曲线下方的浅色曲线</translation>
+    </message>
+    <message>
+        <source>Remove the reference</source>
+        <translation>移除参考</translation>
+    </message>
+    <message>
+        <source>The faint curves go</source>
+        <translation>浅色曲线消失</translation>
+    </message>
+    <message>
+        <source>what was shown</source>
+        <translation>曾显示的内容</translation>
+    </message>
+    <message>
+        <source>Remove the reference: %1</source>
+        <translation>移除参考：%1</translation>
     </message>
 </context>
 <context>

@@ -64,9 +64,11 @@ HistoryCurve::HistoryCurve(PlotCurve curve, LinePattern pattern)
     setZ(20.0);
 }
 
-void HistoryCurve::setSource(const control::SampleHistory* history, control::TimeRange drawn) {
+void HistoryCurve::setSource(const control::SampleHistory* history, control::TimeRange drawn,
+                             double shift_s) {
     m_history = history;
-    m_drawn = drawn;
+    m_drawn = {drawn.begin_s - shift_s, drawn.end_s - shift_s};
+    m_shift_s = shift_s;
 }
 
 void HistoryCurve::draw(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,
@@ -79,7 +81,7 @@ void HistoryCurve::draw(QPainter* painter, const QwtScaleMap& xMap, const QwtSca
     map.columns = std::max(1, static_cast<int>(std::lround(canvas.width() * ratio)));
     map.rows = std::max(1, static_cast<int>(std::lround(canvas.height() * ratio)));
     map.perSecond = ratio * (xMap.p2() - xMap.p1()) / (xMap.s2() - xMap.s1());
-    map.begin_s = xMap.invTransform(canvas.left());
+    map.begin_s = xMap.invTransform(canvas.left()) - m_shift_s;
     const double perShown = ratio * (yMap.p2() - yMap.p1()) / (yMap.s2() - yMap.s1());
     map.perValue = m_curve.factor * perShown;
     map.zero = ratio * (yMap.p1() - canvas.top()) - perShown * yMap.s1() + 0.5;

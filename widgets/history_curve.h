@@ -27,8 +27,9 @@ public:
     LinePattern pattern() const { return m_pattern; }
     const QColor& colour() const { return m_colour; }
     void setColour(const QColor& colour) { m_colour = colour; }
-    /// Not owned; may be null. `drawn`: nothing outside is shown although the axis may be longer.
-    void setSource(const control::SampleHistory* history, control::TimeRange drawn);
+    /// Not owned; may be null. `drawn`, of the axis: nothing outside is shown although the axis may be
+    /// longer. `shift_s`: so much later than its time a sample is drawn.
+    void setSource(const control::SampleHistory* history, control::TimeRange drawn, double shift_s = 0.0);
 
     void draw(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,
               const QRectF& canvas) const override;
@@ -41,7 +42,8 @@ private:
     LinePattern m_pattern;
     QColor m_colour;
     const control::SampleHistory* m_history = nullptr;
-    control::TimeRange m_drawn;
+    control::TimeRange m_drawn; ///< in the history's time
+    double m_shift_s = 0.0;
     mutable CurveShape m_shape; ///< kept, so that frames do not allocate
     mutable CurveMask m_mask;
 };

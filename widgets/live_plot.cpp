@@ -111,6 +111,7 @@ void LivePlot::setSpec(const PlotSpec& spec, const control::SampleHistory* histo
         item->attach(this);
         m_curves.push_back(item);
     }
+    makeReferenceCurves();
     m_bands->set(m_spec.bands, m_theme);
     m_grid->setVisible(!m_spec.curves.empty());
     m_overlay->setMessage(m_spec.curves.empty() ? tr("Drag signals here or press Insert") : QString());
@@ -137,6 +138,7 @@ void LivePlot::setTheme(const Theme& theme) {
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
         m_curves[i]->setColour(theme.curves[i % CurveColours]);
     }
+    makeReferenceCurves();
     QPalette colours = palette();
     colours.setColor(QPalette::Window, theme.panel);
     colours.setColor(QPalette::WindowText, theme.plotAxis);
@@ -163,7 +165,7 @@ void LivePlot::rescale(bool keepsHeld) {
     m_rightAutoRange = AutoRange(smallestLength(m_spec, true));
     if (!keepsHeld) {
         m_userRange = m_spec.fixedRange;
-        m_rightUserRange.reset();
+        m_rightUserRange = m_spec.right.fixedRange;
     }
 }
 

@@ -4,6 +4,7 @@
 #include "widgets/history_curve.h"
 #include "widgets/live_plot_spec.h"
 #include "widgets/plot_marks.h"
+#include "widgets/reference_traces.h"
 #include "widgets/theme.h"
 
 #include <QImage>
@@ -52,6 +53,9 @@ public:
     void setEvent(const std::optional<double>& event_s);
     /// Drawn when its signal is one of the curves.
     void setLevel(const std::optional<PlotLevel>& level);
+    /// Faint curves below those of the same signals; null: none.
+    void setReference(ReferencePtr reference);
+    const std::vector<HistoryCurve*>& referenceCurves() const { return m_referenceCurves; }
     void setCursors(const CursorPair& cursors);
     void setMarkers(const std::vector<PlotMarker>& markers) { m_overlay->setMarkers(markers); }
     void setNamesShown(bool areShown) { m_overlay->setNamesShown(areShown); }
@@ -121,6 +125,8 @@ private:
     void setTitle(int axis, const QString& quantity, const QString& unit);
     int extentOf(const ValueScaleDraw& scale) const;
     void showScale(bool isRight);
+    void makeReferenceCurves();
+    void showReference(control::TimeRange view);
     void showLevel();
     static int axisOf(const PlotCurve& curve) { return curve.isRight ? yRight : yLeft; }
 
@@ -128,6 +134,8 @@ private:
     const control::SampleHistory* m_history = nullptr;
     Theme m_theme;
     std::vector<HistoryCurve*> m_curves; ///< owned by the plot
+    ReferencePtr m_reference;
+    std::vector<HistoryCurve*> m_referenceCurves; ///< owned by the plot
     GridItem* m_grid;
     BandItem* m_bands;
     OverlayItem* m_overlay;

@@ -166,6 +166,7 @@ void LivePlot::showFrame(control::TimeRange view, double timeStep_s, control::Ti
     for (HistoryCurve* curve : m_curves) {
         curve->setSource(m_history, drawn);
     }
+    showReference(view);
     showScale(false);
     showScale(true);
     showLevel();

@@ -198,6 +198,7 @@ void LivePlotStack::configureRow(std::size_t index) {
     }
     row.isConfigured = true;
     row.legend->table().setCurves({});
+    row.plot->setReference(m_reference);
     row.plot->setSpec(m_specs[index], m_history);
     row.legend->table().setCurves(row.plot->curves());
     row.legend->setCursorColumnsShown(m_cursors.isVisible, index == 0);

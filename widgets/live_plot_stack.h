@@ -3,6 +3,7 @@
 #include "control/signals/sample_history.h"
 #include "widgets/live_plot_spec.h"
 #include "widgets/plot_marks.h"
+#include "widgets/reference_traces.h"
 #include "widgets/theme.h"
 #include "widgets/time_view.h"
 
@@ -36,6 +37,7 @@ class TimeAxisBar;
 ///     Space              pause, data are kept      End                             follow the newest sample
 ///     C                  cursors; arrows move the active one, Shift coarsely, A and B choose it
 ///     M                  marker                    Insert                          add signals
+///     K, Shift+K         keep what is shown as faint reference, remove it
 ///
 /// In a legend, by its menu too: R puts the chosen curve on the other axis, Ctrl+Up and Ctrl+Down into the
 /// plot above or below, on the axis that has its unit or is free.
@@ -58,6 +60,8 @@ public:
         CursorA,
         CursorB,
         Marker,
+        KeepReference,
+        RemoveReference,
         AddSignals
     };
 
@@ -107,6 +111,14 @@ public:
     void setMarkers(std::vector<PlotMarker> markers);
     const std::vector<PlotMarker>& markers() const { return m_markers; }
 
+    /// What is in view of the curves that are shown becomes the reference.
+    void keepReference();
+    /// Null: none.
+    void setReference(ReferencePtr reference);
+    const ReferencePtr& reference() const { return m_reference; }
+    /// How much later it is drawn than it was.
+    double referenceShift_s() const;
+
     /// Draws now if something changed; otherwise the timer does.
     void refresh();
     /// For tool bars and menus: text, shortcut and tooltip are set.
@@ -124,6 +136,7 @@ Q_SIGNALS:
     void cursorsChanged();
     void markersChanged();
     void levelMoved(double level); ///< by the mouse, in SI
+    void referenceChanged();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -174,6 +187,7 @@ private:
     std::vector<PlotMarker> m_markers;
     std::optional<double> m_event_s;
     std::optional<PlotLevel> m_level;
+    ReferencePtr m_reference;
     std::vector<Snapshot> m_zoomHistory;
     bool m_isWheeling = false; ///< turns of the wheel in a row are one step of the zoom history
     std::map<Command, QAction*> m_actions;

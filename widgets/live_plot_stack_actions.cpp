@@ -38,6 +38,11 @@ void LivePlotStack::createActions() {
     addAction(Command::CursorA, tr("Cursor A"), QStringLiteral("A"), tr("Arrow keys move cursor A"));
     addAction(Command::CursorB, tr("Cursor B"), QStringLiteral("B"), tr("Arrow keys move cursor B"));
     addAction(Command::Marker, tr("Marker"), QStringLiteral("M"), tr("Mark this moment"));
+    addAction(Command::KeepReference, tr("Keep as reference"), QStringLiteral("K"),
+              tr("What is shown stays as faint curves below the live ones"));
+    addAction(Command::RemoveReference, tr("Remove the reference"), QStringLiteral("Shift+K"),
+              tr("The faint curves go"));
+    m_actions.at(Command::RemoveReference)->setEnabled(false);
     addAction(Command::AddSignals, tr("Add signals"), QStringLiteral("Insert"), tr("Choose signals to show"));
     for (const Command command : {Command::Pause, Command::Follow, Command::Cursors}) {
         m_actions.at(command)->setCheckable(true);
@@ -90,6 +95,10 @@ void LivePlotStack::run(Command command) {
         return setCursorsVisible(true);
     case Command::Marker:
         return dropMarker();
+    case Command::KeepReference:
+        return keepReference();
+    case Command::RemoveReference:
+        return setReference(nullptr);
     case Command::AddSignals:
         Q_EMIT addSignalsRequested(activePlot());
         return;

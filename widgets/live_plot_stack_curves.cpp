@@ -3,7 +3,11 @@
 #include "widgets/live_plot.h"
 #include "widgets/live_plot_stack.h"
 
+#include <QAction>
+
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace halbench::widgets {
 
@@ -92,6 +96,42 @@ bool LivePlotStack::moveCurve(int plot, const std::string& signal, int to) {
     target.curves.push_back(moved);
     removeCurve(plot, signal);
     return true;
+}
+
+void LivePlotStack::keepReference() {
+    std::set<std::string> shown;
+    for (const Row& row : m_rows) {
+        for (const HistoryCurve* curve : row.plot->curves()) {
+            if (curve->isVisible()) {
+                shown.insert(curve->curve().signal);
+            }
+        }
+    }
+    if (m_history == nullptr) {
+        return;
+    }
+    ReferenceTraces traces = keptTraces(*m_history, shown, m_view.range());
+    traces.event_s = m_event_s;
+    traces.name = tr("what was shown");
+    setReference(std::make_shared<const ReferenceTraces>(std::move(traces)));
+}
+
+void LivePlotStack::setReference(ReferencePtr reference) {
+    m_reference = std::move(reference);
+    for (const Row& row : m_rows) {
+        row.plot->setReference(m_reference);
+    }
+    QAction* remove = m_actions.at(Command::RemoveReference);
+    remove->setEnabled(m_reference != nullptr);
+    remove->setToolTip(QStringLiteral("%1 (%2)").arg(
+        m_reference != nullptr ? tr("Remove the reference: %1").arg(m_reference->name) : remove->statusTip(),
+        remove->shortcut().toString(QKeySequence::NativeText)));
+    m_isDirty = true;
+    Q_EMIT referenceChanged();
+}
+
+double LivePlotStack::referenceShift_s() const {
+    return m_reference != nullptr ? shiftOf(*m_reference, m_view.range().begin_s, m_event_s) : 0.0;
 }
 
 } // namespace halbench::widgets

@@ -2,6 +2,7 @@
 
 #include "app/workspaces/monitor_picture.h"
 #include "app/workspaces/monitor_plots.h"
+#include "app/workspaces/monitor_reference.h"
 #include "app/workspaces/monitor_statistics.h"
 #include "app/workspaces/monitor_trigger.h"
 #include "app/workspaces/panel_parts.h"
@@ -36,10 +37,11 @@ struct Tool {
     const char* icon;
     bool hasText = false;
 };
-constexpr Tool Tools[] = {{Command::Pause, "pause", true}, {Command::Follow, "follow", true},
-                          {Command::Fit, "fit"},           {Command::ShowAll, "zoom"},
-                          {Command::ZoomBack, "undo"},     {Command::Cursors, "cursor"},
-                          {Command::Marker, "note"},       {Command::AddSignals, "add"}};
+constexpr Tool Tools[] = {
+    {Command::Pause, "pause", true},    {Command::Follow, "follow", true}, {Command::Fit, "fit"},
+    {Command::ShowAll, "zoom"},         {Command::ZoomBack, "undo"},       {Command::Cursors, "cursor"},
+    {Command::Marker, "note"},          {Command::AddSignals, "add"},      {Command::KeepReference, "save"},
+    {Command::RemoveReference, "clear"}};
 
 /// To milliseconds: the view moves by whole pixel columns, a project shall not.
 double rounded(double time_s) {
@@ -66,6 +68,7 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     m_stack->setHistory(&m_bench.history());
     m_trigger = new MonitorTrigger(m_bench, *m_stack, *this);
     m_picture = new MonitorPicture(m_bench, *m_stack, *this);
+    m_reference = new MonitorReference(*m_stack, *this);
     m_statistics = new MonitorStatistics(m_bench, *m_stack, *this);
     auto* column = new QVBoxLayout(plots);
     column->setContentsMargins(0, 0, 0, 0);
@@ -109,8 +112,8 @@ QWidget* MonitorPanel::buildTools() {
         action->setIcon(widgets::themedIcon(QLatin1String(tool.icon)));
         addTool(*bar, *action, tool.hasText);
     }
-    for (QAction* action : {&m_trigger->action(), &m_statistics->action(), &m_picture->copyAction(),
-                            &m_picture->saveAction()}) {
+    for (QAction* action : {&m_reference->openAction(), &m_trigger->action(), &m_statistics->action(),
+                            &m_picture->copyAction(), &m_picture->saveAction()}) {
         addTool(*bar, *action, false);
     }
     auto* space = new QWidget(bar);
@@ -124,11 +127,15 @@ QWidget* MonitorPanel::buildTools() {
 }
 
 void MonitorPanel::setFileChooser(FileChooser chooser) {
+    m_reference->setFileChooser(chooser);
     m_picture->setFileChooser(std::move(chooser));
 }
 
 void MonitorPanel::connectStack() {
     connect(m_picture, &MonitorPicture::failed, this, [this](const QString& text, const QString& remedy) {
+        m_message->showMessage({widgets::Severity::Error, text, remedy, {}});
+    });
+    connect(m_reference, &MonitorReference::failed, this, [this](const QString& text, const QString& remedy) {
         m_message->showMessage({widgets::Severity::Error, text, remedy, {}});
     });
     connect(m_stack, &widgets::LivePlotStack::signalsDropped, this,

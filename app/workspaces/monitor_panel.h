@@ -23,6 +23,7 @@ namespace halbench::app {
 
 class MonitorStatistics;
 class MonitorPicture;
+class MonitorReference;
 class MonitorTrigger;
 
 /// What the device does, over time, in stacked plots (resources/help/monitor.md, "Plots").
@@ -70,6 +71,7 @@ private:
     widgets::LivePlotStack* m_stack = nullptr;
     MonitorTrigger* m_trigger = nullptr;
     MonitorPicture* m_picture = nullptr;
+    MonitorReference* m_reference = nullptr;
     MonitorStatistics* m_statistics = nullptr;
     QLabel* m_stream = nullptr;
     QTimer m_values; ///< what is said of the stream

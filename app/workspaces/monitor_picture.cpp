@@ -62,6 +62,29 @@ widgets::Curve drawnCurve(const control::SampleHistory& history, const widgets::
     return drawn;
 }
 
+/// Dotted, in the colours of the curves they are compared with.
+void addReference(widgets::Panel& panel, const widgets::LivePlotStack& stack, const widgets::PlotSpec& plot) {
+    const widgets::ReferencePtr& reference = stack.reference();
+    const double shift_s = stack.referenceShift_s();
+    const control::TimeRange range = stack.timeRange();
+    for (std::size_t i = 0; reference != nullptr && i < plot.curves.size(); ++i) {
+        const auto samples = reference->samples.find(plot.curves[i].signal);
+        if (samples == reference->samples.end()) {
+            continue;
+        }
+        widgets::Curve trace =
+            drawnCurve(*samples->second, plot.curves[i], {range.begin_s - shift_s, range.end_s - shift_s});
+        for (double& time_s : trace.x) {
+            time_s += shift_s;
+        }
+        trace.label =
+            MonitorPicture::tr("%1, reference").arg(QString::fromStdString(trace.label)).toStdString();
+        trace.style = widgets::CurveStyle::DottedLine;
+        trace.colour = static_cast<int>(i);
+        panel.curves.push_back(std::move(trace));
+    }
+}
+
 QAction* makeAction(QWidget& panel, const QString& text, const QString& what, const char* icon,
                     const QKeySequence& shortcut) {
     auto* action = new QAction(widgets::themedIcon(QLatin1String(icon)), text, &panel);
@@ -96,6 +119,7 @@ widgets::Figure monitorFigure(const widgets::LivePlotStack& stack, const control
         for (const widgets::PlotCurve& curve : plot.curves) {
             panel.curves.push_back(drawnCurve(history, curve, range));
         }
+        addReference(panel, stack, plot);
         figure.panels.push_back(std::move(panel));
     }
     return figure;

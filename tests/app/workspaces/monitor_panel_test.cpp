@@ -97,9 +97,13 @@ TEST_F(MonitorPanelTest, theValuesAxesFitAnotherDeviceAtOnceAndTheSameOneAsTheUs
     connectTo("sim:htm?seed=4", 5.0);
     const int temperature = indexOf("coil_temperature.a");
     ASSERT_TRUE(wait([&] { return stack().valueRange(temperature).low > 1.0; })) << "fits 25 degC";
-    auto* plot = stack().findChildren<widgets::LivePlot*>().at(temperature);
     const widgets::ValueRange held{200.0, 300.0};
-    plot->setUserRange(held);
+    for (widgets::LivePlot* plot : stack().findChildren<widgets::LivePlot*>()) {
+        if (plot->spec() == stack().plots()[static_cast<std::size_t>(temperature)]) {
+            plot->setUserRange(held);
+        }
+    }
+    ASSERT_EQ(stack().heldRange(temperature), held);
     connectTo("sim:htm?seed=4", 5.0);
     EXPECT_EQ(stack().heldRange(temperature), held) << "the same one, reconnected";
     connectTo("sim:htm?seed=9", 5.0);

@@ -3,6 +3,7 @@
 #include "tests/app/workspaces/bench_fixture.h"
 #include "widgets/live_plot.h"
 #include "widgets/live_plot_stack.h"
+#include "widgets/message_bar.h"
 
 #include <QClipboard>
 #include <QFile>
@@ -69,6 +70,39 @@ TEST_F(MonitorPictureTest, aRightAxisIsInThePictureWithItsUnit) {
     EXPECT_TRUE(panel.curves.back().isRight);
     EXPECT_EQ(panel.curves.back().label, "Speed (right)");
     EXPECT_FALSE(figure.panels[0].right);
+}
+
+TEST_F(MonitorPictureTest, theReferenceIsInThePictureDottedInItsCurvesColour) {
+    stack().setPaused(true);
+    stack().keepReference();
+    stack().refresh();
+    const widgets::Figure figure = monitorFigure(stack(), bench().history());
+    const std::vector<widgets::Curve>& curves = figure.panels[0].curves;
+    ASSERT_EQ(curves.size(), 4U); // the two Hall sensors now and then
+    EXPECT_EQ(curves[2].label, curves[0].label + ", reference");
+    EXPECT_EQ(curves[2].style, widgets::CurveStyle::DottedLine);
+    EXPECT_EQ(curves[2].colour, 0);
+    EXPECT_EQ(curves[3].colour, 1);
+}
+
+TEST_F(MonitorPictureTest, aRecordingIsLaidUnderTheCurvesByKey) {
+    QTemporaryDir folder;
+    const QString path = folder.filePath("run.csv");
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("time_s,hall_a_T,position_rad\n0,0.1,1\n0.01,0.11,1\n0.02,0.12,1\n");
+    file.close();
+    QString chosen = path;
+    panel->setFileChooser({{}, [&](QWidget*, const FileQuestion&) { return chosen; }});
+    press(Qt::Key_K);
+    ASSERT_TRUE(wait([&] { return stack().reference() != nullptr; }));
+    EXPECT_EQ(stack().reference()->name, "run.csv");
+    EXPECT_FALSE(stack().reference()->event_s);
+    chosen = folder.filePath("none.csv");
+    press(Qt::Key_K);
+    auto* message = panel->findChild<widgets::MessageBar*>();
+    ASSERT_TRUE(wait([&] { return message->message().severity == widgets::Severity::Error; }));
+    EXPECT_TRUE(stack().reference()) << "what was there stays";
 }
 
 TEST_F(MonitorPictureTest, isCopiedAndSavedByKey) {

@@ -1,0 +1,76 @@
+#include "app/workspaces/monitor_reference.h"
+
+#include "devices/acquisition/recording_file.h"
+#include "widgets/icons.h"
+#include "widgets/live_plot_stack.h"
+#include "widgets/phrasebook.h"
+#include "widgets/reference_traces.h"
+
+#include <QAction>
+#include <QFileInfo>
+#include <QWidget>
+
+#include <algorithm>
+
+namespace halbench::app {
+
+namespace {
+
+/// The event of a recording that waited for one, else where its record button was pressed.
+std::optional<double> eventOf(const devices::RecordingMeta& meta) {
+    for (const char* name : {"trigger", "record"}) {
+        const auto found = std::find_if(meta.markers.begin(), meta.markers.end(),
+                                        [&](const auto& marker) { return marker.text == name; });
+        if (found != meta.markers.end()) {
+            return found->time_s;
+        }
+    }
+    return std::nullopt;
+}
+
+Result<widgets::ReferencePtr> readReference(const QString& path) {
+    const Result<devices::RecordedFile> file = devices::readRecordingFile(path.toStdString());
+    if (!file) {
+        return failure(file.error());
+    }
+    widgets::ReferenceTraces traces = widgets::tracesOf(file->recording);
+    traces.event_s = eventOf(file->meta);
+    traces.name = QFileInfo(path).fileName();
+    return std::make_shared<const widgets::ReferenceTraces>(std::move(traces));
+}
+
+} // namespace
+
+MonitorReference::MonitorReference(widgets::LivePlotStack& stack, QWidget& panel)
+    : QObject(&panel), m_stack(stack), m_panel(panel) {
+    m_open =
+        new QAction(widgets::themedIcon(QStringLiteral("open")), tr("Reference from a recording…"), &panel);
+    m_open->setShortcut(QKeySequence(QStringLiteral("Ctrl+K")));
+    m_open->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    m_open->setToolTip(QStringLiteral("%1 (%2)").arg(
+        tr("Lay a recording under the curves, aligned at the trigger or at the beginning"),
+        m_open->shortcut().toString(QKeySequence::NativeText)));
+    panel.addAction(m_open);
+    connect(m_open, &QAction::triggered, this, &MonitorReference::open);
+}
+
+void MonitorReference::open() {
+    const QString path =
+        m_chooser.open
+            ? m_chooser.open(&m_panel, {tr("Reference from a recording"), {}, tr("Recording (*.csv *.mf4)")})
+            : QString();
+    if (path.isEmpty()) {
+        return;
+    }
+    m_files.run([path] { return readReference(path); },
+                [this](const Result<widgets::ReferencePtr>& read) {
+                    if (read) {
+                        m_stack.setReference(*read);
+                    } else {
+                        Q_EMIT failed(widgets::inWords(read.error().message),
+                                      widgets::inWords(read.error().hint));
+                    }
+                });
+}
+
+} // namespace halbench::app

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "app/workspaces/file_chooser.h"
+#include "app/workspaces/file_queue.h"
+
+#include <QObject>
+
+class QAction;
+class QWidget;
+
+namespace halbench::widgets {
+class LivePlotStack;
+}
+
+namespace halbench::app {
+
+/// Lays a recording under the Monitor's curves as their reference (resources/help/monitor.md, "Reference").
+class MonitorReference : public QObject {
+    Q_OBJECT
+
+public:
+    /// `panel` gets the action.
+    MonitorReference(widgets::LivePlotStack& stack, QWidget& panel);
+
+    void setFileChooser(FileChooser chooser) { m_chooser = std::move(chooser); }
+    QAction& openAction() { return *m_open; }
+
+Q_SIGNALS:
+    void failed(const QString& text, const QString& remedy);
+
+private:
+    void open();
+
+    widgets::LivePlotStack& m_stack;
+    QWidget& m_panel;
+    FileChooser m_chooser;
+    FileQueue m_files;
+    QAction* m_open = nullptr;
+};
+
+} // namespace halbench::app
