@@ -9,11 +9,15 @@ namespace {
 
 const double NaN = std::numeric_limits<double>::quiet_NaN();
 
-// Parts of a page: the times, then of each column its values and its groups by level.
+// Parts of a page: the times, the groups of 16 rows of all columns, those of 64 (they are so short that one
+// read for all signals is better than one for each), then of each column its values and its groups of 4.
 constexpr std::size_t TimePart = 0;
-constexpr std::size_t PartsPerColumn = 1 + SampleChunk::Levels;
-constexpr std::size_t partOf(std::size_t column, std::size_t level) {
-    return 1 + column * PartsPerColumn + level;
+constexpr std::size_t LevelsPerColumn = 1;
+constexpr std::size_t valuePart(std::size_t column) {
+    return SampleChunk::Levels + 2 * column;
+}
+constexpr std::size_t groupPart(std::size_t column, std::size_t level) {
+    return level > LevelsPerColumn ? level - LevelsPerColumn : valuePart(column) + 1;
 }
 
 /// The upper groups of a column (SampleTrack): a third more than the 16 of the lowest level, rounded up.
@@ -28,7 +32,9 @@ SampleChunk::SampleChunk(std::size_t columns)
     m_detail->values.resize(Rows * columns);
     for (std::size_t level = 1; level <= Levels; ++level) {
         m_detail->groups[level - 1].resize(groupsOf(level) * columns);
+        m_groups[level - 1] = m_detail->groups[level - 1].data();
     }
+    m_times_s = m_detail->time_s.data();
 }
 
 SampleChunk::~SampleChunk() {
@@ -110,8 +116,8 @@ void SampleChunk::closeGroups(std::size_t column, std::size_t formerRows) {
 }
 
 double SampleChunk::time_s(std::size_t row) const {
-    if (m_detail) {
-        return m_detail->time_s[row];
+    if (m_times_s != nullptr) {
+        return m_times_s[row];
     }
     const auto* octets = m_pages->part(*m_page, TimePart, Rows * sizeof(double));
     if (octets != nullptr) {
@@ -129,7 +135,7 @@ const double* SampleChunk::values(std::size_t column) const {
     if (m_detail) {
         return m_detail->values.data() + column * Rows;
     }
-    return reinterpret_cast<const double*>(m_pages->part(*m_page, partOf(column, 0), Rows * sizeof(double)));
+    return reinterpret_cast<const double*>(m_pages->part(*m_page, valuePart(column), Rows * sizeof(double)));
 }
 
 double SampleChunk::value(std::size_t column, std::size_t row) const {
@@ -141,15 +147,24 @@ Extremes SampleChunk::group(std::size_t column, std::size_t level, std::size_t i
     if (std::isnan(m_references[column])) {
         return {};
     }
-    const FloatExtremes* groups =
-        m_detail ? m_detail->groups[level - 1].data() + column * groupsOf(level)
-                 : reinterpret_cast<const FloatExtremes*>(m_pages->part(
-                       *m_page, partOf(column, level), groupsOf(level) * sizeof(FloatExtremes)));
-    if (groups == nullptr) {
+    const FloatExtremes* all = groups(column, level);
+    if (all == nullptr) {
         return {};
     }
-    return {m_references[column] + static_cast<double>(groups[index].min),
-            m_references[column] + static_cast<double>(groups[index].max)};
+    return {m_references[column] + static_cast<double>(all[index].min),
+            m_references[column] + static_cast<double>(all[index].max)};
+}
+
+const FloatExtremes* SampleChunk::groups(std::size_t column, std::size_t level) const {
+    const std::size_t first = column * groupsOf(level);
+    if (m_groups[level - 1] != nullptr) {
+        return m_groups[level - 1] + first;
+    }
+    const bool isOfAll = level > LevelsPerColumn;
+    const std::size_t count = groupsOf(level) * (isOfAll ? m_columns : 1);
+    const auto* octets = m_pages->part(*m_page, groupPart(column, level), count * sizeof(FloatExtremes));
+    return octets != nullptr ? reinterpret_cast<const FloatExtremes*>(octets) + (isOfAll ? first : 0)
+                             : nullptr;
 }
 
 Moments SampleChunk::momentsOf(std::size_t column, std::size_t begin, std::size_t end) const {
@@ -170,12 +185,13 @@ void SampleChunk::putInto(const std::shared_ptr<PageCache>& pages) {
     PageContent content;
     content.owner = m_detail;
     content.parts.push_back(std::as_bytes(std::span(m_detail->time_s)));
+    for (std::size_t level = LevelsPerColumn + 1; level <= Levels; ++level) {
+        content.parts.push_back(std::as_bytes(std::span(m_detail->groups[level - 1])));
+    }
     for (std::size_t column = 0; column < m_columns; ++column) {
         content.parts.push_back(std::as_bytes(std::span(m_detail->values.data() + column * Rows, Rows)));
-        for (std::size_t level = 1; level <= Levels; ++level) {
-            content.parts.push_back(std::as_bytes(
-                std::span(m_detail->groups[level - 1].data() + column * groupsOf(level), groupsOf(level))));
-        }
+        content.parts.push_back(
+            std::as_bytes(std::span(m_detail->groups[0].data() + column * groupsOf(1), groupsOf(1))));
     }
     m_pages = pages;
     m_page = pages->store().put(std::move(content));
@@ -187,6 +203,8 @@ bool SampleChunk::settle() {
             m_marks_s.push_back(m_detail->time_s[row]);
         }
         m_marks_s.push_back(m_detail->time_s[Rows - 1]);
+        m_times_s = nullptr;
+        m_groups.fill(nullptr);
         m_detail.reset();
     }
     return m_detail == nullptr;

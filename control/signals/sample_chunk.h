@@ -49,7 +49,7 @@ public:
     double time_s(std::size_t row) const;
     /// Of a row that is a multiple of MarkRows; never reads anything back.
     double markedTime_s(std::size_t row) const {
-        return m_detail ? m_detail->time_s[row] : m_marks_s[row / MarkRows];
+        return m_times_s != nullptr ? m_times_s[row] : m_marks_s[row / MarkRows];
     }
     double value(std::size_t column, std::size_t row) const;
     /// Extremes of the complete group `index` of 4^level rows, level 1 ... Levels.
@@ -74,6 +74,7 @@ private:
         std::array<std::vector<FloatExtremes>, Levels> groups; ///< by level, column by column
     };
 
+    const FloatExtremes* groups(std::size_t column, std::size_t level) const;
     void addColumn(std::size_t column, std::size_t rows, const double* values);
     void closeGroups(std::size_t column, std::size_t formerRows);
     const double* values(std::size_t column) const;
@@ -82,9 +83,11 @@ private:
     std::size_t m_columns;
     std::size_t m_rows = 0;
     std::shared_ptr<Detail> m_detail;
-    std::vector<double> m_references; ///< first value of each column that is finite
-    std::vector<Moments> m_moments;   ///< per column, of a full chunk
-    std::vector<double> m_marks_s;    ///< when the detail is elsewhere: every MarkRows-th time and the last
+    const double* m_times_s = nullptr; ///< in the detail, as long as it is here; a step less than through it
+    std::array<const FloatExtremes*, Levels> m_groups{}; ///< likewise
+    std::vector<double> m_references;                    ///< first value of each column that is finite
+    std::vector<Moments> m_moments;                      ///< per column, of a full chunk
+    std::vector<double> m_marks_s; ///< when the detail is elsewhere: every MarkRows-th time and the last
     std::optional<PageStore::Page> m_page;
     std::shared_ptr<PageCache> m_pages;
 };

@@ -148,8 +148,7 @@ const std::vector<std::uint64_t>& SampleHistory::edges(std::size_t number, TimeR
     for (std::size_t i = 0; i <= count; ++i) {
         const double time_s =
             range.begin_s + range.length_s() * static_cast<double>(i) / static_cast<double>(count);
-        row =
-            snap >= SampleChunk::MarkRows ? track.markedRowAtFrom(row, time_s) : track.rowAtFrom(row, time_s);
+        row = snap >= SampleChunk::MarkRows ? track.markedRowAt(time_s) : track.rowAtFrom(row, time_s);
         m_edges.rows[i] = std::max(row - row % snap, track.firstRow());
     }
     return m_edges.rows;

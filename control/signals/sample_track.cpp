@@ -12,6 +12,7 @@ void SampleTrack::add(std::span<const double> time_s, const double* values) {
     while (!time_s.empty()) {
         if (m_endRow % SampleChunk::Rows == 0) {
             m_chunks.push_back(std::make_unique<SampleChunk>(m_columns));
+            m_begins_s.push_back(time_s.front());
         }
         const std::size_t rows = std::min(time_s.size(), static_cast<std::size_t>(Group - m_endRow % Group));
         m_chunks.back()->add(time_s.first(rows), values);
@@ -31,7 +32,7 @@ std::size_t SampleTrack::bytes() const {
 
 std::optional<double> SampleTrack::nextToPut_s() const {
     const bool isThere = m_put < m_chunks.size() && m_chunks[m_put]->isFull() && m_put + 1 < m_chunks.size();
-    return isThere ? std::optional(m_chunks[m_put]->markedTime_s(0)) : std::nullopt;
+    return isThere ? std::optional(m_begins_s[m_put]) : std::nullopt;
 }
 
 void SampleTrack::settle() {
@@ -67,6 +68,7 @@ Extremes SampleTrack::mergedGroups(std::size_t column, std::size_t level, std::u
 
 void SampleTrack::dropOldestChunk() {
     m_chunks.pop_front();
+    m_begins_s.pop_front();
     ++m_firstChunk;
     m_paged -= m_paged > 0 ? 1 : 0;
     m_put -= m_put > 0 ? 1 : 0;
@@ -86,8 +88,8 @@ void SampleTrack::dropOldestChunk() {
 
 namespace {
 
-/// First row of the chunk that is not before a time; its first row is.
-std::size_t rowWithin(const SampleChunk& chunk, double time_s) {
+/// The last mark of the chunk that is before a time; its first is.
+std::size_t markBefore(const SampleChunk& chunk, double time_s) {
     std::size_t mark = 0;
     for (std::size_t last = (chunk.rows() - 1) / SampleChunk::MarkRows; mark < last;) {
         const std::size_t middle = (mark + last + 1) / 2;
@@ -97,6 +99,12 @@ std::size_t rowWithin(const SampleChunk& chunk, double time_s) {
             last = middle - 1;
         }
     }
+    return mark;
+}
+
+/// First row of the chunk that is not before a time; its first row is.
+std::size_t rowWithin(const SampleChunk& chunk, double time_s) {
+    const std::size_t mark = markBefore(chunk, time_s);
     std::size_t low = mark * SampleChunk::MarkRows + 1;
     for (std::size_t high = std::min(low - 1 + SampleChunk::MarkRows, chunk.rows()); low < high;) {
         const std::size_t middle = (low + high) / 2;
@@ -111,17 +119,27 @@ std::size_t rowWithin(const SampleChunk& chunk, double time_s) {
 
 } // namespace
 
+std::size_t SampleTrack::chunksBefore(double time_s) const {
+    return static_cast<std::size_t>(std::lower_bound(m_begins_s.begin(), m_begins_s.end(), time_s) -
+                                    m_begins_s.begin());
+}
+
 std::uint64_t SampleTrack::rowAt(double time_s) const {
     // The last chunk, and in it the last mark, that begins before the time: what is looked for comes after.
-    const auto chunk = std::partition_point(m_chunks.begin(), m_chunks.end(),
-                                            [&](const auto& one) { return one->markedTime_s(0) < time_s; });
-    if (chunk == m_chunks.begin()) {
+    const std::size_t chunks = chunksBefore(time_s);
+    if (chunks == 0) {
         return firstRow();
     }
-    const SampleChunk& found = **std::prev(chunk);
-    const std::uint64_t first =
-        firstRow() + static_cast<std::uint64_t>(chunk - m_chunks.begin() - 1) * SampleChunk::Rows;
-    return first + rowWithin(found, time_s);
+    return firstRow() + (chunks - 1) * SampleChunk::Rows + rowWithin(*m_chunks[chunks - 1], time_s);
+}
+
+std::uint64_t SampleTrack::markedRowAt(double time_s) const {
+    const std::size_t chunks = chunksBefore(time_s);
+    if (chunks == 0) {
+        return firstRow();
+    }
+    const std::size_t mark = markBefore(*m_chunks[chunks - 1], time_s) + 1;
+    return std::min(firstRow() + (chunks - 1) * SampleChunk::Rows + mark * SampleChunk::MarkRows, m_endRow);
 }
 
 namespace {
@@ -150,14 +168,6 @@ std::uint64_t gallop(std::uint64_t start, std::uint64_t end, const IsBefore& isB
 
 std::uint64_t SampleTrack::rowAtFrom(std::uint64_t start, double time_s) const {
     return gallop(start, m_endRow, [&](std::uint64_t row) { return this->time_s(row) < time_s; });
-}
-
-std::uint64_t SampleTrack::markedRowAtFrom(std::uint64_t start, double time_s) const {
-    constexpr std::uint64_t Step = SampleChunk::MarkRows;
-    const std::uint64_t mark = gallop(start / Step, (m_endRow + Step - 1) / Step, [&](std::uint64_t index) {
-        return markedTime_s(index * Step) < time_s;
-    });
-    return std::min(mark * Step, m_endRow);
 }
 
 Extremes SampleTrack::group(std::size_t column, std::size_t level, std::uint64_t index) const {

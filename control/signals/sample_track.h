@@ -1,5 +1,6 @@
 #pragma once
 
+#include "control/signals/front_queue.h"
 #include "control/signals/sample_chunk.h"
 
 #include <cstdint>
@@ -44,13 +45,14 @@ public:
     double value(std::size_t column, std::uint64_t row) const {
         return chunkOf(row).value(column, row % SampleChunk::Rows);
     }
-    double begin_s() const { return m_chunks.front()->markedTime_s(0); }
+    double begin_s() const { return m_begins_s.front(); }
     /// First row not before a time; endRow() when all are. O(log rows), reads back one chunk at most.
     std::uint64_t rowAt(double time_s) const;
     /// The same, searching from a row that is not after the answer: fast for small steps.
     std::uint64_t rowAtFrom(std::uint64_t start, double time_s) const;
-    /// The same of the rows that are multiples of SampleChunk::MarkRows, which reads nothing back.
-    std::uint64_t markedRowAtFrom(std::uint64_t start, double time_s) const;
+    /// First row not before a time that is a multiple of SampleChunk::MarkRows, or endRow(); reads nothing
+    /// back.
+    std::uint64_t markedRowAt(double time_s) const;
     /// Extremes of rows [begin, end) in O(log(end - begin)).
     Extremes extremes(std::size_t column, std::uint64_t begin, std::uint64_t end) const;
     /// Moments of rows [begin, end): a step a chunk, and up to two chunks row by row.
@@ -60,13 +62,12 @@ public:
     std::size_t gaps(std::uint64_t begin, std::uint64_t end) const;
 
 private:
-    using Level = std::vector<std::deque<Extremes>>; ///< per column; index 0 is group m_firstGroup
+    using Level = std::vector<FrontQueue<Extremes>>; ///< per column; index 0 is group m_firstGroup
     const SampleChunk& chunkOf(std::uint64_t row) const {
         return *m_chunks[static_cast<std::size_t>(row / SampleChunk::Rows - m_firstChunk)];
     }
-    double markedTime_s(std::uint64_t row) const {
-        return chunkOf(row).markedTime_s(static_cast<std::size_t>(row % SampleChunk::Rows));
-    }
+    /// Number of chunks that begin before a time.
+    std::size_t chunksBefore(double time_s) const;
     Extremes group(std::size_t column, std::size_t level, std::uint64_t index) const;
     Extremes mergedGroups(std::size_t column, std::size_t level, std::uint64_t first) const;
     void closeUpperGroups();
@@ -75,7 +76,8 @@ private:
     std::size_t m_columns;
     std::uint64_t m_firstChunk = 0;
     std::uint64_t m_endRow = 0;
-    std::deque<std::unique_ptr<SampleChunk>> m_chunks;
+    FrontQueue<std::unique_ptr<SampleChunk>> m_chunks;
+    FrontQueue<double> m_begins_s;           ///< of the chunks
     std::size_t m_paged = 0;                 ///< the first so many chunks are only in the store
     std::size_t m_put = 0;                   ///< the first so many were put into it
     std::vector<Level> m_upper;              ///< groups of 256, 1024, ... rows

@@ -103,11 +103,11 @@ TEST(SampleTrack, findsRowsByTime) {
 
 TEST(SampleTrack, findsMarkedRowsByTime) {
     const SampleTrack track = trackOf(std::vector<double>(10'000, 0.0));
-    for (const std::uint64_t start : {0U, 63U, 64U, 500U}) {
-        EXPECT_EQ(track.markedRowAtFrom(start, 0.5004), 512U) << start;
-        EXPECT_EQ(track.markedRowAtFrom(start, 0.512), 512U) << start;
-        EXPECT_EQ(track.markedRowAtFrom(start, 100.0), 10'000U) << start;
-    }
+    EXPECT_EQ(track.markedRowAt(-1.0), 0U);
+    EXPECT_EQ(track.markedRowAt(0.5004), 512U);
+    EXPECT_EQ(track.markedRowAt(0.512), 512U);
+    EXPECT_EQ(track.markedRowAt(4.09), 4096U); // in the next chunk
+    EXPECT_EQ(track.markedRowAt(100.0), 10'000U);
 }
 
 TEST(SampleTrack, blocksOfAnySizeGiveTheSamePyramid) {
