@@ -79,9 +79,9 @@ Figure bodeFigure(const BodeContent& content) {
     phase.lines = content.phaseLines;
     for (const BodeContent::Response& response : content.responses) {
         magnitude.curves.push_back(
-            {response.label, response.frequency_Hz, response.magnitude_dB, response.style, {}});
+            {response.label, response.frequency_Hz, response.magnitude_dB, response.style, response.colour});
         phase.curves.push_back(
-            {response.label, response.frequency_Hz, response.phase_deg, response.style, {}});
+            {response.label, response.frequency_Hz, response.phase_deg, response.style, response.colour});
     }
     return {content.title,
             {utf8(Words::tr("frequency")), "Hz", true, {}, {}, {}},

@@ -3,6 +3,7 @@
 #include "widgets/figure.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,7 @@ struct BodeContent {
         std::vector<double> magnitude_dB;
         std::vector<double> phase_deg;
         CurveStyle style = CurveStyle::Line;
+        std::optional<int> colour; ///< as of a Curve
     };
     std::vector<Response> responses;
     std::vector<ReferenceLine> magnitudeLines; ///< e.g. 0 dB

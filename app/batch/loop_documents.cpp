@@ -119,8 +119,7 @@ JsonValue formsOf(const control::PidGains& gains) {
 
 /// What a design is judged by beside its margins; null for a loop that grows beyond all numbers.
 JsonValue proofOf(const TuneResult& result) {
-    const auto proof = control::proveDesign(result.plant, result.law.gains, result.conditions.timing,
-                                            result.conditions.currentLimit_A);
+    const auto& proof = result.proof;
     if (!proof) {
         return {};
     }

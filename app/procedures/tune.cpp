@@ -136,6 +136,11 @@ Result<TuneResult> judged(TuneResult result, const MotorEstimate& estimate, cons
         return failure(robust.error());
     }
     result.robust = *robust;
+    // Here, on the worker that judges: whoever writes or compares results must not compute.
+    if (auto proof = control::proveDesign(result.plant, result.law.gains, config.conditions.timing,
+                                          config.conditions.currentLimit_A)) {
+        result.proof = *std::move(proof);
+    }
     result.warnings = result.predicted.warnings;
     addDesignWarnings(result);
     addRobustnessWarnings(result, estimate);

@@ -2,10 +2,12 @@
 
 #include "app/procedures/analyse.h"
 #include "control/design/design_methods.h"
+#include "control/design/proof.h"
 #include "control/design/robustness.h"
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +30,8 @@ struct TuneResult {
     control::PositionLaw law; ///< parallel form, A/rad
     AnalysisResult predicted;
     control::Robustness robust;
-    std::vector<Finding> warnings; ///< of design, prediction and robustness
+    std::optional<control::DesignProof> proof; ///< nothing: the loop grows beyond all numbers
+    std::vector<Finding> warnings;             ///< of design, prediction and robustness
     DataQuality quality;
 };
 

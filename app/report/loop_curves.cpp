@@ -2,6 +2,8 @@
 
 #include <QtCore/QCoreApplication>
 
+#include <array>
+
 namespace halbench::app {
 namespace {
 
@@ -17,7 +19,7 @@ struct Words {
 std::vector<LoopCurve> loopCurves(const AnalysisResult& predicted,
                                   const std::optional<AnalysisResult>& present,
                                   const std::vector<NamedLoop>& others) {
-    constexpr int Colours = 8; // of the theme
+    constexpr std::array Colours = {0, 1, 2, 3, 4, 5, 7}; // of the theme, without MarkColour
     const bool isAlone = !present && others.empty();
     std::vector<LoopCurve> curves;
     curves.push_back(
@@ -26,9 +28,10 @@ std::vector<LoopCurve> loopCurves(const AnalysisResult& predicted,
         curves.push_back({&*present, Words::tr("before").toStdString(), CurveStyle::DashedLine, 1});
     }
     for (const NamedLoop& other : others) {
-        const int at = static_cast<int>(curves.size());
-        curves.push_back(
-            {other.loop, other.name, at < Colours ? CurveStyle::Line : CurveStyle::DottedLine, at % Colours});
+        const std::size_t at = curves.size();
+        curves.push_back({other.loop, other.name,
+                          at < Colours.size() ? CurveStyle::Line : CurveStyle::DottedLine,
+                          Colours[at % Colours.size()]});
     }
     return curves;
 }

@@ -23,6 +23,9 @@ struct LoopCurve {
     int colour;
 };
 
+/// Curve role of what belongs to a picture and to no loop: unit circle, margins, measured points.
+constexpr int MarkColour = 6;
+
 /// The proposed loop, the one before it, the others; the arguments must live as long as the answer.
 std::vector<LoopCurve> loopCurves(const AnalysisResult& predicted,
                                   const std::optional<AnalysisResult>& present,

@@ -23,8 +23,6 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(halbench::app::LoopFigures)
 };
 
-constexpr int MarkColour = 6; ///< of what belongs to the picture and not to a loop
-
 std::string utf8(const QString& text) {
     return text.toStdString();
 }

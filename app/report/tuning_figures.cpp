@@ -27,9 +27,10 @@ std::string utf8(const QString& text) {
 
 /// Coherent points, and behind them those that are not; nothing of a kind that there is none of.
 void addMeasured(widgets::BodeContent& content, const MeasuredLoop& measured) {
-    widgets::BodeContent::Response coherent{utf8(Words::tr("measured")), {}, {}, {}, CurveStyle::Points};
+    widgets::BodeContent::Response coherent{utf8(Words::tr("measured")), {},        {}, {},
+                                            CurveStyle::Points,          MarkColour};
     widgets::BodeContent::Response rest{
-        utf8(Words::tr("measured, not coherent")), {}, {}, {}, CurveStyle::HollowPoints};
+        utf8(Words::tr("measured, not coherent")), {}, {}, {}, CurveStyle::HollowPoints, MarkColour};
     for (std::size_t i = 0; i < measured.isUsed.size(); ++i) {
         widgets::BodeContent::Response& response = measured.isUsed[i] ? coherent : rest;
         response.frequency_Hz.push_back(measured.frequency_Hz[i]);
@@ -115,7 +116,7 @@ widgets::Figure openLoopFigure(const AnalysisResult& predicted, const std::optio
         const bool needsName = each.label.empty() && measured; // it is not alone any more
         const std::string label = needsName ? utf8(Words::tr("proposed")) : each.label;
         content.responses.push_back(
-            {label, bode.frequency_Hz, bode.magnitude_dB, bode.phase_deg, each.style});
+            {label, bode.frequency_Hz, bode.magnitude_dB, bode.phase_deg, each.style, each.colour});
     }
     if (measured) {
         addMeasured(content, *measured);
@@ -205,7 +206,7 @@ widgets::Panel remainder(const VerificationBand& band, const AngleScale& scale, 
     constexpr double Around_ratio = 2.5; // of the allowed error: what is on its way leaves the panel
     const double extent = Around_ratio * scale.factor * std::max(band.allowed_rad, band.friction_rad);
     widgets::Panel panel;
-    panel.height_px = 150;
+    panel.height_px = 200; // what is judged
     panel.y = {utf8(Words::tr("error")), scale.symbol, false, -extent, extent, {}};
     const auto addBand = [&](const QString& name, double half_rad, CurveStyle style, int colour) {
         const std::string label = utf8(name.arg(QString::fromStdString("\u00b1" + scale.text(half_rad, 2))));

@@ -51,7 +51,7 @@ TEST(Figures, regressionTellsUsedPointsFromThoseLeftOut) {
 
 TEST(Figures, bodeSharesALogarithmicFrequencyAxis) {
     BodeContent content;
-    content.responses = {{"loop", {1.0, 10.0}, {20.0, 0.0}, {-90.0, -135.0}, CurveStyle::Line}};
+    content.responses = {{"loop", {1.0, 10.0}, {20.0, 0.0}, {-90.0, -135.0}, CurveStyle::Line, {}}};
     const Figure figure = bodeFigure(content);
     EXPECT_TRUE(figure.x.isLogarithmic);
     ASSERT_EQ(figure.panels.size(), 2U);

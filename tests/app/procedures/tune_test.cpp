@@ -49,6 +49,16 @@ bool has(const std::vector<Finding>& findings, std::string_view code) {
     return std::any_of(findings.begin(), findings.end(), [code](const Finding& f) { return f.code == code; });
 }
 
+// Who draws, compares or writes a result finds it there: proofs take milliseconds, and a window has none.
+TEST(Tune, aResultCarriesTheProofOfItsDesign) {
+    const auto result = runTune(published(), method("recommended"));
+    ASSERT_TRUE(result && result->proof);
+    const auto proof = control::proveDesign(result->plant, result->law.gains, result->conditions.timing,
+                                            result->conditions.currentLimit_A);
+    EXPECT_EQ(result->proof->noiseGain_A_per_rad, proof->noiseGain_A_per_rad);
+    EXPECT_EQ(result->proof->peaks.Ms_ratio, proof->peaks.Ms_ratio);
+}
+
 // help: htm-theory.md 8.4
 TEST(Tune, recommendsThePresetForThePublishedMotorAndPredictsItsMargins) {
     const auto result = runTune(published(), method("recommended"));

@@ -1,4 +1,5 @@
 #include "app/report/loop_figures.h"
+#include "app/report/tuning_figures.h"
 #include "control/base/units.h"
 
 #include <gtest/gtest.h>
@@ -6,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <set>
+#include <utility>
 
 namespace halbench::app {
 namespace {
@@ -71,6 +74,22 @@ TEST(LoopFigures, sensitivityIsWhatTheLoopLeavesOver) {
     EXPECT_NEAR(follows.at(1), -10.0 * std::log10(2.0), 1e-9);
     EXPECT_NEAR(follows.at(2), -40.0 - 20.0 * std::log10(0.99), 1e-9);
     EXPECT_NEAR(figure->panels.at(0).lines.at(0).at, 20.0 * std::log10(2.0), 1e-12);
+}
+
+// Circles, margins and marks have a colour of their own, however many designs are beside each other.
+TEST(LoopFigures, noLoopLooksLikeAnotherOrLikeAMark) {
+    const AnalysisResult loop = crossing();
+    const std::vector<NamedLoop> others(12, {"kept", &loop});
+    std::set<std::pair<int, widgets::CurveStyle>> looks;
+    for (const LoopCurve& each : loopCurves(loop, loop, others)) {
+        EXPECT_NE(each.colour, MarkColour);
+        EXPECT_TRUE(looks.insert({each.colour, each.style}).second) << looks.size();
+    }
+    const widgets::Figure figure = openLoopFigure(loop, loop, others);
+    const widgets::Figure plane = nyquistFigure(loop, loop, others);
+    for (std::size_t i = 0; i < others.size() + 2; ++i) { // the same in every picture
+        EXPECT_EQ(figure.panels.at(0).curves.at(i).colour, plane.panels.at(0).curves.at(i).colour) << i;
+    }
 }
 
 TEST(LoopFigures, anUnstableLoopHasNeitherSensitivityNorModulusMargin) {
