@@ -27,7 +27,7 @@ namespace {
 constexpr int ArrangementVersion = 2;
 /// First sizes in characters and lines of text; the centre gets the rest.
 constexpr int LeftCharacters = 46;
-constexpr int RightCharacters = 43;
+constexpr int RightCharacters = 57;
 constexpr int BottomLines = 10;
 constexpr int DeviceLines = 16;
 constexpr int LeastCentre_px = 400; ///< before the window is laid out
@@ -323,13 +323,23 @@ QHash<QString, QByteArray> DockLayout::arrangements() {
     return m_arrangements;
 }
 
-void DockLayout::setArrangements(const QHash<QString, QByteArray>& arrangements) {
+/// Not through setPerspective(): that would keep what is on the screen now over what is to be shown.
+void DockLayout::setArrangements(const QHash<QString, QByteArray>& arrangements,
+                                 std::optional<Perspective> perspective) {
+    QWidget* focused =
+        m_manager->isAncestorOf(QApplication::focusWidget()) ? QApplication::focusWidget() : nullptr;
+    const bool isOther = perspective && *perspective != m_perspective;
+    m_perspective = perspective.value_or(m_perspective);
     m_arrangements = arrangements;
     const bool isKept = !m_arrangements.value(perspectiveId(m_perspective)).isEmpty();
-    if (!restoreKept() && isKept) {
+    if (!restoreKept() && (isKept || isOther)) {
         arrange(m_perspective);
     }
     growCentre();
+    if (isOther) {
+        keepFocus(focused);
+        perspectiveChanged();
+    }
 }
 
 } // namespace halbench::app

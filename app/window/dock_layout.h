@@ -46,7 +46,9 @@ public:
 
     /// Arrangements by perspectiveId(). One that cannot be shown stays among them under another name.
     QHash<QString, QByteArray> arrangements();
-    void setArrangements(const QHash<QString, QByteArray>& arrangements);
+    /// Shows the perspective as these have it; without one, that which is shown now.
+    void setArrangements(const QHash<QString, QByteArray>& arrangements,
+                         std::optional<Perspective> perspective = {});
 
 Q_SIGNALS:
     void perspectiveChanged();

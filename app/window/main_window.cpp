@@ -101,10 +101,7 @@ void MainWindow::fitScreen() {
 }
 
 void MainWindow::usePreferredPerspective() {
-    const auto kept =
-        std::find_if(std::begin(AllPerspectives), std::end(AllPerspectives),
-                     [this](Perspective one) { return perspectiveId(one) == m_preferences.perspective; });
-    if (kept != std::end(AllPerspectives)) {
+    if (const auto kept = perspectiveOf(m_preferences.perspective)) {
         m_docks->setPerspective(*kept);
     }
 }

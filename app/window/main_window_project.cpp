@@ -109,7 +109,7 @@ void MainWindow::takeOverProject() {
     for (const auto& [perspective, layout] : project.layouts) {
         arrangements.insert(QString::fromStdString(perspective), QByteArray::fromStdString(layout));
     }
-    m_docks->setArrangements(arrangements);
+    m_docks->setArrangements(arrangements, perspectiveOf(QString::fromStdString(project.perspective)));
     static_cast<MonitorPanel*>(m_docks->panel("monitor"))->setView(project.monitor);
     if (const QStringList lost = m_work->restore(project); !lost.isEmpty()) {
         onMessage(widgets::Severity::Warning,

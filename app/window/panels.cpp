@@ -108,6 +108,15 @@ QString perspectiveId(Perspective perspective) {
     return Ids[static_cast<std::size_t>(perspective)];
 }
 
+std::optional<Perspective> perspectiveOf(const QString& id) {
+    for (const Perspective perspective : AllPerspectives) {
+        if (perspectiveId(perspective) == id) {
+            return perspective;
+        }
+    }
+    return std::nullopt;
+}
+
 std::vector<PanelSpec> panelSpecs() {
     std::vector<PanelSpec> specs;
     for (const Row& row : Rows) {

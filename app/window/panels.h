@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace halbench::app {
@@ -20,6 +21,8 @@ inline constexpr Perspective AllPerspectives[] = {Perspective::Monitor, Perspect
 QString perspectiveTitle(Perspective perspective);
 /// As files and preferences name it; stable.
 QString perspectiveId(Perspective perspective);
+/// Nothing for a name that is none.
+std::optional<Perspective> perspectiveOf(const QString& id);
 
 enum class PanelArea { Left, LeftBelow, Centre, Right, Bottom };
 

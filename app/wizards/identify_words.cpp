@@ -1,6 +1,7 @@
 #include "app/wizards/identify_words.h"
 
 #include "app/procedures/identify_plan.h"
+#include "app/workspaces/wall_clock.h"
 #include "control/base/unit_text.h"
 #include "control/base/units.h"
 #include "widgets/display_units.h"
@@ -8,7 +9,6 @@
 #include "widgets/progress_row.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QStringList>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ struct Words {
 };
 
 QString number(double value, int decimals) {
-    return QLocale().toString(value, 'f', decimals);
+    return widgets::fixedText(value, decimals);
 }
 
 QString sourceText(EstimateSource source) {
@@ -244,7 +244,7 @@ QString provenanceText(const ResultHeader& header, double duration_s,
     parts << Words::tr("Halbench %1").arg(QString::fromStdString(header.software));
     parts << Words::tr("seed %1").arg(header.seed);
     parts << (isOfVirtualTime(header) ? Words::tr("in virtual time, without a date")
-                                      : Words::tr("started %1").arg(QString::fromStdString(header.started)));
+                                      : Words::tr("started %1").arg(localDate(header.started)));
     if (duration_s > 0.0) {
         parts << Words::tr("%1 minutes of device time").arg(widgets::durationText(duration_s));
     }
@@ -260,7 +260,7 @@ QString projectModelText(const ResultHeader& header) {
     return isOfVirtualTime(header)
                ? Words::tr("From the project: identified in virtual time, device %1.").arg(device)
                : Words::tr("From the project: identified %1, device %2.")
-                     .arg(QString::fromStdString(header.started), device);
+                     .arg(localDate(header.started), device);
 }
 
 QString projectDeviceText(const ResultHeader& header, const devices::DeviceInfo* connected) {

@@ -1,11 +1,18 @@
 #include "app/workspaces/wall_clock.h"
 
+#include <QLocale>
 #include <QRegularExpression>
 
 namespace halbench::app {
 
 QDateTime wallClock() {
     return QDateTime::currentDateTimeUtc();
+}
+
+QString localDate(const std::string& started) {
+    const QString text = QString::fromStdString(started);
+    const QDateTime date = QDateTime::fromString(text, Qt::ISODate);
+    return date.isValid() ? QLocale().toString(date.toLocalTime(), QLocale::ShortFormat) : text;
 }
 
 QString datedName(const QString& subject, const QDateTime& date) {

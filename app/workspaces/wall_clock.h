@@ -4,6 +4,7 @@
 #include <QString>
 
 #include <functional>
+#include <string>
 
 namespace halbench::app {
 
@@ -13,6 +14,10 @@ using WallClock = std::function<QDateTime()>;
 /// The date on the wall, in UTC: for names of files and the `started` of results and recordings; their
 /// numbers never depend on it.
 QDateTime wallClock();
+
+/// The `started` of a result as its reader's clock had it, in the reader's notation; as it is when it is no
+/// date.
+QString localDate(const std::string& started);
 
 /// "sim-htm-1_2026-11-21T21-15-42": sorts by time and is legal on every file system.
 QString datedName(const QString& subject, const QDateTime& date);

@@ -5,6 +5,7 @@
 #include "app/workspaces/gain_editor.h"
 #include "app/workspaces/tune_form.h"
 #include "app/workspaces/tune_panel.h"
+#include "app/workspaces/wall_clock.h"
 #include "tests/app/window/window_test.h"
 #include "tests/app/workspaces/published_motor.h"
 #include "widgets/estimate_table.h"
@@ -18,6 +19,7 @@
 #include <QLineEdit>
 #include <QStandardPaths>
 #include <QTemporaryDir>
+#include <qtadvanceddocking/DockWidget.h>
 
 namespace halbench::app {
 namespace {
@@ -83,7 +85,7 @@ TEST_F(ProjectWorkTest, theIdentifiedMotorComesBackWithEveryNumberAndWhereItIsFr
     EXPECT_EQ(text(*window->bench().identification(), window->bench().provenance().header),
               text(publishedMotor(), header()));
     auto* identify = panel<IdentifyPanel>("identify");
-    EXPECT_TRUE(message(*identify).contains("2026-05-04T03:02:01Z"));
+    EXPECT_TRUE(message(*identify).contains(localDate("2026-05-04T03:02:01Z")));
     EXPECT_TRUE(message(*identify).contains("htm-0042"));
     EXPECT_GT(identify->findChild<widgets::EstimateTable*>()->rowCount(), 0);
     const auto labels = identify->findChildren<QLabel*>();
@@ -279,6 +281,27 @@ TEST_F(ProjectWorkTest, aNewProjectHasNoMotorOfTheOldOne) {
     EXPECT_FALSE(window->bench().identification());
     EXPECT_FALSE(window->bench().design());
     EXPECT_NE(content(path()).size(), 0);
+}
+
+TEST_F(ProjectWorkTest, theViewThatWasSavedIsTheOneThatOpens) {
+    open();
+    window->docks().setPerspective(Perspective::Tune);
+    window->docks().docks().value("log")->toggleView(false);
+    saveAs(path());
+    open();
+    window->docks().setPerspective(Perspective::Field);
+    window->openProject(path());
+    EXPECT_EQ(window->docks().perspective(), Perspective::Tune);
+    EXPECT_TRUE(window->docks().docks().value("log")->isClosed());
+    EXPECT_FALSE(window->docks().docks().value("tune")->isClosed());
+    EXPECT_EQ(window->preferences().perspective, "tune");
+    Project none = window->project().project(); // as written by hand, without a view
+    none.perspective.clear();
+    none.layouts.clear();
+    ASSERT_TRUE(saveProject(none, path("none.toml").toStdString()));
+    window->docks().setPerspective(Perspective::Record);
+    window->openProject(path("none.toml"));
+    EXPECT_EQ(window->docks().perspective(), Perspective::Record);
 }
 
 TEST_F(ProjectWorkTest, aCrashLosesNoIdentificationThatWasAutosaved) {
