@@ -1,9 +1,10 @@
 #include "widgets/cursor_bar.h"
 
+#include "widgets/display_units.h"
+
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QSignalBlocker>
 
 #include <cmath>
@@ -62,12 +63,10 @@ void CursorBar::setCursors(const CursorPair& cursors) {
             m_fields[i]->setValue(cursors.at(i));
         }
     }
-    const QLocale locale;
     const double distance_s = cursors.b_s - cursors.a_s;
     const QString reciprocal =
-        distance_s == 0.0 ? QStringLiteral("–") : locale.toString(std::abs(1.0 / distance_s), 'g', 4);
-    m_distance->setText(
-        tr("Δt %1 s    1/Δt %2 Hz").arg(locale.toString(distance_s, 'f', Decimals), reciprocal));
+        distance_s == 0.0 ? QStringLiteral("–") : numberText(std::abs(1.0 / distance_s), 4);
+    m_distance->setText(tr("Δt %1 s    1/Δt %2 Hz").arg(fixedText(distance_s, Decimals), reciprocal));
 }
 
 QString CursorBar::distanceText() const {

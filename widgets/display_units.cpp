@@ -36,10 +36,31 @@ bool isGrouped(const QString& number) {
 
 } // namespace
 
-QString numberText(double value, int significantDigits) {
+namespace {
+
+QLocale ungrouped() {
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(value, 'g', significantDigits);
+    return locale;
+}
+
+} // namespace
+
+QString tidyExponent(QString number) {
+    static const QRegularExpression padding(QStringLiteral("(?<=[0-9][eE])(\\+|(-))?0*(?=[0-9])"));
+    return number.replace(padding, QStringLiteral("\\2"));
+}
+
+QString numberText(double value, int significantDigits) {
+    return tidyExponent(ungrouped().toString(value, 'g', significantDigits));
+}
+
+QString exponentText(double value, int decimals) {
+    return tidyExponent(ungrouped().toString(value, 'e', decimals));
+}
+
+QString countText(quint64 count) {
+    return ungrouped().toString(count);
 }
 
 QString settingText(double value) {
@@ -54,9 +75,7 @@ QString fixedText(const std::optional<double>& value, int decimals) {
         return QStringLiteral("\u2013");
     }
     const bool isZero = std::abs(*value) < 0.5 * std::pow(10.0, -decimals);
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(isZero ? 0.0 : *value, 'f', decimals);
+    return ungrouped().toString(isZero ? 0.0 : *value, 'f', decimals);
 }
 
 std::optional<double> parseNumber(const QString& text, const QString& unitText) {

@@ -18,8 +18,17 @@ struct DisplayUnit {
 /// Units that count radians above or below the line turn with the angle unit; all others stay as they are.
 DisplayUnit displayUnit(const std::string& symbol, AngleUnit angleUnit);
 
-/// At most that many significant digits in the user's notation, without group separators.
+// The one notation of numbers on the screen: the user's decimal point, no group separators (what separates
+// thousands here is a decimal point there), and for what is too small or too large for decimals an exponent
+// without padding, "1.2e-5", as the fields read it, spreadsheets paste it and the report prints it.
+
+/// At most that many significant digits.
 QString numberText(double value, int significantDigits);
+/// Always with an exponent.
+QString exponentText(double value, int decimals);
+QString countText(quint64 count);
+/// "1.2e-05" -> "1.2e-5": the exponent's padding is noise.
+QString tidyExponent(QString number);
 
 /// A setting as it is shown: five significant digits, more where its whole part has more. Who edits it starts
 /// from these; files and boards keep every digit of what is not edited.

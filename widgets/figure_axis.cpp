@@ -1,5 +1,7 @@
 #include "widgets/figure_axis.h"
 
+#include "widgets/display_units.h"
+
 #include <QLocale>
 #include <qwt_text.h>
 #include <qwt_transform.h>
@@ -45,8 +47,8 @@ FigureAxis::FigureAxis(const FigureScale& scale, Alignment alignment, const QRec
 QwtText FigureAxis::label(double value) const {
     const double unit = m_decimals < 0 ? 0.0 : std::pow(10.0, -m_decimals);
     const double shown = std::abs(value) < 0.5 * unit ? 0.0 : value; // never "-0.0"
-    QString number =
-        m_decimals < 0 ? QLocale::c().toString(value, 'g', 6) : QLocale::c().toString(shown, 'f', m_decimals);
+    QString number = m_decimals < 0 ? tidyExponent(QLocale::c().toString(value, 'g', 6))
+                                    : QLocale::c().toString(shown, 'f', m_decimals);
     return number.replace(QLatin1Char('.'), m_decimalPoint);
 }
 

@@ -1,10 +1,10 @@
 #include "widgets/figure_probe.h"
 
 #include "control/base/unit_text.h"
+#include "widgets/display_units.h"
 #include "widgets/figure_scales.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QStringList>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ struct PanelMaps {
 
 QString amountText(const Axis& axis, double value) {
     const QString unit = QString::fromStdString(unitText(axis.unit));
-    const QString number = QLocale().toString(value, 'g', 4);
+    const QString number = numberText(value, 4);
     return unit.isEmpty() ? number : number + QLatin1Char(' ') + unit;
 }
 

@@ -1,5 +1,6 @@
 // What a stack of plots does each frame.
 #include "widgets/cursor_bar.h"
+#include "widgets/display_units.h"
 #include "widgets/live_legend.h"
 #include "widgets/live_plot.h"
 #include "widgets/live_plot_stack.h"
@@ -8,7 +9,6 @@
 #include "widgets/time_axis_bar.h"
 
 #include <QEvent>
-#include <QLocale>
 
 #include <algorithm>
 #include <array>
@@ -145,15 +145,13 @@ void LivePlotStack::showNumbers() {
 }
 
 void LivePlotStack::showState() {
-    const QLocale locale;
     if (isPaused()) {
-        m_timeAxis->setState(
-            tr("Paused, data are kept (%1 s since)").arg(locale.toString(m_view.behind_s(), 'f', 1)), true);
+        m_timeAxis->setState(tr("Paused, data are kept (%1 s since)").arg(fixedText(m_view.behind_s(), 1)),
+                             true);
     } else if (isFollowing() && !m_stale.isEmpty()) {
         m_timeAxis->setState(m_stale, true);
     } else if (isFollowing()) {
-        m_timeAxis->setState(tr("Following, %1 s").arg(locale.toString(m_view.range().length_s(), 'g', 4)),
-                             false);
+        m_timeAxis->setState(tr("Following, %1 s").arg(numberText(m_view.range().length_s(), 4)), false);
     } else {
         m_timeAxis->setState(
             m_event_s ? tr("At an event; press End to follow") : tr("Scrolled; press End to follow"), true);

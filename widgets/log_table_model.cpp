@@ -1,5 +1,6 @@
 #include "widgets/log_table_model.h"
 
+#include "widgets/display_units.h"
 #include "widgets/icons.h"
 
 #include <QLocale>
@@ -95,7 +96,7 @@ QString LogTableModel::cellText(const Row& row, int column) const {
     case ClockColumn:
         return row.entry.wall.toLocalTime().toString(QStringLiteral("HH:mm:ss"));
     case TimeColumn:
-        return QLocale().toString(row.entry.time_s, 'f', TimeDecimals);
+        return fixedText(row.entry.time_s, TimeDecimals);
     case LevelColumn:
         return levelText(row.entry.level);
     case SourceColumn:

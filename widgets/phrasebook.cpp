@@ -1,5 +1,6 @@
 #include "widgets/phrasebook.h"
 
+#include "widgets/display_units.h"
 #include "widgets/phrases.h"
 #include "widgets/window_terms.h"
 
@@ -90,7 +91,7 @@ bool isQuoted(const Pattern& pattern, int place) {
 QString filling(const QString& english) {
     static const QRegularExpression number(QStringLiteral("^-?[0-9]+\\.[0-9]+(e[-+]?[0-9]+)?$"));
     if (number.match(english).hasMatch()) {
-        QString local = english;
+        QString local = tidyExponent(english);
         return local.replace(QLatin1Char('.'), QLocale().decimalPoint());
     }
     return sentence(english).value_or(english);

@@ -1,11 +1,11 @@
 #include "widgets/progress_row.h"
 
+#include "widgets/display_units.h"
 #include "widgets/theme_style.h"
 
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 
@@ -73,7 +73,7 @@ void ProgressRow::setProgress(std::optional<double> fraction, std::optional<doub
     m_bar->setValue(static_cast<int>(std::lround(share * Steps)));
     // Rounded down: 100 % means done.
     const int percent = static_cast<int>(std::floor(share * 100.0));
-    m_share->setText(fraction ? QLocale().toString(percent) + QStringLiteral(" %") : QString());
+    m_share->setText(fraction ? countText(static_cast<quint64>(percent)) + QStringLiteral(" %") : QString());
     refreshWords();
 }
 

@@ -67,9 +67,7 @@ double QuantityEdit::valueFromText(const QString& text) const {
 }
 
 QString QuantityEdit::textFromValue(double value) const {
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(value, 'f', decimals());
+    return fixedText(value, decimals());
 }
 
 QString QuantityEdit::rangeText() const {

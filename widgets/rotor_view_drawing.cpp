@@ -1,9 +1,9 @@
 // What a rotor view paints.
 #include "control/base/units.h"
+#include "widgets/display_units.h"
 #include "widgets/rotor_view.h"
 #include "widgets/theme_style.h"
 
-#include <QLocale>
 #include <QPainter>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ QPen linePen(const QPainter& painter, const QColor& colour, double width_px) {
 }
 
 QString fixed(double value, int decimals) {
-    return QLocale().toString(value, 'f', decimals);
+    return fixedText(value, decimals);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "widgets/spectrogram_view.h"
 
+#include "widgets/display_units.h"
 #include "widgets/picture_actions.h"
 #include "widgets/sequence_colours.h"
 #include "widgets/theme_style.h"
@@ -11,7 +12,6 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QKeyEvent>
-#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPdfWriter>
@@ -43,7 +43,7 @@ constexpr double PointsPerPixel = 72.0 / ScreenDots;
 /// Numbers over many decades.
 class ColourScaleDraw : public QwtScaleDraw {
 public:
-    QwtText label(double value) const override { return QLocale().toString(value, 'g', Digits); }
+    QwtText label(double value) const override { return numberText(value, Digits); }
 };
 
 QString withUnit(const QString& quantity, const QString& unit) {
@@ -147,6 +147,8 @@ void SpectrogramView::setTitles(const Theme& theme) {
         setAxisFont(axis, font());
         setAxisTitle(axis, text);
     };
+    // Qwt counts the height of digits: below the lowest label a decimal comma would lose its tail.
+    axisWidget(yRight)->setMinBorderDist(fontMetrics().height(), fontMetrics().height());
     title(xBottom, tr("time [s]"));
     title(yLeft, tr("frequency [Hz]"));
     title(yRight, withUnit(m_picture->quantity, m_picture->unit));
@@ -191,11 +193,10 @@ void SpectrogramView::refreshWords() {
 }
 
 QString SpectrogramView::textOf(const SpectrogramCell& cell) const {
-    const QLocale locale;
     return tr("%1 s, %2 Hz: %3 %4")
-        .arg(locale.toString(m_picture->time_s[cell.column], 'f', 3),
-             locale.toString(m_picture->frequency_Hz[cell.line], 'g', Digits + 1),
-             locale.toString(m_picture->value(cell.column, cell.line), 'g', Digits), m_picture->unit)
+        .arg(fixedText(m_picture->time_s[cell.column], 3),
+             numberText(m_picture->frequency_Hz[cell.line], Digits + 1),
+             numberText(m_picture->value(cell.column, cell.line), Digits), m_picture->unit)
         .trimmed();
 }
 

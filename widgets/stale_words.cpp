@@ -1,7 +1,8 @@
 #include "widgets/stale_words.h"
 
+#include "widgets/display_units.h"
+
 #include <QCoreApplication>
-#include <QLocale>
 
 namespace halbench::widgets {
 
@@ -20,7 +21,7 @@ QString staleWords(const control::SampleHistory& history, const std::string& sig
     if (latest->time_s < range->end_s - StaleAfter_s) {
         return QCoreApplication::translate("halbench::widgets::StaleWords",
                                            "No new value since %1 s on the time axis")
-            .arg(QLocale().toString(latest->time_s, 'f', 1));
+            .arg(fixedText(latest->time_s, 1));
     }
     return all;
 }

@@ -1,5 +1,6 @@
 #include "widgets/statistics_table.h"
 
+#include "widgets/display_units.h"
 #include "widgets/theme_style.h"
 
 #include <QAction>
@@ -8,7 +9,6 @@
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
-#include <QLocale>
 
 #include <algorithm>
 
@@ -77,13 +77,11 @@ void StatisticsTable::setRows(const std::vector<StatisticsRow>& rows) {
         setRowCount(static_cast<int>(rows.size()));
         updateGeometry();
     }
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator); // columns shall fit beside each other
     bool hasSlope = false;
     for (int i = 0; i < rowCount(); ++i) {
         const StatisticsRow& row = rows[static_cast<std::size_t>(i)];
         const auto number = [&](double value) {
-            return row.count > 0 ? locale.toString(value, 'f', row.decimals + 1) : QString(Missing);
+            return row.count > 0 ? fixedText(value, row.decimals + 1) : QString(Missing);
         };
         put(i, Name, row.unit.isEmpty() ? row.name : QStringLiteral("%1 [%2]").arg(row.name, row.unit));
         put(i, Min, number(row.min));
@@ -93,10 +91,10 @@ void StatisticsTable::setRows(const std::vector<StatisticsRow>& rows) {
         put(i, Rms, number(row.rms));
         put(i, Deviation, number(row.deviation));
         put(i, Slope,
-            row.slope ? QStringLiteral("%1 %2/s").arg(locale.toString(*row.slope, 'g', SlopeDigits), row.unit)
+            row.slope ? QStringLiteral("%1 %2/s").arg(numberText(*row.slope, SlopeDigits), row.unit)
                       : QString(Missing));
-        put(i, Count, locale.toString(row.count));
-        put(i, Gaps, locale.toString(row.gaps));
+        put(i, Count, countText(row.count));
+        put(i, Gaps, countText(row.gaps));
         hasSlope = hasSlope || row.slope;
     }
     setColumnHidden(Slope, !hasSlope);

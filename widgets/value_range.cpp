@@ -1,6 +1,6 @@
 #include "widgets/value_range.h"
 
-#include <QLocale>
+#include "widgets/display_units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,11 +49,9 @@ QString tickText(double value, int decimals) {
     const double smallest = std::pow(10.0, -decimals);
     const double shown = std::abs(value) < 0.5 * smallest ? 0.0 : value;
     if (decimals > 6 || std::abs(value) >= 1e7) {
-        return shown == 0.0 ? QStringLiteral("0") : QLocale().toString(shown, 'g', 4);
+        return shown == 0.0 ? QStringLiteral("0") : numberText(shown, 4);
     }
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(shown, 'f', decimals);
+    return fixedText(shown, decimals);
 }
 
 ValueRange AutoRange::around(const ValueRange& data) const {

@@ -1,9 +1,9 @@
 #include "app/workspaces/configuration_table.h"
 
+#include "widgets/display_units.h"
 #include "widgets/phrasebook.h"
 
 #include <QHeaderView>
-#include <QLocale>
 #include <QSignalBlocker>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 /// As many digits as a 32-bit number has.
 QString numberWords(const std::optional<double>& value) {
-    return value ? QLocale().toString(*value, 'g', 7) : QStringLiteral("–");
+    return value ? widgets::numberText(*value, 7) : QStringLiteral("–");
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "app/workspaces/panel_parts.h"
 #include "app/workspaces/reference_form.h"
 #include "control/base/units.h"
+#include "widgets/display_units.h"
 #include "widgets/elided_label.h"
 #include "widgets/message_bar.h"
 #include "widgets/phrasebook.h"
@@ -15,7 +16,6 @@
 
 #include <QEvent>
 #include <QLabel>
-#include <QLocale>
 #include <QVBoxLayout>
 
 #include <utility>
@@ -244,7 +244,7 @@ double DrivePanel::factor() const {
 QString DrivePanel::valueText(double value) const {
     const DisplayQuantity shown =
         displayQuantity(m_control.mode() == BoardMode::Position ? "rad" : "A", m_units);
-    return QLocale().toString(value * shown.factor, 'f', shown.decimals) + QLatin1Char(' ') + shown.unit;
+    return widgets::fixedText(value * shown.factor, shown.decimals) + QLatin1Char(' ') + shown.unit;
 }
 
 void DrivePanel::dressSetpoint() {

@@ -1,6 +1,7 @@
 #include "app/workspaces/link_panel.h"
 
 #include "app/workspaces/fault_words.h"
+#include "widgets/display_units.h"
 #include "widgets/theme_style.h"
 
 #include <QHBoxLayout>
@@ -53,12 +54,11 @@ void LinkPanel::refresh() {
         m_packets = link.packetsReceived;
         m_time_s = time_s;
     }
-    const QLocale locale;
     m_link->setText(tr("link: %1 packets/s, %2 lost, %3 damaged, %4 ms (worst %5 ms)")
-                        .arg(locale.toString(m_rate_Hz, 'f', 0), locale.toString(link.packetsLost),
-                             locale.toString(link.packetsDamaged),
-                             locale.toString(link.roundTripMedian_s * 1e3, 'f', 1),
-                             locale.toString(link.roundTripWorst_s * 1e3, 'f', 1)));
+                        .arg(widgets::fixedText(m_rate_Hz, 0), widgets::countText(link.packetsLost),
+                             widgets::countText(link.packetsDamaged),
+                             widgets::fixedText(link.roundTripMedian_s * 1e3, 1),
+                             widgets::fixedText(link.roundTripWorst_s * 1e3, 1)));
     const QString fault = faultWords(session.report().board, m_bench.stopAsker()).what;
     m_board->setText(tr("board: firmware %1%2")
                          .arg(QString::fromStdString(session.info().firmware),

@@ -6,6 +6,7 @@
 #include "app/workspaces/monitor_statistics.h"
 #include "app/workspaces/monitor_trigger.h"
 #include "app/workspaces/panel_parts.h"
+#include "widgets/display_units.h"
 #include "widgets/empty_state.h"
 #include "widgets/icons.h"
 #include "widgets/live_plot_stack.h"
@@ -15,7 +16,6 @@
 #include <QAction>
 #include <QEvent>
 #include <QLabel>
-#include <QLocale>
 #include <QStackedWidget>
 #include <QToolBar>
 #include <QToolButton>
@@ -374,7 +374,6 @@ void MonitorPanel::refreshStream() {
         return;
     }
     const LiveSignals& live = m_bench.liveSignals();
-    const QLocale locale;
     const bool isVirtual =
         m_bench.session().info().isSimulated && m_bench.session().pace().speed_ratio <= 0.0;
     if (live.streamed().empty()) {
@@ -384,8 +383,8 @@ void MonitorPanel::refreshStream() {
     } else {
         m_stream->setText(
             tr("%n signal(s), %1 Hz, rows lost: %2", nullptr, static_cast<int>(live.streamed().size()))
-                .arg(locale.toString(live.rate_Hz(), 'f', 0),
-                     locale.toString(static_cast<qulonglong>(m_bench.history().lostRows()))));
+                .arg(widgets::fixedText(live.rate_Hz(), 0),
+                     widgets::countText(m_bench.history().lostRows())));
     }
 }
 

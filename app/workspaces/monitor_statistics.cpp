@@ -1,12 +1,12 @@
 #include "app/workspaces/monitor_statistics.h"
 
+#include "widgets/display_units.h"
 #include "widgets/icons.h"
 #include "widgets/live_plot_stack.h"
 #include "widgets/statistics_table.h"
 
 #include <QAction>
 #include <QEvent>
-#include <QLocale>
 
 #include <algorithm>
 
@@ -82,7 +82,7 @@ void MonitorStatistics::refresh() {
             rows.push_back(row);
         }
     }
-    const QString length = QLocale().toString(range.length_s(), 'g', 5);
+    const QString length = widgets::numberText(range.length_s(), 5);
     m_table->setStretch(m_stack.cursors().isVisible ? tr("Between the cursors, %1 s").arg(length)
                                                     : tr("In view, %1 s").arg(length));
     m_table->setRows(rows);

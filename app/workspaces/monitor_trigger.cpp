@@ -3,11 +3,11 @@
 #include "app/workspaces/recording_trigger.h"
 #include "app/workspaces/trigger_bar.h"
 #include "control/base/assert.h"
+#include "widgets/display_units.h"
 #include "widgets/icons.h"
 #include "widgets/live_plot_stack.h"
 
 #include <QAction>
-#include <QLocale>
 
 #include <utility>
 
@@ -182,10 +182,9 @@ void MonitorTrigger::takeMiddle() {
 }
 
 void MonitorTrigger::say() {
-    const QLocale locale;
     const auto& shown = m_trigger.shown();
     const bool isByItself = shown && shown->cause == control::TriggerCause::Wait;
-    const QString when = shown ? locale.toString(shown->time_s, 'f', TimeDecimals) : QString();
+    const QString when = shown ? widgets::fixedText(shown->time_s, TimeDecimals) : QString();
     const std::string& source = m_bar->choice().source;
     if (!source.empty() && !m_bench.history().contains(source)) {
         m_bar->setState(tr("No samples"), tr("No samples of %1 come").arg(signalWords(source)),

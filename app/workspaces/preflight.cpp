@@ -1,5 +1,6 @@
 #include "app/workspaces/preflight.h"
 
+#include "widgets/display_units.h"
 #include "widgets/icons.h"
 #include "widgets/phrasebook.h"
 
@@ -8,7 +9,6 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPointer>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ struct Words {
 };
 
 QString degrees(double temperature_degC) {
-    return QLocale().toString(temperature_degC, 'f', 0) + QStringLiteral(" \u00b0C");
+    return widgets::fixedText(temperature_degC, 0) + QStringLiteral(" \u00b0C");
 }
 
 PreflightItem deviceItem(const PreflightFacts& facts) {

@@ -3,6 +3,7 @@
 #include "app/workspaces/panel_parts.h"
 #include "app/workspaces/recording_control.h"
 #include "app/workspaces/recording_trigger.h"
+#include "widgets/display_units.h"
 #include "widgets/icons.h"
 #include "widgets/message_bar.h"
 #include "widgets/progress_row.h"
@@ -13,7 +14,6 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -33,12 +33,11 @@ constexpr int MomentLines = 2;
 /// "312", or "312 (2 gaps, 3.1 s)"
 QString missingText(const RecorderStatus& status) {
     // What is dropped behind the last row leaves no gap.
-    const QString rows =
-        QLocale().toString(static_cast<qulonglong>(std::max(status.missingRows, status.droppedRows)));
-    return status.gaps == 0 ? rows
-                            : RecordPanel::tr("%1 (gaps: %2, %3 s)")
-                                  .arg(rows, QLocale().toString(static_cast<qulonglong>(status.gaps)),
-                                       QLocale().toString(status.gaps_s, 'f', 1));
+    const QString rows = widgets::countText(std::max(status.missingRows, status.droppedRows));
+    return status.gaps == 0
+               ? rows
+               : RecordPanel::tr("%1 (gaps: %2, %3 s)")
+                     .arg(rows, widgets::countText(status.gaps), widgets::fixedText(status.gaps_s, 1));
 }
 
 /// What the disk was too slow for is told apart from what the link lost.
@@ -46,7 +45,7 @@ QString droppedText(const RecorderStatus& status) {
     return status.droppedRows == 0
                ? QString()
                : QLatin1Char(' ') + RecordPanel::tr("The disk did not keep up with %1 of them.")
-                                        .arg(QLocale().toString(static_cast<qulonglong>(status.droppedRows)));
+                                        .arg(widgets::countText(status.droppedRows));
 }
 
 } // namespace
@@ -250,7 +249,7 @@ void RecordPanel::refresh() {
     m_note->setEnabled(isRecording);
     if (isRecording) {
         m_elapsed->setText(widgets::durationText(status.elapsed_s));
-        m_rows->setText(QLocale().toString(static_cast<qulonglong>(status.rows)));
+        m_rows->setText(widgets::countText(status.rows));
         m_missing->setText(missingText(status));
         showRole(*m_missing, status.missingRows > 0 ? widgets::Role::Warn : widgets::Role::None);
     } else if (m_elapsed->text().isEmpty()) {

@@ -1,5 +1,6 @@
 #include "app/workspaces/recordings_table_model.h"
 
+#include "widgets/display_units.h"
 #include "widgets/progress_row.h"
 
 #include <QLocale>
@@ -11,7 +12,7 @@ namespace halbench::app {
 namespace {
 
 QString number(std::uint64_t value) {
-    return QLocale().toString(static_cast<qulonglong>(value));
+    return widgets::countText(value);
 }
 
 QString gapsText(const RecordingEntry& entry) {

@@ -1,11 +1,12 @@
 #include "app/workspaces/result_history_view.h"
 
 #include "app/workspaces/compact_table.h"
+#include "app/workspaces/wall_clock.h"
+#include "widgets/display_units.h"
 #include "widgets/estimate_table.h"
 
 #include <QDateTime>
 #include <QHeaderView>
-#include <QLocale>
 
 #include <array>
 #include <utility>
@@ -57,7 +58,7 @@ QString driftText(const std::optional<Drift>& drift) {
                            : drift->ratio > 0.0  ? QStringLiteral(" \u25b2")
                                                  : QStringLiteral(" \u25bc");
     const QString sign = drift->ratio > 0.0 ? QStringLiteral("+") : QString();
-    return QStringLiteral("  (%1%2 %%3)").arg(sign, QLocale().toString(drift->ratio * 100.0, 'f', 1), symbol);
+    return QStringLiteral("  (%1%2 %%3)").arg(sign, widgets::fixedText(drift->ratio * 100.0, 1), symbol);
 }
 
 QString driftWords(const std::optional<Drift>& drift) {
@@ -72,9 +73,8 @@ QString driftWords(const std::optional<Drift>& drift) {
 /// Virtual time begins in 1970 and says nothing.
 QString dateText(const std::string& started) {
     const QDateTime date = QDateTime::fromString(QString::fromStdString(started), Qt::ISODate);
-    return date.isValid() && date.toSecsSinceEpoch() != 0
-               ? QLocale().toString(date.toLocalTime(), QLocale::ShortFormat)
-               : ResultHistoryView::tr("simulated time");
+    return date.isValid() && date.toSecsSinceEpoch() != 0 ? localDate(started)
+                                                          : ResultHistoryView::tr("simulated time");
 }
 
 QString deviceText(const std::optional<devices::DeviceInfo>& device) {

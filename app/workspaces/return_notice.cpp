@@ -1,12 +1,12 @@
 #include "app/workspaces/return_notice.h"
 
 #include "app/workspaces/panel_parts.h"
+#include "widgets/display_units.h"
 #include "widgets/message_bar.h"
 #include "widgets/phrasebook.h"
 #include "widgets/theme_style.h"
 
 #include <QLabel>
-#include <QLocale>
 #include <QPointer>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -20,7 +20,7 @@ constexpr std::size_t MostListed = 6;
 constexpr int Digits = 7; ///< of a 32 bit float
 
 QString number(double value) {
-    return QLocale().toString(value, 'g', Digits);
+    return widgets::numberText(value, Digits);
 }
 
 } // namespace
@@ -118,7 +118,7 @@ void ReturnNotice::showSearch() {
 }
 
 void ReturnNotice::showReturn() {
-    const QString outage = QLocale().toString(m_bench.session().outage_s(), 'f', 1);
+    const QString outage = widgets::fixedText(m_bench.session().outage_s(), 1);
     if (m_bench.differences().empty()) {
         say({widgets::Severity::Success,
              tr("Back after %1 s, disarmed.").arg(outage),

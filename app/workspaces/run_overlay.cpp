@@ -4,6 +4,7 @@
 #include "app/workspaces/document_files.h"
 #include "app/workspaces/field_grid.h"
 #include "app/workspaces/panel_parts.h"
+#include "widgets/display_units.h"
 #include "widgets/figure_view.h"
 #include "widgets/message_bar.h"
 #include "widgets/phrasebook.h"
@@ -14,7 +15,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QLocale>
 #include <QSignalBlocker>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -115,7 +115,7 @@ void RunOverlay::buildChoices() {
     m_cursor->setAccessibleName(tr("Time of the cursor"));
     m_span = grid->addBox(tr("Shown"), tr("All of it, or so much about the cursor"), {tr("all")});
     for (const double span_s : Spans_s) {
-        m_span->addItem(tr("%1 s about the cursor").arg(QLocale().toString(span_s)), span_s);
+        m_span->addItem(tr("%1 s about the cursor").arg(widgets::numberText(span_s, 3)), span_s);
     }
     layout()->addWidget(grid);
     for (QComboBox* box : {m_signal, m_align, m_span}) {
@@ -273,7 +273,7 @@ void RunOverlay::refreshCursor() {
         const std::optional<double> value =
             zero_s ? valueAt(run, signal(), *zero_s, m_cursor->value()) : std::nullopt;
         const QString text =
-            value ? QLocale().toString(*value * quantity.factor, 'g', 6) + QLatin1Char(' ') + quantity.unit
+            value ? widgets::numberText(*value * quantity.factor, 6) + QLatin1Char(' ') + quantity.unit
                   : QStringLiteral("\u2013");
         m_values->setItem(row, 0, new QTableWidgetItem(QString::fromStdString(run.name)));
         auto* item = new QTableWidgetItem(text);

@@ -1,6 +1,7 @@
 #include "app/workspaces/signal_tree.h"
 
 #include "app/workspaces/display_quantity.h"
+#include "widgets/display_units.h"
 #include "widgets/live_plot_spec.h"
 #include "widgets/phrasebook.h"
 #include "widgets/stale_words.h"
@@ -8,7 +9,6 @@
 
 #include <QHeaderView>
 #include <QKeyEvent>
-#include <QLocale>
 #include <QMimeData>
 #include <QSignalBlocker>
 
@@ -121,9 +121,7 @@ QString SignalTree::valueText(const Entry& entry, double value) const {
     if (choice < entry.choices.size() && !entry.choices.empty()) {
         return widgets::inWords(entry.choices[choice]);
     }
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator); // as in the legends
-    return std::isfinite(value) ? locale.toString(value * entry.factor, 'f', entry.decimals)
+    return std::isfinite(value) ? widgets::fixedText(value * entry.factor, entry.decimals)
                                 : QStringLiteral("\u2013");
 }
 

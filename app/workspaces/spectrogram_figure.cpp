@@ -1,7 +1,8 @@
 #include "app/workspaces/spectrogram_figure.h"
 
+#include "widgets/display_units.h"
+
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +53,7 @@ widgets::SpectrogramPicture spectrogramPicture(const control::Spectrogram& spect
 
 QString spectrogramWords(const control::Spectrogram& spectrogram, control::WindowShape window) {
     const double line_Hz = spectrogram.frequency_Hz.size() > 1 ? spectrogram.frequency_Hz[1] : 0.0;
-    const auto number = [](double value) { return QLocale().toString(value, 'g', Digits); };
+    const auto number = [](double value) { return widgets::numberText(value, Digits); };
     QStringList words;
     words << Words::tr("Lines every %1 Hz, resolution %2 Hz, segments of %3 s")
                  .arg(number(line_Hz), number(control::figuresOf(window).noiseBandwidth_lines * line_Hz),

@@ -1,7 +1,8 @@
 #include "app/workspaces/spectrum_figure.h"
 
+#include "widgets/display_units.h"
+
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 
@@ -20,7 +21,7 @@ struct Words {
 };
 
 QString number(double value, int digits = Digits) {
-    return QLocale().toString(value, 'g', digits);
+    return widgets::numberText(value, digits);
 }
 
 bool isDensity(SpectrumScale scale) {
@@ -109,8 +110,7 @@ QString spectrumWords(const control::Spectrum& spectrum, const SpectrumLook& loo
                       spectrumUnitText(look.quantity.unit, SpectrumScale::Rms));
     if (spectrum.gaps > 0 || spectrum.missingValues > 0) {
         words << Words::tr("no segment reaches across the %1 gaps and %2 missing values")
-                     .arg(QLocale().toString(static_cast<qulonglong>(spectrum.gaps)),
-                          QLocale().toString(static_cast<qulonglong>(spectrum.missingValues)));
+                     .arg(widgets::countText(spectrum.gaps), widgets::countText(spectrum.missingValues));
     }
     return words.join(QStringLiteral("; ")) + '.';
 }

@@ -5,6 +5,7 @@
 #include "app/workspaces/signal_box.h"
 #include "app/workspaces/signal_stretch.h"
 #include "app/workspaces/spectrogram_figure.h"
+#include "widgets/display_units.h"
 #include "widgets/figure_view.h"
 #include "widgets/quantity_edit.h"
 #include "widgets/spectrogram_view.h"
@@ -13,7 +14,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QLocale>
 #include <QStackedWidget>
 #include <QTableWidget>
 #include <QToolBar>
@@ -267,12 +267,11 @@ void SpectrumPanel::showPeaks(const std::vector<SpectrumPeak>& peaks, const QStr
     m_peaks->setHorizontalHeaderLabels(
         {tr("Peak [Hz]"), unit.isEmpty() ? tr("Value") : tr("Value [%1]").arg(unit)});
     m_peaks->setRowCount(static_cast<int>(peaks.size()));
-    const QLocale locale;
     for (int row = 0; row < m_peaks->rowCount(); ++row) {
         const SpectrumPeak& peak = peaks[static_cast<std::size_t>(row)];
         int column = 0;
         for (const double value : {peak.frequency_Hz, peak.value}) {
-            auto* item = new QTableWidgetItem(locale.toString(value, 'g', PeakDigits));
+            auto* item = new QTableWidgetItem(widgets::numberText(value, PeakDigits));
             item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
             m_peaks->setItem(row, column++, item);
         }

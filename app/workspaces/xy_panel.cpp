@@ -4,13 +4,13 @@
 #include "app/workspaces/field_grid.h"
 #include "app/workspaces/signal_box.h"
 #include "control/base/units.h"
+#include "widgets/display_units.h"
 #include "widgets/estimate_table.h"
 #include "widgets/figure_view.h"
 #include "widgets/quantity_edit.h"
 
 #include <QCheckBox>
 #include <QLabel>
-#include <QLocale>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -158,15 +158,14 @@ void XyPanel::showFit(const Result<control::HallEllipseFit>& fit, widgets::Figur
                         estimate(tr("Phase beyond 90\u00b0"), radiansToDegrees(ellipse.quadrature_rad),
                                  radiansToDegrees(error.quadrature_rad), degree)});
     QStringList words;
-    const QLocale locale;
     if (figure.isEqualScale) {
         const EllipseAxes axes = ellipseAxes(ellipse);
         words << tr("Longest and shortest radius %1 and %2 %3")
-                     .arg(locale.toString(x.factor * axes.large, 'g', 5),
-                          locale.toString(x.factor * axes.small, 'g', 5), x.unit);
+                     .arg(widgets::numberText(x.factor * axes.large, 5),
+                          widgets::numberText(x.factor * axes.small, 5), x.unit);
     }
     words << tr("rms distance of the points from the ellipse %1 % of the amplitude")
-                 .arg(locale.toString(PerCent * fit->residual_ratio, 'g', 3));
+                 .arg(widgets::numberText(PerCent * fit->residual_ratio, 3));
     m_words->setText(words.join(QStringLiteral("; ")) + '.');
     showRole(*m_words, widgets::Role::Muted);
 }

@@ -124,6 +124,9 @@ FORBIDDEN = (
     (r"\busing\s+namespace\s+(?!std::(string_view_)?literals|std::chrono_literals)[\w:]*;.*$", (".cpp", ),
      "no using namespace in a header"),
     (r"\bassert\s*\(", ("devices/firmware/",), "HB_ASSERT is always on"),
+    (r"\b(?:QLocale\(\)|QLocale::c\(\)|locale)\.toString\s*\((?![^;]*(?:Format|\.time\(\)))",
+     ("widgets/display_units.cpp", "widgets/figure_axis.cpp",   # the report's numbers too
+      "app/session/", "tests/"), "numbers on the screen are written by widgets/display_units"),   # QtCore alone
     (r"\bsetlocale\s*\([^)]*\"\"|\bstd::locale\s*\(\s*\"\"", (), "numbers are written in the C locale"),
     (r"\bstatic\s+(?!const|constexpr|inline|_Static|cast)\w[\w:<>]*\s+\w+\s*(=|;)", ("tests/",
      "widgets/offscreen_application",   # QApplication keeps its argc by reference

@@ -59,7 +59,7 @@ TEST_F(PhrasebookTest, saysAPhraseInTheUsersLanguage) {
 
 TEST_F(PhrasebookTest, fillsInNumbersWithTheSignOfTheLanguage) {
     EXPECT_EQ(said("a move of 0.01 s is out of range"), "0,01 s gehen nicht");
-    EXPECT_EQ(said("a move of -1.5e-07 s is out of range"), "-1,5e-07 s gehen nicht");
+    EXPECT_EQ(said("a move of -1.5e-07 s is out of range"), "-1,5e-7 s gehen nicht");
 }
 
 TEST_F(PhrasebookTest, keepsWhatStandsInQuotes) {

@@ -37,6 +37,22 @@ protected:
         return picture;
     }
 
+    /// Whether a row of the colour bar's labels, counted from its lowest tick downwards, has ink.
+    bool hasInkBelowLowestTick(int down_px) {
+        QwtScaleWidget& bar = *view.axisWidget(QwtPlot::yRight);
+        const QImage shown = bar.grab().toImage();
+        const QwtScaleDiv& ticks = view.axisScaleDiv(QwtPlot::yRight);
+        const int tick_px = static_cast<int>(bar.scaleDraw()->scaleMap().transform(ticks.lowerBound()));
+        const double ratio = shown.devicePixelRatio();
+        const int y = static_cast<int>(ratio * (tick_px + down_px));
+        for (int x = shown.width() / 3; x < shown.width() - 2 && y < shown.height(); ++x) {
+            if (shown.pixel(x, y) != shown.pixel(shown.width() - 1, y)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /// The colour at a place of the axes.
     QColor colourAt(double time_s, double frequency_Hz) {
         const QImage shown = view.canvas()->grab().toImage();
@@ -111,6 +127,19 @@ TEST_F(SpectrogramViewTest, isSavedInEveryFormatAndCopied) {
     EXPECT_EQ(asked.count(), 1);
     QTest::keyClick(&view, Qt::Key_C, Qt::ControlModifier);
     EXPECT_EQ(QGuiApplication::clipboard()->image().size(), 2 * view.size());
+}
+
+// A comma reaches below the digits: with its tail cut off it reads as the point of another language.
+TEST_F(SpectrogramViewTest, theLowestLabelOfTheColourBarIsWhole) {
+    const QLocale before;
+    QLocale::setDefault(QLocale("de"));
+    SpectrogramPicture picture = tone();
+    picture.isLogarithmic = true;
+    view.setPicture(picture);
+    QTest::qWait(0);
+    const int half_px = view.fontMetrics().ascent() / 2; // digits stand as far below the tick as above it
+    EXPECT_TRUE(hasInkBelowLowestTick(half_px + 1));
+    QLocale::setDefault(before);
 }
 
 } // namespace

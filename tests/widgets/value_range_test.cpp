@@ -25,7 +25,7 @@ TEST(ValueRange, ticksHaveTheDecimalsTheirDistanceNeeds) {
     EXPECT_EQ(tickText(2.0, decimalsOf(0.05)), "2.00");
     EXPECT_EQ(tickText(-1e-17, decimalsOf(0.1)), "0.0");
     EXPECT_EQ(tickText(12345.0, decimalsOf(5.0)), "12345");
-    EXPECT_EQ(tickText(2.5e-8, decimalsOf(5e-9)), "2.5e-08");
+    EXPECT_EQ(tickText(2.5e-8, decimalsOf(5e-9)), "2.5e-8");
 }
 
 TEST(AutoRange, growsAtOnceToWholeStepsAroundTheData) {
