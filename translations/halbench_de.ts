@@ -5467,6 +5467,14 @@
         <source>The board does not have these values yet: Apply writes them. Calibrate again when the sensors were touched.</source>
         <translation>Das Steuergerät hat diese Werte noch nicht: „Übernehmen“ schreibt sie. Kalibrieren Sie neu, wenn die Sensoren berührt wurden.</translation>
     </message>
+    <message>
+        <source>On the device</source>
+        <translation>Auf dem Gerät</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CalibrateWords</name>
@@ -5511,14 +5519,6 @@
         <translation>Wählen Sie mindestens eine Kalibrierung.</translation>
     </message>
     <message>
-        <source>a figure only</source>
-        <translation>nur eine Kennzahl</translation>
-    </message>
-    <message>
-        <source>now %1</source>
-        <translation>jetzt %1</translation>
-    </message>
-    <message>
         <source>device not known</source>
         <translation>Gerät nicht bekannt</translation>
     </message>
@@ -5545,10 +5545,6 @@
     <message>
         <source>breakaway current, from rest</source>
         <translation>Losbrechstrom, aus der Ruhe</translation>
-    </message>
-    <message>
-        <source>before %1</source>
-        <translation>vorher %1</translation>
     </message>
     <message>
         <source>Residual angle error: %1 with the values from before, %2 with the proposed ones.</source>
@@ -5990,10 +5986,6 @@
 </context>
 <context>
     <name>halbench::app::DesignTable</name>
-    <message>
-        <source>cannot be read</source>
-        <translation>nicht lesbar</translation>
-    </message>
     <message>
         <source>stable</source>
         <translation>stabil</translation>
@@ -10189,6 +10181,10 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>farthest from the prediction, %1, after %2 s</source>
         <translation>am weitesten von der Vorhersage, um %1, nach %2 s</translation>
     </message>
+    <message>
+        <source>Apply and verify turns the rotor by %1, in %2 s; the board ends the motion at %3 from where it starts, or at %4 %5.</source>
+        <translation>„Übernehmen, prüfen“ dreht den Rotor um %1, in %2 s; das Steuergerät beendet die Bewegung bei %3 vom Anfang oder bei %4 %5.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuneNumbers</name>
@@ -10360,10 +10356,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Außerhalb des vorhergesagten Bands</translation>
     </message>
     <message>
-        <source>All gains at once, then a step of %1 that must go as predicted; Esc stops it</source>
-        <translation>Alle Reglerparameter auf einmal, dann ein Sprung um %1, der wie vorhergesagt gehen muss; Esc stoppt ihn</translation>
-    </message>
-    <message>
         <source>The new gains run until the device is switched off.</source>
         <translation>Die neuen Reglerparameter gelten, bis das Gerät ausgeschaltet wird.</translation>
     </message>
@@ -10478,6 +10470,22 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>This project has them as the design &apos;%1&apos;: Take up, then Apply and verify, runs them again.</source>
         <translation>Dieses Projekt hat sie als Entwurf „%1“: „Übernehmen“ bei den Entwürfen, dann „Übernehmen, prüfen“ lässt sie wieder laufen.</translation>
+    </message>
+    <message>
+        <source>not judged: the project&apos;s entry cannot be read</source>
+        <translation>nicht beurteilt: der Eintrag des Projekts ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>not judged yet</source>
+        <translation>noch nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>not judged: %1</source>
+        <translation>nicht beurteilt: %1</translation>
+    </message>
+    <message>
+        <source>All gains at once, then a step that must go as predicted; Esc stops it</source>
+        <translation>Alle Reglerparameter auf einmal, dann ein Sprung, der wie vorhergesagt gehen muss; Esc stoppt ihn</translation>
     </message>
 </context>
 <context>

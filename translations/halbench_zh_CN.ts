@@ -5467,6 +5467,14 @@
         <source>The board does not have these values yet: Apply writes them. Calibrate again when the sensors were touched.</source>
         <translation>控制板尚无这些值：“应用”会写入。如果碰过传感器，请重新标定。</translation>
     </message>
+    <message>
+        <source>On the device</source>
+        <translation>设备上</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>之前</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CalibrateWords</name>
@@ -5511,14 +5519,6 @@
         <translation>请至少选择一项标定。</translation>
     </message>
     <message>
-        <source>a figure only</source>
-        <translation>仅为数值</translation>
-    </message>
-    <message>
-        <source>now %1</source>
-        <translation>当前 %1</translation>
-    </message>
-    <message>
         <source>device not known</source>
         <translation>设备未知</translation>
     </message>
@@ -5545,10 +5545,6 @@
     <message>
         <source>breakaway current, from rest</source>
         <translation>起动电流，从静止开始</translation>
-    </message>
-    <message>
-        <source>before %1</source>
-        <translation>之前 %1</translation>
     </message>
     <message>
         <source>Residual angle error: %1 with the values from before, %2 with the proposed ones.</source>
@@ -5986,10 +5982,6 @@
 </context>
 <context>
     <name>halbench::app::DesignTable</name>
-    <message>
-        <source>cannot be read</source>
-        <translation>无法读取</translation>
-    </message>
     <message>
         <source>stable</source>
         <translation>稳定</translation>
@@ -10180,6 +10172,10 @@ A real device has its own time.</source>
         <source>farthest from the prediction, %1, after %2 s</source>
         <translation>与预测相差最大处为 %1，在 %2 s</translation>
     </message>
+    <message>
+        <source>Apply and verify turns the rotor by %1, in %2 s; the board ends the motion at %3 from where it starts, or at %4 %5.</source>
+        <translation>“应用并验证”使转子转动 %1，历时 %2 s；离起点 %3 或达到 %4 %5 时，控制板结束运动。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuneNumbers</name>
@@ -10351,10 +10347,6 @@ A real device has its own time.</source>
         <translation>超出预测范围</translation>
     </message>
     <message>
-        <source>All gains at once, then a step of %1 that must go as predicted; Esc stops it</source>
-        <translation>一次写入全部增益，然后做 %1 的阶跃，它必须与预测一致；Esc 停止</translation>
-    </message>
-    <message>
         <source>The new gains run until the device is switched off.</source>
         <translation>新增益在设备断电前有效。</translation>
     </message>
@@ -10469,6 +10461,22 @@ A real device has its own time.</source>
     <message>
         <source>This project has them as the design &apos;%1&apos;: Take up, then Apply and verify, runs them again.</source>
         <translation>本项目已将其存为设计“%1”：先“采用”，再“应用并验证”，即可重新运行。</translation>
+    </message>
+    <message>
+        <source>not judged: the project&apos;s entry cannot be read</source>
+        <translation>未评判：无法读取项目中的条目</translation>
+    </message>
+    <message>
+        <source>not judged yet</source>
+        <translation>尚未评判</translation>
+    </message>
+    <message>
+        <source>not judged: %1</source>
+        <translation>未评判：%1</translation>
+    </message>
+    <message>
+        <source>All gains at once, then a step that must go as predicted; Esc stops it</source>
+        <translation>一次写入全部增益，然后做一次阶跃，它必须与预测一致；Esc 停止</translation>
     </message>
 </context>
 <context>

@@ -43,8 +43,9 @@ QSize ElidedLabel::minimumSizeHint() const {
 void ElidedLabel::fit() {
     const int around_px = QLabel::sizeHint().width() - fontMetrics().size(0, QLabel::text()).width();
     const int room_px = std::max(width() - around_px, 0);
-    const QString shown =
-        isVisible() ? fontMetrics().elidedText(m_words, Qt::ElideRight, room_px) : m_words; // no width yet
+    // Qt leaves a letter out for part of a pixel; what the size was asked for fits.
+    const bool isWhole = !isVisible() || fontMetrics().size(0, m_words).width() <= room_px; // or no width yet
+    const QString shown = isWhole ? m_words : fontMetrics().elidedText(m_words, Qt::ElideRight, room_px);
     if (shown != QLabel::text()) {
         QLabel::setText(shown);
     }

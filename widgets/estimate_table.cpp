@@ -33,17 +33,16 @@ EstimateText estimateText(double value, std::optional<double> half) {
     if (!half || !std::isfinite(*half) || *half <= 0.0) {
         return {numberText(value, 6), Missing};
     }
-    // As many decimals as the half-width shows; 'f' keeps trailing zeros, which are information here.
+    // As many decimals as the half-width shows: trailing zeros are information here.
     const int decimals = std::max(0, HalfDigits - 1 - decade(*half));
     constexpr int MostDecimals = 7;
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    if (decimals <= MostDecimals) {
-        return {locale.toString(value, 'f', decimals), locale.toString(*half, 'f', decimals)};
+    constexpr double LeastDecimal = 1e-4; // numberText() too writes what is smaller with an exponent
+    if (decimals <= MostDecimals && std::max(std::abs(value), *half) >= LeastDecimal) {
+        return {fixedText(value, decimals), fixedText(*half, decimals)};
     }
     const int digits =
         value == 0.0 ? HalfDigits : std::clamp(decade(value) - decade(*half) + HalfDigits, 2, 9);
-    return {locale.toString(value, 'e', digits - 1), locale.toString(*half, 'e', HalfDigits - 1)};
+    return {exponentText(value, digits - 1), exponentText(*half, HalfDigits - 1)};
 }
 
 EstimateTable::EstimateTable(QWidget* parent) : QTableWidget(0, Columns, parent) {
@@ -54,19 +53,32 @@ EstimateTable::EstimateTable(QWidget* parent) : QTableWidget(0, Columns, parent)
     setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     verticalHeader()->hide();
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    horizontalHeader()->setStretchLastSection(true);
+    // The names take the lines they need where there is little room: nothing is cut, nothing scrolls
+    // sideways.
+    horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
+    verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    setWordWrap(true);
+    connect(verticalHeader(), &QHeaderView::sectionResized, this, [this] { updateGeometry(); });
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     refreshWords();
 }
 
 void EstimateTable::refreshWords() {
-    setHorizontalHeaderLabels({tr("Quantity"), tr("Value"), tr("\u00b1 (95 %)"), tr("Unit"), tr("Source")});
-    for (const int column : {int(Value), int(Half)}) {
-        horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    setHorizontalHeaderLabels({tr("Quantity"), tr("Value"), tr("\u00b1 (95 %)"), tr("Unit"),
+                               m_lastTitle.isEmpty() ? tr("Source") : m_lastTitle});
+    for (int column = 0; column < Columns; ++column) {
+        horizontalHeaderItem(column)->setTextAlignment(
+            static_cast<int>((isNumber(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
     }
-    for (const int column : {int(Name), int(Unit), int(Source)}) {
-        horizontalHeaderItem(column)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    }
+}
+
+void EstimateTable::setLastTitle(const QString& title) {
+    m_lastTitle = title;
+    refreshWords();
+}
+
+bool EstimateTable::isNumber(int column) const {
+    return column == Value || column == Half || (column == Source && !m_lastTitle.isEmpty());
 }
 
 void EstimateTable::setRows(const std::vector<EstimateRow>& rows) {
@@ -84,10 +96,9 @@ void EstimateTable::setRows(const std::vector<EstimateRow>& rows) {
         const QString texts[Columns] = {row.name, number.value, number.half, row.unit, row.source};
         for (int column = 0; column < Columns; ++column) {
             auto* item = new QTableWidgetItem(texts[column]);
-            const bool isNumber = column == Value || column == Half;
             item->setTextAlignment(
-                static_cast<int>((isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
-            item->setFont(isNumber ? tabularFont(font()) : font());
+                static_cast<int>((isNumber(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
+            item->setFont(isNumber(column) ? tabularFont(font()) : font());
             item->setToolTip(row.remark.isEmpty() ? interval : row.remark);
             setItem(i, column, item);
         }
@@ -124,12 +135,16 @@ QSize EstimateTable::sizeHint() const {
     for (int i = 0; i < rowCount(); ++i) {
         height_px += rowHeight(i);
     }
-    // The bar below appears when the columns are wider than the place there is.
-    return {360, height_px + style()->pixelMetric(QStyle::PM_ScrollBarExtent) + 2};
+    return {360, height_px + 2};
 }
 
 QSize EstimateTable::minimumSizeHint() const {
-    return {200, sizeHint().height()};
+    constexpr int LeastName_characters = 12;
+    int width_px = 2 * frameWidth() + LeastName_characters * fontMetrics().averageCharWidth();
+    for (int column = Value; column < Columns; ++column) {
+        width_px += std::max(sizeHintForColumn(column), horizontalHeader()->sectionSizeHint(column));
+    }
+    return {width_px, sizeHint().height()};
 }
 
 void EstimateTable::keyPressEvent(QKeyEvent* event) {

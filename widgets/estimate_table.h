@@ -26,10 +26,12 @@ public:
     explicit EstimateTable(QWidget* parent = nullptr);
 
     void setRows(const std::vector<EstimateRow>& rows);
+    /// Of the last column, where it holds numbers and not where the values are from.
+    void setLastTitle(const QString& title);
     /// The rows as lines of tab-separated text, with the header.
     QString text() const;
 
-    /// At which no column is shortened.
+    /// At which no name takes two lines.
     int neededWidth() const;
 
     QSize sizeHint() const override;
@@ -41,6 +43,9 @@ protected:
 
 private:
     void refreshWords();
+    bool isNumber(int column) const;
+
+    QString m_lastTitle; ///< empty: the source
 };
 
 /// Value and half-width in the user's notation: {"1.230", "0.021"}.

@@ -279,6 +279,18 @@ void drawHorizontalTitle(QPainter& painter, const QString& title, const QRectF& 
     painter.drawText(QPointF(canvas.center().x() - 0.5 * width_px, canvas.bottom() + 36.0), title);
 }
 
+/// Above its panels; a long one begins at the edge of the picture before a letter of it is left out.
+void drawTitle(QPainter& painter, const Figure& figure, const FigureLayout& layout) {
+    constexpr double Edge_px = 8.0;
+    const QString title = QString::fromStdString(figure.title);
+    const QFontMetricsF metrics(figureFont(true));
+    const double end_px = layout.size.width() - Edge_px;
+    const double left_px =
+        std::clamp(end_px - metrics.horizontalAdvance(title), Edge_px, layout.panels.front().canvas.left());
+    painter.drawText(QPointF(left_px, layout.titleBaseline),
+                     metrics.elidedText(title, Qt::ElideRight, end_px - left_px));
+}
+
 } // namespace
 
 void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& layout, const Theme& theme,
@@ -287,10 +299,7 @@ void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& la
     painter.translate(0.5, 0.5); // one-pixel lines fill whole pixels
     painter.setFont(figureFont(true));
     painter.setPen(theme.text);
-    const QRectF& top = layout.panels.front().canvas;
-    painter.drawText(QPointF(top.left(), layout.titleBaseline),
-                     QFontMetricsF(figureFont(true))
-                         .elidedText(QString::fromStdString(figure.title), Qt::ElideRight, top.width()));
+    drawTitle(painter, figure, layout);
     for (std::size_t i = 0; i < figure.panels.size(); ++i) {
         const Panel& panel = figure.panels[i];
         const FigureLayout::PanelPlace& place = layout.panels[i];

@@ -104,9 +104,12 @@ void ParameterTable::createView() {
     m_view->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                             QAbstractItemView::AnyKeyPressed | QAbstractItemView::SelectedClicked);
     m_view->setTabKeyNavigation(false);
-    m_view->setIndentation(GroupSpacing_px);
+    m_view->setIndentation(PanelMargin_px);
     m_view->header()->setStretchLastSection(false);
     m_view->header()->setSectionsMovable(false);
+    m_view->viewport()->installEventFilter(this);
+    connect(m_view->header(), &QHeaderView::sectionResized, this,
+            [this] { m_isWidthChosen = m_isWidthChosen || !m_isFitting; });
     m_search->setClearButtonEnabled(true);
     m_changedOnly->setCheckable(true);
     m_changedOnly->setIcon(themedIcon(QStringLiteral("filter")));
@@ -185,13 +188,6 @@ void ParameterTable::setSpecs(std::vector<ParameterSpec> specs) {
     showHelp();
 }
 
-void ParameterTable::fitColumns() {
-    for (int column = 0; column < ParameterTableModel::Columns; ++column) {
-        m_view->resizeColumnToContents(column);
-        m_view->setColumnWidth(column, m_view->columnWidth(column) + PanelMargin_px);
-    }
-}
-
 void ParameterTable::setOnline(bool isOnline) {
     m_isOnline = isOnline;
     m_model->setStale(!isOnline);
@@ -212,6 +208,7 @@ void ParameterTable::setAngleUnit(AngleUnit unit) {
 void ParameterTable::onAngleUnitChosen(int index) {
     m_model->setAngleUnit(index == 0 ? AngleUnit::Radian : AngleUnit::Degree);
     showHelp();
+    fitColumns();
 }
 
 void ParameterTable::onEditRefused(const QString& name, const QString& message, const QString& remedy,

@@ -44,6 +44,7 @@ Q_SIGNALS:
 
 protected:
     void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void createActions();
@@ -52,6 +53,7 @@ private:
     void write();
     void layOut();
     void fitColumns();
+    int numberWidth(int column) const;
     void connectModel();
     void onEditRefused(const QString& name, const QString& message, const QString& remedy,
                        std::optional<double> suggestion);
@@ -81,6 +83,8 @@ private:
     std::optional<double> m_suggestion;
     bool m_isOnline = false;
     bool m_hasFittedColumns = false;
+    bool m_isFitting = false;
+    bool m_isWidthChosen = false; ///< of a column, by the user
 };
 
 } // namespace halbench::widgets

@@ -61,6 +61,11 @@ QString VerdictView::text() const {
     return lines;
 }
 
+void VerdictView::moveRemarks(QVBoxLayout& place) {
+    layout()->removeWidget(m_words);
+    place.addWidget(m_words); // its parent is that of the place
+}
+
 void VerdictView::refresh() {
     m_symbol->setPixmap(themedIcon(iconOfLevel(m_level), roleOfLevel(m_level)).pixmap(16, 16));
     m_title->setText(m_titleText);

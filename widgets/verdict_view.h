@@ -27,6 +27,8 @@ public:
     /// `title` says what is judged in one line, e.g. "Good: nothing speaks against the model".
     void setVerdict(VerdictLevel level, const QString& title, const std::vector<Remark>& remarks);
     QString text() const; ///< all of it, one line each
+    /// The remarks stand there and not below the title: where something else needs that place more.
+    void moveRemarks(QVBoxLayout& place);
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -157,15 +157,6 @@ std::string agreementLine(const ApplyResult& applied) {
         radiansToDegrees(std::abs(applied.band->largestOff_rad)), applied.band->largestOffTime_s);
 }
 
-/// A step of 30 degrees that the new gains must answer as predicted before they stay.
-std::optional<ApplyVerification> verificationFor(const MotorEstimate& motor) {
-    ApplyVerification verification;
-    verification.motor = motor;
-    verification.reference.shape = MoveReference::Shape::Step;
-    verification.reference.amplitude_rad = 0.5;
-    return verification;
-}
-
 /// A real device does not get the gains of another motor without a word of its user; a simulated one cannot
 /// be harmed.
 Result<void> admitMotor(const CommandOptions& options, const std::optional<devices::DeviceInfo>& identified,
@@ -212,7 +203,7 @@ Result<ApplyResult> applyGains(CommandContext& context, TuningSource& source, co
     }
     ApplyConfig config;
     config.values = *std::move(values);
-    config.verification = verificationFor(source.estimate);
+    config.verification = stepVerification(source.estimate);
     return runApply(*source.device, config, observerFor(context));
 }
 

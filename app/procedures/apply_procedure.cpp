@@ -261,6 +261,18 @@ Result<ApplyResult> runGuarded(devices::Device& device, const ApplyConfig& confi
 
 } // namespace
 
+ApplyVerification stepVerification(const MotorEstimate& motor) {
+    ApplyVerification verification;
+    verification.motor = motor;
+    verification.reference.shape = MoveReference::Shape::Step;
+    verification.reference.amplitude_rad = 0.5;
+    return verification;
+}
+
+MoveOutlook verificationOutlook(const ApplyVerification& verification, const devices::Catalogue& catalogue) {
+    return moveOutlook(moveOf(verification), catalogue);
+}
+
 Result<ApplyResult> runApply(devices::Device& device, const ApplyConfig& config,
                              const ProcedureObserver& observer) {
     const auto result = runGuarded(device, config, observer);

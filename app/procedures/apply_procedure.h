@@ -19,6 +19,12 @@ struct ApplyVerification {
     double errorTolerance_rad = 0.02;        ///< final error, likewise
 };
 
+/// As `tune --apply` and the Tune panel verify: a step of half a radian, 29 degrees.
+ApplyVerification stepVerification(const MotorEstimate& motor);
+
+/// How far and how long the rotor moves when it verifies.
+MoveOutlook verificationOutlook(const ApplyVerification& verification, const devices::Catalogue& catalogue);
+
 struct ApplyConfig {
     std::vector<ParameterValue> values;
     std::optional<ApplyVerification> verification;

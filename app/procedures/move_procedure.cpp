@@ -17,6 +17,8 @@ namespace halbench::app {
 namespace {
 
 constexpr double Settle_s = 0.05; ///< armed and at rest before the reference starts: gives the origin
+/// The board begins at its next position sample (10 ms); one more period for the last rows on their way.
+constexpr double Tail_s = 0.03;
 
 Result<void> checkMove(const MoveConfig& config) {
     if (auto complete = checkMoveReference(config.reference); !complete) {
@@ -93,8 +95,8 @@ Result<void> follow(devices::Device& device, const MoveConfig& config, const Pro
     if (auto entered = enterState(observer, ProcedureState::Record); !entered) {
         return entered;
     }
-    // The board begins at its next position sample (10 ms); one more period for the last rows on their way.
-    if (auto moved = waitObserved(device, observer, config.duration_s + 0.03, 0.05, 0.95, "moves"); !moved) {
+    if (auto moved = waitObserved(device, observer, config.duration_s + Tail_s, 0.05, 0.95, "moves");
+        !moved) {
         return moved;
     }
     return device.disarm();
@@ -267,6 +269,12 @@ Result<MoveResult> runGuarded(devices::Device& device, const MoveConfig& config,
 }
 
 } // namespace
+
+MoveOutlook moveOutlook(const MoveConfig& config, const devices::Catalogue& catalogue) {
+    return {referenceExcursion_rad(config.reference, config.duration_s),
+            excursionWindow_rad(catalogue, config), config.speedLimit_rad_s,
+            Settle_s + config.duration_s + Tail_s};
+}
 
 MovePrediction predictMove(const MoveConfig& config, const models::PositionLaw& law,
                            const models::RotorConfig& motor, double torqueConstant_Nm_per_A) {

@@ -71,6 +71,15 @@ struct MovePrediction {
 MovePrediction predictMove(const MoveConfig& config, const models::PositionLaw& law,
                            const models::RotorConfig& motor, double torqueConstant_Nm_per_A);
 
+/// How far and how long a move may go on this device: what performMove() sets, told before.
+struct MoveOutlook {
+    double excursion_rad = 0.0;    ///< that the reference asks for, from the start
+    double window_rad = 0.0;       ///< from the start: there the board ends the motion
+    double speedLimit_rad_s = 0.0; ///< likewise
+    double armed_s = 0.0;          ///< from arming to disarming
+};
+MoveOutlook moveOutlook(const MoveConfig& config, const devices::Catalogue& catalogue);
+
 /// Arms in mode position, lets the board follow the reference, disarms, measures. Works inside the excursion,
 /// speed and temperature windows of the board; parameters are restored on every way out. Walks Prepare,
 /// Excite, Record, Judge, Done or Restored. Errors: of the configuration, of the device, SafetyStop (a limit

@@ -8,6 +8,7 @@
 #include "app/wizards/note_label.h"
 #include "app/wizards/words_and_pictures.h"
 #include "app/workspaces/document_files.h"
+#include "app/workspaces/pace_row.h"
 #include "app/workspaces/preflight.h"
 #include "widgets/figure_view.h"
 #include "widgets/icons.h"
@@ -38,8 +39,8 @@ constexpr std::array Choices = {Calibration::Hall, Calibration::Stray, Calibrati
 } // namespace
 
 CalibratePanel::CalibratePanel(Workbench& workbench, QWidget* parent) : WizardPanel(workbench, parent) {
-    addPage(buildPrepare(), true);
-    addPage(buildRun(), false);
+    addPage(buildPrepare(), true, buildStartRow());
+    addPage(buildRun(), false, m_progress);
     addPage(buildResult(), false, buildResultButtons());
     connect(&bench(), &Workbench::deviceChanged, this, &CalibratePanel::onDevice);
     connect(&bench(), &Workbench::valuesChanged, this, &CalibratePanel::onValues);
@@ -68,8 +69,6 @@ QWidget* CalibratePanel::buildPrepare() {
     m_intro = new QLabel(page);
     m_outlook = new QLabel(page);
     m_preflight = new Preflight(bench(), page);
-    m_start = new QPushButton(page);
-    widgets::setRole(*m_start, widgets::Role::Primary);
     m_intro->setWordWrap(true);
     m_outlook->setWordWrap(true);
     column->addWidget(m_intro);
@@ -81,11 +80,25 @@ QWidget* CalibratePanel::buildPrepare() {
     }
     column->addWidget(m_outlook);
     column->addWidget(m_preflight);
-    column->addWidget(m_start, 0, Qt::AlignLeft);
     column->addStretch(1);
     connect(m_preflight, &Preflight::changed, this, &CalibratePanel::refreshPlan);
-    connect(m_start, &QPushButton::clicked, this, &CalibratePanel::start);
     return page;
+}
+
+/// Below the choice and never scrolled away, like that of every procedure.
+QWidget* CalibratePanel::buildStartRow() {
+    auto* bar = new QWidget;
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(widgets::PanelMargin_px);
+    m_start = new QPushButton(bar);
+    widgets::setRole(*m_start, widgets::Role::Primary);
+    row->addWidget(m_start);
+    row->addSpacing(widgets::GroupSpacing_px);
+    row->addWidget(new PaceRow(bench(), PaceRow::Place::BesideStart, bar));
+    row->addStretch(1);
+    connect(m_start, &QPushButton::clicked, this, &CalibratePanel::start);
+    return bar;
 }
 
 QWidget* CalibratePanel::buildRun() {
@@ -93,7 +106,6 @@ QWidget* CalibratePanel::buildRun() {
     auto* column = columnOf(page, widgets::GroupSpacing_px);
     m_progress = new widgets::ProgressRow(page);
     m_liveView = new widgets::FigureView(page);
-    column->addWidget(m_progress);
     column->addWidget(m_liveView, 1);
     connect(m_progress, &widgets::ProgressRow::cancelRequested, this, [this] {
         m_isCancelling = true;

@@ -56,6 +56,7 @@ private:
     enum Step { PrepareStep, ExciteStep, ProposeStep, ApplyStep };
 
     QWidget* buildPrepare();
+    QWidget* buildStartRow();
     QWidget* buildRun();
     QWidget* buildResult();
     QWidget* buildWords();

@@ -119,6 +119,7 @@ void CalibratePanel::showFigures() {
 void CalibratePanel::showRows() {
     if (m_result) {
         const bool isKnown = bench().session().state() == SessionState::Connected && isOfThisDevice();
+        m_table->setLastTitle(isKnown ? tr("On the device") : tr("Before"));
         m_table->setRows(
             calibrationRows(*m_result, isKnown ? &bench().deviceValues() : nullptr, bench().displayUnits()));
     }

@@ -1,11 +1,11 @@
 #include "app/wizards/calibrate_words.h"
 
 #include "app/wizards/identify_words.h"
+#include "app/workspaces/wall_clock.h"
 #include "control/base/unit_text.h"
 #include "widgets/display_units.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QStringList>
 
 #include <algorithm>
@@ -62,23 +62,23 @@ QString nameOf(const std::string& figure) {
 }
 
 QString currentText(double current_A) {
-    return QLocale().toString(current_A, 'f', 1) + QStringLiteral(" A");
+    return widgets::fixedText(current_A, 1) + QStringLiteral(" A");
 }
 
-/// The value that the figure's parameter has now, or had.
+/// The value that the figure's parameter has now, or had; a dash for one that no parameter takes.
 QString besideText(const std::string& name, double factor, const CalibrateResult& result,
                    const std::map<std::string, double>* deviceValues) {
     const auto before = std::find_if(result.before.begin(), result.before.end(),
                                      [&](const ParameterValue& value) { return value.name == name; });
     if (before == result.before.end()) {
-        return Words::tr("a figure only");
+        return QStringLiteral("\u2013");
     }
     if (deviceValues != nullptr) {
         if (const auto now = deviceValues->find(name); now != deviceValues->end()) {
-            return Words::tr("now %1").arg(widgets::numberText(now->second * factor, 4));
+            return widgets::numberText(now->second * factor, 4);
         }
     }
-    return Words::tr("before %1").arg(widgets::numberText(before->value * factor, 4));
+    return widgets::numberText(before->value * factor, 4);
 }
 
 } // namespace
@@ -108,7 +108,7 @@ QString calibrationOutlook(const CalibrateConfig& config, const DisplayUnits& un
     }
     const DisplayQuantity speed = displayQuantity("rad/s", units);
     lines << Words::tr("The board ends the motion at %1 %2. Nothing is changed until you apply it.")
-                 .arg(QLocale().toString(config.speedLimit_rad_s * speed.factor, 'f', 0), speed.unit);
+                 .arg(widgets::fixedText(config.speedLimit_rad_s * speed.factor, 0), speed.unit);
     return lines.join(QLatin1Char('\n'));
 }
 
@@ -169,7 +169,7 @@ QString projectCalibrationText(const ResultHeader& header) {
     return isOfVirtualTime(header)
                ? Words::tr("From the project: calibrated in virtual time, device %1.").arg(device)
                : Words::tr("From the project: calibrated %1, device %2.")
-                     .arg(QString::fromStdString(header.started), device);
+                     .arg(localDate(header.started), device);
 }
 
 } // namespace halbench::app

@@ -33,9 +33,9 @@ enum Step { PrepareStep, ExciteStep, FitStep, JudgeStep, ResultStep };
 } // namespace
 
 IdentifyPanel::IdentifyPanel(Workbench& workbench, QWidget* parent) : WizardPanel(workbench, parent) {
-    addPage(buildPrepare(), true);
-    addPage(buildRun(), false);
-    addPage(buildResult(), false);
+    addPage(buildPrepare(), true, buildStartRow());
+    addPage(buildRun(), false, m_progress);
+    addPage(buildResult(), false, buildResultButtons());
     m_result->setFileChooser(&chooser());
     m_frame.setInterval(Frame_ms);
     connect(&m_frame, &QTimer::timeout, this, &IdentifyPanel::showLive);
@@ -71,34 +71,41 @@ QWidget* IdentifyPanel::buildPrepare() {
     m_outlook = new QLabel(page);
     m_form = new IdentifyForm(page);
     m_preflight = new Preflight(bench(), page);
-    m_start = new QPushButton(page);
-    m_loadFirst = new QPushButton(page);
     for (QLabel* label : {m_intro, m_outlook}) {
         label->setWordWrap(true);
     }
     m_form->setMaximumWidth(32 * fontMetrics().averageCharWidth() * 2);
-    widgets::setRole(*m_start, widgets::Role::Primary);
-    m_loadFirst->setIcon(widgets::themedIcon(QStringLiteral("open")));
-    m_loadFirst->hide();
-    auto* buttons = new QHBoxLayout;
-    buttons->addWidget(m_start);
-    buttons->addWidget(m_loadFirst);
-    buttons->addSpacing(widgets::GroupSpacing_px);
-    buttons->addWidget(new PaceRow(bench(), PaceRow::Place::BesideStart, page));
-    buttons->addStretch(1);
     for (QWidget* part : std::initializer_list<QWidget*>{m_intro, m_form, m_outlook, m_preflight}) {
         column->addWidget(part);
     }
-    column->addLayout(buttons);
     column->addStretch(1);
     connect(m_form, &IdentifyForm::changed, this, &IdentifyPanel::refreshPlan);
     connect(m_preflight, &Preflight::changed, this, &IdentifyPanel::refreshPlan);
+    return page;
+}
+
+/// Below the settings and never scrolled away: what begins the motion is in sight whatever is said above.
+QWidget* IdentifyPanel::buildStartRow() {
+    auto* bar = new QWidget;
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(widgets::PanelMargin_px);
+    m_start = new QPushButton(bar);
+    m_loadFirst = new QPushButton(bar);
+    widgets::setRole(*m_start, widgets::Role::Primary);
+    m_loadFirst->setIcon(widgets::themedIcon(QStringLiteral("open")));
+    m_loadFirst->hide();
+    row->addWidget(m_start);
+    row->addWidget(m_loadFirst);
+    row->addSpacing(widgets::GroupSpacing_px);
+    row->addWidget(new PaceRow(bench(), PaceRow::Place::BesideStart, bar));
+    row->addStretch(1);
     connect(m_start, &QPushButton::clicked, this, &IdentifyPanel::start);
     auto* shortcut = new QShortcut(QKeySequence(QStringLiteral("Ctrl+Return")), this);
     shortcut->setContext(Qt::WidgetWithChildrenShortcut);
     connect(shortcut, &QShortcut::activated, m_start, &QPushButton::click);
     connect(m_loadFirst, &QPushButton::clicked, this, &IdentifyPanel::load);
-    return page;
+    return bar;
 }
 
 QWidget* IdentifyPanel::buildRun() {
@@ -106,7 +113,6 @@ QWidget* IdentifyPanel::buildRun() {
     auto* column = columnOf(page, widgets::PanelMargin_px);
     m_progress = new widgets::ProgressRow(page);
     m_liveView = new widgets::FigureView(page);
-    column->addWidget(m_progress);
     column->addWidget(m_liveView, 1);
     connect(m_progress, &widgets::ProgressRow::cancelRequested, this, [this] {
         m_isCancelling = true;
@@ -120,7 +126,6 @@ QWidget* IdentifyPanel::buildResult() {
     auto* column = columnOf(page, widgets::PanelMargin_px);
     m_result = new IdentifyResultView(page);
     column->addWidget(m_result, 1);
-    column->addWidget(buildResultButtons());
     connect(m_result, &IdentifyResultView::helpRequested, this, &IdentifyPanel::helpRequested);
     connect(m_result, &IdentifyResultView::notSaved, this,
             [this](const QString& text, const QString& remedy) {

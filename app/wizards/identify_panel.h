@@ -48,6 +48,7 @@ private:
     enum Page { PreparePage, RunPage, ResultPage };
 
     QWidget* buildPrepare();
+    QWidget* buildStartRow();
     QWidget* buildRun();
     QWidget* buildResult();
     QWidget* buildResultButtons();

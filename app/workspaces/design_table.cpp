@@ -143,12 +143,8 @@ void DesignTable::fillFigures(int row, const ComparedDesign& design) {
         setText(row, Ki, amount(design.gains->integral * gainUnit("gain.ki", m_units).factor, 4));
         setText(row, Kd, amount(design.gains->derivative * gainUnit("gain.kd", m_units).factor, 4));
     }
+    sayReason(row, design.predicted ? QString() : design.reason);
     if (!design.predicted) {
-        const bool isDamaged = row != ProposedRow && !isKnown;
-        setText(row, Loop, isDamaged ? tr("cannot be read") : QString());
-        for (int column = PhaseMargin; column <= DelayMargin; ++column) {
-            setText(row, column, {});
-        }
         return;
     }
     const AnalysisResult& loop = *design.predicted;
@@ -161,6 +157,21 @@ void DesignTable::fillFigures(int row, const ComparedDesign& design) {
         amount(design.bandwidth_rad_s ? std::optional(*design.bandwidth_rad_s / (2.0 * Pi)) : std::nullopt));
     setText(row, Overshoot, amount(loop.step ? std::optional(loop.step->overshoot_percent) : std::nullopt));
     setText(row, Loop, loop.isStable ? tr("stable") : tr("UNSTABLE"));
+}
+
+/// Across the cells of the figures that are not there; empty: they are.
+void DesignTable::sayReason(int row, const QString& reason) {
+    const int columns = reason.isEmpty() ? 1 : DelayMargin - Loop + 1;
+    if (m_table->columnSpan(row, Loop) != columns) {
+        m_table->setSpan(row, Loop, 1, columns);
+    }
+    for (int column = Loop; column <= DelayMargin; ++column) {
+        setText(row, column, column == Loop ? reason : QString());
+    }
+    QTableWidgetItem& cell = *m_table->item(row, Loop);
+    cell.setToolTip(reason);
+    // Its column is as wide as its other words: it reaches over the next ones.
+    cell.setData(Qt::SizeHintRole, reason.isEmpty() ? QVariant() : QVariant(QSize(1, 1)));
 }
 
 void DesignTable::fillRow(int row, const ComparedDesign& design, bool isKept) {
@@ -183,7 +194,7 @@ void DesignTable::fillRow(int row, const ComparedDesign& design, bool isKept) {
 void DesignTable::setDesigns(const std::optional<ComparedDesign>& proposed,
                              const std::vector<ComparedDesign>& kept, const DisplayUnits& units) {
     m_units = units;
-    m_hasProposed = proposed.has_value();
+    m_hasProposed = proposed && proposed->predicted;
     m_isFilling = true;
     const int current = m_table->currentRow();
     m_table->setRowCount(static_cast<int>(kept.size()) + 1);

@@ -22,6 +22,7 @@ struct ComparedDesign {
     std::optional<AnalysisResult> predicted; ///< nothing: not yet, or not with this motor
     std::optional<double> bandwidth_rad_s;   ///< of the closed loop
     bool isDrawn = false;
+    QString reason; ///< why nothing is predicted
 };
 
 /// Designs side by side: gains, margins, bandwidth, overshoot. The first row is the one that is worked on;
@@ -56,6 +57,7 @@ private:
     void refreshButtons();
     void fillRow(int row, const ComparedDesign& design, bool isKept);
     void fillFigures(int row, const ComparedDesign& design);
+    void sayReason(int row, const QString& reason);
     void setText(int row, int column, const QString& text);
     int currentKept() const; ///< -1: none
 

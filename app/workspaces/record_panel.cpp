@@ -162,8 +162,8 @@ void RecordPanel::showMoment() {
     const bool isHolding = !recording.isRecording() && m_bench.session().state() == SessionState::Connected;
     if (isHolding && recording.preTrigger_s() > 0.0) {
         const QString held = tr("In memory: %1 of %2 s.")
-                                 .arg(QLocale().toString(recording.held_s(), 'f', 1),
-                                      QLocale().toString(recording.preTrigger_s(), 'f', 1));
+                                 .arg(widgets::fixedText(recording.held_s(), 1),
+                                      widgets::fixedText(recording.preTrigger_s(), 1));
         words += (words.isEmpty() ? QString() : QStringLiteral(" ")) + held;
     }
     if (words != m_moment->text()) {

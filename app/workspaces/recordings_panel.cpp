@@ -6,6 +6,7 @@
 #include "app/workspaces/recording_control.h"
 #include "app/workspaces/result_history_view.h"
 #include "app/workspaces/run_overlay.h"
+#include "widgets/display_units.h"
 #include "widgets/message_bar.h"
 #include "widgets/phrasebook.h"
 #include "widgets/quantity_edit.h"
@@ -17,7 +18,6 @@
 #include <QItemSelectionModel>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -57,8 +57,11 @@ RecordingsPanel::RecordingsPanel(Workbench& bench, QWidget* parent) : QWidget(pa
     column->addWidget(m_table, 1);
     buildActions(*column);
     buildTabs(splitter);
-    splitter->setStretchFactor(0, 1); // both get as much of what is left
-    splitter->setStretchFactor(1, 1);
+    constexpr int ListShare = 2; // a few rows to choose from, and a picture large enough to compare them
+    constexpr int PictureShare = 3;
+    splitter->setStretchFactor(0, ListShare);
+    splitter->setStretchFactor(1, PictureShare);
+    splitter->setSizes({ListShare * 1000, PictureShare * 1000});
     outer->addWidget(splitter);
     m_saving.setSingleShot(true);
     m_saving.setInterval(SaveDelay_ms);
@@ -254,14 +257,13 @@ void RecordingsPanel::recover(const QString& path) {
                                         {}});
                 return;
             }
-            const QLocale locale;
             const QString text =
                 tr("An interrupted recording was recovered: %1 s in %2")
-                    .arg(locale.toString(done->duration_s, 'f', 2), QDir::toNativeSeparators(done->path));
+                    .arg(widgets::fixedText(done->duration_s, 2), QDir::toNativeSeparators(done->path));
             QString lost = done->lostOctets == 0
                                ? tr("Nothing that was written is lost.")
                                : tr("Lost: %1 octets at its end or damaged.")
-                                     .arg(locale.toString(static_cast<qulonglong>(done->lostOctets)));
+                                     .arg(widgets::countText(static_cast<qulonglong>(done->lostOctets)));
             if (!done->keptOriginal.isEmpty()) {
                 lost +=
                     QLatin1Char(' ') +

@@ -129,6 +129,15 @@ std::vector<TuneNumber> tuneNumbers(const TuneResult& proposed, const std::optio
     return numbers;
 }
 
+QString verificationWords(const MoveOutlook& outlook, const DisplayUnits& units) {
+    const DisplayQuantity speed = displayQuantity("rad/s", units);
+    return Words::tr("Apply and verify turns the rotor by %1, in %2 s; the board ends the motion at %3 from "
+                     "where it starts, or at %4 %5.")
+        .arg(angleText(outlook.excursion_rad, units), widgets::numberText(outlook.armed_s, 2),
+             angleText(outlook.window_rad, units),
+             widgets::fixedText(outlook.speedLimit_rad_s * speed.factor, 0), speed.unit);
+}
+
 QString agreementWords(const VerificationBand& band, const MoveFigures& measured, const DisplayUnits& units) {
     const double rest_rad = std::abs(measured.finalError_rad);
     const double excess_rad = rest_rad - band.allowed_rad;

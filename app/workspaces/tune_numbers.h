@@ -23,9 +23,11 @@ struct TuneNumber {
 std::vector<TuneNumber> tuneNumbers(const TuneResult& proposed, const std::optional<AnalysisResult>& present,
                                     const DisplayUnits& units);
 
-/// The steps that are predicted and made, in the panel's words too.
+/// The large step that is predicted, in the panel's words too.
 constexpr double LargeStep_rad = 1.7453292519943295; ///< 100 degrees
-constexpr double VerificationStep_rad = 0.5;         ///< as `tune --apply` takes it
+
+/// What Apply and verify does to the rotor, before it is pressed.
+QString verificationWords(const MoveOutlook& outlook, const DisplayUnits& units);
 
 /// How far a verification step was from what the prediction allows, in one sentence.
 QString agreementWords(const VerificationBand& band, const MoveFigures& measured, const DisplayUnits& units);

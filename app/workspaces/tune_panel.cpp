@@ -122,6 +122,7 @@ void TunePanel::onDevice() {
         leaveGains();
         forgetVerification();
     }
+    refreshOutlook(); // of its limits
     readConditions();
     ask(); // its presets may be others
 }
@@ -239,6 +240,7 @@ void TunePanel::ask() {
     if (!m_bench.identification()) {
         return;
     }
+    m_problem.reset();
     m_shown.reset(); // nothing is applied that its prediction has not caught up with
     m_early.reset();
     m_sketching.cancel();
@@ -296,6 +298,8 @@ void TunePanel::shareWidth() {
 bool TunePanel::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_splitter && event->type() == QEvent::Resize) {
         QMetaObject::invokeMethod(this, &TunePanel::shareWidth, Qt::QueuedConnection);
+    } else if (watched != m_splitter && event->type() == QEvent::Resize) {
+        growVerification();
     }
     return QWidget::eventFilter(watched, event);
 }

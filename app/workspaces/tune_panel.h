@@ -21,6 +21,7 @@
 
 class QLabel;
 class QPushButton;
+class QScrollArea;
 class QSplitter;
 class QStackedWidget;
 
@@ -100,6 +101,7 @@ private:
     void compareDesigns();
     void forgetJudgements();
     void showDesigns();
+    QString reasonOf(const KeptDesign& design) const;
     std::vector<NamedLoop> drawnLoops() const;
     void chooseMeasured();
     void showMeasured(Result<FrequencyFile> file);
@@ -108,6 +110,8 @@ private:
     void refreshMeasuredWords();
     void drawPredictions();
     void refreshWords();
+    void refreshOutlook();
+    void growVerification();
     void refreshModel();
     void forgetRestored();
     void onDevice();
@@ -147,6 +151,8 @@ private:
     std::optional<AnalysisResult> m_present;          ///< of the gains on the device, or before an apply
     KeptDesigns m_designs;
     std::map<std::string, JudgedLoop> m_judged; ///< kept designs by their document
+    std::map<std::string, Error> m_unjudged;    ///< likewise: why not
+    std::optional<Error> m_problem;             ///< why nothing is proposed
     std::optional<MeasuredPlant> m_measured;    ///< drawn into the open loop
     std::optional<double> m_bandwidth_rad_s;    ///< of what is shown
     std::optional<Answer> m_early;              ///< waits for the sketch of the same question
@@ -173,6 +179,7 @@ private:
     GainEditor* m_gains = nullptr;
     Preflight* m_preflight = nullptr;
     ForeignMotorNotice* m_foreign = nullptr;
+    QLabel* m_outlook = nullptr; ///< what Apply and verify will do to the rotor
     QPushButton* m_apply = nullptr;
     QPushButton* m_keep = nullptr;
     QPushButton* m_restore = nullptr;
@@ -185,6 +192,7 @@ private:
     widgets::FigureView* m_linear = nullptr;
     QWidget* m_verificationPage = nullptr;
     widgets::FigureView* m_verification = nullptr;
+    QScrollArea* m_verificationRoom = nullptr;
     widgets::VerdictView* m_agreement = nullptr; ///< of measured and predicted
     TuneNumbers* m_numbers = nullptr;
     DesignTable* m_table = nullptr;

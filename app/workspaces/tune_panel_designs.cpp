@@ -8,6 +8,7 @@
 #include "app/workspaces/tune_panel.h"
 #include "control/base/assert.h"
 #include "widgets/figure_view.h"
+#include "widgets/phrasebook.h"
 
 #include <utility>
 
@@ -80,26 +81,30 @@ void TunePanel::compareDesigns() {
     showDesigns();
     std::vector<std::pair<std::string, control::PositionLaw>> asked;
     for (const KeptDesign& design : m_designs.all()) {
-        if (design.gains && m_judged.count(design.document) == 0) {
+        if (design.gains && m_judged.count(design.document) + m_unjudged.count(design.document) == 0) {
             asked.emplace_back(design.document, design.gains->law);
         }
     }
     if (asked.empty() || !m_bench.identification()) {
         return;
     }
-    using Judged = std::map<std::string, JudgedLoop>;
+    using Judged = std::map<std::string, Result<JudgedLoop>>;
     m_comparing.run(
         [asked, motor = motorEstimate(*m_bench.identification()), conditions = m_conditions] {
             Judged judged;
             for (const auto& [document, law] : asked) {
-                if (auto loop = judgeLoop(motor, law, conditions)) {
-                    judged.insert_or_assign(document, *std::move(loop));
-                }
+                judged.insert_or_assign(document, judgeLoop(motor, law, conditions));
             }
             return judged;
         },
-        [this](Judged judged) {
-            m_judged.merge(judged);
+        [this](const Judged& judged) {
+            for (const auto& [document, loop] : judged) {
+                if (loop) {
+                    m_judged.insert_or_assign(document, *loop);
+                } else {
+                    m_unjudged.insert_or_assign(document, loop.error());
+                }
+            }
             showDesigns();
         });
 }
@@ -108,17 +113,31 @@ void TunePanel::compareDesigns() {
 void TunePanel::forgetJudgements() {
     m_comparing.cancel();
     m_judged.clear();
+    m_unjudged.clear();
     compareDesigns();
+}
+
+/// Of a row without figures.
+QString TunePanel::reasonOf(const KeptDesign& design) const {
+    if (!design.gains) {
+        return tr("not judged: the project's entry cannot be read");
+    }
+    const auto found = m_unjudged.find(design.document);
+    return found == m_unjudged.end() ? tr("not judged yet")
+                                     : tr("not judged: %1").arg(widgets::inWords(found->second.message));
 }
 
 void TunePanel::showDesigns() {
     std::optional<ComparedDesign> proposed;
     if (m_shown) {
-        proposed = {{}, m_shown->method, m_shown->law.gains, m_shown->predicted, m_bandwidth_rad_s, true};
+        proposed = {{}, m_shown->method, m_shown->law.gains, m_shown->predicted, m_bandwidth_rad_s, true, {}};
+    } else if (m_problem) {
+        proposed.emplace();
+        proposed->reason = tr("not judged: %1").arg(widgets::inWords(m_problem->message));
     }
     std::vector<ComparedDesign> kept;
     for (const KeptDesign& design : m_designs.all()) {
-        ComparedDesign row{design.name, {}, {}, {}, {}, design.isDrawn};
+        ComparedDesign row{design.name, {}, {}, {}, {}, design.isDrawn, reasonOf(design)};
         if (design.gains) {
             row.method = design.gains->method;
             row.gains = design.gains->law.gains;

@@ -22,6 +22,8 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace halbench::app {
 namespace {
 
@@ -57,6 +59,8 @@ QWidget* TunePanel::buildSettings() {
     m_foreign = new ForeignMotorNotice(m_bench, page);
     m_progress = new widgets::ProgressRow(page);
     m_progress->hide();
+    m_outlook = new QLabel(page);
+    m_outlook->setWordWrap(true);
     for (QWidget* part :
          std::initializer_list<QWidget*>{m_model, m_form, m_gains, m_verdict, m_preflight, m_foreign}) {
         column->addWidget(part);
@@ -67,6 +71,7 @@ QWidget* TunePanel::buildSettings() {
     all->setContentsMargins(0, 0, 0, 0);
     all->setSpacing(widgets::PanelMargin_px);
     all->addWidget(scrolled(page), 1);
+    all->addWidget(m_outlook);
     all->addWidget(m_progress); // what is decided stays in sight, however far the rest is scrolled
     all->addWidget(buildButtons());
     return settings;
@@ -128,8 +133,17 @@ QWidget* TunePanel::buildVerification() {
     m_agreement = new widgets::VerdictView(page);
     m_agreement->setObjectName(QStringLiteral("agreement"));
     m_verification = new widgets::FigureView;
+    m_verification->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored); // growVerification() says
+    auto* content = new QWidget;
+    auto* below = new QVBoxLayout(content);
+    below->setContentsMargins(0, 0, 0, 0);
+    below->setSpacing(widgets::GridStep_px);
+    below->addWidget(m_verification, 1);
+    m_agreement->moveRemarks(*below);
     column->addWidget(m_agreement);
-    column->addWidget(scrolled(m_verification), 1); // three plots want more height than a small screen has
+    m_verificationRoom = scrolled(content);
+    m_verificationRoom->viewport()->installEventFilter(this);
+    column->addWidget(m_verificationRoom, 1); // three plots want more height than a small screen has
     return page;
 }
 
@@ -141,13 +155,13 @@ void TunePanel::refreshWords() {
                       tr("Identify the motor"));
     m_empty->setIconName(QStringLiteral("settings"));
     say(*m_apply, tr("Apply and verify"),
-        tr("All gains at once, then a step of %1 that must go as predicted; Esc stops it")
-            .arg(angleText(VerificationStep_rad, units, 2)));
+        tr("All gains at once, then a step that must go as predicted; Esc stops it"));
     say(*m_keep, tr("Keep"),
         tr("The new gains stay until the device is switched off or, for a simulated one, disconnected; Save "
            "in the device, in the Parameters panel, keeps them longer"));
     say(*m_restore, tr("Restore"), tr("The gains from before run again"));
     say(*m_save, tr("Save gains\u2026"), tr("Write the file that the program's analyse reads"));
+    refreshOutlook();
     refreshMeasuredWords();
     m_figures->setTitle(m_loop, tr("Open loop"), tr("Bode, Nyquist and Nichols plot, and sensitivity"));
     m_figures->setTitle(m_large, tr("Step of %1").arg(angleText(LargeStep_rad, units)),
@@ -160,6 +174,18 @@ void TunePanel::refreshWords() {
     m_figures->setAccessibleName(tr("Predictions"));
     drawVerification();
     refreshModel();
+}
+
+/// The picture is the answer: it has all of the page, and what is said of it begins at the lower edge.
+void TunePanel::growVerification() {
+    const int words_px = 2 * fontMetrics().lineSpacing();
+    m_verification->setMinimumHeight(std::max(0, m_verificationRoom->viewport()->height() - words_px));
+}
+
+/// From what the procedure is given: how far and how long is said before it is pressed, not in a tooltip.
+void TunePanel::refreshOutlook() {
+    m_outlook->setText(verificationWords(
+        verificationOutlook(stepVerification({}), m_bench.session().catalogue()), m_bench.displayUnits()));
 }
 
 void TunePanel::onUnits() {

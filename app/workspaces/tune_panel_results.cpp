@@ -115,6 +115,7 @@ void TunePanel::showAnswer(const Result<TuneResult>& answer, std::optional<doubl
     }
     const TuneResult& proposed = *answer;
     m_shown = proposed;
+    m_problem.reset();
     m_bandwidth_rad_s = bandwidth_rad_s;
     m_numbers->setNumbers(tuneNumbers(proposed, m_present, m_bench.displayUnits()));
     const DeviceSession& session = m_bench.session();
@@ -133,6 +134,7 @@ void TunePanel::showAnswer(const Result<TuneResult>& answer, std::optional<doubl
 
 void TunePanel::showProblem(const Error& error) {
     m_shown.reset();
+    m_problem = error;
     m_verdict->setVerdict(widgets::VerdictLevel::Refused, widgets::inWords(error.message),
                           {{widgets::inWords(error.hint), {}}});
     showDesigns(); // what was proposed before is not proposed any more
@@ -170,11 +172,7 @@ void TunePanel::apply() {
     }
     ApplyConfig config;
     config.values = *values;
-    ApplyVerification verification;
-    verification.motor = motorEstimate(*m_bench.identification());
-    verification.reference.shape = MoveReference::Shape::Step;
-    verification.reference.amplitude_rad = VerificationStep_rad;
-    config.verification = verification;
+    config.verification = stepVerification(motorEstimate(*m_bench.identification()));
     const auto document = toJsonText(gainsDocument(m_bench.designHeader(), *m_shown));
     HB_ASSERT(document.has_value()); // a result holds finite numbers only
     const devices::DeviceInfo& info = m_bench.session().info();

@@ -1,5 +1,6 @@
 #include "tests/gui/inspection.h"
 
+#include "tests/gui/needless_cuts.h"
 #include "tests/gui/word_contrast.h"
 #include "tests/gui/word_room.h"
 #include "widgets/theme_style.h"
@@ -113,7 +114,7 @@ QString foreign(const QString& text, const QHash<QString, QString>& phrases) {
 
 QStringList inspectOne(QWidget& widget, const QHash<QString, QString>& phrases) {
     QStringList found;
-    found << lackOfRoom(widget) << untoldKey(widget);
+    found << lackOfRoom(widget) << needlessCuts(widget) << untoldKey(widget);
     if (takesFocus(widget) && nameOf(widget).isEmpty()) {
         found << QStringLiteral("has no accessible name");
     }

@@ -10,6 +10,7 @@
 #include <QPalette>
 #include <QPushButton>
 #include <QTabBar>
+#include <QTableWidget>
 #include <QtTest/QTest>
 
 #include <gtest/gtest.h>
@@ -87,9 +88,33 @@ TEST_F(InspectionTest, aLabelThatLeavesWordsOutOnPurposeHasThemInItsTooltip) {
     auto* label = new widgets::ElidedLabel(4, &root);
     label->resize(60, 30);
     label->setWords("a device with a long name");
+    QLabel neighbour(&root);
+    neighbour.setGeometry(64, 0, 336, 30);
     EXPECT_EQ(found(), "");
     label->setToolTip({});
     EXPECT_TRUE(found().contains("no tooltip has it all"));
+}
+
+TEST_F(InspectionTest, findsWordsThatAreLeftOutBesideFreeRoomAndNoOthers) {
+    auto* label = new widgets::ElidedLabel(5, &root);
+    label->setWords("Connected, and the motor turns");
+    label->setGeometry(0, 0, 80, 30);
+    EXPECT_TRUE(found().contains("beside"));
+    QLabel neighbour(&root);
+    neighbour.setGeometry(84, 0, 316, 30);
+    neighbour.show();
+    EXPECT_FALSE(found().contains("beside")) << found().toStdString();
+}
+
+TEST_F(InspectionTest, findsACellThatIsCutBesideFreeRoomAndNoOthers) {
+    QTableWidget table(1, 2, &root);
+    table.setGeometry(0, 0, 300, 60);
+    table.setItem(0, 0, new QTableWidgetItem("words that want more room"));
+    table.setColumnWidth(0, 60);
+    table.setColumnWidth(1, 20);
+    EXPECT_TRUE(found().contains("words that want more room' lacks"));
+    table.setColumnWidth(1, 240);
+    EXPECT_FALSE(found().contains("lacks")) << found().toStdString();
 }
 
 TEST_F(InspectionTest, findsTitlesThatAreCut) {

@@ -6,6 +6,7 @@
 #include <QClipboard>
 #include <QHeaderView>
 #include <QSignalSpy>
+#include <QVBoxLayout>
 #include <QtTest/QTest>
 
 namespace halbench::widgets {
@@ -21,7 +22,7 @@ TEST_F(ResultWidgetsTest, anEstimateShowsTwoDigitsOfItsInterval) {
     EXPECT_EQ(shown(1.4, 0.0213), "1.400|0.021");
     EXPECT_EQ(shown(1234.5, 21.3), "1235|21"); // half to even is not ours: the C library rounds
     EXPECT_EQ(shown(5.5e-4, 1.23e-6), "0.0005500|0.0000012");
-    EXPECT_EQ(shown(1.23e-7, 4.5e-9), "1.230e-07|4.5e-09");
+    EXPECT_EQ(shown(1.23e-7, 4.5e-9), "1.230e-7|4.5e-9");
     EXPECT_EQ(estimateText(5.5e-4, std::nullopt).half, "\u2013");
 }
 
@@ -61,6 +62,25 @@ TEST_F(ResultWidgetsTest, aTableKnowsTheWidthAtWhichNothingIsShortened) {
     EXPECT_GE(table.columnWidth(table.columnCount() - 1),
               table.fontMetrics().horizontalAdvance("not identifiable"));
     EXPECT_LE(table.horizontalHeader()->length(), table.viewport()->width());
+}
+
+TEST_F(ResultWidgetsTest, whereItIsNarrowNamesTakeTwoLinesAndNoColumnIsCut) {
+    QWidget page; // first: it must outlive its table
+    EstimateTable table;
+    table.setLastTitle("On the device");
+    table.setRows({{"angle error that the map takes away, rms", 1.2, 1.1, 1.3, "\u00b0", "1.15", ""}});
+    auto* column = new QVBoxLayout(&page);
+    column->addWidget(&table);
+    column->addStretch(1);
+    page.resize(table.neededWidth() + 40, 300);
+    page.show();
+    QTest::qWait(0);
+    const int one_px = table.height();
+    page.resize(table.neededWidth() - 60, 300);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return table.height() > one_px; }, 2000)); // a line more
+    EXPECT_LE(table.horizontalHeader()->length(), table.viewport()->width());
+    EXPECT_EQ(table.horizontalHeaderItem(4)->text(), "On the device");
+    EXPECT_TRUE(table.item(0, 4)->textAlignment() & Qt::AlignRight);
 }
 
 TEST_F(ResultWidgetsTest, aVerdictIsSaidWithEveryRemarkAndRemedy) {

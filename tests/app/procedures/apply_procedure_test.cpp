@@ -40,6 +40,36 @@ TEST(Apply, keepsGainsThatMoveAsPredicted) {
     }
 }
 
+// What is told before the move is what the board is given.
+TEST(Apply, saysBeforehandHowFarItsMoveMayGo) {
+    const auto device = openMotor("imperfections=off");
+    ApplyConfig config = recommendedWith(*device, motor());
+    config.verification = stepVerification(motor());
+    const MoveOutlook outlook = verificationOutlook(*config.verification, device->catalogue());
+    double window_rad = 0.0;
+    double speed_rad_s = 0.0;
+    double farthest_rad = 0.0;
+    ProcedureObserver observer;
+    observer.onProgress = [&](double, const std::string& text) {
+        if (text == "moves") {
+            window_rad =
+                parameter(*device, "window.position_enabled") * parameter(*device, "window.position");
+            speed_rad_s = parameter(*device, "window.speed");
+        }
+    };
+    const auto result = runApply(*device, config, observer);
+    ASSERT_TRUE(result && result->verification) << result.error().message;
+    const Recording& seen = result->verification->recording;
+    for (const double reference_rad : seen.column("reference")) {
+        farthest_rad = std::max(farthest_rad, std::abs(reference_rad - seen.column("position").front()));
+    }
+    EXPECT_NEAR(outlook.excursion_rad, farthest_rad, 2e-3); // the angle's noise at its start
+    EXPECT_NEAR(outlook.window_rad, window_rad, 1e-6);      // single precision on the board
+    EXPECT_NEAR(outlook.speedLimit_rad_s, speed_rad_s, 1e-6);
+    EXPECT_GE(outlook.armed_s, seen.time_s.back());
+    EXPECT_LE(outlook.armed_s, seen.time_s.back() + 0.1);
+}
+
 // The same numbers from the curves themselves, on the samples that both have.
 TEST(Apply, saysHowFarTheMoveWasFromItsPrediction) {
     const auto device = openMotor("imperfections=off");

@@ -1,5 +1,6 @@
 #include "app/wizards/calibrate_panel.h"
 #include "app/wizards/calibrate_words.h"
+#include "app/workspaces/wall_clock.h"
 #include "control/base/units.h"
 #include "tests/app/workspaces/panel_fixture.h"
 #include "widgets/display_units.h"
@@ -51,7 +52,9 @@ TEST_F(CalibratePanelTest, proposesAppliesOnPurposeAndRestores) {
     const auto* table = panel.findChild<widgets::EstimateTable*>();
     ASSERT_GE(table->rowCount(), 6);
     EXPECT_EQ(pictures(), (QStringList{"Hall ellipse", "Residual", "Static friction"}));
-    EXPECT_TRUE(table->text().contains("now "));
+    const int last = table->columnCount() - 1;
+    EXPECT_EQ(table->horizontalHeaderItem(last)->text(), "On the device");
+    EXPECT_EQ(table->item(0, last)->text(), widgets::numberText(before.at("stray.coefficient") * 1e3, 4));
     panel.resize(900, 420); // lower than the table: what is to be done stays in sight
     const auto* apply = button(panel, "Apply");
     EXPECT_TRUE(wait([&] { return apply->visibleRegion().boundingRect() == apply->rect(); }));
@@ -61,7 +64,7 @@ TEST_F(CalibratePanelTest, proposesAppliesOnPurposeAndRestores) {
     EXPECT_NE(after.at("hall.offset_a"), before.at("hall.offset_a"));
     EXPECT_EQ(after.at("gain.kp"), before.at("gain.kp"));
     EXPECT_FALSE(isEnabled(panel, "Apply"));
-    const auto now = [](double offset_T) { return "now " + widgets::numberText(offset_T * 1e3, 4); };
+    const auto now = [](double offset_T) { return "\t" + widgets::numberText(offset_T * 1e3, 4); };
     EXPECT_TRUE(table->text().contains(now(after.at("hall.offset_a")))) << table->text().toStdString();
     click(panel, "Restore");
     ASSERT_TRUE(wait([&] { return message().contains("before are back"); }));
@@ -187,6 +190,18 @@ TEST_F(CalibratePanelTest, cancelLeavesEverythingAsItWas) {
     EXPECT_TRUE(wait([&] { return isEnabled(panel, "Start calibration"); }));
 }
 
+TEST_F(CalibratePanelTest, whatStartsAndEndsItIsInSightHoweverLittleRoomThereIs) {
+    panel.resize(700, 330);
+    connectMotor("sim:htm", 1.0);
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start calibration"); }));
+    click(panel, "Start calibration");
+    EXPECT_TRUE(isWhole(panel, "Cancel"));
+    click(panel, "Cancel");
+    ASSERT_TRUE(wait([&] { return message().contains("was cancelled"); })) << message().toStdString();
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start calibration"); }));
+    EXPECT_TRUE(isWhole(panel, "Start calibration"));
+}
+
 CalibrationRecord measuredOn(const devices::DeviceInfo& device) {
     CalibrationRecord record;
     record.header.device = device;
@@ -203,7 +218,7 @@ TEST_F(CalibratePanelTest, aCalibrationOfTheProjectIsAppliedOnPurposeAndRestores
     connectMotor("sim:htm?seed=5", 0.0);
     const auto before = valuesNow();
     panel.restore(measuredOn(bench.session().info()));
-    EXPECT_TRUE(message().contains("2026-05-04T03:02:01Z")) << message().toStdString();
+    EXPECT_TRUE(message().contains(localDate("2026-05-04T03:02:01Z"))) << message().toStdString();
     EXPECT_TRUE(message().contains("It is the device that is connected.")) << message().toStdString();
     EXPECT_EQ(valuesNow(), before); // showing it writes nothing
     click(panel, "Apply");
@@ -274,7 +289,7 @@ TEST_F(CalibratePanelTest, carriesTheWallClocksStartAndTheDevicesDuration) {
     EXPECT_LT(panel.record()->result.duration_s, 10.0 * predicted_s); // the clock that was set: an hour
     bool isSaid = false;
     for (const auto* label : panel.findChildren<QLabel*>()) {
-        isSaid = isSaid || label->text().contains("started 2026-05-04T03:02:01Z");
+        isSaid = isSaid || label->text().contains("started " + localDate("2026-05-04T03:02:01Z"));
     }
     EXPECT_TRUE(isSaid);
 }
@@ -286,9 +301,9 @@ TEST(CalibrateWords, showsMillitesla) {
     const auto rows = calibrationRows(result, nullptr, {});
     EXPECT_NEAR(*rows.at(0).value, 5.6, 1e-12);
     EXPECT_EQ(rows.at(0).unit, "mT");
-    EXPECT_EQ(rows.at(0).source, "before 1"); // no device to ask
+    EXPECT_EQ(rows.at(0).source, "1"); // no device to ask: before
     const std::map<std::string, double> values = {{"hall.offset_a", 2e-3}};
-    EXPECT_EQ(calibrationRows(result, &values, {}).at(0).source, "now 2");
+    EXPECT_EQ(calibrationRows(result, &values, {}).at(0).source, "2");
 }
 
 TEST(CalibrateWords, definesTheResidualAngleErrorOnce) {

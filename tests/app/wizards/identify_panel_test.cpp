@@ -1,5 +1,7 @@
 #include "app/wizards/identify_panel.h"
+#include "app/workspaces/pace_row.h"
 #include "app/workspaces/preflight.h"
+#include "app/workspaces/wall_clock.h"
 #include "tests/app/workspaces/panel_fixture.h"
 #include "widgets/estimate_table.h"
 #include "widgets/figure_view.h"
@@ -156,7 +158,7 @@ TEST_F(IdentifyPanelTest, aResultCarriesTheWallClocksStartAndTheDevicesDuration)
     EXPECT_GT(bench.identification()->duration_s, 30.0); // eight coast-downs each way alone take longer
     bool isSaid = false;
     for (const auto* label : panel.findChildren<QLabel*>()) {
-        isSaid = isSaid || (label->text().contains("started 2026-05-04T03:02:01Z") &&
+        isSaid = isSaid || (label->text().contains("started " + localDate("2026-05-04T03:02:01Z")) &&
                             label->text().contains("minutes of device time"));
     }
     EXPECT_TRUE(isSaid);
@@ -175,11 +177,26 @@ TEST_F(IdentifyPanelTest, aResultOfTheProjectSaysWhetherItsDeviceIsTheOneThatIsC
     bench.setIdentification(result, {header, ResultOrigin::Project});
     EXPECT_TRUE(message().contains("No device is connected")) << message().toStdString();
     connectMotor("sim:htm", 0.0);
-    EXPECT_TRUE(message().contains("2026-05-04T03:02:01Z")) << message().toStdString();
+    EXPECT_TRUE(message().contains(localDate("2026-05-04T03:02:01Z"))) << message().toStdString();
     EXPECT_TRUE(message().contains("Connected is another one: ")) << message().toStdString();
     header.device = bench.session().info();
     bench.setIdentification(result, {header, ResultOrigin::Project});
     EXPECT_TRUE(message().contains("It is the device that is connected.")) << message().toStdString();
+}
+
+// A small screen, with as much said above as there is after a sweep that was cancelled.
+TEST_F(IdentifyPanelTest, whatStartsAndEndsItIsInSightHoweverLittleRoomThereIs) {
+    panel.resize(700, 330);
+    connectMotor("sim:htm", 1.0);
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
+    click(panel, "Start identification");
+    EXPECT_TRUE(isWhole(panel, "Cancel"));
+    click(panel, "Cancel");
+    ASSERT_TRUE(wait([&] { return message().contains("was cancelled"); })) << message().toStdString();
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
+    EXPECT_TRUE(isWhole(panel, "Start identification"));
+    auto* pace = child<PaceRow>();
+    EXPECT_EQ(pace->visibleRegion(), QRegion(pace->rect()));
 }
 
 TEST_F(IdentifyPanelTest, theGivenConstantsAreKeptAndComeBack) {

@@ -56,6 +56,12 @@ protected:
         return found != nullptr && found->isEnabled();
     }
 
+    /// Whether the user sees all of that button without scrolling.
+    static bool isWhole(const QWidget& panel, const QString& text) {
+        const QAbstractButton* found = button(panel, text);
+        return found != nullptr && found->visibleRegion() == QRegion(found->rect());
+    }
+
     /// Every value of a calibration page, read anew: what a procedure must leave as it was. Generator and
     /// capture are tools that the next user sets anyway.
     std::map<std::string, double> valuesNow() {

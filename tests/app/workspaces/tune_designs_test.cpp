@@ -113,5 +113,25 @@ TEST_F(TuneDesignsTest, aDesignOfAnotherMotorIsJudgedAnewForThisOne) {
         wait([&] { return !cell(1, "Phase margin").isEmpty() && cell(1, "Phase margin") != before; }));
 }
 
+TEST_F(TuneDesignsTest, aDesignWithoutFiguresSaysWhy) {
+    keepAs(
+        "stiff"); // the others as a project may hold them: gains that no loop can have, and no gains at all
+    auto document = parseJson(panel.keptDesigns().back().document, "test");
+    ASSERT_TRUE(document);
+    JsonValue gains = *document->find("gains");
+    JsonValue kp = *gains.find("kp");
+    document->set("gains", gains.set("kp", kp.set("value", -1.0)));
+    panel.setKeptDesigns({keptDesign("mad", *toJsonText(*document)), keptDesign("torn", "{")});
+    EXPECT_EQ(cell(2, "Closed loop"), "not judged: the project's entry cannot be read");
+    ASSERT_TRUE(wait([&] { return cell(1, "Closed loop") != "not judged yet"; }));
+    EXPECT_TRUE(cell(1, "Closed loop").contains("K_P = -1")) << cell(1, "Closed loop").toStdString();
+    EXPECT_EQ(cell(1, "Phase margin"), QString());
+    EXPECT_GT(table().columnSpan(1, 1), 1); // across the figures that are not there
+    EXPECT_EQ(table().columnSpan(0, 1), 1);
+    type("gain.kp", "0");
+    EXPECT_TRUE(wait([&] { return cell(0, "Closed loop").startsWith("not judged: "); }))
+        << cell(0, "Closed loop").toStdString();
+}
+
 } // namespace
 } // namespace halbench::app

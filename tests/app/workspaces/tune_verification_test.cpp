@@ -1,6 +1,8 @@
 // A verification is of one device and of one motor.
 #include "tests/app/workspaces/tune_panel_fixture.h"
 
+#include <QScrollArea>
+
 namespace halbench::app {
 namespace {
 
@@ -14,6 +16,41 @@ protected:
         ASSERT_TRUE(wait([&] { return bench.session().report().board.isArmed == isArmed; }));
     }
 };
+
+TEST_F(TuneVerificationTest, howFarAndHowLongItTurnsIsSaidBeforehandInTheUnitsOfTheUser) {
+    prepare();
+    const auto says = [this](const char* part) {
+        const auto labels = panel.findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(), [part](const QLabel* label) {
+            return label->isVisible() && label->text().contains("Apply and verify turns the rotor") &&
+                   label->text().contains(part);
+        });
+    };
+    // Half a radian; the board's window is twice that and a quarter of a turn (move_procedure.cpp).
+    EXPECT_TRUE(says("by 0.5 rad, in 3.1 s"));
+    EXPECT_TRUE(says("at 2.57 rad from where it starts, or at 40 rad/s"));
+    bench.setDisplayUnits({widgets::AngleUnit::Degree, SpeedUnit::TurnsPerMinute});
+    EXPECT_TRUE(says("by 28.6\u00b0, in 3.1 s"));
+    EXPECT_TRUE(says("at 147\u00b0 from where it starts, or at 382 r/min"));
+    panel.resize(900, 420);
+    EXPECT_TRUE(isWhole(panel, "Apply and verify"));
+}
+
+// Of the place that the panel has in a window of 1440 x 900.
+TEST_F(TuneVerificationTest, itsPictureIsLargeEnoughToJudge) {
+    panel.resize(720, 580);
+    prepare();
+    verify();
+    ASSERT_TRUE(hasVerification());
+    const auto* scroll = [this] {
+        QWidget* place = panel.findChild<widgets::VerdictView*>("agreement")->parentWidget();
+        return place->findChild<QScrollArea*>();
+    }();
+    const widgets::FigureView* picture = figure("Verification");
+    EXPECT_TRUE(wait([&] { return picture->height() > 0.6 * panel.height(); })) << picture->height();
+    EXPECT_LE(picture->height(), scroll->viewport()->height()); // all of it at once, its axis too
+    EXPECT_LE(picture->width(), scroll->viewport()->width());
+}
 
 TEST_F(TuneVerificationTest, itEndsWithItsDevice) {
     prepare();
