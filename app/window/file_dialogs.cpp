@@ -30,9 +30,8 @@ void dressFileDialog(QFileDialog& dialog, const FileQuestion& question, bool isS
     if (isSaving) {
         dialog.setDefaultSuffix(firstSuffix(question.filter));
         dialog.selectFile(question.suggestedName);
-        QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
-            dialog.setDefaultSuffix(firstSuffix(filter));
-        });
+        QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog,
+                         [&dialog](const QString& filter) { dialog.setDefaultSuffix(firstSuffix(filter)); });
     }
     auto* stop = new widgets::StopButton(widgets::StopButton::Variant::Compact, &dialog);
     QObject::connect(stop, &widgets::StopButton::stopRequested, &bench,

@@ -90,7 +90,7 @@ private:
     bool m_isEnding = false;
     std::optional<Error> m_trouble;
     std::vector<std::byte> m_read; ///< of the owner: a part with its checksum
-    std::thread m_writer; ///< last: it uses the others
+    std::thread m_writer;          ///< last: it uses the others
 };
 
 } // namespace halbench::devices
