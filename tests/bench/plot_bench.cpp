@@ -205,7 +205,7 @@ double longestLook_s(const SampleHistory& history, double length_s, double histo
                 history.columns(signal, {begin_s, begin_s + length_s}, 1600, columns);
             }
         };
-        longest_s = std::max(longest_s, wallTime_s(draw, 1));
+        longest_s = std::max(longest_s, processorTime_s(draw, 1)); // from the cache nothing is waited for
     }
     return longest_s;
 }
@@ -231,7 +231,7 @@ void benchLongHistory(Goals& goals) {
     goals.below("the same: pages that are lost", pages->trouble() ? 1.0 : 0.0, 1.0, "");
     for (const double length_s : {1.0, 10.0, 100.0, 1000.0, 3000.0}) {
         goals.below(fmt::format("first look at {} s of it, 12 signals, from the disk's cache", length_s),
-                    1e3 * longestLook_s(history, length_s, Long_s), 100.0, "ms");
+                    1e3 * longestLook_s(history, length_s, Long_s), 50.0, "ms");
     }
     const double long_s = shownFrame_s(history, source, Long_s);
     const double short_s = liveFrame_s(Short_s, Short_s);
