@@ -63,12 +63,12 @@ TEST_F(MonitorPictureTest, aRightAxisIsInThePictureWithItsUnit) {
     ASSERT_TRUE(stack().moveCurve(2, "speed", 1));
     stack().refresh();
     const widgets::Figure figure = monitorFigure(stack(), bench().history());
-    const widgets::Panel& panel = figure.panels[1];
-    ASSERT_TRUE(panel.right);
-    EXPECT_EQ(panel.right->unit, "r/min");
-    EXPECT_EQ(panel.right->max, stack().valueRange(1, true).high);
-    EXPECT_TRUE(panel.curves.back().isRight);
-    EXPECT_EQ(panel.curves.back().label, "Speed (right)");
+    const widgets::Panel& lower = figure.panels[1];
+    ASSERT_TRUE(lower.right);
+    EXPECT_EQ(lower.right->unit, "r/min");
+    EXPECT_EQ(lower.right->max, stack().valueRange(1, true).high);
+    EXPECT_TRUE(lower.curves.back().isRight);
+    EXPECT_EQ(lower.curves.back().label, "Speed (right)");
     EXPECT_FALSE(figure.panels[0].right);
 }
 
