@@ -85,9 +85,14 @@ QString typingProblem(const QString& text, const QString& unitText) {
     return isBegun(number) && !hasForeign ? QString() : numberProblem(text, unitText);
 }
 
+QString bubbleOf(const QString& words) {
+    return QStringLiteral("<qt>%1</qt>").arg(words.toHtmlEscaped());
+}
+
 void sayAt(QWidget& field, const QString& words) {
     if (!words.isEmpty() && field.isVisible()) {
-        QToolTip::showText(field.mapToGlobal(QPoint(0, field.height())), words, &field, field.rect());
+        const QPoint below = field.mapToGlobal(QPoint(0, field.height()));
+        QToolTip::showText(below, bubbleOf(words), &field, field.rect());
     } else if (QToolTip::isVisible()) {
         QToolTip::hideText();
     }

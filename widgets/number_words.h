@@ -14,6 +14,8 @@ QString numberProblem(const QString& text, const QString& unitText = {});
 /// the unit "deg": what is half typed is no mistake yet.
 QString typingProblem(const QString& text, const QString& unitText = {});
 
+/// As a tooltip that breaks its lines: one long line would reach beyond the screen.
+QString bubbleOf(const QString& words);
 /// Says it in place, beside the field, without taking the focus; empty: takes it away.
 void sayAt(QWidget& field, const QString& words);
 

@@ -102,7 +102,7 @@ QString QuantityEdit::allowedText() const {
 /// What is wrong goes before what the field is for.
 bool QuantityEdit::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip && !m_problem.isEmpty()) {
-        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), m_problem, this);
+        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), bubbleOf(m_problem), this);
         return true;
     }
     return QDoubleSpinBox::event(event);
