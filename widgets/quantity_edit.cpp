@@ -90,7 +90,7 @@ void QuantityEdit::showProblem(const QString& problem) {
         return;
     }
     m_problem = problem;
-    setRole(*lineEdit(), problem.isEmpty() ? Role::None : Role::Bad);
+    setRole(*this, problem.isEmpty() ? Role::None : Role::Bad);
     setAccessibleDescription(problem.isEmpty() ? rangeText() : problem);
     sayAt(*this, problem);
 }

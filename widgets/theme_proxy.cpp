@@ -111,6 +111,11 @@ void ThemeProxy::drawComplexControl(ComplexControl control, const QStyleOptionCo
     } else if (const auto* spin = qstyleoption_cast<const QStyleOptionSpinBox*>(option);
                control == CC_SpinBox && spin != nullptr) {
         drawBox(option->rect, *option, *painter);
+        if (widget != nullptr && roleOf(*widget) == Role::Bad) {
+            painter->setBrush(Qt::NoBrush);
+            painter->setPen(QPen(m_theme.bad, 2.0));
+            painter->drawRoundedRect(QRectF(option->rect).adjusted(1.0, 1.0, -1.0, -1.0), 4.0, 4.0);
+        }
         if (spin->buttonSymbols != QAbstractSpinBox::NoButtons) {
             drawChevron(subControlRect(control, option, SC_SpinBoxUp, widget), true,
                         isEnabled && spin->stepEnabled.testFlag(QAbstractSpinBox::StepUpEnabled), *painter);

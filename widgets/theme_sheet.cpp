@@ -45,7 +45,6 @@ QLineEdit[role="bad"] { border: 2px solid @bad@; padding: 0px 4px; }
 QAbstractSpinBox { min-height: @control@px; }
 QAbstractSpinBox > QLineEdit, QComboBox > QLineEdit, QAbstractItemView QLineEdit { border: none; padding: 0px;
     min-height: 0px; background: @panel@; }
-QAbstractSpinBox > QLineEdit[role="bad"] { color: @bad@; border: none; border-bottom: 2px solid @bad@; padding: 0px; }
 QAbstractItemView QLineEdit { border: 2px solid @accent@; border-radius: 0px; padding: 0px 2px; }
 )";
 

@@ -30,7 +30,7 @@ protected:
         QTest::keyClick(edit, Qt::Key_Delete);
         QTest::keyClicks(edit, text);
     }
-    bool isRed() const { return roleOf(*edit->findChild<QLineEdit*>()) == Role::Bad; }
+    bool isRed() const { return roleOf(*edit) == Role::Bad; }
 
     QLocale before;
     QWidget window;
