@@ -41,6 +41,15 @@ class Plots(ProgramCase):
         for title in ("flux density [T]", "angle [rad]", "time [s]", "f.csv", "hall.a"):
             self.assertIn(">" + title + "<", self.text("a.svg"))
 
+    def test_a_signal_goes_to_the_right_axis_of_the_one_before_it(self):
+        answer = self.accept("plot", "f.csv", "--out", "a.svg", "--right", "position", "--json").json()
+        self.assertEqual(answer["panels"], [{"unit": "T", "signals": ["hall.a", "hall.b"], "right": ["position"],
+                                             "right_unit": "rad"}])
+        for words in ("flux density [T]", "angle [rad]", "position (right)"):
+            self.assertIn(">" + words + "<", self.text("a.svg"))
+        self.refuse(2, "no.such", "plot", "f.csv", "--out", "b.svg", "--right", "no.such")
+        self.refuse(2, "no right axis", "plot", "f.csv", "--out", "b.svg", "--right", "hall.a")
+
     def test_lost_rows_interrupt_the_line(self):
         self.accept("plot", "f.csv", "--out", "a.svg", "--signals", "position")
         self.accept("plot", "f.csv", "--out", "b.svg", "--signals", "position", "--to", "1.9")
