@@ -70,6 +70,13 @@ void takeOut(Polynomial& p, double root, std::vector<Complex>& found) {
     }
 }
 
+void takeOutZeros(Polynomial& p, std::vector<Complex>& found) {
+    while (p.size() > 1 && p.back() == 0.0) {
+        p.pop_back();
+        found.emplace_back(0.0, 0.0);
+    }
+}
+
 /// Points on a circle, turned so that none is real and no two are conjugate.
 std::vector<Complex> startingPoints(std::size_t count) {
     std::vector<Complex> points(count);
@@ -209,12 +216,10 @@ Polynomial fromRoots(const std::vector<std::complex<double>>& roots) {
 std::vector<std::complex<double>> roots(const Polynomial& polynomial) {
     Polynomial p = trimmed(polynomial);
     std::vector<Complex> result;
-    while (p.size() > 1 && p.back() == 0.0) {
-        p.pop_back();
-        result.emplace_back(0.0, 0.0);
-    }
+    takeOutZeros(p, result);
     takeOut(p, 1.0, result);
     takeOut(p, -1.0, result);
+    takeOutZeros(p, result); // of roots so near to 0 that nothing of them is left beside 1
     const std::size_t n = p.size() - 1;
     if (n == 0) {
         return result;

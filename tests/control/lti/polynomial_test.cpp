@@ -90,6 +90,14 @@ TEST(Polynomial, findsRootsTwelveDecadesApart) {
     }
 }
 
+// Found as a crash of the root locus: without the root at 1 nothing of the other one is left in doubles.
+TEST(Polynomial, findsARootThatIsNothingBesideOne) {
+    const auto found = roots({1.0, -1.0, 1e-17});
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0], 1.0);
+    EXPECT_NEAR(std::abs(found[1]), 0.0, 1e-16);
+}
+
 TEST(Polynomial, dropsLeadingZerosAndKeepsTheZeroPolynomial) {
     EXPECT_EQ(trimmed({0.0, 0.0, 3.0}), Polynomial{3.0});
     EXPECT_EQ(trimmed({0.0, 0.0}), Polynomial{0.0});
