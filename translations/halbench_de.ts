@@ -8028,6 +8028,14 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
         <source>Recording (*.csv *.mf4)</source>
         <translation>Aufzeichnung (*.csv *.mf4)</translation>
     </message>
+    <message>
+        <source>Reference</source>
+        <translation type="unfinished">Führungsgröße</translation>
+    </message>
+    <message>
+        <source>Faint curves below the live ones: keep what is shown (K), a recording (Ctrl+K), none (Shift+K)</source>
+        <translation>Blasse Kurven unter den laufenden: das Gezeigte behalten (K), eine Aufnahme (Strg+K), keine (Umschalt+K)</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MonitorStatistics</name>

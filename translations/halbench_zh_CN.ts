@@ -8022,6 +8022,14 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
         <source>Recording (*.csv *.mf4)</source>
         <translation>记录 (*.csv *.mf4)</translation>
     </message>
+    <message>
+        <source>Reference</source>
+        <translation type="unfinished">参考值</translation>
+    </message>
+    <message>
+        <source>Faint curves below the live ones: keep what is shown (K), a recording (Ctrl+K), none (Shift+K)</source>
+        <translation>实时曲线下方的浅色曲线：保留所显示的（K）、一个记录（Ctrl+K）、去掉（Shift+K）</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MonitorStatistics</name>

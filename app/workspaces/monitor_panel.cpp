@@ -40,8 +40,7 @@ struct Tool {
 constexpr Tool Tools[] = {
     {Command::Pause, "pause", true},    {Command::Follow, "follow", true}, {Command::Fit, "fit"},
     {Command::ShowAll, "zoom"},         {Command::ZoomBack, "undo"},       {Command::Cursors, "cursor"},
-    {Command::Marker, "note"},          {Command::AddSignals, "add"},      {Command::KeepReference, "save"},
-    {Command::RemoveReference, "clear"}};
+    {Command::Marker, "note"},          {Command::AddSignals, "add"}};
 
 /// To milliseconds: the view moves by whole pixel columns, a project shall not.
 double rounded(double time_s) {
@@ -54,6 +53,7 @@ void addTool(QToolBar& bar, QAction& action, bool hasText) {
     auto* button = static_cast<QToolButton*>(bar.widgetForAction(&action));
     button->setAccessibleName(action.text());
     button->setToolButtonStyle(hasText ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+    button->setPopupMode(QToolButton::InstantPopup); // of one that has a menu
 }
 
 } // namespace
@@ -112,7 +112,7 @@ QWidget* MonitorPanel::buildTools() {
         action->setIcon(widgets::themedIcon(QLatin1String(tool.icon)));
         addTool(*bar, *action, tool.hasText);
     }
-    for (QAction* action : {&m_reference->openAction(), &m_trigger->action(), &m_statistics->action(),
+    for (QAction* action : {&m_reference->menuAction(), &m_trigger->action(), &m_statistics->action(),
                             &m_picture->copyAction(), &m_picture->saveAction()}) {
         addTool(*bar, *action, false);
     }

@@ -8,6 +8,7 @@
 
 #include <QAction>
 #include <QFileInfo>
+#include <QMenu>
 #include <QWidget>
 
 #include <algorithm>
@@ -52,6 +53,14 @@ MonitorReference::MonitorReference(widgets::LivePlotStack& stack, QWidget& panel
         m_open->shortcut().toString(QKeySequence::NativeText)));
     panel.addAction(m_open);
     connect(m_open, &QAction::triggered, this, &MonitorReference::open);
+    auto* menu = new QMenu(&panel);
+    menu->addAction(stack.action(widgets::LivePlotStack::Command::KeepReference));
+    menu->addAction(m_open);
+    menu->addAction(stack.action(widgets::LivePlotStack::Command::RemoveReference));
+    m_menuAction = new QAction(widgets::themedIcon(QStringLiteral("reference")), tr("Reference"), &panel);
+    m_menuAction->setToolTip(
+        tr("Faint curves below the live ones: keep what is shown (K), a recording (Ctrl+K), none (Shift+K)"));
+    m_menuAction->setMenu(menu);
 }
 
 void MonitorReference::open() {

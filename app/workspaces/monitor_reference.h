@@ -23,7 +23,8 @@ public:
     MonitorReference(widgets::LivePlotStack& stack, QWidget& panel);
 
     void setFileChooser(FileChooser chooser) { m_chooser = std::move(chooser); }
-    QAction& openAction() { return *m_open; }
+    /// Keep, lay a recording under, remove.
+    QAction& menuAction() { return *m_menuAction; }
 
 Q_SIGNALS:
     void failed(const QString& text, const QString& remedy);
@@ -36,6 +37,7 @@ private:
     FileChooser m_chooser;
     FileQueue m_files;
     QAction* m_open = nullptr;
+    QAction* m_menuAction = nullptr;
 };
 
 } // namespace halbench::app

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 
 namespace halbench::app {
 namespace {
@@ -35,7 +36,8 @@ TEST(RecordingPictureTest, signalsOfOneUnitShareAPanel) {
 }
 
 TEST(RecordingPictureTest, aSignalGoesToTheRightAxisOfTheOneBeforeIt) {
-    const StreamLayout& layout = *sample().layout;
+    const std::shared_ptr<const StreamLayout> kept = sample().layout;
+    const StreamLayout& layout = *kept;
     const std::string second = layout.columns[1].name; // an angle behind a flux density
     const auto panels = picturePanels(layout, {second});
     ASSERT_TRUE(panels);
