@@ -51,12 +51,12 @@ QString droppedText(const RecorderStatus& status) {
 } // namespace
 
 RecordPanel::RecordPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(bench) {
-    QVBoxLayout* column = makePanelColumn(this);
+    QVBoxLayout* column = makeScrollingColumn(this);
     m_message = new widgets::MessageBar(this);
     column->addWidget(m_message);
-    buildTarget();
-    buildMoment();
-    buildState();
+    buildTarget(*column);
+    buildMoment(*column);
+    buildState(*column);
     column->addStretch(1);
     RecordingControl& recording = m_bench.recording();
     connect(&recording, &RecordingControl::changed, this, &RecordPanel::refresh);
@@ -76,7 +76,7 @@ RecordPanel::RecordPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m
     refresh();
 }
 
-void RecordPanel::buildTarget() {
+void RecordPanel::buildTarget(QVBoxLayout& column) {
     auto* rows = new QFormLayout;
     m_folder = new QLineEdit(QDir::toNativeSeparators(m_bench.recording().folder()), this);
     m_folder->setAccessibleName(tr("Folder of recordings"));
@@ -95,7 +95,7 @@ void RecordPanel::buildTarget() {
     rows->addRow(tr("Folder"), m_folder);
     rows->addRow(tr("Name"), m_name);
     rows->addRow(tr("Rows"), m_rate);
-    static_cast<QVBoxLayout*>(layout())->addLayout(rows);
+    column.addLayout(rows);
     // At once, so that the window's Record action goes by them too.
     RecordingControl& recording = m_bench.recording();
     connect(m_folder, &QLineEdit::textChanged, this, [&recording](const QString& folder) {
@@ -108,7 +108,7 @@ void RecordPanel::buildTarget() {
 }
 
 /// When the recording begins and ends.
-void RecordPanel::buildMoment() {
+void RecordPanel::buildMoment(QVBoxLayout& column) {
     auto* rows = new QFormLayout;
     m_before =
         makeNumberField({tr("Time kept before the start"),
@@ -128,11 +128,11 @@ void RecordPanel::buildMoment() {
     rows->addRow(tr("Before"), m_before);
     rows->addRow(tr("Start"), m_start);
     rows->addRow(tr("After"), m_after);
-    static_cast<QVBoxLayout*>(layout())->addLayout(rows);
+    column.addLayout(rows);
     m_moment = makeNote(this);
     m_moment->setAccessibleName(tr("What the recording waits for"));
     reserveLines(*m_moment, MomentLines);
-    layout()->addWidget(m_moment);
+    column.addWidget(m_moment);
     RecordingControl& recording = m_bench.recording();
     m_before->setQuantity(recording.preTrigger_s());
     m_after->setQuantity(0.0);
@@ -172,11 +172,10 @@ void RecordPanel::showMoment() {
     showRole(*m_moment, isMissing ? widgets::Role::Warn : widgets::Role::Muted);
 }
 
-void RecordPanel::buildState() {
-    auto* column = static_cast<QVBoxLayout*>(layout());
+void RecordPanel::buildState(QVBoxLayout& column) {
     m_record = makeButton({}, this);
     m_record->setIcon(widgets::themedIcon(QStringLiteral("record"), widgets::Role::Bad));
-    column->addWidget(m_record);
+    column.addWidget(m_record);
     auto* state = new QFormLayout;
     const auto addFigure = [&](const QString& title, const QString& toolTip) {
         auto* label = new QLabel(this);
@@ -191,7 +190,7 @@ void RecordPanel::buildState() {
     m_rows = addFigure(tr("Rows written"), tr("On the disk"));
     m_missing = addFigure(tr("Rows missing"),
                           tr("Lost on the link, or the disk did not keep up; marked in the file"));
-    column->addLayout(state);
+    column.addLayout(state);
     auto* marker = new QHBoxLayout;
     m_note = new QLineEdit(this);
     m_note->setAccessibleName(tr("Note of the marker"));
@@ -202,7 +201,7 @@ void RecordPanel::buildState() {
         this);
     marker->addWidget(m_note, 1);
     marker->addWidget(m_mark);
-    column->addLayout(marker);
+    column.addLayout(marker);
     connect(m_record, &QPushButton::clicked, this, &RecordPanel::toggle);
     connect(m_mark, &QPushButton::clicked, this, &RecordPanel::addMarker);
     connect(m_note, &QLineEdit::returnPressed, this, &RecordPanel::addMarker);

@@ -8,6 +8,7 @@ class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QVBoxLayout;
 
 namespace halbench::widgets {
 class MessageBar;
@@ -24,9 +25,9 @@ public:
     explicit RecordPanel(Workbench& bench, QWidget* parent = nullptr);
 
 private:
-    void buildTarget();
-    void buildMoment();
-    void buildState();
+    void buildTarget(QVBoxLayout& column);
+    void buildMoment(QVBoxLayout& column);
+    void buildState(QVBoxLayout& column);
     void toggle();
     void addMarker();
     void refresh();
