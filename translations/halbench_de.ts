@@ -8030,7 +8030,7 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
     </message>
     <message>
         <source>Reference</source>
-        <translation type="unfinished">Führungsgröße</translation>
+        <translation>Referenz</translation>
     </message>
     <message>
         <source>Faint curves below the live ones: keep what is shown (K), a recording (Ctrl+K), none (Shift+K)</source>

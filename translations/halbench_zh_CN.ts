@@ -8024,7 +8024,7 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
     </message>
     <message>
         <source>Reference</source>
-        <translation type="unfinished">参考值</translation>
+        <translation>参考</translation>
     </message>
     <message>
         <source>Faint curves below the live ones: keep what is shown (K), a recording (Ctrl+K), none (Shift+K)</source>
