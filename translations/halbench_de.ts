@@ -7119,6 +7119,10 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
         <source>Correct it or leave it empty</source>
         <translation>Berichtigen Sie es, oder lassen Sie es leer</translation>
     </message>
+    <message>
+        <source>Write the current anew</source>
+        <translation>Schreiben Sie den Strom neu</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::IdentifyPanel</name>

@@ -7114,6 +7114,10 @@ its way to the one before (Ctrl+Shift+R)</source>
         <source>Correct it or leave it empty</source>
         <translation>请更正或留空</translation>
     </message>
+    <message>
+        <source>Write the current anew</source>
+        <translation>请重新输入电流</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::IdentifyPanel</name>

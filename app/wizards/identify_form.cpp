@@ -3,13 +3,14 @@
 #include "control/base/unit_text.h"
 #include "widgets/icons.h"
 #include "widgets/optional_number_edit.h"
+#include "widgets/quantity_edit.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSpinBox>
 #include <QToolButton>
 
@@ -25,6 +26,12 @@ struct GivenConstant {
 };
 constexpr std::array GivenAll = {GivenConstant{"J", "kg*m^2", false}, GivenConstant{"c", "N*m*s/rad", true},
                                  GivenConstant{"Kf", "N*m", true}, GivenConstant{"phi", "N*m/A", false}};
+
+/// 0, 1: from, to; 2: step.
+widgets::QuantityFormat currentFormat(std::size_t i, double limit_A) {
+    const double least_A = i == 2 ? 0.05 : 0.1;
+    return {{}, least_A, limit_A, least_A, 2};
+}
 
 /// A field with its unit behind it.
 QWidget* withUnit(QWidget* field, const char* unit, QWidget* parent) {
@@ -60,16 +67,20 @@ void IdentifyForm::buildSweep() {
         return m_labels.back();
     };
     for (std::size_t i = 0; i < m_currents.size(); ++i) {
-        auto* box = new QDoubleSpinBox(this);
-        box->setDecimals(2);
-        box->setRange(i == 2 ? 0.05 : 0.1, m_limit_A);
-        box->setSingleStep(i == 2 ? 0.05 : 0.1);
-        box->setValue(starts[i]);
-        box->setAlignment(Qt::AlignRight);
-        box->setKeyboardTracking(false);
+        auto* box = new widgets::QuantityEdit(this);
+        box->setFormat(currentFormat(i, m_limit_A));
+        box->setQuantity(starts[i]);
         m_form->addRow(addRow(box), withUnit(box, "A", this));
-        connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &IdentifyForm::changed);
         m_currents[i] = box;
+        const auto take = [this, i](const QString& refused) {
+            m_refused[i] = refused;
+            Q_EMIT changed();
+        };
+        connect(box, &widgets::QuantityEdit::edited, this, [take] { take({}); });
+        connect(box, &widgets::QuantityEdit::entered, this, [take] { take({}); });
+        connect(box, &widgets::QuantityEdit::refused, this,
+                [take, box](const QString& text) { take(box->problemOf(text)); });
+        connect(box->findChild<QLineEdit*>(), &QLineEdit::textEdited, this, [take] { take({}); });
     }
     m_directions = new QComboBox(this);
     m_form->addRow(addRow(m_directions), m_directions);
@@ -139,6 +150,8 @@ void IdentifyForm::refreshWords() {
         if (auto* edit = qobject_cast<widgets::OptionalNumberEdit*>(fieldOf(i))) {
             edit->setExplanation(helps[i]);
             edit->setPlaceholderText(tr("not given"));
+        } else if (const auto* box = qobject_cast<widgets::QuantityEdit*>(fieldOf(i))) {
+            fieldOf(i)->setToolTip(helps[i] + QLatin1Char('\n') + box->allowedText());
         } else {
             fieldOf(i)->setToolTip(helps[i]);
         }
@@ -153,6 +166,15 @@ void IdentifyForm::refreshWords() {
 }
 
 Result<IdentifyConfig> IdentifyForm::config() const {
+    for (std::size_t i = 0; i < m_currents.size(); ++i) {
+        const widgets::QuantityEdit& box = *m_currents[i];
+        const QString problem = box.problem().isEmpty() ? m_refused[i] : box.problem();
+        if (!problem.isEmpty()) { // the field shows the number before again, and nothing moves by that
+            return failure(ErrorCode::InvalidInput,
+                           tr("%1: %2").arg(box.accessibleName(), problem).toStdString(),
+                           tr("Write the current anew").toStdString());
+        }
+    }
     IdentifyConfig config;
     config.sweep = {m_currents[0]->value(), m_currents[1]->value(), m_currents[2]->value()};
     config.directions = static_cast<SweepDirections>(m_directions->currentIndex());
@@ -194,10 +216,14 @@ void IdentifyForm::setGiven(const std::map<std::string, double>& given) {
 }
 
 void IdentifyForm::setCurrentLimit_A(double limit_A) {
-    m_limit_A = limit_A;
-    for (QDoubleSpinBox* box : m_currents) {
-        box->setMaximum(limit_A);
+    if (limit_A == m_limit_A) {
+        return; // a new format would take away what is being typed
     }
+    m_limit_A = limit_A;
+    for (std::size_t i = 0; i < m_currents.size(); ++i) {
+        m_currents[i]->setFormat(currentFormat(i, limit_A));
+    }
+    refreshWords();
 }
 
 void IdentifyForm::setSeed(std::uint64_t seed) {

@@ -9,7 +9,6 @@
 #include <string>
 
 class QComboBox;
-class QDoubleSpinBox;
 class QFormLayout;
 class QGroupBox;
 class QLabel;
@@ -18,7 +17,8 @@ class QToolButton;
 
 namespace halbench::widgets {
 class OptionalNumberEdit;
-}
+class QuantityEdit;
+} // namespace halbench::widgets
 
 namespace halbench::app {
 
@@ -28,7 +28,7 @@ class IdentifyForm : public QWidget {
 public:
     explicit IdentifyForm(QWidget* parent = nullptr);
 
-    /// Errors: of sweepCurrents_A; InvalidInput for a given constant that is no possible number.
+    /// Errors: of sweepCurrents_A; InvalidInput for a current or a given constant that is no possible number.
     Result<IdentifyConfig> config() const;
     /// The given constants that are numbers, by symbol; SI.
     std::map<std::string, double> given() const;
@@ -51,7 +51,8 @@ private:
 
     double m_limit_A = 4.0;
     QFormLayout* m_form = nullptr;
-    std::array<QDoubleSpinBox*, 3> m_currents{}; ///< from, to, step
+    std::array<widgets::QuantityEdit*, 3> m_currents{}; ///< from, to, step
+    std::array<QString, 3> m_refused; ///< why what was entered there last is no current; empty: it is one
     QComboBox* m_directions = nullptr;
     std::array<widgets::OptionalNumberEdit*, 4> m_given{}; ///< as GivenSymbols
     QToolButton* m_advanced = nullptr;

@@ -8,6 +8,7 @@
 #include "widgets/message_bar.h"
 #include "widgets/optional_number_edit.h"
 #include "widgets/progress_row.h"
+#include "widgets/quantity_edit.h"
 #include "widgets/step_list.h"
 
 #include <QCheckBox>
@@ -118,6 +119,27 @@ TEST_F(IdentifyPanelTest, aNumberThatIsNoneKeepsItFromStarting) {
     }
     give("J", "5.5e-4");
     EXPECT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
+}
+
+TEST_F(IdentifyPanelTest, aCurrentThatWasRefusedKeepsItFromStartingUntilItIsWrittenAnew) {
+    connectMotor("sim:htm", 0.0);
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
+    auto* last = panel.findChildren<widgets::QuantityEdit*>().at(1);
+    const double before_A = last->value();
+    for (const char* wrong : {"abc", "nan", "99", "0", "1..2"}) {
+        last->setFocus();
+        QTest::keyClick(last, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClicks(last, wrong);
+        button(panel, "Advanced")->setFocus(); // as a click on Start does: the field has its number back
+        EXPECT_EQ(last->value(), before_A) << wrong;
+        EXPECT_FALSE(isEnabled(panel, "Start identification")) << wrong;
+        last->setFocus();
+        QTest::keyClick(last, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClicks(last, "3");
+        QTest::keyClick(last, Qt::Key_Return);
+        EXPECT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); })) << wrong;
+        last->setValue(before_A);
+    }
 }
 
 TEST_F(IdentifyPanelTest, withoutAGivenConstantItSaysWhatWouldSupplyTheScale) {
