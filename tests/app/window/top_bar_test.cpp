@@ -1,15 +1,11 @@
 #include "app/window/connect_button.h"
 #include "app/window/dock_layout.h"
-#include "app/window/help_pages.h"
-#include "app/window/help_window.h"
-#include "app/window/perspective_bar.h"
 #include "app/window/record_button.h"
-#include "app/window/top_bar.h"
 #include "app/workspaces/arm_button.h"
 #include "app/workspaces/drive_panel.h"
 #include "app/workspaces/mode_box.h"
 #include "app/workspaces/pace_row.h"
-#include "tests/app/window/window_test.h"
+#include "tests/app/window/top_bar_fixture.h"
 #include "tests/devices/transport/served_board.h"
 #include "widgets/message_bar.h"
 #include "widgets/status_strip.h"
@@ -17,53 +13,10 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QMenu>
-#include <QTextBrowser>
-#include <QToolButton>
 #include <qtadvanceddocking/DockWidget.h>
-
-#include <algorithm>
 
 namespace halbench::app {
 namespace {
-
-/// What stands on top of every perspective, by mouse and keys.
-class TopBarTest : public WindowTest {
-protected:
-    template <typename Widget>
-    Widget* inBar() {
-        return window->findChild<TopBar*>()->findChild<Widget*>();
-    }
-    void key(Qt::Key code, Qt::KeyboardModifiers modifiers) {
-        QTest::keyClick(window.get(), code, modifiers);
-    }
-    bool isArmed() { return session().report().board.isArmed; }
-    QToolButton* perspective(const QString& title) {
-        for (auto* button : inBar<PerspectiveBar>()->findChildren<QToolButton*>()) {
-            if (button->text() == title && button->isVisible()) {
-                return button;
-            }
-        }
-        return nullptr;
-    }
-    QString helpWords() {
-        // What F1 does; the platform without a screen gives no window the focus.
-        for (auto* action : window->findChildren<QAction*>()) {
-            if (action->shortcut() == QKeySequence::HelpContents) {
-                action->trigger();
-            }
-        }
-        auto* help = window->findChild<HelpWindow*>();
-        const QString words = help->findChild<QTextBrowser*>()->toPlainText();
-        delete help;
-        QApplication::setActiveWindow(window.get());
-        return words;
-    }
-    static QString pageWords(const QString& page) {
-        QTextBrowser text;
-        text.setMarkdown(helpText(page));
-        return text.toPlainText();
-    }
-};
 
 TEST_F(TopBarTest, connectsAndDisconnectsByButtonKeyAndMenu) {
     open();
@@ -257,85 +210,6 @@ TEST_F(TopBarTest, theFocusGoesWithATabAndNotToWhatDisconnects) {
         }
     }
     EXPECT_TRUE(wait([&] { return calibrate->isAncestorOf(QApplication::focusWidget()); }));
-}
-
-TEST_F(TopBarTest, isNarrowWhereTheWindowIsAndItsKeysStay) {
-    const auto theme = widgets::loadTheme("light"); // the program's letters
-    ASSERT_TRUE(theme);
-    widgets::applyTheme(application, *theme, {QLocale(), widgets::Dress().fontSize_pt});
-    open();
-    window->resize(window->minimumSizeHint().expandedTo({1280, 0}));
-    QTest::qWait(0);
-    EXPECT_LE(window->width(), 1280);
-    EXPECT_NE(perspective("Tune"), nullptr);
-    QWidget narrow;
-    TopBar bar(window->bench(), &narrow);
-    std::optional<Perspective> chosen;
-    QObject::connect(&bar, &TopBar::perspectiveChosen,
-                     [&chosen](Perspective perspective) { chosen = perspective; });
-    narrow.show();
-    bar.resize(bar.minimumSizeHint());
-    const auto buttons = bar.findChild<PerspectiveBar*>()->findChildren<QToolButton*>();
-    EXPECT_EQ(std::count_if(buttons.begin(), buttons.end(),
-                            [](const QToolButton* button) { return button->isVisible(); }),
-              1); // a menu now
-    QApplication::setActiveWindow(&narrow);
-    QTest::keyClick(&narrow, Qt::Key_3, Qt::ControlModifier);
-    EXPECT_EQ(chosen, Perspective::Tune);
-}
-
-TEST_F(TopBarTest, takesTheFormOfItsWidthAtOnce) {
-    open();
-    const auto hasMenu = [this] { return perspective("Monitor") == nullptr; };
-    window->resize(window->minimumSizeHint());
-    QTest::qWait(0);
-    QTest::qWait(0);
-    const bool wasMenu = hasMenu();
-    window->resize(1700, 900);
-    QTest::qWait(0);
-    EXPECT_FALSE(hasMenu());
-    window->resize(window->minimumSizeHint().expandedTo({1440, 0}));
-    QTest::qWait(0);
-    const bool fromWide = hasMenu();
-    window->resize(window->minimumSizeHint());
-    QTest::qWait(0);
-    EXPECT_EQ(hasMenu(), wasMenu);
-    window->resize(window->minimumSizeHint().expandedTo({1440, 0}));
-    for (int pass = 0; pass < 3; ++pass) { // no event between brings another form
-        QTest::qWait(0);
-        EXPECT_EQ(hasMenu(), fromWide) << pass;
-    }
-}
-
-TEST_F(TopBarTest, nothingMovesWhenTheStateChanges) {
-    const auto theme = widgets::loadTheme("light"); // the program's letters
-    ASSERT_TRUE(theme);
-    widgets::applyTheme(application, *theme, {QLocale(), widgets::Dress().fontSize_pt});
-    open();
-    window->resize(1280, 800);
-    QTest::qWait(0);
-    const auto places = [this] {
-        std::vector<QRect> all;
-        for (QWidget* control :
-             std::initializer_list<QWidget*>{inBar<ConnectButton>(), inBar<ArmButton>(), inBar<ModeBox>(),
-                                             inBar<RecordButton>(), inBar<PerspectiveBar>()}) {
-            all.push_back(control->geometry());
-        }
-        return all;
-    };
-    const auto atFirst = places();
-    connectMotor(1.0);
-    QTest::qWait(0);
-    EXPECT_EQ(places(), atFirst) << "connected";
-    ASSERT_TRUE(wait([&] { return inBar<ArmButton>()->isEnabled(); }));
-    QTest::mouseClick(inBar<ArmButton>(), Qt::LeftButton);
-    ASSERT_TRUE(wait([&] { return isArmed(); }));
-    QTest::qWait(0);
-    EXPECT_EQ(places(), atFirst) << "armed";
-    key(Qt::Key_Escape, Qt::NoModifier);
-    ASSERT_TRUE(wait([&] { return window->bench().stopLatch().isLatched(); }));
-    QTest::qWait(0);
-    EXPECT_EQ(places(), atFirst) << "stopped";
 }
 
 TEST_F(TopBarTest, recordingAndThePerspectiveOfRecordingsHaveNamesOfTheirOwn) {

@@ -1,0 +1,96 @@
+#include "app/window/connect_button.h"
+#include "app/window/record_button.h"
+#include "app/workspaces/arm_button.h"
+#include "app/workspaces/mode_box.h"
+#include "tests/app/window/top_bar_fixture.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+namespace halbench::app {
+namespace {
+
+// What the bar looks like in each width and state.
+
+TEST_F(TopBarTest, isNarrowWhereTheWindowIsAndItsKeysStay) {
+    const auto theme = widgets::loadTheme("light"); // the program's letters
+    ASSERT_TRUE(theme);
+    widgets::applyTheme(application, *theme, {QLocale(), widgets::Dress().fontSize_pt});
+    open();
+    window->resize(window->minimumSizeHint().expandedTo({1280, 0}));
+    QTest::qWait(0);
+    EXPECT_LE(window->width(), 1280);
+    EXPECT_NE(perspective("Tune"), nullptr);
+    QWidget narrow;
+    TopBar bar(window->bench(), &narrow);
+    std::optional<Perspective> chosen;
+    QObject::connect(&bar, &TopBar::perspectiveChosen,
+                     [&chosen](Perspective perspective) { chosen = perspective; });
+    narrow.show();
+    bar.resize(bar.minimumSizeHint());
+    const auto buttons = bar.findChild<PerspectiveBar*>()->findChildren<QToolButton*>();
+    EXPECT_EQ(std::count_if(buttons.begin(), buttons.end(),
+                            [](const QToolButton* button) { return button->isVisible(); }),
+              1); // a menu now
+    QApplication::setActiveWindow(&narrow);
+    QTest::keyClick(&narrow, Qt::Key_3, Qt::ControlModifier);
+    EXPECT_EQ(chosen, Perspective::Tune);
+}
+
+TEST_F(TopBarTest, takesTheFormOfItsWidthAtOnce) {
+    open();
+    const auto hasMenu = [this] { return perspective("Monitor") == nullptr; };
+    window->resize(window->minimumSizeHint());
+    QTest::qWait(0);
+    QTest::qWait(0);
+    const bool wasMenu = hasMenu();
+    window->resize(1700, 900);
+    QTest::qWait(0);
+    EXPECT_FALSE(hasMenu());
+    window->resize(window->minimumSizeHint().expandedTo({1440, 0}));
+    QTest::qWait(0);
+    const bool fromWide = hasMenu();
+    window->resize(window->minimumSizeHint());
+    QTest::qWait(0);
+    EXPECT_EQ(hasMenu(), wasMenu);
+    window->resize(window->minimumSizeHint().expandedTo({1440, 0}));
+    for (int pass = 0; pass < 3; ++pass) { // no event between brings another form
+        QTest::qWait(0);
+        EXPECT_EQ(hasMenu(), fromWide) << pass;
+    }
+}
+
+TEST_F(TopBarTest, nothingMovesWhenTheStateChanges) {
+    const auto theme = widgets::loadTheme("light"); // the program's letters
+    ASSERT_TRUE(theme);
+    widgets::applyTheme(application, *theme, {QLocale(), widgets::Dress().fontSize_pt});
+    open();
+    window->resize(1280, 800);
+    QTest::qWait(0);
+    const auto places = [this] {
+        std::vector<QRect> all;
+        for (QWidget* control :
+             std::initializer_list<QWidget*>{inBar<ConnectButton>(), inBar<ArmButton>(), inBar<ModeBox>(),
+                                             inBar<RecordButton>(), inBar<PerspectiveBar>()}) {
+            all.push_back(control->geometry());
+        }
+        return all;
+    };
+    const auto atFirst = places();
+    connectMotor(1.0);
+    QTest::qWait(0);
+    EXPECT_EQ(places(), atFirst) << "connected";
+    ASSERT_TRUE(wait([&] { return inBar<ArmButton>()->isEnabled(); }));
+    QTest::mouseClick(inBar<ArmButton>(), Qt::LeftButton);
+    ASSERT_TRUE(wait([&] { return isArmed(); }));
+    QTest::qWait(0);
+    EXPECT_EQ(places(), atFirst) << "armed";
+    key(Qt::Key_Escape, Qt::NoModifier);
+    ASSERT_TRUE(wait([&] { return window->bench().stopLatch().isLatched(); }));
+    QTest::qWait(0);
+    EXPECT_EQ(places(), atFirst) << "stopped";
+}
+
+} // namespace
+} // namespace halbench::app
