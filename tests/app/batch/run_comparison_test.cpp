@@ -1,5 +1,6 @@
 #include "app/batch/run_comparison.h"
 #include "devices/acquisition/recording_writer.h"
+#include "tests/app/batch/compared_run.h"
 
 #include <QtCore/QTemporaryDir>
 
@@ -9,19 +10,6 @@
 
 namespace halbench::app {
 namespace {
-
-/// 100 rows of 10 ms from a time on; the position is the time, the current is one.
-ComparedRun runOf(const std::string& name, double from_s) {
-    ComparedRun run;
-    run.name = name;
-    run.recording.layout = std::make_shared<const StreamLayout>(
-        StreamLayout{{{"position", "rad"}, {"current.command", "A"}}, 0.01});
-    for (int row = 0; row < 100; ++row) {
-        run.recording.time_s.push_back(from_s + row * 0.01);
-        run.recording.values.insert(run.recording.values.end(), {run.recording.time_s.back(), 1.0});
-    }
-    return run;
-}
 
 TEST(RunComparison, zeroIsTheFirstRowTheTriggerOrAMarker) {
     ComparedRun run = runOf("a", -0.25);

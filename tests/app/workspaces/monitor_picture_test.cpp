@@ -1,8 +1,5 @@
-#include "app/workspaces/monitor_panel.h"
 #include "app/workspaces/monitor_picture.h"
-#include "tests/app/workspaces/bench_fixture.h"
-#include "widgets/live_plot.h"
-#include "widgets/live_plot_stack.h"
+#include "tests/app/workspaces/monitor_fixture.h"
 #include "widgets/message_bar.h"
 
 #include <QClipboard>
@@ -16,28 +13,14 @@
 namespace halbench::app {
 namespace {
 
-class MonitorPictureTest : public BenchTest {
+class MonitorPictureTest : public MonitorTest {
 protected:
     void SetUp() override {
-        BenchTest::SetUp();
-        panel = std::make_unique<MonitorPanel>(bench());
-        panel->resize(1200, 900);
-        panel->show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(panel.get()));
+        MonitorTest::SetUp();
         connectTo("sim:htm", 10.0);
         ASSERT_TRUE(
             wait([&] { return bench().history().range() && bench().history().range()->length_s() > 8.0; }));
     }
-    void TearDown() override { panel.reset(); }
-
-    widgets::LivePlotStack& stack() { return *panel->findChild<widgets::LivePlotStack*>(); }
-    void press(Qt::Key key) {
-        auto* plot = panel->findChild<widgets::LivePlot*>();
-        plot->setFocus();
-        QTest::keyClick(plot, key, Qt::ControlModifier);
-    }
-
-    std::unique_ptr<MonitorPanel> panel;
 };
 
 TEST_F(MonitorPictureTest, hasEveryPlotWithItsUnitAndNoMorePointsThanColumns) {
@@ -94,12 +77,12 @@ TEST_F(MonitorPictureTest, aRecordingIsLaidUnderTheCurvesByKey) {
     file.close();
     QString chosen = path;
     panel->setFileChooser({{}, [&](QWidget*, const FileQuestion&) { return chosen; }});
-    press(Qt::Key_K);
+    press(Qt::Key_K, Qt::ControlModifier);
     ASSERT_TRUE(wait([&] { return stack().reference() != nullptr; }));
     EXPECT_EQ(stack().reference()->name, "run.csv");
     EXPECT_FALSE(stack().reference()->event_s);
     chosen = folder.filePath("none.csv");
-    press(Qt::Key_K);
+    press(Qt::Key_K, Qt::ControlModifier);
     auto* message = panel->findChild<widgets::MessageBar*>();
     ASSERT_TRUE(wait([&] { return message->message().severity == widgets::Severity::Error; }));
     EXPECT_TRUE(stack().reference()) << "what was there stays";
@@ -109,9 +92,9 @@ TEST_F(MonitorPictureTest, isCopiedAndSavedByKey) {
     QTemporaryDir folder;
     const QString path = folder.filePath("plots.pdf");
     panel->setFileChooser({[&](QWidget*, const FileQuestion&) { return path; }, {}});
-    press(Qt::Key_C);
+    press(Qt::Key_C, Qt::ControlModifier);
     EXPECT_FALSE(QGuiApplication::clipboard()->image().isNull());
-    press(Qt::Key_E);
+    press(Qt::Key_E, Qt::ControlModifier);
     EXPECT_TRUE(wait([&] { return QFile::exists(path); }));
 }
 

@@ -1,7 +1,4 @@
-#include "app/workspaces/monitor_panel.h"
-#include "tests/app/workspaces/bench_fixture.h"
-#include "widgets/live_plot.h"
-#include "widgets/live_plot_stack.h"
+#include "tests/app/workspaces/monitor_fixture.h"
 #include "widgets/statistics_table.h"
 
 #include <QToolBar>
@@ -10,27 +7,10 @@
 namespace halbench::app {
 namespace {
 
-class MonitorStatisticsTest : public BenchTest {
+class MonitorStatisticsTest : public MonitorTest {
 protected:
-    void SetUp() override {
-        BenchTest::SetUp();
-        panel = std::make_unique<MonitorPanel>(bench());
-        panel->resize(1200, 900);
-        panel->show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(panel.get()));
-    }
-    void TearDown() override { panel.reset(); }
-
-    widgets::LivePlotStack& stack() { return *panel->findChild<widgets::LivePlotStack*>(); }
     widgets::StatisticsTable& table() { return *panel->findChild<widgets::StatisticsTable*>(); }
     QString range() { return table().horizontalHeaderItem(0)->text(); }
-    void press(Qt::Key key) {
-        auto* plot = panel->findChild<widgets::LivePlot*>();
-        plot->setFocus();
-        QTest::keyClick(plot, key);
-    }
-
-    std::unique_ptr<MonitorPanel> panel;
 };
 
 TEST_F(MonitorStatisticsTest, theKeyShowsARowForEveryCurve) {

@@ -1,10 +1,7 @@
 #include "app/workspaces/drive_control.h"
-#include "app/workspaces/monitor_panel.h"
 #include "app/workspaces/trigger_bar.h"
-#include "tests/app/workspaces/bench_fixture.h"
+#include "tests/app/workspaces/monitor_fixture.h"
 #include "widgets/elided_label.h"
-#include "widgets/live_plot.h"
-#include "widgets/live_plot_stack.h"
 #include "widgets/quantity_edit.h"
 
 #include <QAction>
@@ -19,27 +16,12 @@ namespace {
 
 /// The trigger of the Monitor through its widgets; the simulated motor's true angle drifts with the noise, so
 /// that the events come from commands.
-class MonitorTriggerTest : public BenchTest {
+class MonitorTriggerTest : public MonitorTest {
 protected:
-    void SetUp() override {
-        BenchTest::SetUp();
-        panel = std::make_unique<MonitorPanel>(bench());
-        panel->resize(1200, 900);
-        panel->show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(panel.get()));
-    }
-    void TearDown() override { panel.reset(); }
-
-    widgets::LivePlotStack& stack() { return *panel->findChild<widgets::LivePlotStack*>(); }
     TriggerBar& bar() { return *panel->findChild<TriggerBar*>(); }
     widgets::ElidedLabel& stateLabel() { return *find<widgets::ElidedLabel>(*panel, "State of the trigger"); }
     /// The whole sentence, for who asks.
     QString state() { return stateLabel().accessibleDescription(); }
-    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-        auto* plot = panel->findChild<widgets::LivePlot*>();
-        plot->setFocus();
-        QTest::keyClick(plot, key, modifiers);
-    }
     void choose(const QString& box, const QString& text) {
         auto* found = find<QComboBox>(*panel, box);
         ASSERT_GE(found->findText(text), 0) << text.toStdString();
@@ -62,8 +44,6 @@ protected:
         ASSERT_TRUE(wait([&] { return drive.canMove(); }));
         drive.setSetpoint(current_A, 0.0); // a step
     }
-
-    std::unique_ptr<MonitorPanel> panel;
 };
 
 TEST_F(MonitorTriggerTest, theKeyShowsItsSettingsAndItWaitsInWords) {
