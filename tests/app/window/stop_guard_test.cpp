@@ -38,6 +38,7 @@ protected:
         ASSERT_TRUE(m_server.waitForReadyRead());
         qputenv("DISPLAY", ":" + m_server.readLine().trimmed());
         qputenv("QT_QPA_PLATFORM", "xcb");
+        qputenv("QT_XCB_GL_INTEGRATION", "none"); // nothing here is drawn by a graphics driver, and some leak
         m_application = std::make_unique<WindowApplication>(m_argumentCount, m_arguments);
         window = std::make_unique<QWidget>();
         guard = new StopGuard(window.get());
