@@ -102,9 +102,6 @@ QSize TopBar::minimumSizeHint() const {
 }
 
 void TopBar::fit() {
-    // Right after a change of form the layouts still know the sizes before it, and the form went back.
-    m_perspectives->layout()->invalidate();
-    layout()->invalidate();
     Room room = Room::Narrow;
     for (const Room wider : {Room::Icons, Room::Wide}) {
         // What a form saves is known to a few pixels: without a gap between growing and shrinking it would
@@ -120,6 +117,10 @@ void TopBar::fit() {
                                                         : Qt::ToolButtonIconOnly);
     m_record->setShort(room != Room::Wide);
     m_perspectives->setCollapsed(room == Room::Narrow);
+    // The layouts still know the sizes before the change, and the form would go back. Only here: what
+    // invalidates a layout asks for another look at the form, and that without end.
+    m_perspectives->layout()->invalidate();
+    m_perspectives->updateGeometry();
 }
 
 void TopBar::resizeEvent(QResizeEvent* event) {

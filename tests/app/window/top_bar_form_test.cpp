@@ -61,6 +61,36 @@ TEST_F(TopBarTest, takesTheFormOfItsWidthAtOnce) {
     }
 }
 
+/// Counts how often a layout is asked to arrange itself anew.
+class LayoutCount : public QObject {
+public:
+    bool eventFilter(QObject* receiver, QEvent* event) override {
+        if (event->type() == QEvent::LayoutRequest) {
+            ++requests;
+        }
+        return QObject::eventFilter(receiver, event);
+    }
+    int requests = 0;
+};
+
+TEST_F(TopBarTest, aWindowAtRestArrangesNothing) {
+    // A layout that asks for itself again in answer to a request keeps a core busy for ever.
+    open();
+    for (const int width_px : {1280, 1440, 1700}) {
+        window->resize(window->minimumSizeHint().expandedTo({width_px, 900}));
+        for (int pass = 0; pass < 10; ++pass) { // docks settle in a few turns
+            QTest::qWait(0);
+        }
+        LayoutCount count;
+        application.installEventFilter(&count);
+        for (int pass = 0; pass < 20; ++pass) {
+            QTest::qWait(0);
+        }
+        application.removeEventFilter(&count);
+        EXPECT_EQ(count.requests, 0) << width_px;
+    }
+}
+
 TEST_F(TopBarTest, nothingMovesWhenTheStateChanges) {
     const auto theme = widgets::loadTheme("light"); // the program's letters
     ASSERT_TRUE(theme);
