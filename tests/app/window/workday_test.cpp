@@ -84,25 +84,29 @@ protected:
         }
         ASSERT_EQ(focusedText().toStdString(), text.toStdString());
     }
+
+    void identifyTuneAndApply() {
+        constexpr int Fit_ms = 120000;
+        connectByKey();
+        QApplication::setActiveWindow(window.get());
+        session().setPace({0.0});
+        press(Qt::Key_2, Qt::ControlModifier);
+        ASSERT_TRUE(wait([&] { return window->docks().perspective() == Perspective::Identify; }));
+        tabTo("Start identification");
+        press(Qt::Key_Space);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return window->bench().identification().has_value(); }, Fit_ms));
+        ASSERT_TRUE(wait([&] { return focusedText() == "Tune with this"; }));
+        press(Qt::Key_Space);
+        ASSERT_TRUE(wait([&] { return window->bench().design().has_value(); }));
+        EXPECT_EQ(window->docks().perspective(), Perspective::Tune);
+        tabTo("Apply and verify");
+        press(Qt::Key_Space);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return focusedText() == "Keep"; }, Fit_ms));
+    }
 };
 
 TEST_F(KeyboardDayTest, identifiesTunesAppliesRestoresAndStops) {
-    constexpr int Fit_ms = 120000;
-    connectByKey();
-    QApplication::setActiveWindow(window.get());
-    session().setPace({0.0});
-    press(Qt::Key_2, Qt::ControlModifier);
-    ASSERT_TRUE(wait([&] { return window->docks().perspective() == Perspective::Identify; }));
-    tabTo("Start identification");
-    press(Qt::Key_Space);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window->bench().identification().has_value(); }, Fit_ms));
-    ASSERT_TRUE(wait([&] { return focusedText() == "Tune with this"; }));
-    press(Qt::Key_Space);
-    ASSERT_TRUE(wait([&] { return window->bench().design().has_value(); }));
-    EXPECT_EQ(window->docks().perspective(), Perspective::Tune);
-    tabTo("Apply and verify");
-    press(Qt::Key_Space);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return focusedText() == "Keep"; }, Fit_ms));
+    identifyTuneAndApply();
     tabTo("Restore");
     auto* restore = QApplication::focusWidget();
     press(Qt::Key_Space);
@@ -112,6 +116,19 @@ TEST_F(KeyboardDayTest, identifiesTunesAppliesRestoresAndStops) {
     EXPECT_TRUE(wait([&] { return tune->isAncestorOf(QApplication::focusWidget()); }));
     press(Qt::Key_Escape);
     EXPECT_TRUE(wait([&] { return session().report().board.isStopLatched; }));
+}
+
+TEST_F(KeyboardDayTest, aWindowThatClosesUndecidedKeepsTheGainsInItsProject) {
+    identifyTuneAndApply();
+    window->close(); // goes on when the device is left
+    ASSERT_TRUE(wait([&] { return !window->isVisible(); }));
+    const auto& designs = window->project().project().designs;
+    EXPECT_TRUE(std::any_of(designs.begin(), designs.end(), [](const NamedDocument& design) {
+        return design.name.find("applied on") == 0;
+    })) << designs.size();
+    const auto kept = window->project().recoverable({});
+    ASSERT_TRUE(kept); // on the disk, not only here
+    EXPECT_EQ(kept->designs.size(), designs.size());
 }
 
 TEST_F(WorkdayTest, losingTheDeviceLeavesAWindowThatWorks) {
