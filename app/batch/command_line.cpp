@@ -184,6 +184,10 @@ void addTuningCommands(CLI::App& app, CommandOptions& options) {
     analyse->add_option("--bode", options.bodeFile, "Open loop, frequency response")->type_name("F.csv");
     analyse->add_option("--step", options.stepFile, "Closed loop, step response")->type_name("F.csv");
     analyse->add_option("--poles", options.polesFile, "Poles, zeros and root locus")->type_name("F.csv");
+    analyse->add_option("--compare", options.compared, "Other gains beside them; repeatable")
+        ->take_all()
+        ->allow_extra_args(false)
+        ->type_name("GAINS.json");
     addCode(analyse, options);
 }
 

@@ -52,7 +52,8 @@ struct CommandOptions {
     std::string gainsFile;
     std::string calibrationFile; ///< tune, analyse --calibration CAL.json
     std::string bodeFile, stepFile, polesFile;
-    std::string codeFile; ///< tune, analyse --code
+    std::string codeFile;              ///< tune, analyse --code
+    std::vector<std::string> compared; ///< analyse --compare
     std::string experiment;
     std::string deviceOverride; ///< run --device
     std::vector<std::string> assignments;

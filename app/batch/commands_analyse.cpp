@@ -1,5 +1,6 @@
 #include "app/batch/command_support.h"
 #include "app/batch/law_code.h"
+#include "app/batch/loop_comparison.h"
 #include "app/batch/loop_conditions.h"
 #include "app/batch/model_file.h"
 #include "app/batch/numbers.h"
@@ -7,6 +8,9 @@
 #include "app/batch/result_documents.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
 
 namespace halbench::app {
 
@@ -68,16 +72,64 @@ std::string analysisText(const AnalysisResult& result) {
     return text + loopFindingLines(result.quality, false);
 }
 
+/// What runs on the board takes its timing with it: each loop is the one its gains were designed for.
+Result<ComparedLoop> analyseGains(const std::string& path, const ModelFile& model,
+                                  LoopConditions conditions) {
+    const Result<GainsFile> gains = readGainsFile(path);
+    if (!gains) {
+        return failure(gains.error());
+    }
+    conditions.timing = gains->timing;
+    Result<AnalysisResult> result = runAnalysis(model.estimate, gains->law, conditions);
+    if (!result) {
+        return failure(result.error().code, path + ": " + result.error().message, result.error().hint);
+    }
+    return ComparedLoop{path, *gains, *std::move(result)};
+}
+
+Result<std::vector<ComparedLoop>> analyseAll(const CommandOptions& options, const ModelFile& model,
+                                             const LoopConditions& conditions) {
+    std::vector<std::string> paths{options.gainsFile};
+    paths.insert(paths.end(), options.compared.begin(), options.compared.end());
+    std::vector<ComparedLoop> loops;
+    for (const std::string& path : paths) {
+        Result<ComparedLoop> loop = analyseGains(path, model, conditions);
+        if (!loop) {
+            return failure(loop.error());
+        }
+        loops.push_back(*std::move(loop));
+    }
+    return loops;
+}
+
+/// What the other programs and controllers draw and run: of the first gains.
+Result<void> writeFiles(const CommandOptions& options, const ComparedLoop& loop, LoopConditions conditions,
+                        const std::optional<devices::DeviceInfo>& device) {
+    const AnalysisResult& result = loop.result;
+    Result<void> done =
+        writeColumns(options.bodeFile, "frequency_hz,magnitude_db,phase_deg",
+                     {&result.bode.frequency_Hz, &result.bode.magnitude_dB, &result.bode.phase_deg});
+    done = done ? writeColumns(
+                      options.stepFile, "time_s,response_rad,current_A",
+                      {&result.stepCurve.time_s, &result.stepCurve.response_rad, &result.stepCurve.current_A})
+                : done;
+    done = done ? writePoles(options.polesFile, result.roots) : done;
+    conditions.timing = loop.gains.timing;
+    return done ? writeLaw(options.codeFile, loop.gains.law, conditions, {loop.gains.method, device}) : done;
+}
+
+bool isAnyRefused(const std::vector<ComparedLoop>& loops) {
+    return std::any_of(loops.begin(), loops.end(), [](const ComparedLoop& loop) {
+        return loop.result.quality.verdict == Verdict::Refused;
+    });
+}
+
 } // namespace
 
 CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& options) {
     const Result<ModelFile> model = readModelFile(options.device);
     if (!model) {
         return failure(model.error());
-    }
-    const Result<GainsFile> gains = readGainsFile(options.gainsFile);
-    if (!gains) {
-        return failure(gains.error());
     }
     Result<LoopConditions> conditions = loopConditionsOf(model->device ? model->device->model : "");
     if (!conditions) {
@@ -86,28 +138,26 @@ CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& o
     if (const Result<void> taken = takeCalibration(*conditions, options.calibrationFile); !taken) {
         return failure(taken.error());
     }
-    conditions->timing = gains->timing;
-    const Result<AnalysisResult> result = runAnalysis(model->estimate, gains->law, *conditions);
-    if (!result) {
-        return failure(result.error());
+    const Result<std::vector<ComparedLoop>> loops = analyseAll(options, *model, *conditions);
+    if (!loops) {
+        return failure(loops.error());
     }
-    Result<void> done =
-        writeColumns(options.bodeFile, "frequency_hz,magnitude_db,phase_deg",
-                     {&result->bode.frequency_Hz, &result->bode.magnitude_dB, &result->bode.phase_deg});
-    done = done ? writeColumns(options.stepFile, "time_s,response_rad,current_A",
-                               {&result->stepCurve.time_s, &result->stepCurve.response_rad,
-                                &result->stepCurve.current_A})
-                : done;
-    done = done ? writePoles(options.polesFile, result->roots) : done;
-    done = done ? writeLaw(options.codeFile, gains->law, *conditions, {gains->method, model->device}) : done;
+    const ComparedLoop& own = loops->front();
     ResultHeader header = headerFor(context, "halbench.analysis/1");
     header.device = model->device;
     header.seed = context.global.seed.value_or(model->seed);
-    done = done ? deliver(context, analysisDocument(header, *result), analysisText(*result), "") : done;
+    JsonValue document = analysisDocument(header, own.result);
+    std::string text = analysisText(own.result);
+    if (loops->size() > 1) {
+        document.set("compared", comparedLoops({loops->begin() + 1, loops->end()}));
+        text += comparisonTable(*loops);
+    }
+    Result<void> done = writeFiles(options, own, *conditions, model->device);
+    done = done ? deliver(context, document, text, "") : done;
     if (!done) {
         return failure(done.error());
     }
-    return exitCodeFor(result->quality);
+    return isAnyRefused(*loops) ? ExitCode::CheckFailed : ExitCode::Done;
 }
 
 } // namespace halbench::app

@@ -84,7 +84,11 @@ class Schemas(unittest.TestCase):
         self.accept(self.run_json("identify", "sim:htm", "--given", "J=5.5e-4", "--out", "m.json"))
         self.accept(self.run_json("tune", "m.json", "--out", "g.json"))
         self.accept(self.run_json("tune", "m.json", "--method", "published", "--apply", "sim:htm"))
-        self.accept(self.run_json("analyse", "m.json", "g.json"))
+        alone = self.accept(self.run_json("analyse", "m.json", "g.json"))
+        self.assertNotIn("compared", alone)
+        self.accept(self.run_json("tune", "m.json", "--method", "pole-placement", "--out", "p.json"))
+        both = self.accept(self.run_json("analyse", "m.json", "p.json", "--compare", "g.json"))
+        self.assertEqual(set(both["compared"][0]) - set(alone), {"gains_file", "method"})
         regulator = self.accept(self.run_json("tune", "m.json", "--method", "lqr", "--omega-rad-s", "25"))
         self.assertIsNone(regulator["forms"]["standard"]["ti"])  # no integral action
         self.assertGreater(regulator["proof"]["noise_gain_A_per_rad"], 0)

@@ -1,4 +1,4 @@
-"""halbench tune and analyse --code, analyse --poles: what leaves the program for another controller or another tool.
+"""halbench tune and analyse --code, analyse --poles and --compare: what leaves the program for another controller or another tool.
 
     python3 check_law.py build/release/halbench [Laws[.case]]
 
@@ -10,6 +10,7 @@ import ctypes
 import math
 import os
 import random
+import re
 import subprocess
 import sys
 import unittest
@@ -104,6 +105,29 @@ class Laws(ProgramCase):
             self.assertLess(abs(cmath.phase(ratio)), 1e-5)
         starts = [place(row) for row in rows if row["kind"] == "locus" and float(row["gain_factor"]) == 0.0]
         self.assertEqual(len(starts), len(of("open")))
+
+    def test_gains_compared_are_what_each_is_alone(self):
+        self.accept("identify", "sim:htm?seed=3", "--out", "model.json", timeout=110)
+        files = {}
+        for method in ("recommended", "pole-placement", "lambda"):
+            files[method] = f"{method}.json"
+            self.run_program("tune", "model.json", "--method", method, "--out", files[method])
+        own = lambda answer: {key: value for key, value in answer.json().items() if key not in ("compared", "gains_file", "method")}
+        alone = {method: self.run_program("analyse", "model.json", file, "--json") for method, file in files.items()}
+        together = self.run_program("analyse", "model.json", files["lambda"], "--compare", files["recommended"],
+                                    "--compare", files["pole-placement"], "--json")
+        self.assertEqual(together.code, max(answer.code for answer in alone.values()))
+        self.assertEqual(own(together), own(alone["lambda"]))
+        document = together.json()
+        self.assertEqual([entry["method"] for entry in document["compared"]], ["recommended", "pole-placement"])
+        for entry in document["compared"]:
+            same = own(alone[entry["method"]])
+            self.assertEqual({key: entry[key] for key in entry if key not in ("gains_file", "method")},
+                             {key: same[key] for key in same if key in entry})
+        table = self.run_program("analyse", "model.json", files["lambda"], "--compare", files["recommended"]).out
+        margin = f"{alone['recommended'].json()['margins']['phase_margin_deg']:.5g}"
+        self.assertRegex(table, rf"\n  phase margin \[deg\] +\S+ +{re.escape(margin)}\n")
+        self.refuse(2, r"none\.json", "analyse", "model.json", files["lambda"], "--compare", "none.json")
 
     def test_a_file_that_cannot_be_written_is_named(self):
         os.mkdir(self.path("law.c"))

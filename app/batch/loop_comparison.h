@@ -1,0 +1,26 @@
+#pragma once
+
+#include "app/batch/json_value.h"
+#include "app/batch/model_file.h"
+#include "app/procedures/tune.h"
+
+#include <string>
+#include <vector>
+
+namespace halbench::app {
+
+/// The loop that gains of a file make with an identified motor.
+struct ComparedLoop {
+    std::string path; ///< of the gains
+    GainsFile gains;
+    AnalysisResult result;
+};
+
+/// `compared` of halbench.analysis/1: for each its file, its method and what analysisBody() tells.
+JsonValue comparedLoops(const std::vector<ComparedLoop>& loops);
+
+/// For reading: a row a figure, a column a file, in their order; what several files have in front of their
+/// names is left out.
+std::string comparisonTable(const std::vector<ComparedLoop>& loops);
+
+} // namespace halbench::app
