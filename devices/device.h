@@ -105,7 +105,7 @@ public:
     /// Stores the active values in the board's non-volatile memory; a separate act from writing them.
     virtual Result<void> saveParameters() = 0;
 
-    /// At most one stream runs. The sink gets blocks while clock().waitFor() runs.
+    /// At most one stream runs. The sink gets blocks while clock().waitFor() or stopStream() runs.
     virtual Result<void> startStream(const StreamRequest& request, BlockSink sink) = 0;
     /// After it returns, the sink is not called again.
     virtual void stopStream() noexcept = 0;

@@ -150,6 +150,24 @@ void compareCurves(const Recording& measured, VerificationBand& band) {
     }
 }
 
+/// What the move itself tells of its data speaks of the verification too; a move of which much is missing
+/// verifies nothing, however well the rest fits.
+void judgeData(const ApplyVerification& verification, ApplyResult& result) {
+    constexpr double LeastSeen_ratio = 0.9;
+    const Recording& seen = result.verification->recording;
+    DataQuality& quality = result.quality;
+    quality = result.verification->quality;
+    const double end_s = seen.time_s.empty() ? 0.0 : seen.time_s.back();
+    if (end_s < LeastSeen_ratio * verification.duration_s) {
+        quality.verdict = Verdict::Refused;
+        quality.findings.push_back({"verification_incomplete",
+                                    fmt::format("the verification move was seen for {:.2f} of {:.2f} s",
+                                                end_s, verification.duration_s),
+                                    "The old values run again. See that the link is not overloaded, and "
+                                    "apply again."});
+    }
+}
+
 Result<void> verify(devices::Device& device, const ApplyVerification& verification,
                     const ProcedureObserver& observer, ApplyResult& result) {
     if (auto entered = enterState(observer, ProcedureState::Verify); !entered) {
@@ -184,6 +202,7 @@ Result<void> verify(devices::Device& device, const ApplyVerification& verificati
     result.band->predicted = *std::move(trace);
     result.band->friction_rad = frictionBand_rad(*plant, *law);
     compareCurves(seen->recording, *result.band);
+    judgeData(verification, result);
     judge(verification, result);
     return {};
 }

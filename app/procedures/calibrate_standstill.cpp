@@ -128,9 +128,6 @@ Result<Recording> recordAt(devices::Device& device, const CalibrateConfig& confi
     if (auto disarmed = device.disarm(); !disarmed) {
         return failure(disarmed.error());
     }
-    if (auto checked = recorder.check(); !checked) {
-        return failure(checked.error());
-    }
     return recorder.finish();
 }
 
@@ -178,10 +175,10 @@ Result<Recording> rampOnce(devices::Device& device, const CalibrateConfig& confi
     if (auto disarmed = device.disarm(); !disarmed) {
         return failure(disarmed.error());
     }
-    if (auto checked = recorder.check(); !checked) {
-        return failure(checked.error());
+    Result<Recording> recording = recorder.finish();
+    if (!recording) {
+        return recording;
     }
-    Recording recording = recorder.finish();
     if (auto waited = waitObserved(device, observer, standstill::RampRest_s); !waited) {
         return failure(waited.error());
     }

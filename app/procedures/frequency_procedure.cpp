@@ -103,10 +103,11 @@ public:
         if (auto done = armAndExcite(); !done) {
             return failure(m_recorder.causeOf(done.error()));
         }
-        if (auto checked = m_recorder.check(); !checked) {
-            return checked;
+        Result<Recording> recording = m_recorder.finish();
+        if (!recording) {
+            return failure(recording.error());
         }
-        m_run.recording = m_recorder.finish();
+        m_run.recording = *std::move(recording);
         return {};
     }
 

@@ -80,9 +80,6 @@ public:
                 return failure(recorder.causeOf(done.error()));
             }
         }
-        if (auto checked = recorder.check(); !checked) {
-            return failure(checked.error());
-        }
         return recorder.finish();
     }
 

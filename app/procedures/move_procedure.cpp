@@ -323,14 +323,14 @@ Result<MoveResult> performMove(devices::Device& device, const MoveConfig& wanted
     if (auto followed = follow(device, config, observer); !followed) {
         return failure(recorder.causeOf(followed.error()));
     }
-    if (auto finite = recorder.check(); !finite) {
-        return failure(finite.error());
+    Result<Recording> recording = recorder.finish();
+    if (!recording) {
+        return failure(recording.error());
     }
-    Recording recording = recorder.finish();
     if (auto entered = enterState(observer, ProcedureState::Judge); !entered) {
         return failure(entered.error());
     }
-    return judge(std::move(recording), config, loopPeriod_s(device.catalogue()));
+    return judge(*std::move(recording), config, loopPeriod_s(device.catalogue()));
 }
 
 Result<MoveResult> runMove(devices::Device& device, const MoveConfig& config,

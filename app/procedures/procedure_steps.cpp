@@ -106,9 +106,12 @@ Result<void> StreamRecorder::check() const {
     return m_error ? Result<void>(failure(*m_error)) : Result<void>();
 }
 
-Recording StreamRecorder::finish() {
+Result<Recording> StreamRecorder::finish() {
     m_device.stopStream();
     m_isRunning = false;
+    if (const Result<void> checked = check(); !checked) {
+        return failure(checked.error());
+    }
     return std::move(m_recording);
 }
 

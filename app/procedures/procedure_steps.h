@@ -41,8 +41,8 @@ public:
     /// Why a procedure ended: the guard's reason rather than what its stop caused.
     Error causeOf(const Error& error) const;
     std::size_t rows() const { return m_rows; }
-    /// Stops the stream and gives what came.
-    Recording finish();
+    /// Stops the stream and gives what came. Errors: as of check().
+    Result<Recording> finish();
 
 private:
     void take(const SampleBlockPtr& block);

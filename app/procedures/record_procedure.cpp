@@ -256,7 +256,9 @@ Result<RecordResult> runRecord(devices::Device& device, const RecordConfig& conf
     if (!done) {
         return failure(done.error());
     }
-    recorder.finish();
+    if (const Result<Recording> ended = recorder.finish(); !ended) {
+        return failure(ended.error());
+    }
     Result<RecordResult> result = recorded.result();
     if (!result) {
         return result;

@@ -25,9 +25,6 @@ Result<Recording> recordSpin(devices::Device& device, const ProcedureObserver& o
             return failure(recorder.causeOf(done.error()));
         }
     }
-    if (auto checked = recorder.check(); !checked) {
-        return failure(checked.error());
-    }
     return recorder.finish();
 }
 

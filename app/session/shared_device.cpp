@@ -70,9 +70,24 @@ Result<void> SharedDevice::startStream(const devices::StreamRequest& request, de
 
 void SharedDevice::stopStream() noexcept {
     call([this](devices::Device& device) { m_connection->stopProcedureStream(device); });
+    while (takeBlock()) { // what came since the last wait: at a high speed of simulated time seconds of it
+    }
     m_sink = nullptr;
-    const std::lock_guard lock(m_mutex);
-    m_blocks.clear();
+}
+
+/// Whether there was one.
+bool SharedDevice::takeBlock() {
+    std::unique_lock lock(m_mutex);
+    if (m_blocks.empty()) {
+        return false;
+    }
+    const SampleBlockPtr block = std::move(m_blocks.front());
+    m_blocks.pop_front();
+    lock.unlock();
+    if (m_sink) {
+        m_sink(block);
+    }
+    return true;
 }
 
 Result<void> SharedDevice::arm() {
@@ -107,17 +122,14 @@ Result<void> SharedDevice::waitFor(double duration_s) {
         },
         m_returns);
     for (;;) {
-        std::unique_lock lock(m_mutex);
-        m_arrived.wait(lock, [this] { return m_waited.has_value() || !m_blocks.empty(); });
-        if (m_blocks.empty()) {
-            return *std::exchange(m_waited, std::nullopt);
+        {
+            std::unique_lock lock(m_mutex);
+            m_arrived.wait(lock, [this] { return m_waited.has_value() || !m_blocks.empty(); });
+            if (m_blocks.empty()) {
+                return *std::exchange(m_waited, std::nullopt);
+            }
         }
-        const SampleBlockPtr block = std::move(m_blocks.front());
-        m_blocks.pop_front();
-        lock.unlock();
-        if (m_sink) {
-            m_sink(block);
-        }
+        takeBlock();
     }
 }
 

@@ -30,6 +30,7 @@ public:
     Result<void> writeParameters(std::span<const ParameterValue> values) override;
     Result<void> saveParameters() override;
     Result<void> startStream(const devices::StreamRequest& request, devices::BlockSink sink) override;
+    /// Hands over what came since the last wait before it returns.
     void stopStream() noexcept override;
     Result<void> arm() override;
     Result<void> disarm() override;
@@ -51,6 +52,8 @@ private:
     template <typename Function>
     auto call(Function function) const;
     Result<void> waitFor(double duration_s);
+
+    bool takeBlock();
 
     Connection* m_connection;
     std::uint64_t m_returns;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -109,6 +110,31 @@ TEST(Apply, restoresTheOldGainsWhenTheMotorMovesUnlikeThePrediction) {
     EXPECT_EQ(result->quality.findings[0].code, "verification_failed");
     EXPECT_EQ(parameter(*device, "gain.kp"), 10.0);
     EXPECT_EQ(parameter(*device, "gain.kd"), 0.0);
+}
+
+TEST(Apply, aMoveThatWasNotSeenToItsEndVerifiesNothing) {
+    FaultyMotor motorAndLink("imperfections=off");
+    const auto device = motorAndLink.connect();
+    ProcedureObserver observer;
+    observer.onProgress = [&](double share, const std::string& text) {
+        if (text != "moves" || share < 0.6) {
+            return;
+        }
+        motorAndLink.faults().alterReceived = [](std::vector<std::uint8_t>& packet) {
+            constexpr std::uint8_t FirstAnswer = 0xFC;
+            if (packet.front() < FirstAnswer) { // samples: a service packet comes in their place
+                packet = {FirstAnswer, 0x01, 0x20, 0x00};
+            }
+        };
+    };
+    const auto result = runApply(*device, recommendedWith(*device, motor()), observer);
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_FALSE(result->isKept);
+    const auto& findings = result->quality.findings;
+    EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
+        return finding.code == "verification_incomplete";
+    }));
+    EXPECT_EQ(parameter(*device, "gain.kp"), 10.0) << "the gains from before";
 }
 
 TEST(Apply, restoresTheOldGainsWhenTheNewOnesAreUnstable) {
