@@ -49,6 +49,10 @@ QValidator::State QuantityEdit::validate(QString& text, int&) const {
     return problemOf(text).isEmpty() ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
+/// The base class would leave out what separates thousands, and a text that was refused would become a number
+/// ten or a thousand times another one.
+void QuantityEdit::fixup(QString&) const {}
+
 /// The base class keeps the unit at the end of the text; in front of it the user may have typed it again.
 QString QuantityEdit::typedOf(const QString& text) const {
     return text.endsWith(suffix()) ? text.left(text.size() - suffix().size()) : text;
@@ -79,10 +83,17 @@ void QuantityEdit::describe() {
     setAccessibleDescription(rangeText());
 }
 
+/// More digits only lead farther away.
+bool QuantityEdit::isTooFar(const QString& typed) const {
+    const auto value = parseNumber(typed, m_format.unit);
+    return value && ((*value > 0.0 && *value > maximum()) || (*value < 0.0 && *value < minimum()));
+}
+
 /// A number that is half typed is none yet; what cannot become one is said while it is typed.
 void QuantityEdit::judgeTyped(const QString& text) {
-    const bool isWrong = lineEdit()->hasFocus() && !typingProblem(typedOf(text), m_format.unit).isEmpty();
-    showProblem(isWrong ? problemOf(text) : QString());
+    const QString typed = typedOf(text);
+    const bool isWrong = !typingProblem(typed, m_format.unit).isEmpty() || isTooFar(typed);
+    showProblem(lineEdit()->hasFocus() && isWrong ? problemOf(text) : QString());
 }
 
 void QuantityEdit::showProblem(const QString& problem) {

@@ -36,6 +36,7 @@ public:
     const QString& problem() const { return m_problem; }
 
     QValidator::State validate(QString& text, int& position) const override;
+    void fixup(QString& text) const override;
     double valueFromText(const QString& text) const override;
     QString textFromValue(double value) const override;
     void stepBy(int steps) override;
@@ -56,6 +57,7 @@ protected:
 private:
     void describe();
     QString typedOf(const QString& text) const;
+    bool isTooFar(const QString& typed) const;
     void judgeTyped(const QString& text);
     void showProblem(const QString& problem);
 

@@ -25,6 +25,7 @@
 #include "devices/acquisition/page_file.h"
 #include "widgets/phrasebook.h"
 #include "widgets/theme_style.h"
+#include "widgets/wheel_guard.h"
 
 #include <QActionGroup>
 #include <QApplication>
@@ -69,6 +70,7 @@ std::shared_ptr<devices::PageFile> historyPages() {
 
 MainWindow::MainWindow(Preferences preferences) : m_preferences(std::move(preferences)) {
     m_bench.setHistoryPages(historyPages());
+    new widgets::WheelGuard(this); // before the fields
     buildCentre();
     createMenus();
     auto* guard = new StopGuard(this);

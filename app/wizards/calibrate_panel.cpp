@@ -40,7 +40,8 @@ constexpr std::array Choices = {Calibration::Hall, Calibration::Stray, Calibrati
 
 CalibratePanel::CalibratePanel(Workbench& workbench, QWidget* parent) : WizardPanel(workbench, parent) {
     addPage(buildPrepare(), true, buildStartRow());
-    addPage(buildRun(), false, m_progress);
+    QWidget* run = buildRun(); // makes its footer: not in one expression with it
+    addPage(run, false, m_progress);
     addPage(buildResult(), false, buildResultButtons());
     connect(&bench(), &Workbench::deviceChanged, this, &CalibratePanel::onDevice);
     connect(&bench(), &Workbench::valuesChanged, this, &CalibratePanel::onValues);

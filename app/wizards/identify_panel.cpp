@@ -34,7 +34,8 @@ enum Step { PrepareStep, ExciteStep, FitStep, JudgeStep, ResultStep };
 
 IdentifyPanel::IdentifyPanel(Workbench& workbench, QWidget* parent) : WizardPanel(workbench, parent) {
     addPage(buildPrepare(), true, buildStartRow());
-    addPage(buildRun(), false, m_progress);
+    QWidget* run = buildRun(); // makes its footer: not in one expression with it
+    addPage(run, false, m_progress);
     addPage(buildResult(), false, buildResultButtons());
     m_result->setFileChooser(&chooser());
     m_frame.setInterval(Frame_ms);

@@ -16,6 +16,7 @@
 
 #include <QEvent>
 #include <QLabel>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <utility>
@@ -99,8 +100,8 @@ void DrivePanel::endQuestion() {
 }
 
 void DrivePanel::onSetpoint() {
-    if (!m_go->isEnabled()) {
-        return;
+    if (!m_go->isEnabled() || std::exchange(m_isGoRefused, false)) {
+        return; // what was refused stays said
     }
     if (!m_setpoint->hasAcceptableInput()) { // Go without leaving the field
         onSetpointRefused(m_setpoint->text());
@@ -123,6 +124,8 @@ void DrivePanel::onSetpoint() {
 void DrivePanel::onSetpointRefused(const QString& text) {
     if (!m_setpoint->hasFocus()) {
         m_setpoint->setValue(m_control.goal() * factor());
+        m_isJustRefused = true; // a mouse on Go takes the focus first and presses then
+        QTimer::singleShot(0, this, [this] { m_isJustRefused = false; });
     }
     showError(tr("'%1' is not a set-point, nothing was sent.").arg(text.trimmed()),
               m_setpoint->problemOf(text));

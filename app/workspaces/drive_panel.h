@@ -71,6 +71,8 @@ private:
     Workbench& m_bench;
     DriveControl& m_control;
     Asking m_asking = Asking::Nothing;
+    bool m_isJustRefused = false; ///< a set-point, in this turn of the event loop
+    bool m_isGoRefused = false;   ///< the press of Go that made its text leave the field
     bool m_wasArmed = false;
     devices::BoardMode m_shownMode; ///< whose units the fields have
     DisplayUnits m_units;           ///< that they show

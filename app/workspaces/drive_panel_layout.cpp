@@ -66,6 +66,7 @@ void DrivePanel::buildSetpoint(QVBoxLayout* column) {
     // Only Enter sends: leaving the field must not move anything.
     connect(m_setpoint, &widgets::QuantityEdit::entered, this, &DrivePanel::onSetpoint);
     connect(m_setpoint, &widgets::QuantityEdit::refused, this, &DrivePanel::onSetpointRefused);
+    connect(m_go, &QPushButton::pressed, this, [this] { m_isGoRefused = m_isJustRefused; });
     connect(m_go, &QPushButton::clicked, this, &DrivePanel::onSetpoint);
     connect(m_zero, &QPushButton::clicked, this, [this] {
         m_setpoint->setValue(0.0);

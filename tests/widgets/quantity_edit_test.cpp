@@ -64,9 +64,40 @@ TEST_F(QuantityEditTest, theDecimalSignOfAnotherLanguageIsNamedAsTheCause) {
 }
 
 TEST_F(QuantityEditTest, whatIsHalfTypedIsNoMistakeYet) {
-    for (const char* text : {"", "-", "1e", "1e-", "12.", "12 d", "12 de", "12 deg", "12 °", "40000"}) {
+    for (const char* text : {"", "-", "1e", "1e-", "12.", "12 d", "12 de", "12 deg", "12 °"}) {
         type(QString::fromUtf8(text));
         EXPECT_TRUE(edit->problem().isEmpty()) << text << ": " << edit->problem().toStdString();
+    }
+}
+
+TEST_F(QuantityEditTest, whatMoreDigitsCannotMendIsSaidAtOnce) {
+    for (const char* text : {"40000", "-36001"}) {
+        type(QString::fromUtf8(text));
+        EXPECT_EQ(edit->problem(), edit->allowedText()) << text;
+    }
+    edit->setFormat({QStringLiteral("A"), 10.0, 20.0, 1.0, 2});
+    type(QStringLiteral("1")); // 15 begins so
+    EXPECT_TRUE(edit->problem().isEmpty()) << edit->problem().toStdString();
+    type(QStringLiteral("-5"));
+    EXPECT_FALSE(edit->problem().isEmpty());
+}
+
+TEST_F(QuantityEditTest, aTextThatWasRefusedIsNeverReadAnotherWay) {
+    struct Case {
+        QLocale locale;
+        const char* text; // with what separates thousands there
+    };
+    for (const Case& typed : {Case{QLocale(QLocale::English, QLocale::UnitedStates), "1,5"},
+                              Case{QLocale(QLocale::German, QLocale::Germany), "1.500"}}) {
+        QLocale::setDefault(typed.locale);
+        edit->setLocale(typed.locale);
+        edit->setQuantity(30.0);
+        edit->setFocus();
+        QSignalSpy edits(edit, &QuantityEdit::edited);
+        type(QString::fromUtf8(typed.text));
+        edit->clearFocus();
+        EXPECT_EQ(edit->value(), 30.0) << typed.text;
+        EXPECT_EQ(edits.count(), 0) << typed.text;
     }
 }
 
