@@ -118,8 +118,8 @@ public:
     virtual void stop() noexcept = 0;
     virtual Result<void> clearStop() = 0;
 
-    /// The board's own capture at loop rate (up to 4 signals x 4096 samples), as a recording; empty until
-    /// full.
+    /// The board's own capture at loop rate (up to 4 signals x 4096 samples), as a recording; empty until it
+    /// is full and read. A call reads a piece of it, so that the link stays free: call again once it is full.
     virtual Result<Recording> readCapture() = 0;
 };
 

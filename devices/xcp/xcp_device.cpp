@@ -1,6 +1,5 @@
 #include "devices/xcp/xcp_device.h"
 
-#include "devices/xcp/board_capture.h"
 #include "devices/xcp/xcp_device_impl.h"
 
 #include <fmt/format.h>
@@ -369,7 +368,7 @@ LinkStatistics XcpDevice::statistics() const {
 }
 
 Result<Recording> XcpDevice::readCapture() {
-    return readBoardCapture(*this, m_board, m_master);
+    return m_capture.read(*this, m_board, m_master);
 }
 
 } // namespace halbench::devices::xcp

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "devices/xcp/board_capture.h"
 #include "devices/xcp/board_description.h"
 #include "devices/xcp/clock_fit.h"
 #include "devices/xcp/description_cache.h"
@@ -128,6 +129,7 @@ private:
     std::optional<TickUnwrapper> m_boardClock; ///< absent: not asked for
     ClockFit m_clockFit;
     double m_nextClock_s = 0.0;
+    BoardCapture m_capture;
     std::uint64_t m_droppedSamples = 0; ///< incomplete or misplaced, of streams that ended
 };
 
