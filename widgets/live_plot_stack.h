@@ -70,6 +70,7 @@ public:
 
     /// Not owned; must outlive the stack or be replaced. May be null.
     void setHistory(const control::SampleHistory* history);
+    const control::SampleHistory* history() const { return m_history; }
     void setPlots(std::vector<PlotSpec> plots);
     const std::vector<PlotSpec>& plots() const { return m_specs; }
     /// Adds to a plot, or as a new plot below when `plot` is none of them. A signal is shown once in a plot.

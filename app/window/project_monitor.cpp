@@ -14,15 +14,19 @@ constexpr std::array<const char*, 3> Modes{"auto", "normal", "single"};
 constexpr std::array<const char*, 3> Slopes{"rising", "falling", "either"};
 
 toml::table triggerTable(const TriggerChoice& trigger) {
-    return toml::table{{"on", trigger.isOn},
-                       {"source", projectValue(trigger.source)},
-                       {"mode", Modes[static_cast<std::size_t>(trigger.mode)]},
-                       {"slope", Slopes[static_cast<std::size_t>(trigger.slope)]},
-                       {"level", trigger.level},
-                       {"hysteresis", trigger.hysteresis},
-                       {"window_s", trigger.window_s},
-                       {"pre_trigger_ratio", trigger.preTrigger_ratio},
-                       {"hold_off_s", trigger.holdOff_s}};
+    toml::table table{{"on", trigger.isOn},
+                      {"source", projectValue(trigger.source)},
+                      {"mode", Modes[static_cast<std::size_t>(trigger.mode)]},
+                      {"slope", Slopes[static_cast<std::size_t>(trigger.slope)]},
+                      {"level", trigger.level},
+                      {"hysteresis", trigger.hysteresis},
+                      {"window_s", trigger.window_s},
+                      {"pre_trigger_ratio", trigger.preTrigger_ratio},
+                      {"hold_off_s", trigger.holdOff_s}};
+    if (trigger.isBoard) { // an older version does not know the key
+        table.insert("board", true);
+    }
+    return table;
 }
 
 template <typename Choice>
@@ -40,6 +44,8 @@ void readTriggerKey(ProjectReader& reader, const std::string& key, const ConfigN
                     TriggerChoice& trigger) {
     if (key == "on") {
         trigger.isOn = reader.flag(value, key);
+    } else if (key == "board") {
+        trigger.isBoard = reader.flag(value, key);
     } else if (key == "source") {
         reader.text(value, key, trigger.source);
     } else if (key == "mode") {
@@ -58,7 +64,7 @@ void readTriggerKey(ProjectReader& reader, const std::string& key, const ConfigN
         trigger.holdOff_s = reader.number(value, key);
     } else {
         reader.refuse(value, fmt::format("unknown key '{}'; [monitor.trigger] has on, source, mode, slope, "
-                                         "level, hysteresis, window_s, pre_trigger_ratio, hold_off_s",
+                                         "level, hysteresis, window_s, pre_trigger_ratio, hold_off_s, board",
                                          key));
     }
 }

@@ -328,6 +328,7 @@ void MonitorPanel::addTo(int plot, const std::string& name) {
 void MonitorPanel::onPlotsChanged() {
     const std::set<std::string> plotted = plottedSignals(m_stack->plots());
     Q_EMIT plottedChanged(plotted);
+    m_trigger->plotsChanged();
     std::vector<std::string> wanted(plotted.begin(), plotted.end());
     const auto& defaults = m_bench.catalogue().defaultSignals; // for the tree's live values
     wanted.insert(wanted.end(), defaults.begin(), defaults.end());

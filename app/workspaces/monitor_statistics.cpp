@@ -62,11 +62,12 @@ void MonitorStatistics::refresh() {
     if (!m_table->isVisible()) {
         return;
     }
+    const control::SampleHistory& history = *m_stack.history();
     const control::TimeRange range = rangeOf(m_stack);
     std::vector<widgets::StatisticsRow> rows;
     for (const widgets::PlotSpec& plot : m_stack.plots()) {
         for (const widgets::PlotCurve& curve : plot.curves) {
-            const control::SampleStatistics found = m_bench.history().statistics(curve.signal, range);
+            const control::SampleStatistics found = history.statistics(curve.signal, range);
             widgets::StatisticsRow row;
             row.name = curve.label;
             row.unit = curve.unit;
@@ -76,7 +77,7 @@ void MonitorStatistics::refresh() {
             row.mean = curve.factor * found.moments.mean();
             row.rms = curve.factor * found.moments.rms();
             row.deviation = curve.factor * found.moments.deviation();
-            row.slope = slopeOf(m_bench.history(), curve, m_stack.cursors());
+            row.slope = slopeOf(history, curve, m_stack.cursors());
             row.count = found.moments.count();
             row.gaps = found.gaps;
             rows.push_back(row);

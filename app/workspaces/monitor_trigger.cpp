@@ -1,5 +1,6 @@
 #include "app/workspaces/monitor_trigger.h"
 
+#include "app/workspaces/monitor_capture.h"
 #include "app/workspaces/recording_trigger.h"
 #include "app/workspaces/trigger_bar.h"
 #include "control/base/assert.h"
@@ -36,9 +37,12 @@ MonitorTrigger::MonitorTrigger(Workbench& bench, widgets::LivePlotStack& stack, 
     createActions(panel);
     m_bar = new TriggerBar(*m_again, &panel);
     m_bar->hide();
+    m_capture = new MonitorCapture(bench, stack, this);
+    connect(m_capture, &MonitorCapture::changed, this, &MonitorTrigger::say);
+    connect(m_capture, &MonitorCapture::shown, this, &MonitorTrigger::say);
     connect(m_onOff, &QAction::toggled, this, &MonitorTrigger::switchTo);
     connect(m_again, &QAction::triggered, this, [this] {
-        m_trigger.rearm();
+        m_capture->isOn() ? m_capture->again() : m_trigger.rearm();
         say();
     });
     connect(m_bar, &TriggerBar::edited, this, &MonitorTrigger::restart);
@@ -46,7 +50,7 @@ MonitorTrigger::MonitorTrigger(Workbench& bench, widgets::LivePlotStack& stack, 
     connect(m_bar, &TriggerBar::middleRequested, this, &MonitorTrigger::takeMiddle);
     connect(&m_stack, &widgets::LivePlotStack::levelMoved, this, &MonitorTrigger::moveLevel);
     connect(&m_stack, &widgets::LivePlotStack::followingChanged, this, [this](bool isFollowing) {
-        if (isFollowing && m_event_s) {
+        if (isFollowing && (m_event_s || m_capture->isShown())) {
             m_onOff->setChecked(false);
         }
     });
@@ -85,7 +89,15 @@ void MonitorTrigger::setChoice(const TriggerChoice& choice) {
 void MonitorTrigger::onDevice() {
     const DeviceSession& session = m_bench.session();
     if (session.state() == SessionState::Connected) {
-        m_bar->setCatalogue(m_bench.catalogue(), m_bench.displayUnits());
+        if (session.returns() == 0 && deviceKey(session.info()) != m_device) {
+            leaveBoard(); // what another one caught
+            m_device = deviceKey(session.info());
+        }
+        std::vector<std::string> derived;
+        for (const devices::DerivedSignal& one : m_bench.derivedSignals()) {
+            derived.push_back(one.name);
+        }
+        m_bar->setCatalogue(m_bench.catalogue(), m_bench.displayUnits(), std::move(derived));
         restart();
     }
 }
@@ -97,7 +109,8 @@ void MonitorTrigger::switchTo(bool isOn) {
     if (isOn) {
         m_wasFollowing = m_stack.isFollowing();
     } else {
-        const bool wasShown = std::exchange(m_event_s, std::nullopt).has_value();
+        const bool wasShown = std::exchange(m_event_s, std::nullopt).has_value() || m_capture->isShown();
+        m_capture->stop();
         m_trigger.stop();
         if (wasShown && m_wasFollowing) {
             m_stack.setFollowing(true);
@@ -120,6 +133,34 @@ void MonitorTrigger::restart() {
         wanted = {chosen.source};
     }
     m_bench.liveSignals().want(this, std::move(wanted));
+    if (m_isOn && chosen.isBoard) {
+        startBoard(chosen);
+    } else {
+        startLive(chosen, setPoint);
+    }
+    showLevel();
+    say();
+}
+
+void MonitorTrigger::startBoard(const TriggerChoice& chosen) {
+    m_trigger.stop();
+    if (std::exchange(m_event_s, std::nullopt)) {
+        m_stack.setEvent(std::nullopt);
+    }
+    m_capture->start(chosen);
+}
+
+/// Back to the live samples; the newest ones until an event comes.
+void MonitorTrigger::leaveBoard() {
+    const bool wasShown = m_capture->isShown();
+    m_capture->stop();
+    if (wasShown) {
+        m_stack.setFollowing(true);
+    }
+}
+
+void MonitorTrigger::startLive(const TriggerChoice& chosen, const SetPointSignals& setPoint) {
+    leaveBoard();
     if (m_isOn) {
         const Result<void> started = m_trigger.start(chosen, setPoint);
         HB_ASSERT(started.has_value()); // the fields allow nothing else
@@ -129,12 +170,14 @@ void MonitorTrigger::restart() {
                                *m_event_s + (1.0 - chosen.preTrigger_ratio) * chosen.window_s});
     }
     m_stack.setEvent(m_event_s);
-    showLevel();
-    say();
+}
+
+void MonitorTrigger::plotsChanged() {
+    m_capture->plotsChanged();
 }
 
 void MonitorTrigger::update() {
-    if (!m_isOn) {
+    if (!m_isOn || m_capture->isOn()) {
         return;
     }
     if (m_trigger.update() && !m_stack.isPaused()) {
@@ -159,7 +202,8 @@ void MonitorTrigger::showEvent() {
 void MonitorTrigger::showLevel() {
     const TriggerChoice& chosen = m_bar->choice();
     m_stack.setLevel(m_isOn && !chosen.source.empty()
-                         ? std::optional(widgets::PlotLevel{chosen.source, chosen.level, chosen.hysteresis})
+                         ? std::optional(widgets::PlotLevel{chosen.source, chosen.level,
+                                                            chosen.isBoard ? 0.0 : chosen.hysteresis})
                          : std::nullopt);
 }
 
@@ -172,7 +216,7 @@ void MonitorTrigger::moveLevel(double level) {
 
 void MonitorTrigger::takeMiddle() {
     TriggerChoice choice = m_bar->choice();
-    const control::Extremes extremes = m_bench.history().extremes(choice.source, m_stack.timeRange());
+    const control::Extremes extremes = m_stack.history()->extremes(choice.source, m_stack.timeRange());
     if (!extremes.isEmpty()) {
         choice.level = 0.5 * (extremes.min + extremes.max);
         choice.hysteresis = Hysteresis_ratio * (extremes.max - extremes.min);
@@ -182,6 +226,15 @@ void MonitorTrigger::takeMiddle() {
 }
 
 void MonitorTrigger::say() {
+    if (!m_capture->isOn()) {
+        sayLive();
+        return;
+    }
+    const TriggerWords words = m_capture->words(m_bar->eventWords());
+    m_bar->setState(words.words, words.sentence, words.role);
+}
+
+void MonitorTrigger::sayLive() {
     const auto& shown = m_trigger.shown();
     const bool isByItself = shown && shown->cause == control::TriggerCause::Wait;
     const QString when = shown ? widgets::fixedText(shown->time_s, TimeDecimals) : QString();

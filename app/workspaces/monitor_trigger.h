@@ -14,6 +14,7 @@ class LivePlotStack;
 
 namespace halbench::app {
 
+class MonitorCapture;
 class TriggerBar;
 
 /// The Monitor as an oscilloscope: while it is on, the plots show a window of time around the newest event
@@ -33,18 +34,23 @@ public:
     bool isOn() const { return m_isOn; }
     /// Of the view when it is off.
     bool isFollowingOtherwise() const { return m_wasFollowing; }
+    void plotsChanged();
 
 private:
     void createActions(QWidget& panel);
     void switchTo(bool isOn);
     void onDevice();
     void restart();
+    void startLive(const TriggerChoice& chosen, const SetPointSignals& setPoint);
+    void startBoard(const TriggerChoice& chosen);
+    void leaveBoard();
     void update();
     void showEvent();
     void showLevel();
     void takeMiddle();
     void moveLevel(double level);
     void say();
+    void sayLive();
 
     Workbench& m_bench;
     widgets::LivePlotStack& m_stack;
@@ -52,6 +58,8 @@ private:
     QAction* m_onOff = nullptr;
     QAction* m_again = nullptr;
     TriggerBar* m_bar = nullptr;
+    MonitorCapture* m_capture = nullptr; ///< the board's own
+    QString m_device;
     bool m_isOn = false;
     bool m_wasFollowing = true;
     std::optional<double> m_event_s; ///< at which the view stands

@@ -1,6 +1,7 @@
 #include "app/workspaces/trigger_bar.h"
 
 #include "app/workspaces/field_grid.h"
+#include "app/workspaces/monitor_capture.h"
 #include "widgets/action_button.h"
 #include "widgets/elided_label.h"
 #include "widgets/quantity_edit.h"
@@ -10,20 +11,41 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QStandardItemModel>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace halbench::app {
 
 namespace {
 
 constexpr int LeastCharacters = 8; ///< of the state
-constexpr int SourceCharacters = 10;
-constexpr int LevelCharacters = 16; ///< with unit and steps
+constexpr int SourceCharacters = 8;
+constexpr int LevelCharacters = 13; ///< with unit and steps
 constexpr int Columns = 5;
 constexpr double LargestLevel = 1e6; ///< as shown
 constexpr double LongestWindow_s = 600.0;
 constexpr double ShortestWindow_s = 1e-3;
 constexpr double PerCent = 100.0;
+constexpr double MostBeforeOfBoard_ratio = 0.99;
+enum From { Live, Board };
+
+/// With a reason it cannot be chosen, and says why.
+void setReason(QComboBox& box, int index, const QString& reason) {
+    auto* items = static_cast<QStandardItemModel*>(box.model()); // what a box of its own has
+    items->item(index)->setEnabled(reason.isEmpty());
+    items->item(index)->setToolTip(reason);
+}
+
+/// What the board can do of it.
+TriggerChoice forBoard(TriggerChoice choice) {
+    choice.mode = choice.mode == control::TriggerMode::Auto ? control::TriggerMode::Normal : choice.mode;
+    choice.slope =
+        choice.slope == control::TriggerSlope::Either ? control::TriggerSlope::Rising : choice.slope;
+    choice.preTrigger_ratio = std::min(choice.preTrigger_ratio, MostBeforeOfBoard_ratio);
+    return choice;
+}
 
 } // namespace
 
@@ -63,6 +85,7 @@ void TriggerBar::buildEvent(QHBoxLayout& line) {
         line.addWidget(box);
         return box;
     };
+    m_from = addBox(tr("From"), {}, {tr("Live"), tr("Board")});
     m_mode = addBox(tr("Mode"),
                     tr("Auto shows something after half a second even if nothing happens; Normal waits; "
                        "Single stops after one event"),
@@ -77,6 +100,8 @@ void TriggerBar::buildEvent(QHBoxLayout& line) {
                                  this));
     m_numbers[Level]->setMaximumWidth(LevelCharacters * fontMetrics().averageCharWidth());
     line.addWidget(m_numbers[Level]);
+    connect(m_from, QOverload<int>::of(&QComboBox::activated), this,
+            [this](int from) { onFrom(from == Board); });
     connect(m_mode, QOverload<int>::of(&QComboBox::activated), this, [this](int mode) {
         m_choice.mode = static_cast<control::TriggerMode>(mode);
         Q_EMIT edited();
@@ -106,6 +131,7 @@ void TriggerBar::buildSettings(FieldGrid& grid) {
 
 void TriggerBar::watch(Field field, widgets::QuantityEdit* box) {
     m_numbers[field] = box;
+    m_toolTips[field] = box->toolTip().section(QLatin1Char('\n'), 0, -2); // without its range
     connect(box, &widgets::QuantityEdit::edited, this,
             [this, field](double value) { onEdited(field, value); });
 }
@@ -115,34 +141,70 @@ DisplayQuantity TriggerBar::shown() const {
     return spec != nullptr ? displayQuantity(spec->unit, m_units) : DisplayQuantity{};
 }
 
-void TriggerBar::setCatalogue(const devices::Catalogue& catalogue, const DisplayUnits& units) {
+void TriggerBar::setCatalogue(const devices::Catalogue& catalogue, const DisplayUnits& units,
+                              std::vector<std::string> derived) {
     m_catalogue = catalogue;
+    m_derived = std::move(derived);
     m_units = units;
     showChoice();
 }
 
 void TriggerBar::setChoice(const TriggerChoice& choice) {
-    m_choice = choice;
+    m_choice = choice.isBoard ? forBoard(choice) : choice;
     showChoice();
 }
 
+void TriggerBar::onFrom(bool isBoard) {
+    m_choice.isBoard = isBoard;
+    m_choice = isBoard ? forBoard(m_choice) : m_choice;
+    showChoice();
+    Q_EMIT edited();
+}
+
 void TriggerBar::showChoice() {
+    fillSources();
+    m_from->setCurrentIndex(m_choice.isBoard ? Board : Live);
+    m_mode->setCurrentIndex(static_cast<int>(m_choice.mode));
+    m_slope->setCurrentIndex(static_cast<int>(m_choice.slope));
+    dressForBoard();
+    dressFields();
+}
+
+void TriggerBar::fillSources() {
     const QSignalBlocker quiet(m_source);
     m_source->clear();
     if (m_choice.source.empty() || !m_catalogue.signalForRole("reference").empty()) {
-        m_source->addItem(tr("Set-point change"), QString());
+        m_source->addItem(m_choice.isBoard ? tr("Reference start") : tr("Set-point change"), QString());
     }
     for (const SignalSpec& spec : m_catalogue.signals) {
         m_source->addItem(signalWords(spec.name), QString::fromStdString(spec.name));
+        if (m_choice.isBoard && std::count(m_derived.begin(), m_derived.end(), spec.name) > 0) {
+            setReason(*m_source, m_source->count() - 1,
+                      tr("The board does not have it: it is derived here."));
+        }
     }
     const QString source = QString::fromStdString(m_choice.source);
     if (m_source->findData(source) < 0) { // of another device: it is kept and said
         m_source->addItem(source, source);
     }
     m_source->setCurrentIndex(m_source->findData(source));
-    m_mode->setCurrentIndex(static_cast<int>(m_choice.mode));
-    m_slope->setCurrentIndex(static_cast<int>(m_choice.slope));
-    dressFields();
+}
+
+/// What the board cannot do is there, and says so.
+void TriggerBar::dressForBoard() {
+    const auto unlessBoard = [this](const QString& reason) { return m_choice.isBoard ? reason : QString(); };
+    const QString obstacle = m_catalogue.signals.empty() ? QString() : MonitorCapture::obstacle(m_catalogue);
+    setReason(*m_from, Board, obstacle);
+    m_from->setToolTip(
+        obstacle.isEmpty()
+            ? tr("Live: in the samples that are sent to the plots. Board: the board itself waits, "
+                 "captures up to 4 signals of the plots at the rate of its loop, 4096 rows, and "
+                 "they are read then")
+            : tr("Live: in the samples that are sent to the plots. %1").arg(obstacle));
+    setReason(*m_mode, static_cast<int>(control::TriggerMode::Auto),
+              unlessBoard(tr("The board waits for its event and shows nothing without one.")));
+    setReason(*m_slope, static_cast<int>(control::TriggerSlope::Either),
+              unlessBoard(tr("The board looks for one direction only.")));
 }
 
 void TriggerBar::dressFields() {
@@ -151,7 +213,13 @@ void TriggerBar::dressFields() {
         {{}, {}, quantity.unit, quantity.decimals, -LargestLevel, LargestLevel, quantity.typical / 20.0},
         {{}, {}, quantity.unit, quantity.decimals, 0.0, LargestLevel, quantity.typical / 100.0},
         {{}, {}, QStringLiteral("s"), 3, ShortestWindow_s, LongestWindow_s, 0.1},
-        {{}, {}, QStringLiteral("%"), 0, 0.0, PerCent, 5.0},
+        {{},
+         {},
+         QStringLiteral("%"),
+         0,
+         0.0,
+         m_choice.isBoard ? PerCent * MostBeforeOfBoard_ratio : PerCent,
+         5.0},
         {{}, {}, QStringLiteral("s"), 3, 0.0, LongestWindow_s, 0.1},
     };
     const double values[Fields] = {quantity.factor * m_choice.level, quantity.factor * m_choice.hysteresis,
@@ -161,11 +229,18 @@ void TriggerBar::dressFields() {
         const NumberField& format = formats[field];
         m_numbers[field]->setFormat({format.unit, format.min, format.max, format.step, format.decimals});
         m_numbers[field]->setQuantity(values[field]);
+        m_numbers[field]->setToolTip(m_toolTips[field] + QLatin1Char('\n') + m_numbers[field]->toolTip());
     }
     const bool hasLevel = !m_choice.source.empty();
     for (QWidget* field :
          std::initializer_list<QWidget*>{m_slope, m_numbers[Level], m_numbers[Hysteresis], m_middle}) {
         field->setEnabled(hasLevel);
+    }
+    m_numbers[HoldOff]->setEnabled(!m_choice.isBoard);
+    if (m_choice.isBoard) {
+        m_numbers[Hysteresis]->setEnabled(false);
+        m_numbers[Hysteresis]->setToolTip(tr("The board has none: every passing of the level is an event."));
+        m_numbers[HoldOff]->setToolTip(tr("The board has none: it waits again once its capture is read."));
     }
 }
 
@@ -211,7 +286,7 @@ void TriggerBar::setState(const QString& words, const QString& sentence, widgets
 
 QString TriggerBar::eventWords() const {
     if (m_choice.source.empty()) {
-        return tr("the set-point changes");
+        return m_choice.isBoard ? tr("the reference starts") : tr("the set-point changes");
     }
     const QString level = m_numbers[Level]->text();
     const QString source = signalWords(m_choice.source);

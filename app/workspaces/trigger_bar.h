@@ -31,7 +31,9 @@ public:
     TriggerBar(QAction& again, QWidget* parent);
 
     /// Whose signals can be the source; without a role `reference` no set-point is offered.
-    void setCatalogue(const devices::Catalogue& catalogue, const DisplayUnits& units);
+    /// `derived`: those that the device itself does not have.
+    void setCatalogue(const devices::Catalogue& catalogue, const DisplayUnits& units,
+                      std::vector<std::string> derived = {});
     void setChoice(const TriggerChoice& choice);
     const TriggerChoice& choice() const { return m_choice; }
     /// `sentence`: all of it, for who asks.
@@ -47,17 +49,23 @@ Q_SIGNALS:
 private:
     enum Field { Level, Hysteresis, Window, Before, HoldOff, Fields };
     void buildEvent(QHBoxLayout& line);
+    void onFrom(bool isBoard);
     void buildSettings(FieldGrid& grid);
     void watch(Field field, widgets::QuantityEdit* box);
     void onEdited(Field field, double shown);
     void onSource(int index);
     void dressFields();
     void showChoice();
+    void fillSources();
+    void dressForBoard();
     DisplayQuantity shown() const;
 
     devices::Catalogue m_catalogue;
+    std::vector<std::string> m_derived;
+    QString m_toolTips[Fields]; ///< of the fields while they can be used
     DisplayUnits m_units;
     TriggerChoice m_choice;
+    QComboBox* m_from = nullptr;
     QComboBox* m_mode = nullptr;
     QComboBox* m_source = nullptr;
     QComboBox* m_slope = nullptr;

@@ -17,6 +17,7 @@ struct TriggerChoice {
     double window_s = 1.0;
     double preTrigger_ratio = 0.25;
     double holdOff_s = 0.0;
+    bool isBoard = false; ///< the board's own capture, instead of the live samples
 
     bool operator==(const TriggerChoice&) const = default;
 };

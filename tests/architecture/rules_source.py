@@ -228,7 +228,8 @@ PANELS = ("app/window/", "app/wizards/", "app/workspaces/")
 PROCEDURES = ("runIdentify", "runCalibrate", "runApply", "runTune", "runAnalysis")
 PROCEDURE_DOORS = {"app/procedures/" + name + ".h" for name in (
     "procedure", "identify_procedure", "identify_plan", "calibrate_procedure", "apply_procedure", "tune", "loop_verdict",
-    "move_reference", "ellipse_shape")}
+    "move_reference", "ellipse_shape",
+    "capture_orders")}  # the board captures: nothing moves, nothing is judged
 FITS = r"control/identify/|models/estimators/"
 PARTS_OF_PROCEDURES = r"\b(run(?!Procedure\b|Step\b|Window\b)[A-Z]\w*|identifyRecording|performMove)\s*\("
 

@@ -24,8 +24,8 @@ Project sample() {
     project.monitor.isFollowing = false;
     project.monitor.span_s = 2.5;
     project.monitor.trigger = {
-        true, "speed", control::TriggerMode::Single, control::TriggerSlope::Either, 1.25, 0.05, 0.4,
-        0.1,  2.0};
+        true, "speed", control::TriggerMode::Single, control::TriggerSlope::Either, 1.25, 0.05, 0.4, 0.1,
+        2.0,  true};
     project.monitor.derived = {{"power", "current.a^2 + current.b^2", "A^2"}};
     return project;
 }

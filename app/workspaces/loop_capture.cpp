@@ -1,0 +1,235 @@
+#include "app/workspaces/loop_capture.h"
+
+#include <QPointer>
+
+#include <algorithm>
+#include <utility>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr int Period_ms = 100;
+constexpr double Pieces = 64.0; ///< in which a board's capture is read, about
+
+} // namespace
+
+LoopCapture::LoopCapture(DeviceSession& session, QObject* parent)
+    : QObject(parent), m_session(session), m_before(std::make_shared<std::optional<SetUp>>()) {
+    m_timer.setInterval(Period_ms);
+    connect(&m_timer, &QTimer::timeout, this, &LoopCapture::work);
+    connect(&m_session, &DeviceSession::stateChanged, this, &LoopCapture::onSession);
+    connect(&m_session, &DeviceSession::procedureChanged, this, &LoopCapture::work);
+}
+
+LoopCapture::~LoopCapture() {
+    m_session.request([before = m_before](devices::Device& device) { return putBack(device, *before); },
+                      [](const Result<void>&) {});
+}
+
+void LoopCapture::start(const CaptureConfig& config) {
+    m_config = config;
+    again();
+}
+
+void LoopCapture::again() {
+    m_isWanted = true;
+    m_isBegun = false;
+    m_pieces = 0;
+    m_timer.start();
+    setState(State::Begins);
+    work();
+}
+
+void LoopCapture::stop() {
+    m_isWanted = false;
+    m_isBegun = false;
+    setState(State::Off);
+    work();
+}
+
+void LoopCapture::setRecordingWritten(bool isWritten) {
+    if (std::exchange(m_isRecordingWritten, isWritten) != isWritten) {
+        work();
+    }
+}
+
+/// A board that was away has another set-up, and nothing to be put back.
+void LoopCapture::onSession() {
+    if (m_session.state() == SessionState::Connected) {
+        work();
+        return;
+    }
+    ++m_asked;
+    m_isAsking = false;
+    m_isBegun = false;
+    m_before = std::make_shared<std::optional<SetUp>>();
+    if (m_isWanted && m_state != State::Done && m_state != State::Failed) {
+        setState(State::Begins);
+    }
+}
+
+/// One order at a time; what it answers leads to the next.
+void LoopCapture::work() {
+    if (m_isAsking || m_session.state() != SessionState::Connected) {
+        return;
+    }
+    if (!m_session.procedure().isEmpty()) {
+        if (m_isWanted && m_state != State::Done && m_state != State::Failed) {
+            setState(State::Held);
+        }
+        return;
+    }
+    if (!m_isWanted) {
+        end();
+    } else if (m_state == State::Done || m_state == State::Failed) {
+        m_timer.stop();
+    } else if (!m_isBegun) {
+        beginCapture();
+    } else if (m_state == State::Reading && !m_isRecordingWritten) {
+        read();
+    } else {
+        look();
+    }
+}
+
+/// What answers an order that does not count any more leads to what is wanted now.
+template <typename Function, typename Then>
+void LoopCapture::ask(Function function, Then then) {
+    m_isAsking = true;
+    m_session.request(std::move(function),
+                      [this, self = QPointer<LoopCapture>(this), asked = m_asked, then](auto answer) {
+                          if (!self || asked != m_asked) {
+                              return;
+                          }
+                          m_isAsking = false;
+                          if (m_isWanted && m_isBegun && m_session.procedure().isEmpty()) {
+                              then(std::move(answer));
+                          } else {
+                              work();
+                          }
+                      });
+}
+
+void LoopCapture::beginCapture() {
+    const auto values = captureSetUp(m_session.catalogue(), m_config);
+    if (!values) {
+        fail(values.error());
+        return;
+    }
+    setState(State::Begins);
+    m_isBegun = true;
+    ask(
+        [values = *values, before = m_before](devices::Device& device) -> Result<void> {
+            if (!*before) {
+                auto read = captureSetUpBefore(device, values);
+                if (!read) {
+                    return failure(read.error());
+                }
+                *before = *std::move(read);
+            }
+            return startCapture(device, values);
+        },
+        [this](const Result<void>& done) { done ? look() : fail(done.error()); });
+}
+
+/// Once: what is put back is forgotten.
+Result<void> LoopCapture::putBack(devices::Device& device, std::optional<SetUp>& before) {
+    const std::optional<SetUp> values = std::exchange(before, std::nullopt);
+    return values ? endCapture(device, *values) : Result<void>();
+}
+
+void LoopCapture::end() {
+    m_timer.stop();
+    m_isAsking = true;
+    m_session.request([before = m_before](devices::Device& device) { return putBack(device, *before); },
+                      [this, self = QPointer<LoopCapture>(this), asked = m_asked](const Result<void>&) {
+                          if (self && asked == m_asked) { // a board that cannot be asked says so elsewhere
+                              m_isAsking = false;
+                              if (m_isWanted) {
+                                  work();
+                              }
+                          }
+                      });
+}
+
+void LoopCapture::look() {
+    ask([](devices::Device& device) { return readCaptureState(device); },
+        [this](const Result<CaptureState>& state) { state ? saw(*state) : fail(state.error()); });
+}
+
+void LoopCapture::saw(CaptureState state) {
+    switch (state) {
+    case CaptureState::Idle:
+        fail({ErrorCode::Protocol, "the board's capture was ended by somebody else",
+              "another program may be using it; wait again to start it anew"});
+        break;
+    case CaptureState::Filling:
+        setState(State::Filling);
+        break;
+    case CaptureState::Waiting:
+        setState(State::Waiting);
+        break;
+    case CaptureState::Running:
+        setState(State::Running);
+        break;
+    case CaptureState::Full:
+        setState(m_isRecordingWritten ? State::Full : State::Reading);
+        if (!m_isRecordingWritten) {
+            read();
+        }
+        break;
+    }
+}
+
+void LoopCapture::read() {
+    using Piece = std::shared_ptr<Recording>; // changes threads as it is
+    ask(
+        [](devices::Device& device) -> Result<Piece> {
+            Result<Recording> piece = device.readCapture();
+            return piece ? Result<Piece>(std::make_shared<Recording>(*std::move(piece)))
+                         : failure(piece.error());
+        },
+        [this](const Result<Piece>& piece) {
+            took(piece ? Result<Recording>(std::move(**piece)) : failure(piece.error()));
+        });
+}
+
+void LoopCapture::took(Result<Recording> piece) {
+    constexpr int MostPieces = 4096; // one row each
+    ++m_pieces;
+    if (piece && piece->rows() == 0 && m_pieces < MostPieces) {
+        Q_EMIT changed();
+        work();
+        return;
+    }
+    Result<Recording> whole = checkCapture(std::move(piece), m_config);
+    if (whole && whole->rows() == 0) {
+        whole = failure(ErrorCode::Protocol, "the board gave nothing of its full capture",
+                        "another program may be using its capture; try again");
+    }
+    if (!whole) {
+        fail(whole.error());
+        return;
+    }
+    m_recording = *std::move(whole);
+    setState(State::Done);
+    Q_EMIT captured();
+}
+
+double LoopCapture::fraction() const {
+    return m_state == State::Reading ? std::min(1.0, m_pieces / Pieces) : 0.0;
+}
+
+void LoopCapture::fail(const Error& error) {
+    m_error = error;
+    setState(State::Failed);
+}
+
+void LoopCapture::setState(State state) {
+    if (std::exchange(m_state, state) != state) {
+        Q_EMIT changed();
+    }
+}
+
+} // namespace halbench::app

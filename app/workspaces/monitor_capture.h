@@ -1,0 +1,73 @@
+#pragma once
+
+#include "app/workspaces/loop_capture.h"
+#include "app/workspaces/trigger_choice.h"
+#include "app/workspaces/workbench.h"
+#include "control/signals/sample_history.h"
+#include "widgets/plot_marks.h"
+#include "widgets/theme_style.h"
+
+#include <QObject>
+#include <QStringList>
+
+namespace halbench::widgets {
+class LivePlotStack;
+}
+
+namespace halbench::app {
+
+/// What a trigger says of itself: in short, and all of it.
+struct TriggerWords {
+    QString words;
+    QString sentence;
+    widgets::Role role = widgets::Role::Muted;
+};
+
+/// The board's own capture in the Monitor's plots (resources/help/monitor.md, "Trigger"): what the board
+/// caught takes the place of the live samples, with zero at the event, until stop(). The live ones are kept
+/// meanwhile as ever.
+class MonitorCapture : public QObject {
+    Q_OBJECT
+
+public:
+    MonitorCapture(Workbench& bench, widgets::LivePlotStack& stack, QObject* parent);
+
+    /// With the first signals of the plots, as many as the board takes. What is shown stays until the next.
+    void start(const TriggerChoice& choice);
+    void again();
+    /// The live samples are shown again.
+    void stop();
+    void plotsChanged();
+    bool isOn() const { return m_isOn; }
+    bool isShown() const { return m_isShown; }
+    /// `event`: what is waited for.
+    TriggerWords words(const QString& event) const;
+
+    /// Why a connected device cannot do it; empty: it can.
+    static QString obstacle(const devices::Catalogue& catalogue);
+
+Q_SIGNALS:
+    void changed();
+    void shown(); ///< another one
+
+private:
+    std::vector<std::string> capturable() const;
+    void begin();
+    void take();
+    void show();
+    void enter();
+    QString whatIsCaught() const;
+
+    Workbench& m_bench;
+    widgets::LivePlotStack& m_stack;
+    LoopCapture m_capture;
+    TriggerChoice m_choice;
+    control::SampleHistory m_history;
+    std::vector<widgets::PlotMarker> m_liveMarkers; ///< and the view, while this one is shown
+    control::TimeRange m_liveView;
+    bool m_isOn = false;
+    bool m_isShown = false;
+    bool m_isOwed = false; ///< caught, not shown: the view is paused
+};
+
+} // namespace halbench::app
