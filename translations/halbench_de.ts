@@ -4627,10 +4627,6 @@
         <translation>muss &apos;{}&apos;, &apos;{}&apos; oder &apos;{}&apos; sein</translation>
     </message>
     <message>
-        <source>unknown key &apos;{}&apos;; [monitor.trigger] has on, source, mode, slope, level, hysteresis, window_s, pre_trigger_ratio, hold_off_s</source>
-        <translation>unbekannter Schlüssel &apos;{}&apos;; [monitor.trigger] hat on, source, mode, slope, level, hysteresis, window_s, pre_trigger_ratio, hold_off_s</translation>
-    </message>
-    <message>
         <source>&apos;trigger&apos; must be a table, [monitor.trigger]</source>
         <translation>&apos;trigger&apos; muss eine Tabelle sein, [monitor.trigger]</translation>
     </message>
@@ -5257,6 +5253,30 @@
     <message>
         <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit</source>
         <translation>unbekannter Schlüssel „{}“; ein [[plot]] hat signals, min, max, unit, right, right_min, right_max, right_unit</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; [monitor.trigger] has on, source, mode, slope, level, hysteresis, window_s, pre_trigger_ratio, hold_off_s, board</source>
+        <translation>unbekannter Schlüssel &apos;{}&apos;; [monitor.trigger] hat on, source, mode, slope, level, hysteresis, window_s, pre_trigger_ratio, hold_off_s, board</translation>
+    </message>
+    <message>
+        <source>the board&apos;s capture was ended by somebody else</source>
+        <translation>die Aufnahme des Steuergeräts wurde von anderer Seite beendet</translation>
+    </message>
+    <message>
+        <source>another program may be using it; wait again to start it anew</source>
+        <translation>ein anderes Programm benutzt sie vielleicht; erneut warten startet sie neu</translation>
+    </message>
+    <message>
+        <source>the board gave nothing of its full capture</source>
+        <translation>das Steuergerät gab nichts von seiner vollen Aufnahme</translation>
+    </message>
+    <message>
+        <source>the board&apos;s capture is in a state that is not known</source>
+        <translation>die Aufnahme des Steuergeräts ist in einem unbekannten Zustand</translation>
+    </message>
+    <message>
+        <source>update Halbench, or the board&apos;s firmware</source>
+        <translation>Halbench oder die Firmware des Steuergeräts aktualisieren</translation>
     </message>
 </context>
 <context>
@@ -7910,6 +7930,85 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::MonitorCapture</name>
+    <message>
+        <source>This board cannot capture by itself.</source>
+        <translation>Dieses Steuergerät kann nicht selbst aufnehmen.</translation>
+    </message>
+    <message>
+        <source>%1 at %2 Hz, %3 s from %4 s before the event</source>
+        <translation>%1 mit %2 Hz, %3 s ab %4 s vor dem Ereignis</translation>
+    </message>
+    <message>
+        <source>Held back</source>
+        <translation>Zurückgestellt</translation>
+    </message>
+    <message>
+        <source>A procedure has the device; the board&apos;s capture goes on after it</source>
+        <translation>Ein Ablauf hat das Gerät; die Aufnahme des Steuergeräts geht danach weiter</translation>
+    </message>
+    <message>
+        <source>Begins</source>
+        <translation>Beginnt</translation>
+    </message>
+    <message>
+        <source>The board is set up to capture %1</source>
+        <translation>Das Steuergerät wird eingestellt auf %1</translation>
+    </message>
+    <message>
+        <source>Fills</source>
+        <translation>Füllt</translation>
+    </message>
+    <message>
+        <source>The board captures what lies before the event: %1</source>
+        <translation>Das Steuergerät nimmt auf, was vor dem Ereignis liegt: %1</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
+        <source>The board waits until %1; captures %2</source>
+        <translation>Das Steuergerät wartet, bis %1; nimmt auf: %2</translation>
+    </message>
+    <message>
+        <source>Triggered</source>
+        <translation>Ausgelöst</translation>
+    </message>
+    <message>
+        <source>The event came; the board captures what follows</source>
+        <translation>Das Ereignis kam; das Steuergerät nimmt auf, was folgt</translation>
+    </message>
+    <message>
+        <source>Caught</source>
+        <translation>Gefangen</translation>
+    </message>
+    <message>
+        <source>Caught; it is read when the recording is over, so that no row is lost</source>
+        <translation>Gefangen; es wird gelesen, wenn die Aufzeichnung vorbei ist, damit keine Zeile verloren geht</translation>
+    </message>
+    <message>
+        <source>Reads, %1 %</source>
+        <translation>Liest, %1 %</translation>
+    </message>
+    <message>
+        <source>Reads the capture from the board, %1 %</source>
+        <translation>Liest die Aufnahme aus dem Steuergerät, %1 %</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Stopped after an event; Shift+T waits again; %1</source>
+        <translation>Angehalten nach einem Ereignis; Umschalt+T wartet erneut; %1</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::MonitorPanel</name>
     <message>
         <source>Plots</source>
@@ -9619,6 +9718,53 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::SpectrogramRange</name>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>Lowest [Hz]</source>
+        <translation>Unterste [Hz]</translation>
+    </message>
+    <message>
+        <source>The lowest frequency shown; empty: all</source>
+        <translation>Die unterste gezeigte Frequenz; leer: alle</translation>
+    </message>
+    <message>
+        <source>Highest [Hz]</source>
+        <translation>Oberste [Hz]</translation>
+    </message>
+    <message>
+        <source>The highest frequency shown; empty: all</source>
+        <translation>Die oberste gezeigte Frequenz; leer: alle</translation>
+    </message>
+    <message>
+        <source>Colours from</source>
+        <translation>Farben von</translation>
+    </message>
+    <message>
+        <source>The value of the darkest colour, in the unit of the scale; empty: by what is shown</source>
+        <translation>Der Wert der dunkelsten Farbe, in der Einheit der Skala; leer: nach dem, was gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Colours to</source>
+        <translation>Farben bis</translation>
+    </message>
+    <message>
+        <source>The value of the brightest colour, in the unit of the scale; empty: by what is shown</source>
+        <translation>Der Wert der hellsten Farbe, in der Einheit der Skala; leer: nach dem, was gezeigt wird</translation>
+    </message>
+    <message>
+        <source>The lowest frequency must be below the highest; all are shown.</source>
+        <translation>Die unterste Frequenz muss unter der obersten liegen; alle werden gezeigt.</translation>
+    </message>
+    <message>
+        <source>The colours must begin below their end; they follow what is shown.</source>
+        <translation>Die Farben müssen unter ihrem Ende beginnen; sie folgen dem, was gezeigt wird.</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::SpectrumFigure</name>
     <message>
         <source>amplitude</source>
@@ -9822,6 +9968,14 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>The arrow keys walk from the highest value, with Shift ten times as far; Ctrl+C copies the picture, Ctrl+E saves it</source>
         <translation>Die Pfeiltasten gehen vom höchsten Wert aus, mit Umschalt zehnmal so weit; Strg+C kopiert das Bild, Strg+E speichert es</translation>
     </message>
+    <message>
+        <source>dB</source>
+        <translation>dB</translation>
+    </message>
+    <message>
+        <source>The colours&apos; scale in dB, re 1 of the unit</source>
+        <translation>Die Skala der Farben in dB, bezogen auf 1 der Einheit</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::StopLatch</name>
@@ -9990,6 +10144,54 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>More settings of the trigger</source>
         <translation>Weitere Einstellungen des Triggers</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Live</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Reference start</source>
+        <translation>Start der Führungsgröße</translation>
+    </message>
+    <message>
+        <source>The board does not have it: it is derived here.</source>
+        <translation>Das Steuergerät hat es nicht: Es wird hier abgeleitet.</translation>
+    </message>
+    <message>
+        <source>Live: in the samples that are sent to the plots. Board: the board itself waits, captures up to 4 signals of the plots at the rate of its loop, 4096 rows, and they are read then</source>
+        <translation>Live: in den Messwerten, die an die Diagramme gesendet werden. Gerät: Das Steuergerät selbst wartet und nimmt bis zu 4 Signale der Diagramme im Regeltakt auf, 4096 Zeilen, die danach gelesen werden</translation>
+    </message>
+    <message>
+        <source>Live: in the samples that are sent to the plots. %1</source>
+        <translation>Live: in den Messwerten, die an die Diagramme gesendet werden. %1</translation>
+    </message>
+    <message>
+        <source>The board waits for its event and shows nothing without one.</source>
+        <translation>Das Steuergerät wartet auf sein Ereignis und zeigt ohne eines nichts.</translation>
+    </message>
+    <message>
+        <source>The board looks for one direction only.</source>
+        <translation>Das Steuergerät achtet nur auf eine Richtung.</translation>
+    </message>
+    <message>
+        <source>The board has none: every passing of the level is an event.</source>
+        <translation>Das Steuergerät hat keine: Jedes Durchlaufen des Pegels ist ein Ereignis.</translation>
+    </message>
+    <message>
+        <source>The board has none: it waits again once its capture is read.</source>
+        <translation>Das Steuergerät hat keine: Es wartet erneut, sobald seine Aufnahme gelesen ist.</translation>
+    </message>
+    <message>
+        <source>the reference starts</source>
+        <translation>die Führungsgröße startet</translation>
     </message>
 </context>
 <context>

@@ -4627,10 +4627,6 @@
         <translation>必须是 &apos;{}&apos;、&apos;{}&apos; 或 &apos;{}&apos;</translation>
     </message>
     <message>
-        <source>unknown key &apos;{}&apos;; [monitor.trigger] has on, source, mode, slope, level, hysteresis, window_s, pre_trigger_ratio, hold_off_s</source>
-        <translation>未知的键 &apos;{}&apos;；[monitor.trigger] 有 on、source、mode、slope、level、hysteresis、window_s、pre_trigger_ratio、hold_off_s</translation>
-    </message>
-    <message>
         <source>&apos;trigger&apos; must be a table, [monitor.trigger]</source>
         <translation>&apos;trigger&apos; 必须是表，[monitor.trigger]</translation>
     </message>
@@ -5257,6 +5253,30 @@
     <message>
         <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit</source>
         <translation>未知的键“{}”；[[plot]] 有 signals、min、max、unit、right、right_min、right_max、right_unit</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; [monitor.trigger] has on, source, mode, slope, level, hysteresis, window_s, pre_trigger_ratio, hold_off_s, board</source>
+        <translation>未知的键“{}”；[monitor.trigger] 有 on、source、mode、slope、level、hysteresis、window_s、pre_trigger_ratio、hold_off_s、board</translation>
+    </message>
+    <message>
+        <source>the board&apos;s capture was ended by somebody else</source>
+        <translation>控制板的捕获被其他程序结束</translation>
+    </message>
+    <message>
+        <source>another program may be using it; wait again to start it anew</source>
+        <translation>可能有另一个程序正在使用它；再次等待即可重新开始</translation>
+    </message>
+    <message>
+        <source>the board gave nothing of its full capture</source>
+        <translation>控制板没有给出其已完成的捕获</translation>
+    </message>
+    <message>
+        <source>the board&apos;s capture is in a state that is not known</source>
+        <translation>控制板的捕获处于未知状态</translation>
+    </message>
+    <message>
+        <source>update Halbench, or the board&apos;s firmware</source>
+        <translation>请更新 Halbench 或控制板的固件</translation>
     </message>
 </context>
 <context>
@@ -7905,6 +7925,85 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::MonitorCapture</name>
+    <message>
+        <source>This board cannot capture by itself.</source>
+        <translation>此控制板不能自行捕获。</translation>
+    </message>
+    <message>
+        <source>%1 at %2 Hz, %3 s from %4 s before the event</source>
+        <translation>%1，%2 Hz，共 %3 s，从事件前 %4 s 开始</translation>
+    </message>
+    <message>
+        <source>Held back</source>
+        <translation>暂缓</translation>
+    </message>
+    <message>
+        <source>A procedure has the device; the board&apos;s capture goes on after it</source>
+        <translation>过程正在使用设备；控制板的捕获在其后继续</translation>
+    </message>
+    <message>
+        <source>Begins</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>The board is set up to capture %1</source>
+        <translation>正在设置控制板以捕获 %1</translation>
+    </message>
+    <message>
+        <source>Fills</source>
+        <translation>填充中</translation>
+    </message>
+    <message>
+        <source>The board captures what lies before the event: %1</source>
+        <translation>控制板正在捕获事件之前的部分：%1</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>等待</translation>
+    </message>
+    <message>
+        <source>The board waits until %1; captures %2</source>
+        <translation>控制板等待：%1；捕获 %2</translation>
+    </message>
+    <message>
+        <source>Triggered</source>
+        <translation>已触发</translation>
+    </message>
+    <message>
+        <source>The event came; the board captures what follows</source>
+        <translation>事件已到来；控制板正在捕获其后的部分</translation>
+    </message>
+    <message>
+        <source>Caught</source>
+        <translation>已捕获</translation>
+    </message>
+    <message>
+        <source>Caught; it is read when the recording is over, so that no row is lost</source>
+        <translation>已捕获；记录结束后再读取，以免丢失任何一行</translation>
+    </message>
+    <message>
+        <source>Reads, %1 %</source>
+        <translation>读取中，%1 %</translation>
+    </message>
+    <message>
+        <source>Reads the capture from the board, %1 %</source>
+        <translation>正在从控制板读取捕获，%1 %</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>已停止</translation>
+    </message>
+    <message>
+        <source>Stopped after an event; Shift+T waits again; %1</source>
+        <translation>在一个事件后停止；Shift+T 再次等待；%1</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1；%2</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::MonitorPanel</name>
     <message>
         <source>Plots</source>
@@ -9611,6 +9710,53 @@ A real device has its own time.</source>
     </message>
 </context>
 <context>
+    <name>halbench::app::SpectrogramRange</name>
+    <message>
+        <source>automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>Lowest [Hz]</source>
+        <translation>最低 [Hz]</translation>
+    </message>
+    <message>
+        <source>The lowest frequency shown; empty: all</source>
+        <translation>显示的最低频率；空：全部</translation>
+    </message>
+    <message>
+        <source>Highest [Hz]</source>
+        <translation>最高 [Hz]</translation>
+    </message>
+    <message>
+        <source>The highest frequency shown; empty: all</source>
+        <translation>显示的最高频率；空：全部</translation>
+    </message>
+    <message>
+        <source>Colours from</source>
+        <translation>颜色从</translation>
+    </message>
+    <message>
+        <source>The value of the darkest colour, in the unit of the scale; empty: by what is shown</source>
+        <translation>最暗颜色对应的值，以标尺的单位表示；空：由所显示的内容决定</translation>
+    </message>
+    <message>
+        <source>Colours to</source>
+        <translation>颜色到</translation>
+    </message>
+    <message>
+        <source>The value of the brightest colour, in the unit of the scale; empty: by what is shown</source>
+        <translation>最亮颜色对应的值，以标尺的单位表示；空：由所显示的内容决定</translation>
+    </message>
+    <message>
+        <source>The lowest frequency must be below the highest; all are shown.</source>
+        <translation>最低频率必须低于最高频率；现显示全部频率。</translation>
+    </message>
+    <message>
+        <source>The colours must begin below their end; they follow what is shown.</source>
+        <translation>颜色的起点必须低于终点；现按所显示的内容确定。</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::SpectrumFigure</name>
     <message>
         <source>amplitude</source>
@@ -9813,6 +9959,14 @@ A real device has its own time.</source>
         <source>The arrow keys walk from the highest value, with Shift ten times as far; Ctrl+C copies the picture, Ctrl+E saves it</source>
         <translation>方向键从最大值开始移动，按住 Shift 时移动十倍；Ctrl+C 复制图片，Ctrl+E 保存</translation>
     </message>
+    <message>
+        <source>dB</source>
+        <translation>dB</translation>
+    </message>
+    <message>
+        <source>The colours&apos; scale in dB, re 1 of the unit</source>
+        <translation>颜色标尺以 dB 表示，以单位的 1 为基准</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::StopLatch</name>
@@ -9981,6 +10135,54 @@ A real device has its own time.</source>
     <message>
         <source>More settings of the trigger</source>
         <translation>触发的更多设置</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>实时</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>控制板</translation>
+    </message>
+    <message>
+        <source>Reference start</source>
+        <translation>参考启动</translation>
+    </message>
+    <message>
+        <source>The board does not have it: it is derived here.</source>
+        <translation>控制板没有该信号：它在此处派生。</translation>
+    </message>
+    <message>
+        <source>Live: in the samples that are sent to the plots. Board: the board itself waits, captures up to 4 signals of the plots at the rate of its loop, 4096 rows, and they are read then</source>
+        <translation>实时：在发送到曲线图的样本中查找。控制板：由控制板自己等待，以其回路速率捕获曲线图中最多 4 个信号，4096 行，然后读取</translation>
+    </message>
+    <message>
+        <source>Live: in the samples that are sent to the plots. %1</source>
+        <translation>实时：在发送到曲线图的样本中查找。%1</translation>
+    </message>
+    <message>
+        <source>The board waits for its event and shows nothing without one.</source>
+        <translation>控制板等待其事件，没有事件就不显示任何内容。</translation>
+    </message>
+    <message>
+        <source>The board looks for one direction only.</source>
+        <translation>控制板只查找一个方向。</translation>
+    </message>
+    <message>
+        <source>The board has none: every passing of the level is an event.</source>
+        <translation>控制板没有滞回：每次越过电平都是事件。</translation>
+    </message>
+    <message>
+        <source>The board has none: it waits again once its capture is read.</source>
+        <translation>控制板没有释抑：其捕获读完后再次等待。</translation>
+    </message>
+    <message>
+        <source>the reference starts</source>
+        <translation>参考启动</translation>
     </message>
 </context>
 <context>

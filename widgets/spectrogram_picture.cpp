@@ -31,9 +31,9 @@ std::optional<std::size_t> nearest(const std::vector<double>& middles, double at
 }
 
 /// What a pixel is drawn from: the cells with their middle in it, else the one that it lies in.
-std::pair<std::size_t, std::size_t> cellsOf(const std::vector<double>& middles, double at, double pixel,
+std::pair<std::size_t, std::size_t> cellsOf(const std::vector<double>& middles, double at, ValueRange pixel,
                                             double step) {
-    const auto [first, last] = inside(middles, at - 0.5 * pixel, at + 0.5 * pixel);
+    const auto [first, last] = inside(middles, pixel.low, pixel.high);
     if (first < last) {
         return {first, last};
     }
@@ -75,17 +75,60 @@ std::optional<std::size_t> SpectrogramPicture::lineAt(double at_Hz) const {
     return isEmpty() ? std::nullopt : nearest(frequency_Hz, at_Hz, lineStep_Hz());
 }
 
-SpectrogramCell highestCell(const SpectrogramPicture& picture) {
-    const auto highest = std::max_element(picture.values.begin(), picture.values.end());
-    const auto place = static_cast<std::size_t>(highest - picture.values.begin());
-    const std::size_t lines = picture.frequency_Hz.size();
-    return picture.isEmpty() ? SpectrogramCell{} : SpectrogramCell{place / lines, place % lines};
+ValueRange frequencyRange(const SpectrogramPicture& picture) {
+    const double half_Hz = 0.5 * picture.lineStep_Hz();
+    ValueRange all{picture.frequency_Hz.front() - half_Hz, picture.frequency_Hz.back() + half_Hz};
+    if (picture.isFrequencyLogarithmic && all.high > half_Hz) {
+        all.low = std::max(all.low, half_Hz); // without the line at zero
+    }
+    const ValueRange asked{std::max(all.low, picture.lowest_Hz.value_or(all.low)),
+                           std::min(all.high, picture.highest_Hz.value_or(all.high))};
+    const auto [first, end] = inside(picture.frequency_Hz, asked.low, std::nextafter(asked.high, all.high));
+    return first < end ? asked : all;
 }
 
-ValueRange colourRange(const SpectrogramPicture& picture) {
+std::pair<std::size_t, std::size_t> shownLines(const SpectrogramPicture& picture) {
+    const ValueRange range = frequencyRange(picture);
+    const auto [first, end] = inside(picture.frequency_Hz, range.low, std::nextafter(range.high, HUGE_VAL));
+    return first < end ? std::pair(first, end - 1)
+                       : std::pair(std::size_t{0}, picture.frequency_Hz.size() - 1);
+}
+
+SpectrogramCell highestCell(const SpectrogramPicture& picture) {
+    SpectrogramCell highest;
+    if (picture.isEmpty()) {
+        return highest;
+    }
+    const auto [first, last] = shownLines(picture);
+    highest.line = first;
+    for (std::size_t column = 0; column < picture.time_s.size(); ++column) {
+        for (std::size_t line = first; line <= last; ++line) {
+            if (picture.value(column, line) > picture.value(highest.column, highest.line)) {
+                highest = {column, line};
+            }
+        }
+    }
+    return highest;
+}
+
+namespace {
+
+std::vector<double> positiveValues(const SpectrogramPicture& picture) {
     std::vector<double> positive;
-    std::copy_if(picture.values.begin(), picture.values.end(), std::back_inserter(positive),
-                 [](double value) { return value > 0.0; });
+    const auto [first, last] =
+        picture.isEmpty() ? std::pair<std::size_t, std::size_t>() : shownLines(picture);
+    for (std::size_t column = 0; column < picture.time_s.size(); ++column) {
+        for (std::size_t line = first; line <= last; ++line) {
+            if (picture.value(column, line) > 0.0) {
+                positive.push_back(picture.value(column, line));
+            }
+        }
+    }
+    return positive;
+}
+
+ValueRange fittingColours(const SpectrogramPicture& picture) {
+    std::vector<double> positive = positiveValues(picture);
     if (picture.isLogarithmic) {
         return decades(std::move(positive));
     }
@@ -97,14 +140,23 @@ ValueRange colourRange(const SpectrogramPicture& picture) {
     return {0.0, step * std::ceil(high / step)};
 }
 
+} // namespace
+
+ValueRange colourRange(const SpectrogramPicture& picture) {
+    const ValueRange fitting = fittingColours(picture);
+    const ValueRange asked{picture.darkest.value_or(fitting.low), picture.brightest.value_or(fitting.high)};
+    const bool isPossible = asked.low < asked.high && (!picture.isLogarithmic || asked.low > 0.0);
+    return isPossible ? asked : fitting;
+}
+
 SpectrogramRaster::SpectrogramRaster(std::shared_ptr<const SpectrogramPicture> picture)
     : m_picture(std::move(picture)) {
     const double column_s = m_picture->columnStep_s();
     const double line_Hz = m_picture->lineStep_Hz();
     setInterval(Qt::XAxis,
                 {m_picture->time_s.front() - 0.5 * column_s, m_picture->time_s.back() + 0.5 * column_s});
-    setInterval(Qt::YAxis, {m_picture->frequency_Hz.front() - 0.5 * line_Hz,
-                            m_picture->frequency_Hz.back() + 0.5 * line_Hz});
+    const ValueRange shown = frequencyRange(*m_picture);
+    setInterval(Qt::YAxis, {shown.low, shown.high});
     const ValueRange range = colourRange(*m_picture);
     setInterval(Qt::ZAxis, {range.low, range.high});
     m_column_s = column_s;
@@ -113,12 +165,20 @@ SpectrogramRaster::SpectrogramRaster(std::shared_ptr<const SpectrogramPicture> p
 
 void SpectrogramRaster::initRaster(const QRectF& area, const QSize& raster) {
     m_pixel_s = area.width() / std::max(1, raster.width());
-    m_pixel_Hz = area.height() / std::max(1, raster.height());
+    const double pixels = std::max(1, raster.height());
+    m_pixel_Hz = area.height() / pixels;
+    const bool hasRatio = m_picture->isFrequencyLogarithmic && area.top() > 0.0;
+    m_pixel_ratio = hasRatio ? std::pow(area.bottom() / area.top(), 0.5 / pixels) : 1.0;
 }
 
 double SpectrogramRaster::value(double time_s, double frequency_Hz) const {
-    const auto [firstColumn, endColumn] = cellsOf(m_picture->time_s, time_s, m_pixel_s, m_column_s);
-    const auto [firstLine, endLine] = cellsOf(m_picture->frequency_Hz, frequency_Hz, m_pixel_Hz, m_line_Hz);
+    const ValueRange moment{time_s - 0.5 * m_pixel_s, time_s + 0.5 * m_pixel_s};
+    const ValueRange band =
+        m_picture->isFrequencyLogarithmic
+            ? ValueRange{frequency_Hz / m_pixel_ratio, frequency_Hz * m_pixel_ratio}
+            : ValueRange{frequency_Hz - 0.5 * m_pixel_Hz, frequency_Hz + 0.5 * m_pixel_Hz};
+    const auto [firstColumn, endColumn] = cellsOf(m_picture->time_s, time_s, moment, m_column_s);
+    const auto [firstLine, endLine] = cellsOf(m_picture->frequency_Hz, frequency_Hz, band, m_line_Hz);
     double largest = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t column = firstColumn; column < endColumn; ++column) {
         for (std::size_t line = firstLine; line < endLine; ++line) {

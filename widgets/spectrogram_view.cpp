@@ -3,8 +3,8 @@
 #include "widgets/display_units.h"
 #include "widgets/picture_actions.h"
 #include "widgets/sequence_colours.h"
+#include "widgets/spectrogram_scales.h"
 #include "widgets/theme_style.h"
-#include "widgets/value_scale_draw.h"
 
 #include <QAccessible>
 #include <QAction>
@@ -40,38 +40,19 @@ constexpr int FarStep = 10; ///< with Shift
 constexpr int ScreenDots = 96;
 constexpr double PointsPerPixel = 72.0 / ScreenDots;
 
-/// Numbers over many decades.
-class ColourScaleDraw : public QwtScaleDraw {
-public:
-    QwtText label(double value) const override { return numberText(value, Digits); }
-};
-
-QString withUnit(const QString& quantity, const QString& unit) {
-    return unit.isEmpty() ? quantity : QStringLiteral("%1 [%2]").arg(quantity, unit);
-}
-
-QwtScaleDiv decadesOf(const QwtInterval& range) {
-    QList<double> ticks;
-    for (double power = std::round(std::log10(range.minValue())); power <= std::log10(range.maxValue()) + 0.5;
-         power += 1.0) {
-        ticks << std::pow(10.0, power);
-    }
-    return QwtScaleDiv(range.minValue(), range.maxValue(), {}, {}, ticks);
-}
-
 /// Into the interval; nothing where it would leave it at the start.
-std::size_t moved(std::size_t at, int by, std::size_t count) {
-    const auto last = static_cast<std::ptrdiff_t>(count) - 1;
-    return static_cast<std::size_t>(
-        std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(at) + by, 0, last));
+std::size_t moved(std::size_t at, int by, std::pair<std::size_t, std::size_t> range) {
+    return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(at) + by,
+                                                               static_cast<std::ptrdiff_t>(range.first),
+                                                               static_cast<std::ptrdiff_t>(range.second)));
 }
 
 } // namespace
 
 SpectrogramView::SpectrogramView(QWidget* parent)
     : QwtPlot(parent), m_raster(new QwtPlotSpectrogram), m_mark(new QwtPlotMarker),
-      m_timeScale(new ValueScaleDraw), m_frequencyScale(new ValueScaleDraw), m_copy(new QAction(this)),
-      m_export(new QAction(this)) {
+      m_timeScale(new ValueScaleDraw), m_frequencyScale(new FrequencyScaleDraw),
+      m_colourScale(new ColourScaleDraw), m_copy(new QAction(this)), m_export(new QAction(this)) {
     auto* area = new QwtPlotCanvas(this);
     area->setFrameStyle(QFrame::NoFrame);
     area->setBorderRadius(0.0);
@@ -84,7 +65,7 @@ SpectrogramView::SpectrogramView(QWidget* parent)
     setContentsMargins(Margin_px, Margin_px, Margin_px, Margin_px);
     setAxisScaleDraw(xBottom, m_timeScale);
     setAxisScaleDraw(yLeft, m_frequencyScale);
-    setAxisScaleDraw(yRight, new ColourScaleDraw);
+    setAxisScaleDraw(yRight, m_colourScale);
     enableAxis(yRight);
     axisWidget(yRight)->setColorBarEnabled(true);
     axisWidget(yRight)->setColorBarWidth(BarWidth_px);
@@ -110,7 +91,9 @@ void SpectrogramView::setPicture(SpectrogramPicture picture) {
     if (m_probe) {
         const auto column = m_picture->columnAt(before->time_s[m_probe->column]);
         const auto line = m_picture->lineAt(before->frequency_Hz[m_probe->line]);
-        m_probe = column && line ? std::optional(SpectrogramCell{*column, *line}) : std::nullopt;
+        const bool isShown =
+            line && *line >= shownLines(*m_picture).first && *line <= shownLines(*m_picture).second;
+        m_probe = column && isShown ? std::optional(SpectrogramCell{*column, *line}) : std::nullopt;
     }
     dress(currentTheme());
     setScales();
@@ -151,30 +134,51 @@ void SpectrogramView::setTitles(const Theme& theme) {
     axisWidget(yRight)->setMinBorderDist(fontMetrics().height(), fontMetrics().height());
     title(xBottom, tr("time [s]"));
     title(yLeft, tr("frequency [Hz]"));
-    title(yRight, withUnit(m_picture->quantity, m_picture->unit));
+    title(yRight, colourTitle(*m_picture));
+}
+
+/// Labels that an axis of this length has room for.
+int SpectrogramView::labelsIn(int room_px) const {
+    return std::max(2, room_px / (TickRoom_characters * fontMetrics().averageCharWidth()));
 }
 
 /// Ticks as far apart as their labels need.
 void SpectrogramView::setScales() {
     const QwtInterval empty(0.0, 1.0);
-    const auto scale = [&](int axis, ValueScaleDraw& draw, const QwtInterval& range, int room_px) {
-        const int count = std::max(2, room_px / (TickRoom_characters * fontMetrics().averageCharWidth()));
+    const auto scale = [&](int axis, ValueScaleDraw& draw, const QwtInterval& range, int count) {
         const double step = niceStep(range.width(), count);
         draw.setDecimals(decimalsOf(step));
+        setAxisScaleEngine(axis, new QwtLinearScaleEngine);
         setAxisScaleDiv(axis, divisionOf(range.minValue(), range.maxValue(), step));
     };
-    scale(xBottom, *m_timeScale, isEmpty() ? empty : m_raster->interval(Qt::XAxis), canvas()->width());
-    scale(yLeft, *m_frequencyScale, isEmpty() ? empty : m_raster->interval(Qt::YAxis), canvas()->height());
+    scale(xBottom, *m_timeScale, isEmpty() ? empty : m_raster->interval(Qt::XAxis),
+          labelsIn(canvas()->width()));
+    const QwtInterval lines = isEmpty() ? empty : m_raster->interval(Qt::YAxis);
+    const bool isLogarithmic = m_picture->isFrequencyLogarithmic && lines.minValue() > 0.0;
+    m_frequencyScale->setLogarithmic(isLogarithmic);
+    if (isLogarithmic) {
+        setAxisScaleEngine(yLeft, new QwtLogScaleEngine);
+        setAxisScaleDiv(yLeft, decadesOf(lines, labelsIn(canvas()->height())));
+    } else {
+        scale(yLeft, *m_frequencyScale, lines, labelsIn(canvas()->height()));
+    }
+    setColourScale();
+    replot();
+}
+
+void SpectrogramView::setColourScale() {
     const QwtInterval values = isEmpty() ? QwtInterval(0.1, 1.0) : m_raster->interval(Qt::ZAxis);
+    const int count = labelsIn(canvas()->height());
+    m_colourScale->setDecade_dB(m_picture->isLogarithmic ? m_picture->decade_dB : 0.0);
     if (m_picture->isLogarithmic) {
         setAxisScaleEngine(yRight, new QwtLogScaleEngine);
-        setAxisScaleDiv(yRight, decadesOf(values));
+        setAxisScaleDiv(yRight, m_picture->decade_dB > 0.0 ? decibelsOf(values, m_picture->decade_dB, count)
+                                                           : decadesOf(values, count));
     } else {
         setAxisScaleEngine(yRight, new QwtLinearScaleEngine);
         setAxisScaleDiv(yRight,
                         divisionOf(values.minValue(), values.maxValue(), niceStep(values.width(), 5)));
     }
-    replot();
 }
 
 void SpectrogramView::refreshWords() {
@@ -192,11 +196,20 @@ void SpectrogramView::refreshWords() {
     }
 }
 
+/// In dB too where the colours say it.
+QString SpectrogramView::valueText(double value) const {
+    const bool hasDecibels = m_picture->isLogarithmic && m_picture->decade_dB > 0.0 && value > 0.0;
+    return hasDecibels
+               ? QStringLiteral("%1 dB, %2")
+                     .arg(fixedText(m_picture->decade_dB * std::log10(value), 1), numberText(value, Digits))
+               : numberText(value, Digits);
+}
+
 QString SpectrogramView::textOf(const SpectrogramCell& cell) const {
     return tr("%1 s, %2 Hz: %3 %4")
         .arg(fixedText(m_picture->time_s[cell.column], 3),
              numberText(m_picture->frequency_Hz[cell.line], Digits + 1),
-             numberText(m_picture->value(cell.column, cell.line), Digits), m_picture->unit)
+             valueText(m_picture->value(cell.column, cell.line)), m_picture->unit)
         .trimmed();
 }
 
@@ -230,7 +243,8 @@ void SpectrogramView::showMark() {
     words.setBorderPen(theme.line);
     m_mark->setLabel(words);
     const bool isRight = 2 * m_probe->column > m_picture->time_s.size();
-    const bool isHigh = 2 * m_probe->line > m_picture->frequency_Hz.size();
+    const auto [first, last] = shownLines(*m_picture);
+    const bool isHigh = 2 * m_probe->line > first + last;
     m_mark->setLabelAlignment((isRight ? Qt::AlignLeft : Qt::AlignRight) |
                               (isHigh ? Qt::AlignBottom : Qt::AlignTop));
 }
@@ -256,8 +270,8 @@ void SpectrogramView::keyPressEvent(QKeyEvent* event) {
         QwtPlot::keyPressEvent(event); // Esc stops the motor, it belongs to the window
         return;
     }
-    probe(m_probe ? SpectrogramCell{moved(m_probe->column, right, m_picture->time_s.size()),
-                                    moved(m_probe->line, up, m_picture->frequency_Hz.size())}
+    probe(m_probe ? SpectrogramCell{moved(m_probe->column, right, {0, m_picture->time_s.size() - 1}),
+                                    moved(m_probe->line, up, shownLines(*m_picture))}
                   : highestCell(*m_picture));
 }
 

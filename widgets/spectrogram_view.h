@@ -17,6 +17,8 @@ class QwtPlotSpectrogram;
 
 namespace halbench::widgets {
 
+class ColourScaleDraw;
+class FrequencyScaleDraw;
 class ValueScaleDraw;
 
 /// A spectrogram on the screen: frequency over time in colours, with their scale at the right. The value
@@ -58,10 +60,13 @@ protected:
 private:
     void dress(const Theme& theme);
     void setTitles(const Theme& theme);
+    int labelsIn(int room_px) const;
     void setScales();
+    void setColourScale();
     void refreshWords();
     void probe(std::optional<SpectrogramCell> cell);
     void showMark();
+    QString valueText(double value) const;
     QString textOf(const SpectrogramCell& cell) const;
     QByteArray drawn(PictureFormat format);
 
@@ -70,7 +75,8 @@ private:
     QwtPlotSpectrogram* m_raster = nullptr;
     QwtPlotMarker* m_mark = nullptr;
     ValueScaleDraw* m_timeScale = nullptr;
-    ValueScaleDraw* m_frequencyScale = nullptr;
+    FrequencyScaleDraw* m_frequencyScale = nullptr;
+    ColourScaleDraw* m_colourScale = nullptr;
     QAction* m_copy = nullptr;
     QAction* m_export = nullptr;
 };

@@ -35,6 +35,10 @@ Result<control::Spectrogram> spectrogramOf(const SignalStretch& stretch, control
     return control::spectrogram({open.time_s, open.values, open.unit}, config);
 }
 
+double decade_dB(control::SpectrumScale scale) {
+    return scale == control::SpectrumScale::Density ? 10.0 : 20.0; // of a power, of an amplitude
+}
+
 widgets::SpectrogramPicture spectrogramPicture(const control::Spectrogram& spectrogram,
                                                control::SpectrumScale scale, const SpectrumLook& look) {
     widgets::SpectrogramPicture picture;
@@ -42,6 +46,15 @@ widgets::SpectrogramPicture spectrogramPicture(const control::Spectrogram& spect
     picture.quantity = spectrumQuantity(scale);
     picture.unit = spectrumUnitText(look.quantity.unit, scale);
     picture.isLogarithmic = look.isValueLogarithmic;
+    picture.isFrequencyLogarithmic = look.isFrequencyLogarithmic;
+    picture.lowest_Hz = look.lowest_Hz;
+    picture.highest_Hz = look.highest_Hz;
+    picture.decade_dB = look.isDecibel && look.isValueLogarithmic ? decade_dB(scale) : 0.0;
+    const auto shown = [&picture](std::optional<double> end) {
+        return end && picture.decade_dB > 0.0 ? std::pow(10.0, *end / picture.decade_dB) : end;
+    };
+    picture.darkest = shown(look.darkest);
+    picture.brightest = shown(look.brightest);
     picture.time_s = spectrogram.time_s;
     picture.frequency_Hz = spectrogram.frequency_Hz;
     const double factor = spectrumFactor(look.quantity.factor, scale);

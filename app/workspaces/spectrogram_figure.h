@@ -10,6 +10,9 @@ namespace halbench::app {
 /// of N rows 2 sqrt(N) each. Errors: those of control::spectrogram().
 Result<control::Spectrogram> spectrogramOf(const SignalStretch& stretch, control::SpectrumConfig config);
 
+/// How many dB ten times as much is.
+double decade_dB(control::SpectrumScale scale);
+
 /// The picture, in the unit shown.
 widgets::SpectrogramPicture spectrogramPicture(const control::Spectrogram& spectrogram,
                                                control::SpectrumScale scale, const SpectrumLook& look);

@@ -6,6 +6,7 @@
 
 #include <QString>
 
+#include <optional>
 #include <vector>
 
 namespace halbench::app {
@@ -16,6 +17,12 @@ struct SpectrumLook {
     DisplayQuantity quantity;
     bool isFrequencyLogarithmic = false;
     bool isValueLogarithmic = true;
+    // of a spectrogram:
+    bool isDecibel = false;               ///< the colours' scale, where it is logarithmic
+    std::optional<double> lowest_Hz = {}; ///< ends of what is shown; none: of the lines
+    std::optional<double> highest_Hz = {};
+    std::optional<double> darkest = {}; ///< ends of the colours, as shown or in dB
+    std::optional<double> brightest = {};
 };
 
 /// "mT", "mT²/Hz", "mT/√Hz"; differences of temperatures are in K.

@@ -5,6 +5,7 @@
 #include "app/workspaces/signal_box.h"
 #include "app/workspaces/signal_stretch.h"
 #include "app/workspaces/spectrogram_figure.h"
+#include "app/workspaces/spectrogram_range.h"
 #include "widgets/display_units.h"
 #include "widgets/figure_view.h"
 #include "widgets/quantity_edit.h"
@@ -54,6 +55,10 @@ QWidget* SpectrumPanel::buildContent() {
     buildBoxes(*grid);
     buildNumbers(*grid);
     column->addWidget(grid);
+    m_range = new SpectrogramRange(content);
+    m_range->hide();
+    connect(m_range, &SpectrogramRange::edited, this, &SpectrumPanel::showAgain);
+    column->addWidget(m_range);
     auto* bar = new QToolBar(tr("Spectrum"), content);
     bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
     m_logFrequency =
@@ -62,6 +67,8 @@ QWidget* SpectrumPanel::buildContent() {
     m_overTime =
         addSwitch(*bar, tr("Over time"),
                   tr("Spectrogram: spectra of the segments beside each other, in colours"), "O", false);
+    m_decibel = addSwitch(*bar, tr("dB"), tr("The colours' scale in dB, re 1 of the unit"), "D", false);
+    m_decibel->setEnabled(false);
     m_hold = addSwitch(*bar, tr("Hold"), tr("Keep the spectrum as it is; the data go on"), "H", false);
     column->addWidget(bar);
     column->addWidget(buildPictures(content), 1);
@@ -159,9 +166,11 @@ QAction* SpectrumPanel::addSwitch(QToolBar& bar, const QString& text, const QStr
 
 /// The same numbers in another look.
 void SpectrumPanel::showAgain() {
+    m_decibel->setEnabled(m_overTime->isChecked() && m_logValue->isChecked());
     if (m_spectrum) {
         showSpectrum(*m_spectrum, look());
     } else if (m_spectrogram) {
+        dressRange();
         showSpectrogram(*m_spectrogram, look());
     }
 }
@@ -172,7 +181,8 @@ void SpectrumPanel::showOverTime(bool isOverTime) {
     m_spectrum.reset();
     m_spectrogram.reset();
     m_pictures->setCurrentIndex(isOverTime ? 1 : 0);
-    m_logFrequency->setEnabled(!isOverTime);
+    m_range->setVisible(isOverTime);
+    m_decibel->setEnabled(isOverTime && m_logValue->isChecked());
     if (hadFocus && isOverTime) {
         m_gram->setFocus();
     } else if (hadFocus) {
@@ -207,11 +217,12 @@ void SpectrumPanel::compute() {
 }
 
 void SpectrumPanel::computeOverTime() {
+    dressRange();
     task().run([stretch = lastStretch(bench().history(), m_signal->signal(), m_stretch->value(), MostRows),
                 config = config()] { return spectrogramOf(stretch, config); },
-               [this, look = look()](const Result<control::Spectrogram>& spectrogram) {
+               [this](const Result<control::Spectrogram>& spectrogram) {
                    m_spectrogram = spectrogram ? std::optional(*spectrogram) : std::nullopt;
-                   showSpectrogram(spectrogram, look);
+                   showSpectrogram(spectrogram, look()); // as it is wanted by now
                });
 }
 
@@ -232,7 +243,17 @@ SpectrumLook SpectrumPanel::look() const {
     look.quantity = shown(*m_signal);
     look.isFrequencyLogarithmic = m_logFrequency->isChecked();
     look.isValueLogarithmic = m_logValue->isChecked();
+    look.isDecibel = m_decibel->isChecked();
+    m_range->put(look);
     return look;
+}
+
+/// The ends of the colours are in the unit of their scale.
+void SpectrumPanel::dressRange() {
+    const auto scale = static_cast<control::SpectrumScale>(m_scale->currentIndex());
+    const bool isDecibel = m_decibel->isChecked() && m_logValue->isChecked();
+    m_range->setValueUnit(m_signal->currentText() + spectrumUnitText(shown(*m_signal).unit, scale),
+                          isDecibel ? decade_dB(scale) : 0.0);
 }
 
 /// A refusal leaves the picture empty and says what to do.
@@ -257,10 +278,11 @@ void SpectrumPanel::showSpectrogram(const Result<control::Spectrogram>& spectrog
         sayWarning(spectrogram.error());
         return;
     }
-    showRole(*m_words, widgets::Role::Muted);
+    const QString problem = m_range->problem();
+    showRole(*m_words, problem.isEmpty() ? widgets::Role::Muted : widgets::Role::Warn);
     const control::SpectrumConfig shown = config();
     m_gram->setPicture(spectrogramPicture(*spectrogram, shown.scale, look));
-    m_words->setText(spectrogramWords(*spectrogram, shown.window));
+    m_words->setText(problem.isEmpty() ? spectrogramWords(*spectrogram, shown.window) : problem);
 }
 
 void SpectrumPanel::showPeaks(const std::vector<SpectrumPeak>& peaks, const QString& unit) {

@@ -17,6 +17,7 @@ class SpectrogramView;
 namespace halbench::app {
 
 class FieldGrid;
+class SpectrogramRange;
 
 /// Which frequencies are in a signal, live: of its last seconds, computed on another thread four times a
 /// second at most; all at once or over time (resources/help/monitor.md, "Spectrum").
@@ -42,6 +43,7 @@ private:
     void showOverTime(bool isOverTime);
     void showSpectrogram(const Result<control::Spectrogram>& spectrogram, const SpectrumLook& look);
     void showAgain();
+    void dressRange();
     void showSpectrum(const Result<control::Spectrum>& spectrum, const SpectrumLook& look);
     void showPeaks(const std::vector<SpectrumPeak>& peaks, const QString& unit);
     control::SpectrumConfig config() const;
@@ -57,6 +59,8 @@ private:
     QAction* m_logValue = nullptr;
     QAction* m_hold = nullptr;
     QAction* m_overTime = nullptr;
+    QAction* m_decibel = nullptr;
+    SpectrogramRange* m_range = nullptr;
     QStackedWidget* m_pictures = nullptr;
     widgets::SpectrogramView* m_gram = nullptr;
     widgets::FigureView* m_view = nullptr;

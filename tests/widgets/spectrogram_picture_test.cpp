@@ -92,6 +92,76 @@ TEST(SpectrogramRasterTest, aPixelShowsTheLargestOfItsCells) {
     EXPECT_EQ(raster.value(1.5, 10.0), 50.0);
 }
 
+/// 100 lines of 1 Hz, each with its number as its value.
+SpectrogramPicture ladder() {
+    SpectrogramPicture picture;
+    picture.time_s = {1.0, 2.0};
+    for (int column = 0; column < 2; ++column) {
+        for (int line = 0; line <= 100; ++line) {
+            if (column == 0) {
+                picture.frequency_Hz.push_back(line);
+            }
+            picture.values.push_back(line);
+        }
+    }
+    return picture;
+}
+
+// A pixel of a logarithmic axis of 3 pixels a decade reaches from f to 10^(1/3) f: at its lower end less than
+// a line, at its upper end many.
+TEST(SpectrogramRasterTest, onALogarithmicAxisAPixelIsAsWideAsItsPlaceSays) {
+    SpectrogramPicture picture = ladder();
+    picture.isFrequencyLogarithmic = true;
+    picture.lowest_Hz = 1.0;
+    picture.highest_Hz = 100.0;
+    SpectrogramRaster raster = rasterOf(picture);
+    EXPECT_EQ(raster.interval(Qt::YAxis), QwtInterval(1.0, 100.0));
+    raster.initRaster(QRectF(0.5, 1.0, 2.0, 99.0), QSize(2, 6)); // 2 decades
+    const double half = std::pow(10.0, 1.0 / 6.0);
+    for (int pixel = 0; pixel < 6; ++pixel) {
+        const double middle_Hz = std::pow(10.0, (pixel + 0.5) / 3.0);
+        // The largest line below the pixel's upper end, or the nearest where there is none in it.
+        const double inside = std::ceil(middle_Hz * half - 1e-9) - 1.0;
+        const double expected = inside >= middle_Hz / half ? inside : std::round(middle_Hz);
+        EXPECT_EQ(raster.value(1.0, middle_Hz), expected) << pixel;
+    }
+}
+
+TEST(SpectrogramPictureTest, aLogarithmicAxisBeginsAboveTheLineAtZero) {
+    SpectrogramPicture picture = ladder();
+    EXPECT_EQ(frequencyRange(picture), (ValueRange{-0.5, 100.5}));
+    picture.isFrequencyLogarithmic = true;
+    EXPECT_EQ(frequencyRange(picture), (ValueRange{0.5, 100.5}));
+    EXPECT_EQ(shownLines(picture), (std::pair<std::size_t, std::size_t>(1, 100)));
+}
+
+TEST(SpectrogramPictureTest, whatIsHighestAndTheColoursAreThoseOfTheLinesShown) {
+    SpectrogramPicture picture = ladder();
+    picture.isLogarithmic = false;
+    picture.lowest_Hz = 5.0;
+    picture.highest_Hz = 20.0;
+    EXPECT_EQ(shownLines(picture), (std::pair<std::size_t, std::size_t>(5, 20)));
+    EXPECT_EQ(highestCell(picture), (SpectrogramCell{0, 20}));
+    EXPECT_EQ(colourRange(picture), (ValueRange{0.0, 20.0}));
+    picture.brightest = 12.5;
+    EXPECT_EQ(colourRange(picture), (ValueRange{0.0, 12.5}));
+    picture.darkest = 13.0; // above the end
+    EXPECT_EQ(colourRange(picture), (ValueRange{0.0, 20.0}));
+    picture.isLogarithmic = true;
+    picture.brightest.reset();
+    picture.darkest = -1.0; // has no logarithm
+    EXPECT_EQ(colourRange(picture), (ValueRange{1.0, 100.0}));
+}
+
+TEST(SpectrogramPictureTest, endsWithoutALineBetweenThemAreNone) {
+    SpectrogramPicture picture = ladder();
+    picture.lowest_Hz = 30.2;
+    picture.highest_Hz = 30.7;
+    EXPECT_EQ(frequencyRange(picture), (ValueRange{-0.5, 100.5}));
+    picture.highest_Hz = 10.0;
+    EXPECT_EQ(frequencyRange(picture), (ValueRange{-0.5, 100.5}));
+}
+
 TEST(SpectrogramPictureTest, findsWhereAValueIs) {
     const SpectrogramPicture picture = small();
     EXPECT_EQ(highestCell(picture), (SpectrogramCell{1, 1}));

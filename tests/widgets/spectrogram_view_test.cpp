@@ -11,6 +11,8 @@
 #include <QtTest/QTest>
 #include <qwt_scale_widget.h>
 
+#include <cmath>
+
 namespace halbench::widgets {
 namespace {
 
@@ -70,6 +72,61 @@ TEST_F(SpectrogramViewTest, whatIsLoudIsBrightAndAtItsPlace) {
     EXPECT_EQ(colourAt(11.0, 50.0).rgb(), colours.rgb({0.01, 10.0}, 3.0));
     EXPECT_EQ(colourAt(10.0, 50.0).rgb(), colours.rgb({0.01, 10.0}, 0.01));
     EXPECT_EQ(colourAt(11.0, 80.0).rgb(), colours.rgb({0.01, 10.0}, 0.01));
+}
+
+TEST_F(SpectrogramViewTest, aLogarithmicFrequencyHasTheLineAtItsPlace) {
+    SpectrogramPicture picture = tone();
+    picture.isFrequencyLogarithmic = true;
+    view.setPicture(picture);
+    // 5 Hz to 105 Hz: half a line beyond the outermost ones, without that at zero.
+    EXPECT_DOUBLE_EQ(view.axisScaleDiv(QwtPlot::yLeft).lowerBound(), 5.0);
+    const double height = view.canvas()->height() - 1.0;
+    const double expected_px = height * (1.0 - std::log(50.0 / 5.0) / std::log(105.0 / 5.0));
+    EXPECT_NEAR(view.transform(QwtPlot::yLeft, 50.0), expected_px, 1.5); // of whole pixels
+    const SequenceColours colours(true);
+    EXPECT_EQ(colourAt(11.0, 50.0).rgb(), colours.rgb({0.01, 10.0}, 3.0));
+    EXPECT_EQ(colourAt(11.0, 46.0).rgb(), colours.rgb({0.01, 10.0}, 3.0)); // the line reaches to 45 Hz
+    EXPECT_EQ(colourAt(11.0, 43.0).rgb(), colours.rgb({0.01, 10.0}, 0.01));
+    EXPECT_TRUE(view.axisScaleDiv(QwtPlot::yLeft).ticks(QwtScaleDiv::MajorTick).contains(10.0));
+    EXPECT_EQ(view.axisTitle(QwtPlot::yLeft).text(), "frequency [Hz]");
+}
+
+TEST_F(SpectrogramViewTest, onlyTheFrequenciesBetweenTheEndsAreShown) {
+    SpectrogramPicture picture = tone();
+    picture.lowest_Hz = 30.0;
+    picture.highest_Hz = 70.0;
+    view.setPicture(picture);
+    EXPECT_DOUBLE_EQ(view.axisScaleDiv(QwtPlot::yLeft).lowerBound(), 30.0);
+    EXPECT_DOUBLE_EQ(view.axisScaleDiv(QwtPlot::yLeft).upperBound(), 70.0);
+    EXPECT_EQ(colourAt(11.0, 50.0).rgb(), SequenceColours(true).rgb({0.01, 10.0}, 3.0));
+    view.setFocus();
+    QTest::keyClick(&view, Qt::Key_Up); // at the highest value, 50 Hz
+    QTest::keyClick(&view, Qt::Key_Up, Qt::ShiftModifier);
+    EXPECT_TRUE(view.probeText().startsWith("11.000 s, 70 Hz")) << view.probeText().toStdString();
+}
+
+TEST_F(SpectrogramViewTest, theColoursAreSaidInDecibelsReOneOfTheUnitAndReachAsFarAsAsked) {
+    SpectrogramPicture picture = tone();
+    picture.decade_dB = 20.0;
+    picture.darkest = 0.1;    // -20 dB
+    picture.brightest = 10.0; // 20 dB
+    view.setPicture(picture);
+    EXPECT_EQ(view.axisTitle(QwtPlot::yRight).text(), "amplitude [dB re 1 mT]");
+    const QwtScaleDiv& ticks = view.axisScaleDiv(QwtPlot::yRight);
+    EXPECT_DOUBLE_EQ(ticks.lowerBound(), 0.1);
+    EXPECT_DOUBLE_EQ(ticks.upperBound(), 10.0);
+    QStringList labels;
+    for (const double at : ticks.ticks(QwtScaleDiv::MajorTick)) {
+        labels << view.axisScaleDraw(QwtPlot::yRight)->label(at).text();
+    }
+    EXPECT_TRUE(labels.contains("-20") && labels.contains("0") && labels.contains("20"))
+        << labels.join(' ').toStdString();
+    const SequenceColours colours(true);
+    EXPECT_EQ(colourAt(11.0, 50.0).rgb(), colours.rgb({0.1, 10.0}, 3.0));
+    EXPECT_EQ(colourAt(10.0, 50.0).rgb(), colours.rgb({0.1, 10.0}, 0.1)); // below the darkest
+    view.setFocus();
+    QTest::keyClick(&view, Qt::Key_Up);
+    EXPECT_EQ(view.probeText(), "11.000 s, 50 Hz: 9.5 dB, 3 mT"); // 20 lg 3 = 9.54
 }
 
 TEST_F(SpectrogramViewTest, everyAxisHasQuantityAndUnit) {

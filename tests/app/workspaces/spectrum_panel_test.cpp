@@ -6,14 +6,17 @@
 #include "tests/app/workspaces/bench_fixture.h"
 #include "widgets/empty_state.h"
 #include "widgets/figure_view.h"
+#include "widgets/optional_number_edit.h"
 #include "widgets/quantity_edit.h"
 #include "widgets/spectrogram_view.h"
 
+#include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QTemporaryDir>
+#include <qwt_scale_div.h>
 
 #include <algorithm>
 #include <cmath>
@@ -283,6 +286,48 @@ TEST_F(SpectrumPanelTest, aKeySwitchesBetweenAllAtOnceAndOverTime) {
     QTest::keyClick(&gram(), Qt::Key_O);
     EXPECT_TRUE(view().isVisible());
     EXPECT_EQ(panel->focusWidget(), &view());
+}
+
+TEST_F(SpectrumPanelTest, theSpectrogramsEndsAreTypedAndItsColoursAreInDecibels) {
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(wait([&] { return !view().isEmpty(); }));
+    auto* lowest = find<widgets::OptionalNumberEdit>(*panel, "Lowest [Hz]");
+    auto* highest = find<widgets::OptionalNumberEdit>(*panel, "Highest [Hz]");
+    auto* darkest = find<widgets::OptionalNumberEdit>(*panel, "Colours from");
+    EXPECT_FALSE(lowest->isVisible());
+    view().setFocus();
+    QTest::keyClick(&view(), Qt::Key_O);
+    ASSERT_TRUE(wait([&] { return !gram().isEmpty(); })) << words().toStdString();
+    EXPECT_TRUE(lowest->isVisible());
+    const auto enter = [](QLineEdit* edit, const QString& text) {
+        type(edit, text);
+        QTest::keyClick(edit, Qt::Key_Return);
+    };
+    enter(lowest, "20");
+    enter(highest, "80");
+    EXPECT_EQ(widgets::frequencyRange(gram().picture()), (widgets::ValueRange{20.0, 80.0}));
+    EXPECT_DOUBLE_EQ(gram().axisScaleDiv(QwtPlot::yLeft).upperBound(), 80.0);
+    gram().setFocus();
+    QTest::keyClick(&gram(), Qt::Key_X);
+    EXPECT_TRUE(gram().picture().isFrequencyLogarithmic);
+    enter(darkest, "0.01");
+    EXPECT_DOUBLE_EQ(widgets::colourRange(gram().picture()).low, 0.01);
+    gram().setFocus();
+    QTest::keyClick(&gram(), Qt::Key_D);
+    EXPECT_EQ(gram().axisTitle(QwtPlot::yRight).text(), "amplitude [dB re 1 r/min]");
+    EXPECT_DOUBLE_EQ(*darkest->value(), -40.0); // 20 lg 0.01
+    EXPECT_NEAR(widgets::colourRange(gram().picture()).low, 0.01, 1e-15);
+    auto* scale = find<QComboBox>(*panel, "Shown as");
+    scale->setCurrentIndex(2); // a power
+    Q_EMIT scale->activated(2);
+    EXPECT_TRUE(wait([&] { return gram().picture().unit.endsWith("Hz"); }));
+    EXPECT_FALSE(darkest->value()) << "it was another quantity's";
+    EXPECT_EQ(gram().picture().decade_dB, 10.0);
+    enter(highest, "10");
+    EXPECT_TRUE(words().startsWith("The lowest frequency must be below the highest"))
+        << words().toStdString();
+    QTest::keyClick(&gram(), Qt::Key_O);
+    EXPECT_FALSE(lowest->isVisible());
 }
 
 TEST_F(SpectrumPanelTest, aSegmentLongerThanTheStretchIsRefusedInWords) {
