@@ -136,7 +136,7 @@ MonitorPicture::MonitorPicture(Workbench& bench, widgets::LivePlotStack& stack, 
 }
 
 widgets::Figure MonitorPicture::figure() const {
-    widgets::Figure figure = monitorFigure(m_stack, m_bench.history());
+    widgets::Figure figure = monitorFigure(m_stack, *m_stack.history());
     figure.title = tr("Plots of %1").arg(deviceKey(m_bench.session().info())).toStdString();
     return figure;
 }
