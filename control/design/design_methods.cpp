@@ -2,6 +2,7 @@
 
 #include "control/analysis/loop_functions.h"
 #include "control/base/units.h"
+#include "control/design/crossover_design.h"
 #include "control/design/rule_designs.h"
 
 #include <fmt/format.h>
@@ -140,36 +141,8 @@ Result<PositionLaw> designBandwidth(const PositionPlant& plant, const LoopTiming
     return withFeedForward(shapedGains(plant, speed), plant);
 }
 
-/// What a loop shall have where it crosses: K_I/K_P = integralRate_ratio times the crossover.
-struct CrossoverAim {
-    double phaseMargin_deg = 0.0;
-    double integralRate_ratio = 0.0;
-};
-constexpr double ShapeIntegralRate_ratio = 1.5 / 45.7; // of the recommended shape (htm-theory.md 8.4)
-
-/// Gains that put the loop on the unit circle at `crossover_rad_s` with the asked phase: two real equations
-/// for K_P and K_D.
-PidGains gainsAtCrossover(const PositionPlant& plant, const LoopTiming& timing, double crossover_rad_s,
-                          const CrossoverAim& aim) {
-    using Complex = std::complex<double>;
-    const double T = timing.period_s;
-    const Complex z = std::polar(1.0, crossover_rad_s * T);
-    const Complex withoutController = sampledPlant(plant, T).at(z) * std::pow(z, -timing.delay_samples);
-    const Complex wanted =
-        std::polar(1.0, degreesToRadians(aim.phaseMargin_deg - 180.0)) / withoutController; // C(z) asked for
-    const double integralRate_1_s = aim.integralRate_ratio * crossover_rad_s;
-    const Complex perProportional = 1.0 + T * integralRate_1_s / (z - 1.0);
-    const Complex perDerivative = (z - 1.0) / (T * z);
-    const double determinant =
-        perProportional.real() * perDerivative.imag() - perProportional.imag() * perDerivative.real();
-    PidGains gains;
-    gains.proportional =
-        (wanted.real() * perDerivative.imag() - wanted.imag() * perDerivative.real()) / determinant;
-    gains.derivative =
-        (perProportional.real() * wanted.imag() - perProportional.imag() * wanted.real()) / determinant;
-    gains.integral = integralRate_1_s * gains.proportional;
-    return gains;
-}
+/// K_I/K_P over the crossover of the recommended shape (htm-theory.md 8.4).
+constexpr double ShapeIntegralRate_ratio = 1.5 / 45.7;
 
 bool meetsPhaseMargin(const PositionPlant& plant, const LoopTiming& timing, const PidGains& gains,
                       double phaseMargin_deg) {
@@ -186,16 +159,15 @@ bool meetsPhaseMargin(const PositionPlant& plant, const LoopTiming& timing, cons
 /// K_P leaves the narrowest friction band. A margin bought with derivative action alone, K_P k well below the
 /// square of the crossover, makes a damper and not a position loop, and does not count.
 std::optional<PidGains> stiffestWithMargin(const PositionPlant& plant, const LoopTiming& timing,
-                                           double slowest_rad_s, double fastest_rad_s,
-                                           const CrossoverAim& aim) {
-    constexpr double LeastStiffness_ratio = 0.1; // 0.5 in the recommended loop
+                                           double slowest_rad_s, double fastest_rad_s, CrossoverAim aim) {
     std::optional<PidGains> best;
     for (double crossover_rad_s = fastest_rad_s; crossover_rad_s >= slowest_rad_s; crossover_rad_s *= 0.98) {
-        const PidGains gains = gainsAtCrossover(plant, timing, crossover_rad_s, aim);
+        aim.crossover_rad_s = crossover_rad_s;
+        const PidGains gains = gainsAtCrossover(plant, timing, aim);
         const double stiffness_ratio =
             gains.proportional * plant.accelerationGain_rad_s2_A / (crossover_rad_s * crossover_rad_s);
         const bool isStiffer = !best || gains.proportional > best->proportional;
-        if (isStiffer && stiffness_ratio >= LeastStiffness_ratio &&
+        if (isStiffer && stiffness_ratio >= crossover::LeastStiffness_ratio &&
             meetsPhaseMargin(plant, timing, gains, aim.phaseMargin_deg)) {
             best = gains;
         }
@@ -226,14 +198,15 @@ Result<PositionLaw> designPhaseMargin(const PositionPlant& plant, const LoopTimi
         return failure(ErrorCode::Usage, "method phase-margin needs a target margin",
                        "add --phase-margin-deg DEG");
     }
-    return designForMargin(plant, timing, targets, {*targets.phaseMargin_deg, ShapeIntegralRate_ratio});
+    return designForMargin(plant, timing, targets, {0.0, *targets.phaseMargin_deg, ShapeIntegralRate_ratio});
 }
 
 /// K_P + K_D is the lead that the board has: its zero at z = K_D/(K_P T + K_D), its pole at z = 0.
 Result<PositionLaw> designLead(const PositionPlant& plant, const LoopTiming& timing,
                                const DesignTargets& targets) {
     constexpr double UsualMargin_deg = 45.0;
-    return designForMargin(plant, timing, targets, {targets.phaseMargin_deg.value_or(UsualMargin_deg), 0.0});
+    return designForMargin(plant, timing, targets,
+                           {0.0, targets.phaseMargin_deg.value_or(UsualMargin_deg), 0.0});
 }
 
 PositionLaw preset(double proportional, double integral, GainUnit unit) {
