@@ -24,7 +24,6 @@ namespace {
 
 constexpr double PlainFont_px = 13.0; ///< of the application, at which the figure has its own size
 constexpr int LeastPanel_px = 44;     ///< two tick labels and their space
-constexpr double Reach_px = 14.0;
 constexpr int LeastWidth_px = 260;
 
 int heightOfPanels(const Figure& figure) {
@@ -67,7 +66,7 @@ FigureView::FigureView(QWidget* parent)
 
 void FigureView::setFigure(Figure figure) {
     const std::optional<double> before = m_probe ? abscissaOf(m_figure, *m_probe) : std::nullopt;
-    m_figure = std::move(figure);
+    m_figure = m_grip ? withAxesOf(std::move(figure), m_grip->drawn, m_grip->layout) : std::move(figure);
     if (m_probe && abscissaOf(m_figure, *m_probe) != before) {
         m_probe.reset();
     }
@@ -93,7 +92,7 @@ void FigureView::refreshWords() {
     }
     setAccessibleName(isEmpty() ? tr("Picture") : QString::fromStdString(m_figure.title));
     const QString summary = isEmpty() ? tr("Nothing to show yet") : figureSummary(m_figure);
-    setAccessibleDescription(m_probe ? probeText() : summary);
+    setAccessibleDescription(m_probe ? probeText() : summary + handleWords());
 }
 
 double FigureView::scale() const {
@@ -174,6 +173,7 @@ void FigureView::paintEvent(QPaintEvent*) {
         painter.setPen(QPen(currentTheme().accent, 2.0));
         painter.drawRect(QRectF(1.0, 1.0, width() / scale() - 2.0, height() / scale() - 2.0));
     }
+    drawHandles(painter, figure, layout);
     drawProbe(painter, figure, layout);
 }
 
@@ -226,16 +226,18 @@ void FigureView::changeEvent(QEvent* event) {
     }
 }
 
-void FigureView::mouseMoveEvent(QMouseEvent* event) {
+void FigureView::probeAt(const QPoint& at) {
+    constexpr double Reach_px = 14.0;
     if (!isEmpty()) {
         const Figure figure = stretched();
         const FigureLayout layout = layOut(figure, static_cast<int>(width() / scale()));
-        probe(nearestPoint(figure, layout, QPointF(event->pos()) / scale(), Reach_px));
+        probe(nearestPoint(figure, layout, QPointF(at) / scale(), Reach_px));
     }
 }
 
 void FigureView::leaveEvent(QEvent* event) {
     QWidget::leaveEvent(event);
+    showUnder(std::nullopt);
     if (!hasFocus()) {
         probe(std::nullopt);
     }
@@ -243,6 +245,9 @@ void FigureView::leaveEvent(QEvent* event) {
 
 void FigureView::keyPressEvent(QKeyEvent* event) {
     const bool isForward = event->key() == Qt::Key_Right;
+    if (step(*event)) {
+        return;
+    }
     if (isEmpty() || (!isForward && event->key() != Qt::Key_Left)) {
         QWidget::keyPressEvent(event); // Esc stops the motor, it belongs to the window
         return;

@@ -2,6 +2,7 @@
 
 #include "control/base/result.h"
 #include "widgets/figure_file.h"
+#include "widgets/figure_handle.h"
 #include "widgets/figure_probe.h"
 
 #include <QImage>
@@ -10,12 +11,15 @@
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace halbench::widgets {
 
 /// A figure on the screen, as tall as its widget: the same picture as in a report, in the colours of the
 /// current theme, sharp at every scale. The sample under the pointer, or walked to with the arrow keys, is
-/// said in words; Ctrl+C copies the picture, the context menu saves it.
+/// said in words; Ctrl+C copies the picture, the context menu saves it. Its handles are moved with the mouse
+/// or, with Ctrl, by the arrow keys; the axes stay as they are while one is held. Whoever owns the view moves
+/// them.
 /// Thread: GUI.
 class FigureView : public QWidget {
     Q_OBJECT
@@ -28,6 +32,13 @@ public:
     void clear();
     const Figure& figure() const { return m_figure; }
     bool isEmpty() const { return m_figure.panels.empty(); }
+
+    /// What can be moved. One that is held stays so as long as it is among them.
+    void setHandles(std::vector<FigureHandle> handles);
+    const std::vector<FigureHandle>& handles() const { return m_handles; }
+    bool isHeld() const { return m_grip.has_value(); }
+    /// Where a handle is, in pixels of the widget; nothing when it cannot be seen.
+    std::optional<QPoint> handlePlace(int handle) const;
 
     /// The sample that is marked, in words; empty when none is.
     QString probeText() const;
@@ -43,25 +54,48 @@ public:
 
 Q_SIGNALS:
     void exportRequested(); ///< whoever owns the view asks for a file and runs saving()
+    void handleTaken(int handle);
+    void handleMoved(int handle, double x, double y); ///< in the units of its panel's axes
+    void handleReleased(int handle);
+    void handleStepped(int handle, int steps); ///< by the keyboard; more is to the right or up
 
 protected:
     void paintEvent(QPaintEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    /// A handle in the hand.
+    struct Grip {
+        int handle;
+        QPointF offset; ///< of the handle from the pointer, in pixels of the figure
+        Figure drawn;   ///< when it was taken
+        FigureLayout layout;
+    };
     double scale() const;
     Figure stretched() const;
+    std::optional<int> handleUnder(const QPoint& at) const;
+    void showUnder(std::optional<int> handle);
+    void letGo();
+    bool step(const QKeyEvent& event);
+    void drawHandles(QPainter& painter, const Figure& figure, const FigureLayout& layout) const;
+    QString handleWords() const;
     Result<QByteArray> picture(PictureFormat format) const;
     void refresh();
     void refreshWords();
     void probe(std::optional<FigurePoint> point);
+    void probeAt(const QPoint& at);
     void drawProbe(QPainter& painter, const Figure& figure, const FigureLayout& layout) const;
 
     Figure m_figure;
     std::optional<FigurePoint> m_probe;
+    std::vector<FigureHandle> m_handles;
+    std::optional<int> m_under; ///< handle under the pointer
+    std::optional<Grip> m_grip;
     QPixmap m_drawn; ///< the picture without the mark; null when it must be drawn again
     QAction* m_copy = nullptr;
     QAction* m_export = nullptr;

@@ -81,6 +81,15 @@ QMenu::icon { padding-left: 8px; }
 QProgressBar { background: @raised@; border: 1px solid @line@; border-radius: 4px; text-align: center;
     color: @text@; min-height: 8px; max-height: 8px; }
 QProgressBar::chunk { background: @accent@; border-radius: 3px; }
+QSlider::groove:horizontal { background: @line@; height: 4px; border-radius: 2px; }
+QSlider::sub-page:horizontal { background: @accent@; border-radius: 2px; }
+QSlider::sub-page:horizontal:disabled { background: @line@; }
+QSlider::handle:horizontal { background: @accent@; border: 2px solid @panel@; width: 12px; margin: -6px 0px;
+    border-radius: 8px; }
+QSlider::handle:horizontal:hover { background: @accenthover@; }
+QSlider::handle:horizontal:disabled { background: @disabled@; }
+QSlider:focus { border: 2px solid @accent@; border-radius: 4px; }
+QSlider { border: 2px solid transparent; min-height: @inner@px; }
 QGroupBox { border: none; margin-top: @inner@px; padding-top: 4px; }
 QGroupBox::title { subcontrol-origin: margin; left: 0px; color: @muted@; }
 QSplitter::handle { background: @line@; }
