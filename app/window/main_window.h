@@ -65,6 +65,7 @@ private:
     void fillMenus();
     void fillFileMenu();
     void createProjects();
+    void fillEditMenu();
     void fillViewMenu();
     void createLanguageMenu(QMenu& menu);
     void fillHelpMenu();
@@ -112,6 +113,7 @@ private:
     ProjectWork* m_work = nullptr;
     TopBar* m_bar = nullptr;
     QMenu* m_fileMenu = nullptr;
+    QMenu* m_editMenu = nullptr;
     QMenu* m_viewMenu = nullptr;
     QMenu* m_helpMenu = nullptr;
     QActionGroup* m_themes = nullptr;

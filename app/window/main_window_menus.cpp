@@ -7,6 +7,7 @@
 #include "app/window/preferences_dialog.h"
 #include "app/window/project_menu.h"
 #include "app/window/unkept_bar.h"
+#include "app/workspaces/tune_panel.h"
 #include "widgets/phrasebook.h"
 #include "widgets/theme_style.h"
 
@@ -31,12 +32,14 @@ void check(const QActionGroup& group, const QVariant& choice) {
 /// Their titles only: what they hold is made with the panels.
 void MainWindow::createMenus() {
     m_fileMenu = menuBar()->addMenu(tr("&File"));
+    m_editMenu = menuBar()->addMenu(tr("&Edit"));
     m_viewMenu = menuBar()->addMenu(tr("&View"));
     m_helpMenu = menuBar()->addMenu(tr("&Help"));
 }
 
 void MainWindow::fillMenus() {
     fillFileMenu();
+    fillEditMenu();
     fillViewMenu();
     fillHelpMenu();
 }
@@ -92,6 +95,11 @@ void MainWindow::createProjects() {
     connect(m_project.get(), &ProjectSession::notKept, this, [this](const Error& error) {
         onMessage(widgets::Severity::Error, widgets::inWords(error.message), widgets::inWords(error.hint));
     });
+}
+
+/// Of the proposed gains; it says which change, whatever perspective is shown. Lists and tables have their own.
+void MainWindow::fillEditMenu() {
+    m_editMenu->addActions(static_cast<TunePanel*>(m_docks->panel("tune"))->historyActions());
 }
 
 void MainWindow::fillViewMenu() {

@@ -260,10 +260,16 @@ void DesignTable::refreshWords() {
 }
 
 bool DesignTable::eventFilter(QObject* watched, QEvent* event) {
-    if (watched != m_table || event->type() != QEvent::KeyPress) {
+    const bool isOverride = event->type() == QEvent::ShortcutOverride;
+    if (watched != m_table || (event->type() != QEvent::KeyPress && !isOverride)) {
         return QWidget::eventFilter(watched, event);
     }
     auto& key = static_cast<QKeyEvent&>(*event);
+    if (isOverride) { // the panel around has a history of its own: of the gains
+        const bool isOurs = key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
+        event->setAccepted(isOurs);
+        return isOurs;
+    }
     if (key.key() == Qt::Key_Escape) {
         event->ignore(); // Esc stops the motor
         return true;

@@ -34,6 +34,7 @@ LoopView::LoopView(QWidget* parent)
         m_choice->addItem(QString());
     }
     connect(m_choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &LoopView::show);
+    connectHandles();
     sayWords();
 }
 
@@ -49,6 +50,7 @@ void LoopView::sayWords() {
                             "what follows the reference. Root locus: the poles of the closed loop, and where "
                             "they go with the gain"));
     m_note->setText(tr("The closed loop is unstable: it has no sensitivity."));
+    m_picture->setHandles(handlesOf(view()));
 }
 
 void LoopView::setLoops(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present,
@@ -57,6 +59,7 @@ void LoopView::setLoops(const AnalysisResult& predicted, const std::optional<Ana
                  nyquistFigure(predicted, present, others), nicholsFigure(predicted, present, others),
                  sensitivityFigure(predicted, present, others).value_or(widgets::Figure{}),
                  rootLocusFigure(predicted, present, others)};
+    findGrips(predicted);
     show(m_choice->currentIndex());
 }
 
@@ -68,6 +71,7 @@ void LoopView::show(int view) {
     const widgets::Figure& figure = m_figures.at(static_cast<std::size_t>(view));
     m_note->setVisible(figure.panels.empty() && !m_figures.front().panels.empty());
     m_picture->setFigure(figure);
+    m_picture->setHandles(handlesOf(this->view()));
 }
 
 void LoopView::changeEvent(QEvent* event) {

@@ -1,10 +1,14 @@
 #pragma once
 
 #include "app/report/tuning_figures.h"
+#include "widgets/figure_handle.h"
 
 #include <QWidget>
 
 #include <array>
+#include <complex>
+#include <cstddef>
+#include <vector>
 
 class QComboBox;
 class QLabel;
@@ -15,7 +19,9 @@ class FigureView;
 
 namespace halbench::app {
 
-/// The open loop as the user wants to see it: Bode, Nyquist, Nichols, its sensitivity or its root locus.
+/// The open loop as the user wants to see it: Bode, Nyquist, Nichols, its sensitivity or its root locus. In
+/// Bode its crossover and its phase margin can be moved, in the root locus the poles of the closed loop along
+/// their branches; it only asks, whoever owns it changes the loop.
 class LoopView : public QWidget {
     Q_OBJECT
 public:
@@ -29,15 +35,38 @@ public:
     void setView(View view);
     widgets::FigureView& picture() { return *m_picture; }
 
+Q_SIGNALS:
+    void taken();
+    void released();
+    void crossoverMoved(double crossover_rad_s); ///< between taken() and released(), or by itself
+    void phaseMarginMoved(double phaseMargin_deg);
+    void gainMoved(double factor); ///< on the gains as they were when a pole was taken
+
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
     static constexpr std::size_t Views = 5;
+    /// What is known of the predicted loop where it can be taken.
+    struct Grips {
+        control::StabilityMargins margins;
+        double phase_deg = 0.0; ///< at the gain crossover, as the picture has it
+        control::RootLocus locus;
+        std::vector<std::complex<double>> poles; ///< of the closed loop, those that are handles
+    };
     void sayWords();
     void show(int view);
+    void connectHandles();
+    void findGrips(const AnalysisResult& predicted);
+    void take();
+    void move(int handle, double x, double y);
+    void step(int handle, int steps);
+    std::vector<widgets::FigureHandle> handlesOf(View view) const;
+    View view() const;
 
     std::array<widgets::Figure, Views> m_figures;
+    Grips m_grips;
+    Grips m_taken; ///< as they were then
     QLabel* m_label = nullptr;
     QComboBox* m_choice = nullptr;
     widgets::FigureView* m_picture = nullptr;

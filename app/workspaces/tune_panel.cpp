@@ -15,8 +15,10 @@
 #include "widgets/theme_style.h"
 
 #include <QEvent>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -28,6 +30,10 @@ enum Page { EmptyPage, WorkPage };
 
 /// Whose presets and surroundings count while no device is connected.
 constexpr const char* DefaultModel = "htm";
+
+bool isOfHistory(const QKeyEvent& key) {
+    return key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
+}
 
 std::string modelOf(const DeviceSession& session) {
     return session.state() == SessionState::Connected ? session.info().model : DefaultModel;
@@ -62,13 +68,17 @@ TunePanel::TunePanel(Workbench& bench, QWidget* parent)
 void TunePanel::connectParts() {
     connect(m_empty, &widgets::EmptyState::actionTriggered, this, &TunePanel::identifyRequested);
     connectDesigns();
+    createHistory();
+    connectShaping();
     connect(m_form, &TuneForm::chosen, this, [this] {
         forgetRestored();
+        recordChoice();
         ask();
     });
     connect(m_gains, &GainEditor::edited, this, [this] {
         forgetRestored();
         m_form->setEdited();
+        recordEdit();
         ask();
     });
     connect(m_preflight, &Preflight::changed, this, &TunePanel::refreshButtons);
@@ -90,6 +100,7 @@ void TunePanel::connectParts() {
     connect(&m_bench, &Workbench::identificationChanged, this, [this] {
         forgetVerification(); // it was predicted for the motor as it was
         refreshModel();
+        restartHistory();
     });
     connect(&m_bench, &Workbench::valuesChanged, this, &TunePanel::readConditions);
     connect(&m_bench, &Workbench::strayIntervalChanged, this, &TunePanel::ask);
@@ -134,12 +145,14 @@ void TunePanel::refreshModel() {
         forgetRestored(); // they were for another motor
     }
     m_shown.reset(); // it was proposed for the motor before
+    m_shaping.reset();
     forgetJudgements();
     if (!identification) {
         m_sketch.reset();
         m_early.reset();
         m_sketching.cancel();
         m_judging.cancel();
+        showShape();
         refreshButtons();
         return;
     }
@@ -277,6 +290,7 @@ void TunePanel::restoreDesign(std::optional<GainsFile> gains) {
                                 tr("Choose a method to design anew for the motor as it is now."),
                                 {}});
     }
+    restartHistory();
     ask();
 }
 
@@ -298,8 +312,12 @@ void TunePanel::shareWidth() {
 bool TunePanel::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_splitter && event->type() == QEvent::Resize) {
         QMetaObject::invokeMethod(this, &TunePanel::shareWidth, Qt::QueuedConnection);
-    } else if (watched != m_splitter && event->type() == QEvent::Resize) {
+    } else if (event->type() == QEvent::Resize && m_verificationRoom != nullptr &&
+               watched == m_verificationRoom->viewport()) {
         growVerification();
+    } else if (event->type() == QEvent::ShortcutOverride && isOfHistory(static_cast<QKeyEvent&>(*event))) {
+        event->ignore(); // else a number field takes the key for its own text
+        return true;
     }
     return QWidget::eventFilter(watched, event);
 }

@@ -5,10 +5,12 @@
 #include "app/procedures/apply_procedure.h"
 #include "app/workspaces/file_chooser.h"
 #include "app/workspaces/file_queue.h"
+#include "app/workspaces/gain_history.h"
 #include "app/workspaces/kept_designs.h"
 #include "app/workspaces/latest_task.h"
 #include "app/workspaces/tune_question.h"
 #include "app/workspaces/workbench.h"
+#include "control/design/crossover_design.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -19,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+class QAction;
 class QLabel;
 class QPushButton;
 class QScrollArea;
@@ -39,6 +42,7 @@ namespace halbench::app {
 class DesignTable;
 class ForeignMotorNotice;
 class GainEditor;
+class LoopSliders;
 class LoopView;
 class PageChooser;
 class Preflight;
@@ -67,6 +71,8 @@ public:
     void takeUpDesign(const std::string& name);
     /// What runs on the device lasts longer than its power from now on.
     void onSavedInDevice();
+    /// What was done to the proposed gains, taken back and done again; named after it.
+    const QList<QAction*>& historyActions() const { return m_historyActions; }
 
 Q_SIGNALS:
     void identifyRequested(); ///< there is no motor to tune yet
@@ -89,6 +95,17 @@ private:
         bool isSimulated = false;
     };
 
+    /// Gains in the hand of who moves a crossover, a margin or a pole.
+    struct Shaping {
+        control::PositionLaw law;                 ///< when it was taken
+        std::optional<control::CrossoverAim> aim; ///< what is wanted now; nothing: the loop does not cross
+        double factor = 1.0;                      ///< wanted on all gains of `law`
+        QString what;                             ///< is moved
+        enum class Kind { Crossover, Margin, Gain } kind = Kind::Crossover;
+        bool isWaiting = false; ///< until the picture of the last move is there
+        bool isHeld = false;    ///< until it is released; else a step of the keyboard
+    };
+
     void shareWidth();
     QWidget* buildSettings();
     QWidget* buildFigures();
@@ -96,6 +113,22 @@ private:
     QWidget* buildButtons();
     void connectParts();
     void connectDesigns();
+    void connectShaping();
+    bool startShaping(bool isHeld);
+    void shape(Shaping::Kind kind, double value);
+    void takeShape();
+    void endShaping();
+    Result<control::PositionLaw> shapedLaw();
+    void useEdited(const control::PositionLaw& law);
+    void showShape();
+    void createHistory();
+    GainChoice choiceNow() const;
+    void record(const QString& what, const QString& key = {});
+    void recordChoice();
+    void recordEdit();
+    void restartHistory();
+    void goTo(const GainChoice& choice);
+    void refreshHistory();
     void keepDesign();
     void takeUp(int kept);
     void compareDesigns();
@@ -150,6 +183,9 @@ private:
     std::optional<GainsFile> m_restored;              ///< of the project; until others are chosen
     std::optional<AnalysisResult> m_present;          ///< of the gains on the device, or before an apply
     KeptDesigns m_designs;
+    std::optional<Shaping> m_shaping;
+    GainHistory m_history;
+    QList<QAction*> m_historyActions;           ///< undo, redo
     std::map<std::string, JudgedLoop> m_judged; ///< kept designs by their document
     std::map<std::string, Error> m_unjudged;    ///< likewise: why not
     std::optional<Error> m_problem;             ///< why nothing is proposed
@@ -177,6 +213,7 @@ private:
     QLabel* m_model = nullptr;
     TuneForm* m_form = nullptr;
     GainEditor* m_gains = nullptr;
+    LoopSliders* m_sliders = nullptr;
     Preflight* m_preflight = nullptr;
     ForeignMotorNotice* m_foreign = nullptr;
     QLabel* m_outlook = nullptr; ///< what Apply and verify will do to the rotor

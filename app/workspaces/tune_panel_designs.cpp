@@ -2,9 +2,7 @@
 #include "app/batch/result_documents.h"
 #include "app/report/tuning_figures.h"
 #include "app/workspaces/design_table.h"
-#include "app/workspaces/gain_editor.h"
 #include "app/workspaces/loop_view.h"
-#include "app/workspaces/tune_form.h"
 #include "app/workspaces/tune_panel.h"
 #include "control/base/assert.h"
 #include "widgets/figure_view.h"
@@ -70,9 +68,9 @@ void TunePanel::takeUp(int kept) {
     if (!gains) {
         return;
     }
-    forgetRestored();
-    m_form->setEdited();
-    m_gains->setLaw(gains->law);
+    useEdited(gains->law);
+    record(
+        tr("Take up %1").arg(QString::fromStdString(m_designs.all()[static_cast<std::size_t>(kept)].name)));
     ask();
 }
 

@@ -3,6 +3,7 @@
 #include "app/workspaces/document_files.h"
 #include "app/workspaces/foreign_motor_notice.h"
 #include "app/workspaces/gain_editor.h"
+#include "app/workspaces/loop_sliders.h"
 #include "app/workspaces/loop_view.h"
 #include "app/workspaces/page_chooser.h"
 #include "app/workspaces/preflight.h"
@@ -53,6 +54,7 @@ QWidget* TunePanel::buildSettings() {
     m_model->setWordWrap(true);
     m_form = new TuneForm(page);
     m_gains = new GainEditor(page);
+    m_sliders = new LoopSliders(page);
     m_verdict = new widgets::VerdictView(page);
     m_verdict->setObjectName(QStringLiteral("design"));
     m_preflight = new Preflight(m_bench, page);
@@ -61,8 +63,8 @@ QWidget* TunePanel::buildSettings() {
     m_progress->hide();
     m_outlook = new QLabel(page);
     m_outlook->setWordWrap(true);
-    for (QWidget* part :
-         std::initializer_list<QWidget*>{m_model, m_form, m_gains, m_verdict, m_preflight, m_foreign}) {
+    for (QWidget* part : std::initializer_list<QWidget*>{m_model, m_sliders, m_form, m_gains, m_verdict,
+                                                         m_preflight, m_foreign}) {
         column->addWidget(part);
     }
     column->addStretch(1);
@@ -163,6 +165,7 @@ void TunePanel::refreshWords() {
     say(*m_save, tr("Save gains\u2026"), tr("Write the file that the program's analyse reads"));
     refreshOutlook();
     refreshMeasuredWords();
+    refreshHistory();
     m_figures->setTitle(m_loop, tr("Open loop"), tr("Bode, Nyquist and Nichols plot, and sensitivity"));
     m_figures->setTitle(m_large, tr("Step of %1").arg(angleText(LargeStep_rad, units)),
                         tr("A large step with friction and current limit"));

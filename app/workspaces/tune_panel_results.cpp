@@ -94,6 +94,11 @@ void TunePanel::showSketch(const Result<TuneSketch>& sketch) {
     m_present = sketch->present;
     m_sketch = *sketch;
     drawPredictions();
+    showShape();
+    if (m_shaping && m_shaping->isWaiting) {
+        takeShape(); // the hand went on meanwhile
+        return;
+    }
     showEarlyAnswer();
 }
 

@@ -202,7 +202,7 @@ TEST_F(MainWindowTest, quittingKeepsTheWindowWithItsStopUntilWhatRunsHasEnded) {
 TEST_F(MainWindowTest, theViewMenuHasThePanelsInOneOrder) {
     open();
     QStringList titles;
-    for (const QAction* action : window->menuBar()->actions().at(1)->menu()->actions()) {
+    for (const QAction* action : window->menuBar()->actions().at(2)->menu()->actions()) {
         if (action->isSeparator()) {
             break;
         }
