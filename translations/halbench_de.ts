@@ -6866,6 +6866,69 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::FrequencyFigures</name>
+    <message>
+        <source>phase margin</source>
+        <translation>Phasenreserve</translation>
+    </message>
+    <message>
+        <source>gain margin</source>
+        <translation>Amplitudenreserve</translation>
+    </message>
+    <message>
+        <source>Measured open loop</source>
+        <translation>Gemessener offener Kreis</translation>
+    </message>
+    <message>
+        <source>Measured plant: angle over current, rad/A</source>
+        <translation>Gemessene Strecke: Winkel über Strom, rad/A</translation>
+    </message>
+    <message>
+        <source>Measured closed loop</source>
+        <translation>Gemessener geschlossener Kreis</translation>
+    </message>
+    <message>
+        <source>coherence</source>
+        <translation>Kohärenz</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>measured, not coherent</source>
+        <translation>gemessen, nicht kohärent</translation>
+    </message>
+    <message>
+        <source>95 % of it</source>
+        <translation>95 % davon</translation>
+    </message>
+    <message>
+        <source>rotor that fits</source>
+        <translation>angepasster Rotor</translation>
+    </message>
+    <message>
+        <source>The excitation as recorded</source>
+        <translation>Die Anregung, wie aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>reference speed</source>
+        <translation>Drehzahl der Führungsgröße</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>current amplitude</source>
+        <translation>Stromamplitude</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::Freshness</name>
     <message>
         <source>No new values since %1</source>

@@ -6861,6 +6861,69 @@ its way to the one before (Ctrl+Shift+R)</source>
     </message>
 </context>
 <context>
+    <name>halbench::app::FrequencyFigures</name>
+    <message>
+        <source>phase margin</source>
+        <translation>相位裕度</translation>
+    </message>
+    <message>
+        <source>gain margin</source>
+        <translation>幅值裕度</translation>
+    </message>
+    <message>
+        <source>Measured open loop</source>
+        <translation>实测开环</translation>
+    </message>
+    <message>
+        <source>Measured plant: angle over current, rad/A</source>
+        <translation>实测对象：角度/电流，rad/A</translation>
+    </message>
+    <message>
+        <source>Measured closed loop</source>
+        <translation>实测闭环</translation>
+    </message>
+    <message>
+        <source>coherence</source>
+        <translation>相干性</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>实测</translation>
+    </message>
+    <message>
+        <source>measured, not coherent</source>
+        <translation>实测，不相干</translation>
+    </message>
+    <message>
+        <source>95 % of it</source>
+        <translation>其 95 % 范围</translation>
+    </message>
+    <message>
+        <source>rotor that fits</source>
+        <translation>拟合的转子</translation>
+    </message>
+    <message>
+        <source>The excitation as recorded</source>
+        <translation>记录的激励</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>reference speed</source>
+        <translation>参考转速</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>转速</translation>
+    </message>
+    <message>
+        <source>current amplitude</source>
+        <translation>电流幅值</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::Freshness</name>
     <message>
         <source>No new values since %1</source>

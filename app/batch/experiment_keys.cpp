@@ -9,7 +9,7 @@ namespace halbench::app {
 namespace {
 
 constexpr double Any = std::numeric_limits<double>::max();
-constexpr std::string_view Kinds = "identify|calibrate|tune|apply|move|record|set|wait|analyse";
+constexpr std::string_view Kinds = "identify|frequency|calibrate|tune|apply|move|record|set|wait|analyse";
 constexpr std::string_view Presets = "published|designed|micro-step|published-in-degrees|recommended";
 constexpr std::string_view Methods =
     "recommended|pole-placement|bandwidth|phase-margin|simc|lambda|ziegler-nichols|ziegler-nichols-pi|"
@@ -41,6 +41,15 @@ constexpr std::array KnownKeys = {
     KeySpec{"identify", "added_inertia_kg_m2", Number, false, 1e-12, 1e6, "", "inertia fixed to the rotor since `bare`"},
     KeySpec{"identify", "speed_limit_rad_s", Number, false, 0.1, 1e4, "", "speed window; default 40"},
     KeySpec{"identify", "usable_speed_rad_s", Number, false, 0, 1e4, "", "slower plateaus are not fitted; default 3"},
+
+    KeySpec{"frequency", "excitation", Choice, false, 0, 0, "multisine|stepped-sine", "how the loop is excited; default multisine"},
+    KeySpec{"frequency", "from_hz", Number, false, 0.1, 500, "", "lowest frequency, Hz; default 0.5"},
+    KeySpec{"frequency", "to_hz", Number, false, 0.1, 500, "", "highest frequency, Hz; default 40"},
+    KeySpec{"frequency", "base_rad_s", Number, false, -1e4, 1e4, "", "constant speed below the excitation, at least 3 rad/s either way; default 5"},
+    KeySpec{"frequency", "amplitude_deg", Number, false, 1e-3, 57, "", "of a sine of the same rms in every band; default as large as is safe"},
+    KeySpec{"frequency", "periods", Integer, false, 4, 64, "", "that are averaged; default 8"},
+    KeySpec{"frequency", "coherence", Number, false, 0.5, 0.999, "", "least coherence of a point that is used; default 0.9"},
+    KeySpec{"frequency", "speed_limit_rad_s", Number, false, 6, 1e4, "", "speed window; default 40"},
 
     KeySpec{"calibrate", "what", Choice, true, 0, 0, "hall|stray|static-friction|all", "which calibration"},
     KeySpec{"calibrate", "apply", Boolean, false, 0, 0, "", "keep the result on the device; default false"},

@@ -15,15 +15,20 @@ struct StepKind {
 };
 
 constexpr std::array Kinds = {
-    StepKind{"identify", runIdentifyStep}, StepKind{"calibrate", runCalibrateStep},
-    StepKind{"tune", runTuneStep},         StepKind{"analyse", runAnalyseStep},
-    StepKind{"apply", runApplyStep},       StepKind{"move", runMoveStep},
-    StepKind{"record", runRecordStep},     StepKind{"set", runSetStep},
+    StepKind{"identify", runIdentifyStep},
+    StepKind{"frequency", runFrequencyStep},
+    StepKind{"calibrate", runCalibrateStep},
+    StepKind{"tune", runTuneStep},
+    StepKind{"analyse", runAnalyseStep},
+    StepKind{"apply", runApplyStep},
+    StepKind{"move", runMoveStep},
+    StepKind{"record", runRecordStep},
+    StepKind{"set", runSetStep},
     StepKind{"wait", runWaitStep},
 };
 
 bool records(const std::string& kind) {
-    return kind == "identify" || kind == "move" || kind == "record";
+    return kind == "identify" || kind == "frequency" || kind == "move" || kind == "record";
 }
 
 Result<StepOutcome> runStep(StepRun& run, const ExperimentStep& step) {

@@ -90,6 +90,13 @@ JsonValue excitationOf(const FrequencyResult& result) {
     body.set("from_hz", config.from_Hz).set("to_hz", config.to_Hz);
     body.set("base_rad_s", result.turn_rad_s);
     body.set("amplitude_rad", config.amplitude_rad).set("periods", config.periods);
+    JsonValue bands = JsonValue::array();
+    for (const FrequencyBand& band : result.bands) {
+        JsonValue entry = JsonValue::object();
+        entry.set("from_hz", band.from_Hz).set("to_hz", band.to_Hz).set("lines", band.lines);
+        bands.push(entry.set("amplitude_rad", band.amplitude_rad));
+    }
+    body.set("bands", bands);
     return body.set("least_coherence", config.leastCoherence);
 }
 

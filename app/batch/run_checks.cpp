@@ -86,6 +86,8 @@ const Recording* StepOutcome::recording() const {
     const Recording* recording = nullptr;
     if (const auto* identified = std::get_if<IdentifyResult>(&detail)) {
         recording = &identified->recording;
+    } else if (const auto* response = std::get_if<FrequencyResult>(&detail)) {
+        recording = &response->recording;
     } else if (const auto* moved = std::get_if<MoveOutcome>(&detail)) {
         recording = &moved->result.recording;
     } else if (const auto* recorded = std::get_if<RecordResult>(&detail)) {

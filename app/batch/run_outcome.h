@@ -5,6 +5,7 @@
 #include "app/procedures/amplifier_analysis.h"
 #include "app/procedures/apply_procedure.h"
 #include "app/procedures/calibrate_procedure.h"
+#include "app/procedures/frequency_procedure.h"
 #include "app/procedures/identify_procedure.h"
 #include "app/procedures/motor_analysis.h"
 #include "app/procedures/move_procedure.h"
@@ -35,7 +36,7 @@ struct TuneOutcome {
 };
 
 /// The procedure's own result, for later steps and the report.
-using StepDetail = std::variant<std::monostate, IdentifyResult, CalibrateResult, TuneOutcome, AnalysisResult,
+using StepDetail = std::variant<std::monostate, IdentifyResult, FrequencyResult, CalibrateResult, TuneOutcome, AnalysisResult,
                                 AmplifierAnalysis, MotorAnalysis, ApplyResult, MoveOutcome, RecordResult>;
 
 struct StepOutcome {

@@ -4,6 +4,7 @@
 #include "app/batch/presets.h"
 #include "app/batch/step_configs.h"
 #include "app/procedures/coil_forecast.h"
+#include "app/procedures/frequency_board.h"
 #include "app/procedures/position_law_parameters.h"
 
 #include <fmt/format.h>
@@ -26,6 +27,8 @@ public:
         Result<void> planned;
         if (step.kind == "identify") {
             planned = planIdentify(step, plan);
+        } else if (step.kind == "frequency") {
+            planned = planResponse(step, plan);
         } else if (step.kind == "calibrate") {
             planned = planCalibrate(step, plan);
         } else if (step.kind == "move") {
@@ -61,6 +64,18 @@ private:
         plan.peakCurrent_A = prediction.peakCurrent_A;
         plan.highestTemperature_degC = prediction.highestTemperature_degC;
         m_coils.a_degC = m_coils.b_degC = prediction.highestTemperature_degC;
+        return {};
+    }
+
+    Result<void> planResponse(const ExperimentStep& step, StepPlan& plan) {
+        const auto response =
+            planFrequency(frequencyConfigOf(step), frequencyMargins(m_device.catalogue(), m_law));
+        if (!response) {
+            return failure(response.error());
+        }
+        plan.duration_s = response->duration_s();
+        plan.peakCurrent_A = response->peakCurrent_A;
+        heat(plan, response->meanSquare_A2);
         return {};
     }
 

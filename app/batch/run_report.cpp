@@ -111,6 +111,9 @@ ReportSection sectionOf(const StepOutcome& step, const std::optional<KnownMotor>
         ReportSection operator()(const IdentifyResult& result) const {
             return identificationSection(heading, result);
         }
+        ReportSection operator()(const FrequencyResult& result) const {
+            return frequencySection(heading, result);
+        }
         ReportSection operator()(const CalibrateResult& result) const {
             return calibrationSection(heading, result);
         }

@@ -3,6 +3,7 @@
 #include "app/batch/command_support.h"
 #include "app/batch/names.h"
 #include "app/batch/presets.h"
+#include "app/procedures/frequency_board.h"
 #include "control/base/units.h"
 
 #include <algorithm>
@@ -42,6 +43,17 @@ Result<void> checkSweep(const ExperimentStep& step, const devices::Catalogue& ca
     return currents ? Result<void>() : at(sweep != nullptr ? *sweep : step.keys, currents.error());
 }
 
+/// With any gains: what the law allows is seen when its turn comes.
+Result<void> checkFrequency(const ExperimentStep& step, const devices::Catalogue& catalogue) {
+    const FrequencyConfig config = frequencyConfigOf(step);
+    const Result<void> able = checkFrequencyBoard(catalogue, config);
+    if (!able) {
+        return at(step.keys, able.error());
+    }
+    const auto plan = planFrequency(config, frequencyMargins(catalogue, models::PositionLaw{}));
+    return plan ? Result<void>() : at(step.keys, plan.error());
+}
+
 Result<void> checkSignals(const ExperimentStep& step, const devices::Catalogue& catalogue) {
     for (const std::string& name : step.texts("signals")) {
         if (catalogue.findSignal(name) == nullptr) {
@@ -66,6 +78,9 @@ Result<void> checkStep(const ExperimentStep& step, const devices::Catalogue& cat
                        const std::string& model) {
     if (step.kind == "identify") {
         return checkSweep(step, catalogue);
+    }
+    if (step.kind == "frequency") {
+        return checkFrequency(step, catalogue);
     }
     if (step.kind == "move") {
         const Result<MoveConfig> config = moveConfigOf(step);
@@ -94,6 +109,21 @@ Result<IdentifyConfig> identifyConfigOf(const ExperimentStep& step) {
         if (const Result<void> set = setGivenConstant(config.given, symbol, value); !set) {
             return at(*step.find("given"), set.error());
         }
+    }
+    return config;
+}
+
+FrequencyConfig frequencyConfigOf(const ExperimentStep& step) {
+    FrequencyConfig config;
+    config.excitation = *excitation(step.text("excitation").value_or("multisine")); // a choice of its table
+    config.from_Hz = step.number("from_hz").value_or(config.from_Hz);
+    config.to_Hz = step.number("to_hz").value_or(config.to_Hz);
+    config.base_rad_s = step.number("base_rad_s").value_or(config.base_rad_s);
+    config.periods = static_cast<int>(step.number("periods").value_or(config.periods));
+    config.leastCoherence = step.number("coherence").value_or(config.leastCoherence);
+    config.speedLimit_rad_s = step.number("speed_limit_rad_s").value_or(config.speedLimit_rad_s);
+    if (const std::optional<double> amplitude_deg = step.number("amplitude_deg")) {
+        config.amplitude_rad = degreesToRadians(*amplitude_deg);
     }
     return config;
 }

@@ -8,6 +8,7 @@ namespace halbench::app {
 // own setters say, with the step's place in the file in front.
 
 Result<IdentifyConfig> identifyConfigOf(const ExperimentStep& step);
+FrequencyConfig frequencyConfigOf(const ExperimentStep& step);
 Result<CalibrateConfig> calibrateConfigOf(const ExperimentStep& step);
 Result<MoveConfig> moveConfigOf(const ExperimentStep& step);
 /// A recording that waits for a device that is lost (`reconnect`).

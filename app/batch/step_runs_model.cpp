@@ -69,6 +69,23 @@ Result<StepOutcome> runIdentifyStep(StepRun& run, const ExperimentStep& step) {
     return outcome;
 }
 
+Result<StepOutcome> runFrequencyStep(StepRun& run, const ExperimentStep& step) {
+    const Result<LoopConditions> conditions = conditionsOf(run);
+    if (!conditions) {
+        return failure(conditions.error());
+    }
+    Result<FrequencyResult> result =
+        runFrequency(run.device, frequencyConfigOf(step), conditions->stray, observerFor(run.context));
+    if (!result) {
+        return failure(result.error());
+    }
+    StepOutcome outcome;
+    outcome.quality = result->quality;
+    outcome.body = frequencyBody(*result);
+    outcome.detail = *std::move(result);
+    return outcome;
+}
+
 Result<StepOutcome> runCalibrateStep(StepRun& run, const ExperimentStep& step) {
     Result<CalibrateConfig> config = calibrateConfigOf(step);
     if (!config) {

@@ -56,6 +56,12 @@ Result<std::vector<control::PlantPoint>> pointsOf(const FrequencyRun& run, const
                                    run.turn_rad_s, part(reference), part(input), part(output)});
 }
 
+FrequencyBand bandOf(const FrequencyStage& stage) {
+    const MoveReference& reference = stage.reference;
+    return {reference.frequency_Hz, reference.frequencyEnd_Hz, static_cast<int>(stage.lines.size()),
+            reference.amplitude_rad};
+}
+
 bool isCoherent(const control::PlantPoint& point, const FrequencyConfig& config) {
     return point.coherence >= config.leastCoherence;
 }
@@ -200,6 +206,7 @@ Result<FrequencyResult> estimateFrequency(FrequencyRun run) {
     result.law = run.margins.law;
     std::vector<control::PlantPoint> points;
     for (const MeasuredStage& stage : run.stages) {
+        result.bands.push_back(bandOf(stage.stage));
         const auto more = pointsOf(run, stage);
         if (!more) {
             return failure(more.error());

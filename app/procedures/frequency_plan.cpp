@@ -290,6 +290,7 @@ Result<FrequencyPlan> planFrequency(const FrequencyConfig& config, const Frequen
         plan.stages.push_back(std::move(stage));
     }
     const double base_A = baseCurrent_A(margins, plan.turn_rad_s);
+    plan.peakCurrent_A = std::min(base_A + swing_A, margins.law.limit_A);
     // Half of the squared peak is the mean square of a sine; a multisine's is less.
     const double meanSquare_A2 =
         std::min(base_A * base_A + 0.5 * swing_A * swing_A, margins.law.limit_A * margins.law.limit_A);

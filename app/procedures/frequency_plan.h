@@ -23,6 +23,7 @@ struct FrequencyPlan {
     double runUp_s = 0.0;
     std::vector<FrequencyStage> stages;
     double meanSquare_A2 = 0.0; ///< of one phase, expected
+    double peakCurrent_A = 0.0; ///< expected, within the limit
     double duration_s() const;
 };
 

@@ -2,9 +2,8 @@
 
 #include "app/procedures/coil_forecast.h"
 #include "app/procedures/excitation_limits.h"
+#include "app/procedures/frequency_board.h"
 #include "app/procedures/frequency_judge.h"
-#include "app/procedures/identify_plan.h"
-#include "app/procedures/position_law_parameters.h"
 #include "app/procedures/procedure_steps.h"
 #include "app/procedures/restored_result.h"
 #include "app/procedures/spin_drive.h"
@@ -158,49 +157,6 @@ private:
     double m_done_s = 0.0;
 };
 
-Result<FrequencyMargins> marginsOf(devices::Device& device) {
-    constexpr const char* LawForm = "control.law";
-    if (device.catalogue().findParameter(LawForm) != nullptr) {
-        const std::string name[] = {LawForm};
-        const auto form = device.readParameters(name);
-        if (!form) {
-            return failure(form.error());
-        }
-        if (form->front() != 0.0) {
-            return failure(ErrorCode::Refused,
-                           "the board runs the printed difference equation, which is no set of gains",
-                           "set control.law=0 first; nothing was armed");
-        }
-    }
-    const auto law = readPositionLaw(device);
-    if (!law) {
-        return failure(law.error());
-    }
-    FrequencyMargins margins;
-    margins.law = *law;
-    const auto period = device.catalogue().knownConstants.find("T_s");
-    margins.period_s = period == device.catalogue().knownConstants.end() ? margins.period_s : period->second;
-    const PilotEstimate nominal = nominalMotor();
-    margins.plant = {nominal.damping_per_s, nominal.torque_rad_s2_A,
-                     nominal.friction_rad_s2 / nominal.torque_rad_s2_A};
-    return margins;
-}
-
-Result<void> checkBoard(const devices::Catalogue& catalogue, const FrequencyConfig& config) {
-    for (const char* name : {"position", "speed", "reference", "current_command"}) {
-        if (catalogue.findSignal(name) == nullptr) {
-            return failure(ErrorCode::DeviceRefused, fmt::format("the device has no signal '{}'", name),
-                           "a frequency response needs a board with a position loop of its own");
-        }
-    }
-    if (config.excitation == Excitation::SteppedSine ||
-        catalogue.findParameter("reference.frequency_end") != nullptr) {
-        return {};
-    }
-    return failure(ErrorCode::DeviceRefused, "the generator of this board makes no multisine",
-                   "use a stepped sine");
-}
-
 Result<void> prepareBoard(devices::Device& device, const FrequencyConfig& config) {
     if (auto prepared = prepareSpinning(device, config.speedLimit_rad_s); !prepared) {
         return prepared;
@@ -262,10 +218,10 @@ Result<FrequencyResult> runFrequency(devices::Device& device, const FrequencyCon
     if (auto entered = enterState(observer, ProcedureState::Prepare); !entered) {
         return failure(entered.error());
     }
-    if (auto able = checkBoard(device.catalogue(), config); !able) {
+    if (auto able = checkFrequencyBoard(device.catalogue(), config); !able) {
         return failure(able.error());
     }
-    auto margins = marginsOf(device);
+    auto margins = readFrequencyMargins(device);
     if (!margins) {
         return failure(margins.error());
     }

@@ -49,9 +49,18 @@ struct FrequencyResultPoint {
     bool isUsed = false;             ///< coherent enough
 };
 
+/// What was excited at once, and how strongly.
+struct FrequencyBand {
+    double from_Hz = 0.0;
+    double to_Hz = 0.0;
+    int lines = 0;
+    double amplitude_rad = 0.0; ///< of a sine of the same rms
+};
+
 struct FrequencyResult {
     FrequencyConfig config;
     double turn_rad_s = 0.0; ///< base speed as used, signed
+    std::vector<FrequencyBand> bands;
     double period_s = 0.01;  ///< of the position loop
     models::PositionLaw law; ///< that ran meanwhile
     std::vector<FrequencyResultPoint> points;

@@ -2,6 +2,7 @@
 
 #include "app/procedures/apply_procedure.h"
 #include "app/procedures/calibrate_procedure.h"
+#include "app/procedures/frequency_procedure.h"
 #include "app/procedures/identify_procedure.h"
 #include "app/procedures/motor_analysis.h"
 #include "app/procedures/move_repetition.h"
@@ -20,6 +21,10 @@ namespace halbench::app {
 /// Parameters and ratios with intervals and provenance, regression with residuals, joint confidence region,
 /// the excitation as recorded.
 ReportSection identificationSection(const std::string& heading, const IdentifyResult& result);
+
+/// Margins with their intervals or why they are withheld, the rotor that fits, open loop and plant point by
+/// point with coherence, how strongly each band was excited, the excitation as recorded.
+ReportSection frequencySection(const std::string& heading, const FrequencyResult& result);
 
 /// What was found and is proposed or applied, and the static friction over the angle.
 ReportSection calibrationSection(const std::string& heading, const CalibrateResult& result);

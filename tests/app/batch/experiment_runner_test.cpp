@@ -1,6 +1,8 @@
 #include "app/batch/experiment_runner.h"
+#include "app/batch/loop_conditions.h"
 #include "app/batch/output_file.h"
 #include "app/batch/recording_file.h"
+#include "app/batch/result_documents.h"
 #include "app/batch/run_files.h"
 #include "app/batch/run_plan.h"
 #include "app/batch/run_report.h"
@@ -106,6 +108,82 @@ TEST_F(ExperimentRunner, writesResultJunitRecordingAndReport) {
     EXPECT_EQ(result.find("checks")->items().size(), 2U);
     EXPECT_NE(readFile((folder / "step100.csv").string()).value().find("time_s,"), std::string::npos);
     fs::remove_all(folder);
+}
+
+const std::string Response = R"(schema = "halbench.experiment/1"
+device = "sim:htm?imperfections=off"
+
+[[step]]
+kind = "frequency"
+name = "loop"
+from_hz = 2
+to_hz = 8
+periods = 4
+base_rad_s = -6
+coherence = 0.95
+
+[[check]]
+quantity = "loop.rotor.phi_over_J.value"
+min = 25
+max = 27
+)";
+
+// The step is the procedure that `identify --frequency` runs: with the same settings it gives the same
+// numbers. 26.0 is phi/J of the published motor.
+TEST_F(ExperimentRunner, aFrequencyStepIsTheProcedureOfTheCommand) {
+    const fs::path folder = fs::path(::testing::TempDir()) / "halbench_response";
+    fs::remove_all(folder);
+    const RunOutcome outcome = run(Response, folder.string());
+    ASSERT_EQ(outcome.steps.size(), 1U) << (outcome.stoppedBy ? outcome.stoppedBy->message : "");
+    EXPECT_TRUE(outcome.passed);
+    FrequencyConfig config;
+    config.from_Hz = 2.0;
+    config.to_Hz = 8.0;
+    config.periods = 4;
+    config.base_rad_s = -6.0;
+    config.leastCoherence = 0.95;
+    const auto second = devices::openDevice("sim:htm?imperfections=off", {}).value();
+    const auto conditions = loopConditionsOf(*second).value();
+    const auto direct = runFrequency(*second, config, conditions.stray, {});
+    ASSERT_TRUE(direct) << direct.error().message;
+    EXPECT_EQ(*toJsonText(outcome.steps[0].body), *toJsonText(frequencyBody(*direct)));
+    ASSERT_NE(outcome.steps[0].recording(), nullptr); // the raw record becomes loop.csv
+    ASSERT_TRUE(writeRunFiles(folder.string(), header(), m_experiment, outcome, *m_device));
+    EXPECT_TRUE(fs::exists(folder / "loop.csv"));
+    const std::string report = readFile((folder / "report.html").string()).value();
+    for (const char* part : {"frequency: loop", "Measured open loop", "Measured plant", "coherence",
+                             "The excitation as recorded", "95 % interval"}) {
+        EXPECT_NE(report.find(part), std::string::npos) << part;
+    }
+    EXPECT_FALSE(m_device->state().isArmed);
+    fs::remove_all(folder);
+}
+
+// What --dry-run says of it is what it takes: the run adds only what is on its way at the end of each stage.
+TEST_F(ExperimentRunner, aFrequencyStepTakesAsLongAsThePlanSays) {
+    m_experiment = parseExperiment(Response, "e.toml", {}).value();
+    ASSERT_TRUE(checkAgainstDevice(m_experiment, *m_device));
+    const auto plan = planRun(m_experiment, *m_device);
+    ASSERT_TRUE(plan);
+    const RunOutcome outcome = run(Response);
+    const double duration_s = *findQuantity(outcome.steps.at(0).body, "duration_s");
+    EXPECT_NEAR(plan->duration_s, duration_s, 0.05 * duration_s);
+    const double highest_A = *findQuantity(outcome.steps.at(0).body, "highest_current_A");
+    EXPECT_GE(plan->peakCurrent_A, 0.8 * highest_A);
+    EXPECT_LE(plan->peakCurrent_A, 4.0);
+}
+
+TEST_F(ExperimentRunner, aFrequencyStepThatWouldTurnTheRotorBackIsRefusedBeforeAnythingMoves) {
+    for (const char* setting :
+         {"step.loop.base_rad_s=2", "step.loop.amplitude_deg=30", "step.loop.to_hz=60"}) {
+        const auto experiment = parseExperiment(Response, "e.toml", {setting});
+        ASSERT_TRUE(experiment) << setting;
+        const Result<void> refused = checkAgainstDevice(*experiment, *m_device);
+        ASSERT_FALSE(refused) << setting;
+        EXPECT_NE(refused.error().message.find("e.toml:"), std::string::npos) << refused.error().message;
+    }
+    EXPECT_FALSE(parseExperiment(Response, "e.toml", {"step.loop.periods=2"}));
+    EXPECT_FALSE(parseExperiment(Response, "e.toml", {"step.loop.excitation=noise"}));
 }
 
 const std::string RecordThenSet = R"(schema = "halbench.experiment/1"

@@ -235,5 +235,40 @@ TEST(ContradictionsSection, belongsToTheMotorOnly) {
     EXPECT_NE(textOf(*contradictionsSection("htm")).find("0.0572 N·m"), std::string::npos);
 }
 
+/// One coherent point with its phase margin; no gain margin.
+FrequencyResult response() {
+    FrequencyResult result;
+    FrequencyResultPoint point;
+    point.measured.frequency_rad_s = 2.0 * M_PI;
+    point.measured.value = {0.02, 0.0};
+    point.measured.coherence = 0.99;
+    point.openLoop = {0.0, -1.0};
+    point.isUsed = true;
+    result.points = {point};
+    result.margins.phase_deg = {control::MeasuredMargin::Withheld::No, 2.0 * M_PI, 90.0,
+                                std::pair(89.0, 91.0)};
+    return result;
+}
+
+TEST(FrequencySection, tellsMarginsWithIntervalsOrThatTheyAreWithheld) {
+    FrequencyResult result = response();
+    result.bands = {{0.5, 2.0, 14, M_PI / 180.0}};
+    const ReportSection section = frequencySection("frequency: loop", result);
+    std::string words;
+    for (const ReportBlock& block : section.blocks) {
+        if (const auto* table = std::get_if<ReportTable>(&block)) {
+            for (const auto& row : table->rows) {
+                for (const auto& cell : row) {
+                    words += cell.text + "|";
+                }
+            }
+        }
+    }
+    EXPECT_NE(words.find("phase margin|90.00\u00b0|89.00 to 91.00\u00b0|1.00 Hz|"), std::string::npos)
+        << words;
+    EXPECT_NE(words.find("gain margin|withheld"), std::string::npos) << words;
+    EXPECT_NE(words.find("0.5|2|14|1|"), std::string::npos) << words; // the amplitude in degrees
+}
+
 } // namespace
 } // namespace halbench::app

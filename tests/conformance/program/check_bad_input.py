@@ -370,6 +370,8 @@ class Consent(ProgramCase):
                           ["calibrate", uri, "stray"]):
             with self.subTest(arguments=arguments):
                 self.refuse(2, "--arm", *arguments)
+        self.write("e.toml", f'schema = "halbench.experiment/1"\ndevice = "{uri}"\n[[step]]\nkind = "frequency"\nname = "r"\n')
+        self.refuse(2, "--arm", "run", "e.toml", "--out", "out")
         values = self.accept("get", uri, "hb.arm", "status", "--json").json()["values"]
         self.assertEqual([v["value"] for v in values], [0, 0])
 
