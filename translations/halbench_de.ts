@@ -5278,6 +5278,26 @@
         <source>update Halbench, or the board&apos;s firmware</source>
         <translation>Halbench oder die Firmware des Steuergeräts aktualisieren</translation>
     </message>
+    <message>
+        <source>the crossover or margin asked for is not a finite number</source>
+        <translation>die verlangte Durchtrittsfrequenz oder Reserve ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>no crossover makes a stable position loop of this motor</source>
+        <translation>keine Durchtrittsfrequenz macht aus diesem Motor einen stabilen Lageregelkreis</translation>
+    </message>
+    <message>
+        <source>identify the motor again, or choose a design method</source>
+        <translation>identifizieren Sie den Motor neu, oder wählen Sie ein Auslegungsverfahren</translation>
+    </message>
+    <message>
+        <source>the verification move was seen for {} of {} s</source>
+        <translation>von der Prüfbewegung wurden {} von {} s gesehen</translation>
+    </message>
+    <message>
+        <source>The old values run again. See that the link is not overloaded, and apply again.</source>
+        <translation>Die alten Werte gelten wieder. Sorgen Sie dafür, dass die Verbindung nicht überlastet ist, und wenden Sie sie noch einmal an.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -7762,6 +7782,53 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::LoopSliders</name>
+    <message>
+        <source>%1 is beyond what can be set here.</source>
+        <translation>%1 liegt außerhalb dessen, was hier eingestellt werden kann.</translation>
+    </message>
+    <message>
+        <source>%1 would need a negative K_D.</source>
+        <translation>%1 bräuchte ein negatives K_D.</translation>
+    </message>
+    <message>
+        <source>%1 would be a damper, no position loop.</source>
+        <translation>%1 wäre ein Dämpfer und kein Lageregelkreis.</translation>
+    </message>
+    <message>
+        <source>%1 would leave a gain margin below %2.</source>
+        <translation>%1 ließe eine Amplitudenreserve unter %2.</translation>
+    </message>
+    <message>
+        <source>%1 The nearest is %2.</source>
+        <translation>%1 Am nächsten kommt %2.</translation>
+    </message>
+    <message>
+        <source>S&amp;peed</source>
+        <translation>Sch&amp;nelligkeit</translation>
+    </message>
+    <message>
+        <source>Speed: gain crossover</source>
+        <translation>Schnelligkeit: Durchtrittsfrequenz</translation>
+    </message>
+    <message>
+        <source>Where the open loop has the gain 1: the motor follows up to there. The phase margin is kept as far as it can be. Arrow keys: 2 %, Page up and down: a quarter</source>
+        <translation>Wo der offene Kreis die Verstärkung 1 hat: Bis dahin folgt der Motor. Die Phasenreserve bleibt, soweit es geht. Pfeiltasten: 2 %, Bild auf und ab: ein Viertel</translation>
+    </message>
+    <message>
+        <source>&amp;Robustness</source>
+        <translation>&amp;Robustheit</translation>
+    </message>
+    <message>
+        <source>Robustness: phase margin</source>
+        <translation>Robustheit: Phasenreserve</translation>
+    </message>
+    <message>
+        <source>Phase margin at that crossover, which stays. Arrow keys: 1°, Page up and down: 5°</source>
+        <translation>Phasenreserve bei dieser Durchtrittsfrequenz, die bleibt. Pfeiltasten: 1°, Bild auf und ab: 5°</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::LoopView</name>
     <message>
         <source>Bode</source>
@@ -7798,6 +7865,18 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
     <message>
         <source>Bode: magnitude and phase over frequency. Nyquist: the plane around -1. Nichols: magnitude over phase. Sensitivity: what is left of a disturbance, and what follows the reference. Root locus: the poles of the closed loop, and where they go with the gain</source>
         <translation>Bode: Betrag und Phase über der Frequenz. Nyquist: die Ebene um -1. Nichols: Betrag über der Phase. Empfindlichkeit: was von einer Störung bleibt und was der Führungsgröße folgt. Wurzelortskurve: die Pole des geschlossenen Kreises und wohin sie mit der Verstärkung gehen</translation>
+    </message>
+    <message>
+        <source>gain crossover</source>
+        <translation>Durchtrittsfrequenz</translation>
+    </message>
+    <message>
+        <source>phase margin</source>
+        <translation>Phasenreserve</translation>
+    </message>
+    <message>
+        <source>all gains, along the branch</source>
+        <translation>alle Reglerparameter, entlang des Astes</translation>
     </message>
 </context>
 <context>
@@ -7961,6 +8040,10 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
     <message>
         <source>Take them up</source>
         <translation>Aufgreifen</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
     </message>
 </context>
 <context>
@@ -10764,6 +10847,46 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>All gains at once, then a step that must go as predicted; Esc stops it</source>
         <translation>Alle Reglerparameter auf einmal, dann ein Sprung, der wie vorhergesagt gehen muss; Esc stoppt ihn</translation>
     </message>
+    <message>
+        <source>Take up %1</source>
+        <translation>%1 übernehmen</translation>
+    </message>
+    <message>
+        <source>Gains by %1</source>
+        <translation>Auslegung nach %1</translation>
+    </message>
+    <message>
+        <source>Edit the gains</source>
+        <translation>Reglerparameter bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edit %1</source>
+        <translation>%1 bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Move a pole</source>
+        <translation>Pol verschieben</translation>
+    </message>
+    <message>
+        <source>Move the crossover</source>
+        <translation>Durchtrittsfrequenz verschieben</translation>
+    </message>
+    <message>
+        <source>Move the phase margin</source>
+        <translation>Phasenreserve verschieben</translation>
+    </message>
+    <message>
+        <source>More gain would make the loop unstable: it stays just below.</source>
+        <translation>Mehr Verstärkung machte den Kreis instabil: Er bleibt knapp darunter.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuningFigures</name>
@@ -11081,6 +11204,14 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Nothing to show yet</source>
         <translation>Noch nichts zu zeigen</translation>
+    </message>
+    <message>
+        <source>Drag: %1</source>
+        <translation>Ziehen: %1</translation>
+    </message>
+    <message>
+        <source>Ctrl and the arrow keys move: %1.</source>
+        <translation>Strg und die Pfeiltasten verschieben: %1.</translation>
     </message>
 </context>
 <context>

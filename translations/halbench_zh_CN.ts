@@ -5278,6 +5278,26 @@
         <source>update Halbench, or the board&apos;s firmware</source>
         <translation>请更新 Halbench 或控制板的固件</translation>
     </message>
+    <message>
+        <source>the crossover or margin asked for is not a finite number</source>
+        <translation>所要求的穿越频率或裕度不是有限数</translation>
+    </message>
+    <message>
+        <source>no crossover makes a stable position loop of this motor</source>
+        <translation>没有任何穿越频率能使该电机构成稳定的位置回路</translation>
+    </message>
+    <message>
+        <source>identify the motor again, or choose a design method</source>
+        <translation>重新辨识电机，或选择一种设计方法</translation>
+    </message>
+    <message>
+        <source>the verification move was seen for {} of {} s</source>
+        <translation>验证运动只看到了 {} s（共 {} s）</translation>
+    </message>
+    <message>
+        <source>The old values run again. See that the link is not overloaded, and apply again.</source>
+        <translation>旧值已恢复。请确认通信链路没有过载，然后重新应用。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -7757,6 +7777,53 @@ its way to the one before (Ctrl+Shift+R)</source>
     </message>
 </context>
 <context>
+    <name>halbench::app::LoopSliders</name>
+    <message>
+        <source>%1 is beyond what can be set here.</source>
+        <translation>%1 超出了此处可设置的范围。</translation>
+    </message>
+    <message>
+        <source>%1 would need a negative K_D.</source>
+        <translation>%1 需要负的 K_D。</translation>
+    </message>
+    <message>
+        <source>%1 would be a damper, no position loop.</source>
+        <translation>%1 只是阻尼器，不是位置回路。</translation>
+    </message>
+    <message>
+        <source>%1 would leave a gain margin below %2.</source>
+        <translation>%1 会使增益裕度低于 %2。</translation>
+    </message>
+    <message>
+        <source>%1 The nearest is %2.</source>
+        <translation>%1 最接近的是 %2。</translation>
+    </message>
+    <message>
+        <source>S&amp;peed</source>
+        <translation>速度(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Speed: gain crossover</source>
+        <translation>速度：增益穿越频率</translation>
+    </message>
+    <message>
+        <source>Where the open loop has the gain 1: the motor follows up to there. The phase margin is kept as far as it can be. Arrow keys: 2 %, Page up and down: a quarter</source>
+        <translation>开环增益为 1 之处：电机能跟随到此频率。相位裕度尽可能保持不变。方向键：2 %，翻页键：四分之一</translation>
+    </message>
+    <message>
+        <source>&amp;Robustness</source>
+        <translation>稳健性(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Robustness: phase margin</source>
+        <translation>稳健性：相位裕度</translation>
+    </message>
+    <message>
+        <source>Phase margin at that crossover, which stays. Arrow keys: 1°, Page up and down: 5°</source>
+        <translation>该穿越频率处的相位裕度，频率保持不变。方向键：1°，翻页键：5°</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::LoopView</name>
     <message>
         <source>Bode</source>
@@ -7793,6 +7860,18 @@ its way to the one before (Ctrl+Shift+R)</source>
     <message>
         <source>Bode: magnitude and phase over frequency. Nyquist: the plane around -1. Nichols: magnitude over phase. Sensitivity: what is left of a disturbance, and what follows the reference. Root locus: the poles of the closed loop, and where they go with the gain</source>
         <translation>Bode：幅值和相位对频率。Nyquist：-1 周围的平面。Nichols：幅值对相位。灵敏度：扰动的残留，以及跟随参考值的部分。根轨迹：闭环极点，以及它们随增益的去向</translation>
+    </message>
+    <message>
+        <source>gain crossover</source>
+        <translation>增益穿越频率</translation>
+    </message>
+    <message>
+        <source>phase margin</source>
+        <translation>相位裕度</translation>
+    </message>
+    <message>
+        <source>all gains, along the branch</source>
+        <translation>所有增益，沿分支</translation>
     </message>
 </context>
 <context>
@@ -7956,6 +8035,10 @@ its way to the one before (Ctrl+Shift+R)</source>
     <message>
         <source>Take them up</source>
         <translation>采用它们</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
     </message>
 </context>
 <context>
@@ -10755,6 +10838,46 @@ A real device has its own time.</source>
         <source>All gains at once, then a step that must go as predicted; Esc stops it</source>
         <translation>一次写入全部增益，然后做一次阶跃，它必须与预测一致；Esc 停止</translation>
     </message>
+    <message>
+        <source>Take up %1</source>
+        <translation>采用 %1</translation>
+    </message>
+    <message>
+        <source>Gains by %1</source>
+        <translation>增益来源：%1</translation>
+    </message>
+    <message>
+        <source>Edit the gains</source>
+        <translation>编辑增益</translation>
+    </message>
+    <message>
+        <source>Edit %1</source>
+        <translation>编辑 %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Move a pole</source>
+        <translation>移动极点</translation>
+    </message>
+    <message>
+        <source>Move the crossover</source>
+        <translation>移动穿越频率</translation>
+    </message>
+    <message>
+        <source>Move the phase margin</source>
+        <translation>移动相位裕度</translation>
+    </message>
+    <message>
+        <source>More gain would make the loop unstable: it stays just below.</source>
+        <translation>更大的增益会使回路不稳定：保持在其之下。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuningFigures</name>
@@ -11072,6 +11195,14 @@ A real device has its own time.</source>
     <message>
         <source>Nothing to show yet</source>
         <translation>暂无内容</translation>
+    </message>
+    <message>
+        <source>Drag: %1</source>
+        <translation>拖动：%1</translation>
+    </message>
+    <message>
+        <source>Ctrl and the arrow keys move: %1.</source>
+        <translation>Ctrl 加方向键可移动：%1。</translation>
     </message>
 </context>
 <context>

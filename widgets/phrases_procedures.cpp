@@ -43,6 +43,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "The old values run again. Identify the motor anew, or choose calmer gains."),
     QT_TRANSLATE_NOOP("Phrases", "final error"),
     QT_TRANSLATE_NOOP("Phrases", "rms error"),
+    QT_TRANSLATE_NOOP("Phrases", "the verification move was seen for {} of {} s"),
+    QT_TRANSLATE_NOOP("Phrases", "The old values run again. See that the link is not overloaded, and apply again."),
     QT_TRANSLATE_NOOP("Phrases", "the readings lie {} % of the amplitude away from their ellipse"),
     QT_TRANSLATE_NOOP("Phrases", "look for saturated sensors or a loose magnet"),
     QT_TRANSLATE_NOOP("Phrases", "spins slowly for the Hall sensors"),
