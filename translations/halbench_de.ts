@@ -7120,7 +7120,7 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
     </message>
     <message>
         <source>T&amp;o current</source>
-        <translation>&amp;Bis Strom</translation>
+        <translation>Bis Stro&amp;m</translation>
     </message>
     <message>
         <source>Ste&amp;p</source>
@@ -7805,7 +7805,7 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
     </message>
     <message>
         <source>S&amp;peed</source>
-        <translation>Sch&amp;nelligkeit</translation>
+        <translation>Schnelli&amp;gkeit</translation>
     </message>
     <message>
         <source>Speed: gain crossover</source>
@@ -11068,8 +11068,8 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Die neuesten Sekunden werden gezeigt</translation>
     </message>
     <message>
-        <source>&amp;Ellipse</source>
-        <translation>&amp;Ellipse</translation>
+        <source>Ellip&amp;se</source>
+        <translation>Ellip&amp;se</translation>
     </message>
     <message>
         <source>Fits an ellipse through the points; they must go round it several times (Alt+E)</source>

@@ -11059,8 +11059,8 @@ A real device has its own time.</source>
         <translation>显示最近若干秒</translation>
     </message>
     <message>
-        <source>&amp;Ellipse</source>
-        <translation>椭圆(&amp;E)</translation>
+        <source>Ellip&amp;se</source>
+        <translation>椭圆(&amp;S)</translation>
     </message>
     <message>
         <source>Fits an ellipse through the points; they must go round it several times (Alt+E)</source>

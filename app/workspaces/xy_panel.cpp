@@ -78,7 +78,7 @@ QWidget* XyPanel::buildFields(QWidget* parent) {
     m_stretch = grid->addNumber(
         {tr("Last"), tr("The newest seconds are shown"), QStringLiteral("s"), 1, 0.1, 3600.0, 1.0});
     m_stretch->setQuantity(10.0);
-    m_ellipse = new QCheckBox(tr("&Ellipse"), grid);
+    m_ellipse = new QCheckBox(tr("Ellip&se"), grid);
     m_ellipse->setToolTip(
         tr("Fits an ellipse through the points; they must go round it several times (Alt+E)"));
     m_ellipse->setChecked(true);
