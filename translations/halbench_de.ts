@@ -7215,16 +7215,28 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
         <translation>Erweiterte Einstellungen</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>Correct it or leave it empty</source>
         <translation>Berichtigen Sie es, oder lassen Sie es leer</translation>
     </message>
     <message>
-        <source>Write the current anew</source>
-        <translation>Schreiben Sie den Strom neu</translation>
+        <source>%1: &apos;%2&apos; cannot be used. %3 The field shows %4 A again.</source>
+        <translation>%1: „%2“ ist nicht verwendbar. %3 Das Feld zeigt wieder %4 A.</translation>
+    </message>
+    <message>
+        <source>Correct the number</source>
+        <translation>Berichtigen Sie die Zahl</translation>
+    </message>
+    <message>
+        <source>It is smaller than &quot;%1&quot;.</source>
+        <translation>Er ist kleiner als „%1“.</translation>
+    </message>
+    <message>
+        <source>Make one larger or the other smaller</source>
+        <translation>Machen Sie den einen größer oder den anderen kleiner</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

@@ -7210,16 +7210,28 @@ its way to the one before (Ctrl+Shift+R)</source>
         <translation>高级设置</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
         <source>Correct it or leave it empty</source>
         <translation>请更正或留空</translation>
     </message>
     <message>
-        <source>Write the current anew</source>
-        <translation>请重新输入电流</translation>
+        <source>%1: &apos;%2&apos; cannot be used. %3 The field shows %4 A again.</source>
+        <translation>%1：“%2”不可用。%3 输入框恢复显示 %4 A。</translation>
+    </message>
+    <message>
+        <source>Correct the number</source>
+        <translation>请更正该数值</translation>
+    </message>
+    <message>
+        <source>It is smaller than &quot;%1&quot;.</source>
+        <translation>它小于“%1”。</translation>
+    </message>
+    <message>
+        <source>Make one larger or the other smaller</source>
+        <translation>请增大前者或减小后者</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>

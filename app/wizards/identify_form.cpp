@@ -47,6 +47,15 @@ QWidget* withUnit(QWidget* field, const char* unit, QWidget* parent) {
     return row;
 }
 
+/// Of what it shows now, whether or not it has been entered.
+QString problemNow(const widgets::QuantityEdit& box) {
+    return box.problemOf(box.text());
+}
+
+double shown(const widgets::QuantityEdit& box) {
+    return problemNow(box).isEmpty() ? box.valueFromText(box.text()) : box.value();
+}
+
 } // namespace
 
 IdentifyForm::IdentifyForm(QWidget* parent) : QWidget(parent), m_form(new QFormLayout(this)) {
@@ -72,22 +81,35 @@ void IdentifyForm::buildSweep() {
         box->setQuantity(starts[i]);
         m_form->addRow(addRow(box), withUnit(box, "A", this));
         m_currents[i] = box;
-        const auto take = [this, i](const QString& refused) {
-            m_refused[i] = refused;
-            Q_EMIT changed();
-        };
-        connect(box, &widgets::QuantityEdit::edited, this, [take] { take({}); });
-        connect(box, &widgets::QuantityEdit::entered, this, [take] { take({}); });
-        connect(box, &widgets::QuantityEdit::refused, this,
-                [take, box](const QString& text) { take(box->problemOf(text)); });
-        connect(box->findChild<QLineEdit*>(), &QLineEdit::textEdited, this, [take] { take({}); });
+        watchCurrent(*box);
     }
     m_directions = new QComboBox(this);
     m_form->addRow(addRow(m_directions), m_directions);
     for (int i = 0; i < 3; ++i) {
         m_directions->addItem({});
     }
-    connect(m_directions, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &IdentifyForm::changed);
+    connect(m_directions, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &IdentifyForm::onChange);
+}
+
+void IdentifyForm::watchCurrent(widgets::QuantityEdit& box) {
+    connect(&box, &widgets::QuantityEdit::edited, this, &IdentifyForm::onChange);
+    // After the field's own judgement of it.
+    connect(box.findChild<QLineEdit*>(), &QLineEdit::textChanged, this, &IdentifyForm::onChange);
+    connect(&box, &widgets::QuantityEdit::refused, this, [this, &box](const QString& text) {
+        onChange();
+        if (box.text() != text) { // left: it shows the number before
+            m_notice = tr("%1: '%2' cannot be used. %3 The field shows %4 A again.")
+                           .arg(box.accessibleName(), text, box.problemOf(text), box.text());
+            Q_EMIT changed();
+            Q_EMIT reverted();
+        }
+    });
+}
+
+void IdentifyForm::onChange() {
+    m_notice.clear();
+    markSweep();
+    Q_EMIT changed();
 }
 
 void IdentifyForm::buildGiven() {
@@ -119,7 +141,7 @@ void IdentifyForm::buildGiven() {
         m_labels.back()->setVisible(isShown);
     };
     connect(m_advanced, &QToolButton::toggled, this, showAdvanced);
-    connect(m_seed, QOverload<int>::of(&QSpinBox::valueChanged), this, &IdentifyForm::changed);
+    connect(m_seed, QOverload<int>::of(&QSpinBox::valueChanged), this, &IdentifyForm::onChange);
     showAdvanced(false);
 }
 
@@ -165,29 +187,55 @@ void IdentifyForm::refreshWords() {
     m_advanced->setAccessibleName(tr("Advanced settings"));
 }
 
-Result<IdentifyConfig> IdentifyForm::config() const {
-    for (std::size_t i = 0; i < m_currents.size(); ++i) {
-        const widgets::QuantityEdit& box = *m_currents[i];
-        const QString problem = box.problem().isEmpty() ? m_refused[i] : box.problem();
-        if (!problem.isEmpty()) { // the field shows the number before again, and nothing moves by that
-            return failure(ErrorCode::InvalidInput,
-                           tr("%1: %2").arg(box.accessibleName(), problem).toStdString(),
-                           tr("Write the current anew").toStdString());
+CurrentSweep IdentifyForm::sweep() const {
+    return {shown(*m_currents[0]), shown(*m_currents[1]), shown(*m_currents[2])};
+}
+
+bool IdentifyForm::isSweepBackwards() const {
+    return sweep().to_A < sweep().from_A;
+}
+
+/// Each field is good for itself; together they are not, and that shows at the one to be changed.
+void IdentifyForm::markSweep() {
+    widgets::QuantityEdit& last = *m_currents[1];
+    const bool isBad = isSweepBackwards() || !last.problem().isEmpty();
+    widgets::setRole(last, isBad ? widgets::Role::Bad : widgets::Role::None);
+}
+
+QStringList IdentifyForm::problems() const {
+    QStringList all;
+    const auto add = [&all](const QString& name, const QString& problem, const QString& remedy) {
+        all << tr("%1: %2").arg(name, problem) + QStringLiteral(" \u2192 ") + remedy;
+    };
+    for (const widgets::QuantityEdit* box : m_currents) {
+        if (const QString problem = problemNow(*box); !problem.isEmpty()) {
+            add(box->accessibleName(), problem, tr("Correct the number"));
         }
     }
+    if (all.isEmpty() && isSweepBackwards()) {
+        add(m_currents[1]->accessibleName(),
+            tr("It is smaller than \"%1\".").arg(m_currents[0]->accessibleName()),
+            tr("Make one larger or the other smaller"));
+    }
+    for (const widgets::OptionalNumberEdit* edit : m_given) {
+        if (!edit->isValid()) {
+            add(edit->accessibleName(), edit->problem(), tr("Correct it or leave it empty"));
+        }
+    }
+    return all;
+}
+
+Result<IdentifyConfig> IdentifyForm::config() const {
+    if (const QStringList all = problems(); !all.isEmpty()) {
+        return failure(ErrorCode::InvalidInput, all.join(QLatin1Char('\n')).toStdString());
+    }
     IdentifyConfig config;
-    config.sweep = {m_currents[0]->value(), m_currents[1]->value(), m_currents[2]->value()};
+    config.sweep = sweep();
     config.directions = static_cast<SweepDirections>(m_directions->currentIndex());
     config.seed = static_cast<std::uint64_t>(m_seed->value());
     for (std::size_t i = 0; i < m_given.size(); ++i) {
-        const widgets::OptionalNumberEdit& edit = *m_given[i];
-        if (!edit.isValid()) {
-            return failure(ErrorCode::InvalidInput,
-                           tr("%1: %2").arg(edit.accessibleName(), edit.problem()).toStdString(),
-                           tr("Correct it or leave it empty").toStdString());
-        }
-        if (edit.value()) {
-            if (auto set = setGivenConstant(config.given, GivenAll[i].symbol, *edit.value()); !set) {
+        if (const std::optional<double> value = m_given[i]->value()) {
+            if (auto set = setGivenConstant(config.given, GivenAll[i].symbol, *value); !set) {
                 return failure(set.error());
             }
         }
@@ -223,6 +271,7 @@ void IdentifyForm::setCurrentLimit_A(double limit_A) {
     for (std::size_t i = 0; i < m_currents.size(); ++i) {
         m_currents[i]->setFormat(currentFormat(i, limit_A));
     }
+    markSweep();
     refreshWords();
 }
 

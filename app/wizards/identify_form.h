@@ -2,6 +2,7 @@
 
 #include "app/procedures/identify_procedure.h"
 
+#include <QStringList>
 #include <QWidget>
 
 #include <array>
@@ -28,8 +29,14 @@ class IdentifyForm : public QWidget {
 public:
     explicit IdentifyForm(QWidget* parent = nullptr);
 
-    /// Errors: of sweepCurrents_A; InvalidInput for a current or a given constant that is no possible number.
+    /// What the fields show, also what is still being typed. Errors: of sweepCurrents_A; InvalidInput with
+    /// all of problems().
     Result<IdentifyConfig> config() const;
+    /// What is wrong and what to do about it, a sentence for each field.
+    QStringList problems() const;
+    /// What was entered last and could not be used, and what the fields show instead; empty once something
+    /// else is entered.
+    const QString& notice() const { return m_notice; }
     /// The given constants that are numbers, by symbol; SI.
     std::map<std::string, double> given() const;
     void setGiven(const std::map<std::string, double>& given);
@@ -40,6 +47,7 @@ public:
 
 Q_SIGNALS:
     void changed();
+    void reverted(); ///< a field shows the number before again: see notice()
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -48,11 +56,16 @@ private:
     void buildSweep();
     void buildGiven();
     void refreshWords();
+    void watchCurrent(widgets::QuantityEdit& box);
+    void onChange();
+    CurrentSweep sweep() const;
+    bool isSweepBackwards() const;
+    void markSweep();
 
     double m_limit_A = 4.0;
     QFormLayout* m_form = nullptr;
     std::array<widgets::QuantityEdit*, 3> m_currents{}; ///< from, to, step
-    std::array<QString, 3> m_refused; ///< why what was entered there last is no current; empty: it is one
+    QString m_notice;
     QComboBox* m_directions = nullptr;
     std::array<widgets::OptionalNumberEdit*, 4> m_given{}; ///< as GivenSymbols
     QToolButton* m_advanced = nullptr;

@@ -81,6 +81,11 @@ QWidget* IdentifyPanel::buildPrepare() {
     }
     column->addStretch(1);
     connect(m_form, &IdentifyForm::changed, this, &IdentifyPanel::refreshPlan);
+    // The click that took the focus was meant for what was typed: it starts nothing, the next one does.
+    connect(m_form, &IdentifyForm::reverted, this, [this] {
+        m_start->setEnabled(false);
+        QTimer::singleShot(0, this, &IdentifyPanel::refreshPlan);
+    });
     connect(m_preflight, &Preflight::changed, this, &IdentifyPanel::refreshPlan);
     return page;
 }
@@ -206,15 +211,18 @@ void IdentifyPanel::refreshPlan() {
     }
     const auto config = m_form->config();
     if (!config) {
-        m_outlook->setText(widgets::inWords(config.error().message) + QStringLiteral(" \u2192 ") +
-                           widgets::inWords(config.error().hint));
+        const QString hint = widgets::inWords(config.error().hint);
+        m_outlook->setText(widgets::inWords(config.error().message) +
+                           (hint.isEmpty() ? hint : QStringLiteral(" \u2192 ") + hint));
         widgets::setRole(*m_outlook, widgets::Role::Bad);
         m_start->setEnabled(false);
         return;
     }
-    widgets::setRole(*m_outlook, widgets::Role::None);
+    const QString& notice = m_form->notice();
+    widgets::setRole(*m_outlook, notice.isEmpty() ? widgets::Role::None : widgets::Role::Warn);
     const double start_degC = m_preflight->temperature_degC().value_or(AssumedStart_degC);
-    m_outlook->setText(outlookText(*config, sweepOutlook(*config, start_degC)));
+    m_outlook->setText((notice.isEmpty() ? notice : notice + QLatin1Char('\n')) +
+                       outlookText(*config, sweepOutlook(*config, start_degC)));
     m_preflight->setForecast([config = *config](double now_degC) {
         return predictIdentify(config, now_degC).highestTemperature_degC;
     });

@@ -10,6 +10,7 @@
 #include "widgets/progress_row.h"
 #include "widgets/quantity_edit.h"
 #include "widgets/step_list.h"
+#include "widgets/theme_style.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
@@ -51,6 +52,7 @@ protected:
         auto* edit = child<widgets::OptionalNumberEdit>(symbol);
         edit->setFocus();
         QTest::keyClick(edit, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClick(edit, Qt::Key_Delete);
         QTest::keyClicks(edit, value);
     }
 
@@ -65,6 +67,21 @@ protected:
             QTest::keyClick(boxes[i], Qt::Key_Return);
             ASSERT_EQ(boxes[i]->value(), QString(values[i]).toDouble());
         }
+    }
+
+    /// Into the field of a current: from, to, step. It is not entered by that.
+    void type(std::size_t field, const char* text) {
+        auto* edit = panel.findChildren<widgets::QuantityEdit*>().at(static_cast<int>(field));
+        edit->setFocus();
+        QTest::keyClick(edit, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClicks(edit, text);
+    }
+
+    bool hasLabel(const QString& words) const {
+        const auto all = panel.findChildren<QLabel*>();
+        return std::any_of(all.begin(), all.end(), [&words](const QLabel* label) {
+            return label->isVisible() && label->text().contains(words);
+        });
     }
 
     QString message() const { return child<widgets::MessageBar>()->message().text; }
@@ -121,25 +138,62 @@ TEST_F(IdentifyPanelTest, aNumberThatIsNoneKeepsItFromStarting) {
     EXPECT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
 }
 
-TEST_F(IdentifyPanelTest, aCurrentThatWasRefusedKeepsItFromStartingUntilItIsWrittenAnew) {
+TEST_F(IdentifyPanelTest, aCurrentThatIsNoneKeepsItFromStartingWhileItIsShown) {
     connectMotor("sim:htm", 0.0);
     ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
     auto* last = panel.findChildren<widgets::QuantityEdit*>().at(1);
     const double before_A = last->value();
     for (const char* wrong : {"abc", "nan", "99", "0", "1..2"}) {
-        last->setFocus();
-        QTest::keyClick(last, Qt::Key_A, Qt::ControlModifier);
-        QTest::keyClicks(last, wrong);
-        button(panel, "Advanced")->setFocus(); // as a click on Start does: the field has its number back
-        EXPECT_EQ(last->value(), before_A) << wrong;
+        type(1, wrong);
         EXPECT_FALSE(isEnabled(panel, "Start identification")) << wrong;
-        last->setFocus();
-        QTest::keyClick(last, Qt::Key_A, Qt::ControlModifier);
-        QTest::keyClicks(last, "3");
-        QTest::keyClick(last, Qt::Key_Return);
+        QTest::keyClick(&panel, Qt::Key_Return, Qt::ControlModifier); // would start it
+        EXPECT_TRUE(bench.session().procedure().isEmpty()) << wrong;
+        EXPECT_TRUE(hasLabel("To current: ")) << wrong;
+        button(panel, "Advanced")->setFocus(); // the field has its number back, and says that it does
+        EXPECT_EQ(last->value(), before_A) << wrong;
+        EXPECT_FALSE(isEnabled(panel, "Start identification")) << "the click that takes the focus: " << wrong;
         EXPECT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); })) << wrong;
-        last->setValue(before_A);
+        EXPECT_TRUE(hasLabel("To current: '" + QString(wrong) + "' cannot be used. ")) << wrong;
+        EXPECT_TRUE(hasLabel(" The field shows 4.00 A again.")) << wrong;
+        type(1, "3"); // not entered yet, but it is what is shown
+        EXPECT_FALSE(hasLabel("cannot be used")) << wrong;
+        EXPECT_TRUE(hasLabel("Current up to 3.0 A")) << wrong;
+        type(1, "4");
+        QTest::keyClick(last, Qt::Key_Return);
     }
+}
+
+TEST_F(IdentifyPanelTest, everyFieldThatIsWrongIsNamed) {
+    connectMotor("sim:htm", 0.0);
+    type(0, "9");
+    type(2, "0"); // leaves the first one: it has its number back
+    give("J", "x");
+    give("c", "-1");
+    EXPECT_FALSE(isEnabled(panel, "Start identification"));
+    EXPECT_TRUE(hasLabel("Given inertia J: "));
+    EXPECT_TRUE(hasLabel("Given damping c: "));
+    EXPECT_FALSE(hasLabel("Step: ")) << "it shows a good number";
+    type(2, "0");
+    EXPECT_TRUE(hasLabel("Step: Allowed: 0.05 to 4.00. \u2192 Correct the number\nGiven inertia J: "));
+    EXPECT_TRUE(hasLabel("Given damping c: "));
+    give("J", "");
+    give("c", "");
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
+}
+
+TEST_F(IdentifyPanelTest, aSweepThatEndsBelowItsStartIsMarkedAndSaid) {
+    connectMotor("sim:htm", 0.0);
+    auto* last = panel.findChildren<widgets::QuantityEdit*>().at(1);
+    type(1, "1");
+    QTest::keyClick(last, Qt::Key_Return);
+    button(panel, "Advanced")->setFocus();
+    EXPECT_EQ(widgets::roleOf(*last), widgets::Role::Bad);
+    EXPECT_TRUE(hasLabel("To current: It is smaller than \"From current\"."));
+    EXPECT_FALSE(isEnabled(panel, "Start identification"));
+    type(0, "0.5");
+    QTest::keyClick(last, Qt::Key_Tab);
+    EXPECT_EQ(widgets::roleOf(*last), widgets::Role::None);
+    EXPECT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
 }
 
 TEST_F(IdentifyPanelTest, withoutAGivenConstantItSaysWhatWouldSupplyTheScale) {
