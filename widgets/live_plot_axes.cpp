@@ -5,6 +5,7 @@
 
 #include <QFontInfo>
 #include <QFontMetrics>
+#include <QLocale>
 #include <qwt_scale_widget.h>
 
 #include <algorithm>
@@ -46,6 +47,13 @@ double labelStep(const ValueRange& values, double lines) {
         step = niceStep(0.4 * step, 1); // the next smaller of 5, 2, 1
     }
     return step;
+}
+
+/// What a label at the lower end needs below the axis. The scale takes numbers for letters that end at their
+/// line: the tail of a decimal comma goes below it, and a comma without its tail is read as a point.
+int roomBelow(const ValueScaleDraw& scale, const QFont& font) {
+    const int tail_px = QFontMetrics(font).tightBoundingRect(QLocale().decimalPoint()).bottom() + 1;
+    return static_cast<int>(std::ceil(0.5 * scale.maxLabelHeight(font))) + std::max(0, tail_px);
 }
 
 /// Where a value of one range stands in another that is drawn as high.
@@ -180,7 +188,9 @@ void LivePlot::showScale(bool isRight) {
     const double lines = std::max(1.0, static_cast<double>(canvas()->height()) / fontMetrics().height());
     const double step = labelStep(values, lines);
     const bool isEmpty = isRight ? !hasRightAxis(m_spec) : m_curves.empty();
-    (isRight ? m_rightScale : m_valueScale)->setDecimals(decimalsOf(step));
+    ValueScaleDraw& scale = isRight ? *m_rightScale : *m_valueScale;
+    scale.setDecimals(decimalsOf(step));
+    axisWidget(isRight ? yRight : yLeft)->setMinBorderDist(0, roomBelow(scale, font()));
     setAxisScaleDiv(isRight ? yRight : yLeft, isEmpty ? QwtScaleDiv(values.low, values.high)
                                                       : divisionOf(values.low, values.high, step));
 }

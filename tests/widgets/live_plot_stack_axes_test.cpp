@@ -4,6 +4,7 @@
 #include <QFontInfo>
 #include <QPainter>
 #include <QStyle>
+#include <qwt_scale_draw.h>
 #include <qwt_scale_widget.h>
 
 #include <cmath>
@@ -99,6 +100,45 @@ TEST_F(LivePlotStackTest, titlesChangeTheirFormForAllPlotsSoThatAxesAlign) {
             EXPECT_EQ(plot->canvasRect().left(), all.front()->canvasRect().left());
         }
     }
+}
+
+// A decimal comma that loses its tail at the edge of the axis is read as a point.
+TEST_F(LivePlotStackTest, everyLabelOfAnAxisIsWholeAndANumberOfTheLocale) {
+    const QLocale before;
+    const QLocale german(QLocale::German, QLocale::Germany);
+    QLocale::setDefault(german);
+    LivePlotStack own;
+    own.setTheme(loadTheme("light").value());
+    own.setHistory(&history);
+    PlotSpec spec = motorPlots().front();
+    own.show();
+    const ValueRange ranges[] = {{-0.55, 0.55}, {24.43, 25.6}, {-2400.0, 1200.0}, {-0.0012, 0.0007}};
+    for (const ValueRange& range : ranges) {
+        spec.fixedRange = range;
+        own.setPlots({spec});
+        for (int height_px = 150; height_px < 260; height_px += 3) { // where ticks stand changes with it
+            own.resize(700, height_px);
+            QApplication::processEvents();
+            own.refresh();
+            QApplication::processEvents();
+            const auto* plot = own.findChild<LivePlot*>();
+            const auto* axis = plot->axisWidget(QwtPlot::yLeft);
+            const QFontMetrics metrics(axis->font());
+            const int tail_px = metrics.tightBoundingRect(QStringLiteral(",")).bottom() + 1;
+            ASSERT_GT(tail_px, 0);
+            for (const double tick : plot->axisScaleDiv(QwtPlot::yLeft).ticks(QwtScaleDiv::MajorTick)) {
+                const QString text = axis->scaleDraw()->label(tick).text();
+                bool isNumber = false;
+                // A step of 1e-3 is the finest here: the text has all of the tick's digits.
+                EXPECT_NEAR(german.toDouble(text, &isNumber), tick, 1e-9) << text.toStdString();
+                EXPECT_TRUE(isNumber) << text.toStdString();
+                const QRect label = axis->scaleDraw()->boundingLabelRect(axis->font(), tick);
+                EXPECT_LE(label.top() + label.height() + tail_px, axis->height() + 1)
+                    << text.toStdString() << " at " << height_px;
+            }
+        }
+    }
+    QLocale::setDefault(before);
 }
 
 TEST_F(LivePlotStackTest, anEventIsTheZeroOfTheTimeAxisAndOfItsGrid) {
