@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QSpinBox>
+#include <QTimer>
 #include <QToolButton>
 
 #include <limits>
@@ -98,10 +99,16 @@ void IdentifyForm::watchCurrent(widgets::QuantityEdit& box) {
     connect(&box, &widgets::QuantityEdit::refused, this, [this, &box](const QString& text) {
         onChange();
         if (box.text() != text) { // left: it shows the number before
+            m_isReverting = true;
             m_notice = tr("%1: '%2' cannot be used. %3 The field shows %4 A again.")
                            .arg(box.accessibleName(), text, box.problemOf(text), box.text());
             Q_EMIT changed();
-            Q_EMIT reverted();
+            // The click that took the focus was meant for what was typed: it starts nothing, the next one
+            // does.
+            QTimer::singleShot(0, this, [this] {
+                m_isReverting = false;
+                Q_EMIT changed();
+            });
         }
     });
 }
@@ -228,6 +235,9 @@ QStringList IdentifyForm::problems() const {
 Result<IdentifyConfig> IdentifyForm::config() const {
     if (const QStringList all = problems(); !all.isEmpty()) {
         return failure(ErrorCode::InvalidInput, all.join(QLatin1Char('\n')).toStdString());
+    }
+    if (m_isReverting) {
+        return failure(ErrorCode::InvalidInput, m_notice.toStdString());
     }
     IdentifyConfig config;
     config.sweep = sweep();

@@ -47,7 +47,6 @@ public:
 
 Q_SIGNALS:
     void changed();
-    void reverted(); ///< a field shows the number before again: see notice()
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -66,6 +65,7 @@ private:
     QFormLayout* m_form = nullptr;
     std::array<widgets::QuantityEdit*, 3> m_currents{}; ///< from, to, step
     QString m_notice;
+    bool m_isReverting = false; ///< while the click that left the field is on its way
     QComboBox* m_directions = nullptr;
     std::array<widgets::OptionalNumberEdit*, 4> m_given{}; ///< as GivenSymbols
     QToolButton* m_advanced = nullptr;

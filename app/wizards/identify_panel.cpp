@@ -81,11 +81,6 @@ QWidget* IdentifyPanel::buildPrepare() {
     }
     column->addStretch(1);
     connect(m_form, &IdentifyForm::changed, this, &IdentifyPanel::refreshPlan);
-    // The click that took the focus was meant for what was typed: it starts nothing, the next one does.
-    connect(m_form, &IdentifyForm::reverted, this, [this] {
-        m_start->setEnabled(false);
-        QTimer::singleShot(0, this, &IdentifyPanel::refreshPlan);
-    });
     connect(m_preflight, &Preflight::changed, this, &IdentifyPanel::refreshPlan);
     return page;
 }
@@ -211,9 +206,7 @@ void IdentifyPanel::refreshPlan() {
     }
     const auto config = m_form->config();
     if (!config) {
-        const QString hint = widgets::inWords(config.error().hint);
-        m_outlook->setText(widgets::inWords(config.error().message) +
-                           (hint.isEmpty() ? hint : QStringLiteral(" \u2192 ") + hint));
+        m_outlook->setText(problemText(config.error()));
         widgets::setRole(*m_outlook, widgets::Role::Bad);
         m_start->setEnabled(false);
         return;

@@ -272,4 +272,9 @@ QString projectDeviceText(const ResultHeader& header, const devices::DeviceInfo*
                : Words::tr("Connected is another one: %1.").arg(QString::fromStdString(connected->id));
 }
 
+QString problemText(const Error& error) {
+    const QString hint = widgets::inWords(error.hint);
+    return widgets::inWords(error.message) + (hint.isEmpty() ? hint : QStringLiteral(" \u2192 ") + hint);
+}
+
 } // namespace halbench::app

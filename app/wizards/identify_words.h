@@ -47,4 +47,7 @@ bool isOfVirtualTime(const ResultHeader& header);
 /// Whether the device that is connected is the one of the project's result; nothing is connected without it.
 QString projectDeviceText(const ResultHeader& header, const devices::DeviceInfo* connected);
 
+/// What is wrong and, where there is one, the remedy behind an arrow.
+QString problemText(const Error& error);
+
 } // namespace halbench::app
