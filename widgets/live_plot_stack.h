@@ -106,6 +106,7 @@ public:
     void setCursor(int index, double time_s);
     /// The moment of a trigger's event, from which the time axis counts while it is given.
     void setEvent(std::optional<double> event_s);
+    const std::optional<double>& event_s() const { return m_event_s; }
     /// Where a trigger waits; drawn in the plots of its signal, where it can be dragged.
     void setLevel(const std::optional<PlotLevel>& level);
     const std::optional<PlotLevel>& level() const { return m_level; }

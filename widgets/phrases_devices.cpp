@@ -9,10 +9,10 @@ namespace halbench::widgets {
 namespace {
 
 constexpr const char* Table[] = {
-    QT_TRANSLATE_NOOP("Phrases", "'{}' is of no format that can be read"),
-    QT_TRANSLATE_NOOP("Phrases", "this version reads .csv, .mf4 and .csv.partial (an interrupted recording)"),
     QT_TRANSLATE_NOOP("Phrases", "'{}' is of no format that can be written"),
     QT_TRANSLATE_NOOP("Phrases", "this version writes .csv, .mf4 and .mat"),
+    QT_TRANSLATE_NOOP("Phrases", "'{}' is of no format that can be read"),
+    QT_TRANSLATE_NOOP("Phrases", "this version reads .csv, .mf4 and .csv.partial (an interrupted recording)"),
     QT_TRANSLATE_NOOP("Phrases", "the recording has no signal '{}'"),
     QT_TRANSLATE_NOOP("Phrases", "it has {}"),
     QT_TRANSLATE_NOOP("Phrases", "the interval needs numbers"),

@@ -1,5 +1,6 @@
 #include "app/workspaces/monitor_panel.h"
 
+#include "app/workspaces/monitor_data.h"
 #include "app/workspaces/monitor_picture.h"
 #include "app/workspaces/monitor_plots.h"
 #include "app/workspaces/monitor_reference.h"
@@ -37,10 +38,10 @@ struct Tool {
     const char* icon;
     bool hasText = false;
 };
-constexpr Tool Tools[] = {
-    {Command::Pause, "pause", true},    {Command::Follow, "follow", true}, {Command::Fit, "fit"},
-    {Command::ShowAll, "zoom"},         {Command::ZoomBack, "undo"},       {Command::Cursors, "cursor"},
-    {Command::Marker, "note"},          {Command::AddSignals, "add"}};
+constexpr Tool Tools[] = {{Command::Pause, "pause", true}, {Command::Follow, "follow", true},
+                          {Command::Fit, "fit"},           {Command::ShowAll, "zoom"},
+                          {Command::ZoomBack, "undo"},     {Command::Cursors, "cursor"},
+                          {Command::Marker, "note"},       {Command::AddSignals, "add"}};
 
 /// To milliseconds: the view moves by whole pixel columns, a project shall not.
 double rounded(double time_s) {
@@ -68,6 +69,10 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     m_stack->setHistory(&m_bench.history());
     m_trigger = new MonitorTrigger(m_bench, *m_stack, *this);
     m_picture = new MonitorPicture(m_bench, *m_stack, *this);
+    m_data = new MonitorData(m_bench, *m_stack, *this);
+    m_stack->setContextMenuPolicy(Qt::ActionsContextMenu);
+    m_stack->addActions(
+        {&m_data->copyAction(), &m_data->saveAction(), &m_picture->copyAction(), &m_picture->saveAction()});
     m_reference = new MonitorReference(*m_stack, *this);
     m_statistics = new MonitorStatistics(m_bench, *m_stack, *this);
     auto* column = new QVBoxLayout(plots);
@@ -128,12 +133,19 @@ QWidget* MonitorPanel::buildTools() {
 
 void MonitorPanel::setFileChooser(FileChooser chooser) {
     m_reference->setFileChooser(chooser);
+    m_data->setFileChooser(chooser);
     m_picture->setFileChooser(std::move(chooser));
 }
 
 void MonitorPanel::connectStack() {
     connect(m_picture, &MonitorPicture::failed, this, [this](const QString& text, const QString& remedy) {
         m_message->showMessage({widgets::Severity::Error, text, remedy, {}});
+    });
+    connect(m_data, &MonitorData::failed, this, [this](const QString& text, const QString& remedy) {
+        m_message->showMessage({widgets::Severity::Error, text, remedy, {}});
+    });
+    connect(m_data, &MonitorData::done, this, [this](const QString& text) {
+        m_message->showMessage({widgets::Severity::Success, text, {}, {}});
     });
     connect(m_reference, &MonitorReference::failed, this, [this](const QString& text, const QString& remedy) {
         m_message->showMessage({widgets::Severity::Error, text, remedy, {}});

@@ -21,6 +21,7 @@ class MessageBar;
 
 namespace halbench::app {
 
+class MonitorData;
 class MonitorStatistics;
 class MonitorPicture;
 class MonitorReference;
@@ -71,6 +72,7 @@ private:
     widgets::LivePlotStack* m_stack = nullptr;
     MonitorTrigger* m_trigger = nullptr;
     MonitorPicture* m_picture = nullptr;
+    MonitorData* m_data = nullptr;
     MonitorReference* m_reference = nullptr;
     MonitorStatistics* m_statistics = nullptr;
     QLabel* m_stream = nullptr;

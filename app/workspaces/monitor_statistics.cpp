@@ -17,14 +17,6 @@ namespace {
 constexpr int Period_ms = 250;
 constexpr double PlotsShare = 2.0 / 3.0; ///< of the panel's height, at least
 
-/// Between the cursors, or what is in view.
-control::TimeRange rangeOf(const widgets::LivePlotStack& stack) {
-    const widgets::CursorPair& cursors = stack.cursors();
-    return cursors.isVisible
-               ? control::TimeRange{std::min(cursors.a_s, cursors.b_s), std::max(cursors.a_s, cursors.b_s)}
-               : stack.timeRange();
-}
-
 std::optional<double> slopeOf(const control::SampleHistory& history, const widgets::PlotCurve& curve,
                               const widgets::CursorPair& cursors) {
     const auto a = history.valueAt(curve.signal, cursors.a_s);
@@ -35,6 +27,13 @@ std::optional<double> slopeOf(const control::SampleHistory& history, const widge
 }
 
 } // namespace
+
+control::TimeRange stretchInView(const widgets::LivePlotStack& stack) {
+    const widgets::CursorPair& cursors = stack.cursors();
+    return cursors.isVisible
+               ? control::TimeRange{std::min(cursors.a_s, cursors.b_s), std::max(cursors.a_s, cursors.b_s)}
+               : stack.timeRange();
+}
 
 MonitorStatistics::MonitorStatistics(Workbench& bench, widgets::LivePlotStack& stack, QWidget& panel)
     : QObject(&panel), m_bench(bench), m_stack(stack), m_panel(panel) {
@@ -63,7 +62,7 @@ void MonitorStatistics::refresh() {
         return;
     }
     const control::SampleHistory& history = *m_stack.history();
-    const control::TimeRange range = rangeOf(m_stack);
+    const control::TimeRange range = stretchInView(m_stack);
     std::vector<widgets::StatisticsRow> rows;
     for (const widgets::PlotSpec& plot : m_stack.plots()) {
         for (const widgets::PlotCurve& curve : plot.curves) {

@@ -14,6 +14,9 @@ class StatisticsTable;
 
 namespace halbench::app {
 
+/// Between the cursors, or what is in view.
+control::TimeRange stretchInView(const widgets::LivePlotStack& stack);
+
 /// The table below the Monitor's plots: statistics of every curve between the cursors, or of what is in view
 /// without them (resources/help/monitor.md, "Statistics"). It takes what the plots can spare.
 class MonitorStatistics : public QObject {

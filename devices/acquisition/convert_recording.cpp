@@ -41,18 +41,20 @@ Writer writerFor(const std::string& path) {
     return nullptr;
 }
 
+Result<void> checkWritten(const std::string& path) {
+    return writerFor(path) != nullptr
+               ? Result<void>()
+               : failure(ErrorCode::Usage, fmt::format("'{}' is of no format that can be written", path),
+                         "this version writes .csv, .mf4 and .mat");
+}
+
 Result<void> checkFormats(const ConvertRequest& request) {
     const std::string& input = request.input;
     if (!endsWith(input, ".csv") && !isPartialRecording(input) && !isMdf4Recording(input)) {
         return failure(ErrorCode::Usage, fmt::format("'{}' is of no format that can be read", input),
                        "this version reads .csv, .mf4 and .csv.partial (an interrupted recording)");
     }
-    if (writerFor(request.output) == nullptr) {
-        return failure(ErrorCode::Usage,
-                       fmt::format("'{}' is of no format that can be written", request.output),
-                       "this version writes .csv, .mf4 and .mat");
-    }
-    return {};
+    return checkWritten(request.output);
 }
 
 struct Source {
@@ -174,6 +176,11 @@ Result<Recording> selectPart(const Recording& recording, const std::vector<std::
     }
     part.layout = std::make_shared<const StreamLayout>(std::move(layout));
     return part;
+}
+
+Result<void> exportRecording(const std::string& path, const Recording& recording, RecordingMeta meta) {
+    const Result<void> known = checkWritten(path);
+    return known ? writerFor(path)(path, recording, std::move(meta), ".partial") : known;
 }
 
 Result<Conversion> convertRecording(const ConvertRequest& request,

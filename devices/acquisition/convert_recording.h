@@ -3,6 +3,7 @@
 #include "control/base/result.h"
 #include "control/base/sample_block.h"
 #include "devices/acquisition/derived_signals.h"
+#include "devices/acquisition/recording_meta.h"
 
 #include <functional>
 #include <optional>
@@ -50,5 +51,9 @@ struct Conversion {
 /// `checkAbort`, which is asked while the input is read.
 Result<Conversion> convertRecording(const ConvertRequest& request,
                                     const std::function<Result<void>()>& checkAbort = {});
+
+/// What is already in memory, in the format that the file's ending names, every number in all its digits.
+/// Errors: Usage (format), FileSystem.
+Result<void> exportRecording(const std::string& path, const Recording& recording, RecordingMeta meta);
 
 } // namespace halbench::devices
