@@ -42,7 +42,7 @@ constexpr std::array KnownKeys = {
     KeySpec{"identify", "speed_limit_rad_s", Number, false, 0.1, 1e4, "", "speed window; default 40"},
     KeySpec{"identify", "usable_speed_rad_s", Number, false, 0, 1e4, "", "slower plateaus are not fitted; default 3"},
 
-    KeySpec{"frequency", "excitation", Choice, false, 0, 0, "multisine|stepped-sine", "how the loop is excited; default multisine"},
+    KeySpec{"frequency", "excitation", Choice, false, 0, 0, "multisine|stepped-sine|chirp", "how the loop is excited; default multisine"},
     KeySpec{"frequency", "from_hz", Number, false, 0.1, 500, "", "lowest frequency, Hz; default 0.5"},
     KeySpec{"frequency", "to_hz", Number, false, 0.1, 500, "", "highest frequency, Hz; default 40"},
     KeySpec{"frequency", "base_rad_s", Number, false, -1e4, 1e4, "", "constant speed below the excitation, at least 3 rad/s either way; default 5"},

@@ -18,7 +18,7 @@ Result<void> checkFrequencyBoard(const devices::Catalogue& catalogue, const Freq
         catalogue.findParameter("reference.frequency_end") != nullptr) {
         return {};
     }
-    return failure(ErrorCode::DeviceRefused, "the generator of this board makes no multisine",
+    return failure(ErrorCode::DeviceRefused, "the generator of this board makes neither multisine nor chirp",
                    "use a stepped sine");
 }
 

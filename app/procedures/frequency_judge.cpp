@@ -1,6 +1,7 @@
 #include "app/procedures/frequency_judge.h"
 
 #include "control/base/units.h"
+#include "control/identify/swept_estimate.h"
 
 #include <fmt/format.h>
 
@@ -34,17 +35,52 @@ double strayError_rad_per_A(const std::optional<StrayField>& stray,
     return std::min(known_rad_per_A, std::max(std::abs(low), std::abs(high)));
 }
 
-Result<std::vector<control::PlantPoint>> pointsOf(const FrequencyRun& run, const MeasuredStage& measured) {
-    const std::size_t rows = static_cast<std::size_t>(run.config.periods) * measured.stage.rowsPerPeriod;
-    const std::size_t last = measured.firstRow + rows;
+Result<void> checkRows(const FrequencyRun& run, double at_Hz, std::size_t first, std::size_t rows) {
     const std::vector<double>& time_s = run.recording.time_s;
     const double expected_s = static_cast<double>(rows - 1) * run.margins.period_s;
-    if (last > time_s.size() ||
-        std::abs(time_s[last - 1] - time_s[measured.firstRow] - expected_s) > 0.5 * run.margins.period_s) {
+    if (first + rows > time_s.size() ||
+        std::abs(time_s[first + rows - 1] - time_s[first] - expected_s) > 0.5 * run.margins.period_s) {
         return failure(ErrorCode::Refused,
-                       fmt::format("rows are missing near {} Hz: the periods do not fit together",
-                                   measured.stage.reference.frequency_Hz),
+                       fmt::format("rows are missing near {} Hz: the periods do not fit together", at_Hz),
                        "check the link and measure again");
+    }
+    return {};
+}
+
+Result<std::vector<control::PlantPoint>> sweptPointsOf(const FrequencyRun& run,
+                                                       const MeasuredStage& measured) {
+    const FrequencyStage& stage = measured.stage;
+    for (const std::size_t first : measured.sweepRows) {
+        if (auto whole = checkRows(run, stage.reference.frequency_Hz, first, stage.rowsPerPeriod); !whole) {
+            return failure(whole.error());
+        }
+    }
+    constexpr double SettledShare = 0.4; // of a rest, at its end
+    const std::vector<double> reference = run.recording.column("reference");
+    const std::vector<double> input = run.recording.column("current_command");
+    const std::vector<double> output = run.recording.column("position");
+    control::SweptRows rows;
+    rows.period_s = run.margins.period_s;
+    rows.rowsPerSweep = stage.rowsPerPeriod;
+    rows.restRows = static_cast<std::size_t>(SettledShare * stage.rest_s / run.margins.period_s);
+    rows.starts = measured.sweepRows;
+    rows.turn_rad_s = run.turn_rad_s;
+    rows.lowest_rad_s = 2.0 * Pi * stage.reference.frequency_Hz;
+    rows.highest_rad_s = 2.0 * Pi * stage.to_Hz;
+    rows.points = static_cast<int>(stage.lines.size());
+    rows.reference = reference;
+    rows.input = input;
+    rows.output = output;
+    return control::estimateSweptPlant(rows);
+}
+
+Result<std::vector<control::PlantPoint>> pointsOf(const FrequencyRun& run, const MeasuredStage& measured) {
+    if (measured.stage.sweeps > 0) {
+        return sweptPointsOf(run, measured);
+    }
+    const std::size_t rows = static_cast<std::size_t>(run.config.periods) * measured.stage.rowsPerPeriod;
+    if (auto whole = checkRows(run, measured.stage.reference.frequency_Hz, measured.firstRow, rows); !whole) {
+        return failure(whole.error());
     }
     const auto part = [&](const std::vector<double>& column) {
         return std::span(column).subspan(measured.firstRow, rows);
@@ -58,7 +94,7 @@ Result<std::vector<control::PlantPoint>> pointsOf(const FrequencyRun& run, const
 
 FrequencyBand bandOf(const FrequencyStage& stage) {
     const MoveReference& reference = stage.reference;
-    return {reference.frequency_Hz, reference.frequencyEnd_Hz, static_cast<int>(stage.lines.size()),
+    return {reference.frequency_Hz, stage.to_Hz, static_cast<int>(stage.lines.size()),
             reference.amplitude_rad};
 }
 

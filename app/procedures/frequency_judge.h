@@ -8,6 +8,7 @@ namespace halbench::app {
 struct MeasuredStage {
     FrequencyStage stage;
     std::size_t firstRow = 0;
+    std::vector<std::size_t> sweepRows; ///< of a chirp: where each sweep may begin
 };
 
 /// What was measured, as the judgement needs it.

@@ -17,9 +17,7 @@
 namespace halbench::app {
 namespace {
 
-constexpr std::array<std::string_view, 2> ExcitationNames = {"multisine", "stepped-sine"};
-constexpr double Slack_s =
-    2.0; // the generator runs on until the next stage takes over, or the motor is disarmed
+constexpr std::array<std::string_view, 3> ExcitationNames = {"multisine", "stepped-sine", "chirp"};
 constexpr double OnTheWay_s = 0.3; // rows that are recorded but not here yet
 
 std::vector<std::string> recordedSignals() {
@@ -64,7 +62,7 @@ private:
 };
 
 Result<void> startStage(devices::Device& device, const MoveReference& reference, double duration_s) {
-    std::vector<ParameterValue> values = generatorParameters(reference, duration_s + Slack_s);
+    std::vector<ParameterValue> values = generatorParameters(reference, duration_s + GeneratorSlack_s);
     std::erase_if(values, [&device](const ParameterValue& value) {
         return device.catalogue().findParameter(value.name) == nullptr;
     });
@@ -115,17 +113,38 @@ private:
         if (auto armed = m_device.arm(); !armed) {
             return armed;
         }
-        MoveReference turning;
-        turning.shape = MoveReference::Shape::Ramp;
-        turning.rate_rad_s = m_plan.turn_rad_s;
-        Result<void> done = startStage(m_device, turning, m_plan.runUp_s);
+        Result<void> done = startStage(m_device, turning(), m_plan.runUp_s);
         done = done ? wait(m_plan.runUp_s, "runs up") : done;
         done = done ? enterState(m_outer, ProcedureState::Record) : done;
         m_watch.begin();
         for (const FrequencyStage& stage : m_plan.stages) {
-            done = done ? excite(stage) : done;
+            done = !done ? done : stage.sweeps > 0 ? sweep(stage) : excite(stage);
         }
         return done ? m_device.disarm() : done;
+    }
+
+    MoveReference turning() const {
+        MoveReference reference;
+        reference.shape = MoveReference::Shape::Ramp;
+        reference.rate_rad_s = m_plan.turn_rad_s;
+        return reference;
+    }
+
+    /// The board's chirp runs once and then holds its position: before it ends, steady motion takes over.
+    Result<void> sweep(const FrequencyStage& stage) {
+        MeasuredStage measured{stage, m_recorder.rows(), {}};
+        Result<void> done;
+        for (int i = 0; done && i < stage.sweeps; ++i) {
+            measured.sweepRows.push_back(m_recorder.rows());
+            done = startStage(m_device, stage.reference, stage.sweep_s);
+            const auto text = fmt::format("sweeps from {:.3g} to {:.3g} Hz, {} of {}",
+                                          stage.reference.frequency_Hz, stage.to_Hz, i + 1, stage.sweeps);
+            done = done ? wait(stage.sweep_s, text) : done;
+            done = done ? startStage(m_device, turning(), stage.rest_s) : done;
+            done = done ? wait(stage.rest_s, text) : done;
+        }
+        m_run.stages.push_back(std::move(measured));
+        return done ? wait(2.0 * OnTheWay_s, "waits for the last rows") : done;
     }
 
     Result<void> excite(const FrequencyStage& stage) {
@@ -135,7 +154,7 @@ private:
         }
         const auto settling =
             static_cast<std::size_t>(std::lround((stage.settle_s + OnTheWay_s) / m_run.margins.period_s));
-        m_run.stages.push_back({stage, m_recorder.rows() + settling});
+        m_run.stages.push_back({stage, m_recorder.rows() + settling, {}});
         return wait(duration_s + OnTheWay_s,
                     fmt::format("excites from {:.3g} Hz", stage.reference.frequency_Hz));
     }

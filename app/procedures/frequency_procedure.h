@@ -14,9 +14,9 @@
 
 namespace halbench::app {
 
-enum class Excitation { Multisine, SteppedSine };
+enum class Excitation { Multisine, SteppedSine, Chirp };
 
-/// "multisine", "stepped-sine"
+/// "multisine", "stepped-sine", "chirp"
 std::string_view excitationName(Excitation excitation);
 /// Error: UnknownName; the hint lists them.
 Result<Excitation> excitation(std::string_view name);
@@ -28,7 +28,7 @@ struct FrequencyConfig {
     double to_Hz = 40.0;
     double base_rad_s = 5.0; ///< of the constant motion below the excitation; its sign is the direction
     std::optional<double> amplitude_rad; ///< of a sine of the same rms; absent: as large as is safe
-    int periods = 8;                     ///< that are averaged, 4 to 64
+    int periods = 8;                     ///< of a chirp sweeps, that are averaged, 4 to 64
     double leastCoherence = 0.9;         ///< points below are shown, and used for nothing
     double speedLimit_rad_s = 40.0;
     double pauseTemperature_degC = 65.0;

@@ -118,7 +118,7 @@ class Schemas(unittest.TestCase):
         self.assertEqual(refused["data_quality"]["verdict"], "refused")
         self.assertIsNone(refused["rotor"])
         for options in (["--base-rad-s", "2"], ["--amplitude-deg", "30"], ["--to-hz", "60"], ["--periods", "2"],
-                        ["--periods", "8.5"], ["--excitation", "chirp"], ["--given", "J=1e-3"], ["--currents", "1:2:1"]):
+                        ["--periods", "8.5"], ["--excitation", "noise"], ["--given", "J=1e-3"], ["--currents", "1:2:1"]):
             with self.subTest(options=options):
                 self.accept(self.run_json("identify", "sim:htm", "--frequency", *options, code=2))
         self.accept(self.run_json("identify", "sim:htm", "--to-hz", "20", code=2))
