@@ -1,9 +1,9 @@
+#include "control/base/random.h"
 #include "control/identify/swept_estimate.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 namespace halbench::control {
 namespace {
@@ -51,10 +51,9 @@ struct Record {
 /// A loop with proportional and derivative action turns steadily and is swept again and again, at times that
 /// jitter by up to 50 ms; each sweep leaves the reference where it stands. `noise`: of the sensor, rms; the
 /// disturbance repeats with the turn.
-Record swept(int sweeps, double noise, double turnDisturbance, std::uint32_t seed) {
-    std::mt19937 random(seed);
-    std::normal_distribution<double> normal(0.0, 1.0);
-    std::uniform_int_distribution<int> jitter(0, 5);
+Record swept(int sweeps, double noise, double turnDisturbance, std::uint64_t seed) {
+    Random random(seed);
+    const auto jitter = [&random] { return static_cast<int>(random.below(6)); };
     Record record;
     Rotor rotor;
     double shift = 0.0, ramp = 0.0, before = 0.0;
@@ -65,7 +64,7 @@ Record swept(int sweeps, double noise, double turnDisturbance, std::uint32_t see
             offset = isSwept ? 0.06 * std::sin(2.0 * M_PI * (0.5 + 1.9 * t / 16.0) * t) : 0.0;
             const double r = ramp + shift + offset;
             const double y =
-                rotor.angle + turnDisturbance * std::sin(rotor.angle + 0.3) + noise * normal(random);
+                rotor.angle + turnDisturbance * std::sin(rotor.angle + 0.3) + noise * random.gaussian();
             const double error = r - y;
             const double u = 10.0 * error + 0.5 * (error - before) / T;
             before = error;
@@ -80,8 +79,8 @@ Record swept(int sweeps, double noise, double turnDisturbance, std::uint32_t see
     run(1000, false);
     for (int i = 0; i < sweeps; ++i) {
         record.starts.push_back(record.reference.size());
-        run(800 + jitter(random), true);
-        run(420 + jitter(random), false);
+        run(800 + jitter(), true);
+        run(420 + jitter(), false);
     }
     return record;
 }
@@ -106,7 +105,7 @@ TEST(SweptEstimate, findsThePlantInALoopWithoutDisturbances) {
 TEST(SweptEstimate, itsCirclesHoldThePlantWithNoiseInTheLoop) {
     int held = 0;
     int all = 0;
-    for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         const Record record = swept(8, 1e-3, 3e-3, seed);
         const auto points = estimateSweptPlant(record.rows(1215));
         ASSERT_TRUE(points);
@@ -120,18 +119,23 @@ TEST(SweptEstimate, itsCirclesHoldThePlantWithNoiseInTheLoop) {
     EXPECT_GE(held, 90);
 }
 
-// Twice as many sweeps: circles smaller by the root of two, within what twenty points scatter.
+// Twice as many sweeps: circles smaller by the root of two, and a little more because what is fitted to the
+// rests is known better and Student's allowance for few averages shrinks.
 TEST(SweptEstimate, moreSweepsMakeSmallerCircles) {
     const auto sizeOf = [](int sweeps) {
         double sum = 0.0;
-        const Record record = swept(sweeps, 1e-3, 0.0, 3);
-        const auto points = estimateSweptPlant(record.rows(1215));
-        for (const PlantPoint& point : points.value()) {
-            sum += point.radius / std::abs(point.value);
+        for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+            const Record record = swept(sweeps, 1e-3, 0.0, seed);
+            const auto points = estimateSweptPlant(record.rows(1215));
+            for (const PlantPoint& point : points.value()) {
+                sum += point.radius / std::abs(point.value);
+            }
         }
         return sum;
     };
-    EXPECT_NEAR(sizeOf(8) / sizeOf(16), std::sqrt(2.0), 0.25);
+    const double ratio = sizeOf(8) / sizeOf(16);
+    EXPECT_GT(ratio, 1.3);
+    EXPECT_LT(ratio, 1.9);
 }
 
 TEST(SweptEstimate, withoutExcitationNothingIsCoherentOrItIsRefused) {
