@@ -4967,10 +4967,6 @@
         <translation>zuerst control.law=0 setzen; nichts wurde freigegeben</translation>
     </message>
     <message>
-        <source>the generator of this board makes no multisine</source>
-        <translation>Der Generator dieses Steuergeräts kann keinen Multisinus</translation>
-    </message>
-    <message>
         <source>use a stepped sine</source>
         <translation>einen gestuften Sinus verwenden</translation>
     </message>
@@ -5297,6 +5293,50 @@
     <message>
         <source>The old values run again. See that the link is not overloaded, and apply again.</source>
         <translation>Die alten Werte gelten wieder. Sorgen Sie dafür, dass die Verbindung nicht überlastet ist, und wenden Sie sie noch einmal an.</translation>
+    </message>
+    <message>
+        <source>the swept rows are not whole sweeps of three signals</source>
+        <translation>die durchfahrenen Zeilen sind keine ganzen Durchläufe dreier Signale</translation>
+    </message>
+    <message>
+        <source>{} sweeps say too little of the scatter</source>
+        <translation>{} Durchläufe sagen zu wenig über die Streuung</translation>
+    </message>
+    <message>
+        <source>a swept row holds no number</source>
+        <translation>eine durchfahrene Zeile enthält keine Zahl</translation>
+    </message>
+    <message>
+        <source>a sweep is too short to tell its frequencies apart</source>
+        <translation>ein Durchlauf ist zu kurz, um seine Frequenzen zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>{} values are more than are taken out of the plots at once</source>
+        <translation>{} Werte sind mehr, als auf einmal aus den Diagrammen genommen werden</translation>
+    </message>
+    <message>
+        <source>zoom in or set the cursors closer, or record it and cut the recording with halbench convert</source>
+        <translation>hineinzoomen oder die Cursor näher setzen, oder aufzeichnen und die Aufzeichnung mit halbench convert schneiden</translation>
+    </message>
+    <message>
+        <source>the plots have no samples in this stretch of time</source>
+        <translation>die Diagramme haben in diesem Zeitabschnitt keine Messwerte</translation>
+    </message>
+    <message>
+        <source>scroll to where there are some, or move the cursors</source>
+        <translation>dorthin scrollen, wo es welche gibt, oder die Cursor verschieben</translation>
+    </message>
+    <message>
+        <source>the generator of this board makes neither multisine nor chirp</source>
+        <translation>der Generator dieser Platine erzeugt weder Multisinus noch Chirp</translation>
+    </message>
+    <message>
+        <source>sweeps from {} to {} Hz, {} of {}</source>
+        <translation>durchläuft {} bis {} Hz, {} von {}</translation>
+    </message>
+    <message>
+        <source>waits for the last rows</source>
+        <translation>wartet auf die letzten Zeilen</translation>
     </message>
 </context>
 <context>
@@ -8167,6 +8207,45 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::MonitorData</name>
+    <message>
+        <source>Copy data</source>
+        <translation>Daten kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the samples in view, or between the cursors, as a table</source>
+        <translation>Die Messwerte im Bild oder zwischen den Cursorn als Tabelle kopieren</translation>
+    </message>
+    <message>
+        <source>Save data…</source>
+        <translation>Daten speichern…</translation>
+    </message>
+    <message>
+        <source>Save the samples in view, or between the cursors, as CSV, MDF4 or MAT</source>
+        <translation>Die Messwerte im Bild oder zwischen den Cursorn als CSV, MDF4 oder MAT speichern</translation>
+    </message>
+    <message>
+        <source>Copied: %1 rows</source>
+        <translation>Kopiert: %1 Zeilen</translation>
+    </message>
+    <message>
+        <source>Save data</source>
+        <translation>Daten speichern</translation>
+    </message>
+    <message>
+        <source>plots.csv</source>
+        <translation>diagramme.csv</translation>
+    </message>
+    <message>
+        <source>Recording (*.csv *.mf4 *.mat)</source>
+        <translation>Aufzeichnung (*.csv *.mf4 *.mat)</translation>
+    </message>
+    <message>
+        <source>Saved: %1 rows in %2</source>
+        <translation>Gespeichert: %1 Zeilen in %2</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::MonitorPanel</name>
     <message>
         <source>Plots</source>
@@ -8577,6 +8656,13 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Arrange the panels for another task (Ctrl+1 to Ctrl+5)</source>
         <translation>Die Bereiche für eine andere Aufgabe anordnen (Strg+1 bis Strg+5)</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::PlotRows</name>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
     </message>
 </context>
 <context>

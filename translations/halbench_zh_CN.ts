@@ -4967,10 +4967,6 @@
         <translation>先设置 control.law=0；未使能任何设备</translation>
     </message>
     <message>
-        <source>the generator of this board makes no multisine</source>
-        <translation>该控制板的发生器不能产生多正弦</translation>
-    </message>
-    <message>
         <source>use a stepped sine</source>
         <translation>使用步进正弦</translation>
     </message>
@@ -5297,6 +5293,50 @@
     <message>
         <source>The old values run again. See that the link is not overloaded, and apply again.</source>
         <translation>旧值已恢复。请确认通信链路没有过载，然后重新应用。</translation>
+    </message>
+    <message>
+        <source>the swept rows are not whole sweeps of three signals</source>
+        <translation>扫频数据行不是三个信号的完整扫频</translation>
+    </message>
+    <message>
+        <source>{} sweeps say too little of the scatter</source>
+        <translation>{} 次扫频不足以说明离散程度</translation>
+    </message>
+    <message>
+        <source>a swept row holds no number</source>
+        <translation>某扫频数据行不含数值</translation>
+    </message>
+    <message>
+        <source>a sweep is too short to tell its frequencies apart</source>
+        <translation>一次扫频太短，无法区分其频率</translation>
+    </message>
+    <message>
+        <source>{} values are more than are taken out of the plots at once</source>
+        <translation>{} 个值超过了一次可从曲线图中取出的数量</translation>
+    </message>
+    <message>
+        <source>zoom in or set the cursors closer, or record it and cut the recording with halbench convert</source>
+        <translation>请放大或把光标靠近，或者进行记录并用 halbench convert 截取</translation>
+    </message>
+    <message>
+        <source>the plots have no samples in this stretch of time</source>
+        <translation>曲线图在这段时间内没有样本</translation>
+    </message>
+    <message>
+        <source>scroll to where there are some, or move the cursors</source>
+        <translation>请滚动到有样本的位置，或移动光标</translation>
+    </message>
+    <message>
+        <source>the generator of this board makes neither multisine nor chirp</source>
+        <translation>此板的信号发生器既不能产生多正弦也不能产生扫频信号</translation>
+    </message>
+    <message>
+        <source>sweeps from {} to {} Hz, {} of {}</source>
+        <translation>扫频 {} 至 {} Hz，第 {} 次，共 {} 次</translation>
+    </message>
+    <message>
+        <source>waits for the last rows</source>
+        <translation>等待最后的数据行</translation>
     </message>
 </context>
 <context>
@@ -8162,6 +8202,45 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::MonitorData</name>
+    <message>
+        <source>Copy data</source>
+        <translation>复制数据</translation>
+    </message>
+    <message>
+        <source>Copy the samples in view, or between the cursors, as a table</source>
+        <translation>把可见范围内或两光标之间的样本复制为表格</translation>
+    </message>
+    <message>
+        <source>Save data…</source>
+        <translation>保存数据…</translation>
+    </message>
+    <message>
+        <source>Save the samples in view, or between the cursors, as CSV, MDF4 or MAT</source>
+        <translation>把可见范围内或两光标之间的样本保存为 CSV、MDF4 或 MAT</translation>
+    </message>
+    <message>
+        <source>Copied: %1 rows</source>
+        <translation>已复制：%1 行</translation>
+    </message>
+    <message>
+        <source>Save data</source>
+        <translation>保存数据</translation>
+    </message>
+    <message>
+        <source>plots.csv</source>
+        <translation>plots.csv</translation>
+    </message>
+    <message>
+        <source>Recording (*.csv *.mf4 *.mat)</source>
+        <translation>记录 (*.csv *.mf4 *.mat)</translation>
+    </message>
+    <message>
+        <source>Saved: %1 rows in %2</source>
+        <translation>已保存：%1 行，%2</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::MonitorPanel</name>
     <message>
         <source>Plots</source>
@@ -8570,6 +8649,13 @@ A real device has its own time.</source>
     <message>
         <source>Arrange the panels for another task (Ctrl+1 to Ctrl+5)</source>
         <translation>为其他任务排列面板 (Ctrl+1 至 Ctrl+5)</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::PlotRows</name>
+    <message>
+        <source>time</source>
+        <translation>时间</translation>
     </message>
 </context>
 <context>
