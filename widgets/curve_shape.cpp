@@ -87,8 +87,8 @@ void shapeCurve(const control::SampleHistory& history, const std::string& signal
     }
     const auto rows = static_cast<double>(history.rowsIn(signal, visible));
     const double width = visible.length_s() * map.perSecond;
-    if (rows <= SparseSamples_ratio * width) {
-        history.samples(signal, visible, shape.samples);
+    // Samples that the disk has not given yet are inside of the columns of their groups until it has.
+    if (rows <= SparseSamples_ratio * width && history.samples(signal, visible, shape.samples)) {
         shapeLines(drawn, map, shape);
         shape.areSamplesMarked = rows * dotDistance < width;
     } else {

@@ -181,7 +181,13 @@ void LivePlot::drawCanvas(QPainter* painter) {
     m_image.fill(canvasBackground().color());
     QPainter onImage(&m_image);
     onImage.setFont(painter->font());
-    QwtPlot::drawCanvas(&onImage);
+    if (m_history != nullptr) {
+        const control::SampleHistory::Glance glance(*m_history);
+        QwtPlot::drawCanvas(&onImage);
+        m_isWhole = glance.isWhole();
+    } else {
+        QwtPlot::drawCanvas(&onImage);
+    }
     onImage.end();
     fillEdges(*painter, place, canvasBackground().color());
     painter->drawImage(place.topLeft(), m_image);

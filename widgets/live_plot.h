@@ -87,6 +87,8 @@ public:
     void setTitleForm(const TitleForm& form);
     /// The canvas in coordinates of this widget.
     QRect canvasRect() const;
+    /// Whether all that was drawn last is as the samples are; else the disk has not given some of it yet.
+    bool isWhole() const { return m_isWhole; }
     double timeAt(double canvasX) const;
 
 Q_SIGNALS:
@@ -119,6 +121,7 @@ private:
     const PlotCurve* levelCurve() const;
     void finishBox(const QPoint& end);
     void panTo(const QPoint& place);
+    void followData();
     std::optional<ValueRange> dataRange(bool isRight) const;
     int titleRoom() const;
     void updateTitle();
@@ -147,6 +150,7 @@ private:
     std::optional<ValueRange> m_rightUserRange;
     TitleForm m_titleForm;
     control::TimeRange m_drawn;
+    bool m_isWhole = true;
     QImage m_image; ///< what the canvas shows; curves set its pixels
     Drag m_drag = Drag::None;
     int m_draggedCursor = 0;

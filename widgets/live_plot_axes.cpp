@@ -163,14 +163,25 @@ void LivePlot::fitValues() {
     }
 }
 
+/// What the disk has not given yet is known too roughly for an axis.
+void LivePlot::followData() {
+    if (m_history == nullptr) {
+        return;
+    }
+    const control::SampleHistory::Glance glance(*m_history);
+    const auto left = dataRange(false);
+    const auto right = dataRange(true);
+    if (left && !m_userRange && glance.isWhole()) {
+        m_autoRange.update(*left);
+    }
+    if (right && !m_rightUserRange && glance.isWhole()) {
+        m_rightAutoRange.update(*right);
+    }
+}
+
 void LivePlot::showFrame(control::TimeRange view, double timeStep_s, control::TimeRange drawn) {
     m_drawn = drawn;
-    if (const auto extent = dataRange(false); extent && !m_userRange) {
-        m_autoRange.update(*extent);
-    }
-    if (const auto extent = dataRange(true); extent && !m_rightUserRange) {
-        m_rightAutoRange.update(*extent);
-    }
+    followData();
     for (HistoryCurve* curve : m_curves) {
         curve->setSource(m_history, drawn);
     }

@@ -169,7 +169,7 @@ private:
     void align();
     void drawFrame();
     void showState();
-    void showNumbers();
+    bool showNumbers();
     void remember();
     void zoomTime(double factor, double at_s);
     void changed(bool wasFollowing, bool wasPaused);
@@ -201,6 +201,7 @@ private:
     QString m_stale;
     bool m_isDirty = true;
     int m_framesSinceNumbers = 0;
+    bool m_areNumbersWhole = true;
     int m_extent_px = 0;
     int m_rightExtent_px = 0;
 };

@@ -39,15 +39,17 @@ void LivePlotStack::refresh() {
     if (!m_isDirty && revision == m_drawnRevision) {
         return;
     }
-    // A paused view shows the same whatever arrives; only its state counts on.
-    if (m_isDirty || !isPaused()) {
+    // A paused view shows the same whatever arrives, once all of it is here; only its state counts on.
+    const bool isWhole =
+        std::all_of(m_rows.begin(), m_rows.end(), [](const Row& row) { return row.plot->isWhole(); });
+    if (m_isDirty || !isPaused() || !isWhole) {
         drawFrame();
     } else {
         m_view.update(m_history->range(), deviceColumns());
     }
-    if (m_isDirty || ++m_framesSinceNumbers >= FramesPerNumber) {
+    if (m_isDirty || !m_areNumbersWhole || ++m_framesSinceNumbers >= FramesPerNumber) {
         m_framesSinceNumbers = 0;
-        showNumbers();
+        m_areNumbersWhole = showNumbers();
         showState();
     }
     m_drawnRevision = revision;
@@ -122,7 +124,12 @@ void LivePlotStack::align() {
     m_timeAxis->setCanvas(left.x() - m_timeAxis->x(), canvas.width());
 }
 
-void LivePlotStack::showNumbers() {
+/// Whether all of them are known: what the disk has not given yet has a dash.
+bool LivePlotStack::showNumbers() {
+    std::optional<control::SampleHistory::Glance> glance;
+    if (m_history != nullptr) {
+        glance.emplace(*m_history);
+    }
     const std::optional<control::TimeRange> held = m_history != nullptr ? m_history->range() : std::nullopt;
     for (const Row& row : m_rows) {
         std::vector<LegendNumbers> numbers(row.plot->curves().size());
@@ -142,6 +149,7 @@ void LivePlotStack::showNumbers() {
         }
         row.legend->table().setNumbers(numbers);
     }
+    return !glance || glance->isWhole();
 }
 
 void LivePlotStack::showState() {

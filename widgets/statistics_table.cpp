@@ -81,7 +81,7 @@ void StatisticsTable::setRows(const std::vector<StatisticsRow>& rows) {
     for (int i = 0; i < rowCount(); ++i) {
         const StatisticsRow& row = rows[static_cast<std::size_t>(i)];
         const auto number = [&](double value) {
-            return row.count > 0 ? fixedText(value, row.decimals + 1) : QString(Missing);
+            return row.isKnown && row.count > 0 ? fixedText(value, row.decimals + 1) : QString(Missing);
         };
         put(i, Name, row.unit.isEmpty() ? row.name : QStringLiteral("%1 [%2]").arg(row.name, row.unit));
         put(i, Min, number(row.min));
@@ -91,10 +91,11 @@ void StatisticsTable::setRows(const std::vector<StatisticsRow>& rows) {
         put(i, Rms, number(row.rms));
         put(i, Deviation, number(row.deviation));
         put(i, Slope,
-            row.slope ? QStringLiteral("%1 %2/s").arg(numberText(*row.slope, SlopeDigits), row.unit)
-                      : QString(Missing));
-        put(i, Count, countText(row.count));
-        put(i, Gaps, countText(row.gaps));
+            row.isKnown && row.slope
+                ? QStringLiteral("%1 %2/s").arg(numberText(*row.slope, SlopeDigits), row.unit)
+                : QString(Missing));
+        put(i, Count, row.isKnown ? countText(row.count) : QString(Missing));
+        put(i, Gaps, row.isKnown ? countText(row.gaps) : QString(Missing));
         hasSlope = hasSlope || row.slope;
     }
     setColumnHidden(Slope, !hasSlope);

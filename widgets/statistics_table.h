@@ -22,6 +22,7 @@ struct StatisticsRow {
     std::optional<double> slope; ///< per second, from cursor A to B
     quint64 count = 0;           ///< of values
     quint64 gaps = 0;
+    bool isKnown = true; ///< false: nothing of it can be told yet
 };
 
 /// Statistics of curves, a row each; read only, copied with Ctrl+C or from its menu as tab-separated text.

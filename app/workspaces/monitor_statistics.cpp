@@ -63,6 +63,7 @@ void MonitorStatistics::refresh() {
     }
     const control::SampleHistory& history = *m_stack.history();
     const control::TimeRange range = stretchInView(m_stack);
+    const control::SampleHistory::Glance glance(history);
     std::vector<widgets::StatisticsRow> rows;
     for (const widgets::PlotSpec& plot : m_stack.plots()) {
         for (const widgets::PlotCurve& curve : plot.curves) {
@@ -82,9 +83,13 @@ void MonitorStatistics::refresh() {
             rows.push_back(row);
         }
     }
+    for (widgets::StatisticsRow& row : rows) {
+        row.isKnown = glance.isWhole(); // a number is right or absent
+    }
     const QString length = widgets::numberText(range.length_s(), 5);
-    m_table->setStretch(m_stack.cursors().isVisible ? tr("Between the cursors, %1 s").arg(length)
-                                                    : tr("In view, %1 s").arg(length));
+    m_table->setStretch(!glance.isWhole()             ? tr("The disk is being read")
+                        : m_stack.cursors().isVisible ? tr("Between the cursors, %1 s").arg(length)
+                                                      : tr("In view, %1 s").arg(length));
     m_table->setRows(rows);
 }
 

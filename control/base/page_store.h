@@ -35,6 +35,15 @@ enum class PageRoom {
     None  ///< it failed and takes no more
 };
 
+/// A part that was read beside the thread that asked for it.
+struct FetchedPart {
+    std::uint64_t page = 0;
+    std::size_t part = 0;
+    std::size_t bytes = 0;
+    std::unique_ptr<std::byte[]> octets; ///< none: it cannot be had as it was written, or
+    bool isDropped = false;              ///< it was not read, because too much was asked for after it
+};
+
 /// A place outside of memory for what is rarely needed (devices/acquisition/page_file.h: a file). Belongs to
 /// the thread that puts; what it does on others is its own affair.
 class PageStore {
@@ -50,6 +59,11 @@ public:
     virtual PageState state(Page page) const = 0;
     /// All of one part of a page that is kept. False when it cannot be had as it was written.
     virtual bool read(Page page, std::size_t part, std::span<std::byte> octets) = 0;
+    /// Begins to read such a part and returns at once; fetched() tells when it is there. False: this store
+    /// cannot, use read().
+    virtual bool fetch(Page, std::size_t /*part*/, std::size_t /*bytes*/) { return false; }
+    /// What was fetched since the last call.
+    virtual std::vector<FetchedPart> fetched() { return {}; }
     /// The page is not needed any more, in whatever state it is.
     virtual void release(Page page) = 0;
 };

@@ -28,30 +28,101 @@ const std::byte* PageCache::part(PageStore::Page page, std::size_t part, std::si
         return recent.second;
     }
     const std::byte* octets = load(key, bytes);
-    m_recent[slotOf(part)] = {key, octets};
+    if (m_asked.empty() || m_asked.count(key) == 0) {
+        m_recent[slotOf(part)] = {key, octets};
+    }
     return octets;
 }
 
 const std::byte* PageCache::load(const Key& key, std::size_t bytes) {
     if (const auto known = m_index.find(key); known != m_index.end()) {
-        m_entries.splice(m_entries.begin(), m_entries, known->second);
+        touch(known->second);
         return known->second->octets.get();
     }
-    Entry entry{key, std::make_unique_for_overwrite<std::byte[]>(bytes), bytes};
-    if (!m_store->read(key.page, key.part, {entry.octets.get(), bytes})) {
-        entry.octets.reset();
-        entry.bytes = 0;
-        ++m_damagedParts;
+    if (m_isGlancing && ask(key, bytes)) {
+        return nullptr;
     }
-    m_bytes += sizeof(Entry) + entry.bytes;
-    m_entries.push_front(std::move(entry));
-    m_index[key] = m_entries.begin();
+    auto octets = std::make_unique_for_overwrite<std::byte[]>(bytes);
+    if (!m_store->read(key.page, key.part, {octets.get(), bytes})) {
+        octets.reset();
+    }
+    const std::byte* const first = insert(key, std::move(octets), bytes)->octets.get();
     keepBudget();
-    return m_entries.front().octets.get();
+    return first;
 }
 
+PageCache::Entries::iterator PageCache::insert(const Key& key, std::unique_ptr<std::byte[]> octets,
+                                               std::size_t bytes) {
+    if (octets == nullptr) {
+        ++m_damagedParts;
+        bytes = 0;
+    }
+    m_bytes += sizeof(Entry) + bytes;
+    m_entries.push_front({key, std::move(octets), bytes, m_round});
+    m_index[key] = m_entries.begin();
+    return m_entries.begin();
+}
+
+/// It is needed now.
+void PageCache::touch(Entries::iterator entry) {
+    m_entries.splice(m_entries.begin(), m_entries, entry);
+    if (std::exchange(entry->round, m_round) != m_round) {
+        m_round_bytes += sizeof(Entry) + entry->bytes;
+    }
+}
+
+/// False: it must be waited for. A picture (all questions of a round) that needs more than there is room for
+/// stays coarse: what came for it would drive out what came before, which would be asked for again, and so
+/// on.
+bool PageCache::ask(const Key& key, std::size_t bytes) {
+    if (m_asked.count(key) == 0 && m_round_bytes + sizeof(Entry) + bytes <= mostPerRound_bytes()) {
+        if (!m_store->fetch(key.page, key.part, bytes)) {
+            return false;
+        }
+        m_asked.insert(key);
+        m_round_bytes += sizeof(Entry) + bytes;
+    }
+    m_isGlanceWhole = false;
+    return true;
+}
+
+bool PageCache::isAtHand(PageStore::Page page, std::size_t part, std::size_t bytes) {
+    const Key key{page, part};
+    if (!m_isGlancing || m_recent[slotOf(part)].first == key) {
+        return true;
+    }
+    if (const auto known = m_index.find(key); known != m_index.end()) {
+        touch(known->second);
+        return true;
+    }
+    return !ask(key, bytes);
+}
+
+void PageCache::beginGlance() {
+    m_isGlancing = true;
+    m_isGlanceWhole = true;
+}
+
+bool PageCache::collect() {
+    std::vector<FetchedPart> parts = m_store->fetched();
+    for (FetchedPart& fetched : parts) {
+        const Key key{fetched.page, fetched.part};
+        const bool wasAsked = m_asked.erase(key) > 0; // not by a history that was cleared since
+        if (wasAsked && !fetched.isDropped && m_index.count(key) == 0) {
+            insert(key, std::move(fetched.octets), fetched.bytes);
+        }
+    }
+    keepBudget();
+    ++m_round;
+    m_round_bytes = 0;
+    m_recent.fill({Key{NoPage, 0}, nullptr}); // so that what is needed again is seen to be
+    return !parts.empty();
+}
+
+/// What this round and the one before needed stays.
 void PageCache::keepBudget() {
-    while (m_bytes > m_budget_bytes && m_entries.size() > LeastEntries) {
+    while (m_bytes > m_budget_bytes && m_entries.size() > LeastEntries &&
+           (m_entries.back().round + 1 < m_round || m_round == 0 || m_bytes > mostPerRound_bytes())) {
         drop(std::prev(m_entries.end()));
     }
 }
@@ -70,6 +141,7 @@ void PageCache::clear() {
     while (!m_entries.empty()) {
         drop(m_entries.begin());
     }
+    m_asked.clear();
 }
 
 } // namespace halbench::control

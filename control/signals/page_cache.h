@@ -7,6 +7,7 @@
 #include <list>
 #include <memory>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace halbench::control {
 
@@ -19,8 +20,21 @@ public:
     /// A part of `bytes` octets; nullptr when the store cannot give it as it was written. Valid until the
     /// next call.
     const std::byte* part(PageStore::Page page, std::size_t part, std::size_t bytes);
+    /// Whether part() answers without waiting. In a glance what is not here is asked for, and false; outside
+    /// of one it is always true, because part() waits.
+    bool isAtHand(PageStore::Page page, std::size_t part, std::size_t bytes);
     /// What was read of pages that are released stays until there is no room, or until this.
     void clear();
+
+    /// From now on nothing is waited for (control/signals/sample_history.h, Glance).
+    void beginGlance();
+    void endGlance() { m_isGlancing = false; }
+    bool isGlancing() const { return m_isGlancing; }
+    /// Whether everything that was needed since beginGlance() was at hand.
+    bool isGlanceWhole() const { return m_isGlanceWhole; }
+    /// Takes over what was asked for and has come. Whether there was anything. Ends a round: of one frame, all of
+    /// whose questions must be answered from the cache together.
+    bool collect();
 
     std::size_t bytes() const { return m_bytes; }
     /// Parts that could not be read back; each is asked for once.
@@ -42,10 +56,15 @@ private:
         Key key;
         std::unique_ptr<std::byte[]> octets; ///< none: damaged
         std::size_t bytes = 0;
+        std::uint64_t round = 0; ///< the last that needed it
     };
     using Entries = std::list<Entry>; ///< the latest first
 
     const std::byte* load(const Key& key, std::size_t bytes);
+    Entries::iterator insert(const Key& key, std::unique_ptr<std::byte[]> octets, std::size_t bytes);
+    void touch(Entries::iterator entry);
+    bool ask(const Key& key, std::size_t bytes);
+    std::size_t mostPerRound_bytes() const { return 2 * m_budget_bytes; }
     void keepBudget();
     void drop(Entries::iterator entry);
 
@@ -55,6 +74,11 @@ private:
     std::uint64_t m_damagedParts = 0;
     Entries m_entries;
     std::unordered_map<Key, Entries::iterator, Hash> m_index;
+    std::unordered_set<Key, Hash> m_asked; ///< on their way
+    std::uint64_t m_round = 0;     ///< number of collect()
+    std::size_t m_round_bytes = 0; ///< needed in it so far
+    bool m_isGlancing = false;
+    bool m_isGlanceWhole = true;
     /// What was asked for last: a curve asks for the same few parts many times in a row.
     std::array<std::pair<Key, const std::byte*>, 8> m_recent;
 };

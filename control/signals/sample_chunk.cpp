@@ -20,6 +20,11 @@ constexpr std::size_t groupPart(std::size_t column, std::size_t level) {
     return level > LevelsPerColumn ? level - LevelsPerColumn : valuePart(column) + 1;
 }
 
+constexpr std::size_t groupPartBytes(std::size_t level, std::size_t columns) {
+    const std::size_t groups = SampleChunk::Rows >> (2 * level);
+    return groups * (level > LevelsPerColumn ? columns : 1) * sizeof(FloatExtremes);
+}
+
 /// The upper groups of a column (SampleTrack): a third more than the 16 of the lowest level, rounded up.
 constexpr std::size_t UpperBytes = 22 * sizeof(Extremes);
 
@@ -123,7 +128,7 @@ double SampleChunk::time_s(std::size_t row) const {
     if (octets != nullptr) {
         return reinterpret_cast<const double*>(octets)[row];
     }
-    // The page is damaged. The line is interrupted here, but time goes on: between the times that are known.
+    // The page is damaged, or not here yet. Values are missing, but time goes on: between the known times.
     const std::size_t mark = row / MarkRows;
     const double before_s = m_marks_s[mark];
     const std::size_t next = std::min((mark + 1) * MarkRows, Rows - 1);
@@ -160,11 +165,19 @@ const FloatExtremes* SampleChunk::groups(std::size_t column, std::size_t level) 
     if (m_groups[level - 1] != nullptr) {
         return m_groups[level - 1] + first;
     }
-    const bool isOfAll = level > LevelsPerColumn;
-    const std::size_t count = groupsOf(level) * (isOfAll ? m_columns : 1);
-    const auto* octets = m_pages->part(*m_page, groupPart(column, level), count * sizeof(FloatExtremes));
-    return octets != nullptr ? reinterpret_cast<const FloatExtremes*>(octets) + (isOfAll ? first : 0)
-                             : nullptr;
+    const auto* octets = m_pages->part(*m_page, groupPart(column, level), groupPartBytes(level, m_columns));
+    const std::size_t skipped = level > LevelsPerColumn ? first : 0;
+    return octets != nullptr ? reinterpret_cast<const FloatExtremes*>(octets) + skipped : nullptr;
+}
+
+bool SampleChunk::isAtHand(std::size_t column, std::size_t level) const {
+    if (m_detail) {
+        return true;
+    }
+    if (level == 0) {
+        return m_pages->isAtHand(*m_page, valuePart(column), Rows * sizeof(double));
+    }
+    return m_pages->isAtHand(*m_page, groupPart(column, level), groupPartBytes(level, m_columns));
 }
 
 Moments SampleChunk::momentsOf(std::size_t column, std::size_t begin, std::size_t end) const {

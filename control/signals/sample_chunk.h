@@ -52,6 +52,9 @@ public:
         return m_times_s != nullptr ? m_times_s[row] : m_marks_s[row / MarkRows];
     }
     double value(std::size_t column, std::size_t row) const;
+    /// Whether the values of a column (level 0), or its groups, are answered without waiting for the store;
+    /// in a glance what is not is asked for.
+    bool isAtHand(std::size_t column, std::size_t level) const;
     /// Extremes of the complete group `index` of 4^level rows, level 1 ... Levels.
     Extremes group(std::size_t column, std::size_t level, std::size_t index) const;
     /// Of the rows [begin, end); all rows of a full chunk at no cost.

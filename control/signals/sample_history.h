@@ -73,8 +73,8 @@ public:
     std::uint64_t pagedBytes() const;
     /// What was asked of the store and could not be read back.
     std::uint64_t damagedParts() const { return m_pages ? m_pages->damagedParts() : 0; }
-    /// Takes over what the store did meanwhile, as append() does.
-    void settle() { keepBudget(); }
+    /// Takes over what the store did meanwhile, as append() does, and what a glance asked for.
+    void settle();
     /// Whether rows came faster than the store takes them: somebody who can wait should.
     bool isBusy() const;
     /// Rows said to be lost by the blocks.
@@ -101,11 +101,14 @@ public:
     /// Rows of the signal in a stretch of time: what decides between samples() and columns().
     std::size_t rowsIn(const std::string& signal, TimeRange range) const;
     /// The samples in a stretch of time and one beyond each of its ends, so that lines reach the frame.
-    void samples(const std::string& signal, TimeRange range, std::vector<TimedValue>& result) const;
+    /// False, and some have no value: in a glance they were not at hand.
+    bool samples(const std::string& signal, TimeRange range, std::vector<TimedValue>& result) const;
     /// `count` equal columns of the stretch. A sample may be counted one eighth of a column off; none is
     /// lost.
     void columns(const std::string& signal, TimeRange range, std::size_t count,
                  std::vector<HistoryColumn>& result) const;
+
+    class Glance;
 
 private:
     struct Stream {
@@ -122,6 +125,7 @@ private:
         std::size_t stream = 0;
         std::uint64_t endRow = 0;
         TimeRange range;
+        bool isExact = true; ///< from the times themselves, not from those between the marks (Glance)
         std::vector<std::uint64_t> rows;
     };
 
@@ -147,6 +151,24 @@ private:
     std::size_t m_nextStream = 0;
     std::vector<double> m_time_s; ///< of the block that is being added
     mutable Edges m_edges;
+};
+
+/// While one lives, no question to the history waits for the disk: what is not in memory is asked for, and
+/// answered by more than there is (columns, extremes: the groups of 256 rows) or not at all (values). Once it
+/// has come, revision() rises with the next settle(). For drawing; numbers that are told need isWhole().
+class SampleHistory::Glance {
+public:
+    explicit Glance(const SampleHistory& history);
+    ~Glance();
+    Glance(const Glance&) = delete;
+    Glance& operator=(const Glance&) = delete;
+
+    /// Whether all answers so far are exact.
+    bool isWhole() const { return m_pages == nullptr || m_pages->isGlanceWhole(); }
+
+private:
+    std::shared_ptr<PageCache> m_pages; ///< none: all is in memory
+    bool m_isOutermost = false;
 };
 
 } // namespace halbench::control

@@ -50,6 +50,13 @@ std::uint64_t SampleHistory::pagedBytes() const {
     return sum;
 }
 
+void SampleHistory::settle() {
+    if (m_pages && m_pages->collect()) {
+        ++m_revision;
+    }
+    keepBudget();
+}
+
 bool SampleHistory::isBusy() const {
     return m_pages && bytes() > shareOf(m_budget_bytes, 0.5 * (1.0 + PutShare)) &&
            std::any_of(m_streams.begin(), m_streams.end(),

@@ -20,6 +20,19 @@ std::uint64_t snapFor(std::uint64_t rows, std::size_t columns) {
 
 } // namespace
 
+SampleHistory::Glance::Glance(const SampleHistory& history) : m_pages(history.m_pages) {
+    m_isOutermost = m_pages != nullptr && !m_pages->isGlancing();
+    if (m_isOutermost) {
+        m_pages->beginGlance();
+    }
+}
+
+SampleHistory::Glance::~Glance() {
+    if (m_isOutermost) {
+        m_pages->endGlance();
+    }
+}
+
 std::optional<TimeRange> SampleHistory::range(const std::string& signal) const {
     const auto places = m_places.find(signal);
     if (places == m_places.end() || places->second.empty()) {
@@ -112,17 +125,20 @@ std::size_t SampleHistory::rowsIn(const std::string& signal, TimeRange range) co
     return rows;
 }
 
-void SampleHistory::samples(const std::string& signal, TimeRange range,
+bool SampleHistory::samples(const std::string& signal, TimeRange range,
                             std::vector<TimedValue>& result) const {
     result.clear();
     const auto places = m_places.find(signal);
     if (places == m_places.end()) {
-        return;
+        return true;
     }
+    bool areAll = true;
     for (const Place& place : places->second) {
         const SampleTrack& track = m_streams.at(place.stream).track;
         std::uint64_t row = track.rowAt(range.begin_s);
         row = row > track.firstRow() ? row - 1 : row;
+        const std::uint64_t end = std::min(track.rowAt(range.end_s) + 1, track.endRow());
+        areAll = track.areAtHand(place.column, std::min(row, end), end) && areAll;
         bool isFirst = true;
         for (bool isBeyond = false; row < track.endRow() && !isBeyond; ++row) {
             const double time_s = track.time_s(row);
@@ -131,16 +147,17 @@ void SampleHistory::samples(const std::string& signal, TimeRange range,
             isFirst = false;
         }
     }
+    return areAll;
 }
 
 const std::vector<std::uint64_t>& SampleHistory::edges(std::size_t number, TimeRange range,
                                                        std::size_t count) const {
     const SampleTrack& track = m_streams.at(number).track;
-    if (m_edges.stream == number && m_edges.endRow == track.endRow() && m_edges.range == range &&
-        m_edges.rows.size() == count + 1) {
+    if (m_edges.isExact && m_edges.stream == number && m_edges.endRow == track.endRow() &&
+        m_edges.range == range && m_edges.rows.size() == count + 1) {
         return m_edges.rows;
     }
-    m_edges = {number, track.endRow(), range, std::move(m_edges.rows)};
+    m_edges = {number, track.endRow(), range, true, std::move(m_edges.rows)};
     m_edges.rows.resize(count + 1);
     const std::uint64_t first = track.rowAt(range.begin_s);
     const std::uint64_t snap = snapFor(std::max(track.rowAt(range.end_s), first) - first, count);
@@ -151,6 +168,7 @@ const std::vector<std::uint64_t>& SampleHistory::edges(std::size_t number, TimeR
         row = snap >= SampleChunk::MarkRows ? track.markedRowAt(time_s) : track.rowAtFrom(row, time_s);
         m_edges.rows[i] = std::max(row - row % snap, track.firstRow());
     }
+    m_edges.isExact = !m_pages || !m_pages->isGlancing() || m_pages->isGlanceWhole();
     return m_edges.rows;
 }
 

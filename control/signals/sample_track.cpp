@@ -194,6 +194,12 @@ Extremes SampleTrack::extremes(std::size_t column, std::uint64_t begin, std::uin
         while (hasUpperLevel(level + 1) && fits(level + 1)) {
             ++level;
         }
+        constexpr std::size_t Coarse = SampleChunk::Levels + 1;
+        if (level < Coarse && !chunkOf(begin).isAtHand(column, level)) {
+            result.add(group(column, Coarse, begin >> (2 * Coarse)));
+            begin = ((begin >> (2 * Coarse)) + 1) << (2 * Coarse);
+            continue;
+        }
         if (level == 0) {
             result.add(value(column, begin));
         } else {
@@ -202,6 +208,14 @@ Extremes SampleTrack::extremes(std::size_t column, std::uint64_t begin, std::uin
         begin += std::uint64_t{1} << (2 * level);
     }
     return result;
+}
+
+bool SampleTrack::areAtHand(std::size_t column, std::uint64_t begin, std::uint64_t end) const {
+    bool areHere = true;
+    for (std::uint64_t row = begin; row < end; row = (row / SampleChunk::Rows + 1) * SampleChunk::Rows) {
+        areHere = chunkOf(row).isAtHand(column, 0) && areHere; // all of them are asked for at once
+    }
+    return areHere;
 }
 
 Moments SampleTrack::moments(std::size_t column, std::uint64_t begin, std::uint64_t end) const {

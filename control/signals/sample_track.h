@@ -53,8 +53,12 @@ public:
     /// First row not before a time that is a multiple of SampleChunk::MarkRows, or endRow(); reads nothing
     /// back.
     std::uint64_t markedRowAt(double time_s) const;
-    /// Extremes of rows [begin, end) in O(log(end - begin)).
+    /// Extremes of rows [begin, end) in O(log(end - begin)). In a glance, where detail is not at hand, those
+    /// of the groups of 256 rows that they are in: never less.
     Extremes extremes(std::size_t column, std::uint64_t begin, std::uint64_t end) const;
+    /// Whether the values of rows [begin, end) are answered without waiting; in a glance what is not is asked
+    /// for.
+    bool areAtHand(std::size_t column, std::uint64_t begin, std::uint64_t end) const;
     /// Moments of rows [begin, end): a step a chunk, and up to two chunks row by row.
     Moments moments(std::size_t column, std::uint64_t begin, std::uint64_t end) const;
     /// Whether the line is interrupted before any of the rows [begin, end); and how often.

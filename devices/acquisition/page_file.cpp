@@ -1,6 +1,7 @@
 #include "devices/acquisition/page_file.h"
 
 #include "control/base/assert.h"
+#include "devices/acquisition/page_part.h"
 
 #include <fmt/format.h>
 
@@ -13,35 +14,12 @@ namespace halbench::devices {
 
 namespace {
 
-constexpr std::size_t SumBytes = sizeof(std::uint64_t);
-
-/// Of octets that come back from a disk: finds what is damaged, and what belongs to another page or part.
-/// A multiplication for every eight octets; it need not withstand anybody's intent.
-std::uint64_t checksum(std::span<const std::byte> octets, PageStore::Page page, std::size_t part) {
-    constexpr std::uint64_t Factor = 0x9E3779B97F4A7C15U;
-    std::uint64_t sum = (page + 1) * Factor ^ (part + 1);
-    const auto mix = [&sum](std::uint64_t word) {
-        sum = (sum ^ word) * Factor;
-        sum ^= sum >> 29U;
-    };
-    std::size_t place = 0;
-    for (; place + sizeof(std::uint64_t) <= octets.size(); place += sizeof(std::uint64_t)) {
-        std::uint64_t word = 0;
-        std::memcpy(&word, octets.data() + place, sizeof word);
-        mix(word);
-    }
-    for (; place < octets.size(); ++place) {
-        mix(static_cast<std::uint64_t>(octets[place]));
-    }
-    return sum;
-}
-
 /// Checksum and octets of each part, one after the other.
 std::vector<std::byte> textOf(const PageContent& content, PageStore::Page page) {
     std::vector<std::byte> text;
-    text.reserve(content.bytes() + content.parts.size() * SumBytes);
+    text.reserve(content.bytes() + content.parts.size() * PartSumBytes);
     for (std::size_t part = 0; part < content.parts.size(); ++part) {
-        const std::uint64_t sum = checksum(content.parts[part], page, part);
+        const std::uint64_t sum = partSum(content.parts[part], page, part);
         const auto octets = std::as_bytes(std::span(&sum, 1));
         text.insert(text.end(), octets.begin(), octets.end());
         text.insert(text.end(), content.parts[part].begin(), content.parts[part].end());
@@ -53,7 +31,7 @@ std::vector<std::uint32_t> endsOf(const PageContent& content) {
     std::vector<std::uint32_t> ends;
     std::size_t end = 0;
     for (const auto& part : content.parts) {
-        end += SumBytes + part.size();
+        end += PartSumBytes + part.size();
         ends.push_back(static_cast<std::uint32_t>(end));
     }
     return ends;
@@ -72,7 +50,8 @@ bool isFullDisk(int cause) {
 } // namespace
 
 PageFile::PageFile(PageFileConfig config, PageDisk disk)
-    : m_config(withShortSegments(std::move(config))), m_disk(std::move(disk)), m_writer([this] { run(); }) {}
+    : m_config(withShortSegments(std::move(config))), m_disk(std::move(disk)), m_writer([this] { run(); }),
+      m_reader([this] { serveFetches(); }) {}
 
 PageFile::~PageFile() {
     {
@@ -80,7 +59,9 @@ PageFile::~PageFile() {
         m_isEnding = true;
     }
     m_changed.notify_all();
+    m_fetchChanged.notify_all();
     m_writer.join();
+    m_reader.join();
     for (const auto& segment : m_segments) {
         m_disk.close(segment->handle);
     }
@@ -124,36 +105,6 @@ PageState PageFile::state(Page page) const {
     return found->second.segment ? PageState::Kept : PageState::Waiting;
 }
 
-bool PageFile::read(Page page, std::size_t part, std::span<std::byte> octets) {
-    std::unique_lock lock(m_mutex);
-    const auto found = m_places.find(page);
-    HB_ASSERT(found != m_places.end() && part < found->second.ends.size());
-    const Place& place = found->second;
-    const std::uint64_t begin = part > 0 ? place.ends[part - 1] : 0;
-    HB_ASSERT(place.ends[part] - begin == SumBytes + octets.size());
-    if (!place.segment) {
-        return false;
-    }
-    const int handle = place.segment->handle; // the owner alone releases, and waits here
-    const std::uint64_t offset = place.offset + begin;
-    lock.unlock();
-    m_read.resize(SumBytes + octets.size());
-    errno = 0;
-    const bool isRead = m_disk.read(handle, m_read, offset);
-    const int cause = errno;
-    std::uint64_t sum = 0;
-    std::memcpy(&sum, m_read.data(), SumBytes);
-    std::memcpy(octets.data(), m_read.data() + SumBytes, octets.size());
-    if (isRead && sum == checksum(octets, page, part)) {
-        return true;
-    }
-    lock.lock();
-    report(fmt::format("the history in '{}' cannot be read back: {}", m_config.folder,
-                       isRead ? "damaged (checksum)" : std::strerror(cause)),
-           "what was recorded there is shown as a gap; recordings are not concerned; check the disk");
-    return false;
-}
-
 void PageFile::release(Page page) {
     const std::lock_guard lock(m_mutex);
     const auto found = m_places.find(page);
@@ -170,7 +121,8 @@ void PageFile::release(Page page) {
 void PageFile::closeUnused() {
     for (auto it = m_segments.begin(); it != m_segments.end();) {
         const bool isCurrent = std::next(it) == m_segments.end();
-        const bool isUnused = (*it)->pages == 0 && (!isCurrent || (!m_isWriting && (*it)->length > 0));
+        const bool isUnused =
+            (*it)->pages == 0 && (*it)->readers == 0 && (!isCurrent || (!m_isWriting && (*it)->length > 0));
         if (isUnused) {
             m_disk.close((*it)->handle);
             m_written_bytes -= (*it)->length;

@@ -28,7 +28,8 @@ struct PageFileConfig {
 /// The disk being full, or the limit reached, is ordinary: room() says so until pages are released. Any other
 /// failure ends writing for good; what was written can still be read.
 ///
-/// Threads: one for the owner, who puts, reads and releases; writing runs on one of its own.
+/// Threads: one for the owner, who puts, reads and releases; writing and fetching run on one of their own
+/// each.
 class PageFile final : public PageStore {
 public:
     explicit PageFile(PageFileConfig config, PageDisk disk = realPageDisk());
@@ -38,6 +39,8 @@ public:
     Page put(PageContent content) override;
     PageState state(Page page) const override;
     bool read(Page page, std::size_t part, std::span<std::byte> octets) override;
+    bool fetch(Page page, std::size_t part, std::size_t bytes) override;
+    std::vector<FetchedPart> fetched() override;
     void release(Page page) override;
 
     /// On the disk, released or not.
@@ -47,12 +50,15 @@ public:
     std::optional<Error> trouble() const;
     /// Until everything that waits is written, lost or has no room.
     void waitUntilIdle();
+    /// Until everything that is being fetched is there.
+    void waitUntilFetched();
 
 private:
     struct Segment {
         int handle = -1;
         std::uint64_t length = 0; ///< written
         std::size_t pages = 0;    ///< not released
+        std::size_t readers = 0;  ///< fetches that are at it
     };
     struct Place {
         std::shared_ptr<Segment> segment; ///< none: waiting or lost
@@ -65,8 +71,17 @@ private:
         PageContent content;
         std::size_t bytes = 0;
     };
+    struct Stretch { ///< a part with its checksum, in a file
+        std::shared_ptr<Segment> segment;
+        std::uint64_t offset = 0;
+    };
 
     void run();
+    void serveFetches();
+    void fetchNext(std::unique_lock<std::mutex>& lock);
+    std::optional<Stretch> stretchOf(Page page, std::size_t part, std::size_t bytes) const;
+    bool readPart(const Stretch& stretch, const FetchedPart& part, std::vector<std::byte>& text);
+    void reportUnread(int cause);
     bool canWrite() const;
     void writeNext(std::unique_lock<std::mutex>& lock);
     bool openSegment(std::unique_lock<std::mutex>& lock, std::size_t bytes);
@@ -89,8 +104,13 @@ private:
     bool m_hasFailed = false;
     bool m_isEnding = false;
     std::optional<Error> m_trouble;
+    std::deque<FetchedPart> m_fetches; ///< asked for, the latest last
+    std::vector<FetchedPart> m_fetched;
+    bool m_isFetching = false;
+    std::condition_variable m_fetchChanged;
     std::vector<std::byte> m_read; ///< of the owner: a part with its checksum
-    std::thread m_writer;          ///< last: it uses the others
+    std::thread m_writer;          ///< the last two: they use the others
+    std::thread m_reader;
 };
 
 } // namespace halbench::devices

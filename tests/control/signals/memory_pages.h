@@ -10,7 +10,7 @@
 
 namespace halbench::control {
 
-/// A store in memory: keeps at once, or when it is told to; fails as it is told.
+/// A store in memory: keeps at once, or when it is told to; fails as it is told; fetches when it is told.
 class MemoryPages final : public PageStore {
 public:
     PageRoom room(std::size_t bytes) const override {
@@ -42,7 +42,32 @@ public:
         std::memcpy(octets.data(), kept.data(), kept.size());
         return true;
     }
+    bool fetch(Page page, std::size_t part, std::size_t bytes) override {
+        if (canFetch) {
+            FetchedPart wanted;
+            wanted.page = page;
+            wanted.part = part;
+            wanted.bytes = bytes;
+            m_asked.push_back(std::move(wanted));
+        }
+        return canFetch;
+    }
+    std::vector<FetchedPart> fetched() override { return std::exchange(m_fetched, {}); }
     void release(Page page) override { m_pages.erase(page); }
+
+    /// What was asked for is there, or given up.
+    void deliver(bool isDropped = false) {
+        for (FetchedPart& part : m_asked) {
+            auto octets = std::make_unique<std::byte[]>(part.bytes);
+            part.isDropped = isDropped || m_pages.count(part.page) == 0;
+            if (!part.isDropped && read(part.page, part.part, {octets.get(), part.bytes})) {
+                part.octets = std::move(octets);
+            }
+            m_fetched.push_back(std::move(part));
+        }
+        m_asked.clear();
+    }
+    std::size_t asked() const { return m_asked.size(); }
 
     /// Everything that waits becomes kept; its owner is let go.
     void keepAll() {
@@ -72,9 +97,12 @@ public:
     std::set<Page> lost;
     std::set<Page> damaged;
     std::size_t reads = 0;
+    bool canFetch = false;
 
 private:
     Page m_next = 0;
+    std::vector<FetchedPart> m_asked;
+    std::vector<FetchedPart> m_fetched;
     std::map<Page, std::pair<PageContent, std::vector<std::vector<std::byte>>>> m_pages;
 };
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -235,6 +236,125 @@ TEST_F(PageFileTest, endsWhileSomethingWaits) {
     for (int i = 0; i < 30; ++i) {
         file.put(contentOf(i));
     }
+}
+
+/// Of a page of contentOf().
+std::size_t partBytes(std::size_t part) {
+    return part == 0 ? 250 : 750;
+}
+
+TEST_F(PageFileTest, whatIsFetchedComesAsItWasGivenWhileNobodyWaits) {
+    std::atomic<bool> isStalled = true;
+    PageDisk disk = realPageDisk();
+    disk.read = [&, read = disk.read](int handle, std::span<std::byte> octets, std::uint64_t offset) {
+        isStalled.wait(true); // a disk that takes its time
+        return read(handle, octets, offset);
+    };
+    PageFile file(config(), disk);
+    std::vector<PageStore::Page> pages;
+    for (int i = 0; i < 8; ++i) {
+        pages.push_back(file.put(contentOf(i)));
+    }
+    file.waitUntilIdle();
+    for (const PageStore::Page page : pages) {
+        for (std::size_t part = 0; part < 2; ++part) {
+            EXPECT_TRUE(file.fetch(page, part, partBytes(part)));
+        }
+    }
+    EXPECT_TRUE(file.fetched().empty());
+    isStalled = false;
+    isStalled.notify_all();
+    file.waitUntilFetched();
+    const std::vector<FetchedPart> parts = file.fetched();
+    ASSERT_EQ(parts.size(), 16U);
+    for (const FetchedPart& part : parts) {
+        ASSERT_NE(part.octets, nullptr);
+        const auto number = static_cast<int>(part.page - pages.front());
+        const PageContent expected = contentOf(number);
+        EXPECT_TRUE(std::equal(expected.parts[part.part].begin(), expected.parts[part.part].end(),
+                               part.octets.get()));
+    }
+    EXPECT_TRUE(file.fetched().empty());
+    EXPECT_FALSE(file.trouble());
+}
+
+TEST_F(PageFileTest, aPageThatIsReleasedWhileItIsReadKeepsItsFileUntilThen) {
+    std::atomic<bool> isStalled = true;
+    std::atomic<bool> isAsked = false;
+    std::atomic<int> closed = 0;
+    PageDisk disk = realPageDisk();
+    disk.read = [&, read = disk.read](int handle, std::span<std::byte> octets, std::uint64_t offset) {
+        isAsked = true;
+        isAsked.notify_all();
+        isStalled.wait(true);
+        return read(handle, octets, offset);
+    };
+    disk.close = [&, close = disk.close](int handle) {
+        ++closed;
+        close(handle);
+    };
+    PageFile file(config(), disk);
+    const auto page = file.put(contentOf(1));
+    const auto other = file.put(contentOf(2));
+    file.waitUntilIdle();
+    file.fetch(other, 0, partBytes(0));
+    file.fetch(page, 0, partBytes(0));
+    isAsked.wait(false);
+    file.release(page);
+    file.release(other);
+    EXPECT_EQ(closed, 0);
+    isStalled = false;
+    isStalled.notify_all();
+    file.waitUntilFetched();
+    std::size_t dropped = 0;
+    for (const FetchedPart& part : file.fetched()) {
+        dropped += part.isDropped ? 1 : 0;
+    }
+    EXPECT_LE(dropped, 1U); // the one whose turn came after its release
+    EXPECT_EQ(closed, 1);
+}
+
+TEST_F(PageFileTest, whatIsDamagedIsFetchedAsNothingAndSaid) {
+    PageDisk disk = realPageDisk();
+    disk.read = [read = disk.read](int handle, std::span<std::byte> octets, std::uint64_t offset) {
+        const bool isRead = read(handle, octets, offset);
+        octets[octets.size() / 2] ^= std::byte{1};
+        return isRead;
+    };
+    PageFile file(config(), disk);
+    const auto page = file.put(contentOf(1));
+    file.waitUntilIdle();
+    file.fetch(page, 1, partBytes(1));
+    file.waitUntilFetched();
+    const std::vector<FetchedPart> parts = file.fetched();
+    ASSERT_EQ(parts.size(), 1U);
+    EXPECT_EQ(parts[0].octets, nullptr);
+    EXPECT_FALSE(parts[0].isDropped);
+    ASSERT_TRUE(file.trouble());
+    EXPECT_NE(file.trouble()->message.find("checksum"), std::string::npos);
+}
+
+TEST_F(PageFileTest, ofMoreThanAnybodyLooksAtTheOldestIsDroppedAndSaid) {
+    std::atomic<bool> isStalled = true;
+    PageDisk disk = realPageDisk();
+    disk.read = [&, read = disk.read](int handle, std::span<std::byte> octets, std::uint64_t offset) {
+        isStalled.wait(true);
+        return read(handle, octets, offset);
+    };
+    PageFile file(config(), disk);
+    const auto page = file.put(contentOf(1));
+    file.waitUntilIdle();
+    constexpr std::size_t Asked = 5000;
+    for (std::size_t i = 0; i < Asked; ++i) {
+        file.fetch(page, i % 2, partBytes(i % 2));
+    }
+    isStalled = false;
+    isStalled.notify_all();
+    file.waitUntilFetched();
+    const std::vector<FetchedPart> parts = file.fetched();
+    ASSERT_EQ(parts.size(), Asked) << "each is answered";
+    EXPECT_TRUE(
+        std::any_of(parts.begin(), parts.end(), [](const FetchedPart& part) { return part.isDropped; }));
 }
 
 } // namespace
