@@ -93,14 +93,15 @@ Result<std::unique_ptr<Device>> openBoard(DeviceUri uri, const OpenOptions& opti
 
 /// A long recording is given up while it is read, as a board while it is opened.
 Result<std::unique_ptr<Device>> openReplay(const DeviceUri& uri, const OpenOptions& options) {
-    return openReplayDevice(uri.text, uri.address, [&]() -> Result<void> {
+    const auto checkAbort = [&]() -> Result<void> {
         const int signal = options.interruptSignal != nullptr ? options.interruptSignal->load() : 0;
         if (signal != 0 || (options.orders && options.orders->isLeaving)) {
             return failure(signal == SIGTERM ? ErrorCode::Terminated : ErrorCode::Interrupted,
                            fmt::format("{}: given up", uri.text));
         }
         return {};
-    });
+    };
+    return openReplayDevice(uri.text, uri.address, checkAbort, options.onProgress);
 }
 
 DeviceListing listingOf(const PortListing& port) {

@@ -19,6 +19,7 @@ struct OpenOptions {
     const std::atomic<int>* interruptSignal = nullptr; ///< becomes SIGINT or SIGTERM when one arrived
     std::shared_ptr<const LinkOrders> orders;          ///< of other threads; may be empty
     std::function<void(const std::string&)> onMessage; ///< log lines of board and link; may be empty
+    std::function<void(double)> onProgress; ///< share of a recording that is read by now; may be empty
     /// Where descriptions of boards in the network are kept between connections; empty: nowhere.
     std::string cacheFolder;
 };

@@ -8264,14 +8264,6 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
         <translation>Marke</translation>
     </message>
     <message>
-        <source>no signals</source>
-        <translation>keine Signale</translation>
-    </message>
-    <message>
-        <source>time passes only while a procedure runs</source>
-        <translation>Zeit vergeht nur, solange ein Vorgang läuft</translation>
-    </message>
-    <message>
         <source>Signals of the project that this device does not have: %1</source>
         <translation>Signale aus dem Projekt, die dieses Gerät nicht hat: %1</translation>
     </message>
@@ -8290,13 +8282,6 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
     <message>
         <source>Connect the simulated motor</source>
         <translation>Simulierten Motor verbinden</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n signal(s), %1 Hz, rows lost: %2</source>
-        <translation>
-            <numerusform>%n Signal, %1 Hz, Zeilen verloren: %2</numerusform>
-            <numerusform>%n Signale, %1 Hz, Zeilen verloren: %2</numerusform>
-        </translation>
     </message>
     <message>
         <source>Not shown: %1</source>
@@ -8351,6 +8336,40 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::MonitorRecording</name>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>Showing %1</source>
+        <translation>%1 wird angezeigt</translation>
+    </message>
+    <message>
+        <source>Cancelled: the plots show the first %1 s of %2 s.</source>
+        <translation>Abgebrochen: Die Diagramme zeigen die ersten %1 s von %2 s.</translation>
+    </message>
+    <message>
+        <source>recording of %1 s</source>
+        <translation>Aufzeichnung von %1 s</translation>
+    </message>
+    <message>
+        <source>no signals</source>
+        <translation>keine Signale</translation>
+    </message>
+    <message>
+        <source>time passes only while a procedure runs</source>
+        <translation>Zeit vergeht nur, solange ein Vorgang läuft</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s), %1 Hz, rows lost: %2</source>
+        <translation>
+            <numerusform>%n Signal, %1 Hz, Zeilen verloren: %2</numerusform>
+            <numerusform>%n Signale, %1 Hz, Zeilen verloren: %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::MonitorReference</name>
     <message>
         <source>Reference from a recording…</source>
@@ -8394,6 +8413,10 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
     <message>
         <source>In view, %1 s</source>
         <translation>Im Bild, %1 s</translation>
+    </message>
+    <message>
+        <source>The disk is being read</source>
+        <translation>Der Datenträger wird gelesen</translation>
     </message>
 </context>
 <context>
@@ -9306,16 +9329,8 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Aufzeichnungen</translation>
     </message>
     <message>
-        <source>Enter plays the selected recording; several are laid over each other</source>
-        <translation>Eingabe spielt die gewählte Aufzeichnung ab; mehrere werden übereinandergelegt</translation>
-    </message>
-    <message>
         <source>Play</source>
         <translation>Abspielen</translation>
-    </message>
-    <message>
-        <source>Opens the recording in the panels, as if its device were connected (Enter). The device that is connected is left; not while it is armed, is recorded or works</source>
-        <translation>Öffnet die Aufzeichnung in den Ansichten, als wäre ihr Gerät verbunden (Eingabe). Das verbundene Gerät wird getrennt; nicht, solange es freigegeben ist, aufgezeichnet wird oder arbeitet</translation>
     </message>
     <message>
         <source>Begin at</source>
@@ -9396,6 +9411,22 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>The damaged file is kept as %1.</source>
         <translation>Die beschädigte Datei bleibt als %1.</translation>
+    </message>
+    <message>
+        <source>Enter opens the selected recording; several are laid over each other</source>
+        <translation>Eingabe öffnet die gewählte Aufzeichnung; mehrere werden übereinandergelegt</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Shows all of the recording in the panels at once (Enter). The device that is connected is left; not while it is armed, is recorded or works</source>
+        <translation>Zeigt die Aufzeichnung auf einmal ganz in den Bereichen (Eingabe). Das verbundene Gerät wird getrennt; nicht, solange es freigegeben ist, aufgezeichnet wird oder arbeitet</translation>
+    </message>
+    <message>
+        <source>Plays the recording in the panels, as if its device were connected (Ctrl+Return). The device that is connected is left; not while it is armed, is recorded or works</source>
+        <translation>Spielt die Aufzeichnung in den Bereichen ab, als wäre ihr Gerät verbunden (Strg+Eingabe). Das verbundene Gerät wird getrennt; nicht, solange es freigegeben ist, aufgezeichnet wird oder arbeitet</translation>
     </message>
 </context>
 <context>

@@ -43,7 +43,7 @@
     </message>
 </context>
 <context>
-    <name>halbench::app::MonitorPanel</name>
+    <name>halbench::app::MonitorRecording</name>
     <message numerus="yes">
         <source>%n signal(s), %1 Hz, rows lost: %2</source>
         <translation>

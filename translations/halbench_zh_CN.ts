@@ -8259,14 +8259,6 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
         <translation>标记</translation>
     </message>
     <message>
-        <source>no signals</source>
-        <translation>无信号</translation>
-    </message>
-    <message>
-        <source>time passes only while a procedure runs</source>
-        <translation>仅在任务运行时时间才流逝</translation>
-    </message>
-    <message>
         <source>Signals of the project that this device does not have: %1</source>
         <translation>项目中该设备没有的信号：%1</translation>
     </message>
@@ -8285,12 +8277,6 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
     <message>
         <source>Connect the simulated motor</source>
         <translation>连接仿真电机</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n signal(s), %1 Hz, rows lost: %2</source>
-        <translation>
-            <numerusform>%n 个信号，%1 Hz，丢失 %2 行</numerusform>
-        </translation>
     </message>
     <message>
         <source>Not shown: %1</source>
@@ -8345,6 +8331,39 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::MonitorRecording</name>
+    <message>
+        <source>Reading %1</source>
+        <translation>正在读取 %1</translation>
+    </message>
+    <message>
+        <source>Showing %1</source>
+        <translation>正在显示 %1</translation>
+    </message>
+    <message>
+        <source>Cancelled: the plots show the first %1 s of %2 s.</source>
+        <translation>已取消：曲线图显示 %2 s 中的前 %1 s。</translation>
+    </message>
+    <message>
+        <source>recording of %1 s</source>
+        <translation>%1 s 的记录</translation>
+    </message>
+    <message>
+        <source>no signals</source>
+        <translation>无信号</translation>
+    </message>
+    <message>
+        <source>time passes only while a procedure runs</source>
+        <translation>仅在任务运行时时间才流逝</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s), %1 Hz, rows lost: %2</source>
+        <translation>
+            <numerusform>%n 个信号，%1 Hz，丢失 %2 行</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::MonitorReference</name>
     <message>
         <source>Reference from a recording…</source>
@@ -8388,6 +8407,10 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
     <message>
         <source>In view, %1 s</source>
         <translation>视图内，%1 s</translation>
+    </message>
+    <message>
+        <source>The disk is being read</source>
+        <translation>正在读取磁盘</translation>
     </message>
 </context>
 <context>
@@ -9298,16 +9321,8 @@ A real device has its own time.</source>
         <translation>记录列表</translation>
     </message>
     <message>
-        <source>Enter plays the selected recording; several are laid over each other</source>
-        <translation>回车回放所选记录；选择多个则叠加显示</translation>
-    </message>
-    <message>
         <source>Play</source>
         <translation>回放</translation>
-    </message>
-    <message>
-        <source>Opens the recording in the panels, as if its device were connected (Enter). The device that is connected is left; not while it is armed, is recorded or works</source>
-        <translation>在各面板中打开该记录，如同其设备已连接（回车）。当前连接的设备会断开；设备已使能、正在记录或正在工作时不可用</translation>
     </message>
     <message>
         <source>Begin at</source>
@@ -9388,6 +9403,22 @@ A real device has its own time.</source>
     <message>
         <source>The damaged file is kept as %1.</source>
         <translation>损坏的文件保留为 %1。</translation>
+    </message>
+    <message>
+        <source>Enter opens the selected recording; several are laid over each other</source>
+        <translation>回车打开所选记录；选择多个则叠加显示</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Shows all of the recording in the panels at once (Enter). The device that is connected is left; not while it is armed, is recorded or works</source>
+        <translation>在各面板中一次显示整条记录（回车）。当前连接的设备会断开；设备已使能、正在记录或正在工作时不可用</translation>
+    </message>
+    <message>
+        <source>Plays the recording in the panels, as if its device were connected (Ctrl+Return). The device that is connected is left; not while it is armed, is recorded or works</source>
+        <translation>在各面板中回放该记录，如同其设备已连接（Ctrl+回车）。当前连接的设备会断开；设备已使能、正在记录或正在工作时不可用</translation>
     </message>
 </context>
 <context>

@@ -85,6 +85,7 @@ devices::OpenOptions DeviceSession::optionsFor(const Wish& wish,
     options.seed = wish.seed;
     options.orders = std::move(orders);
     options.cacheFolder = devices::userCacheFolder();
+    options.onProgress = [this](double fraction) { onGui([this, fraction] { openProgress(fraction); }); };
     options.onMessage = [this, valve = std::make_shared<LineValve>()](const std::string& text) {
         if (valve->waiting >= MostWaitingLines) {
             ++valve->leftOut;

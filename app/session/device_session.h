@@ -101,6 +101,7 @@ public:
 Q_SIGNALS:
     void stateChanged();
     void connectFailed(const QString& message, const QString& hint);
+    void openProgress(double fraction); ///< of a recording that is being read
     void reportChanged(); ///< at most ten times a second, and whenever the board's state changes
     void procedureChanged();
     void procedureStage(halbench::app::ProcedureState stage);

@@ -3,6 +3,7 @@
 #include "app/workspaces/monitor_data.h"
 #include "app/workspaces/monitor_picture.h"
 #include "app/workspaces/monitor_plots.h"
+#include "app/workspaces/monitor_recording.h"
 #include "app/workspaces/monitor_reference.h"
 #include "app/workspaces/monitor_statistics.h"
 #include "app/workspaces/monitor_trigger.h"
@@ -81,6 +82,7 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     column->addWidget(buildTools());
     column->addWidget(&m_trigger->bar());
     m_message = new widgets::MessageBar(plots);
+    m_recording = new MonitorRecording(m_bench, *m_stack, *m_message, *this);
     column->addWidget(m_message);
     column->addWidget(m_stack, 1);
     column->addWidget(&m_statistics->table());
@@ -88,6 +90,7 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     m_pages->addWidget(plots);
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(&m_recording->row());
     whole->addWidget(m_pages);
     connectStack();
     connect(m_empty, &widgets::EmptyState::actionTriggered, this, &MonitorPanel::connectRequested);
@@ -386,19 +389,7 @@ void MonitorPanel::refreshStream() {
     if (!isVisible()) {
         return;
     }
-    const LiveSignals& live = m_bench.liveSignals();
-    const bool isVirtual =
-        m_bench.session().info().isSimulated && m_bench.session().pace().speed_ratio <= 0.0;
-    if (live.streamed().empty()) {
-        m_stream->setText(tr("no signals"));
-    } else if (isVirtual) {
-        m_stream->setText(tr("time passes only while a procedure runs"));
-    } else {
-        m_stream->setText(
-            tr("%n signal(s), %1 Hz, rows lost: %2", nullptr, static_cast<int>(live.streamed().size()))
-                .arg(widgets::fixedText(live.rate_Hz(), 0),
-                     widgets::countText(m_bench.history().lostRows())));
-    }
+    m_stream->setText(m_recording->streamWords());
 }
 
 void MonitorPanel::changeEvent(QEvent* event) {

@@ -24,6 +24,7 @@ namespace halbench::app {
 class MonitorData;
 class MonitorStatistics;
 class MonitorPicture;
+class MonitorRecording;
 class MonitorReference;
 class MonitorTrigger;
 
@@ -74,6 +75,7 @@ private:
     MonitorPicture* m_picture = nullptr;
     MonitorData* m_data = nullptr;
     MonitorReference* m_reference = nullptr;
+    MonitorRecording* m_recording = nullptr;
     MonitorStatistics* m_statistics = nullptr;
     QLabel* m_stream = nullptr;
     QTimer m_values; ///< what is said of the stream

@@ -6,6 +6,7 @@
 #include "app/workspaces/recording_control.h"
 #include "app/workspaces/result_history_view.h"
 #include "app/workspaces/run_overlay.h"
+#include "app/workspaces/shown_recording.h"
 #include "widgets/display_units.h"
 #include "widgets/message_bar.h"
 #include "widgets/phrasebook.h"
@@ -82,23 +83,25 @@ void RecordingsPanel::setFileChooser(FileChooser chooser) {
     m_overlay->setFileChooser(std::move(chooser));
 }
 
+/// Of the panel, wherever in it the focus is.
+QAction& RecordingsPanel::addKey(const char* key) {
+    auto* action = new QAction(this);
+    action->setShortcut(QKeySequence(QLatin1String(key)));
+    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    addAction(action);
+    return *action;
+}
+
 void RecordingsPanel::buildSearch(QVBoxLayout& column) {
     m_search = new QLineEdit(this);
     m_search->setAccessibleName(tr("Search recordings"));
     m_search->setPlaceholderText(tr("Search name, device, date, signals, tags, notes"));
     m_search->setToolTip(tr("Every word must occur somewhere (Ctrl+F)"));
     m_search->setClearButtonEnabled(true);
-    auto* find = new QAction(this);
-    find->setShortcut(QKeySequence(QStringLiteral("Ctrl+F")));
-    find->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    addAction(find);
-    connect(find, &QAction::triggered, m_search, [this] { m_search->setFocus(Qt::ShortcutFocusReason); });
+    connect(&addKey("Ctrl+F"), &QAction::triggered, m_search,
+            [this] { m_search->setFocus(Qt::ShortcutFocusReason); });
     QPushButton* again = makeButton({tr("Refresh"), tr("Looks into the folder again (F5)"), {}}, this);
-    auto* refreshAction = new QAction(this);
-    refreshAction->setShortcut(QKeySequence(QStringLiteral("F5")));
-    refreshAction->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    addAction(refreshAction);
-    connect(refreshAction, &QAction::triggered, this, &RecordingsPanel::refresh);
+    connect(&addKey("F5"), &QAction::triggered, this, &RecordingsPanel::refresh);
     connect(again, &QPushButton::clicked, this, &RecordingsPanel::refresh);
     connect(m_search, &QLineEdit::textChanged, &m_filter, &RecordingsFilterModel::setWords);
     auto* row = new QHBoxLayout;
@@ -112,7 +115,7 @@ void RecordingsPanel::buildTable() {
     m_filter.setSortRole(RecordingsTableModel::SortRole);
     m_table = new QTableView(this);
     m_table->setAccessibleName(tr("Recordings"));
-    m_table->setToolTip(tr("Enter plays the selected recording; several are laid over each other"));
+    m_table->setToolTip(tr("Enter opens the selected recording; several are laid over each other"));
     m_table->setModel(&m_filter);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -125,19 +128,26 @@ void RecordingsPanel::buildTable() {
     m_table->setSortingEnabled(true);
     m_table->sortByColumn(RecordingsTableModel::Date, Qt::DescendingOrder);
     m_table->horizontalHeader()->setStretchLastSection(true);
-    connect(m_table, &QTableView::activated, this, &RecordingsPanel::play);
+    connect(m_table, &QTableView::activated, this, &RecordingsPanel::openWhole);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &RecordingsPanel::onSelection);
     connect(&m_filter, &QAbstractItemModel::modelReset, this, &RecordingsPanel::onSelection);
 }
 
 void RecordingsPanel::buildActions(QVBoxLayout& column) {
-    m_play = makeButton(
-        {tr("Play"),
-         tr("Opens the recording in the panels, as if its device were connected (Enter). The device that is "
-            "connected is left; not while it is armed, is recorded or works"),
+    m_open = makeButton(
+        {tr("Open"),
+         tr("Shows all of the recording in the panels at once (Enter). The device that is connected is left; "
+            "not while it is armed, is recorded or works"),
          {}},
         this);
+    m_play = makeButton({tr("Play"),
+                         tr("Plays the recording in the panels, as if its device were connected "
+                            "(Ctrl+Return). The device that "
+                            "is connected is left; not while it is armed, is recorded or works"),
+                         {}},
+                        this);
+    connect(&addKey("Ctrl+Return"), &QAction::triggered, this, &RecordingsPanel::play);
     m_from =
         makeNumberField({tr("Begin at"), tr("Time of the recording at which it is played; Enter goes there"),
                          QStringLiteral("s"), 2, 0.0, LongestRecording_s, 1.0},
@@ -147,12 +157,14 @@ void RecordingsPanel::buildActions(QVBoxLayout& column) {
     auto* label = new QLabel(tr("Begin at"), this);
     label->setBuddy(m_from);
     auto* row = new QHBoxLayout;
+    row->addWidget(m_open);
     row->addWidget(m_play);
     row->addWidget(label);
     row->addWidget(m_from);
     row->addStretch(1);
     row->addWidget(m_recover);
     column.addLayout(row);
+    connect(m_open, &QPushButton::clicked, this, &RecordingsPanel::openWhole);
     connect(m_play, &QPushButton::clicked, this, &RecordingsPanel::play);
     connect(m_from, &widgets::QuantityEdit::entered, this, &RecordingsPanel::play);
     connect(m_recover, &QPushButton::clicked, this, [this] {
@@ -319,12 +331,22 @@ bool RecordingsPanel::isFree() const {
 void RecordingsPanel::refreshActions() {
     const RecordingEntry* entry = chosen();
     const bool isWhole = entry != nullptr && !entry->isInterrupted;
+    m_open->setEnabled(isWhole && isFree());
     m_play->setEnabled(isWhole && isFree());
     m_from->setEnabled(isWhole);
     m_from->setMaximum(isWhole ? entry->duration_s.value_or(LongestRecording_s) : LongestRecording_s);
     m_recover->setVisible(entry != nullptr && entry->isInterrupted);
     m_tags->setEnabled(!m_words.isEmpty());
     m_notes->setEnabled(!m_words.isEmpty());
+}
+
+void RecordingsPanel::openWhole() {
+    const RecordingEntry* entry = chosen();
+    if (entry != nullptr && m_open->isEnabled()) {
+        m_message->clear();
+        m_bench.shownRecording().open(entry->path);
+        Q_EMIT played();
+    }
 }
 
 void RecordingsPanel::play() {

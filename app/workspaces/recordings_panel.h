@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <QWidget>
 
+class QAction;
 class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
@@ -39,7 +40,7 @@ public:
     void setFileChooser(FileChooser chooser);
 
 Q_SIGNALS:
-    void played(); ///< whoever shows signals comes to the front
+    void played(); ///< or opened: whoever shows signals comes to the front
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -50,6 +51,7 @@ private:
         std::vector<ResultRow> results;
     };
 
+    QAction& addKey(const char* key);
     void buildSearch(QVBoxLayout& column);
     void buildTable();
     void buildActions(QVBoxLayout& column);
@@ -61,6 +63,7 @@ private:
     void recover(const QString& path);
     void onSelection();
     void refreshActions();
+    void openWhole();
     void play();
     void onSession();
     void saveWords();
@@ -73,6 +76,7 @@ private:
     RecordingsFilterModel m_filter;
     QLineEdit* m_search = nullptr;
     QTableView* m_table = nullptr;
+    QPushButton* m_open = nullptr;
     QPushButton* m_play = nullptr;
     QPushButton* m_recover = nullptr;
     widgets::QuantityEdit* m_from = nullptr;

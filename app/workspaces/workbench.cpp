@@ -5,6 +5,7 @@
 #include "app/workspaces/drive_control.h"
 #include "app/workspaces/idle_reference.h"
 #include "app/workspaces/recording_trigger.h"
+#include "app/workspaces/shown_recording.h"
 #include "devices/acquisition/page_file.h"
 
 #include <algorithm>
@@ -88,7 +89,8 @@ QString deviceKey(const devices::DeviceInfo& info) {
 
 Workbench::Workbench(QObject* parent)
     : QObject(parent), m_history(HistoryBudget_bytes), m_drive(std::make_unique<DriveControl>(*this)),
-      m_recordingTrigger(std::make_unique<RecordingTrigger>(*this)) {
+      m_recordingTrigger(std::make_unique<RecordingTrigger>(*this)),
+      m_shownRecording(std::make_unique<ShownRecording>(*this)) {
     connect(&m_session, &DeviceSession::stateChanged, this, &Workbench::onSessionState);
     connect(&m_session, &DeviceSession::procedureChanged, this, [this] {
         if (m_session.procedure().isEmpty()) {
@@ -136,12 +138,16 @@ ResultHeader Workbench::beginResult(const std::string& schema) const {
 }
 
 void Workbench::drainSamples() {
+    settleHistory();
     const std::vector<SampleBlockPtr> blocks = m_session.takeBlocks();
+    if (!blocks.empty()) {
+        m_shownRecording->leave(); // it is played now
+    }
     // By hand the mode is known; what a procedure drives is drawn as it comes, unless that drives currents.
     const bool isAngle = !m_isCurrentDriven && (!m_session.procedure().isEmpty() ||
                                                 m_drive->mode() == devices::BoardMode::Position);
     for (const SampleBlockPtr& block : blocks) {
-        m_history.append(m_derived.with(withoutIdleReference(*block, m_session.catalogue(), isAngle)));
+        show(*block, isAngle);
         if (const auto held = m_history.range(); held && block->rows() > 0) {
             m_recordingTrigger->setHistoryShift_s(held->end_s - block->time_s.back());
         }
@@ -151,6 +157,15 @@ void Workbench::drainSamples() {
         samplesArrived();
     }
     sayHistoryTrouble();
+}
+
+void Workbench::show(const SampleBlock& block, bool isAngle) {
+    m_history.append(m_derived.with(withoutIdleReference(block, m_session.catalogue(), isAngle)));
+}
+
+bool Workbench::settleHistory() {
+    m_history.settle();
+    return m_history.isBusy();
 }
 
 void Workbench::setHistoryPages(std::shared_ptr<devices::PageFile> pages) {

@@ -31,6 +31,7 @@ namespace halbench::app {
 
 class DriveControl;
 class RecordingTrigger;
+class ShownRecording;
 
 /// Where a result came into the window from.
 enum class ResultOrigin { Measured, File, Project };
@@ -92,12 +93,18 @@ public:
     RecordingTrigger& recordingTrigger() { return *m_recordingTrigger; }
     void setWallClock(const WallClock& clock);
     QDateTime now() const { return m_wallClock(); } ///< on the wall
+    /// All of a recording at once.
+    ShownRecording& shownRecording() { return *m_shownRecording; }
     /// Header of a result that begins now, on the device if one is connected. Virtual time begins in 1970, so
     /// that equal seeds give the same bytes as in batch mode.
     ResultHeader beginResult(const std::string& schema) const;
     const control::SampleHistory& history() const { return m_history; }
     /// Moves what arrived into the history; called once per frame.
     void drainSamples();
+    /// Puts samples into the history, with what is derived from them. `isAngle`: the reference is one.
+    void show(const SampleBlock& block, bool isAngle);
+    /// Takes over what was read back from the disk meanwhile. Whether rows come faster than it takes them.
+    bool settleHistory();
     /// Where samples go that memory has no room for. Forgets those that are there.
     void setHistoryPages(std::shared_ptr<devices::PageFile> pages);
     /// Forgets the samples, e.g. when another device comes.
@@ -199,6 +206,7 @@ private:
     bool m_isCurrentDriven = false;
     std::unique_ptr<DriveControl> m_drive;
     std::unique_ptr<RecordingTrigger> m_recordingTrigger;
+    std::unique_ptr<ShownRecording> m_shownRecording;
 };
 
 } // namespace halbench::app

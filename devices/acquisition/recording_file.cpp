@@ -84,7 +84,8 @@ std::string hexOf(const QByteArray& hash) {
 
 /// The numbers and the checksum of a file that may be longer than memory would hold as text.
 Result<void> readPieces(const std::string& path, const std::function<Result<void>()>& checkAbort,
-                        Recording& recording, std::string& sha256) {
+                        const std::function<void(double)>& onProgress, Recording& recording,
+                        std::string& sha256) {
     QFile file(pathOf(path));
     if (QFileInfo(file).isDir() || !file.open(QIODevice::ReadOnly)) {
         return failure(ErrorCode::FileSystem, fmt::format("cannot read '{}': {}", path, causeOf(file)),
@@ -106,6 +107,10 @@ Result<void> readPieces(const std::string& path, const std::function<Result<void
         hash.addData(piece.data(), static_cast<int>(length));
         if (const Result<void> fed = parser.feed({piece.data(), static_cast<std::size_t>(length)}); !fed) {
             return fed;
+        }
+        if (onProgress) {
+            onProgress(static_cast<double>(file.pos()) /
+                       static_cast<double>(std::max(file.size(), file.pos())));
         }
     }
     Result<Recording> whole = parser.finish();
@@ -203,14 +208,15 @@ Result<Recording> parseWhole(const std::string& path, std::string text, std::siz
 } // namespace
 
 Result<RecordedFile> readRecordingFile(const std::string& path,
-                                       const std::function<Result<void>()>& checkAbort) {
+                                       const std::function<Result<void>()>& checkAbort,
+                                       const std::function<void(double)>& onProgress) {
     if (isMdf4Recording(path)) {
         const Result<std::string> text = readText(path, maxText());
         return text ? parseMdf4(*text, path, checkAbort) : failure(text.error());
     }
     RecordedFile file;
     std::string sha256;
-    if (const Result<void> read = readPieces(path, checkAbort, file.recording, sha256); !read) {
+    if (const Result<void> read = readPieces(path, checkAbort, onProgress, file.recording, sha256); !read) {
         return failure(read.error());
     }
     const std::string metaPath = sidecarOf(path);

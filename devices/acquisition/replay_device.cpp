@@ -26,7 +26,7 @@ tl::unexpected<Error> readOnly() {
 class ReplayDevice final : public Device, private Clock {
 public:
     ReplayDevice(const std::string& uri, RecordedFile file, double begin_s)
-        : m_file(std::move(file)), m_now_s(begin_s) {
+        : m_whole(std::make_shared<const RecordedFile>(std::move(file))), m_file(*m_whole), m_now_s(begin_s) {
         m_info = m_file.meta.device;
         m_info.uri = uri;
         m_info.transport = "replay";
@@ -50,6 +50,7 @@ public:
     void stop() noexcept override {}
     Result<void> clearStop() override { return {}; }
     Result<Recording> readCapture() override { return Recording{}; }
+    const std::shared_ptr<const RecordedFile>& whole() const { return m_whole; }
 
 private:
     double now_s() const override { return m_now_s; }
@@ -63,7 +64,8 @@ private:
     /// Places of the signals in the recording. Error: UnknownName.
     Result<std::vector<std::size_t>> columnsOf(std::span<const std::string> names) const;
 
-    RecordedFile m_file;
+    std::shared_ptr<const RecordedFile> m_whole;
+    const RecordedFile& m_file; ///< the same
     DeviceInfo m_info;
     Catalogue m_catalogue;
     double m_now_s;
@@ -264,9 +266,10 @@ Source sourceOf(const std::string& text) {
 } // namespace
 
 Result<std::unique_ptr<Device>> openReplayDevice(const std::string& uri, const std::string& text,
-                                                 const std::function<Result<void>()>& checkAbort) {
+                                                 const std::function<Result<void>()>& checkAbort,
+                                                 const std::function<void(double)>& onProgress) {
     const Source source = sourceOf(text);
-    Result<RecordedFile> file = readRecordingFile(source.path, checkAbort);
+    Result<RecordedFile> file = readRecordingFile(source.path, checkAbort, onProgress);
     if (!file) {
         return failure(file.error());
     }
@@ -282,6 +285,11 @@ Result<std::unique_ptr<Device>> openReplayDevice(const std::string& uri, const s
                        "begin earlier");
     }
     return std::unique_ptr<Device>(std::make_unique<ReplayDevice>(uri, *std::move(file), source.begin_s));
+}
+
+std::shared_ptr<const RecordedFile> recordingOf(Device& device) {
+    const auto* replay = dynamic_cast<ReplayDevice*>(&device);
+    return replay != nullptr ? replay->whole() : nullptr;
 }
 
 } // namespace halbench::devices

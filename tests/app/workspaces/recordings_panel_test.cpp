@@ -2,6 +2,7 @@
 #include "app/workspaces/recordings_panel.h"
 #include "app/workspaces/recordings_table_model.h"
 #include "app/workspaces/run_overlay.h"
+#include "app/workspaces/shown_recording.h"
 #include "devices/acquisition/recording_file.h"
 #include "devices/acquisition/recording_writer.h"
 #include "tests/app/workspaces/bench_fixture.h"
@@ -123,14 +124,26 @@ TEST_F(RecordingsPanelTest, tagsAndNotesGoIntoTheSidecar) {
     EXPECT_EQ(tags->text(), "cold, first") << "what is typed stays as it is";
 }
 
-TEST_F(RecordingsPanelTest, enterPlaysARecordingInThePanelsFromWhereItIsAsked) {
+TEST_F(RecordingsPanelTest, enterOpensAllOfARecordingAtOnce) {
+    write("run", 1.0);
+    open();
+    ASSERT_TRUE(listed(1));
+    table()->selectRow(0);
+    table()->setFocus();
+    QTest::keyClick(table(), Qt::Key_Return);
+    ASSERT_TRUE(wait([&] { return bench().shownRecording().file() && !bench().shownRecording().isBusy(); }));
+    EXPECT_NEAR(bench().history().range()->end_s, 9.99, 1e-9);
+    EXPECT_NEAR(bench().history().valueAt("position", 5.0)->value, 5.0, 1e-6);
+}
+
+TEST_F(RecordingsPanelTest, controlReturnPlaysARecordingInThePanelsFromWhereItIsAsked) {
     write("run", 1.0);
     open();
     ASSERT_TRUE(listed(1));
     bench().setPace({20.0});
     table()->selectRow(0);
     table()->setFocus();
-    QTest::keyClick(table(), Qt::Key_Return);
+    QTest::keyClick(table(), Qt::Key_Return, Qt::ControlModifier);
     ASSERT_TRUE(wait([&] { return session().info().transport == "replay"; }));
     bench().liveSignals().want(panel.get(), {"position"});
     ASSERT_TRUE(wait([&] { return bench().history().latest("position").has_value(); }));
@@ -159,8 +172,7 @@ TEST_F(RecordingsPanelTest, whereToBeginIsOfOneRecording) {
     from->setValue(3.0);
     QTest::keyClick(panel.get(), Qt::Key_F5);
     EXPECT_EQ(from->value(), 3.0);
-    table()->setFocus();
-    QTest::keyClick(table(), Qt::Key_Return); // as the button does
+    click(*panel, "Play");
     EXPECT_TRUE(wait([&] { return session().report().deviceTime_s >= 3.0; }));
     table()->selectRow(1);
     EXPECT_EQ(from->value(), 0.0);
@@ -236,6 +248,8 @@ TEST_F(RecordingsPanelTest, anArmedDeviceIsNotLeftForARecording) {
     EXPECT_TRUE(wait([&] { return !play->isEnabled(); }));
     table()->setFocus();
     QTest::keyClick(table(), Qt::Key_Return);
+    QTest::keyClick(table(), Qt::Key_Return, Qt::ControlModifier);
+    EXPECT_FALSE(bench().shownRecording().isBusy());
     EXPECT_EQ(session().info().transport, "loopback");
     bench().drive().disarm();
     EXPECT_TRUE(wait([&] { return play->isEnabled(); }));

@@ -1,0 +1,96 @@
+#include "app/workspaces/monitor_recording.h"
+
+#include "app/workspaces/shown_recording.h"
+#include "widgets/display_units.h"
+#include "widgets/live_plot_stack.h"
+#include "widgets/message_bar.h"
+#include "widgets/progress_row.h"
+
+#include <QFileInfo>
+
+#include <utility>
+
+namespace halbench::app {
+
+MonitorRecording::MonitorRecording(Workbench& bench, widgets::LivePlotStack& stack,
+                                   widgets::MessageBar& message, QWidget& panel)
+    : QObject(&panel), m_bench(bench), m_stack(stack), m_message(message),
+      m_row(new widgets::ProgressRow(&panel)) {
+    m_row->hide();
+    ShownRecording& shown = m_bench.shownRecording();
+    connect(m_row, &widgets::ProgressRow::cancelRequested, &shown, &ShownRecording::cancel);
+    connect(&shown, &ShownRecording::changed, this, &MonitorRecording::refresh);
+    connect(&shown, &ShownRecording::began, this, &MonitorRecording::onBegan);
+    connect(&shown, &ShownRecording::ended, this, &MonitorRecording::onEnded);
+}
+
+QWidget& MonitorRecording::row() {
+    return *m_row;
+}
+
+void MonitorRecording::refresh() {
+    const ShownRecording& shown = m_bench.shownRecording();
+    m_row->setVisible(shown.isBusy());
+    if (!shown.isBusy()) {
+        return;
+    }
+    const QString name = QFileInfo(shown.path()).fileName();
+    m_isAsked = m_isAsked || shown.isReading();
+    m_row->setText(shown.isReading() ? tr("Reading %1").arg(name) : tr("Showing %1").arg(name));
+    const bool isKnown = shown.fraction() > 0.0; // of an MDF4 file it is not
+    m_row->setProgress(isKnown ? std::optional(shown.fraction()) : std::nullopt);
+}
+
+/// The plots fill from the left.
+void MonitorRecording::onBegan() {
+    const ShownRecording& shown = m_bench.shownRecording();
+    if (!m_isAsked) {
+        return;
+    }
+    std::vector<widgets::PlotMarker> markers;
+    for (const devices::RecordingMeta::Marker& marker : shown.file()->meta.markers) {
+        markers.push_back(
+            {marker.time_s - shown.file()->recording.time_s.front(), QString::fromStdString(marker.text)});
+    }
+    m_stack.setMarkers(std::move(markers));
+    m_stack.setPaused(false);
+    m_stack.setFollowing(true);
+    m_stack.setTimeSpan(shown.length_s());
+}
+
+void MonitorRecording::onEnded() {
+    const ShownRecording& shown = m_bench.shownRecording();
+    if (!std::exchange(m_isAsked, false)) {
+        return;
+    }
+    m_stack.showTimeRange({0.0, shown.shown_s()});
+    m_stack.rescale(true);
+    if (shown.shown_s() < shown.length_s()) {
+        m_message.showMessage(
+            {widgets::Severity::Information,
+             tr("Cancelled: the plots show the first %1 s of %2 s.")
+                 .arg(widgets::fixedText(shown.shown_s(), 2), widgets::fixedText(shown.length_s(), 2)),
+             {},
+             {}});
+    }
+}
+
+QString MonitorRecording::streamWords() const {
+    const LiveSignals& live = m_bench.liveSignals();
+    const ShownRecording& shown = m_bench.shownRecording();
+    const bool isVirtual =
+        m_bench.session().info().isSimulated && m_bench.session().pace().speed_ratio <= 0.0;
+    if (shown.file() != nullptr) {
+        return tr("recording of %1 s").arg(widgets::fixedText(shown.length_s(), 2));
+    }
+    if (live.streamed().empty()) {
+        return tr("no signals");
+    }
+    if (isVirtual) {
+        return tr("time passes only while a procedure runs");
+    }
+    return tr("%n signal(s), %1 Hz, rows lost: %2", nullptr, static_cast<int>(live.streamed().size()))
+        .arg(widgets::fixedText(live.rate_Hz(), 0), widgets::countText(m_bench.history().lostRows()));
+}
+
+} // namespace halbench::app
