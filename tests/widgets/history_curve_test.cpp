@@ -1,4 +1,5 @@
 #include "control/base/random.h"
+#include "control/base/units.h"
 #include "tests/control/signals/history_blocks.h"
 #include "widgets/history_curve.h"
 #include "widgets/offscreen_application.h"
@@ -12,6 +13,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace halbench::widgets {
 namespace {
@@ -126,6 +130,112 @@ TEST_P(HistoryCurveAtRatio, aDenseCurveCoversWhatAllItsSamplesWould) {
             darkest = std::min(darkest, qGray(image.pixel(std::clamp(x + near, 0, image.width() - 1), y)));
         }
         ASSERT_LT(darkest, 160) << row;
+    }
+}
+
+/// What curves are drawn from, one nastier than the other; at 1 kHz, over 100 s.
+std::vector<std::pair<const char*, Signal>> adversaries() {
+    const auto random = std::make_shared<Random>(9);
+    const auto noise = std::make_shared<std::vector<double>>(100'000);
+    for (double& value : *noise) {
+        value = 0.25 * random->gaussian();
+    }
+    return {
+        {"noise", [noise](std::size_t row) { return (*noise)[row]; }},
+        {"every other sample at the other end", [](std::size_t row) { return row % 2 == 0 ? -0.8 : 0.8; }},
+        {"steps", [](std::size_t row) { return (row / 3333) % 2 == 0 ? -0.6 : 0.6; }},
+        {"spikes beside each other, up and down",
+         [](std::size_t row) { return row % 997 == 0   ? 0.9
+                                      : row % 997 == 1 ? -0.9
+                                                       : 0.0; }},
+        {"spikes at the ends of groups of any size",
+         [](std::size_t row) { return row % 4096 == 0      ? 0.9
+                                      : row % 4096 == 4095 ? -0.9
+                                                           : 0.1; }},
+        {"a ramp", [](std::size_t row) { return 1.8e-5 * static_cast<double>(row) - 0.9; }},
+        {"beats with the columns",
+         [](std::size_t row) { return 0.9 * std::sin(2.0 * Pi * static_cast<double>(row) / 250.3); }},
+        {"values that are none", [](std::size_t row) {
+             const bool isNone = row % 7000 > 6000;
+             return isNone ? std::nan("") : row % 500 == 3 ? 0.7 : -0.2;
+         }}};
+}
+
+/// Every column that a line through all samples covers, from its top to its bottom, and no others: computed
+/// from the samples alone.
+struct Reach {
+    std::vector<double> top;
+    std::vector<double> bottom; ///< below the top where nothing is
+};
+Reach reachOf(const Signal& signal, std::size_t rows, double span_s, double ratio, int columns) {
+    Reach reach{std::vector<double>(static_cast<std::size_t>(columns), 1e9),
+                std::vector<double>(static_cast<std::size_t>(columns), -1e9)};
+    for (std::size_t row = 0; row < rows; ++row) {
+        const double x = static_cast<double>(row) * Period_s / span_s * (Width - 1) * ratio;
+        const auto column = static_cast<std::size_t>(std::clamp<long>(std::lround(x), 0, columns - 1));
+        const double y =
+            std::clamp((1.0 - signal(row)) / 2.0 * (Height - 1) * ratio + 0.5, 0.0, Height * ratio);
+        if (!std::isnan(y)) { // what is outside ends at the edge of the picture
+            reach.top[column] = std::min(reach.top[column], y);
+            reach.bottom[column] = std::max(reach.bottom[column], y);
+        }
+    }
+    return reach;
+}
+
+/// Of a column of the picture: the first and last row with ink that is more than the edge's softness.
+std::pair<int, int> inkOf(const QImage& image, int column) {
+    constexpr int Ink = 128;
+    int first = image.height();
+    int last = -1;
+    for (int row = 0; row < image.height(); ++row) {
+        if (qGray(image.pixel(column, row)) < Ink) {
+            first = std::min(first, row);
+            last = row;
+        }
+    }
+    return {first, last};
+}
+
+TEST_P(HistoryCurveAtRatio, theDecimatedDrawingIsTheFullOneWhateverTheSamplesAre) {
+    constexpr std::size_t Rows = 100'000;
+    constexpr double Span_s = 100.0;
+    for (const auto& [name, signal] : adversaries()) {
+        const QImage image = drawn(historyOf(Rows, signal), Span_s, GetParam(), QImage::Format_RGB32);
+        const Reach reach = reachOf(signal, Rows, Span_s, GetParam(), image.width());
+        // An eighth of a column off a sample may be in the next one, and the pen is as wide as it is high: a
+        // column reaches at most as far as those near it.
+        const double half_px = 0.75 * GetParam() + 1.0; // half of the pen, and the softness of its ends
+        const int beside = GetParam() > 1.0 ? 2 : 1;
+        for (int column = beside; column + beside < image.width(); ++column) {
+            const auto [first, last] = inkOf(image, column);
+            double top = 1e9;
+            double bottom = -1e9;
+            for (int near = column - beside; near <= column + beside; ++near) {
+                top = std::min(top, reach.top[static_cast<std::size_t>(near)]);
+                bottom = std::max(bottom, reach.bottom[static_cast<std::size_t>(near)]);
+            }
+            if (last >= 0) {
+                ASSERT_GE(first, top - half_px) << name << ", column " << column;
+                ASSERT_LE(last + 1, bottom + half_px) << name << ", column " << column;
+            }
+        }
+        // Every extreme is there, in its column or the one beside it.
+        for (int column = 1; column + 1 < image.width(); ++column) {
+            const auto at = static_cast<std::size_t>(column);
+            if (reach.top[at] > reach.bottom[at]) {
+                continue;
+            }
+            int first = image.height();
+            int last = -1;
+            for (int near = -1; near <= 1; ++near) {
+                const auto [up, down] = inkOf(image, column + near);
+                first = std::min(first, up);
+                last = std::max(last, down);
+            }
+            ASSERT_LE(first, reach.top[at] + half_px) << name << ", top of column " << column;
+            ASSERT_GE(last + 1, reach.bottom[at] - half_px) << name << ", bottom of column " << column;
+        }
     }
 }
 

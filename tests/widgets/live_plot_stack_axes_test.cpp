@@ -84,6 +84,33 @@ TEST_F(LivePlotStackTest, axesDoNotMoveWhileLabelsGrow) {
     EXPECT_EQ(plots().front()->canvasRect().left(), before);
 }
 
+TEST_F(LivePlotStackTest, aLabelThatGrowsMovesAllAxesOnceAndNoneBack) {
+    const auto layout = control::layoutOf({"angle"}, 0.001);
+    std::size_t row = 31'000;
+    std::vector<int> lefts;
+    // From degrees to millions of them, and back: labels grow by digits and a sign, and get short again.
+    for (int decade = 0; decade < 16; ++decade) {
+        const double size = std::pow(10.0, decade < 8 ? decade : 15 - decade);
+        history.append(control::blockOf(
+            layout, row, 200, [&](std::size_t at, std::size_t) { return at % 2 == 0 ? -size : size; }));
+        row += 200;
+        frame();
+        frame();
+        const auto all = plots();
+        for (const LivePlot* plot : all) {
+            ASSERT_EQ(plot->canvasRect().left(), all.front()->canvasRect().left()) << decade;
+            ASSERT_EQ(plot->canvasRect().right(), all.front()->canvasRect().right()) << decade;
+        }
+        if (!lefts.empty()) {
+            ASSERT_GE(all.front()->canvasRect().left(), lefts.back()) << "nothing jumps back and forth";
+        }
+        lefts.push_back(all.front()->canvasRect().left());
+    }
+    EXPECT_GT(lefts.back(), lefts.front()); // or no label grew
+    lefts.erase(std::unique(lefts.begin(), lefts.end()), lefts.end());
+    EXPECT_LE(lefts.size(), 5U) << "a few steps for eight decades";
+}
+
 TEST_F(LivePlotStackTest, titlesChangeTheirFormForAllPlotsSoThatAxesAlign) {
     std::vector<PlotSpec> specs = motorPlots();
     specs.emplace_back(); // an empty plot has an axis as well
