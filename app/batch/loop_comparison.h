@@ -19,8 +19,8 @@ struct ComparedLoop {
 /// `compared` of halbench.analysis/1: for each its file, its method and what analysisBody() tells.
 JsonValue comparedLoops(const std::vector<ComparedLoop>& loops);
 
-/// For reading: a row a figure, a column a file, in their order; what several files have in front of their
-/// names is left out.
+/// For reading: a row a figure, a column a file, in their order, headed by the file's name, or by its path
+/// where names are the same.
 std::string comparisonTable(const std::vector<ComparedLoop>& loops);
 
 } // namespace halbench::app

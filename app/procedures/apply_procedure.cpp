@@ -150,21 +150,53 @@ void compareCurves(const Recording& measured, VerificationBand& band) {
     }
 }
 
+/// What of a recording was not seen: rows that are missing inside, and the time after its last one.
+struct Unseen {
+    double total_s = 0.0;
+    double longest_s = 0.0;
+};
+
+Unseen unseenOf(const Recording& recording, double duration_s) {
+    const std::vector<double>& time_s = recording.time_s;
+    if (time_s.size() < 2) {
+        return {duration_s, duration_s};
+    }
+    double period_s = duration_s;
+    for (std::size_t i = 1; i < time_s.size(); ++i) {
+        period_s = std::min(period_s, time_s[i] - time_s[i - 1]);
+    }
+    Unseen unseen;
+    const auto add = [&](double from_s, double to_s) {
+        const double missing_s = to_s - from_s - 1.5 * period_s; // half a period for the rounding of times
+        if (missing_s > 0.0) {
+            unseen.total_s += missing_s + period_s / 2.0;
+            unseen.longest_s = std::max(unseen.longest_s, missing_s + period_s / 2.0);
+        }
+    };
+    for (std::size_t i = 1; i < time_s.size(); ++i) {
+        add(time_s[i - 1], time_s[i]);
+    }
+    add(time_s.back(), duration_s);
+    return unseen;
+}
+
 /// What the move itself tells of its data speaks of the verification too; a move of which much is missing
 /// verifies nothing, however well the rest fits.
 void judgeData(const ApplyVerification& verification, ApplyResult& result) {
-    constexpr double LeastSeen_ratio = 0.9;
-    const Recording& seen = result.verification->recording;
+    constexpr double MostUnseen_ratio = 0.1;
+    constexpr double LongestUnseen_ratio = 0.02; // a gap longer than that may hide the overshoot
+    const Unseen unseen = unseenOf(result.verification->recording, verification.duration_s);
     DataQuality& quality = result.quality;
     quality = result.verification->quality;
-    const double end_s = seen.time_s.empty() ? 0.0 : seen.time_s.back();
-    if (end_s < LeastSeen_ratio * verification.duration_s) {
+    if (unseen.total_s > MostUnseen_ratio * verification.duration_s ||
+        unseen.longest_s > LongestUnseen_ratio * verification.duration_s) {
         quality.verdict = Verdict::Refused;
-        quality.findings.push_back({"verification_incomplete",
-                                    fmt::format("the verification move was seen for {:.2f} of {:.2f} s",
-                                                end_s, verification.duration_s),
-                                    "The old values run again. See that the link is not overloaded, and "
-                                    "apply again."});
+        quality.findings.push_back(
+            {"verification_incomplete",
+             fmt::format("the verification move was seen for {:.2f} of {:.2f} s",
+                         verification.duration_s - unseen.total_s, verification.duration_s),
+             "The old values run again. See that the link is not overloaded, and "
+             "apply again."});
     }
 }
 

@@ -135,7 +135,10 @@ private:
         MeasuredStage measured{stage, m_recorder.rows(), {}};
         Result<void> done;
         for (int i = 0; done && i < stage.sweeps; ++i) {
-            measured.sweepRows.push_back(m_recorder.rows());
+            // Rows that were late before the sweep before and are not any more: sweeps do not overlap.
+            const std::size_t begin =
+                measured.sweepRows.empty() ? std::size_t{0} : measured.sweepRows.back() + stage.rowsPerPeriod;
+            measured.sweepRows.push_back(std::max(begin, m_recorder.rows()));
             done = startStage(m_device, stage.reference, stage.sweep_s);
             const auto text = fmt::format("sweeps from {:.3g} to {:.3g} Hz, {} of {}",
                                           stage.reference.frequency_Hz, stage.to_Hz, i + 1, stage.sweeps);

@@ -100,8 +100,8 @@ void DrivePanel::endQuestion() {
 }
 
 void DrivePanel::onSetpoint() {
-    if (!m_go->isEnabled() || std::exchange(m_isGoRefused, false)) {
-        return; // what was refused stays said
+    if (!m_go->isEnabled()) {
+        return;
     }
     if (!m_setpoint->hasAcceptableInput()) { // Go without leaving the field
         onSetpointRefused(m_setpoint->text());

@@ -67,7 +67,11 @@ void DrivePanel::buildSetpoint(QVBoxLayout* column) {
     connect(m_setpoint, &widgets::QuantityEdit::entered, this, &DrivePanel::onSetpoint);
     connect(m_setpoint, &widgets::QuantityEdit::refused, this, &DrivePanel::onSetpointRefused);
     connect(m_go, &QPushButton::pressed, this, [this] { m_isGoRefused = m_isJustRefused; });
-    connect(m_go, &QPushButton::clicked, this, &DrivePanel::onSetpoint);
+    connect(m_go, &QPushButton::clicked, this, [this] {
+        if (!std::exchange(m_isGoRefused, false)) { // what was refused stays said
+            onSetpoint();
+        }
+    });
     connect(m_zero, &QPushButton::clicked, this, [this] {
         m_setpoint->setValue(0.0);
         onSetpoint();

@@ -1,7 +1,5 @@
 #include "app/workspaces/loop_capture.h"
 
-#include <QPointer>
-
 #include <algorithm>
 #include <utility>
 
@@ -15,7 +13,8 @@ constexpr double Pieces = 64.0; ///< in which a board's capture is read, about
 } // namespace
 
 LoopCapture::LoopCapture(DeviceSession& session, QObject* parent)
-    : QObject(parent), m_session(session), m_before(std::make_shared<std::optional<SetUp>>()) {
+    : QObject(parent), m_session(session), m_living(&session),
+      m_before(std::make_shared<std::optional<SetUp>>()) {
     m_timer.setInterval(Period_ms);
     connect(&m_timer, &QTimer::timeout, this, &LoopCapture::work);
     connect(&m_session, &DeviceSession::stateChanged, this, &LoopCapture::onSession);
@@ -23,6 +22,9 @@ LoopCapture::LoopCapture(DeviceSession& session, QObject* parent)
 }
 
 LoopCapture::~LoopCapture() {
+    if (!m_living) {
+        return;
+    }
     m_session.request([before = m_before](devices::Device& device) { return putBack(device, *before); },
                       [](const Result<void>&) {});
 }
@@ -200,7 +202,7 @@ void LoopCapture::took(Result<Recording> piece) {
     ++m_pieces;
     if (piece && piece->rows() == 0 && m_pieces < MostPieces) {
         Q_EMIT changed();
-        work();
+        look(); // whether it is still the capture that was full
         return;
     }
     Result<Recording> whole = checkCapture(std::move(piece), m_config);

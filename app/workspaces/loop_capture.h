@@ -4,6 +4,7 @@
 #include "app/session/device_session.h"
 
 #include <QObject>
+#include <QPointer>
 #include <QTimer>
 
 #include <memory>
@@ -34,7 +35,7 @@ public:
     };
 
     explicit LoopCapture(DeviceSession& session, QObject* parent = nullptr);
-    /// Puts the board's set-up back.
+    /// Puts the board's set-up back, where the board is still connected.
     ~LoopCapture() override;
 
     /// From now on the board captures this, once. What it captured before and was not read is forgotten.
@@ -76,6 +77,7 @@ private:
     void setState(State state);
 
     DeviceSession& m_session;
+    QPointer<DeviceSession> m_living; ///< a window that goes takes its session along before its panels
     QTimer m_timer;
     CaptureConfig m_config;
     State m_state = State::Off;

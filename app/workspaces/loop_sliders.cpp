@@ -88,7 +88,6 @@ QSlider* LoopSliders::addSlider(QLabel*& name, QLabel*& number, int line) {
     name->setBuddy(slider);
     number->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     number->setMinimumWidth(number->fontMetrics().horizontalAdvance(QStringLiteral("00.00 Hz")));
-    slider->installEventFilter(this);
     connect(slider, &QSlider::sliderPressed, this, &LoopSliders::taken);
     connect(slider, &QSlider::sliderReleased, this, &LoopSliders::released);
     return slider;
@@ -173,15 +172,6 @@ void LoopSliders::refreshWords() {
     m_margin->setAccessibleName(tr("Robustness: phase margin"));
     m_margin->setToolTip(tr("Phase margin at that crossover, which stays. Arrow keys: 1\u00b0, Page up and "
                             "down: 5\u00b0"));
-}
-
-/// The wheel scrolls the settings; it turns a slider only where that has the focus.
-bool LoopSliders::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
-        event->ignore();
-        return true;
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 void LoopSliders::changeEvent(QEvent* event) {

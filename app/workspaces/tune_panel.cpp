@@ -71,11 +71,13 @@ void TunePanel::connectParts() {
     createHistory();
     connectShaping();
     connect(m_form, &TuneForm::chosen, this, [this] {
+        m_shaping.reset(); // a step of before that still waits does not come after it
         forgetRestored();
         recordChoice();
         ask();
     });
     connect(m_gains, &GainEditor::edited, this, [this] {
+        m_shaping.reset();
         forgetRestored();
         m_form->setEdited();
         recordEdit();
@@ -277,6 +279,7 @@ void TunePanel::ask() {
 }
 
 void TunePanel::restoreDesign(std::optional<GainsFile> gains) {
+    m_shaping.reset();
     forgetRestored();
     forgetVerification(); // of the project before
     forgetMeasured();

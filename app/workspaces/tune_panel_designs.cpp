@@ -64,6 +64,7 @@ void TunePanel::keepDesign() {
 }
 
 void TunePanel::takeUp(int kept) {
+    m_shaping.reset();
     const auto& gains = m_designs.all().at(static_cast<std::size_t>(kept)).gains;
     if (!gains) {
         return;

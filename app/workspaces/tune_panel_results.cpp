@@ -84,6 +84,7 @@ QString firstFinding(const DataQuality& quality) {
 
 void TunePanel::showSketch(const Result<TuneSketch>& sketch) {
     if (!sketch) {
+        m_shaping.reset(); // what waited for it began from a loop that is not there
         showProblem(sketch.error());
         showEarlyAnswer();
         return;

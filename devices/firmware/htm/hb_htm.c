@@ -74,6 +74,12 @@ static uint8_t isCapturing(const hb_htm* board) {
     return board->capture.state != HB_CAPTURE_IDLE && board->capture.state != HB_CAPTURE_FULL;
 }
 
+/* Also after the tick's sample, so that a full capture shows at once. */
+static void publishCapture(hb_htm* board) {
+    board->signals.capture_state = board->capture.state;
+    board->signals.capture_time_us = board->capture.trigger_time_us;
+}
+
 static void startOrStopCapture(hb_htm* board) {
     uint8_t order = board->live.capture_start;
     if (order == 0) {
@@ -82,6 +88,7 @@ static void startOrStopCapture(hb_htm* board) {
         hb_capture_start(&board->capture, &board->live.capture);
     }
     board->live.capture_start = isCapturing(board);
+    publishCapture(board); /* whoever asks before the next tick asks for this capture, not for the one before */
 }
 #endif
 
@@ -300,12 +307,6 @@ static void capture(hb_htm* board) {
     if (board->capture.state == HB_CAPTURE_FULL) {
         board->live.capture_start = 0;
     }
-}
-
-/* After the tick's sample, so that a full capture shows at once. */
-static void publishCapture(hb_htm* board) {
-    board->signals.capture_state = board->capture.state;
-    board->signals.capture_time_us = board->capture.trigger_time_us;
 }
 
 #endif

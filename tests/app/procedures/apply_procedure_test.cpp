@@ -112,12 +112,17 @@ TEST(Apply, restoresTheOldGainsWhenTheMotorMovesUnlikeThePrediction) {
     EXPECT_EQ(parameter(*device, "gain.kd"), 0.0);
 }
 
-TEST(Apply, aMoveThatWasNotSeenToItsEndVerifiesNothing) {
+/// Applies while the samples between two shares of the move do not arrive.
+Result<ApplyResult> applyUnseen(double from_ratio, double to_ratio) {
     FaultyMotor motorAndLink("imperfections=off");
     const auto device = motorAndLink.connect();
     ProcedureObserver observer;
     observer.onProgress = [&](double share, const std::string& text) {
-        if (text != "moves" || share < 0.6) {
+        if (text != "moves") {
+            return;
+        }
+        motorAndLink.faults().alterReceived = nullptr;
+        if (share < from_ratio || share > to_ratio) {
             return;
         }
         motorAndLink.faults().alterReceived = [](std::vector<std::uint8_t>& packet) {
@@ -127,14 +132,24 @@ TEST(Apply, aMoveThatWasNotSeenToItsEndVerifiesNothing) {
             }
         };
     };
-    const auto result = runApply(*device, recommendedWith(*device, motor()), observer);
-    ASSERT_TRUE(result) << result.error().message;
-    EXPECT_FALSE(result->isKept);
-    const auto& findings = result->quality.findings;
-    EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
-        return finding.code == "verification_incomplete";
-    }));
-    EXPECT_EQ(parameter(*device, "gain.kp"), 10.0) << "the gains from before";
+    auto result = runApply(*device, recommendedWith(*device, motor()), observer);
+    EXPECT_EQ(parameter(*device, "gain.kp"), result && result->isKept ? 40.0 : 10.0);
+    return result;
+}
+
+TEST(Apply, aMoveOfWhichMuchWasNotSeenVerifiesNothing) {
+    for (const auto& [from_ratio, to_ratio] : {std::pair{0.6, 1.0}, std::pair{0.05, 0.2}}) {
+        const auto result = applyUnseen(from_ratio, to_ratio);
+        ASSERT_TRUE(result) << result.error().message;
+        EXPECT_FALSE(result->isKept) << from_ratio;
+        const auto& findings = result->quality.findings;
+        EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
+            return finding.code == "verification_incomplete";
+        })) << from_ratio;
+    }
+    const auto seen = applyUnseen(2.0, 2.0);
+    ASSERT_TRUE(seen) << seen.error().message;
+    EXPECT_TRUE(seen->isKept) << "the same with nothing missing";
 }
 
 TEST(Apply, restoresTheOldGainsWhenTheNewOnesAreUnstable) {
