@@ -8782,6 +8782,30 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>Leave all as it was (Esc, which stops too)</source>
         <translation>Alles lassen, wie es war (Esc, das auch stoppt)</translation>
     </message>
+    <message>
+        <source> GB</source>
+        <translation> GB</translation>
+    </message>
+    <message>
+        <source>History on the disk, at most</source>
+        <translation>Verlauf auf dem Datenträger, höchstens</translation>
+    </message>
+    <message>
+        <source>So much of the disk this window takes for samples that memory has no room for; beyond it the oldest go first. 4 GB of the disk stay free in any case. A smaller limit is reached as samples come; recordings are not concerned</source>
+        <translation>So viel des Datenträgers nimmt dieses Fenster für Messwerte, für die im Speicher kein Platz ist; darüber hinaus gehen die ältesten zuerst. 4 GB des Datenträgers bleiben in jedem Fall frei. Eine kleinere Grenze wird erreicht, wenn Messwerte kommen; Aufzeichnungen sind nicht betroffen</translation>
+    </message>
+    <message>
+        <source>used: %1 GB</source>
+        <translation>belegt: %1 GB</translation>
+    </message>
+    <message>
+        <source>History on the disk now</source>
+        <translation>Verlauf auf dem Datenträger jetzt</translation>
+    </message>
+    <message>
+        <source>&amp;History on the disk</source>
+        <translation>&amp;Verlauf auf dem Datenträger</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::Preflight</name>

@@ -8775,6 +8775,30 @@ A real device has its own time.</source>
         <source>Leave all as it was (Esc, which stops too)</source>
         <translation>保持原样（Esc，同时会停止）</translation>
     </message>
+    <message>
+        <source> GB</source>
+        <translation> GB</translation>
+    </message>
+    <message>
+        <source>History on the disk, at most</source>
+        <translation>磁盘上的历史，最多</translation>
+    </message>
+    <message>
+        <source>So much of the disk this window takes for samples that memory has no room for; beyond it the oldest go first. 4 GB of the disk stay free in any case. A smaller limit is reached as samples come; recordings are not concerned</source>
+        <translation>本窗口为内存放不下的样本最多占用这么多磁盘空间；超出后最旧的样本最先被移除。无论如何磁盘保留 4 GB 空闲。较小的限值随新样本的到来而达到；记录不受影响</translation>
+    </message>
+    <message>
+        <source>used: %1 GB</source>
+        <translation>已用：%1 GB</translation>
+    </message>
+    <message>
+        <source>History on the disk now</source>
+        <translation>当前磁盘上的历史</translation>
+    </message>
+    <message>
+        <source>&amp;History on the disk</source>
+        <translation>磁盘上的历史(&amp;H)</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::Preflight</name>

@@ -58,8 +58,9 @@ std::string unnamedProject() {
 }
 
 /// Of samples that memory has no room for.
-std::shared_ptr<devices::PageFile> historyPages() {
+std::shared_ptr<devices::PageFile> historyPagesOf(int limit_GB) {
     devices::PageFileConfig config;
+    config.limit_bytes = static_cast<std::uint64_t>(limit_GB) * BytesPerGB;
     config.folder = QDir(QStandardPaths::writableLocation(QStandardPaths::CacheLocation))
                         .filePath("history")
                         .toStdString();
@@ -68,8 +69,9 @@ std::shared_ptr<devices::PageFile> historyPages() {
 
 } // namespace
 
-MainWindow::MainWindow(Preferences preferences) : m_preferences(std::move(preferences)) {
-    m_bench.setHistoryPages(historyPages());
+MainWindow::MainWindow(Preferences preferences)
+    : m_preferences(std::move(preferences)), m_historyPages(historyPagesOf(m_preferences.historyLimit_GB)) {
+    m_bench.setHistoryPages(m_historyPages);
     new widgets::WheelGuard(this); // before the fields
     buildCentre();
     createMenus();

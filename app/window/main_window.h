@@ -39,6 +39,8 @@ public:
     Workbench& bench() { return m_bench; }
     DockLayout& docks() { return *m_docks; }
     const Preferences& preferences() const { return m_preferences; }
+    /// Of samples that memory has no room for.
+    const devices::PageFile& historyPages() const { return *m_historyPages; }
 
     ProjectSession& project() { return *m_project; } ///< after furnish()
     void openProject(const QString& path);
@@ -98,6 +100,7 @@ private:
     bool m_isClosing = false; ///< waits for the device
     bool m_hasLeft = false;   ///< the device is left, or waiting for it was given up
     Preferences m_preferences;
+    std::shared_ptr<devices::PageFile> m_historyPages;
     Workbench m_bench;
     std::unique_ptr<ProjectSession> m_project; ///< since furnish(): taking its lock waits for the disk
     QTimer m_frame;                            ///< one for all that moves

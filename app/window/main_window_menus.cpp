@@ -8,6 +8,7 @@
 #include "app/window/project_menu.h"
 #include "app/window/unkept_bar.h"
 #include "app/workspaces/tune_panel.h"
+#include "devices/acquisition/page_file.h"
 #include "widgets/phrasebook.h"
 #include "widgets/theme_style.h"
 
@@ -162,7 +163,7 @@ void MainWindow::chooseLanguage(const QString& id) {
 }
 
 void MainWindow::askPreferences() {
-    PreferencesDialog dialog(m_preferences, m_bench, this);
+    PreferencesDialog dialog(m_preferences, m_bench, m_historyPages->bytes(), this);
     if (dialog.exec() == QDialog::Accepted) {
         usePreferences(dialog.chosen());
     }
@@ -171,6 +172,8 @@ void MainWindow::askPreferences() {
 void MainWindow::usePreferences(const Preferences& chosen) {
     m_preferences.stopLockOut_ms = chosen.stopLockOut_ms;
     m_bench.stopLatch().setLockOut_ms(chosen.stopLockOut_ms);
+    m_preferences.historyLimit_GB = chosen.historyLimit_GB;
+    m_historyPages->setLimit_bytes(static_cast<std::uint64_t>(chosen.historyLimit_GB) * BytesPerGB);
     m_preferences.units = chosen.units;
     m_bench.setDisplayUnits(chosen.units);
     if (chosen.language != m_preferences.language) {

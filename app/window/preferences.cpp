@@ -74,6 +74,10 @@ Preferences loadPreferences() {
     if (isNumber) {
         preferences.stopLockOut_ms = std::clamp(lockOut_ms, 0, LongestLockOut_ms);
     }
+    const int history_GB = settings.value("history_limit_gb").toInt(&isNumber);
+    if (isNumber) {
+        preferences.historyLimit_GB = std::clamp(history_GB, LeastHistory_GB, MostHistory_GB);
+    }
     preferences.units = {angleUnit(settings.value("angle_unit").toString()),
                          speedUnit(settings.value("speed_unit").toString())};
     preferences.geometry = settings.value("geometry").toByteArray();
@@ -92,6 +96,7 @@ void savePreferences(const Preferences& preferences) {
     settings.setValue("theme", word(preferences.theme));
     settings.setValue("language", preferences.language);
     settings.setValue("stop_lock_out_ms", preferences.stopLockOut_ms);
+    settings.setValue("history_limit_gb", preferences.historyLimit_GB);
     settings.setValue("angle_unit", word(preferences.units.angle));
     settings.setValue("speed_unit", word(preferences.units.speed));
     settings.setValue("geometry", preferences.geometry);

@@ -7,9 +7,14 @@
 #include <QHash>
 #include <QString>
 
+#include <cstdint>
+
 namespace halbench::app {
 
 constexpr int LongestLockOut_ms = 30000;
+constexpr int LeastHistory_GB = 1;
+constexpr int MostHistory_GB = 4000;
+constexpr std::uint64_t BytesPerGB = 1000000000;
 
 enum class ThemeChoice { System, Light, Dark };
 
@@ -18,6 +23,7 @@ struct Preferences {
     ThemeChoice theme = ThemeChoice::System;
     QString language;          ///< "en", "de", "zh_CN"; empty: the system's
     int stopLockOut_ms = 1000; ///< after a stop, how long re-arming is refused
+    int historyLimit_GB = 12;  ///< of the disk, for samples that memory has no room for
     DisplayUnits units;
     QByteArray geometry;
     QString perspective;

@@ -1,6 +1,7 @@
 #include "app/window/preferences_dialog.h"
 
 #include "app/window/language.h"
+#include "widgets/display_units.h"
 #include "widgets/stop_button.h"
 
 #include <QComboBox>
@@ -32,13 +33,15 @@ Choice selected(const QComboBox& box) {
 
 } // namespace
 
-PreferencesDialog::PreferencesDialog(const Preferences& preferences, Workbench& bench, QWidget* parent)
+PreferencesDialog::PreferencesDialog(const Preferences& preferences, Workbench& bench,
+                                     std::uint64_t history_bytes, QWidget* parent)
     : QDialog(parent), m_before(preferences) {
     setWindowTitle(tr("Preferences"));
     auto* form = new QFormLayout(this);
     addLook(*form);
     addUnits(*form);
     addLockOut(*form);
+    addHistory(*form, history_bytes);
     addButtons(*form, bench);
 }
 
@@ -87,6 +90,28 @@ void PreferencesDialog::addLockOut(QFormLayout& form) {
     form.addRow(tr("Lock-&out after a stop"), m_lockOut_ms);
 }
 
+void PreferencesDialog::addHistory(QFormLayout& form, std::uint64_t history_bytes) {
+    m_history_GB = new QSpinBox(this);
+    m_history_GB->setRange(LeastHistory_GB, MostHistory_GB);
+    m_history_GB->setSuffix(tr(" GB"));
+    m_history_GB->setValue(m_before.historyLimit_GB);
+    m_history_GB->setAccessibleName(tr("History on the disk, at most"));
+    m_history_GB->setToolTip(tr(
+        "So much of the disk this window takes for samples that memory has no room for; beyond it the oldest "
+        "go first. 4 GB of the disk stay free in any case. A smaller limit is reached as samples come; "
+        "recordings are not concerned"));
+    const double used_GB = static_cast<double>(history_bytes) / static_cast<double>(BytesPerGB);
+    auto* used = new QLabel(tr("used: %1 GB").arg(widgets::fixedText(used_GB, 1)), this);
+    used->setAccessibleName(tr("History on the disk now"));
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_history_GB);
+    row->addWidget(used);
+    row->addStretch(1);
+    auto* label = new QLabel(tr("&History on the disk"), this);
+    label->setBuddy(m_history_GB);
+    form.addRow(label, row);
+}
+
 void PreferencesDialog::addButtons(QFormLayout& form, Workbench& bench) {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     buttons->button(QDialogButtonBox::Ok)->setToolTip(tr("Use what is chosen (Enter)"));
@@ -108,6 +133,7 @@ Preferences PreferencesDialog::chosen() const {
     preferences.language = m_language->currentData().toString();
     preferences.units = {selected<widgets::AngleUnit>(*m_angle), selected<SpeedUnit>(*m_speed)};
     preferences.stopLockOut_ms = m_lockOut_ms->value();
+    preferences.historyLimit_GB = m_history_GB->value();
     return preferences;
 }
 

@@ -11,12 +11,15 @@ class QSpinBox;
 
 namespace halbench::app {
 
-/// Theme, language, units and the lock-out after a stop. Changes nothing by itself; carries a small STOP.
+/// Theme, language, units, the lock-out after a stop and the history's room on the disk. Changes nothing by
+/// itself; carries a small STOP.
 class PreferencesDialog : public QDialog {
     Q_OBJECT
 
 public:
-    PreferencesDialog(const Preferences& preferences, Workbench& bench, QWidget* parent);
+    /// `history_bytes`: what the history has on the disk now.
+    PreferencesDialog(const Preferences& preferences, Workbench& bench, std::uint64_t history_bytes,
+                      QWidget* parent);
 
     /// The preferences it was given, with what the user chose.
     Preferences chosen() const;
@@ -25,6 +28,7 @@ private:
     void addLook(QFormLayout& form);
     void addUnits(QFormLayout& form);
     void addLockOut(QFormLayout& form);
+    void addHistory(QFormLayout& form, std::uint64_t history_bytes);
     void addButtons(QFormLayout& form, Workbench& bench);
     QComboBox* addChoice(QFormLayout& form, const QString& label, const QString& toolTip);
 
@@ -34,6 +38,7 @@ private:
     QComboBox* m_angle = nullptr;
     QComboBox* m_speed = nullptr;
     QSpinBox* m_lockOut_ms = nullptr;
+    QSpinBox* m_history_GB = nullptr;
 };
 
 } // namespace halbench::app

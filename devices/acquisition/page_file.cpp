@@ -38,9 +38,8 @@ std::vector<std::uint32_t> endsOf(const PageContent& content) {
 }
 
 /// Of a limit that is full, an eighth goes at once.
-PageFileConfig withShortSegments(PageFileConfig config) {
-    config.segment_bytes = std::min(config.segment_bytes, config.limit_bytes / 8);
-    return config;
+std::uint64_t segmentFor(const PageFileConfig& config, std::uint64_t limit_bytes) {
+    return std::min(config.segment_bytes, limit_bytes / 8);
 }
 
 bool isFullDisk(int cause) {
@@ -50,7 +49,8 @@ bool isFullDisk(int cause) {
 } // namespace
 
 PageFile::PageFile(PageFileConfig config, PageDisk disk)
-    : m_config(withShortSegments(std::move(config))), m_disk(std::move(disk)), m_writer([this] { run(); }),
+    : m_config(std::move(config)), m_disk(std::move(disk)), m_limit_bytes(m_config.limit_bytes),
+      m_segment_bytes(segmentFor(m_config, m_config.limit_bytes)), m_writer([this] { run(); }),
       m_reader([this] { serveFetches(); }) {}
 
 PageFile::~PageFile() {
@@ -72,7 +72,7 @@ PageRoom PageFile::room(std::size_t bytes) const {
     if (m_hasFailed) {
         return PageRoom::None;
     }
-    if (m_isDiskFull || m_written_bytes + m_waiting_bytes + bytes > m_config.limit_bytes) {
+    if (m_isDiskFull || m_written_bytes + m_waiting_bytes + bytes > m_limit_bytes) {
         return PageRoom::Full;
     }
     return m_waiting_bytes > 0 && m_waiting_bytes + bytes > m_config.waiting_bytes ? PageRoom::Busy
@@ -130,6 +130,17 @@ void PageFile::closeUnused() {
         }
         it = isUnused ? m_segments.erase(it) : std::next(it);
     }
+}
+
+void PageFile::setLimit_bytes(std::uint64_t limit_bytes) {
+    const std::lock_guard lock(m_mutex);
+    m_limit_bytes = limit_bytes;
+    m_segment_bytes = segmentFor(m_config, limit_bytes);
+}
+
+std::uint64_t PageFile::limit_bytes() const {
+    const std::lock_guard lock(m_mutex);
+    return m_limit_bytes;
 }
 
 std::uint64_t PageFile::bytes() const {
@@ -213,16 +224,17 @@ void PageFile::writeNext(std::unique_lock<std::mutex>& lock) {
 
 /// Makes sure that the last segment takes a page. On failure `errno` says why.
 bool PageFile::openSegment(std::unique_lock<std::mutex>& lock, std::size_t bytes) {
-    if (!m_segments.empty() && m_segments.back()->length + bytes <= m_config.segment_bytes) {
+    if (!m_segments.empty() && m_segments.back()->length + bytes <= m_segment_bytes) {
         return true;
     }
+    const std::uint64_t segment_bytes = m_segment_bytes;
     lock.unlock();
     errno = 0;
     const int handle = m_disk.open(m_config.folder);
     int cause = errno;
     if (handle >= 0) { // now the folder is there
         const std::optional<std::uint64_t> free_bytes = m_disk.free_bytes(m_config.folder);
-        if (free_bytes && *free_bytes < m_config.spare_bytes + m_config.segment_bytes) {
+        if (free_bytes && *free_bytes < m_config.spare_bytes + segment_bytes) {
             m_disk.close(handle);
             cause = ENOSPC;
         } else {

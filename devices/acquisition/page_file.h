@@ -14,9 +14,9 @@
 namespace halbench::devices {
 
 struct PageFileConfig {
-    std::string folder;                                  ///< made when the first page comes
-    std::uint64_t limit_bytes = std::uint64_t{12} << 30; ///< on the disk, and waiting to go there
-    std::uint64_t spare_bytes = std::uint64_t{4} << 30;  ///< of the disk, which stay free for others
+    std::string folder;                                         ///< made when the first page comes
+    std::uint64_t limit_bytes = std::uint64_t{12} * 1000000000; ///< on the disk, and waiting to go there
+    std::uint64_t spare_bytes = std::uint64_t{4} << 30;         ///< of the disk, which stay free for others
     std::uint64_t segment_bytes = std::uint64_t{128} << 20;
     std::size_t waiting_bytes = std::size_t{64} << 20; ///< in memory, to be written
 };
@@ -43,6 +43,10 @@ public:
     std::vector<FetchedPart> fetched() override;
     void release(Page page) override;
 
+    /// From now on. Above a smaller one there is no room until pages are released; what is written stays
+    /// readable.
+    void setLimit_bytes(std::uint64_t limit_bytes);
+    std::uint64_t limit_bytes() const;
     /// On the disk, released or not.
     std::uint64_t bytes() const;
     /// What the user should know: writing or reading failed, or the disk is full before the limit is reached.
@@ -89,7 +93,7 @@ private:
     void closeUnused();
     void report(std::string message, std::string hint);
 
-    const PageFileConfig m_config;
+    const PageFileConfig m_config; ///< limit and segments: at first
     const PageDisk m_disk;
     mutable std::mutex m_mutex;
     std::condition_variable m_changed;
@@ -99,6 +103,8 @@ private:
     Page m_nextPage = 0;
     std::size_t m_waiting_bytes = 0;
     std::uint64_t m_written_bytes = 0;
+    std::uint64_t m_limit_bytes;
+    std::uint64_t m_segment_bytes;
     bool m_isWriting = false;
     bool m_isDiskFull = false; ///< until a segment goes
     bool m_hasFailed = false;

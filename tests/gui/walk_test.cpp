@@ -174,7 +174,7 @@ TEST_P(WalkTest, findsNothingWrongInAnArmedRecordingMotor) {
 TEST_P(WalkTest, findsNothingWrongInDialogsAndFloatingDocks) {
     openDressed();
     connectMotor(1.0);
-    app::PreferencesDialog dialog(window->preferences(), window->bench(), window.get());
+    app::PreferencesDialog dialog(window->preferences(), window->bench(), 3000000000U, window.get());
     dialog.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
     look(dialog, "preferences");

@@ -2,6 +2,7 @@
 #include "app/window/preferences_dialog.h"
 #include "app/workspaces/drive_control.h"
 #include "app/workspaces/signal_tree.h"
+#include "devices/acquisition/page_file.h"
 #include "tests/app/window/window_test.h"
 #include "widgets/live_plot_stack.h"
 #include "widgets/stop_button.h"
@@ -9,6 +10,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTimer>
@@ -103,6 +105,33 @@ TEST_F(PreferencesDialogTest, theLockOutIsTheStopButtons) {
     // Without a lock-out it can be released as soon as the latch is known.
     EXPECT_TRUE(wait([&] { return window->bench().drive().canRelease(); }));
     EXPECT_EQ(loadPreferences().stopLockOut_ms, 0);
+}
+
+TEST_F(PreferencesDialogTest, theHistorysRoomOnTheDiskCountsAtOnceAndIsKept) {
+    open();
+    EXPECT_EQ(window->historyPages().limit_bytes(), 12'000'000'000U);
+    inDialog([](PreferencesDialog& dialog) {
+        QSpinBox* room = nullptr;
+        for (auto* each : dialog.findChildren<QSpinBox*>()) {
+            room = each->accessibleName() == "History on the disk, at most" ? each : room;
+        }
+        ASSERT_NE(room, nullptr);
+        QStringList labels;
+        for (const auto* label : dialog.findChildren<QLabel*>()) {
+            labels << label->text();
+        }
+        EXPECT_TRUE(labels.contains("used: 0.0 GB")) << labels.join('|').toStdString();
+        for (const auto* label : dialog.findChildren<QLabel*>()) { // an access key leads to its field
+            EXPECT_TRUE(!label->text().contains('&') || label->buddy() != nullptr)
+                << label->text().toStdString();
+        }
+        room->setFocus();
+        room->selectAll();
+        QTest::keyClicks(room, "3");
+        press(dialog, QDialogButtonBox::Ok);
+    });
+    EXPECT_EQ(window->historyPages().limit_bytes(), 3'000'000'000U);
+    EXPECT_EQ(loadPreferences().historyLimit_GB, 3);
 }
 
 TEST_F(PreferencesDialogTest, itsStopStops) {

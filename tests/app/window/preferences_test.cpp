@@ -15,6 +15,7 @@ TEST_F(PreferencesTest, comeBackAsTheyWereSaved) {
     saved.theme = ThemeChoice::Dark;
     saved.language = "de";
     saved.stopLockOut_ms = 5000;
+    saved.historyLimit_GB = 250;
     saved.perspective = "tune";
     saved.lastDevice = {"serial:/dev/ttyACM0", "HB-17"};
     saved.arrangements = {{"tune", QByteArray("\x01\x00\xff", 3)}, {"monitor", "m"}};
@@ -23,6 +24,7 @@ TEST_F(PreferencesTest, comeBackAsTheyWereSaved) {
     EXPECT_EQ(loaded.theme, ThemeChoice::Dark);
     EXPECT_EQ(loaded.language, "de");
     EXPECT_EQ(loaded.stopLockOut_ms, 5000);
+    EXPECT_EQ(loaded.historyLimit_GB, 250);
     EXPECT_EQ(loaded.perspective, "tune");
     EXPECT_EQ(loaded.lastDevice.uri, "serial:/dev/ttyACM0");
     EXPECT_EQ(loaded.lastDevice.serial, "HB-17");
@@ -34,6 +36,10 @@ TEST_F(PreferencesTest, damagedOnesKeepTheirDefault) {
     QSettings().setValue("theme", 17);
     EXPECT_EQ(loadPreferences().stopLockOut_ms, Preferences().stopLockOut_ms);
     EXPECT_EQ(loadPreferences().theme, ThemeChoice::System);
+    QSettings().setValue("history_limit_gb", "all");
+    EXPECT_EQ(loadPreferences().historyLimit_GB, 12);
+    QSettings().setValue("history_limit_gb", 0);
+    EXPECT_EQ(loadPreferences().historyLimit_GB, LeastHistory_GB);
     QSettings().setValue("stop_lock_out_ms", -5);
     EXPECT_EQ(loadPreferences().stopLockOut_ms, 0); // a lock-out has no negative length
 }

@@ -94,6 +94,33 @@ TEST_F(PageFileTest, roomComesBackWhenOldPagesAreReleased) {
     EXPECT_FALSE(file.trouble());
 }
 
+TEST_F(PageFileTest, anotherLimitCountsFromThenOnAndWhatIsWrittenStays) {
+    PageFile file(config());
+    std::deque<PageStore::Page> pages;
+    for (int i = 0; i < 30; ++i) {
+        pages.push_back(file.put(contentOf(i)));
+    }
+    file.waitUntilIdle();
+    EXPECT_EQ(file.limit_bytes(), 40'000U);
+    EXPECT_EQ(file.room(1000), PageRoom::Free);
+    file.setLimit_bytes(16'000);
+    EXPECT_EQ(file.room(1000), PageRoom::Full);
+    EXPECT_GT(file.bytes(), 30'000U);
+    EXPECT_TRUE(readsBack(file, pages.front(), 0));
+    int first = 0;
+    while (file.room(1000) == PageRoom::Full) { // as a history does
+        ASSERT_FALSE(pages.empty());
+        file.release(pages.front());
+        pages.pop_front();
+        ++first;
+    }
+    EXPECT_LE(file.bytes(), 15'000U);
+    EXPECT_TRUE(readsBack(file, pages.front(), first));
+    file.setLimit_bytes(80'000);
+    EXPECT_EQ(file.room(50'000), PageRoom::Free);
+    EXPECT_FALSE(file.trouble()) << "a limit is none";
+}
+
 TEST_F(PageFileTest, moreThanItMayHoldInMemoryWaits) {
     std::atomic<bool> isStalled = true;
     std::atomic<bool> isAsked = false;

@@ -75,6 +75,41 @@ TEST_F(HistoryOnDiskTest, everySampleComesBack) {
     EXPECT_FALSE(file->trouble());
 }
 
+// What is written stays until samples come, of which the oldest on the disk make room; the newest stay whole.
+TEST_F(HistoryOnDiskTest, aSmallerLimitIsKeptAsSamplesCome) {
+    constexpr std::uint64_t Limit_bytes = 2'000'000;
+    PageFileConfig config;
+    config.folder = m_folder.path().toStdString();
+    config.spare_bytes = 0;
+    config.segment_bytes = 250'000; // room comes back in such pieces
+    const auto disk = std::make_shared<PageFile>(config);
+    SampleHistory history{Budget_bytes};
+    history.setStore(disk);
+    const auto layout = control::layoutOf({"a"}, 0.0001);
+    const auto ramp = [](std::size_t row, std::size_t) { return static_cast<double>(row); };
+    const auto feed = [&](std::size_t from, std::size_t to) {
+        for (std::size_t first = from; first < to; first += 1000) {
+            history.append(control::blockOf(layout, first, 1000, ramp));
+            disk->waitUntilIdle();
+        }
+    };
+    feed(0, Rows);
+    EXPECT_EQ(history.range()->begin_s, 0.0);
+    ASSERT_GT(disk->bytes(), Limit_bytes + 500'000);
+    disk->setLimit_bytes(Limit_bytes);
+    feed(Rows, Rows + 20'000);
+    EXPECT_LE(disk->bytes(), Limit_bytes);
+    EXPECT_GT(disk->bytes(), Limit_bytes - 3 * config.segment_bytes); // used, not given up
+    EXPECT_GT(history.range()->begin_s, 0.0);
+    std::vector<TimedValue> samples;
+    history.samples("a", *history.range(), samples);
+    ASSERT_EQ(samples.back().value, static_cast<double>(Rows + 20'000 - 1));
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+        ASSERT_EQ(samples[i].value, samples[i - 1].value + 1.0);
+    }
+    EXPECT_FALSE(disk->trouble()) << "a limit is none";
+}
+
 TEST_F(HistoryOnDiskTest, aFileCutShortIsAGapThatIsSaid) {
     const std::string open = openFile();
     ASSERT_FALSE(open.empty());
