@@ -17,7 +17,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <functional>
+#include <future>
 #include <memory>
 
 namespace halbench::bench {
@@ -38,9 +42,9 @@ constexpr std::size_t RowsPerFrame = 33;
 /// Sines with 2 % noise; `swing_s` is their period.
 class Source {
 public:
-    explicit Source(double swing_s) : m_swing_s(swing_s) {
+    explicit Source(double swing_s, int count = Signals) : m_swing_s(swing_s) {
         std::vector<std::string> names;
-        for (int i = 0; i < Signals; ++i) {
+        for (int i = 0; i < count; ++i) {
             names.push_back("signal." + std::to_string(i));
         }
         m_layout = control::layoutOf(names, Period_s);
@@ -119,6 +123,16 @@ double liveFrame_s(double history_s, double view_s) {
     return shownFrame_s(history, source, view_s);
 }
 
+/// Many signals, half a million samples of each in view.
+double crowdedFrame_s() {
+    constexpr int Crowd = 32;
+    constexpr double View_s = 500.0;
+    SampleHistory history(std::size_t{1} << 30);
+    Source source(View_s / SwingsInView, Crowd);
+    fill(history, source, View_s);
+    return shownFrame_s(history, source, View_s);
+}
+
 /// The same curves by QwtPlotCurve as it comes, all samples in view.
 double plainFrame_s(double view_s) {
     const auto samples = static_cast<std::size_t>(view_s / Period_s);
@@ -163,6 +177,8 @@ void benchFrames(Goals& goals) {
     goals.below("frame, 12 signals at 1 kHz, all 10 minutes in view at 1600x900", 1e3 * all_s, 8.0, "ms");
     goals.below("frame, the last 10 s of 10 minutes", 1e3 * near_s, 8.0, "ms");
     goals.below("frame, the last second of 10 minutes (single samples)", 1e3 * sparse_s, 8.0, "ms");
+    goals.below("frame, 32 signals of half a million samples each in view", 1e3 * crowdedFrame_s(), 8.0,
+                "ms");
     // Sixty times the samples: the pyramid is a level deeper, and noise has larger extremes to fill.
     goals.below("frame with 10 minutes in view against 10 s", all_s / short_s, 1.5, "x");
     goals.below("frame over 10 minutes of history against 10 s", near_s / short_s, 1.3, "x");
@@ -242,6 +258,59 @@ void benchLongHistory(Goals& goals) {
     goals.below("frame with 1e8 samples in view against 1e5", long_s / short_s, 1.5, "x");
 }
 
+/// A look at old samples while every read takes as long as a disk that turns: the picture does not wait.
+void benchSlowDisk(Goals& goals) {
+    constexpr double History_s = 2000.0;
+    constexpr auto Turn = std::chrono::milliseconds(10);
+    const QTemporaryDir folder;
+    devices::PageFileConfig config;
+    config.folder = folder.path().toStdString();
+    devices::PageDisk disk = devices::realPageDisk();
+    std::atomic<int> reads = 0;
+    disk.read = [&reads, Turn, read = disk.read](int handle, std::span<std::byte> octets,
+                                                 std::uint64_t offset) {
+        ++reads;
+        (void)std::promise<void>().get_future().wait_for(Turn);
+        return read(handle, octets, offset);
+    };
+    const auto pages = std::make_shared<devices::PageFile>(config, disk);
+    SampleHistory history(Budget_bytes / 4);
+    history.setStore(pages);
+    Source source(10.0);
+    fill(history, source, History_s);
+    pages->waitUntilIdle();
+    history.settle();
+    std::vector<control::HistoryColumn> columns;
+    const auto look = [&](double begin_s) {
+        for (const std::string& signal : history.signals()) {
+            history.columns(signal, {begin_s, begin_s + 10.0}, 1600, columns);
+        }
+    };
+    const double waited_s = wallTime_s([&] { look(100.0); }, 1);
+    fmt::print("    a first look at 10 s that waits for a disk of 10 ms a read: {:.0f} ms, {} reads\n",
+               1e3 * waited_s, reads.load());
+    bool isWhole = false;
+    double longest_s = 0.0;
+    int frames = 0;
+    const auto frame = [&] {
+        const SampleHistory::Glance glance(history);
+        look(200.0);
+        isWhole = glance.isWhole();
+    };
+    const auto watch = [&] {
+        for (; !isWhole && frames < 1000; ++frames) {
+            history.settle();
+            longest_s = std::max(longest_s, wallTime_s(frame, 1));
+            (void)std::promise<void>().get_future().wait_for(std::chrono::milliseconds(33));
+        }
+    };
+    const double complete_s = wallTime_s(watch, 1);
+    fmt::print("    the same as plots do it: complete after {:.0f} ms and {} frames\n", 1e3 * complete_s,
+               frames);
+    goals.below("longest question of a frame to a disk of 10 ms a read", 1e3 * longest_s, 8.0, "ms");
+    goals.below("the same: pictures that never became whole", isWhole ? 0.0 : 1.0, 1.0, "");
+}
+
 void benchPyramid(Goals& goals) {
     SampleHistory history(Budget_bytes);
     Source source(1.0);
@@ -286,6 +355,7 @@ int main() {
     halbench::bench::benchPyramid(goals);
     halbench::bench::benchFrames(goals);
     halbench::bench::benchLongHistory(goals);
+    halbench::bench::benchSlowDisk(goals);
     halbench::bench::benchPicture(goals);
     return goals.exitCode();
 }
