@@ -170,10 +170,7 @@ const FloatExtremes* SampleChunk::groups(std::size_t column, std::size_t level) 
     return octets != nullptr ? reinterpret_cast<const FloatExtremes*>(octets) + skipped : nullptr;
 }
 
-bool SampleChunk::isAtHand(std::size_t column, std::size_t level) const {
-    if (m_detail) {
-        return true;
-    }
+bool SampleChunk::isPageAtHand(std::size_t column, std::size_t level) const {
     if (level == 0) {
         return m_pages->isAtHand(*m_page, valuePart(column), Rows * sizeof(double));
     }

@@ -54,7 +54,9 @@ public:
     double value(std::size_t column, std::size_t row) const;
     /// Whether the values of a column (level 0), or its groups, are answered without waiting for the store;
     /// in a glance what is not is asked for.
-    bool isAtHand(std::size_t column, std::size_t level) const;
+    bool isAtHand(std::size_t column, std::size_t level) const {
+        return m_groups[0] != nullptr || isPageAtHand(column, level); // asked for every group of a frame
+    }
     /// Extremes of the complete group `index` of 4^level rows, level 1 ... Levels.
     Extremes group(std::size_t column, std::size_t level, std::size_t index) const;
     /// Of the rows [begin, end); all rows of a full chunk at no cost.
@@ -78,6 +80,7 @@ private:
     };
 
     const FloatExtremes* groups(std::size_t column, std::size_t level) const;
+    bool isPageAtHand(std::size_t column, std::size_t level) const;
     void addColumn(std::size_t column, std::size_t rows, const double* values);
     void closeGroups(std::size_t column, std::size_t formerRows);
     const double* values(std::size_t column) const;
