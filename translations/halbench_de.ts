@@ -75,6 +75,10 @@
         <source>Recordings</source>
         <translation>Aufzeichnungen</translation>
     </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>Frequenzgang</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -5338,6 +5342,14 @@
         <source>waits for the last rows</source>
         <translation>wartet auf die letzten Zeilen</translation>
     </message>
+    <message>
+        <source>no phase margin: where the loop crosses its phase is not bounded at all</source>
+        <translation>keine Phasenreserve: Wo der Kreis schneidet, ist seine Phase überhaupt nicht begrenzt</translation>
+    </message>
+    <message>
+        <source>no gain margin: where the loop crosses its magnitude is not bounded at all</source>
+        <translation>keine Amplitudenreserve: Wo der Kreis schneidet, ist sein Betrag überhaupt nicht begrenzt</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -6989,6 +7001,310 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::FrequencyForm</name>
+    <message>
+        <source>multisine: many frequencies at once</source>
+        <translation>Multisinus: viele Frequenzen zugleich</translation>
+    </message>
+    <message>
+        <source>stepped sine: one after the other</source>
+        <translation>Stufensinus: eine nach der anderen</translation>
+    </message>
+    <message>
+        <source>chirp: swept again and again</source>
+        <translation>Chirp: immer wieder durchlaufend</translation>
+    </message>
+    <message>
+        <source>E&amp;xcitation</source>
+        <translation>An&amp;regung</translation>
+    </message>
+    <message>
+        <source>&amp;Lowest frequency</source>
+        <translation>&amp;Niedrigste Frequenz</translation>
+    </message>
+    <message>
+        <source>&amp;Highest frequency</source>
+        <translation>&amp;Höchste Frequenz</translation>
+    </message>
+    <message>
+        <source>&amp;Base speed</source>
+        <translation>&amp;Grunddrehzahl</translation>
+    </message>
+    <message>
+        <source>&amp;Periods</source>
+        <translation>&amp;Perioden</translation>
+    </message>
+    <message>
+        <source>Least &amp;coherence</source>
+        <translation>Kleinste &amp;Kohärenz</translation>
+    </message>
+    <message>
+        <source>&amp;Amplitude</source>
+        <translation>&amp;Amplitude</translation>
+    </message>
+    <message>
+        <source>What is added to the steady motion</source>
+        <translation>Was zur stetigen Bewegung hinzukommt</translation>
+    </message>
+    <message>
+        <source>A period of the excitation lasts as long as four of it</source>
+        <translation>Eine Periode der Anregung dauert so lange wie vier von ihr</translation>
+    </message>
+    <message>
+        <source>At most 45 % of the rate of the position loop</source>
+        <translation>Höchstens 45 % der Abtastrate des Lagekreises</translation>
+    </message>
+    <message>
+        <source>Steady speed below the excitation, at least 3 rad/s in either direction: friction is then a plain offset</source>
+        <translation>Stetige Drehzahl unter der Anregung, mindestens 3 rad/s in einer der Richtungen: Reibung ist dann ein bloßer Versatz</translation>
+    </message>
+    <message>
+        <source>That are averaged, of a chirp sweeps; the circles of confidence shrink with their root</source>
+        <translation>Die gemittelt werden, beim Chirp Durchläufe; die Vertrauenskreise schrumpfen mit der Wurzel ihrer Zahl</translation>
+    </message>
+    <message>
+        <source>Points below it are shown faint and are part of no margin and no fit</source>
+        <translation>Punkte darunter werden blass gezeigt und gehören zu keiner Reserve und keiner Anpassung</translation>
+    </message>
+    <message>
+        <source>Of a sine of the same rms, in every band. Empty: as large as is safe</source>
+        <translation>Eines Sinus mit gleichem Effektivwert, in jedem Band. Leer: so groß, wie es sicher ist</translation>
+    </message>
+    <message>
+        <source>as large as is safe</source>
+        <translation>so groß, wie es sicher ist</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Write the number anew</source>
+        <translation>Schreiben Sie die Zahl neu</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::FrequencyPanel</name>
+    <message>
+        <source>Save response</source>
+        <translation>Frequenzgang speichern</translation>
+    </message>
+    <message>
+        <source>Response (*.json)</source>
+        <translation>Frequenzgang (*.json)</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>Vorbereiten</translation>
+    </message>
+    <message>
+        <source>Excite</source>
+        <translation>Anregen</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassen</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Measures the loop with the gains on the board, frequency by frequency: open loop, plant and margins with their 95 % intervals, on top of a steady motion that never turns back.</source>
+        <translation>Misst den Kreis mit den Reglerparametern des Steuergeräts, Frequenz für Frequenz: offener Kreis, Strecke und Reserven mit ihren 95-%-Intervallen, auf einer stetigen Bewegung, die nie umkehrt.</translation>
+    </message>
+    <message>
+        <source>The rotor turns steadily and is excited. STOP (Esc) and Cancel end it; mode, windows and generator are restored, the gains stay as they are.</source>
+        <translation>Der Rotor dreht sich stetig und wird angeregt. STOPP (Esc) und Abbrechen beenden es; Betriebsart, Fenster und Generator werden wiederhergestellt, die Reglerparameter bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Start measurement</source>
+        <translation>Messung starten</translation>
+    </message>
+    <message>
+        <source>The rotor turns (Ctrl+Return); Esc stops it</source>
+        <translation>Der Rotor dreht sich (Strg+Eingabe); Esc stoppt ihn</translation>
+    </message>
+    <message>
+        <source>Use in Tune</source>
+        <translation>In Auslegung verwenden</translation>
+    </message>
+    <message>
+        <source>Draw the measured points into the open loop of Tune, with the gains proposed there</source>
+        <translation>Die gemessenen Punkte in den offenen Kreis der Auslegung zeichnen, mit den dort vorgeschlagenen Reglerparametern</translation>
+    </message>
+    <message>
+        <source>Save response…</source>
+        <translation>Frequenzgang speichern…</translation>
+    </message>
+    <message>
+        <source>Write the file that Tune and the program read</source>
+        <translation>Die Datei schreiben, die Auslegung und Programm lesen</translation>
+    </message>
+    <message>
+        <source>Save table…</source>
+        <translation>Tabelle speichern…</translation>
+    </message>
+    <message>
+        <source>Write the points with error and coherence as CSV</source>
+        <translation>Die Punkte mit Fehler und Kohärenz als CSV schreiben</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>Neu messen</translation>
+    </message>
+    <message>
+        <source>Back to the settings; this result stays until the next one</source>
+        <translation>Zurück zu den Einstellungen; dieses Ergebnis bleibt bis zum nächsten</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>Frequenzgang</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>Misst</translation>
+    </message>
+    <message>
+        <source>Computing the response</source>
+        <translation>Berechnet den Frequenzgang</translation>
+    </message>
+    <message>
+        <source>The measurement was cancelled; everything is as it was before.</source>
+        <translation>Die Messung wurde abgebrochen; alles ist wie zuvor.</translation>
+    </message>
+    <message>
+        <source>Save table</source>
+        <translation>Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Gespeichert als %1</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::FrequencyResultView</name>
+    <message>
+        <source>Margins and fitted rotor</source>
+        <translation>Reserven und angepasster Rotor</translation>
+    </message>
+    <message>
+        <source>Open loop</source>
+        <translation>Offener Kreis</translation>
+    </message>
+    <message>
+        <source>With the gains on the board: magnitude, phase and coherence over one frequency</source>
+        <translation>Mit den Reglerparametern des Steuergeräts: Betrag, Phase und Kohärenz über einer Frequenzachse</translation>
+    </message>
+    <message>
+        <source>Plant</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>From the current to the measured angle, with the rotor that fits</source>
+        <translation>Vom Strom zum gemessenen Winkel, mit dem angepassten Rotor</translation>
+    </message>
+    <message>
+        <source>Closed loop</source>
+        <translation>Geschlossener Kreis</translation>
+    </message>
+    <message>
+        <source>From the reference to the measured angle</source>
+        <translation>Von der Führungsgröße zum gemessenen Winkel</translation>
+    </message>
+    <message>
+        <source>Raw record</source>
+        <translation>Rohaufzeichnung</translation>
+    </message>
+    <message>
+        <source>Speed and current over time, as recorded</source>
+        <translation>Drehzahl und Strom über der Zeit, wie aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Pictures of the frequency response</source>
+        <translation>Bilder des Frequenzgangs</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::FrequencyWords</name>
+    <message>
+        <source>withheld: crosses nowhere</source>
+        <translation>zurückgehalten: schneidet nirgends</translation>
+    </message>
+    <message>
+        <source>withheld: crosses in a gap</source>
+        <translation>zurückgehalten: schneidet in einer Lücke</translation>
+    </message>
+    <message>
+        <source>withheld: too uncertain</source>
+        <translation>zurückgehalten: zu unsicher</translation>
+    </message>
+    <message>
+        <source>The findings above say why, and what helps</source>
+        <translation>Die Befunde oben sagen, warum, und was hilft</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>where the loop crosses, at %1 Hz</source>
+        <translation>wo der Kreis schneidet, bei %1 Hz</translation>
+    </message>
+    <message>
+        <source>fitted</source>
+        <translation>angepasst</translation>
+    </message>
+    <message>
+        <source>The rotor will turn in reverse at %1 rad/s (%2 r/min), about %3 turns, for %4 minutes of device time.</source>
+        <translation>Der Rotor wird sich rückwärts mit %1 rad/s (%2 1/min) drehen, etwa %3 Umdrehungen, %4 Minuten Gerätezeit lang.</translation>
+    </message>
+    <message>
+        <source>The rotor will turn forward at %1 rad/s (%2 r/min), about %3 turns, for %4 minutes of device time.</source>
+        <translation>Der Rotor wird sich vorwärts mit %1 rad/s (%2 1/min) drehen, etwa %3 Umdrehungen, %4 Minuten Gerätezeit lang.</translation>
+    </message>
+    <message>
+        <source>On top of that it is excited by up to %1°; its speed never changes sign, and the run ends where it comes near zero.</source>
+        <translation>Dazu wird er um bis zu %1° angeregt; seine Drehzahl wechselt nie das Vorzeichen, und der Lauf endet, wo sie nahe null kommt.</translation>
+    </message>
+    <message>
+        <source>The board ends the motion at %1 rad/s. The gains on the board stay and are measured with; all else is restored whatever happens.</source>
+        <translation>Das Steuergerät beendet die Bewegung bei %1 rad/s. Die Reglerparameter des Steuergeräts bleiben, mit ihnen wird gemessen; alles andere wird in jedem Fall wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>phase margin</source>
+        <translation>Phasenreserve</translation>
+    </message>
+    <message>
+        <source>gain margin</source>
+        <translation>Amplitudenreserve</translation>
+    </message>
+    <message>
+        <source>angle that follows the current at once</source>
+        <translation>Winkel, der dem Strom sofort folgt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frequencies have a coherence of %3 or more; the others are faint and part of no margin and no fit.</source>
+        <translation>%1 von %2 Frequenzen haben eine Kohärenz von %3 oder mehr; die anderen sind blass und gehören zu keiner Reserve und keiner Anpassung.</translation>
+    </message>
+    <message>
+        <source>%1 to %2 Hz: amplitude %3°</source>
+        <translation>%1 bis %2 Hz: Amplitude %3°</translation>
+    </message>
+    <message>
+        <source>While excited the rotor never turned slower than %1 rad/s.</source>
+        <translation>Während der Anregung drehte sich der Rotor nie langsamer als %1 rad/s.</translation>
+    </message>
+    <message>
+        <source>Current up to %1 A, coils up to %2 °C.</source>
+        <translation>Strom bis %1 A, Spulen bis %2 °C.</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::Freshness</name>
     <message>
         <source>No new values since %1</source>
@@ -7831,6 +8147,14 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
     <message>
         <source>frequency</source>
         <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>measured, not coherent</source>
+        <translation>gemessen, nicht kohärent</translation>
     </message>
 </context>
 <context>

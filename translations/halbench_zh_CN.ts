@@ -75,6 +75,10 @@
         <source>Recordings</source>
         <translation>记录列表</translation>
     </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>频率响应</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -5338,6 +5342,14 @@
         <source>waits for the last rows</source>
         <translation>等待最后的数据行</translation>
     </message>
+    <message>
+        <source>no phase margin: where the loop crosses its phase is not bounded at all</source>
+        <translation>无相位裕度：回路穿越处的相位完全无法界定</translation>
+    </message>
+    <message>
+        <source>no gain margin: where the loop crosses its magnitude is not bounded at all</source>
+        <translation>无幅值裕度：回路穿越处的幅值完全无法界定</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -6984,6 +6996,310 @@ its way to the one before (Ctrl+Shift+R)</source>
     </message>
 </context>
 <context>
+    <name>halbench::app::FrequencyForm</name>
+    <message>
+        <source>multisine: many frequencies at once</source>
+        <translation>多正弦：多个频率同时</translation>
+    </message>
+    <message>
+        <source>stepped sine: one after the other</source>
+        <translation>步进正弦：逐个频率</translation>
+    </message>
+    <message>
+        <source>chirp: swept again and again</source>
+        <translation>扫频：反复扫过</translation>
+    </message>
+    <message>
+        <source>E&amp;xcitation</source>
+        <translation>激励(&amp;X)</translation>
+    </message>
+    <message>
+        <source>&amp;Lowest frequency</source>
+        <translation>最低频率(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Highest frequency</source>
+        <translation>最高频率(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Base speed</source>
+        <translation>基础转速(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Periods</source>
+        <translation>周期数(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Least &amp;coherence</source>
+        <translation>最小相干性(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Amplitude</source>
+        <translation>幅值(&amp;A)</translation>
+    </message>
+    <message>
+        <source>What is added to the steady motion</source>
+        <translation>叠加在匀速运动上的信号</translation>
+    </message>
+    <message>
+        <source>A period of the excitation lasts as long as four of it</source>
+        <translation>激励的一个周期等于它的四个周期</translation>
+    </message>
+    <message>
+        <source>At most 45 % of the rate of the position loop</source>
+        <translation>至多为位置环采样率的 45 %</translation>
+    </message>
+    <message>
+        <source>Steady speed below the excitation, at least 3 rad/s in either direction: friction is then a plain offset</source>
+        <translation>激励之下的匀速，任一方向至少 3 rad/s：这样摩擦只是一个偏置</translation>
+    </message>
+    <message>
+        <source>That are averaged, of a chirp sweeps; the circles of confidence shrink with their root</source>
+        <translation>用于平均的周期数，扫频时为扫频次数；置信圆随其平方根缩小</translation>
+    </message>
+    <message>
+        <source>Points below it are shown faint and are part of no margin and no fit</source>
+        <translation>低于它的点淡显，不参与任何裕度和拟合</translation>
+    </message>
+    <message>
+        <source>Of a sine of the same rms, in every band. Empty: as large as is safe</source>
+        <translation>各频带中相同有效值正弦的幅值。留空：在安全范围内尽可能大</translation>
+    </message>
+    <message>
+        <source>as large as is safe</source>
+        <translation>安全范围内尽可能大</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Write the number anew</source>
+        <translation>请重新输入该数</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::FrequencyPanel</name>
+    <message>
+        <source>Save response</source>
+        <translation>保存响应</translation>
+    </message>
+    <message>
+        <source>Response (*.json)</source>
+        <translation>频率响应 (*.json)</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>准备</translation>
+    </message>
+    <message>
+        <source>Excite</source>
+        <translation>激励</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>拟合</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Measures the loop with the gains on the board, frequency by frequency: open loop, plant and margins with their 95 % intervals, on top of a steady motion that never turns back.</source>
+        <translation>用控制板上的增益逐频率测量回路：开环、被控对象以及带 95 % 区间的裕度，叠加在从不反转的匀速运动上。</translation>
+    </message>
+    <message>
+        <source>The rotor turns steadily and is excited. STOP (Esc) and Cancel end it; mode, windows and generator are restored, the gains stay as they are.</source>
+        <translation>转子匀速转动并受到激励。“停止”（Esc）和“取消”结束测量；模式、窗口和信号发生器会恢复，增益保持不变。</translation>
+    </message>
+    <message>
+        <source>Start measurement</source>
+        <translation>开始测量</translation>
+    </message>
+    <message>
+        <source>The rotor turns (Ctrl+Return); Esc stops it</source>
+        <translation>转子会转动 (Ctrl+Return)；按 Esc 键停止</translation>
+    </message>
+    <message>
+        <source>Use in Tune</source>
+        <translation>用于整定</translation>
+    </message>
+    <message>
+        <source>Draw the measured points into the open loop of Tune, with the gains proposed there</source>
+        <translation>以整定中建议的增益，把实测点画入其开环</translation>
+    </message>
+    <message>
+        <source>Save response…</source>
+        <translation>保存响应…</translation>
+    </message>
+    <message>
+        <source>Write the file that Tune and the program read</source>
+        <translation>写出整定和程序可读取的文件</translation>
+    </message>
+    <message>
+        <source>Save table…</source>
+        <translation>保存表格…</translation>
+    </message>
+    <message>
+        <source>Write the points with error and coherence as CSV</source>
+        <translation>将各点连同误差和相干性写为 CSV</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>重新测量</translation>
+    </message>
+    <message>
+        <source>Back to the settings; this result stays until the next one</source>
+        <translation>返回设置；此结果保留到下一次</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>频率响应</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>正在测量</translation>
+    </message>
+    <message>
+        <source>Computing the response</source>
+        <translation>正在计算频率响应</translation>
+    </message>
+    <message>
+        <source>The measurement was cancelled; everything is as it was before.</source>
+        <translation>测量已取消；一切恢复原状。</translation>
+    </message>
+    <message>
+        <source>Save table</source>
+        <translation>保存表格</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>已保存为 %1</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::FrequencyResultView</name>
+    <message>
+        <source>Margins and fitted rotor</source>
+        <translation>裕度与拟合的转子</translation>
+    </message>
+    <message>
+        <source>Open loop</source>
+        <translation>开环</translation>
+    </message>
+    <message>
+        <source>With the gains on the board: magnitude, phase and coherence over one frequency</source>
+        <translation>用控制板上的增益：同一频率轴上的幅值、相位和相干性</translation>
+    </message>
+    <message>
+        <source>Plant</source>
+        <translation>被控对象</translation>
+    </message>
+    <message>
+        <source>From the current to the measured angle, with the rotor that fits</source>
+        <translation>从电流到实测角度，以及拟合的转子</translation>
+    </message>
+    <message>
+        <source>Closed loop</source>
+        <translation>闭环</translation>
+    </message>
+    <message>
+        <source>From the reference to the measured angle</source>
+        <translation>从参考到实测角度</translation>
+    </message>
+    <message>
+        <source>Raw record</source>
+        <translation>原始记录</translation>
+    </message>
+    <message>
+        <source>Speed and current over time, as recorded</source>
+        <translation>记录的转速和电流随时间的变化</translation>
+    </message>
+    <message>
+        <source>Pictures of the frequency response</source>
+        <translation>频率响应的图形</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::FrequencyWords</name>
+    <message>
+        <source>withheld: crosses nowhere</source>
+        <translation>不予给出：无穿越</translation>
+    </message>
+    <message>
+        <source>withheld: crosses in a gap</source>
+        <translation>不予给出：在空缺处穿越</translation>
+    </message>
+    <message>
+        <source>withheld: too uncertain</source>
+        <translation>不予给出：不确定性过大</translation>
+    </message>
+    <message>
+        <source>The findings above say why, and what helps</source>
+        <translation>上面的诊断说明原因和办法</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>实测</translation>
+    </message>
+    <message>
+        <source>where the loop crosses, at %1 Hz</source>
+        <translation>回路在 %1 Hz 处穿越</translation>
+    </message>
+    <message>
+        <source>fitted</source>
+        <translation>拟合</translation>
+    </message>
+    <message>
+        <source>The rotor will turn in reverse at %1 rad/s (%2 r/min), about %3 turns, for %4 minutes of device time.</source>
+        <translation>转子将以 %1 rad/s（%2 r/min）反转，约 %3 转，设备时间 %4 分钟。</translation>
+    </message>
+    <message>
+        <source>The rotor will turn forward at %1 rad/s (%2 r/min), about %3 turns, for %4 minutes of device time.</source>
+        <translation>转子将以 %1 rad/s（%2 r/min）正转，约 %3 转，设备时间 %4 分钟。</translation>
+    </message>
+    <message>
+        <source>On top of that it is excited by up to %1°; its speed never changes sign, and the run ends where it comes near zero.</source>
+        <translation>在此之上激励至多 %1°；其转速从不变号，一旦接近零即结束运行。</translation>
+    </message>
+    <message>
+        <source>The board ends the motion at %1 rad/s. The gains on the board stay and are measured with; all else is restored whatever happens.</source>
+        <translation>控制板在 %1 rad/s 时结束运动。控制板上的增益保持不变并用于测量；其余一切无论如何都会恢复。</translation>
+    </message>
+    <message>
+        <source>phase margin</source>
+        <translation>相位裕度</translation>
+    </message>
+    <message>
+        <source>gain margin</source>
+        <translation>幅值裕度</translation>
+    </message>
+    <message>
+        <source>angle that follows the current at once</source>
+        <translation>立即随电流变化的角度</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frequencies have a coherence of %3 or more; the others are faint and part of no margin and no fit.</source>
+        <translation>%2 个频率中有 %1 个的相干性不低于 %3；其余淡显，不参与任何裕度和拟合。</translation>
+    </message>
+    <message>
+        <source>%1 to %2 Hz: amplitude %3°</source>
+        <translation>%1 至 %2 Hz：幅值 %3°</translation>
+    </message>
+    <message>
+        <source>While excited the rotor never turned slower than %1 rad/s.</source>
+        <translation>激励期间转子转速从未低于 %1 rad/s。</translation>
+    </message>
+    <message>
+        <source>Current up to %1 A, coils up to %2 °C.</source>
+        <translation>电流最大 %1 A，线圈最高 %2 °C。</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::Freshness</name>
     <message>
         <source>No new values since %1</source>
@@ -7826,6 +8142,14 @@ its way to the one before (Ctrl+Shift+R)</source>
     <message>
         <source>frequency</source>
         <translation>频率</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>实测</translation>
+    </message>
+    <message>
+        <source>measured, not coherent</source>
+        <translation>实测，不相干</translation>
     </message>
 </context>
 <context>

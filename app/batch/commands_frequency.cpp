@@ -1,12 +1,12 @@
 #include "app/batch/command_support.h"
 #include "app/batch/frequency_options.h"
+#include "app/batch/frequency_table.h"
 #include "app/batch/loop_conditions.h"
 #include "app/batch/numbers.h"
 #include "app/batch/output_file.h"
 #include "app/batch/recording_file.h"
 #include "app/batch/result_documents.h"
 #include "control/base/units.h"
-#include "control/lti/frequency_response.h"
 
 #include <fmt/format.h>
 
@@ -49,42 +49,6 @@ Result<void> take(std::initializer_list<NumberOption> numbers) {
     return {};
 }
 
-/// Relative error as decibels either way; nothing when the circle holds zero.
-std::string decibels(double ratio) {
-    return ratio < 1.0 ? formatNumber(-20.0 * std::log10(1.0 - ratio)) : std::string();
-}
-
-std::string degrees(double ratio) {
-    return ratio < 1.0 ? formatNumber(radiansToDegrees(std::asin(ratio))) : std::string();
-}
-
-std::string tableText(const FrequencyResult& result) {
-    control::FrequencyResponse openLoop, plant;
-    for (const FrequencyResultPoint& point : result.points) {
-        openLoop.frequency_rad_s.push_back(point.measured.frequency_rad_s);
-        openLoop.value.push_back(point.openLoop);
-        plant.value.push_back(point.measured.value);
-    }
-    const std::vector<double> loop_dB = control::magnitude_dB(openLoop);
-    const std::vector<double> loop_deg = control::phase_deg(openLoop);
-    const std::vector<double> plant_dB = control::magnitude_dB(plant);
-    const std::vector<double> plant_deg = control::phase_deg(plant);
-    std::string text =
-        "frequency_hz,magnitude_db,phase_deg,plant_magnitude_db,plant_phase_deg,error_db,error_deg,"
-        "coherence,used\n";
-    for (std::size_t i = 0; i < result.points.size(); ++i) {
-        const FrequencyResultPoint& point = result.points[i];
-        const double ratio = point.radius / std::abs(point.measured.value);
-        for (const double value : {point.measured.frequency_rad_s / (2.0 * Pi), loop_dB[i], loop_deg[i],
-                                   plant_dB[i], plant_deg[i]}) {
-            text += formatNumber(value) + ",";
-        }
-        text += decibels(ratio) + "," + degrees(ratio) + "," + formatNumber(point.measured.coherence) +
-                (point.isUsed ? ",1\n" : ",0\n");
-    }
-    return text;
-}
-
 std::string marginLine(const char* name, const control::MeasuredMargin& margin, const char* unit) {
     if (!margin.value) {
         return fmt::format("{:<14} withheld\n", name);
@@ -118,7 +82,21 @@ Result<void> writeFiles(const CommandOptions& options, const FrequencyResult& re
             return written;
         }
     }
-    return options.bodeFile.empty() ? Result<void>() : writeFile(options.bodeFile, tableText(result));
+    return options.bodeFile.empty() ? Result<void>() : writeFile(options.bodeFile, frequencyTable(result));
+}
+
+/// A record or a table that cannot be written does not take with it what was measured; then both are told.
+/// With
+/// --json standard output is the error's.
+Result<void> keepResult(CommandContext& context, const CommandOptions& options, const ResultHeader& header,
+                        const FrequencyResult& result, const Error& error) {
+    if (options.out.empty()) {
+        context.console.print(frequencyText(result));
+        return failure(error);
+    }
+    const Result<std::string> json = toJsonText(frequencyDocument(header, result));
+    const Result<void> kept = json ? writeFile(options.out, *json) : failure(json.error());
+    return failure(error.code, error.message + (kept ? "; the result is in " + options.out : ""), error.hint);
 }
 
 } // namespace
@@ -197,9 +175,10 @@ CommandResult runFrequencyCommand(CommandContext& context, const CommandOptions&
     if (!result) {
         return failure(result.error());
     }
-    Result<void> done = writeFiles(options, *result, **device, header.started);
-    done = done ? deliver(context, frequencyDocument(header, *result), frequencyText(*result), options.out)
-                : done;
+    const Result<void> files = writeFiles(options, *result, **device, header.started);
+    const Result<void> done =
+        files ? deliver(context, frequencyDocument(header, *result), frequencyText(*result), options.out)
+              : keepResult(context, options, header, *result, files.error());
     if (!done) {
         return failure(done.error());
     }

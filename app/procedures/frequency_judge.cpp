@@ -169,19 +169,24 @@ struct MarginWords {
     const char* noCrossing;
     const char* gap;
     const char* uncertain;
+    const char* unbounded;
     const char* allowed;
 };
 
 constexpr MarginWords PhaseWords = {
-    "phase_margin_withheld", "no phase margin: the loop crosses nowhere on the frequencies that are used",
+    "phase_margin_withheld",
+    "no phase margin: the loop crosses nowhere on the frequencies that are used",
     "no phase margin: the loop crosses where frequencies were left out or are far apart",
     "no phase margin: it lies between {:.3g} and {:.3g} deg, known to {:.2g} at best",
+    "no phase margin: where the loop crosses its phase is not bounded at all",
     "{:.2g} deg are allowed: measure more periods, and calibrate the sensors' gain and the stray field "
     "first"};
 constexpr MarginWords GainWords = {
-    "gain_margin_withheld", "no gain margin: the loop crosses nowhere on the frequencies that are used",
+    "gain_margin_withheld",
+    "no gain margin: the loop crosses nowhere on the frequencies that are used",
     "no gain margin: the loop crosses where frequencies were left out or are far apart",
     "no gain margin: it lies between {:.3g} and {:.3g} dB, known to {:.2g} at best",
+    "no gain margin: where the loop crosses its magnitude is not bounded at all",
     "{:.2g} dB are allowed: measure more periods, and calibrate the sensors' gain and the stray field first"};
 
 void addWithheld(DataQuality& quality, const MeasuredMargin& margin, const MarginWords& words,
@@ -197,13 +202,15 @@ void addWithheld(DataQuality& quality, const MeasuredMargin& margin, const Margi
         quality.findings.push_back(
             {words.code, words.gap, "measure with more periods or a larger amplitude there"});
         return;
-    case MeasuredMargin::Withheld::Uncertain:
-        quality.findings.push_back(
-            {words.code,
-             fmt::format(fmt::runtime(words.uncertain), margin.interval->first, margin.interval->second,
-                         0.5 * (margin.interval->second - margin.interval->first)),
-             fmt::format(fmt::runtime(words.allowed), tolerance)});
+    case MeasuredMargin::Withheld::Uncertain: {
+        const auto [low, high] = *margin.interval;
+        quality.findings.push_back({words.code,
+                                    std::isfinite(high - low) ? fmt::format(fmt::runtime(words.uncertain),
+                                                                            low, high, 0.5 * (high - low))
+                                                              : words.unbounded,
+                                    fmt::format(fmt::runtime(words.allowed), tolerance)});
         return;
+    }
     }
 }
 

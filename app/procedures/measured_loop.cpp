@@ -8,6 +8,18 @@
 
 namespace halbench::app {
 
+MeasuredPlant measuredPlant(const FrequencyResult& result) {
+    MeasuredPlant plant;
+    plant.period_s = result.period_s;
+    for (const FrequencyResultPoint& point : result.points) {
+        const std::complex<double> value = point.measured.value;
+        if (std::isfinite(std::norm(value)) && std::norm(value) > 0.0) {
+            plant.points.push_back({point.measured.frequency_rad_s / (2.0 * Pi), value, point.isUsed});
+        }
+    }
+    return plant;
+}
+
 Result<MeasuredLoop> measuredLoop(const MeasuredPlant& plant, const control::PidGains& gains,
                                   const control::LoopTiming& timing) {
     constexpr double Rounding_ratio = 1e-9;

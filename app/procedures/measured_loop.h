@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/procedures/frequency_procedure.h"
 #include "control/base/result.h"
 #include "control/design/position_loop.h"
 
@@ -18,6 +19,9 @@ struct MeasuredPlant {
     std::vector<Point> points; ///< ascending
     double period_s = 0.01;    ///< of the position loop that it was measured in
 };
+
+/// What a measurement gives; points that are no number or zero are left out.
+MeasuredPlant measuredPlant(const FrequencyResult& result);
 
 /// The open loop that other gains make of it.
 struct MeasuredLoop {

@@ -154,7 +154,7 @@ QString titleOf(FrequencyView view) {
 
 widgets::Panel coherencePanel(const FrequencyResult& result) {
     widgets::Panel panel;
-    panel.y = {utf8(Words::tr("coherence")), {}, false, 0.0, 1.0, 0.5};
+    panel.y = {utf8(Words::tr("coherence")), {}, false, 0.0, 1.0, {}};
     panel.height_px = 110;
     widgets::Curve used{{}, {}, {}, CurveStyle::Points, MarkColour};
     widgets::Curve rest{{}, {}, {}, CurveStyle::HollowPoints, MarkColour};

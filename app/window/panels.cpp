@@ -1,6 +1,7 @@
 #include "app/window/panels.h"
 
 #include "app/wizards/calibrate_panel.h"
+#include "app/wizards/frequency_panel.h"
 #include "app/wizards/identify_panel.h"
 #include "app/workspaces/configuration_panel.h"
 #include "app/workspaces/derived_panel.h"
@@ -75,6 +76,8 @@ constexpr Row Rows[] = {
      "identification.md#7-in-the-window", make<IdentifyPanel>},
     {"calibrate", QT_TRANSLATE_NOOP("Panels", "Calibrate"), PanelArea::Centre, in(Perspective::Identify),
      "identification.md#6-calibrations", make<CalibratePanel>},
+    {"frequency", QT_TRANSLATE_NOOP("Panels", "Frequency response"), PanelArea::Centre,
+     in(Perspective::Identify), "identification.md#8-frequency-response", make<FrequencyPanel>},
     {"tune", QT_TRANSLATE_NOOP("Panels", "Tune"), PanelArea::Centre, in(Perspective::Tune),
      "tuning.md#in-the-window", make<TunePanel>},
     {"log", QT_TRANSLATE_NOOP("Panels", "Log"), PanelArea::Bottom, Everywhere,

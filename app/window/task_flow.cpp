@@ -3,6 +3,7 @@
 #include "app/window/dock_layout.h"
 #include "app/window/file_dialogs.h"
 #include "app/wizards/calibrate_panel.h"
+#include "app/wizards/frequency_panel.h"
 #include "app/wizards/identify_panel.h"
 #include "app/workspaces/configuration_panel.h"
 #include "app/workspaces/device_panel.h"
@@ -52,11 +53,18 @@ void connectMonitor(DockLayout& docks) {
 void connectTaskFlow(DockLayout& docks, Workbench& bench) {
     auto* identify = panelOf<IdentifyPanel>(docks, "identify");
     auto* calibrate = panelOf<CalibratePanel>(docks, "calibrate");
+    auto* frequency = panelOf<FrequencyPanel>(docks, "frequency");
     auto* tune = panelOf<TunePanel>(docks, "tune");
     auto* configuration = panelOf<ConfigurationPanel>(docks, "configuration");
-    HB_ASSERT(identify != nullptr && calibrate != nullptr && tune != nullptr && configuration != nullptr);
+    HB_ASSERT(identify != nullptr && calibrate != nullptr && frequency != nullptr && tune != nullptr &&
+              configuration != nullptr);
     QObject::connect(identify, &IdentifyPanel::tuneRequested, &docks,
                      [&docks] { docks.setPerspective(Perspective::Tune); });
+    QObject::connect(frequency, &FrequencyPanel::useRequested, tune,
+                     [&docks, tune](const FrequencyResult& result) {
+                         docks.setPerspective(Perspective::Tune);
+                         tune->useMeasured(measuredPlant(result));
+                     });
     QObject::connect(tune, &TunePanel::identifyRequested, &docks,
                      [&docks] { docks.setPerspective(Perspective::Identify); });
     QObject::connect(panelOf<ParametersPanel>(docks, "parameters"), &ParametersPanel::savedInDevice, tune,
@@ -64,6 +72,7 @@ void connectTaskFlow(DockLayout& docks, Workbench& bench) {
     connectMonitor(docks);
     identify->setFileChooser(fileDialogs(bench));
     calibrate->setFileChooser(fileDialogs(bench));
+    frequency->setFileChooser(fileDialogs(bench));
     tune->setFileChooser(fileDialogs(bench));
     configuration->setFileChooser(fileDialogs(bench));
     panelOf<MonitorPanel>(docks, "monitor")->setFileChooser(fileDialogs(bench));

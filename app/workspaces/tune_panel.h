@@ -69,6 +69,8 @@ public:
     const std::vector<KeptDesign>& keptDesigns() const { return m_designs.all(); }
     /// A kept design becomes the proposed one; nothing without one of this name.
     void takeUpDesign(const std::string& name);
+    /// Draws a plant that was measured into the open loop; what is no plant of this loop is refused in place.
+    void useMeasured(const MeasuredPlant& plant);
     /// What runs on the device lasts longer than its power from now on.
     void onSavedInDevice();
     /// What was done to the proposed gains, taken back and done again; named after it.
@@ -137,7 +139,6 @@ private:
     QString reasonOf(const KeptDesign& design) const;
     std::vector<NamedLoop> drawnLoops() const;
     void chooseMeasured();
-    void showMeasured(Result<FrequencyFile> file);
     void forgetMeasured();
     std::optional<MeasuredLoop> drawnMeasurement() const;
     void refreshMeasuredWords();

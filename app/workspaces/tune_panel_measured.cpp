@@ -21,20 +21,25 @@ void TunePanel::chooseMeasured() {
         return;
     }
     m_files.run([path = path.toStdString()] { return readFrequencyFile(path); },
-                [this](Result<FrequencyFile> file) { showMeasured(std::move(file)); });
+                [this](const Result<FrequencyFile>& file) {
+                    if (file) {
+                        useMeasured(file->plant);
+                    } else {
+                        showError(file.error());
+                    }
+                });
 }
 
-void TunePanel::showMeasured(Result<FrequencyFile> file) {
+void TunePanel::useMeasured(const MeasuredPlant& plant) {
     // That it can be drawn for the gains of now is seen before it is taken.
     const control::PidGains gains = m_sketch ? m_sketch->law.gains : control::PidGains{};
-    const auto loop = file ? measuredLoop(file->plant, gains, m_conditions.timing)
-                           : Result<MeasuredLoop>(failure(file.error()));
+    const auto loop = measuredLoop(plant, gains, m_conditions.timing);
     if (!loop) {
         showError(loop.error());
         return;
     }
     const auto used = std::count(loop->isUsed.begin(), loop->isUsed.end(), true);
-    m_measured = std::move(file->plant);
+    m_measured = plant;
     refreshMeasuredWords();
     m_message->showMessage({widgets::Severity::Information,
                             tr("The measured response is drawn into the open loop, with the proposed gains."),

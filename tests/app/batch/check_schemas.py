@@ -123,6 +123,10 @@ class Schemas(unittest.TestCase):
                 self.accept(self.run_json("identify", "sim:htm", "--frequency", *options, code=2))
         self.accept(self.run_json("identify", "sim:htm", "--to-hz", "20", code=2))
         self.accept(self.run_json("identify", "r.csv", "--frequency", code=2))
+        short = ["--frequency", "--from-hz", "2", "--to-hz", "8", "--periods", "4"]
+        self.accept(self.run_json("identify", "sim:htm", *short, "--record", "f.json/r.csv", "--out", "kept.json", code=2))
+        with open(os.path.join(self.folder.name, "kept.json"), encoding="utf-8") as file:
+            self.accept(json.load(file))  # what was measured is not lost with its record
 
     def test_experiments(self):
         experiments = glob.glob(os.path.join(RESOURCES, "experiments", "*", "*.toml"))

@@ -1,4 +1,5 @@
 #include "app/procedures/calibrate_procedure.h"
+#include "app/procedures/frequency_judge.h"
 #include "app/procedures/frequency_plan.h"
 #include "app/procedures/frequency_procedure.h"
 #include "control/lti/discretize.h"
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace halbench::app {
 namespace {
@@ -290,6 +292,53 @@ TEST(FrequencyIdentification, incoherentPointsAreLeftOut) {
                              [](const FrequencyResultPoint& point) { return point.isUsed; }));
     EXPECT_EQ(result.margins.phase_deg.withheld, MeasuredMargin::Withheld::NoCrossing);
     EXPECT_FALSE(result.fit);
+}
+
+// A circle that surrounds zero bounds neither: the finding says so in words, and no "inf" is anywhere.
+TEST(FrequencyIdentification, aMarginWithoutBoundsIsToldInWords) {
+    FrequencyResult result;
+    const double infinite = std::numeric_limits<double>::infinity();
+    result.margins.phase_deg = {
+        MeasuredMargin::Withheld::Uncertain, 20.0, {}, std::pair(-infinite, infinite)};
+    result.margins.gain_dB = {MeasuredMargin::Withheld::Uncertain, 60.0, {}, std::pair(-infinite, infinite)};
+    const DataQuality quality = judgeFrequency(result);
+    int told = 0;
+    for (const Finding& finding : quality.findings) {
+        EXPECT_EQ(finding.message.find("inf"), std::string::npos) << finding.message;
+        told += finding.message.find("not bounded") != std::string::npos ? 1 : 0;
+    }
+    EXPECT_EQ(told, 2);
+}
+
+// One sample of delay in the board: what was measured is the loop with it. z^-1 turns 20 rad/s by 11.5
+// degrees, far more than the 2 degrees that a phase margin is told to.
+TEST(FrequencyIdentification, theDelayOfTheBoardIsPartOfTheOpenLoop) {
+    auto device = openMotor("seed=1&delay_samples=1");
+    setParameter(*device, "delay.samples", 1.0);
+    setParameter(*device, "gain.kp", 2.0); // stable: 5.77 A/rad is the limit with one sample
+    setParameter(*device, "gain.kd", 0.2);
+    const FrequencyResult result = measured(*device, {});
+    ASSERT_EQ(result.law.delaySamples, 1);
+    control::PidGains gains;
+    gains.proportional = 2.0;
+    gains.integral = result.law.ki_A_per_rad_s;
+    gains.derivative = 0.2;
+    const auto late = TransferFunction::make({1.0}, {1.0, 0.0}, control::TimeBase::sampled(Period_s));
+    const auto loop =
+        control::series(*control::series(*control::sampledController(gains, Period_s), *late), truePlant());
+    const control::StabilityMargins expected = control::smallestMargins(*loop);
+    Count all;
+    count(all, result);
+    EXPECT_GT(all.coherent, 20);
+    EXPECT_GE(all.held, static_cast<int>(std::ceil(0.9 * all.coherent))); // of one specimen
+    expectRightOrWithheld(result.margins.phase_deg, expected.phaseMargin_deg, 2.0);
+    for (const FrequencyResultPoint& point : result.points) {
+        const double w = point.measured.frequency_rad_s;
+        const auto expectedLoop = loop->atFrequency(w);
+        if (point.isUsed) {
+            EXPECT_LT(std::abs(point.openLoop - expectedLoop), 3.0 * point.openLoopRadius) << w;
+        }
+    }
 }
 
 TEST(FrequencyIdentification, namesItsExcitations) {

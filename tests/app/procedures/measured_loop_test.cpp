@@ -61,5 +61,24 @@ TEST(MeasuredLoopTest, aLoopOfAnotherRateIsAnotherLoop) {
     EXPECT_EQ(loop.error().code, ErrorCode::InvalidInput);
 }
 
+TEST(MeasuredPlant, takesThePointsOfAResultWithTheirUse) {
+    FrequencyResult result;
+    result.period_s = 0.005;
+    FrequencyResultPoint point;
+    point.measured.frequency_rad_s = 2.0 * M_PI * 3.0;
+    point.measured.value = {-0.1, 0.02};
+    point.isUsed = true;
+    result.points = {point, point, point};
+    result.points[1].isUsed = false;
+    result.points[2].measured.value = 0.0; // has neither magnitude nor phase
+    const MeasuredPlant plant = measuredPlant(result);
+    EXPECT_EQ(plant.period_s, 0.005);
+    ASSERT_EQ(plant.points.size(), 2U);
+    EXPECT_NEAR(plant.points[0].frequency_Hz, 3.0, 1e-12);
+    EXPECT_EQ(plant.points[0].value, std::complex<double>(-0.1, 0.02));
+    EXPECT_TRUE(plant.points[0].isUsed);
+    EXPECT_FALSE(plant.points[1].isUsed);
+}
+
 } // namespace
 } // namespace halbench::app

@@ -65,6 +65,21 @@ TEST_F(TaskFlowTest, aStrayCalibrationIsKnownToTune) {
     EXPECT_TRUE(wait(needsCalibration));
 }
 
+// From the measurement to the picture: the points that were measured lie in the open loop of Tune.
+TEST_F(TaskFlowTest, aMeasuredResponseIsUsedInTune) {
+    open();
+    connectMotor(0.0);
+    window->bench().setIdentification(publishedMotor());
+    window->docks().setPerspective(Perspective::Identify);
+    window->docks().docks().value("frequency")->setAsCurrentTab();
+    ASSERT_TRUE(wait([&] { return button("frequency", "Start measurement")->isEnabled(); }));
+    QTest::mouseClick(button("frequency", "Start measurement"), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return button("frequency", "Use in Tune") != nullptr; }, 120000));
+    QTest::mouseClick(button("frequency", "Use in Tune"), Qt::LeftButton);
+    EXPECT_EQ(window->docks().perspective(), Perspective::Tune);
+    ASSERT_TRUE(wait([&] { return button("tune", "Remove the measured response") != nullptr; }));
+}
+
 TEST_F(TaskFlowTest, aFileDialogCarriesASmallStop) {
     open();
     connectMotor(1.0);

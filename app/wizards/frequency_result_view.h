@@ -1,0 +1,58 @@
+#pragma once
+
+#include "app/batch/result_header.h"
+#include "app/procedures/frequency_procedure.h"
+#include "app/workspaces/file_chooser.h"
+#include "app/workspaces/file_queue.h"
+
+#include <QWidget>
+
+#include <array>
+
+class QLabel;
+class QTabWidget;
+
+namespace halbench::widgets {
+class EstimateTable;
+class FigureView;
+class VerdictView;
+} // namespace halbench::widgets
+
+namespace halbench::app {
+
+class WordsAndPictures;
+
+/// A frequency response as it is read: verdict and findings, margins with intervals or why they are withheld,
+/// the rotor that fits; beside them open loop, plant and closed loop with coherence, and the raw record.
+class FrequencyResultView : public QWidget {
+    Q_OBJECT
+public:
+    explicit FrequencyResultView(QWidget* parent = nullptr);
+
+    void setResult(const FrequencyResult& result, const ResultHeader& header);
+    void setFileChooser(const FileChooser* chooser) { m_chooser = chooser; }
+
+Q_SIGNALS:
+    void notSaved(const QString& message, const QString& remedy);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    QWidget* buildWords();
+    void refresh();
+
+    FrequencyResult m_result;
+    ResultHeader m_header;
+    const FileChooser* m_chooser = nullptr;
+    FileQueue m_files;
+    widgets::VerdictView* m_verdict = nullptr;
+    widgets::EstimateTable* m_table = nullptr;
+    QLabel* m_use = nullptr;
+    QLabel* m_provenance = nullptr;
+    WordsAndPictures* m_both = nullptr;
+    QTabWidget* m_figures = nullptr;
+    std::array<widgets::FigureView*, 4> m_views{}; ///< open loop, plant, raw record, closed loop
+};
+
+} // namespace halbench::app
