@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 namespace halbench::app {
 namespace {
@@ -79,10 +80,33 @@ Curve sensitivityCurve(const LoopCurve& each, bool isComplementary) {
     return curve;
 }
 
+/// Coherent points, and behind them those that are not; nothing of a kind that there is none of. `place`:
+/// where magnitude in dB and phase in degrees lie in this picture.
+template <typename Place>
+void addMeasured(widgets::Panel& panel, const std::optional<MeasuredLoop>& measured, Place place) {
+    if (!measured) {
+        return;
+    }
+    Curve coherent{utf8(Words::tr("measured")), {}, {}, CurveStyle::Points, MarkColour};
+    Curve rest{utf8(Words::tr("measured, not coherent")), {}, {}, CurveStyle::HollowPoints, MarkColour};
+    for (std::size_t i = 0; i < measured->isUsed.size(); ++i) {
+        const auto [x, y] = place(measured->magnitude_dB[i], measured->phase_deg[i]);
+        Curve& curve = measured->isUsed[i] ? coherent : rest;
+        curve.x.push_back(x);
+        curve.y.push_back(y);
+    }
+    for (Curve* curve : {&rest, &coherent}) {
+        if (!curve->x.empty()) {
+            panel.curves.push_back(std::move(*curve));
+        }
+    }
+}
+
 } // namespace
 
 widgets::Figure nyquistFigure(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present,
-                              const std::vector<NamedLoop>& others) {
+                              const std::vector<NamedLoop>& others,
+                              const std::optional<MeasuredLoop>& measured) {
     widgets::Panel plane;
     plane.y = {utf8(Words::tr("imaginary part of L")), {}, false, -2.0, 1.5, {}};
     plane.height_px = 360;
@@ -94,6 +118,10 @@ widgets::Figure nyquistFigure(const AnalysisResult& predicted, const std::option
         }
         plane.curves.push_back(std::move(curve));
     }
+    addMeasured(plane, measured, [](double magnitude_dB, double phase_deg) {
+        const Complex L = std::polar(std::pow(10.0, magnitude_dB / 20.0), Pi / 180.0 * phase_deg);
+        return std::pair(L.real(), L.imag());
+    });
     plane.curves.push_back(circle({}, 1.0, utf8(Words::tr("unit circle")), CurveStyle::DottedLine));
     if (predicted.isStable && predicted.margins.modulusMargin > 0.0) {
         const double margin = predicted.margins.modulusMargin;
@@ -109,7 +137,8 @@ widgets::Figure nyquistFigure(const AnalysisResult& predicted, const std::option
 }
 
 widgets::Figure nicholsFigure(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present,
-                              const std::vector<NamedLoop>& others) {
+                              const std::vector<NamedLoop>& others,
+                              const std::optional<MeasuredLoop>& measured) {
     constexpr double Turn_deg = 90.0;
     widgets::Panel panel;
     panel.y = {utf8(Words::tr("magnitude")), "dB", false, -40.0, 60.0, {}};
@@ -122,6 +151,11 @@ widgets::Figure nicholsFigure(const AnalysisResult& predicted, const std::option
         for (const double phase_deg : bode.phase_deg) {
             least_deg = std::min(least_deg, phase_deg);
         }
+    }
+    addMeasured(panel, measured,
+                [](double magnitude_dB, double phase_deg) { return std::pair(phase_deg, magnitude_dB); });
+    for (std::size_t i = 0; measured && i < measured->phase_deg.size(); ++i) {
+        least_deg = measured->isUsed[i] ? std::min(least_deg, measured->phase_deg[i]) : least_deg;
     }
     if (predicted.isStable && predicted.margins.modulusMargin > 0.0) {
         panel.curves.push_back(distanceLine(predicted.margins.modulusMargin));

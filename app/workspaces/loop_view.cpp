@@ -56,7 +56,8 @@ void LoopView::sayWords() {
 void LoopView::setLoops(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present,
                         const std::vector<NamedLoop>& others, const std::optional<MeasuredLoop>& measured) {
     m_figures = {openLoopFigure(predicted, present, others, measured),
-                 nyquistFigure(predicted, present, others), nicholsFigure(predicted, present, others),
+                 nyquistFigure(predicted, present, others, measured),
+                 nicholsFigure(predicted, present, others, measured),
                  sensitivityFigure(predicted, present, others).value_or(widgets::Figure{}),
                  rootLocusFigure(predicted, present, others)};
     findGrips(predicted);

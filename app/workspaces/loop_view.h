@@ -31,7 +31,7 @@ public:
 
     void setLoops(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present,
                   const std::vector<NamedLoop>& others,
-                  const std::optional<MeasuredLoop>& measured = std::nullopt); ///< in the Bode plot alone
+                  const std::optional<MeasuredLoop>& measured = std::nullopt); ///< in Bode, Nyquist, Nichols
     void setView(View view);
     widgets::FigureView& picture() { return *m_picture; }
 

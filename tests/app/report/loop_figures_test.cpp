@@ -129,5 +129,44 @@ TEST(LoopFigures, theCurveTouchesTheCircleOfTheModulusMarginAndCutsTheAxisAtTheG
     EXPECT_NEAR(-1.0 / cut, loop->margins.gainMargin_ratio, 2e-3 * loop->margins.gainMargin_ratio);
 }
 
+/// 0 dB at -90 degrees, coherent; -20 dB at -180 degrees, not.
+MeasuredLoop measuredPoints() {
+    return {{1.0, 10.0}, {0.0, -20.0}, {-90.0, -180.0}, {true, false}};
+}
+
+TEST(LoopFigures, measuredPointsLieInTheNyquistPlaneThoseThatAreNotCoherentHollow) {
+    const widgets::Figure figure = nyquistFigure(crossing(), std::nullopt, {}, measuredPoints());
+    const widgets::Curve& used = curve(figure, 0, "measured");
+    const widgets::Curve& rest = curve(figure, 0, "measured, not coherent");
+    for (const widgets::Curve* each : {&used, &rest}) {
+        ASSERT_EQ(each->x.size(), 1U);
+    }
+    EXPECT_EQ(rest.style, widgets::CurveStyle::HollowPoints);
+    EXPECT_NEAR(rest.x[0], -0.1, 1e-12); // 10^(-20/20) at -180 degrees
+    EXPECT_NEAR(rest.y[0], 0.0, 1e-12);
+    const auto& curves = figure.panels.at(0).curves;
+    const auto points = std::find_if(curves.begin(), curves.end(),
+                                     [](const widgets::Curve& each) { return each.label == "measured"; });
+    ASSERT_NE(points, curves.end());
+    EXPECT_EQ(points->style, widgets::CurveStyle::Points);
+    EXPECT_NEAR(points->x[0], 0.0, 1e-12);
+    EXPECT_NEAR(points->y[0], -1.0, 1e-12);
+    EXPECT_EQ(nyquistFigure(crossing(), std::nullopt).panels.at(0).curves.size() + 2, curves.size());
+}
+
+TEST(LoopFigures, measuredPointsLieInTheNicholsPlotAndItsAxisReachesThem) {
+    MeasuredLoop measured = measuredPoints();
+    measured.phase_deg[0] = -300.0; // farther than any curve
+    const widgets::Figure figure = nicholsFigure(crossing(), std::nullopt, {}, measured);
+    const auto& curves = figure.panels.at(0).curves;
+    const auto points = std::find_if(curves.begin(), curves.end(),
+                                     [](const widgets::Curve& each) { return each.label == "measured"; });
+    ASSERT_NE(points, curves.end());
+    EXPECT_NEAR(points->x[0], -300.0, 1e-12);
+    EXPECT_NEAR(points->y[0], 0.0, 1e-12);
+    EXPECT_LE(*figure.x.min, -300.0);
+    EXPECT_EQ(curve(figure, 0, "measured, not coherent").style, widgets::CurveStyle::HollowPoints);
+}
+
 } // namespace
 } // namespace halbench::app

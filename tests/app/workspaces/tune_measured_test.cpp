@@ -52,6 +52,18 @@ TEST_F(TuneMeasuredTest, isDrawnWithTheProposedGainsAndFollowsThem) {
     EXPECT_NE(button(panel, "Measured response\u2026"), nullptr);
 }
 
+TEST_F(TuneMeasuredTest, isDrawnIntoNyquistAndNicholsToo) {
+    write(0.01);
+    click(panel, "Measured response\u2026");
+    ASSERT_TRUE(wait([&] { return !curve("Open loop", "measured").empty(); })) << message().toStdString();
+    for (const auto& [view, title] : {std::pair("Nyquist", "Nyquist plot of the open loop"),
+                                      std::pair("Nichols", "Nichols plot of the open loop")}) {
+        choose("View of the open loop", view);
+        EXPECT_EQ(curve(title, "measured").size(), 3U) << view;
+        EXPECT_EQ(curve(title, "measured, not coherent").size(), 1U) << view;
+    }
+}
+
 TEST_F(TuneMeasuredTest, whatIsNoResponseOfThisLoopIsRefusedWithTheReason) {
     ASSERT_TRUE(writeFile(path().toStdString(), "{}"));
     click(panel, "Measured response\u2026");
