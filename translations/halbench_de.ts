@@ -7019,28 +7019,12 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
         <translation>An&amp;regung</translation>
     </message>
     <message>
-        <source>&amp;Lowest frequency</source>
-        <translation>&amp;Niedrigste Frequenz</translation>
-    </message>
-    <message>
-        <source>&amp;Highest frequency</source>
-        <translation>&amp;Höchste Frequenz</translation>
-    </message>
-    <message>
         <source>&amp;Base speed</source>
         <translation>&amp;Grunddrehzahl</translation>
     </message>
     <message>
         <source>&amp;Periods</source>
         <translation>&amp;Perioden</translation>
-    </message>
-    <message>
-        <source>Least &amp;coherence</source>
-        <translation>Kleinste &amp;Kohärenz</translation>
-    </message>
-    <message>
-        <source>&amp;Amplitude</source>
-        <translation>&amp;Amplitude</translation>
     </message>
     <message>
         <source>What is added to the steady motion</source>
@@ -7081,6 +7065,22 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
     <message>
         <source>Write the number anew</source>
         <translation>Schreiben Sie die Zahl neu</translation>
+    </message>
+    <message>
+        <source>Lowest frequency</source>
+        <translation>Niedrigste Frequenz</translation>
+    </message>
+    <message>
+        <source>Highest frequency</source>
+        <translation>Höchste Frequenz</translation>
+    </message>
+    <message>
+        <source>Least coherence</source>
+        <translation>Kleinste Kohärenz</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplitude</translation>
     </message>
 </context>
 <context>

@@ -7014,28 +7014,12 @@ its way to the one before (Ctrl+Shift+R)</source>
         <translation>激励(&amp;X)</translation>
     </message>
     <message>
-        <source>&amp;Lowest frequency</source>
-        <translation>最低频率(&amp;L)</translation>
-    </message>
-    <message>
-        <source>&amp;Highest frequency</source>
-        <translation>最高频率(&amp;H)</translation>
-    </message>
-    <message>
         <source>&amp;Base speed</source>
         <translation>基础转速(&amp;B)</translation>
     </message>
     <message>
         <source>&amp;Periods</source>
         <translation>周期数(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Least &amp;coherence</source>
-        <translation>最小相干性(&amp;C)</translation>
-    </message>
-    <message>
-        <source>&amp;Amplitude</source>
-        <translation>幅值(&amp;A)</translation>
     </message>
     <message>
         <source>What is added to the steady motion</source>
@@ -7076,6 +7060,22 @@ its way to the one before (Ctrl+Shift+R)</source>
     <message>
         <source>Write the number anew</source>
         <translation>请重新输入该数</translation>
+    </message>
+    <message>
+        <source>Lowest frequency</source>
+        <translation>最低频率</translation>
+    </message>
+    <message>
+        <source>Highest frequency</source>
+        <translation>最高频率</translation>
+    </message>
+    <message>
+        <source>Least coherence</source>
+        <translation>最小相干性</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>幅值</translation>
     </message>
 </context>
 <context>

@@ -97,9 +97,9 @@ void FrequencyForm::refreshWords() {
     for (int i = 0; i < m_excitation->count(); ++i) {
         m_excitation->setItemText(i, excitations[i]);
     }
-    const QString names[] = {tr("E&xcitation"), tr("&Lowest frequency"), tr("&Highest frequency"),
-                             tr("&Base speed"), tr("&Periods"),          tr("Least &coherence"),
-                             tr("&Amplitude")};
+    const QString names[] = {tr("E&xcitation"), tr("Lowest frequency"), tr("Highest frequency"),
+                             tr("&Base speed"), tr("&Periods"),         tr("Least coherence"),
+                             tr("Amplitude")};
     const QString helps[] = {
         tr("What is added to the steady motion"),
         tr("A period of the excitation lasts as long as four of it"),
