@@ -123,7 +123,9 @@ widgets::Figure openLoopFigure(const AnalysisResult& predicted, const std::optio
     }
     content.magnitudeLines = {{Direction::Horizontal, 0.0, "0 dB"}};
     content.phaseLines = {{Direction::Horizontal, -180.0, "\u2212180\u00b0"}};
-    markMargins(content, predicted.margins);
+    if (predicted.isStable) { // a factor "to the limit" would read as room that is not there
+        markMargins(content, predicted.margins);
+    }
     return widgets::bodeFigure(content);
 }
 

@@ -108,9 +108,15 @@ TEST(TuningFigures, marginsAreWrittenWhereTheyAreReadOff) {
     loop.margins.phaseMargin_deg = 37.9;
     loop.margins.phaseCrossover_rad_s = 2.0 * M_PI * 8.0;
     loop.margins.gainMargin_ratio = 4.2;
+    loop.isStable = true;
     const widgets::Figure figure = openLoopFigure(loop, std::nullopt);
     EXPECT_TRUE(hasLine(figure.panels.at(1), 3.0, "38"));
     EXPECT_TRUE(hasLine(figure.panels.at(0), 8.0, "4.2"));
+    AnalysisResult unstable = loop;
+    unstable.isStable = false; // has no margin, whatever the curve's crossings give
+    for (const widgets::Panel& panel : openLoopFigure(unstable, std::nullopt).panels) {
+        EXPECT_EQ(panel.lines.size(), 1U);
+    }
     loop.margins = {}; // no crossing: nothing to mark
     EXPECT_EQ(openLoopFigure(loop, std::nullopt).panels.at(1).lines.size(), 1U);
     EXPECT_EQ(openLoopFigure(loop, loop).panels.at(0).curves.size(), 2U);
