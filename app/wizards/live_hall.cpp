@@ -65,9 +65,11 @@ widgets::Figure liveHallFigure(const std::vector<LiveHall::Point>& points, doubl
     panel.y = {utf8(Words::tr("Hall B")), "mT", false, -largest_mT, largest_mT, {}};
     panel.height_px = 300;
     panel.curves.push_back(std::move(curve));
-    return {utf8(Words::tr("Field that the Hall sensors read")),
-            {utf8(Words::tr("Hall A")), "mT", false, -largest_mT, largest_mT, {}},
-            {std::move(panel)}};
+    widgets::Figure figure{utf8(Words::tr("Field that the Hall sensors read")),
+                           {utf8(Words::tr("Hall A")), "mT", false, -largest_mT, largest_mT, {}},
+                           {std::move(panel)}};
+    figure.isEqualScale = true; // a circle looks like one
+    return figure;
 }
 
 } // namespace halbench::app

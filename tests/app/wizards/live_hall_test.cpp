@@ -38,6 +38,8 @@ TEST(LiveHall, theAxesOfItsPictureStayWhatTheyAre) {
     const widgets::Figure none = liveHallFigure({}, 0.2);
     const widgets::Figure some = liveHallFigure({{0.1, -0.1}}, 0.2);
     EXPECT_EQ(none.x.max, some.x.max);
+    EXPECT_TRUE(none.isEqualScale);
+    EXPECT_TRUE(some.isEqualScale);
     EXPECT_EQ(some.panels.front().y.min, -200.0); // mT
     EXPECT_NEAR(some.panels.front().curves.front().x.front(), 100.0, 1e-9);
 }
