@@ -96,7 +96,7 @@ void DrivePanel::buildReference(QVBoxLayout* column) {
     m_start->setShortcut(QKeySequence(tr("Ctrl+Shift+R")));
     m_end = makeButton({tr("End"),
                         tr("Ends the reference: a position is held, a current goes to zero (Ctrl+Shift+E)"),
-                        QStringLiteral("pause")},
+                        QStringLiteral("end")},
                        this);
     m_end->setShortcut(QKeySequence(tr("Ctrl+Shift+E")));
     row->addWidget(m_start, 1);
