@@ -163,9 +163,11 @@ void CalibratePanel::write(const std::vector<ParameterValue>& values, bool isApp
         }
         self->m_result->isApplied = isApplying;
         self->endStep(ApplyStep, isApplying ? widgets::StepState::Done : widgets::StepState::Waiting);
-        const QString done = isApplying
-                                 ? tr("Applied and read back; it stays until the device is switched off.")
-                                 : tr("The values from before are back.");
+        const bool isSimulated = self->bench().session().info().isSimulated;
+        const QString done =
+            !isApplying   ? tr("The values from before are back.")
+            : isSimulated ? tr("Applied and read back; it stays until the simulated device is disconnected.")
+                          : tr("Applied and read back; it stays until the device is switched off.");
         self->bench().session().message(MessageLevel::Info, tr("Calibrate"), done);
         self->messages().showMessage({widgets::Severity::Success, done, {}, {}});
         self->refreshPlan();

@@ -32,7 +32,9 @@ constexpr Title Titles[] = {
     {"designed", QT_TRANSLATE_NOOP("halbench::app::DesignNames", "designed")},
     {"micro-step", QT_TRANSLATE_NOOP("halbench::app::DesignNames", "micro-step")},
     {"published-degrees", QT_TRANSLATE_NOOP("halbench::app::DesignNames", "published, in degrees")},
-    {"published-in-degrees", QT_TRANSLATE_NOOP("halbench::app::DesignNames", "published, in degrees")}};
+    {"published-in-degrees", QT_TRANSLATE_NOOP("halbench::app::DesignNames", "published, in degrees")},
+    {"device", QT_TRANSLATE_NOOP("halbench::app::DesignNames", "from the device")},
+    {"edited", QT_TRANSLATE_NOOP("halbench::app::DesignNames", "edited by hand")}};
 
 } // namespace
 

@@ -289,7 +289,7 @@ void TunePanel::restoreDesign(std::optional<GainsFile> gains) {
     if (m_restored) {
         m_gains->setLaw(shown.law);
         m_message->showMessage({widgets::Severity::Information,
-                                tr("From the project: gains by %1.").arg(designTitle(shown.method)),
+                                tr("Gains from the project: %1.").arg(designTitle(shown.method)),
                                 tr("Choose a method to design anew for the motor as it is now."),
                                 {}});
     }

@@ -60,6 +60,7 @@ TEST_F(CalibratePanelTest, proposesAppliesOnPurposeAndRestores) {
     EXPECT_TRUE(wait([&] { return apply->visibleRegion().boundingRect() == apply->rect(); }));
     click(panel, "Apply");
     ASSERT_TRUE(wait([&] { return message().startsWith("Applied"); })) << message().toStdString();
+    EXPECT_TRUE(message().endsWith("until the simulated device is disconnected.")) << message().toStdString();
     const auto after = valuesNow();
     EXPECT_NE(after.at("hall.offset_a"), before.at("hall.offset_a"));
     EXPECT_EQ(after.at("gain.kp"), before.at("gain.kp"));
