@@ -1,6 +1,8 @@
 #include "control/design/robustness.h"
 
 #include "control/base/assert.h"
+#include "control/design/loop_batch.h"
+#include "control/design/percentiles.h"
 
 #include <fmt/format.h>
 
@@ -65,32 +67,31 @@ StabilityMargins ofUnstable(StabilityMargins margins) {
     return margins;
 }
 
-Draw judge(const PositionPlant& plant, const PidGains& gains, const LoopTiming& timing) {
-    const auto loop = sampledOpenLoop(plant, gains, timing);
-    if (!loop) {
-        return {false, ofUnstable({0.0, 0.0, {}, {}, 0.0, 0.0})};
+/// Each draw on its own loop, all of them together. One that is no motor, or a law that is none, has nothing.
+std::vector<Draw> judge(const std::vector<PositionPlant>& plants, const PidGains& gains,
+                        const LoopTiming& timing) {
+    std::vector<Draw> judged(plants.size(), {false, ofUnstable({0.0, 0.0, {}, {}, 0.0, 0.0})});
+    const auto batch = LoopBatch::make(plants, gains, timing);
+    if (!batch) {
+        return judged;
     }
-    const bool isStable = poleRadius(*loop) < 1.0;
-    const StabilityMargins margins = smallestMargins(*loop);
-    return {isStable, isStable ? margins : ofUnstable(margins)};
-}
-
-/// Nearest rank: the value that this share of the draws does not exceed.
-double percentile(std::vector<double> values, double share_ratio) {
-    const auto rank =
-        static_cast<std::size_t>(std::ceil(share_ratio * static_cast<double>(values.size()))) - 1;
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank), values.end());
-    return values[rank];
+    const std::vector<BatchVerdict> verdicts = judgeBatch(*batch);
+    for (std::size_t lane = 0; lane < verdicts.size(); ++lane) {
+        const BatchVerdict& verdict = verdicts[lane];
+        judged[batch->plantOfLane()[lane]] = {
+            verdict.isStable, verdict.isStable ? verdict.margins : ofUnstable(verdict.margins)};
+    }
+    return judged;
 }
 
 template <typename Figure>
 Robustness::Interval spread(const std::vector<Draw>& draws, Figure figure) {
-    std::vector<double> values;
-    values.reserve(draws.size());
-    for (const Draw& draw : draws) {
-        values.push_back(figure(draw.margins));
+    Eigen::ArrayXd values(static_cast<Eigen::Index>(draws.size()));
+    for (std::size_t i = 0; i < draws.size(); ++i) {
+        values[static_cast<Eigen::Index>(i)] = figure(draws[i].margins);
     }
-    return {percentile(values, 0.05), percentile(values, 0.95)};
+    const MiddleNineTenths middle = middleNineTenths(values);
+    return {middle.p5, middle.p95};
 }
 
 Robustness summary(const std::vector<Draw>& draws, bool isUncertain) {
@@ -150,12 +151,8 @@ Result<Robustness> assessRobustness(const UncertainPlant& plant, const PidGains&
     if (!plants) {
         return failure(plants.error());
     }
-    std::vector<Draw> judged;
-    judged.reserve(plants->size());
-    for (const PositionPlant& drawn : *plants) {
-        judged.push_back(judge(drawn, gains, timing));
-    }
-    return summary(judged, plant.covariance.size() > 0 && plant.covariance.diagonal().maxCoeff() > 0.0);
+    return summary(judge(*plants, gains, timing),
+                   plant.covariance.size() > 0 && plant.covariance.diagonal().maxCoeff() > 0.0);
 }
 
 } // namespace halbench::control

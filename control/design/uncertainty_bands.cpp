@@ -1,7 +1,11 @@
 #include "control/design/uncertainty_bands.h"
 
+#include "control/base/units.h"
+#include "control/design/loop_batch.h"
+#include "control/design/percentiles.h"
 #include "control/lti/frequency_response.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -9,110 +13,64 @@ namespace halbench::control {
 
 namespace {
 
-bool isMotor(const PositionPlant& plant) {
-    return checkPlant(plant).has_value();
+void add(Band& band, const MiddleNineTenths& values) {
+    band.p5.push_back(values.p5);
+    band.p95.push_back(values.p95);
 }
 
-tl::unexpected<Error> noMotor() {
-    return failure(ErrorCode::Refused, "none of the drawn plants is a motor",
-                   "identify the motor again, or correct the model file");
+/// By how much the phase of each lane lies above that of the first.
+void turnFromFirst(Eigen::ArrayXd& real, Eigen::ArrayXd& imaginary, Eigen::ArrayXd& turn) {
+    const double real0 = real[0];
+    const double imaginary0 = imaginary[0];
+    turn = imaginary * real0 - real * imaginary0;
+    imaginary = real * real0 + imaginary * imaginary0;
+    real = turn;
+    turn = real / imaginary; // its tangent grows with the angle within a quarter turn
 }
-
-/// Curves beside each other, one a plant: percentile point by point (nearest rank).
-class Curves {
-public:
-    Curves(std::size_t points, std::size_t plants) : m_points(points), m_values(points) {
-        for (auto& values : m_values) {
-            values.reserve(plants);
-        }
-    }
-
-    void add(const std::vector<double>& curve) {
-        for (std::size_t i = 0; i < m_points; ++i) {
-            m_values[i].push_back(curve[i]);
-        }
-    }
-
-    bool isEmpty() const { return m_points == 0 || m_values.front().empty(); }
-
-    Band band() {
-        Band result;
-        for (auto& values : m_values) {
-            result.p5.push_back(percentile(values, 0.05));
-            result.p95.push_back(percentile(values, 0.95));
-        }
-        return result;
-    }
-
-private:
-    static double percentile(std::vector<double>& values, double share_ratio) {
-        const auto rank = std::ceil(share_ratio * static_cast<double>(values.size())) - 1.0;
-        const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank);
-        std::nth_element(values.begin(), at, values.end());
-        return *at;
-    }
-
-    std::size_t m_points;
-    std::vector<std::vector<double>> m_values;
-};
 
 } // namespace
 
 Result<LoopBands> loopBands(const std::vector<PositionPlant>& plants, const PidGains& gains,
                             const LoopTiming& timing, const std::vector<double>& frequency_rad_s) {
-    if (const auto valid = checkTiming(timing); !valid) {
+    const auto batch = LoopBatch::make(plants, gains, timing);
+    if (!batch) {
+        return failure(batch.error());
+    }
+    const auto valid = frequencyResponse(sampledPlant(batch->plant(0), timing.period_s), frequency_rad_s);
+    if (!valid) {
         return failure(valid.error());
     }
-    const auto controller = sampledController(gains, timing.period_s);
-    const auto delayed =
-        controller ? series(*controller, TransferFunction::delay(timing.delay_samples, timing.period_s))
-                   : controller;
-    const auto common = delayed ? frequencyResponse(*delayed, frequency_rad_s) : failure(delayed.error());
-    if (!common) {
-        return failure(common.error());
-    }
-    Curves magnitudes(frequency_rad_s.size(), plants.size());
-    Curves phases(frequency_rad_s.size(), plants.size());
-    for (const PositionPlant& plant : plants) {
-        if (!isMotor(plant)) {
-            continue;
-        }
-        FrequencyResponse loop = *frequencyResponse(sampledPlant(plant, timing.period_s), frequency_rad_s);
-        for (std::size_t i = 0; i < loop.value.size(); ++i) {
-            loop.value[i] *= common->value[i];
-        }
-        magnitudes.add(magnitude_dB(loop));
-        phases.add(phase_deg(loop));
-    }
-    if (magnitudes.isEmpty()) {
-        return noMotor();
-    }
-    return LoopBands{frequency_rad_s, magnitudes.band(), phases.band()};
-}
-
-Result<StepBand> stepBand(const std::vector<PositionPlant>& plants, const PidGains& gains,
-                          const LoopTiming& timing, double amplitude_rad, double duration_s,
-                          int pointsPerSample) {
-    std::vector<LoopStep> steps;
-    for (const PositionPlant& plant : plants) {
-        if (!isMotor(plant)) {
-            continue;
-        }
-        auto step = linearStep(plant, gains, timing, amplitude_rad, duration_s, pointsPerSample);
-        if (step) {
-            steps.push_back(std::move(*step));
-        } else if (step.error().code != ErrorCode::Refused) {
-            return failure(step.error());
+    FrequencyResponse first{frequency_rad_s, {}};
+    LoopBands bands{frequency_rad_s, {}, {}};
+    Eigen::ArrayXd real;
+    Eigen::ArrayXd imaginary;
+    Eigen::ArrayXd sorted;
+    for (const double frequency : frequency_rad_s) {
+        const std::complex<double> common = batch->common(frequency);
+        batch->rest(frequency, real, imaginary);
+        first.value.push_back(common * std::complex<double>(real[0], imaginary[0]));
+        sorted = real * real + imaginary * imaginary;
+        const MiddleNineTenths square = middleNineTenths(sorted); // grows with the decibels
+        const double common_dB = 10.0 * std::log10(std::norm(common));
+        add(bands.magnitude_dB,
+            {common_dB + 10.0 * std::log10(square.p5), common_dB + 10.0 * std::log10(square.p95)});
+        turnFromFirst(real, imaginary, sorted);
+        if ((imaginary > 0.0).all()) {
+            const MiddleNineTenths tangent = middleNineTenths(sorted);
+            add(bands.phase_deg,
+                {radiansToDegrees(std::atan(tangent.p5)), radiansToDegrees(std::atan(tangent.p95))});
+        } else {
+            sorted = real.binaryExpr(imaginary, [](double y, double x) { return std::atan2(y, x); });
+            const MiddleNineTenths turn = middleNineTenths(sorted);
+            add(bands.phase_deg, {radiansToDegrees(turn.p5), radiansToDegrees(turn.p95)});
         }
     }
-    if (steps.empty()) {
-        return noMotor();
+    const std::vector<double> phases = phase_deg(first);
+    for (std::size_t i = 0; i < phases.size(); ++i) {
+        bands.phase_deg.p5[i] += phases[i];
+        bands.phase_deg.p95[i] += phases[i];
     }
-    Curves curves(steps.front().time_s.size(), steps.size());
-    for (const LoopStep& step : steps) {
-        curves.add(step.response_rad);
-    }
-    return StepBand{steps.front().time_s, curves.band()};
+    return bands;
 }
 
 } // namespace halbench::control

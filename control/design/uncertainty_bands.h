@@ -3,6 +3,8 @@
 #include "control/base/result.h"
 #include "control/design/position_loop.h"
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace halbench::control {
@@ -30,8 +32,11 @@ struct StepBand {
     std::vector<double> time_s;
     Band response_rad;
 };
+/// Of more points than `mostPoints` so many are kept, closer together at the beginning where more happens;
+/// all of them are computed. Errors: as above; OutOfRange (extent).
 Result<StepBand> stepBand(const std::vector<PositionPlant>& plants, const PidGains& gains,
                           const LoopTiming& timing, double amplitude_rad, double duration_s,
-                          int pointsPerSample = 1);
+                          int pointsPerSample = 1,
+                          std::size_t mostPoints = std::numeric_limits<std::size_t>::max());
 
 } // namespace halbench::control

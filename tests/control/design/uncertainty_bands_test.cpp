@@ -80,5 +80,91 @@ TEST(UncertaintyBands, leaveOutWhatIsNoMotorAndRefuseWhenNoneIsLeft) {
     EXPECT_EQ(stepBand(one, recommended(), NoDelay, 0.0, 0.2).error().code, ErrorCode::OutOfRange);
 }
 
+/// Percentile of the nearest rank, sorted.
+double ranked(std::vector<double> values, double share_ratio) {
+    std::sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(std::ceil(share_ratio * static_cast<double>(values.size()))) - 1];
+}
+
+std::vector<PositionPlant> uncertainInAll(double deviation_ratio) {
+    UncertainPlant uncertain;
+    uncertain.mean = Eigen::Vector3d(1.23e-3 / 5.5e-4, 26.0, 1.434);
+    uncertain.covariance = (deviation_ratio * uncertain.mean).cwiseAbs2().asDiagonal();
+    uncertain.toPlant = [](const Eigen::VectorXd& p) { return PositionPlant{p(0), p(1), p(2)}; };
+    return *drawPlants(uncertain, 1000, Random(2));
+}
+
+// The plain route: each loop by its transfer function, each step by itself, all sorted.
+TEST(UncertaintyBands, togetherAreThoseOfTheLoopsOneByOne) {
+    const auto drawn = uncertainInAll(0.2);
+    const LoopTiming timing{0.01, 1};
+    PidGains gains = recommended();
+    gains.proportional = 12.0;
+    gains.integral = 10.0;
+    gains.derivative = 0.5;
+    const auto frequencies = logarithmicFrequencies(0.5, 300.0, 12);
+    const auto bands = loopBands(drawn, gains, timing, frequencies);
+    ASSERT_TRUE(bands.has_value());
+    std::vector<FrequencyResponse> loops;
+    for (const PositionPlant& plant : drawn) {
+        loops.push_back(*frequencyResponse(*sampledOpenLoop(plant, gains, timing), frequencies));
+    }
+    for (std::size_t i = 0; i < frequencies.size(); ++i) {
+        std::vector<double> magnitudes;
+        std::vector<double> phases;
+        for (const FrequencyResponse& loop : loops) {
+            magnitudes.push_back(magnitude_dB(loop)[i]);
+            phases.push_back(phase_deg(loop)[i]);
+        }
+        // Near z = 1 the multiplied polynomials of the whole loop keep some ten digits.
+        EXPECT_NEAR(bands->magnitude_dB.p5[i], ranked(magnitudes, 0.05), 1e-7);
+        EXPECT_NEAR(bands->magnitude_dB.p95[i], ranked(magnitudes, 0.95), 1e-7);
+        EXPECT_NEAR(bands->phase_deg.p5[i], ranked(phases, 0.05), 1e-6);
+        EXPECT_NEAR(bands->phase_deg.p95[i], ranked(phases, 0.95), 1e-6);
+    }
+}
+
+TEST(UncertaintyBands, ofStepsTogetherAreThoseOfTheStepsOneByOne) {
+    const auto drawn = uncertainInAll(0.2);
+    for (const int delay_samples : {0, 2}) {
+        const LoopTiming timing{0.01, delay_samples};
+        PidGains gains = recommended();
+        gains.proportional = delay_samples == 0 ? 40.0 : 5.0;
+        gains.derivative = delay_samples == 0 ? 1.4 : 0.3;
+        gains.integral = 3.0;
+        const auto band = stepBand(drawn, gains, timing, 0.5, 0.4, 5);
+        ASSERT_TRUE(band.has_value());
+        std::vector<LoopStep> steps;
+        for (const PositionPlant& plant : drawn) {
+            steps.push_back(*linearStep(plant, gains, timing, 0.5, 0.4, 5));
+        }
+        ASSERT_EQ(band->time_s.size(), steps.front().time_s.size());
+        for (std::size_t i = 0; i < band->time_s.size(); i += 7) {
+            std::vector<double> angles;
+            for (const LoopStep& step : steps) {
+                angles.push_back(step.response_rad[i]);
+            }
+            EXPECT_DOUBLE_EQ(band->time_s[i], steps.front().time_s[i]);
+            EXPECT_NEAR(band->response_rad.p5[i], ranked(angles, 0.05), 1e-12); // rounding of 400 steps
+            EXPECT_NEAR(band->response_rad.p95[i], ranked(angles, 0.95), 1e-12);
+        }
+    }
+}
+
+TEST(UncertaintyBands, ofALongStepKeepSomePointsFromTheFirstToTheLast) {
+    const auto drawn = uncertainInAll(0.05);
+    const auto whole = stepBand(drawn, recommended(), NoDelay, 1.0, 10.0);
+    const auto some = stepBand(drawn, recommended(), NoDelay, 1.0, 10.0, 1, 50);
+    ASSERT_TRUE(whole && some);
+    EXPECT_EQ(whole->time_s.size(), 1001u);
+    EXPECT_LE(some->time_s.size(), 50u);
+    EXPECT_EQ(some->time_s.front(), 0.0);
+    EXPECT_EQ(some->time_s.back(), whole->time_s.back());
+    for (std::size_t i = 0; i < some->time_s.size(); ++i) {
+        const auto at = static_cast<std::size_t>(std::lround(some->time_s[i] / 0.01));
+        EXPECT_EQ(some->response_rad.p95[i], whole->response_rad.p95[at]);
+    }
+}
+
 } // namespace
 } // namespace halbench::control
