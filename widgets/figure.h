@@ -9,7 +9,16 @@ namespace halbench::widgets {
 /// Plain values a plot is drawn from; no Qt, so that whoever computes can fill them. All in the units of the
 /// axes.
 
-enum class CurveStyle { Line, DashedLine, DottedLine, Points, HollowPoints, Crosses };
+enum class CurveStyle {
+    Line,
+    DashedLine,
+    DottedLine,
+    Points,
+    HollowPoints,
+    Crosses,
+    Band ///< outline of an area, filled faintly behind the curves; it does not count for the extent of an
+         ///< axis
+};
 
 /// Places that are marked one by one, not joined.
 constexpr bool isMarkers(CurveStyle style) {

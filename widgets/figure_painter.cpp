@@ -38,6 +38,12 @@ QPen curvePen(CurveStyle style, const QColor& colour) {
     return pen;
 }
 
+QColor bandColour(QColor colour) {
+    constexpr double Faint = 0.22; // the curve within and the grid behind are both seen
+    colour.setAlphaF(Faint);
+    return colour;
+}
+
 void drawMarker(QPainter& painter, CurveStyle style, const QColor& colour, const QPointF& centre) {
     const QwtSymbol symbol(style == CurveStyle::Crosses ? QwtSymbol::XCross : QwtSymbol::Ellipse,
                            style == CurveStyle::Points ? QBrush(colour) : QBrush(Qt::NoBrush),
@@ -124,6 +130,9 @@ public:
     }
 
     void drawCurve(const Curve& curve, const QColor& colour) {
+        if (curve.style == CurveStyle::Band) {
+            return; // lies behind all of them
+        }
         const auto columns = static_cast<std::size_t>(m_canvas.width()) * ColumnsPerPixel;
         const auto stretches =
             decimated(curve.x, curve.y, m_x.division.lowerBound(), m_x.division.upperBound(), columns);
@@ -134,6 +143,27 @@ public:
                 drawLine(stretch, curvePen(curve.style, colour));
             }
         }
+    }
+
+    void drawBand(const Curve& curve, const QColor& colour) {
+        if (curve.style != CurveStyle::Band) {
+            return;
+        }
+        const double far_px = 2.0 * m_canvas.height(); // what lies further off fills no other pixel
+        QPolygonF outline;
+        for (std::size_t i = 0; i < curve.x.size(); ++i) {
+            const QPointF place(m_xMap.transform(curve.x[i]), m_yMap.transform(curve.y[i]));
+            if (std::isfinite(place.x()) && !std::isnan(place.y())) {
+                outline << QPointF(
+                    place.x(), std::clamp(place.y(), m_canvas.top() - far_px, m_canvas.bottom() + far_px));
+            }
+        }
+        m_painter.save();
+        m_painter.setClipRect(m_canvas, Qt::IntersectClip);
+        m_painter.setPen(Qt::NoPen);
+        m_painter.setBrush(bandColour(colour));
+        m_painter.drawPolygon(outline);
+        m_painter.restore();
     }
 
     void drawScale(QwtScaleDraw::Alignment alignment, bool hasLabels) {
@@ -173,7 +203,7 @@ private:
     /// Whether a curve's segment comes into the rectangle; judged by the box around each segment.
     bool isCrossed(const QRectF& place, const std::vector<Curve>& curves) const {
         for (const Curve& curve : curves) {
-            for (std::size_t i = 0; i + 1 < curve.x.size(); ++i) {
+            for (std::size_t i = 0; curve.style != CurveStyle::Band && i + 1 < curve.x.size(); ++i) {
                 const QPointF from(m_xMap.transform(curve.x[i]), m_yMap.transform(curve.y[i]));
                 const QPointF to(m_xMap.transform(curve.x[i + 1]), m_yMap.transform(curve.y[i + 1]));
                 if (QRectF(from, to).normalized().adjusted(-1.0, -1.0, 1.0, 1.0).intersects(place)) {
@@ -249,7 +279,9 @@ void drawLegend(QPainter& painter, const FigureLayout::PanelPlace& place, const 
     for (const FigureLayout::LegendEntry& entry : place.legend) {
         const QColor colour = theme.curves[static_cast<std::size_t>(entry.colour)];
         const QPointF middle(entry.left + 9.0, entry.baseline - 4.0);
-        if (isMarkers(entry.curve->style)) {
+        if (entry.curve->style == CurveStyle::Band) {
+            painter.fillRect(QRectF(middle - QPointF(9.0, 5.0), QSizeF(18.0, 10.0)), bandColour(colour));
+        } else if (isMarkers(entry.curve->style)) {
             drawMarker(painter, entry.curve->style, colour, middle);
         } else {
             painter.setPen(curvePen(entry.curve->style, colour));
@@ -308,15 +340,21 @@ void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& la
         const FigureScale y = verticalScale(panel, place.canvas.height());
         PanelPainter panelPainter(painter, theme, place.canvas, x, y, decimalPoint);
         panelPainter.drawBackground();
+        const auto colourOf = [&](std::size_t curve) {
+            const int colour = panel.curves[curve].colour.value_or(static_cast<int>(curve)) % 8;
+            return theme.curves[static_cast<std::size_t>(colour)];
+        };
+        for (std::size_t k = 0; k < panel.curves.size(); ++k) {
+            panelPainter.drawBand(panel.curves[k], colourOf(k));
+        }
         for (const ReferenceLine& line : panel.lines) {
             panelPainter.drawReferenceLine(line);
         }
         const FigureScale right = panel.right ? rightScale(panel, place.canvas.height()) : y;
         PanelPainter rightPainter(painter, theme, place.canvas, x, right, decimalPoint);
         for (std::size_t k = 0; k < panel.curves.size(); ++k) {
-            const int colour = panel.curves[k].colour.value_or(static_cast<int>(k)) % 8;
             PanelPainter& onAxis = panel.curves[k].isRight ? rightPainter : panelPainter;
-            onAxis.drawCurve(panel.curves[k], theme.curves[static_cast<std::size_t>(colour)]);
+            onAxis.drawCurve(panel.curves[k], colourOf(k));
         }
         for (const ReferenceLine& line : panel.lines) {
             panelPainter.drawReferenceLabel(line, panel);

@@ -51,7 +51,9 @@ QString curveText(const Curve& curve) {
 }
 
 bool isReadable(const Panel& panel, const Curve& curve) {
-    return !curve.label.empty() || panel.curves.size() == 1;
+    const auto lines = std::count_if(panel.curves.begin(), panel.curves.end(),
+                                     [](const Curve& each) { return each.style != CurveStyle::Band; });
+    return curve.style != CurveStyle::Band && (!curve.label.empty() || lines == 1);
 }
 
 QString panelSummary(const Panel& panel) {
@@ -59,7 +61,7 @@ QString panelSummary(const Panel& panel) {
     double high = -INFINITY;
     QStringList curves;
     for (const Curve& curve : panel.curves) {
-        for (const double value : curve.y) {
+        for (const double value : curve.style == CurveStyle::Band ? std::vector<double>() : curve.y) {
             low = std::isfinite(value) ? std::min(low, value) : low;
             high = std::isfinite(value) ? std::max(high, value) : high;
         }

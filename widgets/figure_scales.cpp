@@ -112,6 +112,9 @@ FigureScale scaleOf(const Axis& axis, Extent extent, bool isWidened, int majorTi
 Extent extentOf(const std::vector<Curve>& curves, bool isRight, const Axis& axis) {
     Extent extent;
     for (const Curve& curve : curves) {
+        if (curve.style == CurveStyle::Band) {
+            continue; // one motor that runs away would hide all others
+        }
         for (std::size_t i = 0; curve.isRight == isRight && i < curve.y.size(); ++i) {
             extent.include(curve.y[i], axis.isLogarithmic);
         }
@@ -140,6 +143,9 @@ FigureScale horizontalScale(const Figure& figure, double length_px) {
     bool isWidened = false;
     for (const Panel& panel : figure.panels) {
         for (const Curve& curve : panel.curves) {
+            if (curve.style == CurveStyle::Band) {
+                continue;
+            }
             isWidened = isWidened || isMarkers(curve.style);
             for (const double value : curve.x) {
                 extent.include(value, figure.x.isLogarithmic);

@@ -42,6 +42,27 @@ std::optional<double> abscissaOf(const Figure& figure, const FigurePoint& point)
     return point.index < curve.x.size() ? std::optional(curve.x[point.index]) : std::nullopt;
 }
 
+/// Of a picture: device-independent pixels, how many pixels each of them is, and how much larger than the
+/// figure's own they are.
+struct Extent {
+    QSize size;
+    double pixelRatio;
+    double scale;
+};
+
+QImage drawn(const Figure& figure, const FigureLayout& layout, const Extent& extent) {
+    QImage image(extent.size * extent.pixelRatio, QImage::Format_ARGB32_Premultiplied);
+    image.setDevicePixelRatio(extent.pixelRatio);
+    const Theme theme = currentTheme();
+    image.fill(theme.panel);
+    if (!figure.panels.empty()) {
+        QPainter painter(&image);
+        painter.scale(extent.scale, extent.scale);
+        paintFigure(painter, figure, layout, theme, QLocale().decimalPoint());
+    }
+    return image;
+}
+
 /// As it stands on the screen.
 QByteArray png(const QImage& image) {
     QByteArray bytes;
@@ -116,18 +137,8 @@ Figure FigureView::stretched() const {
 }
 
 QImage FigureView::image(double pixelRatio) const {
-    QImage image(size() * pixelRatio, QImage::Format_ARGB32_Premultiplied);
-    image.setDevicePixelRatio(pixelRatio);
-    const Theme theme = currentTheme();
-    image.fill(theme.panel);
-    if (!isEmpty()) {
-        const Figure figure = stretched();
-        QPainter painter(&image);
-        painter.scale(scale(), scale());
-        paintFigure(painter, figure, layOut(figure, static_cast<int>(width() / scale())), theme,
-                    QLocale().decimalPoint());
-    }
-    return image;
+    const Figure figure = isEmpty() ? Figure{} : stretched();
+    return drawn(figure, layOut(figure, static_cast<int>(width() / scale())), {size(), pixelRatio, scale()});
 }
 
 std::function<Result<void>()> FigureView::saving(const QString& path) const {
@@ -158,16 +169,16 @@ QSize FigureView::minimumSizeHint() const {
 }
 
 void FigureView::paintEvent(QPaintEvent*) {
+    const Figure figure = isEmpty() ? Figure{} : stretched();
+    const FigureLayout layout = layOut(figure, static_cast<int>(width() / scale()));
     if (m_drawn.isNull() || m_drawn.size() != size() * devicePixelRatioF()) {
-        m_drawn = QPixmap::fromImage(image(devicePixelRatioF()));
+        m_drawn = QPixmap::fromImage(drawn(figure, layout, {size(), devicePixelRatioF(), scale()}));
     }
     QPainter painter(this);
     painter.drawPixmap(0, 0, m_drawn);
     if (isEmpty()) {
         return;
     }
-    const Figure figure = stretched();
-    const FigureLayout layout = layOut(figure, static_cast<int>(width() / scale()));
     painter.scale(scale(), scale());
     if (hasFocus()) {
         painter.setPen(QPen(currentTheme().accent, 2.0));

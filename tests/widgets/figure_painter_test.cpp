@@ -181,5 +181,35 @@ TEST(FigureAxis, neverShowsANegativeZeroAndKeepsExtremesShort) {
     }
 }
 
+TEST(FigurePainter, aBandIsFilledBehindItsCurveAndDoesNotStretchTheAxis) {
+    const auto application = OffscreenApplication::ensure();
+    Figure figure = twoPanels();
+    figure.panels.resize(1);
+    Panel& panel = figure.panels.front();
+    panel.curves = {{"one", {0.0, 1.0}, {0.0, 1.0}, CurveStyle::Line, 1}};
+    const FigureScale plain = verticalScale(panel, 200.0);
+    panel.curves.push_back(
+        {"5 % to 95 %", {0.0, 1.0, 1.0, 0.0}, {0.3, 1e30, 0.7, -0.3}, CurveStyle::Band, 0});
+    EXPECT_EQ(verticalScale(panel, 200.0).division.upperBound(), plain.division.upperBound());
+    const FigureLayout layout = layOut(figure, 600);
+    EXPECT_EQ(layout.panels[0].legend.size(), 2U);
+    QImage image(layout.size, QImage::Format_ARGB32_Premultiplied);
+    const Theme theme = *loadTheme("light");
+    image.fill(theme.panel);
+    QPainter painter(&image);
+    paintFigure(painter, figure, layout, theme);
+    painter.end();
+    const QRectF canvas = layout.panels[0].canvas;
+    const auto shade = [&](double x, double y) {
+        return image.pixelColor(
+            QPointF(canvas.left() + x * canvas.width() + 3.0, canvas.bottom() - y * canvas.height() + 3.0)
+                .toPoint());
+    };
+    // Above the curve in the middle everything is band, up to the frame; below its lower edge nothing is.
+    EXPECT_NE(shade(0.5, 0.8), theme.plotBackground);
+    EXPECT_EQ(shade(0.5, 0.1), theme.plotBackground);
+    EXPECT_LT(std::abs(shade(0.5, 0.8).lightness() - theme.plotBackground.lightness()), 60); // faint
+}
+
 } // namespace
 } // namespace halbench::widgets
