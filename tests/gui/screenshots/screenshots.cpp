@@ -10,12 +10,14 @@
 #include "app/workspaces/page_chooser.h"
 #include "app/workspaces/tune_form.h"
 #include "tests/app/workspaces/published_motor.h"
+#include "widgets/figure_view.h"
 #include "widgets/theme_style.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QDir>
+#include <QMouseEvent>
 #include <QPixmap>
 #include <QPushButton>
 #include <QStandardPaths>
@@ -115,6 +117,41 @@ public:
         }
         m_window.bench().setIdentification(publishedMotor());
         return takeTuning() && m_isSaved;
+    }
+
+    /// The crossover is dragged through the Bode plot, then the margin; the pictures follow.
+    bool takeDragging() {
+        m_window.connectDevice(QStringLiteral("sim:htm"));
+        if (!wait([this] { return !m_window.bench().deviceValues().empty(); })) {
+            return false;
+        }
+        m_window.bench().setIdentification(publishedMotor());
+        m_window.docks().setPerspective(Perspective::Tune);
+        if (!wait([this] { return m_window.bench().design().has_value(); })) {
+            return false;
+        }
+        QTest::qWait(DataTime_ms / 5);
+        take(QStringLiteral("drag-1-before"));
+        hold(0);
+        pull({-28, 0});
+        take(QStringLiteral("drag-2-slower"));
+        pull({70, 0});
+        take(QStringLiteral("drag-3-faster"));
+        pull({160, 0});
+        take(QStringLiteral("drag-4-beyond-reach"));
+        pull({-188, 0});
+        letGo();
+        QTest::qWait(Settling_ms); // who looks for the other handle
+        hold(1);
+        pull({0, -14});
+        take(QStringLiteral("drag-5-margin"));
+        letGo();
+        if (!wait([this] { return m_window.bench().design()->method == "edited"; })) {
+            return false;
+        }
+        QTest::qWait(DataTime_ms / 5);
+        take(QStringLiteral("drag-6-released"));
+        return m_isSaved;
     }
 
     /// Those of the folder "recordings" beside the pictures: laid over each other, their results, one that is
@@ -229,6 +266,27 @@ private:
             m_isSaved = shown.grab().save(QDir(m_folder).filePath(file)) && m_isSaved;
         }
     }
+
+    widgets::FigureView& openLoop() {
+        return m_window.docks().panel("tune")->findChild<LoopView*>()->picture();
+    }
+
+    void mouse(QEvent::Type type, Qt::MouseButton button, Qt::MouseButtons buttons) {
+        QMouseEvent event(type, QPointF(m_hand), button, buttons, Qt::NoModifier);
+        QApplication::sendEvent(&openLoop(), &event);
+    }
+
+    void hold(int handle) {
+        m_hand = openLoop().handlePlace(handle).value_or(QPoint());
+        mouse(QEvent::MouseButtonPress, Qt::LeftButton, Qt::LeftButton);
+    }
+
+    void pull(const QPoint& way) {
+        m_hand += way;
+        mouse(QEvent::MouseMove, Qt::NoButton, Qt::LeftButton);
+    }
+
+    void letGo() { mouse(QEvent::MouseButtonRelease, Qt::LeftButton, Qt::NoButton); }
 
     void takePerspectives(const QString& prefix) {
         for (const Perspective perspective : AllPerspectives) {
@@ -362,6 +420,7 @@ private:
     QString m_folder;
     QString m_language;
     MainWindow m_window;
+    QPoint m_hand; ///< in the picture of the open loop
     bool m_isSaved = true;
 };
 
@@ -377,11 +436,12 @@ int main(int count, char** words) {
         {"help", &Photographer::takeHelp},
         {"recordings", &Photographer::takeRecordings},
         {"calibration", &Photographer::takeCalibrationOnly},
-        {"tune", &Photographer::takeTune}};
+        {"tune", &Photographer::takeTune},
+        {"dragging", &Photographer::takeDragging}};
     const auto subject = subjects.find(count == 6 ? QByteArray(words[5]) : QByteArray(""));
     if (count < 5 || count > 6 || subject == subjects.end()) {
         std::fprintf(stderr, "usage: halbench_screenshots FOLDER LANGUAGE WIDTH HEIGHT "
-                             "[monitor|help|recordings|calibration|tune]\n");
+                             "[monitor|help|recordings|calibration|tune|dragging]\n");
         return 2;
     }
     qputenv("QT_QPA_PLATFORM", "offscreen");
