@@ -36,4 +36,18 @@ std::vector<LoopCurve> loopCurves(const AnalysisResult& predicted,
     return curves;
 }
 
+widgets::Curve bandCurve(const std::vector<double>& x, const control::Band& band, double xScale,
+                         double yScale) {
+    widgets::Curve curve{Words::tr("5 % to 95 % of the motors").toStdString(), {}, {}, CurveStyle::Band, 0};
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        curve.x.push_back(xScale * x[i]);
+        curve.y.push_back(yScale * band.p95[i]);
+    }
+    for (std::size_t i = x.size(); i-- > 0;) { // and back along the lower edge
+        curve.x.push_back(xScale * x[i]);
+        curve.y.push_back(yScale * band.p5[i]);
+    }
+    return curve;
+}
+
 } // namespace halbench::app

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/procedures/analyse.h"
+#include "app/procedures/loop_uncertainty.h"
 #include "widgets/figure.h"
 
 #include <optional>
@@ -22,6 +22,10 @@ struct LoopCurve {
     widgets::CurveStyle style;
     int colour;
 };
+
+/// Where nine tenths of the motors lie: an area of the proposed loop's colour. `scale` multiplies its values.
+widgets::Curve bandCurve(const std::vector<double>& x, const control::Band& band, double xScale = 1.0,
+                         double yScale = 1.0);
 
 /// Curve role of what belongs to a picture and to no loop: unit circle, margins, measured points.
 constexpr int MarkColour = 6;

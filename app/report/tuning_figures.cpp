@@ -108,7 +108,8 @@ widgets::Panel angleOverCurrent(widgets::Figure& figure, const AngleScale& scale
 
 widgets::Figure openLoopFigure(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present,
                                const std::vector<NamedLoop>& others,
-                               const std::optional<MeasuredLoop>& measured) {
+                               const std::optional<MeasuredLoop>& measured,
+                               const std::optional<LoopUncertainty>& uncertainty) {
     widgets::BodeContent content;
     content.title = utf8(Words::tr("Open loop"));
     for (const LoopCurve& each : loopCurves(predicted, present, others)) {
@@ -126,13 +127,20 @@ widgets::Figure openLoopFigure(const AnalysisResult& predicted, const std::optio
     if (predicted.isStable) { // a factor "to the limit" would read as room that is not there
         markMargins(content, predicted.margins);
     }
-    return widgets::bodeFigure(content);
+    widgets::Figure figure = widgets::bodeFigure(content);
+    if (uncertainty) {
+        const control::LoopBands& bands = uncertainty->loop;
+        constexpr double ToHertz = 0.5 / Pi;
+        figure.panels[0].curves.push_back(bandCurve(bands.frequency_rad_s, bands.magnitude_dB, ToHertz));
+        figure.panels[1].curves.push_back(bandCurve(bands.frequency_rad_s, bands.phase_deg, ToHertz));
+    }
+    return figure;
 }
 
 std::optional<widgets::Figure> linearStepFigure(const AnalysisResult& predicted,
                                                 const std::optional<AnalysisResult>& present,
-                                                widgets::AngleUnit unit,
-                                                const std::vector<NamedLoop>& others) {
+                                                widgets::AngleUnit unit, const std::vector<NamedLoop>& others,
+                                                const std::optional<LoopUncertainty>& uncertainty) {
     if (predicted.stepCurve.time_s.empty()) {
         return std::nullopt;
     }
@@ -154,6 +162,9 @@ std::optional<widgets::Figure> linearStepFigure(const AnalysisResult& predicted,
             current.curves.back().y.push_back(current_A / scale.factor);
         }
     }
+    if (uncertainty && uncertainty->step) {
+        response.curves.push_back(bandCurve(uncertainty->step->time_s, uncertainty->step->response_rad));
+    }
     return widgets::Figure{utf8(Words::tr("Predicted step of %1, linear loop")
                                     .arg(QString::fromStdString(scale.text(1.0 / scale.factor)))),
                            {utf8(Words::tr("time")), "s", false, {}, {}, {}},
@@ -162,8 +173,8 @@ std::optional<widgets::Figure> linearStepFigure(const AnalysisResult& predicted,
 
 std::optional<widgets::Figure> largeStepFigure(const AnalysisResult& predicted,
                                                const std::optional<AnalysisResult>& present,
-                                               widgets::AngleUnit unit,
-                                               const std::vector<NamedLoop>& others) {
+                                               widgets::AngleUnit unit, const std::vector<NamedLoop>& others,
+                                               const std::optional<LoopUncertainty>& uncertainty) {
     if (!predicted.largeStep || predicted.largeStep->trace.time_s.empty()) {
         return std::nullopt;
     }
@@ -178,6 +189,10 @@ std::optional<widgets::Figure> largeStepFigure(const AnalysisResult& predicted,
                 {each.label, trace.time_s, scale.of(trace.angle_rad), each.style, each.colour});
             current.curves.push_back({each.label, trace.time_s, trace.current_A, each.style, each.colour});
         }
+    }
+    if (uncertainty && uncertainty->largeStep) {
+        angle.curves.push_back(bandCurve(uncertainty->largeStep->time_s, uncertainty->largeStep->response_rad,
+                                         1.0, scale.factor));
     }
     const double height_rad = predicted.largeStep->amplitude_rad;
     const double band_rad = predicted.frictionBand_rad;

@@ -17,23 +17,27 @@ namespace halbench::app {
 
 /// Open loop with its margins marked; `present` is the loop of the gains that run now, drawn beside it.
 /// `measured`: the same gains on a measured plant, as points; those that are not coherent are hollow.
+/// `uncertainty`, here and below: of the proposed loop; nothing draws no band.
 widgets::Figure openLoopFigure(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present,
                                const std::vector<NamedLoop>& others = {},
-                               const std::optional<MeasuredLoop>& measured = std::nullopt);
+                               const std::optional<MeasuredLoop>& measured = std::nullopt,
+                               const std::optional<LoopUncertainty>& uncertainty = std::nullopt);
 
 /// Step of 1 rad or 1 degree of the linear loop with its current, `present` beside it; nothing for an
 /// unstable loop.
 std::optional<widgets::Figure> linearStepFigure(const AnalysisResult& predicted,
                                                 const std::optional<AnalysisResult>& present,
                                                 widgets::AngleUnit unit = widgets::AngleUnit::Radian,
-                                                const std::vector<NamedLoop>& others = {});
+                                                const std::vector<NamedLoop>& others = {},
+                                                const std::optional<LoopUncertainty>& uncertainty = {});
 
 /// The large step with friction and current limit, with the band in which friction may hold the rotor;
 /// `present` beside it. Nothing when it was not predicted.
 std::optional<widgets::Figure> largeStepFigure(const AnalysisResult& predicted,
                                                const std::optional<AnalysisResult>& present,
                                                widgets::AngleUnit unit = widgets::AngleUnit::Degree,
-                                               const std::vector<NamedLoop>& others = {});
+                                               const std::vector<NamedLoop>& others = {},
+                                               const std::optional<LoopUncertainty>& uncertainty = {});
 
 /// A verifying step from its start: measured over predicted with the set-point; what is left to the set-point
 /// with the error that the prediction allows and what friction may hold; the current.

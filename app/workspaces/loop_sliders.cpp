@@ -52,7 +52,7 @@ LoopSliders::LoopSliders(QWidget* parent) : QWidget(parent), m_note(makeNote(thi
     m_margin->setSingleStep(static_cast<int>(Places_per_deg));
     m_margin->setPageStep(static_cast<int>(5.0 * Places_per_deg));
     grid->addWidget(m_note, 2, 0, 1, 2);
-    reserveLines(*m_note, 2);
+    reserveLines(*m_note, 3);
     m_buttons = new QHBoxLayout;
     m_buttons->setSpacing(0);
     grid->addLayout(m_buttons, 2, 2, Qt::AlignRight | Qt::AlignTop);

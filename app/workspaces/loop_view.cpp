@@ -54,8 +54,9 @@ void LoopView::sayWords() {
 }
 
 void LoopView::setLoops(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present,
-                        const std::vector<NamedLoop>& others, const std::optional<MeasuredLoop>& measured) {
-    m_figures = {openLoopFigure(predicted, present, others, measured),
+                        const std::vector<NamedLoop>& others, const std::optional<MeasuredLoop>& measured,
+                        const std::optional<LoopUncertainty>& uncertainty) {
+    m_figures = {openLoopFigure(predicted, present, others, measured, uncertainty),
                  nyquistFigure(predicted, present, others, measured),
                  nicholsFigure(predicted, present, others, measured),
                  sensitivityFigure(predicted, present, others).value_or(widgets::Figure{}),

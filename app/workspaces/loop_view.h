@@ -31,7 +31,8 @@ public:
 
     void setLoops(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present,
                   const std::vector<NamedLoop>& others,
-                  const std::optional<MeasuredLoop>& measured = std::nullopt); ///< in Bode, Nyquist, Nichols
+                  const std::optional<MeasuredLoop>& measured = std::nullopt, ///< in Bode, Nyquist, Nichols
+                  const std::optional<LoopUncertainty>& uncertainty = std::nullopt); ///< in the Bode plot
     void setView(View view);
     widgets::FigureView& picture() { return *m_picture; }
 

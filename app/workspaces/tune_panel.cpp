@@ -154,6 +154,7 @@ void TunePanel::refreshModel() {
         m_early.reset();
         m_sketching.cancel();
         m_judging.cancel();
+        m_spreading.cancel();
         showShape();
         refreshButtons();
         return;
@@ -260,6 +261,7 @@ void TunePanel::ask() {
     m_early.reset();
     m_sketching.cancel();
     m_judging.cancel(); // answers to older numbers must not come after a number that is none
+    m_spreading.cancel();
     if (const auto asked = question()) {
         m_sketching.run([asked = *asked] { return sketchTuning(asked); },
                         [this](const Result<TuneSketch>& sketch) { showSketch(sketch); });

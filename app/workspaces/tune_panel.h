@@ -156,6 +156,7 @@ private:
     std::optional<TuneQuestion> question();
     void showSketch(const Result<TuneSketch>& sketch);
     void showEarlyAnswer();
+    void spreadLargeStep(const TuneResult& proposed);
     void showAnswer(const Result<TuneResult>& answer, std::optional<double> bandwidth_rad_s);
     void showProblem(const Error& error);
     void refreshButtons();
@@ -178,6 +179,7 @@ private:
     LatestTask m_sketching; ///< what can be drawn at once
     LatestTask m_judging;   ///< the rest
     LatestTask m_comparing; ///< the kept designs
+    LatestTask m_spreading; ///< the band of the large step, which takes longest
     FileQueue m_files;
     LoopConditions m_conditions;
     std::optional<control::PositionLaw> m_presentLaw; ///< that m_present is of

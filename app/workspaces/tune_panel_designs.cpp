@@ -170,9 +170,12 @@ void TunePanel::drawPredictions() {
     const widgets::AngleUnit unit = m_bench.displayUnits().angle;
     const AnalysisResult& predicted = m_sketch->predicted;
     const std::vector<NamedLoop> others = drawnLoops();
-    m_loop->setLoops(predicted, m_present, others, drawnMeasurement());
-    m_linear->setFigure(linearStepFigure(predicted, m_present, unit, others).value_or(widgets::Figure{}));
-    m_large->setFigure(largeStepFigure(predicted, m_present, unit, others).value_or(widgets::Figure{}));
+    const std::optional<LoopUncertainty>& uncertainty = m_sketch->uncertainty;
+    m_loop->setLoops(predicted, m_present, others, drawnMeasurement(), uncertainty);
+    m_linear->setFigure(
+        linearStepFigure(predicted, m_present, unit, others, uncertainty).value_or(widgets::Figure{}));
+    m_large->setFigure(
+        largeStepFigure(predicted, m_present, unit, others, uncertainty).value_or(widgets::Figure{}));
 }
 
 } // namespace halbench::app

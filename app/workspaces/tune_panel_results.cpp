@@ -136,6 +136,7 @@ void TunePanel::showAnswer(const Result<TuneResult>& answer, std::optional<doubl
     }
     showDesigns();
     refreshButtons();
+    spreadLargeStep(proposed);
 }
 
 void TunePanel::showProblem(const Error& error) {

@@ -26,7 +26,7 @@ void TunePanel::connectShaping() {
             [this](double factor) { shape(Shaping::Kind::Gain, factor); });
 }
 
-/// From the loop that is seen, not from one that is on its way.
+/// From the gains that stand in their fields, also when their picture is still on its way.
 bool TunePanel::startShaping(bool isHeld) {
     m_shaping.reset();
     const auto& identification = m_bench.identification();
@@ -37,8 +37,9 @@ bool TunePanel::startShaping(bool isHeld) {
     }
     m_sliders->sayProblem({});
     m_shaping.emplace();
-    m_shaping->law = m_sketch->law;
-    m_shaping->aim = control::crossoverAimOf(*plant, m_conditions.timing, m_sketch->law.gains);
+    const auto edited = m_form->origin() == TuneForm::Origin::Edited ? m_gains->law() : m_sketch->law;
+    m_shaping->law = edited.value_or(m_sketch->law);
+    m_shaping->aim = control::crossoverAimOf(*plant, m_conditions.timing, m_shaping->law.gains);
     m_shaping->isHeld = isHeld;
     return true;
 }
@@ -133,6 +134,9 @@ void TunePanel::endShaping() {
         drawPredictions(); // the axes may find their extent again
         showShape();
     }
+    if (m_shown) { // else it follows the answer
+        spreadLargeStep(*m_shown);
+    }
 }
 
 void TunePanel::useEdited(const control::PositionLaw& law) {
@@ -154,6 +158,28 @@ void TunePanel::showShape() {
         aim = {*margins.gainCrossover_rad_s, margins.phaseMargin_deg, 0.0};
     }
     m_sliders->setLoop(aim, m_conditions.timing);
+}
+
+/// The last of what is drawn, when nobody moves the gains any more: a thousand motors with friction and
+/// limit.
+void TunePanel::spreadLargeStep(const TuneResult& proposed) {
+    const bool isMoving = m_shaping && m_shaping->isHeld;
+    if (isMoving || !m_sketch || !m_sketch->uncertainty || !m_sketch->predicted.largeStep) {
+        return;
+    }
+    const TuneConfig defaults;
+    m_spreading.run(
+        [motor = motorEstimate(*m_bench.identification()), law = proposed.law,
+         conditions = proposed.conditions, amplitude_rad = m_sketch->predicted.largeStep->amplitude_rad,
+         draws = UncertaintyDraws{defaults.draws, defaults.seed}] {
+            return largeStepBand(motor, law, conditions, amplitude_rad, draws);
+        },
+        [this](const Result<control::StepBand>& band) {
+            if (band && m_sketch && m_sketch->uncertainty) {
+                m_sketch->uncertainty->largeStep = *band;
+                drawPredictions();
+            }
+        });
 }
 
 } // namespace halbench::app

@@ -40,7 +40,12 @@ Result<TuneSketch> sketchTuning(const TuneQuestion& question) {
     if (!predicted) {
         return failure(predicted.error());
     }
-    TuneSketch sketch{*law, std::move(*predicted), {}};
+    TuneSketch sketch{*law, std::move(*predicted), {}, {}};
+    auto uncertainty = loopUncertainty(question.motor, sketch.law, question.config.conditions,
+                                       sketch.predicted, {question.config.draws, question.config.seed});
+    if (uncertainty) {
+        sketch.uncertainty = *std::move(uncertainty);
+    }
     if (question.present) {
         auto present = runAnalysis(question.motor, *question.present, question.config.conditions);
         if (present) {

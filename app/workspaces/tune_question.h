@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/procedures/loop_uncertainty.h"
 #include "app/procedures/tune.h"
 
 #include <optional>
@@ -19,6 +20,7 @@ struct TuneSketch {
     control::PositionLaw law; ///< parallel form, A/rad
     AnalysisResult predicted;
     std::optional<AnalysisResult> present;
+    std::optional<LoopUncertainty> uncertainty; ///< nothing: not known of this motor
 };
 /// A pure function. What the device's present gains make unjudgeable is left out. Errors: as of
 /// answerTuning.

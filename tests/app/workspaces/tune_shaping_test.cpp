@@ -214,6 +214,21 @@ TEST_F(TuneShapingTest, noPullMakesTheLoopUnstable) {
     }
 }
 
+TEST_F(TuneShapingTest, theBandOfTheMotorsFollowsWhileSomethingIsHeldAndTheLargeStepsComesAfterwards) {
+    identify();
+    const std::string band = "5 % to 95 % of the motors";
+    ASSERT_TRUE(wait([&] { return !curve("Predicted step with", band).empty(); }));
+    const auto before = curve("Open loop", band);
+    ASSERT_FALSE(before.empty());
+    take(0);
+    moveBy({-30, 0});
+    ASSERT_TRUE(wait([&] { return curve("Open loop", band) != before; }));
+    EXPECT_FALSE(curve("Predicted step of", band).empty());
+    release();
+    ASSERT_TRUE(isJudged());
+    EXPECT_TRUE(wait([&] { return !curve("Predicted step with", band).empty(); }));
+}
+
 TEST_F(TuneShapingTest, withoutALoopThereIsNothingToShape) {
     EXPECT_FALSE(slider("speed")->isEnabled());
     identify();

@@ -1,0 +1,108 @@
+#include "app/procedures/loop_uncertainty.h"
+
+#include "app/procedures/large_step.h"
+#include "control/base/units.h"
+#include "control/design/percentiles.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <utility>
+
+namespace halbench::app {
+
+namespace {
+
+Result<std::vector<control::PositionPlant>> drawnPlants(const MotorEstimate& estimate,
+                                                        const UncertaintyDraws& draws) {
+    if (estimate.covarianceNames.empty()) {
+        return failure(ErrorCode::Refused, "the model has no covariance: how uncertain it is is not known",
+                       "identify the motor to get its uncertainty");
+    }
+    const auto uncertain = uncertainPlantFromEstimate(estimate);
+    return uncertain ? control::drawPlants(*uncertain, draws.count, Random(draws.seed))
+                     : Result<std::vector<control::PositionPlant>>(failure(uncertain.error()));
+}
+
+/// Some of the frequencies of the picture, all of them where the phase of a sampled loop turns last: between
+/// them a band runs straight to a few thousandths of a decibel.
+std::vector<double> bandFrequencies_rad_s(const AnalysisResult::Bode& bode) {
+    constexpr std::size_t Step = 6;
+    constexpr std::size_t Tail = 24;
+    std::vector<double> frequencies;
+    const std::size_t count = bode.frequency_Hz.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i % Step == 0 || i + Tail >= count) {
+            frequencies.push_back(2.0 * Pi * bode.frequency_Hz[i]);
+        }
+    }
+    return frequencies;
+}
+
+constexpr std::size_t StepPoints = 90; ///< of a band: one in five pixels of a picture of usual size
+
+} // namespace
+
+Result<LoopUncertainty> loopUncertainty(const MotorEstimate& estimate, const control::PositionLaw& law,
+                                        const LoopConditions& conditions, const AnalysisResult& predicted,
+                                        const UncertaintyDraws& draws) {
+    const auto plants = drawnPlants(estimate, draws);
+    if (!plants) {
+        return failure(plants.error());
+    }
+    auto loop =
+        control::loopBands(*plants, law.gains, conditions.timing, bandFrequencies_rad_s(predicted.bode));
+    if (!loop) {
+        return failure(loop.error());
+    }
+    LoopUncertainty uncertainty{*std::move(loop), {}, {}};
+    if (!predicted.stepCurve.time_s.empty()) {
+        auto step = control::stepBand(*plants, law.gains, conditions.timing, 1.0,
+                                      predicted.stepCurve.time_s.back(), 1, StepPoints);
+        if (!step) {
+            return failure(step.error());
+        }
+        uncertainty.step = *std::move(step);
+    }
+    return uncertainty;
+}
+
+Result<control::StepBand> largeStepBand(const MotorEstimate& estimate, const control::PositionLaw& law,
+                                        const LoopConditions& conditions, double amplitude_rad,
+                                        const UncertaintyDraws& draws) {
+    const auto plants = drawnPlants(estimate, draws);
+    if (!plants) {
+        return failure(plants.error());
+    }
+    constexpr std::size_t Stride = 10; // of the trace's milliseconds: what a picture can show
+    control::StepBand band;
+    std::vector<std::vector<double>> angles; // by time, of all motors
+    for (const control::PositionPlant& plant : *plants) {
+        if (!control::checkPlant(plant)) {
+            continue;
+        }
+        const auto step = predictLargeStep(plant, law, conditions, amplitude_rad);
+        if (!step) {
+            return failure(step.error());
+        }
+        const models::IdealTrace& trace = step->trace;
+        angles.resize((trace.time_s.size() + Stride - 1) / Stride);
+        for (std::size_t i = 0; i < angles.size(); ++i) {
+            angles[i].push_back(trace.angle_rad[i * Stride]);
+        }
+        if (band.time_s.empty()) {
+            for (std::size_t i = 0; i < trace.time_s.size(); i += Stride) {
+                band.time_s.push_back(trace.time_s[i]);
+            }
+        }
+    }
+    for (const std::vector<double>& values : angles) {
+        Eigen::ArrayXd sorted =
+            Eigen::Map<const Eigen::ArrayXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+        const control::MiddleNineTenths middle = control::middleNineTenths(sorted);
+        band.response_rad.p5.push_back(middle.p5);
+        band.response_rad.p95.push_back(middle.p95);
+    }
+    return band;
+}
+
+} // namespace halbench::app

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "app/procedures/analyse.h"
+#include "control/design/uncertainty_bands.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace halbench::app {
+
+/// The motors that are drawn from what the identification allows; the same as those of the robustness.
+struct UncertaintyDraws {
+    int count = 1000;
+    std::uint64_t seed = 1;
+};
+
+/// What the uncertainty of the identified motor makes of the curves: nine tenths of the drawn motors lie
+/// between, point by point.
+struct LoopUncertainty {
+    control::LoopBands loop;
+    std::optional<control::StepBand> step;      ///< linear, of 1 rad; nothing for an unstable loop
+    std::optional<control::StepBand> largeStep; ///< with friction and current limit; takes longer
+};
+
+/// Open loop and linear step of `predicted`, some milliseconds; without the large step. Errors: Refused (a
+/// motor without covariance: nothing is known of it); of plantFromEstimate and the law.
+Result<LoopUncertainty> loopUncertainty(const MotorEstimate& estimate, const control::PositionLaw& law,
+                                        const LoopConditions& conditions, const AnalysisResult& predicted,
+                                        const UncertaintyDraws& draws);
+
+/// The large step of every motor: some tenths of a second. Errors: likewise.
+Result<control::StepBand> largeStepBand(const MotorEstimate& estimate, const control::PositionLaw& law,
+                                        const LoopConditions& conditions, double amplitude_rad,
+                                        const UncertaintyDraws& draws);
+
+} // namespace halbench::app

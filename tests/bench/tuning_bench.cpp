@@ -1,0 +1,88 @@
+// What the Tune panel does between two places of the hand: gains, predictions, a thousand motors, pictures.
+#include "app/report/tuning_figures.h"
+#include "app/workspaces/loop_view.h"
+#include "app/workspaces/tune_question.h"
+#include "control/base/units.h"
+#include "control/design/crossover_design.h"
+#include "control/design/robustness.h"
+#include "tests/bench/goal.h"
+#include "widgets/figure_view.h"
+
+#include <QApplication>
+#include <QImage>
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+namespace halbench::bench {
+namespace {
+
+using namespace halbench::app;
+
+MotorEstimate motor() {
+    MotorEstimate estimate;
+    const double c_over_J = 1.23e-3 / 5.5e-4;
+    estimate.values = {{"c_over_J", c_over_J}, {"phi_over_J", 26.0}, {"Kf_over_phi", 1.434}};
+    estimate.covarianceNames = {"c_over_J", "phi_over_J", "Kf_over_phi"};
+    const auto square = [](double value) { return std::pow(0.02 * value, 2); };
+    estimate.covariance = {{square(c_over_J), 0, 0}, {0, square(26.0), 0}, {0, 0, square(1.434)}};
+    return estimate;
+}
+
+/// The two pictures of a wide window: magnitude and phase, angle and current.
+struct Pictures {
+    LoopView loop;
+    widgets::FigureView step;
+    QImage screen = QImage(560, 640, QImage::Format_RGB32); ///< the window has one as long as it is shown
+
+    Pictures() {
+        loop.picture().resize(screen.size());
+        step.resize(screen.size());
+    }
+    void draw(const TuneSketch& sketch) {
+        loop.setLoops(sketch.predicted, sketch.present, {}, std::nullopt, sketch.uncertainty);
+        step.setFigure(*linearStepFigure(sketch.predicted, sketch.present, widgets::AngleUnit::Degree, {},
+                                         sketch.uncertainty));
+        loop.picture().render(&screen);
+        step.render(&screen);
+        benchmark::DoNotOptimize(screen.bits());
+    }
+};
+
+void benchRefresh(Goals& goals) {
+    TuneQuestion question;
+    question.motor = motor();
+    const control::PositionPlant plant = *plantFromEstimate(question.motor);
+    const control::UncertainPlant uncertain = *uncertainPlantFromEstimate(question.motor);
+    const LoopConditions& conditions = question.config.conditions;
+    Pictures pictures;
+    double crossover_rad_s = 30.0;
+    TuneSketch sketch;
+    const auto predict = [&] {
+        crossover_rad_s = crossover_rad_s > 44.0 ? 30.0 : crossover_rad_s * 1.02;
+        const auto design = control::designCrossover(plant, conditions.timing, {crossover_rad_s, 38.0, 0.033},
+                                                     control::CrossoverPriority::Margin);
+        question.law = control::PositionLaw{design->gains};
+        sketch = *sketchTuning(question);
+        benchmark::DoNotOptimize(
+            control::assessRobustness(uncertain, design->gains, conditions.timing, 1000, Random(1))
+                ->unstable_fraction);
+    };
+    const double predict_s = processorTime_s(predict, 25);
+    const double draw_s = processorTime_s([&] { pictures.draw(sketch); }, 25);
+    goals.below("prediction while dragging, with 1000 motors", 1e3 * predict_s, 12.0, "ms");
+    goals.below("full refresh while dragging: four panels, 1000 motors, one core", 1e3 * (predict_s + draw_s),
+                16.0, "ms");
+}
+
+} // namespace
+} // namespace halbench::bench
+
+int main(int count, char** words) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QApplication application(count, words);
+    halbench::bench::Goals goals;
+    halbench::bench::benchRefresh(goals);
+    return goals.exitCode();
+}
