@@ -23,15 +23,16 @@ Result<std::vector<control::PositionPlant>> drawnPlants(const MotorEstimate& est
                      : Result<std::vector<control::PositionPlant>>(failure(uncertain.error()));
 }
 
-/// Some of the frequencies of the picture, all of them where the phase of a sampled loop turns last: between
-/// them a band runs straight to a few thousandths of a decibel.
+/// Some of the frequencies of the picture, closer together where a delay turns the phase, and all of them
+/// where that of a sampled loop turns last: between them a band runs straight to a fraction of a pixel.
 std::vector<double> bandFrequencies_rad_s(const AnalysisResult::Bode& bode) {
-    constexpr std::size_t Step = 6;
-    constexpr std::size_t Tail = 24;
+    constexpr std::size_t Turning = 72;
+    constexpr std::size_t Last = 12;
     std::vector<double> frequencies;
     const std::size_t count = bode.frequency_Hz.size();
     for (std::size_t i = 0; i < count; ++i) {
-        if (i % Step == 0 || i + Tail >= count) {
+        const std::size_t step = i + Last >= count ? 1 : i + Turning >= count ? 2 : 6;
+        if (i % step == 0) {
             frequencies.push_back(2.0 * Pi * bode.frequency_Hz[i]);
         }
     }
