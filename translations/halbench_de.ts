@@ -5350,6 +5350,14 @@
         <source>no gain margin: where the loop crosses its magnitude is not bounded at all</source>
         <translation>keine Amplitudenreserve: Wo der Kreis schneidet, ist sein Betrag überhaupt nicht begrenzt</translation>
     </message>
+    <message>
+        <source>a band of steps of this height and length is not possible</source>
+        <translation>ein Band von Sprüngen dieser Höhe und Länge ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>the model has no covariance: how uncertain it is is not known</source>
+        <translation>das Modell hat keine Kovarianz: wie unsicher es ist, ist nicht bekannt</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -5566,6 +5574,10 @@
     <message>
         <source>Before</source>
         <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Applied and read back; it stays until the simulated device is disconnected.</source>
+        <translation>Übernommen und zurückgelesen; gilt, bis das simulierte Gerät getrennt wird.</translation>
     </message>
 </context>
 <context>
@@ -6074,6 +6086,14 @@
     <message>
         <source>published, in degrees</source>
         <translation>veröffentlicht, in Grad</translation>
+    </message>
+    <message>
+        <source>from the device</source>
+        <translation>vom Gerät</translation>
+    </message>
+    <message>
+        <source>edited by hand</source>
+        <translation>von Hand bearbeitet</translation>
     </message>
 </context>
 <context>
@@ -11149,10 +11169,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Gespeichert als %1</translation>
     </message>
     <message>
-        <source>From the project: gains by %1.</source>
-        <translation>Aus dem Projekt: Reglerparameter nach %1.</translation>
-    </message>
-    <message>
         <source>Choose a method to design anew for the motor as it is now.</source>
         <translation>Wählen Sie ein Verfahren, um sie für den Motor von heute neu zu entwerfen.</translation>
     </message>
@@ -11364,6 +11380,10 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>More gain would make the loop unstable: it stays just below.</source>
         <translation>Mehr Verstärkung machte den Kreis instabil: Er bleibt knapp darunter.</translation>
     </message>
+    <message>
+        <source>Gains from the project: %1.</source>
+        <translation>Reglerparameter aus dem Projekt: %1.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuningFigures</name>
@@ -11450,6 +11470,10 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>measured, not coherent</source>
         <translation>gemessen, nicht kohärent</translation>
+    </message>
+    <message>
+        <source>5 % to 95 % of the motors</source>
+        <translation>5 % bis 95 % der Motoren</translation>
     </message>
 </context>
 <context>

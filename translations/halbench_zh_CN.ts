@@ -5350,6 +5350,14 @@
         <source>no gain margin: where the loop crosses its magnitude is not bounded at all</source>
         <translation>无幅值裕度：回路穿越处的幅值完全无法界定</translation>
     </message>
+    <message>
+        <source>a band of steps of this height and length is not possible</source>
+        <translation>不可能有这种高度和长度的阶跃带</translation>
+    </message>
+    <message>
+        <source>the model has no covariance: how uncertain it is is not known</source>
+        <translation>模型没有协方差：其不确定程度未知</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -5566,6 +5574,10 @@
     <message>
         <source>Before</source>
         <translation>之前</translation>
+    </message>
+    <message>
+        <source>Applied and read back; it stays until the simulated device is disconnected.</source>
+        <translation>已应用并回读；在仿真设备断开连接之前有效。</translation>
     </message>
 </context>
 <context>
@@ -6070,6 +6082,14 @@
     <message>
         <source>published, in degrees</source>
         <translation>已发表，按度</translation>
+    </message>
+    <message>
+        <source>from the device</source>
+        <translation>来自设备</translation>
+    </message>
+    <message>
+        <source>edited by hand</source>
+        <translation>手动编辑</translation>
     </message>
 </context>
 <context>
@@ -11140,10 +11160,6 @@ A real device has its own time.</source>
         <translation>已保存为 %1</translation>
     </message>
     <message>
-        <source>From the project: gains by %1.</source>
-        <translation>来自项目：由 %1 得到的增益。</translation>
-    </message>
-    <message>
         <source>Choose a method to design anew for the motor as it is now.</source>
         <translation>选择一种方法，即可针对电机的当前状态重新设计。</translation>
     </message>
@@ -11355,6 +11371,10 @@ A real device has its own time.</source>
         <source>More gain would make the loop unstable: it stays just below.</source>
         <translation>更大的增益会使回路不稳定：保持在其之下。</translation>
     </message>
+    <message>
+        <source>Gains from the project: %1.</source>
+        <translation>来自项目的增益：%1。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuningFigures</name>
@@ -11441,6 +11461,10 @@ A real device has its own time.</source>
     <message>
         <source>measured, not coherent</source>
         <translation>实测，不相干</translation>
+    </message>
+    <message>
+        <source>5 % to 95 % of the motors</source>
+        <translation>5 % 至 95 % 的电机</translation>
     </message>
 </context>
 <context>
