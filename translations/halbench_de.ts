@@ -5468,10 +5468,6 @@
         <translation>Kalibrierung starten</translation>
     </message>
     <message>
-        <source>The rotor moves; Esc stops it</source>
-        <translation>Der Rotor bewegt sich; Esc stoppt ihn</translation>
-    </message>
-    <message>
         <source>Write the proposed values in one transaction and read them back</source>
         <translation>Die vorgeschlagenen Werte in einem Vorgang schreiben und zurücklesen</translation>
     </message>
@@ -5578,6 +5574,10 @@
     <message>
         <source>Applied and read back; it stays until the simulated device is disconnected.</source>
         <translation>Übernommen und zurückgelesen; gilt, bis das simulierte Gerät getrennt wird.</translation>
+    </message>
+    <message>
+        <source>The rotor moves (Ctrl+Return); Esc stops it</source>
+        <translation>Der Rotor bewegt sich (Strg+Eingabe); Esc stoppt ihn</translation>
     </message>
 </context>
 <context>

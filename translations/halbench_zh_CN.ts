@@ -5468,10 +5468,6 @@
         <translation>开始标定</translation>
     </message>
     <message>
-        <source>The rotor moves; Esc stops it</source>
-        <translation>转子会运动；按 Esc 键停止</translation>
-    </message>
-    <message>
         <source>Write the proposed values in one transaction and read them back</source>
         <translation>以一次事务写入建议值并回读</translation>
     </message>
@@ -5578,6 +5574,10 @@
     <message>
         <source>Applied and read back; it stays until the simulated device is disconnected.</source>
         <translation>已应用并回读；在仿真设备断开连接之前有效。</translation>
+    </message>
+    <message>
+        <source>The rotor moves (Ctrl+Return); Esc stops it</source>
+        <translation>转子会运动（Ctrl+Return）；按 Esc 键停止</translation>
     </message>
 </context>
 <context>

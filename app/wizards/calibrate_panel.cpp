@@ -8,7 +8,6 @@
 #include "app/wizards/note_label.h"
 #include "app/wizards/words_and_pictures.h"
 #include "app/workspaces/document_files.h"
-#include "app/workspaces/pace_row.h"
 #include "app/workspaces/preflight.h"
 #include "widgets/figure_view.h"
 #include "widgets/icons.h"
@@ -86,20 +85,10 @@ QWidget* CalibratePanel::buildPrepare() {
     return page;
 }
 
-/// Below the choice and never scrolled away, like that of every procedure.
 QWidget* CalibratePanel::buildStartRow() {
-    auto* bar = new QWidget;
-    auto* row = new QHBoxLayout(bar);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(widgets::PanelMargin_px);
-    m_start = new QPushButton(bar);
-    widgets::setRole(*m_start, widgets::Role::Primary);
-    row->addWidget(m_start);
-    row->addSpacing(widgets::GroupSpacing_px);
-    row->addWidget(new PaceRow(bench(), PaceRow::Place::BesideStart, bar));
-    row->addStretch(1);
+    m_start = new QPushButton(this);
     connect(m_start, &QPushButton::clicked, this, &CalibratePanel::start);
-    return bar;
+    return makeStartRow(*m_start);
 }
 
 QWidget* CalibratePanel::buildRun() {
@@ -201,7 +190,7 @@ void CalibratePanel::refreshWords() {
         m_choices[i]->setToolTip(choices[i].second);
         m_choices[i]->setAccessibleDescription(choices[i].second);
     }
-    sayButton(*m_start, tr("Start calibration"), tr("The rotor moves; Esc stops it"));
+    sayButton(*m_start, tr("Start calibration"), tr("The rotor moves (Ctrl+Return); Esc stops it"));
     sayButton(*m_apply, tr("Apply"), tr("Write the proposed values in one transaction and read them back"));
     sayButton(*m_restore, tr("Restore"), tr("Write the values from before the calibration"));
     sayButton(*m_save, tr("Save calibration\u2026"), tr("Write the result as a file"));

@@ -10,7 +10,6 @@
 #include "app/wizards/frequency_words.h"
 #include "app/wizards/identify_words.h"
 #include "app/workspaces/document_files.h"
-#include "app/workspaces/pace_row.h"
 #include "app/workspaces/preflight.h"
 #include "widgets/icons.h"
 #include "widgets/message_bar.h"
@@ -21,7 +20,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QShortcut>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -77,23 +75,10 @@ QWidget* FrequencyPanel::buildPrepare() {
     return page;
 }
 
-/// Below the settings and never scrolled away, like that of every procedure.
 QWidget* FrequencyPanel::buildStartRow() {
-    auto* bar = new QWidget;
-    auto* row = new QHBoxLayout(bar);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(widgets::PanelMargin_px);
-    m_start = new QPushButton(bar);
-    widgets::setRole(*m_start, widgets::Role::Primary);
-    row->addWidget(m_start);
-    row->addSpacing(widgets::GroupSpacing_px);
-    row->addWidget(new PaceRow(bench(), PaceRow::Place::BesideStart, bar));
-    row->addStretch(1);
+    m_start = new QPushButton(this);
     connect(m_start, &QPushButton::clicked, this, &FrequencyPanel::start);
-    auto* shortcut = new QShortcut(QKeySequence(QStringLiteral("Ctrl+Return")), this);
-    shortcut->setContext(Qt::WidgetWithChildrenShortcut);
-    connect(shortcut, &QShortcut::activated, m_start, &QPushButton::click);
-    return bar;
+    return makeStartRow(*m_start);
 }
 
 QWidget* FrequencyPanel::buildRun() {

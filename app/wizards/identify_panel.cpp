@@ -6,7 +6,6 @@
 #include "app/wizards/identify_result_view.h"
 #include "app/wizards/identify_words.h"
 #include "app/workspaces/figure_units.h"
-#include "app/workspaces/pace_row.h"
 #include "app/workspaces/preflight.h"
 #include "widgets/figure_view.h"
 #include "widgets/icons.h"
@@ -18,7 +17,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QShortcut>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -85,28 +83,14 @@ QWidget* IdentifyPanel::buildPrepare() {
     return page;
 }
 
-/// Below the settings and never scrolled away: what begins the motion is in sight whatever is said above.
 QWidget* IdentifyPanel::buildStartRow() {
-    auto* bar = new QWidget;
-    auto* row = new QHBoxLayout(bar);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(widgets::PanelMargin_px);
-    m_start = new QPushButton(bar);
-    m_loadFirst = new QPushButton(bar);
-    widgets::setRole(*m_start, widgets::Role::Primary);
+    m_start = new QPushButton(this);
+    m_loadFirst = new QPushButton(this);
     m_loadFirst->setIcon(widgets::themedIcon(QStringLiteral("open")));
     m_loadFirst->hide();
-    row->addWidget(m_start);
-    row->addWidget(m_loadFirst);
-    row->addSpacing(widgets::GroupSpacing_px);
-    row->addWidget(new PaceRow(bench(), PaceRow::Place::BesideStart, bar));
-    row->addStretch(1);
     connect(m_start, &QPushButton::clicked, this, &IdentifyPanel::start);
-    auto* shortcut = new QShortcut(QKeySequence(QStringLiteral("Ctrl+Return")), this);
-    shortcut->setContext(Qt::WidgetWithChildrenShortcut);
-    connect(shortcut, &QShortcut::activated, m_start, &QPushButton::click);
     connect(m_loadFirst, &QPushButton::clicked, this, &IdentifyPanel::load);
-    return bar;
+    return makeStartRow(*m_start, m_loadFirst);
 }
 
 QWidget* IdentifyPanel::buildRun() {

@@ -3,6 +3,7 @@
 #include "app/batch/numbers.h"
 #include "app/workspaces/departure_words.h"
 #include "app/workspaces/document_files.h"
+#include "app/workspaces/pace_row.h"
 #include "widgets/message_bar.h"
 #include "widgets/phrasebook.h"
 #include "widgets/step_list.h"
@@ -12,6 +13,7 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -66,6 +68,25 @@ void WizardPanel::addPage(QWidget* page, bool isScrolled, QWidget* footer) {
         shown = both;
     }
     m_pages->addWidget(shown);
+}
+
+QWidget* WizardPanel::makeStartRow(QPushButton& start, QPushButton* beside) {
+    auto* bar = new QWidget;
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(widgets::PanelMargin_px);
+    widgets::setRole(start, widgets::Role::Primary);
+    row->addWidget(&start);
+    if (beside != nullptr) {
+        row->addWidget(beside);
+    }
+    row->addSpacing(widgets::GroupSpacing_px);
+    row->addWidget(new PaceRow(m_bench, PaceRow::Place::BesideStart, bar));
+    row->addStretch(1);
+    auto* shortcut = new QShortcut(QKeySequence(QStringLiteral("Ctrl+Return")), this);
+    shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+    connect(shortcut, &QShortcut::activated, &start, &QPushButton::click);
+    return bar;
 }
 
 void WizardPanel::showPage(int page) {

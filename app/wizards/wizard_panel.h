@@ -52,6 +52,9 @@ protected:
     /// `footer` stands below the page and never scrolls out of sight.
     void addPage(QWidget* page, bool isScrolled, QWidget* footer = nullptr);
     void showPage(int page);
+    /// Footer of a page of settings: what begins the motion is in sight whatever is said above, with the
+    /// speed of simulated time beside it. Ctrl+Return clicks it.
+    QWidget* makeStartRow(QPushButton& start, QPushButton* beside = nullptr);
 
     /// Runs `function(Device&, const ProcedureObserver&) -> Result<T>`, which commands currents; `then(const
     /// Result<T>&)` follows while this panel lives. False, with a message, when it cannot start.
