@@ -141,7 +141,7 @@ void DrivePanel::onStartReference() {
     m_control.startReference(*values);
 }
 
-/// What was refused before is over when the next one is tried.
+/// What was refused before is over when the next one is tried, or a good number stands there.
 void DrivePanel::forgetError() {
     if (m_asking == Asking::Nothing) {
         m_message->clear();

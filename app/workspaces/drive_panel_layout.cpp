@@ -66,6 +66,7 @@ void DrivePanel::buildSetpoint(QVBoxLayout* column) {
     // Only Enter sends: leaving the field must not move anything.
     connect(m_setpoint, &widgets::QuantityEdit::entered, this, &DrivePanel::onSetpoint);
     connect(m_setpoint, &widgets::QuantityEdit::refused, this, &DrivePanel::onSetpointRefused);
+    connect(m_setpoint, &widgets::QuantityEdit::edited, this, &DrivePanel::forgetError);
     connect(m_go, &QPushButton::pressed, this, [this] { m_isGoRefused = m_isJustRefused; });
     connect(m_go, &QPushButton::clicked, this, [this] {
         if (!std::exchange(m_isGoRefused, false)) { // what was refused stays said
@@ -106,6 +107,7 @@ void DrivePanel::buildReference(QVBoxLayout* column) {
     reserveLines(*m_motion, 3);
     section->addWidget(m_motion);
     connect(m_reference, &ReferenceForm::changed, this, &DrivePanel::takePeak);
+    connect(m_reference, &ReferenceForm::changed, this, &DrivePanel::forgetError);
     connect(m_reference, &ReferenceForm::refused, this, &DrivePanel::showError);
     connect(m_start, &QPushButton::clicked, this, &DrivePanel::onStartReference);
     connect(m_end, &QPushButton::clicked, &m_control, &DriveControl::stopReference);

@@ -58,49 +58,6 @@ TEST_F(DrivePanelTest, commandsFollowThePreferredUnits) {
     }
 }
 
-TEST_F(DrivePanelTest, aTextThatIsNoSetpointSendsNothing) {
-    connectTo("sim:htm", 5.0);
-    armByClick();
-    auto* field = find<QDoubleSpinBox>(*panel, "Set-point");
-    type(field, "90");
-    QTest::keyClick(field, Qt::Key_Tab); // not sent, but the field's last number
-    for (const char* text : {"400000", "1e", ""}) {
-        type(field, text);
-        if (*text == '\0') {
-            QTest::keyClick(field, Qt::Key_Backspace);
-        }
-        QTest::keyClick(field, Qt::Key_Return);
-        EXPECT_EQ(parameter("hb.setpoint"), 0.0) << text;
-        EXPECT_TRUE(message().contains("not a set-point")) << message().toStdString();
-    }
-    type(field, "400000");
-    QTest::keyClick(field, Qt::Key_Tab);
-    EXPECT_EQ(field->value(), 0.0); // what holds now
-    click(*panel, "Go");
-    EXPECT_EQ(parameter("hb.setpoint"), 0.0);
-}
-
-TEST_F(DrivePanelTest, goWithATextThatIsNoSetpointSaysSoAndSendsNothing) {
-    connectTo("sim:htm", 5.0);
-    armByClick();
-    auto* field = find<QDoubleSpinBox>(*panel, "Set-point");
-    auto* go = find<QPushButton>(*panel, "Go");
-    for (const char* text : {"3,5", "abc", "99999"}) {
-        type(field, text);
-        // As a mouse does it: the focus goes to the button, then the button is pressed.
-        go->setFocus(Qt::MouseFocusReason);
-        QTest::mouseClick(go, Qt::LeftButton);
-        EXPECT_TRUE(message().contains("not a set-point")) << text << ": " << message().toStdString();
-        EXPECT_TRUE(message().contains(text)) << message().toStdString();
-        EXPECT_EQ(parameter("hb.setpoint"), 0.0) << text;
-        QTest::qWait(0);
-    }
-    type(field, "5");
-    go->setFocus(Qt::MouseFocusReason);
-    QTest::mouseClick(go, Qt::LeftButton);
-    EXPECT_GT(parameter("hb.setpoint"), 0.0);
-}
-
 TEST_F(DrivePanelTest, aNewModeStartsAtZeroWithItsOwnUnit) {
     connectTo("sim:htm", 5.0);
     armByClick();

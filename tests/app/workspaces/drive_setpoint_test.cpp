@@ -3,6 +3,76 @@
 namespace halbench::app {
 namespace {
 
+TEST_F(DrivePanelTest, aTextThatIsNoSetpointSendsNothing) {
+    connectTo("sim:htm", 5.0);
+    armByClick();
+    auto* field = find<QDoubleSpinBox>(*panel, "Set-point");
+    type(field, "90");
+    QTest::keyClick(field, Qt::Key_Tab); // not sent, but the field's last number
+    for (const char* text : {"400000", "1e", ""}) {
+        type(field, text);
+        if (*text == '\0') {
+            QTest::keyClick(field, Qt::Key_Backspace);
+        }
+        QTest::keyClick(field, Qt::Key_Return);
+        EXPECT_EQ(parameter("hb.setpoint"), 0.0) << text;
+        EXPECT_TRUE(message().contains("not a set-point")) << message().toStdString();
+    }
+    type(field, "400000");
+    QTest::keyClick(field, Qt::Key_Tab);
+    EXPECT_EQ(field->value(), 0.0); // what holds now
+    click(*panel, "Go");
+    EXPECT_EQ(parameter("hb.setpoint"), 0.0);
+}
+
+TEST_F(DrivePanelTest, goWithATextThatIsNoSetpointSaysSoAndSendsNothing) {
+    connectTo("sim:htm", 5.0);
+    armByClick();
+    auto* field = find<QDoubleSpinBox>(*panel, "Set-point");
+    auto* go = find<QPushButton>(*panel, "Go");
+    for (const char* text : {"3,5", "abc", "99999"}) {
+        type(field, text);
+        // As a mouse does it: the focus goes to the button, then the button is pressed.
+        go->setFocus(Qt::MouseFocusReason);
+        QTest::mouseClick(go, Qt::LeftButton);
+        EXPECT_TRUE(message().contains("not a set-point")) << text << ": " << message().toStdString();
+        EXPECT_TRUE(message().contains(text)) << message().toStdString();
+        EXPECT_EQ(parameter("hb.setpoint"), 0.0) << text;
+        QTest::qWait(0);
+    }
+    type(field, "5");
+    go->setFocus(Qt::MouseFocusReason);
+    QTest::mouseClick(go, Qt::LeftButton);
+    EXPECT_GT(parameter("hb.setpoint"), 0.0);
+}
+
+TEST_F(DrivePanelTest, whatWasRefusedIsNotSaidAnyMoreOnceAGoodNumberStandsThere) {
+    connectTo("sim:htm", 5.0);
+    armByClick();
+    auto* amplitude = find<QDoubleSpinBox>(*panel, "Amplitude");
+    auto* setpoint = find<QDoubleSpinBox>(*panel, "Set-point");
+    for (auto* field : {amplitude, setpoint}) {
+        type(field, "x");
+        QTest::keyClick(field, Qt::Key_Tab);
+        ASSERT_TRUE(message().contains("x")) << message().toStdString();
+        type(field, "12");
+        QTest::keyClick(field, Qt::Key_Tab);
+        EXPECT_TRUE(message().isEmpty()) << message().toStdString();
+    }
+    // A stop that comes and goes brings nothing old back.
+    type(amplitude, "x");
+    QTest::keyClick(amplitude, Qt::Key_Tab);
+    type(amplitude, "20");
+    QTest::keyClick(amplitude, Qt::Key_Tab);
+    session().stopActuator();
+    ASSERT_TRUE(wait([&] { return bench().stopLatch().isLatched(); }));
+    ASSERT_TRUE(wait([&] { return bench().drive().canRelease(); }));
+    bench().drive().releaseStop();
+    ASSERT_TRUE(wait([&] { return !bench().stopLatch().isLatched(); }));
+    QTest::qWait(0);
+    EXPECT_FALSE(message().contains("cannot be used")) << message().toStdString();
+}
+
 TEST_F(DrivePanelTest, aSetpointFarAwayIsAnEvenRampAndZeroComesBackAsOne) {
     connectTo("sim:htm", 5.0);
     armByClick();
