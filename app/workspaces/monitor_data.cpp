@@ -15,6 +15,7 @@
 #include <QWidget>
 
 #include <algorithm>
+#include <cmath>
 
 namespace halbench::app {
 
@@ -51,12 +52,25 @@ Result<Recording> MonitorData::rows(std::size_t mostValues) const {
     return plotRows(m_stack.plots(), *m_stack.history(), stretchInView(m_stack), mostValues);
 }
 
+/// When the time axis was at zero, ISO 8601; empty where nobody knows: simulated time passes at any speed,
+/// and a capture, a replay or a device that is gone has no present moment.
+std::string MonitorData::timeOfZero() const {
+    const DeviceSession& session = m_bench.session();
+    const bool isLive = m_stack.history() == &m_bench.history();
+    if (!isLive || session.state() != SessionState::Connected || session.info().isSimulated ||
+        session.info().transport == "replay") {
+        return {};
+    }
+    const auto ago_ms = static_cast<qint64>(std::llround(1e3 * session.report().deviceTime_s));
+    return m_bench.now().addMSecs(-ago_ms).toString(Qt::ISODate).toStdString();
+}
+
 /// Values of parameters are not told: what they were when the samples came is not known here.
 devices::RecordingMeta MonitorData::meta(const Recording& rows) const {
     const ResultHeader header = m_bench.beginResult("halbench.recording-meta/1");
     devices::RecordingMeta meta;
     meta.device = m_bench.session().info();
-    meta.started = header.started;
+    meta.started = timeOfZero();
     meta.software = header.software;
     meta.period_s = rows.layout->period_s;
     for (const StreamLayout::Column& column : rows.layout->columns) {

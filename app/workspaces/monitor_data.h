@@ -36,6 +36,7 @@ Q_SIGNALS:
 private:
     Result<Recording> rows(std::size_t mostValues) const;
     devices::RecordingMeta meta(const Recording& rows) const;
+    std::string timeOfZero() const;
     void copy();
     void save();
     void refuse(const Error& error);

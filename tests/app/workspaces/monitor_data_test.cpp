@@ -25,9 +25,14 @@ protected:
         panel->setFileChooser({[this](QWidget*, const FileQuestion&) { return path; }, {}});
         ASSERT_TRUE(
             wait([&] { return bench().history().range() && bench().history().range()->length_s() > 3.0; }));
+        begin_s = bench().history().range()->begin_s; // later than zero where the machine is busy
         stack().setPaused(true);
         stack().refresh();
     }
+
+    /// Between two samples, a millisecond apart: no edge is rounded to one side of a sample or the other.
+    double at(double time_s) const { return begin_s + time_s + 0.4e-3; }
+    control::TimeRange between(double from_s, double to_s) const { return {at(from_s), at(to_s)}; }
 
     QString file(const QString& name) const { return folder.filePath(name); }
     void save(const QString& name) {
@@ -60,24 +65,27 @@ protected:
 
     QTemporaryDir folder;
     QString path;
+    double begin_s = 0.0;
 };
 
 TEST_F(MonitorDataTest, whatIsInViewComesBackFromTheFileBitForBit) {
-    stack().showTimeRange({1.0, 2.5});
+    stack().showTimeRange(between(1.0, 2.5));
     for (const char* name : {"view.csv", "view.mf4"}) {
         save(QString::fromLatin1(name));
         const devices::RecordedFile kept = read(file(name));
         ASSERT_TRUE(kept.hasMeta);
         EXPECT_EQ(kept.meta.device.model, "htm");
-        EXPECT_EQ(kept.recording.time_s, times(bench().history(), {1.0, 2.5})) << name;
+        EXPECT_TRUE(kept.meta.started.empty())
+            << "simulated time at ten times has no date: " << kept.meta.started;
+        ASSERT_EQ(kept.recording.time_s, times(bench().history(), between(1.0, 2.5))) << name;
         ASSERT_GT(kept.recording.rows(), 500U); // a stream may begin anew within it
         for (const char* signal : {"hall.a", "speed", "coil_temperature.a"}) {
             std::vector<control::TimedValue> samples;
-            bench().history().samples(signal, {1.0, 2.5}, samples);
+            bench().history().samples(signal, between(1.0, 2.5), samples);
             const std::vector<double> column = kept.recording.column(signal);
             std::size_t row = 0;
             for (const control::TimedValue& sample : samples) {
-                if (sample.time_s >= 1.0 && sample.time_s <= 2.5) {
+                if (sample.time_s >= at(1.0) && sample.time_s <= at(2.5)) {
                     EXPECT_EQ(std::memcmp(&column[row++], &sample.value, sizeof(double)), 0) << signal;
                 }
             }
@@ -88,18 +96,18 @@ TEST_F(MonitorDataTest, whatIsInViewComesBackFromTheFileBitForBit) {
 
 // The second route: the command line cuts the same stretch out of a file with everything.
 TEST_F(MonitorDataTest, betweenTheCursorsIsWhatConvertCutsOutOfTheWhole) {
-    stack().showTimeRange({0.0, 3.0});
+    stack().showTimeRange(between(0.0, 3.0));
     save("whole.csv");
-    const std::vector<double> moments = times(bench().history(), {1.2, 1.9});
+    const std::vector<double> moments = times(bench().history(), between(1.2, 1.9));
     stack().setCursorsVisible(true);
-    stack().setCursor(0, 1.9); // either way round
-    stack().setCursor(1, 1.2);
+    stack().setCursor(0, at(1.9)); // either way round
+    stack().setCursor(1, at(1.2));
     save("part.csv");
     devices::ConvertRequest request;
     request.input = file("whole.csv").toStdString();
     request.output = file("cut.csv").toStdString();
-    request.from_s = 1.2;
-    request.to_s = std::nextafter(1.9, 2.0);
+    request.from_s = at(1.2);
+    request.to_s = std::nextafter(at(1.9), at(2.0));
     const auto cut = devices::convertRecording(request);
     ASSERT_TRUE(cut) << cut.error().message;
     EXPECT_EQ(cut->rows, moments.size());
@@ -107,7 +115,7 @@ TEST_F(MonitorDataTest, betweenTheCursorsIsWhatConvertCutsOutOfTheWhole) {
 }
 
 TEST_F(MonitorDataTest, theClipboardHasNamesUnitsAndTheUnitsOfTheScreen) {
-    stack().showTimeRange({1.0, 1.01});
+    stack().showTimeRange(between(1.0, 1.01));
     press(Qt::Key_C, Qt::ControlModifier | Qt::AltModifier);
     const QStringList lines = QGuiApplication::clipboard()->text().split('\n', Qt::SkipEmptyParts);
     ASSERT_GT(lines.size(), 10);
@@ -121,15 +129,15 @@ TEST_F(MonitorDataTest, theClipboardHasNamesUnitsAndTheUnitsOfTheScreen) {
 }
 
 TEST_F(MonitorDataTest, markersGoIntoTheSidecarAndNothingInViewIsRefusedInWords) {
-    stack().setMarkers({{1.5, "bump"}, {9.0, "later"}});
-    stack().showTimeRange({1.0, 2.0});
+    stack().setMarkers({{at(1.5), "bump"}, {at(9.0), "later"}});
+    stack().showTimeRange(between(1.0, 2.0));
     save("marked.csv");
     const devices::RecordedFile kept = read(file("marked.csv"));
     ASSERT_EQ(kept.meta.markers.size(), 1U);
     EXPECT_EQ(kept.meta.markers[0].text, "bump");
-    EXPECT_EQ(kept.meta.markers[0].time_s, 1.5);
+    EXPECT_EQ(kept.meta.markers[0].time_s, at(1.5));
     EXPECT_TRUE(kept.meta.parameters.empty());
-    stack().showTimeRange({-9.0, -8.0});
+    stack().showTimeRange(between(-9.0, -8.0));
     path = file("nothing.csv");
     press(Qt::Key_E, Qt::ControlModifier | Qt::AltModifier);
     EXPECT_FALSE(QFileInfo::exists(path));
