@@ -141,18 +141,15 @@ void MonitorPanel::setFileChooser(FileChooser chooser) {
 }
 
 void MonitorPanel::connectStack() {
-    connect(m_picture, &MonitorPicture::failed, this, [this](const QString& text, const QString& remedy) {
+    const auto sayFailure = [this](const QString& text, const QString& remedy) {
         m_message->showMessage({widgets::Severity::Error, text, remedy, {}});
-    });
-    connect(m_data, &MonitorData::failed, this, [this](const QString& text, const QString& remedy) {
-        m_message->showMessage({widgets::Severity::Error, text, remedy, {}});
-    });
+    };
+    connect(m_picture, &MonitorPicture::failed, this, sayFailure);
+    connect(m_data, &MonitorData::failed, this, sayFailure);
     connect(m_data, &MonitorData::done, this, [this](const QString& text) {
         m_message->showMessage({widgets::Severity::Success, text, {}, {}});
     });
-    connect(m_reference, &MonitorReference::failed, this, [this](const QString& text, const QString& remedy) {
-        m_message->showMessage({widgets::Severity::Error, text, remedy, {}});
-    });
+    connect(m_reference, &MonitorReference::failed, this, sayFailure);
     connect(m_stack, &widgets::LivePlotStack::signalsDropped, this,
             [this](int plot, const QStringList& names) {
                 for (const QString& name : names) {
@@ -386,10 +383,9 @@ void MonitorPanel::refreshWords() {
 }
 
 void MonitorPanel::refreshStream() {
-    if (!isVisible()) {
-        return;
+    if (isVisible()) {
+        m_stream->setText(m_recording->streamWords());
     }
-    m_stream->setText(m_recording->streamWords());
 }
 
 void MonitorPanel::changeEvent(QEvent* event) {

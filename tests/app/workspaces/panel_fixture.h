@@ -56,10 +56,11 @@ protected:
         return found != nullptr && found->isEnabled();
     }
 
-    /// Whether the user sees all of that button without scrolling.
+    /// Whether the user sees all of that button without scrolling, and nothing lies over it.
     static bool isWhole(const QWidget& panel, const QString& text) {
         const QAbstractButton* found = button(panel, text);
-        return found != nullptr && found->visibleRegion() == QRegion(found->rect());
+        return found != nullptr && found->visibleRegion() == QRegion(found->rect()) &&
+               panel.childAt(found->mapTo(&panel, found->rect().center())) == found;
     }
 
     /// Every value of a calibration page, read anew: what a procedure must leave as it was. Generator and
