@@ -254,10 +254,11 @@ static uint16_t dacCode(float current_A) {
     return (uint16_t)(code >= DAC_HIGHEST ? DAC_HIGHEST : code + 0.5F);
 }
 
-static void writeOutputs(const hb_htm* board, hb_htm_outputs* outputs) {
+static void writeOutputs(hb_htm* board, hb_htm_outputs* outputs) {
     for (uint8_t i = 0; i < 2; i++) {
         outputs->phase_current_A[i] = board->signals.current_A[i];
         outputs->dac_code[i] = dacCode(board->signals.current_A[i]);
+        board->flowing_A[i] = board->signals.current_A[i];
     }
     outputs->current_command_A = board->command_A;
     outputs->output_enabled = board->safety.armed && board->mode != HB_MODE_IDLE;

@@ -126,6 +126,7 @@ typedef struct hb_htm {
     float excursion_rad;    /* since arming, where this tick needs it */
     float command_A;        /* held between position-loop samples */
     uint8_t mode;           /* mode in force; a new one restarts the loop */
+    float flowing_A[2];     /* written at the last tick: what the sensors see until this one */
     uint8_t loop_phase;     /* ticks since the position loop ran */
     uint8_t reference_pending, reference_started;
     uint8_t reference_order; /* number of the last start, so that its repetition is known */

@@ -29,8 +29,8 @@ static hb_hall_correction correctionOf(const hb_htm* board, const hb_htm_calibra
     correction.gain_ratio = page->hall_gain_ratio;
     correction.quadrature_rad = page->hall_quadrature;
     correction.amplitude_T = page->hall_amplitude;
-    correction.stray_T[0] = stray * board->signals.current_A[0];
-    correction.stray_T[1] = stray * board->signals.current_A[1];
+    correction.stray_T[0] = stray * board->flowing_A[0];
+    correction.stray_T[1] = stray * board->flowing_A[1];
     correction.decode = isOn(page->decode_method) ? HB_DECODE_LINEAR : HB_DECODE_ARCTANGENT;
     return correction;
 }

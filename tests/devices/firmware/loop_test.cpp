@@ -52,6 +52,20 @@ TEST(Loop, advancesTheCommutationAngleWithTheSpeed) {
     EXPECT_NEAR(std::remainder(commutated - f.angle_rad, 2 * Pi), 20 * 0.002, 1e-4);
 }
 
+/// Ticks of a rotor at 0.8 rad whose sensors see the currents written the tick before, 2.5 mT/A.
+void tickWithStray(BoardFixture& f, int count) {
+    for (int i = 0; i < count; ++i) {
+        hb_htm_inputs in{};
+        for (int phase = 0; phase < 2; ++phase) {
+            const double field = FieldAmplitude_T * (phase == 0 ? std::cos(0.8) : std::sin(0.8)) +
+                                 2.5e-3 * static_cast<double>(f.outputs.phase_current_A[phase]);
+            in.hall_code[phase] = static_cast<float>(hallCode(field));
+            in.temperature_code[phase] = static_cast<float>(temperatureCode(25.0));
+        }
+        hb_htm_fast_tick(&f.board(), &in, &f.outputs);
+    }
+}
+
 TEST(Loop, compensatesTheStrayFieldOfItsOwnCurrents) {
     // Property 7 of resources/help/htm-theory.md 10: without compensation atan(k_s I/B0), with it zero.
     for (const bool compensated : {true, false}) {
@@ -60,20 +74,30 @@ TEST(Loop, compensatesTheStrayFieldOfItsOwnCurrents) {
         f.driveIn(HB_MODE_CURRENT);
         set(f, &hb_htm_calibration::stray_enabled, compensated ? 1 : 0);
         f.setSetpoint(3.0F);
-        for (int i = 0; i < 50; ++i) {
-            hb_htm_inputs in{};
-            for (int phase = 0; phase < 2; ++phase) {
-                const double field = FieldAmplitude_T * (phase == 0 ? std::cos(0.8) : std::sin(0.8)) +
-                                     2.5e-3 * static_cast<double>(f.outputs.phase_current_A[phase]);
-                in.hall_code[phase] = static_cast<float>(hallCode(field));
-                in.temperature_code[phase] = static_cast<float>(temperatureCode(25.0));
-            }
-            hb_htm_fast_tick(&f.board(), &in, &f.outputs);
-        }
+        tickWithStray(f, 50);
         // The currents stand perpendicular to the *measured* angle; solving the loop for that gives
         // sin(error) = k_s I/B0.
         const double expected = compensated ? 0.0 : std::asin(2.5e-3 * 3.0 / FieldAmplitude_T);
         EXPECT_NEAR(static_cast<double>(f.board().sensing.angle_rad) - 0.8, expected, 1e-5);
+    }
+}
+
+TEST(Loop, theAngleDoesNotJumpWhereTheCurrentEnds) {
+    // Until the tick after a stop the sensors still see the field of the current before it.
+    const Octets disarmed{0};
+    for (const bool byStop : {true, false}) {
+        BoardFixture f;
+        f.angle_rad = 0.8;
+        f.driveIn(HB_MODE_CURRENT);
+        f.setSetpoint(3.0F);
+        tickWithStray(f, 50);
+        byStop ? f.stop() : f.writeLive(offsetof(hb_htm_live, arm), disarmed);
+        for (int i = 0; i < 3; ++i) {
+            tickWithStray(f, 1);
+            EXPECT_TRUE(f.isOutputZero());
+            // Rounding of single precision; the jump was asin(k_s I/B0) = 0.048 rad.
+            EXPECT_NEAR(static_cast<double>(f.board().sensing.angle_rad), 0.8, 1e-5) << byStop << i;
+        }
     }
 }
 
