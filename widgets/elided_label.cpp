@@ -31,13 +31,20 @@ QSize ElidedLabel::sizeHint() const {
     return sizeFor(m_words);
 }
 
-int ElidedLabel::leastWidth_px() const {
-    return sizeFor(QString(m_leastCharacters, QLatin1Char('n'))).width();
+void ElidedLabel::setLeastCharacters(int characters) {
+    if (characters != m_leastCharacters) {
+        m_leastCharacters = characters;
+        updateGeometry();
+    }
+}
+
+int ElidedLabel::leastWidth_px(int characters) const {
+    return sizeFor(QString(characters, QLatin1Char('n'))).width();
 }
 
 QSize ElidedLabel::minimumSizeHint() const {
     const QSize all = sizeHint();
-    return {std::min(leastWidth_px(), all.width()), all.height()};
+    return {std::min(leastWidth_px(m_leastCharacters), all.width()), all.height()};
 }
 
 void ElidedLabel::fit() {

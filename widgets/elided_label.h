@@ -16,8 +16,10 @@ public:
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
-    /// What minimumSizeHint() is for words that are longer: a row that keeps it does not move with the words.
-    int leastWidth_px() const;
+    void setLeastCharacters(int characters);
+    /// What minimumSizeHint() is for so many letters of longer words: a row that keeps it does not move with
+    /// the words.
+    int leastWidth_px(int characters) const;
 
 protected:
     void showEvent(QShowEvent* event) override;

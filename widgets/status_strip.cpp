@@ -17,6 +17,8 @@ constexpr int Symbol_px = 16;
 /// What is seen of long words when the window is narrow.
 constexpr int DeviceCharacters = 7;
 constexpr int StateCharacters = 13;
+/// Of each, where a control stands beside them: it says the state as well.
+constexpr int CharactersBesideControl = 3;
 
 Role roleOfState(WorkState state) {
     switch (state) {
@@ -110,6 +112,18 @@ void StatusStrip::clearDevice() {
     setDevice({}, false);
 }
 
+void StatusStrip::addControl(QWidget& control) {
+    m_control = &control;
+    layout()->addWidget(&control);
+    control.hide();
+}
+
+void StatusStrip::setControlShown(bool isShown) {
+    m_control->setVisible(isShown);
+    m_deviceLabel->setLeastCharacters(isShown ? CharactersBesideControl : DeviceCharacters);
+    m_stateBadge->setLeastCharacters(isShown ? CharactersBesideControl : StateCharacters);
+}
+
 QString StatusStrip::stateText() const {
     switch (m_state) {
     case WorkState::Connected:
@@ -153,13 +167,18 @@ void StatusStrip::refreshSymbol() {
 }
 
 QSize StatusStrip::minimumSizeHint() const {
-    const auto spared_px = [](const ElidedLabel& label) {
-        return label.leastWidth_px() - label.minimumSizeHint().width();
+    const auto spared_px = [](const ElidedLabel& label, int characters) {
+        return label.leastWidth_px(characters) - label.minimumSizeHint().width();
     };
     const QSize now = QFrame::minimumSizeHint();
+    const int control_px = m_control == nullptr || m_control->isHidden()
+                               ? 0
+                               : m_control->minimumSizeHint().width() + layout()->spacing();
     const int badge_px =
         m_simulatedBadge->isHidden() ? m_simulatedBadge->sizeHint().width() + layout()->spacing() : 0;
-    return {now.width() + spared_px(*m_deviceLabel) + spared_px(*m_stateBadge) + badge_px, now.height()};
+    return {now.width() + spared_px(*m_deviceLabel, DeviceCharacters) +
+                spared_px(*m_stateBadge, StateCharacters) + badge_px - control_px,
+            now.height()};
 }
 
 void StatusStrip::changeEvent(QEvent* event) {

@@ -26,6 +26,11 @@ public:
     void setFaultLatched(bool isLatched);
     void setDevice(const QString& name, bool isSimulated);
     void clearDevice();
+    /// What can be done about a state, e.g. a stop's release, at the right end; hidden at first. It takes its
+    /// room from the words alone: nothing beside the strip moves when it comes, and nothing comes under a
+    /// second click on it when it goes.
+    void addControl(QWidget& control);
+    void setControlShown(bool isShown);
 
     WorkState state() const { return m_state; }
     QString stateText() const; ///< as shown, e.g. "Stopped (Esc)"
@@ -50,6 +55,7 @@ private:
     QLabel* m_simulatedBadge = nullptr;
     QLabel* m_stateSymbol = nullptr;
     ElidedLabel* m_stateBadge = nullptr;
+    QWidget* m_control = nullptr; ///< none until one is added
 };
 
 } // namespace halbench::widgets

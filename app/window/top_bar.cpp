@@ -35,11 +35,7 @@ TopBar::TopBar(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(ben
     buildControls();
     row->addWidget(m_connection);
     row->addWidget(m_strip, 1);
-    // Its room stays when it goes: nothing comes under a second click on it.
-    QSizePolicy place = m_release->sizePolicy();
-    place.setRetainSizeWhenHidden(true);
-    m_release->setSizePolicy(place);
-    row->addWidget(m_release);
+    m_strip->addControl(*m_release);
     for (QWidget* control :
          std::initializer_list<QWidget*>{m_arm, m_mode, m_record, m_perspectives, m_stop}) {
         row->addWidget(control);
@@ -156,7 +152,7 @@ void TopBar::refresh() {
     const StopLatch& latch = m_bench.stopLatch();
     m_stop->setLatched(latch.isLatched(), reason);
     FocusRest(*this).setEnabled(*m_release, latch.isLatched() && !latch.isLocked());
-    m_release->setVisible(latch.isLatched());
+    m_strip->setControlShown(latch.isLatched());
     if (isConnected || session.state() == SessionState::Reconnecting) {
         m_strip->setDevice(QString::fromStdString(session.info().uri), session.info().isSimulated);
     } else {

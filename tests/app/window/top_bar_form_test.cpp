@@ -61,6 +61,19 @@ TEST_F(TopBarTest, takesTheFormOfItsWidthAtOnce) {
     }
 }
 
+TEST_F(TopBarTest, hasItsWordsWhereTheWindowFillsASmallScreen) {
+    const auto theme = widgets::loadTheme("light"); // the program's letters
+    ASSERT_TRUE(theme);
+    widgets::applyTheme(application, *theme, {QLocale(), widgets::Dress().fontSize_pt});
+    open();
+    window->resize(1431, 859); // what a screen of 1440 x 900 leaves
+    QTest::qWait(0);
+    QTest::qWait(0);
+    EXPECT_EQ(inBar<ConnectButton>()->toolButtonStyle(), Qt::ToolButtonTextBesideIcon);
+    EXPECT_NE(perspective("Tune"), nullptr);
+    EXPECT_EQ(inBar<RecordButton>()->text(), "Record data");
+}
+
 /// Counts how often a layout is asked to arrange itself anew.
 class LayoutCount : public QObject {
 public:
