@@ -11384,6 +11384,10 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>Gains from the project: %1.</source>
         <translation>Reglerparameter aus dem Projekt: %1.</translation>
     </message>
+    <message>
+        <source>Within the predicted band: the gains that were applied, not those shown now</source>
+        <translation>Im vorhergesagten Band: die übernommenen Reglerparameter, nicht die jetzt gezeigten</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuningFigures</name>

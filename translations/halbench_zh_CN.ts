@@ -11375,6 +11375,10 @@ A real device has its own time.</source>
         <source>Gains from the project: %1.</source>
         <translation>来自项目的增益：%1。</translation>
     </message>
+    <message>
+        <source>Within the predicted band: the gains that were applied, not those shown now</source>
+        <translation>在预测范围内：指已应用的增益，而非现在显示的增益</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuningFigures</name>

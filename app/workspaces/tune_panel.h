@@ -168,7 +168,9 @@ private:
     void finishApply(const Result<ApplyResult>& result);
     void showVerification(const ApplyResult& result);
     void drawVerification();
+    void showAgreement();
     void tellOfDevice(const widgets::Message& message);
+    void forgetToldOfDevice();
     void onUnits();
     void restore();
     void saveGains();

@@ -48,6 +48,9 @@ GainChoice TunePanel::choiceNow() const {
 
 void TunePanel::record(const QString& what, const QString& key) {
     m_history.record(what, key, choiceNow());
+    if (m_before.empty()) { // else what was applied is still to be decided
+        forgetToldOfDevice();
+    }
     refreshHistory();
 }
 

@@ -96,6 +96,7 @@ void TunePanel::showSketch(const Result<TuneSketch>& sketch) {
     m_sketch = *sketch;
     drawPredictions();
     showShape();
+    showAgreement();
     if (m_shaping && m_shaping->isWaiting) {
         takeShape(); // the hand went on meanwhile
         return;
@@ -142,6 +143,7 @@ void TunePanel::showAnswer(const Result<TuneResult>& answer, std::optional<doubl
 void TunePanel::showProblem(const Error& error) {
     m_shown.reset();
     m_problem = error;
+    showAgreement();
     m_verdict->setVerdict(widgets::VerdictLevel::Refused, widgets::inWords(error.message),
                           {{widgets::inWords(error.hint), {}}});
     showDesigns(); // what was proposed before is not proposed any more
@@ -281,6 +283,10 @@ void TunePanel::forgetVerification() {
         }
         m_figures->setPageEnabled(m_verificationPage, false);
     }
+    forgetToldOfDevice();
+}
+
+void TunePanel::forgetToldOfDevice() {
     if (m_message->message().text == std::exchange(m_toldOfDevice, QString())) {
         m_message->clear();
     }
@@ -290,19 +296,30 @@ void TunePanel::drawVerification() {
     if (!m_verified || !m_verified->verification || !m_verified->band) {
         return;
     }
+    m_verification->setFigure(verificationFigure(*m_verified->band, m_verified->verification->recording,
+                                                 m_bench.displayUnits().angle));
+    showAgreement();
+}
+
+/// A green verdict beside gains that it is not of would be taken for theirs.
+void TunePanel::showAgreement() {
+    if (!m_verified || !m_verified->verification || !m_verified->band) {
+        return;
+    }
     const DisplayUnits& units = m_bench.displayUnits();
-    m_verification->setFigure(
-        verificationFigure(*m_verified->band, m_verified->verification->recording, units.angle));
     const bool isWithin = m_verified->quality.verdict != Verdict::Refused;
     std::vector<widgets::Remark> remarks = {
         {agreementWords(*m_verified->band, m_verified->verification->measured, units), {}}};
     if (const QString ripple = rippleOf(*m_verified, m_conditions, units); !ripple.isEmpty()) {
         remarks.push_back({ripple, {}});
     }
-    if (isWithin && m_isUndone) {
-        m_agreement->setVerdict(widgets::VerdictLevel::Doubtful,
-                                tr("Within the predicted band, but these gains do not run any more"),
-                                remarks);
+    const bool isOfShown = m_applying && m_sketch && !m_problem && m_sketch->law == m_applying->law;
+    if (isWithin && (m_isUndone || !isOfShown)) {
+        m_agreement->setVerdict(
+            widgets::VerdictLevel::Doubtful,
+            m_isUndone ? tr("Within the predicted band, but these gains do not run any more")
+                       : tr("Within the predicted band: the gains that were applied, not those shown now"),
+            remarks);
         return;
     }
     m_agreement->setVerdict(isWithin ? widgets::VerdictLevel::Good : widgets::VerdictLevel::Refused,

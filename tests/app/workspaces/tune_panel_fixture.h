@@ -12,6 +12,7 @@
 #include "widgets/optional_number_edit.h"
 #include "widgets/verdict_view.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>

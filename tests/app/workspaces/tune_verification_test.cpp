@@ -90,6 +90,21 @@ TEST_F(TuneVerificationTest, thatTheKeptGainsRunIsNotSaidOfAnotherDevice) {
     EXPECT_TRUE(message().isEmpty()) << message().toStdString();
 }
 
+TEST_F(TuneVerificationTest, itIsNotSaidOfGainsThatWereTypedSince) {
+    prepare();
+    verify();
+    ASSERT_TRUE(agreement().startsWith("Within the predicted band\n")) << agreement().toStdString();
+    click(panel, "Keep");
+    ASSERT_EQ(message(), "The new gains run until the simulated device is disconnected.");
+    type("gain.kp", "500");
+    ASSERT_TRUE(wait([&] { return verdict().startsWith("Refused"); })) << verdict().toStdString();
+    EXPECT_TRUE(agreement().contains("not those shown now")) << agreement().toStdString();
+    EXPECT_TRUE(message().isEmpty()) << message().toStdString();
+    panel.historyActions().front()->trigger(); // the gains that were verified
+    EXPECT_TRUE(wait([&] { return agreement().startsWith("Within the predicted band\n"); }))
+        << agreement().toStdString();
+}
+
 TEST_F(TuneVerificationTest, itEndsWithItsMotorWhoseGainsCanStillBeRestored) {
     prepare();
     const auto before = valuesNow();
