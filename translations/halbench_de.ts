@@ -7155,7 +7155,7 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
     </message>
     <message>
         <source>Save response…</source>
-        <translation>Frequenzgang speichern…</translation>
+        <translation>Frequenzgang speichern …</translation>
     </message>
     <message>
         <source>Write the file that Tune and the program read</source>
@@ -7163,7 +7163,7 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
     </message>
     <message>
         <source>Save table…</source>
-        <translation>Tabelle speichern…</translation>
+        <translation>Tabelle speichern …</translation>
     </message>
     <message>
         <source>Write the points with error and coherence as CSV</source>
@@ -8355,7 +8355,7 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
     </message>
     <message>
         <source>&amp;Preferences…</source>
-        <translation>&amp;Einstellungen…</translation>
+        <translation>&amp;Einstellungen …</translation>
     </message>
     <message>
         <source>%1 is open in another window.</source>
@@ -8375,7 +8375,7 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
     </message>
     <message>
         <source>Save project as…</source>
-        <translation>Projekt speichern unter…</translation>
+        <translation>Projekt speichern unter …</translation>
     </message>
     <message>
         <source>The window stays open, so that what was not saved is not lost.</source>
@@ -8562,7 +8562,7 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
     </message>
     <message>
         <source>Save data…</source>
-        <translation>Daten speichern…</translation>
+        <translation>Daten speichern …</translation>
     </message>
     <message>
         <source>Save the samples in view, or between the cursors, as CSV, MDF4 or MAT</source>
@@ -8652,7 +8652,7 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
     </message>
     <message>
         <source>Save picture…</source>
-        <translation>Bild speichern…</translation>
+        <translation>Bild speichern …</translation>
     </message>
     <message>
         <source>Save the plots as SVG, PDF or PNG</source>
@@ -8717,7 +8717,7 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
     <name>halbench::app::MonitorReference</name>
     <message>
         <source>Reference from a recording…</source>
-        <translation>Referenz aus einer Aufzeichnung…</translation>
+        <translation>Referenz aus einer Aufzeichnung …</translation>
     </message>
     <message>
         <source>Lay a recording under the curves, aligned at the trigger or at the beginning</source>
@@ -11274,7 +11274,7 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
     <message>
         <source>Measured response…</source>
-        <translation>Gemessener Frequenzgang…</translation>
+        <translation>Gemessener Frequenzgang …</translation>
     </message>
     <message>
         <source>The open loop shows predictions alone again</source>
@@ -11496,7 +11496,7 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
     <message>
         <source>Save project as…</source>
-        <translation>Projekt speichern unter…</translation>
+        <translation>Projekt speichern unter …</translation>
     </message>
     <message>
         <source>Saves it elsewhere and goes on</source>
@@ -12518,7 +12518,7 @@ Hall B
     </message>
     <message>
         <source>Save picture…</source>
-        <translation>Bild speichern…</translation>
+        <translation>Bild speichern …</translation>
     </message>
     <message>
         <source>Spectrogram</source>

@@ -23,6 +23,12 @@ QString iconOfLevel(VerdictLevel level) {
                                              : QStringLiteral("error");
 }
 
+/// Of a title that nothing follows.
+QString withoutColon(const QString& title) {
+    const bool hasColon = title.endsWith(QLatin1Char(':')) || title.endsWith(QChar(0xFF1A)); // Chinese
+    return hasColon ? title.chopped(1) : title;
+}
+
 } // namespace
 
 VerdictView::VerdictView(QWidget* parent)
@@ -68,7 +74,7 @@ void VerdictView::moveRemarks(QVBoxLayout& place) {
 
 void VerdictView::refresh() {
     m_symbol->setPixmap(themedIcon(iconOfLevel(m_level), roleOfLevel(m_level)).pixmap(16, 16));
-    m_title->setText(m_titleText);
+    m_title->setText(m_words->parentWidget() == this ? m_titleText : withoutColon(m_titleText));
     setRole(*m_title, roleOfLevel(m_level));
     QStringList lines;
     for (const Remark& remark : m_remarks) {

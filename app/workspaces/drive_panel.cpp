@@ -247,7 +247,7 @@ double DrivePanel::factor() const {
 QString DrivePanel::valueText(double value) const {
     const DisplayQuantity shown =
         displayQuantity(m_control.mode() == BoardMode::Position ? "rad" : "A", m_units);
-    return widgets::fixedText(value * shown.factor, shown.decimals) + QLatin1Char(' ') + shown.unit;
+    return widgets::fixedText(value * shown.factor, shown.decimals) + QChar(QChar::Nbsp) + shown.unit;
 }
 
 void DrivePanel::dressSetpoint() {

@@ -63,16 +63,19 @@ QWidget* TunePanel::buildSettings() {
     m_progress->hide();
     m_outlook = new QLabel(page);
     m_outlook->setWordWrap(true);
-    for (QWidget* part : std::initializer_list<QWidget*>{m_model, m_sliders, m_form, m_gains, m_verdict,
-                                                         m_preflight, m_foreign}) {
+    for (QWidget* part : std::initializer_list<QWidget*>{m_model, m_sliders, m_form, m_gains}) {
         column->addWidget(part);
     }
+    m_verdict->moveRemarks(*column); // its title stays in sight
+    column->addWidget(m_preflight);
+    column->addWidget(m_foreign);
     column->addStretch(1);
     auto* settings = new QWidget;
     auto* all = new QVBoxLayout(settings);
     all->setContentsMargins(0, 0, 0, 0);
     all->setSpacing(widgets::PanelMargin_px);
     all->addWidget(scrolled(page), 1);
+    all->addWidget(m_verdict);
     all->addWidget(m_outlook);
     all->addWidget(m_progress); // what is decided stays in sight, however far the rest is scrolled
     all->addWidget(buildButtons());
@@ -181,7 +184,7 @@ void TunePanel::refreshWords() {
 
 /// The picture is the answer: it has all of the page, and what is said of it begins at the lower edge.
 void TunePanel::growVerification() {
-    const int words_px = 2 * fontMetrics().lineSpacing();
+    const int words_px = 2 * fontMetrics().lineSpacing() + 2 * widgets::GridStep_px;
     m_verification->setMinimumHeight(std::max(0, m_verificationRoom->viewport()->height() - words_px));
 }
 

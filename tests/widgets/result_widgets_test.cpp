@@ -5,9 +5,12 @@
 
 #include <QClipboard>
 #include <QHeaderView>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QVBoxLayout>
 #include <QtTest/QTest>
+
+#include <algorithm>
 
 namespace halbench::widgets {
 namespace {
@@ -88,6 +91,25 @@ TEST_F(ResultWidgetsTest, aVerdictIsSaidWithEveryRemarkAndRemedy) {
     view.setVerdict(VerdictLevel::Doubtful, "Doubtful", {{"one point decides", "repeat it"}});
     EXPECT_EQ(view.text(), "Doubtful\none point decides; repeat it");
     EXPECT_EQ(view.accessibleDescription(), view.text());
+}
+
+TEST_F(ResultWidgetsTest, aVerdictWhoseRemarksStandElsewhereEndsWithoutAColon) {
+    QWidget elsewhere;
+    QVBoxLayout place(&elsewhere);
+    VerdictView view;
+    const auto hasLabel = [](const QWidget& parent, const QString& words) {
+        const auto labels = parent.findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(),
+                           [&](const QLabel* label) { return label->text() == words; });
+    };
+    view.setVerdict(VerdictLevel::Doubtful, "Stable, if this is true:", {{"stray known", ""}});
+    EXPECT_TRUE(hasLabel(view, "Stable, if this is true:"));
+    view.moveRemarks(place);
+    view.setVerdict(VerdictLevel::Doubtful, "Stable, if this is true:", {{"stray known", ""}});
+    EXPECT_TRUE(hasLabel(view, "Stable, if this is true"));
+    EXPECT_TRUE(hasLabel(elsewhere, QString::fromUtf8("\u2022 stray known")));
+    view.setVerdict(VerdictLevel::Doubtful, QString::fromUtf8("\u7a33\u5b9a\uff1a"), {});
+    EXPECT_TRUE(hasLabel(view, QString::fromUtf8("\u7a33\u5b9a")));
 }
 
 class OptionalNumberTest : public GuiTest {

@@ -51,8 +51,8 @@ TEST_F(DrivePanelTest, commandsFollowThePreferredUnits) {
         texts << label->text();
     }
     const QString all = texts.join('\n');
-    EXPECT_TRUE(all.contains("Now 0.1000 rad")) << all.toStdString();
-    EXPECT_TRUE(all.contains("Moves up to 0.5236 rad")) << all.toStdString();
+    EXPECT_TRUE(all.contains("Now 0.1000\u00a0rad")) << all.toStdString();
+    EXPECT_TRUE(all.contains("Moves up to 0.5236\u00a0rad")) << all.toStdString();
     for (const auto* box : panel->findChildren<QDoubleSpinBox*>()) {
         EXPECT_FALSE(box->suffix().contains("r/min")) << box->accessibleName().toStdString();
     }
