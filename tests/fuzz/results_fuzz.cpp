@@ -3,11 +3,6 @@
 
 using namespace halbench::app;
 
-// QJsonDocument of Qt 5.15 leaks a few octets on some malformed nested texts; that is not ours to mend.
-extern "C" const char* __lsan_default_suppressions() {
-    return "leak:libQt5Core.so\n";
-}
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string text(reinterpret_cast<const char*>(data), size);
     const halbench::Result<ModelFile> model = parseModel(text, "fuzz.json");
