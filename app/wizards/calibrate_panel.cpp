@@ -17,7 +17,6 @@
 #include "widgets/step_list.h"
 
 #include <QCheckBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QTabWidget>
@@ -142,21 +141,13 @@ QWidget* CalibratePanel::buildWords() {
 }
 
 QWidget* CalibratePanel::buildResultButtons() {
-    auto* bar = new QWidget;
-    auto* row = new QHBoxLayout(bar);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(widgets::PanelMargin_px);
-    m_apply = new QPushButton(bar);
-    m_restore = new QPushButton(bar);
-    m_save = new QPushButton(bar);
-    m_again = new QPushButton(bar);
+    m_apply = new QPushButton(this);
+    m_restore = new QPushButton(this);
+    m_save = new QPushButton(this);
+    m_again = new QPushButton(this);
     widgets::setRole(*m_apply, widgets::Role::Primary);
     m_restore->setIcon(widgets::themedIcon(QStringLiteral("revert")));
     m_save->setIcon(widgets::themedIcon(QStringLiteral("save")));
-    for (QPushButton* button : {m_apply, m_restore, m_save, m_again}) {
-        row->addWidget(button);
-    }
-    row->addStretch(1);
     m_save->hide();
     connect(m_apply, &QPushButton::clicked, this, &CalibratePanel::apply);
     connect(m_restore, &QPushButton::clicked, this, [this] { write(m_result->before, false); });
@@ -164,12 +155,8 @@ QWidget* CalibratePanel::buildResultButtons() {
         save({tr("Save calibration"), QStringLiteral("calibration.json"), tr("Calibration (*.json)")},
              [header = m_header, result = *m_result] { return calibrationDocument(header, result); });
     });
-    connect(m_again, &QPushButton::clicked, this, [this] {
-        showPage(PreparePage);
-        resetSteps();
-        m_start->setFocus(Qt::OtherFocusReason);
-    });
-    return bar;
+    connect(m_again, &QPushButton::clicked, this, [this] { beginAgain(PreparePage, *m_start); });
+    return makeButtonRow({m_apply, m_restore, m_save, m_again});
 }
 
 void CalibratePanel::onFileChooser() {

@@ -17,7 +17,6 @@
 #include "widgets/progress_row.h"
 #include "widgets/step_list.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -56,23 +55,13 @@ void FrequencyPanel::onFileChooser() {
 }
 
 QWidget* FrequencyPanel::buildPrepare() {
-    auto* page = new QWidget;
-    auto* column = columnOf(page, widgets::GroupSpacing_px);
-    m_intro = new QLabel(page);
-    m_outlook = new QLabel(page);
-    m_form = new FrequencyForm(page);
-    m_preflight = new Preflight(bench(), page);
-    for (QLabel* label : {m_intro, m_outlook}) {
-        label->setWordWrap(true);
-    }
-    m_form->setMaximumWidth(32 * fontMetrics().averageCharWidth() * 2);
-    for (QWidget* part : std::initializer_list<QWidget*>{m_intro, m_form, m_outlook, m_preflight}) {
-        column->addWidget(part);
-    }
-    column->addStretch(1);
+    m_intro = new QLabel;
+    m_outlook = new QLabel;
+    m_form = new FrequencyForm;
+    m_preflight = new Preflight(bench());
     connect(m_form, &FrequencyForm::changed, this, &FrequencyPanel::refreshPlan);
     connect(m_preflight, &Preflight::changed, this, &FrequencyPanel::refreshPlan);
-    return page;
+    return makePreparation(*m_intro, *m_form, *m_outlook, *m_preflight);
 }
 
 QWidget* FrequencyPanel::buildStartRow() {
@@ -106,35 +95,23 @@ QWidget* FrequencyPanel::buildResult() {
 }
 
 QWidget* FrequencyPanel::buildResultButtons() {
-    auto* bar = new QWidget;
-    auto* row = new QHBoxLayout(bar);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(widgets::PanelMargin_px);
-    m_use = new QPushButton(bar);
-    m_save = new QPushButton(bar);
-    m_table = new QPushButton(bar);
-    m_again = new QPushButton(bar);
+    m_use = new QPushButton(this);
+    m_save = new QPushButton(this);
+    m_table = new QPushButton(this);
+    m_again = new QPushButton(this);
     widgets::setRole(*m_use, widgets::Role::Primary);
     for (QPushButton* button : {m_save, m_table}) {
         button->setIcon(widgets::themedIcon(QStringLiteral("save")));
         button->hide();
     }
-    for (QPushButton* button : {m_use, m_save, m_table, m_again}) {
-        row->addWidget(button);
-    }
-    row->addStretch(1);
     connect(m_use, &QPushButton::clicked, this, [this] { Q_EMIT useRequested(m_found); });
     connect(m_save, &QPushButton::clicked, this, [this] {
         save({tr("Save response"), QStringLiteral("response.json"), tr("Response (*.json)")},
              [header = m_header, result = m_found] { return frequencyDocument(header, result); });
     });
     connect(m_table, &QPushButton::clicked, this, &FrequencyPanel::saveTable);
-    connect(m_again, &QPushButton::clicked, this, [this] {
-        showPage(PreparePage);
-        resetSteps();
-        m_start->setFocus(Qt::OtherFocusReason);
-    });
-    return bar;
+    connect(m_again, &QPushButton::clicked, this, [this] { beginAgain(PreparePage, *m_start); });
+    return makeButtonRow({m_use, m_save, m_table, m_again});
 }
 
 void FrequencyPanel::refreshWords() {

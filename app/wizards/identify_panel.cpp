@@ -14,7 +14,6 @@
 #include "widgets/progress_row.h"
 #include "widgets/step_list.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -64,23 +63,13 @@ void IdentifyPanel::setGiven(const std::map<std::string, double>& given) {
 }
 
 QWidget* IdentifyPanel::buildPrepare() {
-    auto* page = new QWidget;
-    auto* column = columnOf(page, widgets::GroupSpacing_px);
-    m_intro = new QLabel(page);
-    m_outlook = new QLabel(page);
-    m_form = new IdentifyForm(page);
-    m_preflight = new Preflight(bench(), page);
-    for (QLabel* label : {m_intro, m_outlook}) {
-        label->setWordWrap(true);
-    }
-    m_form->setMaximumWidth(32 * fontMetrics().averageCharWidth() * 2);
-    for (QWidget* part : std::initializer_list<QWidget*>{m_intro, m_form, m_outlook, m_preflight}) {
-        column->addWidget(part);
-    }
-    column->addStretch(1);
+    m_intro = new QLabel;
+    m_outlook = new QLabel;
+    m_form = new IdentifyForm;
+    m_preflight = new Preflight(bench());
     connect(m_form, &IdentifyForm::changed, this, &IdentifyPanel::refreshPlan);
     connect(m_preflight, &Preflight::changed, this, &IdentifyPanel::refreshPlan);
-    return page;
+    return makePreparation(*m_intro, *m_form, *m_outlook, *m_preflight);
 }
 
 QWidget* IdentifyPanel::buildStartRow() {
@@ -120,21 +109,13 @@ QWidget* IdentifyPanel::buildResult() {
 }
 
 QWidget* IdentifyPanel::buildResultButtons() {
-    auto* bar = new QWidget;
-    auto* row = new QHBoxLayout(bar);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(widgets::PanelMargin_px);
-    m_tune = new QPushButton(bar);
-    m_save = new QPushButton(bar);
-    m_load = new QPushButton(bar);
-    m_again = new QPushButton(bar);
+    m_tune = new QPushButton(this);
+    m_save = new QPushButton(this);
+    m_load = new QPushButton(this);
+    m_again = new QPushButton(this);
     widgets::setRole(*m_tune, widgets::Role::Primary);
     m_save->setIcon(widgets::themedIcon(QStringLiteral("save")));
     m_load->setIcon(widgets::themedIcon(QStringLiteral("open")));
-    for (QPushButton* button : {m_tune, m_save, m_load, m_again}) {
-        row->addWidget(button);
-    }
-    row->addStretch(1);
     m_save->hide();
     m_load->hide();
     connect(m_tune, &QPushButton::clicked, this, &IdentifyPanel::tuneRequested);
@@ -143,12 +124,8 @@ QWidget* IdentifyPanel::buildResultButtons() {
              [header = m_header, result = m_found] { return identificationDocument(header, result); });
     });
     connect(m_load, &QPushButton::clicked, this, &IdentifyPanel::load);
-    connect(m_again, &QPushButton::clicked, this, [this] {
-        showPage(PreparePage);
-        resetSteps();
-        m_start->setFocus(Qt::OtherFocusReason);
-    });
-    return bar;
+    connect(m_again, &QPushButton::clicked, this, [this] { beginAgain(PreparePage, *m_start); });
+    return makeButtonRow({m_tune, m_save, m_load, m_again});
 }
 
 void IdentifyPanel::refreshWords() {

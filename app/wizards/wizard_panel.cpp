@@ -11,6 +11,7 @@
 
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QShortcut>
@@ -87,6 +88,38 @@ QWidget* WizardPanel::makeStartRow(QPushButton& start, QPushButton* beside) {
     shortcut->setContext(Qt::WidgetWithChildrenShortcut);
     connect(shortcut, &QShortcut::activated, &start, &QPushButton::click);
     return bar;
+}
+
+QWidget* WizardPanel::makePreparation(QLabel& intro, QWidget& form, QLabel& outlook, QWidget& preflight) {
+    constexpr int CharactersOfAForm = 64; // wider, its names stand far from its fields
+    auto* page = new QWidget;
+    auto* column = columnOf(page, widgets::GroupSpacing_px);
+    intro.setWordWrap(true);
+    outlook.setWordWrap(true);
+    form.setMaximumWidth(CharactersOfAForm * page->fontMetrics().averageCharWidth());
+    for (QWidget* part : std::initializer_list<QWidget*>{&intro, &form, &outlook, &preflight}) {
+        column->addWidget(part);
+    }
+    column->addStretch(1);
+    return page;
+}
+
+QWidget* WizardPanel::makeButtonRow(const std::vector<QPushButton*>& buttons) {
+    auto* bar = new QWidget;
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(widgets::PanelMargin_px);
+    for (QPushButton* button : buttons) {
+        row->addWidget(button);
+    }
+    row->addStretch(1);
+    return bar;
+}
+
+void WizardPanel::beginAgain(int page, QPushButton& start) {
+    showPage(page);
+    resetSteps();
+    start.setFocus(Qt::OtherFocusReason);
 }
 
 void WizardPanel::showPage(int page) {

@@ -11,7 +11,9 @@
 
 #include <functional>
 #include <utility>
+#include <vector>
 
+class QLabel;
 class QVBoxLayout;
 class QPushButton;
 class QStackedWidget;
@@ -55,6 +57,13 @@ protected:
     /// Footer of a page of settings: what begins the motion is in sight whatever is said above, with the
     /// speed of simulated time beside it. Ctrl+Return clicks it.
     QWidget* makeStartRow(QPushButton& start, QPushButton* beside = nullptr);
+
+    /// A page of settings: what it is for, the choices, what will happen, what must be so before.
+    static QWidget* makePreparation(QLabel& intro, QWidget& form, QLabel& outlook, QWidget& preflight);
+    /// Footer of a page of results.
+    static QWidget* makeButtonRow(const std::vector<QPushButton*>& buttons);
+    /// Back to a page of settings, all steps before one.
+    void beginAgain(int page, QPushButton& start);
 
     /// Runs `function(Device&, const ProcedureObserver&) -> Result<T>`, which commands currents; `then(const
     /// Result<T>&)` follows while this panel lives. False, with a message, when it cannot start.

@@ -55,7 +55,7 @@ TunePanel::TunePanel(Workbench& bench, QWidget* parent)
     m_splitter->installEventFilter(this);
     connect(m_splitter, &QSplitter::splitterMoved, this, [this] { m_isWidthChosen = true; });
     QWidget* settings = buildSettings();
-    settings->setMinimumWidth(47 * fontMetrics().averageCharWidth());
+    settings->setMinimumWidth(45 * fontMetrics().averageCharWidth());
     m_splitter->addWidget(settings);
     m_splitter->addWidget(buildFigures());
     m_pages->addWidget(m_empty);
