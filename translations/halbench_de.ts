@@ -4639,10 +4639,6 @@
         <translation>bei einem Trigger ist window_s größer als 0, hysteresis und hold_off_s sind nicht negativ, pre_trigger_ratio liegt zwischen 0 und 1</translation>
     </message>
     <message>
-        <source>[monitor] has follow (true or false), span_s and trigger</source>
-        <translation>[monitor] hat follow (true oder false), span_s und trigger</translation>
-    </message>
-    <message>
         <source>&apos;{}&apos; must be true or false</source>
         <translation>&apos;{}&apos; muss true oder false sein</translation>
     </message>
@@ -5087,10 +5083,6 @@
         <translation>schreiben Sie eines; das Komma trennt Argumente von Funktionen</translation>
     </message>
     <message>
-        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, plot, derived, given, model, design, calibration</source>
-        <translation>unbekannter Schlüssel &apos;{}&apos;; bekannt sind schema, device, notes, perspective, layout, monitor, plot, derived, given, model, design, calibration</translation>
-    </message>
-    <message>
         <source>&apos;derived&apos; must be a list of tables, [[derived]]</source>
         <translation>&apos;derived&apos; muss eine Liste von Tabellen sein, [[derived]]</translation>
     </message>
@@ -5357,6 +5349,34 @@
     <message>
         <source>the model has no covariance: how uncertain it is is not known</source>
         <translation>das Modell hat keine Kovarianz: wie unsicher es ist, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; a pair of [[cursors]] has name, a_s, b_s, measuring</source>
+        <translation>unbekannter Schlüssel &apos;{}&apos;; ein Paar von [[cursors]] hat name, a_s, b_s, measuring</translation>
+    </message>
+    <message>
+        <source>a pair of [[cursors]] has a name, a_s and b_s</source>
+        <translation>ein Paar von [[cursors]] hat einen Namen (name), a_s und b_s</translation>
+    </message>
+    <message>
+        <source>&apos;cursors&apos; must be a list of tables, [[cursors]]</source>
+        <translation>&apos;cursors&apos; muss eine Liste von Tabellen sein, [[cursors]]</translation>
+    </message>
+    <message>
+        <source>there is a pair of [[cursors]] named &apos;{}&apos; already</source>
+        <translation>ein Paar von [[cursors]] namens &apos;{}&apos; gibt es schon</translation>
+    </message>
+    <message>
+        <source>only one pair of [[cursors]] is measuring</source>
+        <translation>nur ein Paar von [[cursors]] misst (measuring)</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, plot, cursors, derived, given, model, design, calibration</source>
+        <translation>unbekannter Schlüssel &apos;{}&apos;; bekannt sind schema, device, notes, perspective, layout, monitor, plot, cursors, derived, given, model, design, calibration</translation>
+    </message>
+    <message>
+        <source>[monitor] has follow and cursors (true or false), span_s and trigger</source>
+        <translation>[monitor] hat follow und cursors (true oder false), span_s und trigger</translation>
     </message>
 </context>
 <context>
@@ -11646,6 +11666,30 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>Δt %1 s    1/Δt %2 Hz</source>
         <translation>Δt %1 s    1/Δt %2 Hz</translation>
     </message>
+    <message>
+        <source>Cursor pair</source>
+        <translation>Messmarkenpaar</translation>
+    </message>
+    <message>
+        <source>Further pairs of cursors: N adds one, P chooses the next, F2 names it</source>
+        <translation>Weitere Paare von Messmarken: N fügt eines hinzu, P wählt das nächste, F2 benennt es</translation>
+    </message>
+    <message>
+        <source>Pair that measures</source>
+        <translation>Paar, das misst</translation>
+    </message>
+    <message>
+        <source>The pair that measures; the others are drawn faint (P, Shift+P)</source>
+        <translation>Das Paar, das misst; die anderen sind schwach gezeichnet (P, Umschalt+P)</translation>
+    </message>
+    <message>
+        <source>Name of the cursor pair</source>
+        <translation>Name des Messmarkenpaars</translation>
+    </message>
+    <message>
+        <source>Name of the pair that measures; a pair with a name is kept in the project (F2)</source>
+        <translation>Name des Paars, das misst; ein Paar mit Namen bleibt im Projekt (F2)</translation>
+    </message>
 </context>
 <context>
     <name>halbench::widgets::EmptyState</name>
@@ -12000,6 +12044,70 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Remove the reference: %1</source>
         <translation>Referenz entfernen: %1</translation>
+    </message>
+    <message>
+        <source>New cursor pair</source>
+        <translation>Neues Messmarkenpaar</translation>
+    </message>
+    <message>
+        <source>Two more cursors, in view; the pairs before stay where they are, faint</source>
+        <translation>Zwei weitere Messmarken im Bild; die Paare davor bleiben, wo sie sind, schwach gezeichnet</translation>
+    </message>
+    <message>
+        <source>Remove the cursor pair</source>
+        <translation>Messmarkenpaar entfernen</translation>
+    </message>
+    <message>
+        <source>The pair that measures goes</source>
+        <translation>Das Paar, das misst, verschwindet</translation>
+    </message>
+    <message>
+        <source>Next cursor pair</source>
+        <translation>Nächstes Messmarkenpaar</translation>
+    </message>
+    <message>
+        <source>The next pair measures</source>
+        <translation>Das nächste Paar misst</translation>
+    </message>
+    <message>
+        <source>Previous cursor pair</source>
+        <translation>Voriges Messmarkenpaar</translation>
+    </message>
+    <message>
+        <source>The pair before measures</source>
+        <translation>Das vorige Paar misst</translation>
+    </message>
+    <message>
+        <source>Name the cursor pair</source>
+        <translation>Messmarkenpaar benennen</translation>
+    </message>
+    <message>
+        <source>A name for the pair that measures; the project keeps it</source>
+        <translation>Ein Name für das Paar, das misst; das Projekt behält ihn</translation>
+    </message>
+    <message>
+        <source>Go to the cursor pair</source>
+        <translation>Zum Messmarkenpaar gehen</translation>
+    </message>
+    <message>
+        <source>Show the stretch of time around the pair that measures</source>
+        <translation>Die Zeitspanne um das Paar zeigen, das misst</translation>
+    </message>
+    <message>
+        <source>Bring the cursor pair here</source>
+        <translation>Messmarkenpaar hierher holen</translation>
+    </message>
+    <message>
+        <source>The pair that measures comes into view</source>
+        <translation>Das Paar, das misst, kommt ins Bild</translation>
+    </message>
+    <message>
+        <source>A pair needs a name; it is still called %1</source>
+        <translation>Ein Paar braucht einen Namen; es heißt weiter %1</translation>
+    </message>
+    <message>
+        <source>There is a pair %1 already; this one is still called %2</source>
+        <translation>Ein Paar %1 gibt es schon; dieses heißt weiter %2</translation>
     </message>
 </context>
 <context>

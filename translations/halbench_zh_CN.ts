@@ -4639,10 +4639,6 @@
         <translation>触发的 window_s 大于 0，hysteresis 和 hold_off_s 不为负，pre_trigger_ratio 在 0 到 1 之间</translation>
     </message>
     <message>
-        <source>[monitor] has follow (true or false), span_s and trigger</source>
-        <translation>[monitor] 有 follow（true 或 false）、span_s 和 trigger</translation>
-    </message>
-    <message>
         <source>&apos;{}&apos; must be true or false</source>
         <translation>&apos;{}&apos; 必须是 true 或 false</translation>
     </message>
@@ -5087,10 +5083,6 @@
         <translation>请只写一个；逗号用于分隔函数参数</translation>
     </message>
     <message>
-        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, plot, derived, given, model, design, calibration</source>
-        <translation>未知的键 &apos;{}&apos;；已知的有 schema、device、notes、perspective、layout、monitor、plot、derived、given、model、design、calibration</translation>
-    </message>
-    <message>
         <source>&apos;derived&apos; must be a list of tables, [[derived]]</source>
         <translation>&apos;derived&apos; 必须是表的列表，[[derived]]</translation>
     </message>
@@ -5357,6 +5349,34 @@
     <message>
         <source>the model has no covariance: how uncertain it is is not known</source>
         <translation>模型没有协方差：其不确定程度未知</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; a pair of [[cursors]] has name, a_s, b_s, measuring</source>
+        <translation>未知的键 &apos;{}&apos;；一对 [[cursors]] 有 name、a_s、b_s、measuring</translation>
+    </message>
+    <message>
+        <source>a pair of [[cursors]] has a name, a_s and b_s</source>
+        <translation>一对 [[cursors]] 有 name、a_s 和 b_s</translation>
+    </message>
+    <message>
+        <source>&apos;cursors&apos; must be a list of tables, [[cursors]]</source>
+        <translation>&apos;cursors&apos; 必须是表的列表，[[cursors]]</translation>
+    </message>
+    <message>
+        <source>there is a pair of [[cursors]] named &apos;{}&apos; already</source>
+        <translation>已有名为 &apos;{}&apos; 的一对 [[cursors]]</translation>
+    </message>
+    <message>
+        <source>only one pair of [[cursors]] is measuring</source>
+        <translation>只有一对 [[cursors]] 可以是 measuring</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, plot, cursors, derived, given, model, design, calibration</source>
+        <translation>未知的键 &apos;{}&apos;；已知的有 schema、device、notes、perspective、layout、monitor、plot、cursors、derived、given、model、design、calibration</translation>
+    </message>
+    <message>
+        <source>[monitor] has follow and cursors (true or false), span_s and trigger</source>
+        <translation>[monitor] 有 follow 和 cursors（true 或 false）、span_s 和 trigger</translation>
     </message>
 </context>
 <context>
@@ -11637,6 +11657,30 @@ A real device has its own time.</source>
         <source>Δt %1 s    1/Δt %2 Hz</source>
         <translation>Δt %1 s    1/Δt %2 Hz</translation>
     </message>
+    <message>
+        <source>Cursor pair</source>
+        <translation>光标对</translation>
+    </message>
+    <message>
+        <source>Further pairs of cursors: N adds one, P chooses the next, F2 names it</source>
+        <translation>更多光标对：N 添加一对，P 选择下一对，F2 命名</translation>
+    </message>
+    <message>
+        <source>Pair that measures</source>
+        <translation>测量的光标对</translation>
+    </message>
+    <message>
+        <source>The pair that measures; the others are drawn faint (P, Shift+P)</source>
+        <translation>正在测量的一对；其余各对以淡线显示（P、Shift+P）</translation>
+    </message>
+    <message>
+        <source>Name of the cursor pair</source>
+        <translation>光标对的名称</translation>
+    </message>
+    <message>
+        <source>Name of the pair that measures; a pair with a name is kept in the project (F2)</source>
+        <translation>正在测量的一对的名称；有名称的光标对随项目保存（F2）</translation>
+    </message>
 </context>
 <context>
     <name>halbench::widgets::EmptyState</name>
@@ -11991,6 +12035,70 @@ A real device has its own time.</source>
     <message>
         <source>Remove the reference: %1</source>
         <translation>移除参考：%1</translation>
+    </message>
+    <message>
+        <source>New cursor pair</source>
+        <translation>新建光标对</translation>
+    </message>
+    <message>
+        <source>Two more cursors, in view; the pairs before stay where they are, faint</source>
+        <translation>在视图中再放两个光标；先前的各对留在原处，以淡线显示</translation>
+    </message>
+    <message>
+        <source>Remove the cursor pair</source>
+        <translation>移除光标对</translation>
+    </message>
+    <message>
+        <source>The pair that measures goes</source>
+        <translation>移除正在测量的一对</translation>
+    </message>
+    <message>
+        <source>Next cursor pair</source>
+        <translation>下一对光标</translation>
+    </message>
+    <message>
+        <source>The next pair measures</source>
+        <translation>由下一对测量</translation>
+    </message>
+    <message>
+        <source>Previous cursor pair</source>
+        <translation>上一对光标</translation>
+    </message>
+    <message>
+        <source>The pair before measures</source>
+        <translation>由上一对测量</translation>
+    </message>
+    <message>
+        <source>Name the cursor pair</source>
+        <translation>命名光标对</translation>
+    </message>
+    <message>
+        <source>A name for the pair that measures; the project keeps it</source>
+        <translation>为正在测量的一对命名；名称随项目保存</translation>
+    </message>
+    <message>
+        <source>Go to the cursor pair</source>
+        <translation>转到光标对</translation>
+    </message>
+    <message>
+        <source>Show the stretch of time around the pair that measures</source>
+        <translation>显示正在测量的一对周围的时间段</translation>
+    </message>
+    <message>
+        <source>Bring the cursor pair here</source>
+        <translation>将光标对移到此处</translation>
+    </message>
+    <message>
+        <source>The pair that measures comes into view</source>
+        <translation>正在测量的一对移入视图</translation>
+    </message>
+    <message>
+        <source>A pair needs a name; it is still called %1</source>
+        <translation>光标对需要名称；仍名为 %1</translation>
+    </message>
+    <message>
+        <source>There is a pair %1 already; this one is still called %2</source>
+        <translation>已有名为 %1 的光标对；这一对仍名为 %2</translation>
     </message>
 </context>
 <context>

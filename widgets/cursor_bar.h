@@ -1,32 +1,54 @@
 #pragma once
 
-#include "widgets/plot_marks.h"
+#include "widgets/cursor_pairs.h"
 #include "widgets/theme.h"
 
 #include <QWidget>
 
+class QAction;
+class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
+class QLineEdit;
+class QToolButton;
 
 namespace halbench::widgets {
 
-/// The cursors' times, which can be typed, their distance and its reciprocal.
+/// The pair that measures: which one it is, its name and its cursors' times, all of which can be typed, their
+/// distance and its reciprocal.
 class CursorBar : public QWidget {
     Q_OBJECT
 public:
     explicit CursorBar(QWidget* parent = nullptr);
 
     void setTheme(const Theme& theme);
-    void setCursors(const CursorPair& cursors);
+    /// What can be done with pairs, for the menu.
+    void setPairActions(const QList<QAction*>& actions);
+    void setPairs(const CursorPairs& pairs);
+    /// The next keys are the name.
+    void editName();
+    /// Stays until something else is shown; beside the distance.
+    void refuseName(const QString& reason);
     /// "Δt 0.125 s   1/Δt 8 Hz"
     QString distanceText() const;
 
 Q_SIGNALS:
     void cursorTyped(int index, double time_s);
+    void pairChosen(int pair);
+    void nameTyped(const QString& name);
 
 private:
+    void addPairFields();
+    void addTimeField(int index);
+    void showTimes(const CursorPair& cursors);
+
+    QToolButton* m_menu;
+    QComboBox* m_choice;
+    QLineEdit* m_name;
     QDoubleSpinBox* m_fields[2];
     QLabel* m_distance;
+    QLabel* m_refusal;
+    QString m_shownName;
 };
 
 } // namespace halbench::widgets

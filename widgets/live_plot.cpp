@@ -193,7 +193,7 @@ void LivePlot::drawCanvas(QPainter* painter) {
     painter->drawImage(place.topLeft(), m_image);
 }
 
-void LivePlot::setCursors(const CursorPair& cursors) {
+void LivePlot::setCursors(const CursorPairs& cursors) {
     m_cursors = cursors;
     m_overlay->setCursors(cursors);
 }

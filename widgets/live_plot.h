@@ -56,7 +56,7 @@ public:
     /// Faint curves below those of the same signals; null: none.
     void setReference(ReferencePtr reference);
     const std::vector<HistoryCurve*>& referenceCurves() const { return m_referenceCurves; }
-    void setCursors(const CursorPair& cursors);
+    void setCursors(const CursorPairs& cursors);
     void setMarkers(const std::vector<PlotMarker>& markers) { m_overlay->setMarkers(markers); }
     void setNamesShown(bool areShown) { m_overlay->setNamesShown(areShown); }
 
@@ -99,6 +99,7 @@ Q_SIGNALS:
     void viewAboutToChange(); ///< before a value zoom or a drag: what zoom back returns to
     void fitRequested();
     void cursorMoved(int index, double time_s);
+    void pairPicked(int pair);     ///< before one of its cursors moves
     void levelMoved(double level); ///< in SI
     void signalsDropped(QStringList names);
 
@@ -116,7 +117,11 @@ private:
     void move(const QMouseEvent& event);
     void release(const QMouseEvent& event);
     void wheel(const QWheelEvent& event);
-    int cursorNear(double canvasX) const;
+    struct Grip { ///< a cursor under the mouse
+        int pair = 0;
+        int index = 0;
+    };
+    std::optional<Grip> cursorNear(double canvasX) const;
     bool isLevelNear(double canvasY) const;
     const PlotCurve* levelCurve() const;
     void finishBox(const QPoint& end);
@@ -153,10 +158,10 @@ private:
     bool m_isWhole = true;
     QImage m_image; ///< what the canvas shows; curves set its pixels
     Drag m_drag = Drag::None;
-    int m_draggedCursor = 0;
+    Grip m_dragged;
     QPoint m_pressed;
     QPoint m_last;
-    CursorPair m_cursors;
+    CursorPairs m_cursors;
     std::optional<double> m_event_s;
     std::optional<PlotLevel> m_level;
 };

@@ -49,14 +49,21 @@ bool LivePlot::eventFilter(QObject* watched, QEvent* event) {
     return QwtPlot::eventFilter(watched, event);
 }
 
-int LivePlot::cursorNear(double canvasX) const {
-    int nearest = -1;
-    double distance = CursorReach_px;
-    for (int i = 0; m_cursors.isVisible && i < 2; ++i) {
-        const double away = std::abs(canvasMap(xBottom).transform(m_cursors.at(i)) - canvasX);
-        if (away < distance || (away == distance && i == m_cursors.active)) {
-            distance = away;
-            nearest = i;
+/// The nearest within reach; of two at one place the one that the keyboard moves, and the pair that measures.
+std::optional<LivePlot::Grip> LivePlot::cursorNear(double canvasX) const {
+    std::optional<Grip> nearest;
+    double nearest_px = CursorReach_px;
+    const CursorPair measuring = m_cursors.cursors();
+    for (std::size_t pair = 0; measuring.isVisible && pair < m_cursors.list().size(); ++pair) {
+        for (int i = 0; i < 2; ++i) {
+            const double away_px =
+                std::abs(canvasMap(xBottom).transform(m_cursors.list()[pair].at(i)) - canvasX);
+            const bool isPreferred = pair == m_cursors.chosen() && (i == measuring.active || !nearest ||
+                                                                    nearest->pair != static_cast<int>(pair));
+            if (away_px < nearest_px || (away_px == nearest_px && nearest && isPreferred)) {
+                nearest_px = away_px;
+                nearest = Grip{static_cast<int>(pair), i};
+            }
         }
     }
     return nearest;
@@ -79,24 +86,28 @@ void LivePlot::press(const QMouseEvent& event) {
         Q_EMIT viewAboutToChange();
         canvas()->setCursor(Qt::ClosedHandCursor);
     } else if (event.button() == Qt::LeftButton) {
-        m_draggedCursor = cursorNear(event.pos().x());
-        m_drag = m_draggedCursor >= 0 ? Drag::Cursor : isLevelNear(event.pos().y()) ? Drag::Level : Drag::Box;
+        const std::optional<Grip> grip = cursorNear(event.pos().x());
+        m_dragged = grip.value_or(Grip{});
+        m_drag = grip ? Drag::Cursor : isLevelNear(event.pos().y()) ? Drag::Level : Drag::Box;
+        if (grip && grip->pair != static_cast<int>(m_cursors.chosen())) {
+            Q_EMIT pairPicked(grip->pair);
+        }
     }
 }
 
 void LivePlot::move(const QMouseEvent& event) {
     switch (m_drag) {
     case Drag::None:
-        canvas()->setCursor(cursorNear(event.pos().x()) >= 0 ? Qt::SplitHCursor
-                            : isLevelNear(event.pos().y())   ? Qt::SplitVCursor
-                                                             : Qt::ArrowCursor);
+        canvas()->setCursor(cursorNear(event.pos().x())    ? Qt::SplitHCursor
+                            : isLevelNear(event.pos().y()) ? Qt::SplitVCursor
+                                                           : Qt::ArrowCursor);
         break;
     case Drag::Level:
         Q_EMIT levelMoved(canvasMap(axisOf(*levelCurve())).invTransform(event.pos().y()) /
                           levelCurve()->factor);
         break;
     case Drag::Cursor:
-        Q_EMIT cursorMoved(m_draggedCursor, timeAt(event.pos().x()));
+        Q_EMIT cursorMoved(m_dragged.index, timeAt(event.pos().x()));
         break;
     case Drag::Pan:
         panTo(event.pos());

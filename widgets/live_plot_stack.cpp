@@ -39,7 +39,7 @@ LivePlotStack::LivePlotStack(QWidget* parent)
     m_splitter->setChildrenCollapsible(false);
     m_cursorBar->hide();
     createActions();
-    connect(m_cursorBar, &CursorBar::cursorTyped, this, &LivePlotStack::setCursor);
+    connectCursorBar();
     connect(m_timer, &QTimer::timeout, this, &LivePlotStack::refresh);
     setTheme(currentTheme());
     setPlots({});
@@ -148,6 +148,10 @@ void LivePlotStack::connectPlot(int index) {
     connect(plot, &LivePlot::viewAboutToChange, this, &LivePlotStack::remember);
     connect(plot, &LivePlot::fitRequested, this, &LivePlotStack::fitAll);
     connect(plot, &LivePlot::cursorMoved, this, &LivePlotStack::setCursor);
+    connect(plot, &LivePlot::pairPicked, this, [this](int pair) {
+        m_pairs.choose(static_cast<std::size_t>(pair));
+        placeCursors();
+    });
     connect(plot, &LivePlot::levelMoved, this, &LivePlotStack::levelMoved);
     connect(plot, &LivePlot::valuesChanged, this, [this] { m_isDirty = true; });
     connect(plot, &LivePlot::panRequested, this, [this](double by_s) {
@@ -190,7 +194,7 @@ void LivePlotStack::configureRow(std::size_t index) {
     Row& row = m_rows[index];
     row.plot->setNamesShown(index == 0);
     row.plot->setMarkers(m_markers);
-    row.plot->setCursors(m_cursors);
+    row.plot->setCursors(m_pairs);
     row.plot->setEvent(m_event_s);
     row.plot->setLevel(m_level);
     if (row.isConfigured && row.plot->spec() == m_specs[index] && row.plot->history() == m_history) {
@@ -201,7 +205,7 @@ void LivePlotStack::configureRow(std::size_t index) {
     row.plot->setReference(m_reference);
     row.plot->setSpec(m_specs[index], m_history);
     row.legend->table().setCurves(row.plot->curves());
-    row.legend->setCursorColumnsShown(m_cursors.isVisible, index == 0);
+    row.legend->setCursorColumnsShown(cursors().isVisible, index == 0);
     row.legend->setAccessibleName(tr("Live values of %1").arg(row.plot->accessibleName()));
 }
 

@@ -36,6 +36,9 @@ class TimeAxisBar;
 ///     Backspace          zoom back                 Home                            all of the history
 ///     Space              pause, data are kept      End                             follow the newest sample
 ///     C                  cursors; arrows move the active one, Shift coarsely, A and B choose it
+///     N, Shift+N         another pair of cursors, removes the pair that measures
+///     P, Shift+P         the next pair, the one before; F2 names it
+///     G, Shift+C         the view goes to the pair, the pair comes into the view
 ///     M                  marker                    Insert                          add signals
 ///     K, Shift+K         keep what is shown as faint reference, remove it
 ///
@@ -59,6 +62,13 @@ public:
         Cursors,
         CursorA,
         CursorB,
+        NewPair,
+        RemovePair,
+        NextPair,
+        PreviousPair,
+        NamePair,
+        ShowPair,
+        PairHere,
         Marker,
         KeepReference,
         RemoveReference,
@@ -102,7 +112,10 @@ public:
     std::optional<ValueRange> heldRange(int plot, bool isRight = false) const;
 
     void setCursorsVisible(bool areVisible);
-    const CursorPair& cursors() const { return m_cursors; }
+    /// The pair that measures.
+    CursorPair cursors() const { return m_pairs.cursors(); }
+    const CursorPairs& cursorPairs() const { return m_pairs; }
+    void setCursorPairs(CursorPairs pairs);
     void setCursor(int index, double time_s);
     /// The moment of a trigger's event, from which the time axis counts while it is given.
     void setEvent(std::optional<double> event_s);
@@ -173,6 +186,12 @@ private:
     void remember();
     void zoomTime(double factor, double at_s);
     void changed(bool wasFollowing, bool wasPaused);
+    void connectCursorBar();
+    void createCursorActions();
+    void runOnPairs(Command command);
+    control::TimeRange thirdsOfView() const;
+    void showPair();
+    void namePair(const QString& name);
     void placeCursors();
     void moveCursor(int columns);
     void dropMarker();
@@ -185,7 +204,7 @@ private:
     std::vector<PlotSpec> m_specs;
     std::vector<Row> m_rows;
     TimeView m_view;
-    CursorPair m_cursors;
+    CursorPairs m_pairs;
     std::vector<PlotMarker> m_markers;
     std::optional<double> m_event_s;
     std::optional<PlotLevel> m_level;

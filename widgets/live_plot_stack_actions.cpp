@@ -1,5 +1,4 @@
 // What keys and tool bars do with a stack of plots.
-#include "widgets/cursor_bar.h"
 #include "widgets/live_legend.h"
 #include "widgets/live_plot.h"
 #include "widgets/live_plot_stack.h"
@@ -33,10 +32,7 @@ void LivePlotStack::createActions() {
     addAction(Command::ZoomOut, tr("Zoom out"), QStringLiteral("-"), tr("Show a longer stretch of time"));
     addAction(Command::ScrollBack, tr("Scroll back"), QStringLiteral("PgUp"), tr("Show what was before"));
     addAction(Command::ScrollOn, tr("Scroll on"), QStringLiteral("PgDown"), tr("Show what came after"));
-    addAction(Command::Cursors, tr("Cursors"), QStringLiteral("C"),
-              tr("Two cursors that measure; drag them or move them with the arrow keys"));
-    addAction(Command::CursorA, tr("Cursor A"), QStringLiteral("A"), tr("Arrow keys move cursor A"));
-    addAction(Command::CursorB, tr("Cursor B"), QStringLiteral("B"), tr("Arrow keys move cursor B"));
+    createCursorActions();
     addAction(Command::Marker, tr("Marker"), QStringLiteral("M"), tr("Mark this moment"));
     addAction(Command::KeepReference, tr("Keep as reference"), QStringLiteral("K"),
               tr("What is shown stays as faint curves below the live ones"));
@@ -87,12 +83,6 @@ void LivePlotStack::run(Command command) {
     case Command::ScrollOn:
         m_view.pan((command == Command::ScrollOn ? Page_ratio : -Page_ratio) * m_view.range().length_s());
         break;
-    case Command::Cursors:
-        return setCursorsVisible(!m_cursors.isVisible);
-    case Command::CursorA:
-    case Command::CursorB:
-        m_cursors.active = command == Command::CursorA ? 0 : 1;
-        return setCursorsVisible(true);
     case Command::Marker:
         return dropMarker();
     case Command::KeepReference:
@@ -102,6 +92,8 @@ void LivePlotStack::run(Command command) {
     case Command::AddSignals:
         Q_EMIT addSignalsRequested(activePlot());
         return;
+    default:
+        return runOnPairs(command);
     }
     changed(wasFollowing, wasPaused);
 }
@@ -113,42 +105,6 @@ int LivePlotStack::activePlot() const {
     return focused == m_rows.end() ? 0 : static_cast<int>(focused - m_rows.begin());
 }
 
-void LivePlotStack::setCursorsVisible(bool areVisible) {
-    const control::TimeRange& view = m_view.range();
-    const auto isInView = [&](double time_s) { return time_s >= view.begin_s && time_s <= view.end_s; };
-    if (areVisible && !m_cursors.isVisible && !(isInView(m_cursors.a_s) && isInView(m_cursors.b_s))) {
-        m_cursors.a_s = view.begin_s + view.length_s() / 3.0;
-        m_cursors.b_s = view.begin_s + view.length_s() * 2.0 / 3.0;
-    }
-    m_cursors.isVisible = areVisible;
-    m_cursorBar->setVisible(areVisible);
-    m_actions.at(Command::Cursors)->setChecked(areVisible);
-    for (const Row& row : m_rows) {
-        row.legend->setCursorColumnsShown(areVisible, &row == &m_rows.front());
-    }
-    placeCursors();
-}
-
-void LivePlotStack::setCursor(int index, double time_s) {
-    (index == 0 ? m_cursors.a_s : m_cursors.b_s) = time_s;
-    m_cursors.active = index;
-    placeCursors();
-}
-
-void LivePlotStack::placeCursors() {
-    for (const Row& row : m_rows) {
-        row.plot->setCursors(m_cursors);
-    }
-    m_cursorBar->setCursors(m_cursors);
-    m_isDirty = true;
-    Q_EMIT cursorsChanged();
-}
-
-void LivePlotStack::moveCursor(int columns) {
-    const double column_s = m_view.range().length_s() / deviceColumns();
-    setCursor(m_cursors.active, m_cursors.at(m_cursors.active) + columns * column_s);
-}
-
 void LivePlotStack::keyPressEvent(QKeyEvent* event) {
     const bool isArrow = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
     if (!isArrow) {
@@ -157,7 +113,7 @@ void LivePlotStack::keyPressEvent(QKeyEvent* event) {
     }
     const int sign = event->key() == Qt::Key_Right ? 1 : -1;
     const bool isCoarse = (event->modifiers() & Qt::ShiftModifier) != 0;
-    if (m_cursors.isVisible && (event->modifiers() & Qt::ControlModifier) == 0) {
+    if (cursors().isVisible && (event->modifiers() & Qt::ControlModifier) == 0) {
         moveCursor(isCoarse ? sign * CoarseColumns : sign);
         return;
     }
@@ -168,7 +124,7 @@ void LivePlotStack::keyPressEvent(QKeyEvent* event) {
 
 void LivePlotStack::dropMarker() {
     std::vector<PlotMarker> markers = m_markers;
-    const double time_s = m_cursors.isVisible ? m_cursors.at(m_cursors.active) : m_view.now_s();
+    const double time_s = cursors().isVisible ? cursors().at(cursors().active) : m_view.now_s();
     markers.push_back({time_s, QString::number(markers.size() + 1)});
     setMarkers(std::move(markers));
 }

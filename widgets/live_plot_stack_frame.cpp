@@ -110,7 +110,7 @@ void LivePlotStack::align() {
     int total_px = name_px > 0 ? name_px + LineSampleRoom : 0;
     for (int column = LegendTableModel::Value; column < LegendTableModel::Columns; ++column) {
         const bool isShown =
-            m_cursors.isVisible || column == LegendTableModel::Value || column == LegendTableModel::Unit;
+            cursors().isVisible || column == LegendTableModel::Value || column == LegendTableModel::Unit;
         total_px += isShown ? widths[static_cast<std::size_t>(column)] : 0;
     }
     total_px = std::min(total_px, static_cast<int>(WidestLegend_ratio * width()));
@@ -142,9 +142,9 @@ bool LivePlotStack::showNumbers() {
             const auto latest = m_history->latest(curve.signal);
             numbers[i].value = shown(isPaused() ? m_history->valueAt(curve.signal, m_view.now_s()) : latest);
             numbers[i].stale = staleWords(*m_history, curve.signal, m_stale);
-            if (m_cursors.isVisible) {
-                numbers[i].atA = shown(m_history->valueAt(curve.signal, m_cursors.a_s));
-                numbers[i].atB = shown(m_history->valueAt(curve.signal, m_cursors.b_s));
+            if (const CursorPair pair = cursors(); pair.isVisible) {
+                numbers[i].atA = shown(m_history->valueAt(curve.signal, pair.a_s));
+                numbers[i].atB = shown(m_history->valueAt(curve.signal, pair.b_s));
             }
         }
         row.legend->table().setNumbers(numbers);

@@ -15,6 +15,7 @@ namespace {
 constexpr int BandAlpha = 30; ///< of 255: curves stay the brightest thing
 constexpr int BoxAlpha = 40;
 constexpr double WordMargin = 4.0;
+constexpr int LongestFlag = 12; ///< characters of a pair's name
 
 QColor withAlpha(QColor colour, int alpha) {
     colour.setAlpha(alpha);
@@ -184,18 +185,51 @@ QString OverlayItem::levelText(const QwtScaleMap& yMap) const {
     return *m_level < std::min(yMap.s1(), yMap.s2()) ? QStringLiteral("T \u2193") : QStringLiteral("T");
 }
 
+/// "A" of the only pair; of several, with its name.
+QString OverlayItem::cursorFlag(const NamedPair& pair, int index) const {
+    const QString letter = index == 0 ? QStringLiteral("A") : QStringLiteral("B");
+    if (!m_cursors.areKept()) {
+        return letter;
+    }
+    const bool isLong = pair.name.size() > LongestFlag;
+    return QStringLiteral("%1 %2").arg(isLong ? pair.name.left(LongestFlag - 1) + QChar(0x2026) : pair.name,
+                                       letter);
+}
+
+void OverlayItem::drawOtherCursors(QPainter* painter, const QwtScaleMap& xMap, const QRectF& canvas) const {
+    for (std::size_t pair = 0; pair < m_cursors.list().size(); ++pair) {
+        for (int i = 0; pair != m_cursors.chosen() && i < 2; ++i) {
+            const double x = std::round(xMap.transform(m_cursors.list()[pair].at(i)));
+            if (x < canvas.left() - 1.0 || x > canvas.right() + 1.0) {
+                continue;
+            }
+            painter->setPen(QPen(m_theme.muted, 1.0, Qt::DotLine));
+            painter->drawLine(QPointF(x, canvas.top()), QPointF(x, canvas.bottom()));
+            if (m_areNamesShown) {
+                drawFlag(painter, x, canvas, cursorFlag(m_cursors.list()[pair], i), m_theme.raised,
+                         m_theme.muted);
+            }
+        }
+    }
+}
+
+/// What measures lies over the rest.
 void OverlayItem::drawCursors(QPainter* painter, const QwtScaleMap& xMap, const QRectF& canvas) const {
-    for (int i = 0; m_cursors.isVisible && i < 2; ++i) {
-        const double x = std::round(xMap.transform(m_cursors.at(i)));
+    const CursorPair cursors = m_cursors.cursors();
+    if (cursors.isVisible) {
+        drawOtherCursors(painter, xMap, canvas);
+    }
+    for (int i = 0; cursors.isVisible && i < 2; ++i) {
+        const double x = std::round(xMap.transform(cursors.at(i)));
         if (x < canvas.left() - 1.0 || x > canvas.right() + 1.0) {
             continue;
         }
-        const bool isActive = i == m_cursors.active;
+        const bool isActive = i == cursors.active;
         const QColor colour = isActive ? m_theme.accent : m_theme.text;
         painter->setPen(QPen(colour, isActive ? 2.0 : 1.0));
         painter->drawLine(QPointF(x, canvas.top()), QPointF(x, canvas.bottom()));
         if (m_areNamesShown) {
-            drawFlag(painter, x, canvas, i == 0 ? QStringLiteral("A") : QStringLiteral("B"), colour,
+            drawFlag(painter, x, canvas, cursorFlag(m_cursors.list()[m_cursors.chosen()], i), colour,
                      m_theme.panel);
         }
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "widgets/cursor_pairs.h"
 #include "widgets/live_plot_spec.h"
 #include "widgets/theme.h"
 
@@ -19,17 +20,6 @@ struct PlotMarker {
     double time_s = 0.0;
     QString text;
     bool operator==(const PlotMarker&) const = default;
-};
-
-/// Where the two cursors are; the keyboard moves the active one.
-struct CursorPair {
-    double a_s = 0.0;
-    double b_s = 0.0;
-    bool isVisible = false;
-    int active = 0; ///< 0 = A, 1 = B
-
-    double at(int index) const { return index == 0 ? a_s : b_s; }
-    bool operator==(const CursorPair&) const = default;
 };
 
 /// Lines at the labelled ticks. Filled as rectangles: drawn as lines they would cost more than all curves.
@@ -67,7 +57,8 @@ class OverlayItem : public QwtPlotItem {
 public:
     OverlayItem();
     void setTheme(const Theme& theme) { m_theme = theme; }
-    void setCursors(const CursorPair& cursors) { m_cursors = cursors; }
+    /// The pair that measures is in full strength, the others are faint and have their names.
+    void setCursors(const CursorPairs& cursors) { m_cursors = cursors; }
     void setMarkers(std::vector<PlotMarker> markers) { m_markers = std::move(markers); }
     void setFocused(bool isFocused) { m_isFocused = isFocused; }
     void setBox(std::optional<QRectF> box) { m_box = box; }
@@ -86,12 +77,14 @@ private:
                   const QColor& colour, const QColor& textColour) const;
     void drawMarkers(QPainter* painter, const QwtScaleMap& xMap, const QRectF& canvas) const;
     void drawCursors(QPainter* painter, const QwtScaleMap& xMap, const QRectF& canvas) const;
+    void drawOtherCursors(QPainter* painter, const QwtScaleMap& xMap, const QRectF& canvas) const;
+    QString cursorFlag(const NamedPair& pair, int index) const;
     void drawTrigger(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,
                      const QRectF& canvas) const;
     QString levelText(const QwtScaleMap& yMap) const;
 
     Theme m_theme;
-    CursorPair m_cursors;
+    CursorPairs m_cursors;
     std::vector<PlotMarker> m_markers;
     std::optional<QRectF> m_box;
     std::optional<double> m_event_s;

@@ -65,12 +65,14 @@ void readKey(Reader& reader, const std::string& key, const ConfigNode& node, Pro
         readMonitor(reader, node, project.monitor);
     } else if (key == "plot") {
         readPlots(reader, node, project.monitor.plots);
+    } else if (key == "cursors") {
+        readCursors(reader, node, project.monitor.cursors);
     } else if (key == "derived") {
         readDerived(reader, node, project.monitor.derived);
     } else if (key != "schema") {
         reader.refuse(node,
                       fmt::format("unknown key '{}'; known are schema, device, notes, perspective, layout, "
-                                  "monitor, plot, derived, given, model, design, calibration",
+                                  "monitor, plot, cursors, derived, given, model, design, calibration",
                                   key));
     }
 }
@@ -121,6 +123,9 @@ std::string projectText(const Project& project) {
                       {"calibration", documents(project.calibrations)}};
     if (!project.monitor.derived.empty()) { // an older version does not know the key
         table.insert("derived", projectDerived(project.monitor.derived));
+    }
+    if (!project.monitor.cursors.empty()) {
+        table.insert("cursors", projectCursors(project.monitor.cursors));
     }
     std::ostringstream text;
     text << toml::toml_formatter(table, toml::toml_formatter::default_flags &

@@ -167,6 +167,9 @@ toml::array projectPlots(const std::vector<PlotChoice>& list) {
 
 toml::table projectMonitor(const MonitorView& view) {
     toml::table table{{"follow", view.isFollowing}};
+    if (view.areCursorsShown) { // an older version does not know the key
+        table.insert("cursors", true);
+    }
     if (view.span_s) {
         table.insert("span_s", *view.span_s);
     }
@@ -197,10 +200,12 @@ void readMonitor(ProjectReader& reader, const ConfigNode& node, MonitorView& vie
             view.isFollowing = value.boolean;
         } else if (key == "span_s") {
             view.span_s = reader.number(value, key);
+        } else if (key == "cursors") {
+            view.areCursorsShown = reader.flag(value, key);
         } else if (key == "trigger") {
             readTrigger(reader, value, view.trigger);
         } else {
-            reader.refuse(value, "[monitor] has follow (true or false), span_s and trigger");
+            reader.refuse(value, "[monitor] has follow and cursors (true or false), span_s and trigger");
         }
     }
     if (view.span_s && *view.span_s <= 0.0) {

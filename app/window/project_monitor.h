@@ -17,6 +17,10 @@ void readMonitor(ProjectReader& reader, const ConfigNode& node, MonitorView& vie
 toml::array projectDerived(const std::vector<devices::DerivedSignal>& list);
 void readDerived(ProjectReader& reader, const ConfigNode& node, std::vector<devices::DerivedSignal>& list);
 
+/// `[[cursors]]`.
+toml::array projectCursors(const std::vector<CursorChoice>& list);
+void readCursors(ProjectReader& reader, const ConfigNode& node, std::vector<CursorChoice>& list);
+
 /// `[[plot]]`.
 toml::array projectPlots(const std::vector<PlotChoice>& list);
 void readPlots(ProjectReader& reader, const ConfigNode& node, std::vector<PlotChoice>& plots);

@@ -86,6 +86,7 @@ void MonitorCapture::stop() {
     const QSignalBlocker quiet(m_stack); // they are no new ones
     m_stack.setMarkers(std::exchange(m_liveMarkers, {}));
     m_stack.setEvent(std::nullopt);
+    exchangePairs();
 }
 
 /// Other signals in the plots: the next capture has them.
@@ -167,10 +168,18 @@ void MonitorCapture::enter() {
     m_stack.setEvent(0.0);
     const control::TimeRange window = windowOf(m_choice);
     m_stack.showTimeRange(window);
-    if (m_stack.cursors().isVisible) {
+    exchangePairs();
+    if (!m_stack.cursorPairs().areKept()) {
         m_stack.setCursor(0, 0.0);
         m_stack.setCursor(1, 0.5 * window.end_s);
     }
+}
+
+/// Two time axes: what was put at a moment of one says nothing on the other.
+void MonitorCapture::exchangePairs() {
+    widgets::CursorPairs shown = std::exchange(m_otherPairs, m_stack.cursorPairs());
+    shown.setVisible(m_otherPairs.cursors().isVisible);
+    m_stack.setCursorPairs(std::move(shown));
 }
 
 QString MonitorCapture::whatIsCaught() const {

@@ -4,6 +4,7 @@
 #include "app/workspaces/trigger_choice.h"
 #include "app/workspaces/workbench.h"
 #include "control/signals/sample_history.h"
+#include "widgets/cursor_pairs.h"
 #include "widgets/plot_marks.h"
 #include "widgets/theme_style.h"
 
@@ -40,6 +41,8 @@ public:
     void plotsChanged();
     bool isOn() const { return m_isOn; }
     bool isShown() const { return m_isShown; }
+    /// Of the live samples, while these are not shown; those of captures are kept meanwhile.
+    const widgets::CursorPairs& livePairs() const { return m_otherPairs; }
     /// `event`: what is waited for.
     TriggerWords words(const QString& event) const;
 
@@ -56,6 +59,7 @@ private:
     void take();
     void show();
     void enter();
+    void exchangePairs();
     QString whatIsCaught() const;
 
     Workbench& m_bench;
@@ -65,6 +69,7 @@ private:
     control::SampleHistory m_history;
     std::vector<widgets::PlotMarker> m_liveMarkers; ///< and the view, while this one is shown
     control::TimeRange m_liveView;
+    widgets::CursorPairs m_otherPairs; ///< of the live samples or of the captures: the ones not shown
     bool m_isOn = false;
     bool m_isShown = false;
     bool m_isOwed = false; ///< caught, not shown: the view is paused

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace halbench::app {
 
@@ -173,6 +174,27 @@ std::vector<widgets::PlotSpec> chosenPlots(const std::vector<PlotChoice>& choice
     }
     missing.removeDuplicates();
     return plots;
+}
+
+widgets::CursorPairs cursorPairs(const MonitorView& view) {
+    std::vector<widgets::NamedPair> pairs;
+    std::size_t measuring = 0;
+    for (const CursorChoice& choice : view.cursors) {
+        measuring = choice.isMeasuring ? pairs.size() : measuring;
+        pairs.push_back({QString::fromStdString(choice.name), choice.a_s, choice.b_s});
+    }
+    widgets::CursorPairs kept(std::move(pairs), measuring);
+    kept.setVisible(view.areCursorsShown);
+    return kept;
+}
+
+void keepCursors(const widgets::CursorPairs& pairs, MonitorView& view) {
+    view.cursors.clear();
+    view.areCursorsShown = pairs.areKept() && pairs.cursors().isVisible;
+    for (std::size_t i = 0; pairs.areKept() && i < pairs.list().size(); ++i) {
+        const widgets::NamedPair& pair = pairs.list()[i];
+        view.cursors.push_back({pair.name.toStdString(), pair.a_s, pair.b_s, i == pairs.chosen()});
+    }
 }
 
 std::set<std::string> plottedSignals(const std::vector<widgets::PlotSpec>& plots) {

@@ -3,6 +3,7 @@
 #include "app/workspaces/display_quantity.h"
 #include "app/workspaces/monitor_view.h"
 #include "devices/device.h"
+#include "widgets/cursor_pairs.h"
 #include "widgets/live_plot_spec.h"
 
 #include <QStringList>
@@ -42,6 +43,10 @@ std::vector<widgets::PlotSpec> inUnits(std::vector<widgets::PlotSpec> plots,
 std::vector<widgets::PlotSpec> chosenPlots(const std::vector<PlotChoice>& choices,
                                            const devices::Catalogue& catalogue, const TemperatureBands& bands,
                                            const DisplayUnits& units, QStringList& missing);
+
+/// Pairs of cursors as they were chosen, and back.
+widgets::CursorPairs cursorPairs(const MonitorView& view);
+void keepCursors(const widgets::CursorPairs& pairs, MonitorView& view);
 
 /// Names of all signals in the plots.
 std::set<std::string> plottedSignals(const std::vector<widgets::PlotSpec>& plots);

@@ -172,6 +172,10 @@ void MonitorTrigger::startLive(const TriggerChoice& chosen, const SetPointSignal
     m_stack.setEvent(m_event_s);
 }
 
+const widgets::CursorPairs& MonitorTrigger::livePairs() const {
+    return m_capture->isShown() ? m_capture->livePairs() : m_stack.cursorPairs();
+}
+
 void MonitorTrigger::plotsChanged() {
     m_capture->plotsChanged();
 }

@@ -9,8 +9,9 @@ class QAction;
 class QWidget;
 
 namespace halbench::widgets {
+class CursorPairs;
 class LivePlotStack;
-}
+} // namespace halbench::widgets
 
 namespace halbench::app {
 
@@ -35,6 +36,8 @@ public:
     /// Of the view when it is off.
     bool isFollowingOtherwise() const { return m_wasFollowing; }
     void plotsChanged();
+    /// The pairs on the time axis of the live samples, also while a capture is shown.
+    const widgets::CursorPairs& livePairs() const;
 
 private:
     void createActions(QWidget& panel);

@@ -22,6 +22,16 @@ struct PlotChoice {
     bool operator==(const PlotChoice&) const = default;
 };
 
+/// A pair of cursors as a project keeps it, on the device's time axis.
+struct CursorChoice {
+    std::string name;
+    double a_s = 0.0;
+    double b_s = 0.0;
+    bool isMeasuring = false; ///< one of them
+
+    bool operator==(const CursorChoice&) const = default;
+};
+
 /// What the Monitor shows, as a project keeps it. No plots: what the device's profile says.
 struct MonitorView {
     std::vector<PlotChoice> plots;
@@ -29,6 +39,8 @@ struct MonitorView {
     std::optional<double> span_s; ///< time shown while following
     TriggerChoice trigger;
     std::vector<devices::DerivedSignal> derived;
+    std::vector<CursorChoice> cursors; ///< none: one pair that nobody named, which is not kept
+    bool areCursorsShown = false;      ///< where there are some
 
     bool operator==(const MonitorView&) const = default;
 };

@@ -26,6 +26,8 @@ Project sample() {
     project.monitor.trigger = {
         true, "speed", control::TriggerMode::Single, control::TriggerSlope::Either, 1.25, 0.05, 0.4, 0.1,
         2.0,  true};
+    project.monitor.cursors = {{"rise", 1.25, 2.0 / 3.0, false}, {"7 \u00b0", -1.0, 1e4, true}};
+    project.monitor.areCursorsShown = true;
     project.monitor.derived = {{"power", "current.a^2 + current.b^2", "A^2"}};
     return project;
 }
@@ -86,6 +88,26 @@ TEST(ProjectFile, twoDerivedSignalsOfOneNameAreRefusedWithTheSecondsLine) {
     ASSERT_FALSE(read);
     EXPECT_NE(read.error().message.find("motor.toml:5:"), std::string::npos) << read.error().message;
     EXPECT_NE(read.error().message.find("'x'"), std::string::npos) << read.error().message;
+}
+
+TEST(ProjectFile, pairsOfCursorsThatMakeNoSenseAreRefusedWithTheirLine) {
+    const std::string good = "[[cursors]]\nname = \"x\"\na_s = 1.0\nb_s = 2\n";
+    ASSERT_TRUE(parseProject("schema = \"halbench.project/1\"\n" + good, "motor.toml"));
+    for (const std::string& lines :
+         {std::string("cursors = 3\n"), std::string("cursors = [3]\n"),
+          std::string("[[cursors]]\nname = \"x\"\na_s = 1.0\n"),
+          std::string("[[cursors]]\na_s = 1.0\nb_s = 2.0\n"),
+          std::string("[[cursors]]\nname = \"\"\na_s = 1.0\nb_s = 2.0\n"),
+          std::string("[[cursors]]\nname = \"x\"\na_s = inf\nb_s = 2.0\n"), good + "measuring = 1\n",
+          good + "colour = 1\n", good + good, std::string("[monitor]\ncursors = 1\n"),
+          good + "measuring = true\n[[cursors]]\nname = \"y\"\na_s = 1.0\nb_s = 2.0\nmeasuring = true\n"}) {
+        const auto read = parseProject("schema = \"halbench.project/1\"\n" + lines, "motor.toml");
+        ASSERT_FALSE(read) << lines;
+        EXPECT_NE(read.error().message.find("motor.toml:"), std::string::npos) << read.error().message;
+        EXPECT_FALSE(read.error().hint.empty());
+    }
+    const auto twice = parseProject("schema = \"halbench.project/1\"\n" + good + good, "motor.toml");
+    EXPECT_NE(twice.error().message.find("motor.toml:6:"), std::string::npos) << twice.error().message;
 }
 
 TEST(ProjectFile, anEmptyProjectIsAProject) {

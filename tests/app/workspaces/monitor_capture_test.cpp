@@ -231,6 +231,22 @@ TEST_F(MonitorCaptureTest, waitsAgainByItselfAndKeepsTheMarksOfTheLiveSamples) {
     EXPECT_TRUE(stack().action(widgets::LivePlotStack::Command::Marker)->isEnabled());
 }
 
+TEST_F(MonitorCaptureTest, pairsOfCursorsBelongToTheTimeAxisTheyWerePutOn) {
+    widgets::CursorPairs live({{"rise", 1.0, 2.0}, {"fall", 3.0, 4.0}}, 0);
+    live.setVisible(true);
+    stack().setCursorPairs(live);
+    const std::vector<CursorChoice> kept = panel->view().cursors;
+    ASSERT_EQ(kept.size(), 2U);
+    captureHall();
+    ASSERT_TRUE(wait([&] { return state().startsWith("Stopped after an event"); })) << state().toStdString();
+    EXPECT_EQ(stack().cursorPairs().list().size(), 1U);
+    EXPECT_DOUBLE_EQ(stack().cursors().a_s, 0.0); // the event
+    EXPECT_TRUE(stack().cursors().isVisible);
+    EXPECT_EQ(panel->view().cursors, kept); // a project keeps the live ones
+    press(Qt::Key_T);
+    EXPECT_EQ(stack().cursorPairs(), live);
+}
+
 TEST_F(MonitorCaptureTest, saysWhatFailed) {
     MonitorView view = panel->view();
     view.trigger.isOn = true;

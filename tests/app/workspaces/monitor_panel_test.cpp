@@ -347,6 +347,27 @@ TEST_F(MonitorPanelTest, anAxisHeldInAnotherUnitIsLetGo) {
     EXPECT_FALSE(stack().heldRange(0));
 }
 
+TEST_F(MonitorPanelTest, pairsOfCursorsArePartOfTheViewTheUnnamedOneIsNot) {
+    connectTo("sim:htm", 5.0);
+    const auto run = [&](widgets::LivePlotStack::Command command) { stack().action(command)->trigger(); };
+    run(widgets::LivePlotStack::Command::Cursors);
+    EXPECT_TRUE(panel->view().cursors.empty());
+    EXPECT_FALSE(panel->view().areCursorsShown);
+    run(widgets::LivePlotStack::Command::NewPair);
+    stack().setCursor(0, 1.25);
+    const MonitorView kept = panel->view();
+    ASSERT_EQ(kept.cursors.size(), 2U);
+    EXPECT_EQ(kept.cursors[1].name, "2");
+    EXPECT_DOUBLE_EQ(kept.cursors[1].a_s, 1.25);
+    EXPECT_TRUE(kept.cursors[1].isMeasuring);
+    EXPECT_TRUE(kept.areCursorsShown);
+    panel->setView(MonitorView());
+    EXPECT_EQ(stack().cursorPairs().list().size(), 1U);
+    panel->setView(kept);
+    EXPECT_EQ(panel->view(), kept);
+    EXPECT_TRUE(stack().cursors().isVisible);
+}
+
 TEST_F(MonitorPanelTest, aViewWithoutPlotsIsTheDevicesOwn) {
     MonitorView view;
     view.plots = {{{"hall.a"}, {}, {}}};

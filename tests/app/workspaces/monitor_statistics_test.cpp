@@ -44,6 +44,20 @@ TEST_F(MonitorStatisticsTest, withCursorsItIsTheStretchBetweenThem) {
     EXPECT_TRUE(table().isColumnHidden(7));
 }
 
+TEST_F(MonitorStatisticsTest, ofSeveralPairsTheOneThatMeasuresCounts) {
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(
+        wait([&] { return bench().history().range() && bench().history().range()->length_s() > 2.0; }));
+    press(Qt::Key_S);
+    const double end_s = bench().history().range()->end_s;
+    widgets::CursorPairs two({{"long", end_s - 1.5, end_s - 0.5}, {"short", end_s - 1.0, end_s - 0.75}}, 1);
+    two.setVisible(true);
+    stack().setCursorPairs(two);
+    EXPECT_EQ(range(), "Between the cursors, 0.25 s");
+    press(Qt::Key_P);
+    EXPECT_EQ(range(), "Between the cursors, 1 s");
+}
+
 TEST_F(MonitorStatisticsTest, plotsKeepTwoThirdsOfThePanel) {
     connectTo("sim:htm", 5.0);
     for (const QSize size : {QSize(700, 560), QSize(700, 800), QSize(1400, 1200)}) {

@@ -1,0 +1,93 @@
+// What the Monitor shows, taken from a project and given to it.
+#include "app/workspaces/monitor_panel.h"
+#include "app/workspaces/monitor_plots.h"
+#include "app/workspaces/monitor_trigger.h"
+#include "widgets/live_plot_stack.h"
+#include "widgets/message_bar.h"
+
+#include <cmath>
+#include <utility>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr double DefaultSpan_s = 10.0;
+
+/// To milliseconds: the view moves by whole pixel columns, a project shall not.
+double rounded(double time_s) {
+    return std::round(time_s * 1e3) * 1e-3;
+}
+
+} // namespace
+
+void MonitorPanel::showView() {
+    const devices::Catalogue& catalogue = m_bench.catalogue();
+    const TemperatureBands bands = temperatureBands(catalogue, m_bench.deviceValue("limit.temperature"));
+    QStringList missing;
+    auto plots = chosenPlots(m_view.plots, catalogue, bands, m_bench.displayUnits(), missing);
+    m_stack->setPlots(plots.empty() ? defaultPlots(catalogue, bands, m_bench.displayUnits())
+                                    : std::move(plots));
+    m_stack->setTimeSpan(m_view.span_s.value_or(DefaultSpan_s));
+    m_stack->setFollowing(m_view.isFollowing);
+    m_isIncomplete = !missing.isEmpty();
+    m_message->clear();
+    if (m_isIncomplete) {
+        m_message->showMessage(
+            {widgets::Severity::Warning,
+             tr("Signals of the project that this device does not have: %1").arg(missing.join(", ")),
+             tr("They are left out; the project keeps them until you change the plots."),
+             {}});
+    }
+}
+
+void MonitorPanel::setView(const MonitorView& view) {
+    m_view = view;
+    m_bench.setDerivedSignals(view.derived);
+    m_trigger->setChoice(view.trigger);
+    m_stack->setCursorPairs(cursorPairs(view));
+    m_message->clear();
+    m_isIncomplete = false;
+    if (m_bench.session().state() == SessionState::Connected && !m_device.isEmpty()) {
+        showView();
+        onPlotsChanged();
+    } else {
+        m_device.clear();
+    }
+}
+
+MonitorView MonitorPanel::view() const {
+    MonitorView view = m_device.isEmpty() ? m_view : MonitorView{};
+    view.derived = m_bench.derivedSignals();
+    keepCursors(m_trigger->livePairs(), view);
+    if (m_device.isEmpty()) {
+        return view;
+    }
+    view.trigger = m_trigger->choice();
+    view.isFollowing = m_trigger->isOn() ? m_trigger->isFollowingOtherwise() : m_stack->isFollowing();
+    view.span_s =
+        m_stack->isFollowing() ? std::optional(rounded(m_stack->timeRange().length_s())) : m_view.span_s;
+    if (m_isIncomplete) {
+        view.plots = m_view.plots;
+        return view;
+    }
+    const std::vector<widgets::PlotSpec>& plots = m_stack->plots();
+    for (std::size_t i = 0; i < plots.size(); ++i) {
+        PlotChoice choice;
+        for (const widgets::PlotCurve& curve : plots[i].curves) {
+            (curve.isRight ? choice.rightNames : choice.signalNames).push_back(curve.signal);
+        }
+        choice.range = m_stack->heldRange(static_cast<int>(i));
+        choice.unit = choice.range ? plots[i].unit.toStdString() : std::string();
+        if (!choice.rightNames.empty()) {
+            choice.rightRange = m_stack->heldRange(static_cast<int>(i), true);
+            choice.rightUnit = choice.rightRange ? plots[i].right.unit.toStdString() : std::string();
+        }
+        if (!choice.signalNames.empty()) {
+            view.plots.push_back(std::move(choice));
+        }
+    }
+    return view;
+}
+
+} // namespace halbench::app
