@@ -5243,10 +5243,6 @@
         <translation>„{}“ muss eine Liste von Texten sein</translation>
     </message>
     <message>
-        <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit</source>
-        <translation>unbekannter Schlüssel „{}“; ein [[plot]] hat signals, min, max, unit, right, right_min, right_max, right_unit</translation>
-    </message>
-    <message>
         <source>unknown key &apos;{}&apos;; [monitor.trigger] has on, source, mode, slope, level, hysteresis, window_s, pre_trigger_ratio, hold_off_s, board</source>
         <translation>unbekannter Schlüssel &apos;{}&apos;; [monitor.trigger] hat on, source, mode, slope, level, hysteresis, window_s, pre_trigger_ratio, hold_off_s, board</translation>
     </message>
@@ -5377,6 +5373,14 @@
     <message>
         <source>[monitor] has follow and cursors (true or false), span_s and trigger</source>
         <translation>[monitor] hat follow und cursors (true oder false), span_s und trigger</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow</source>
+        <translation>unbekannter Schlüssel „{}“; ein [[plot]] hat signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow</translation>
+    </message>
+    <message>
+        <source>a [[plot]] with its own time axis has own_span_s, which is more than 0</source>
+        <translation>ein [[plot]] mit eigener Zeitachse hat own_span_s, größer als 0</translation>
     </message>
 </context>
 <context>
@@ -8608,6 +8612,10 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
         <source>Saved: %1 rows in %2</source>
         <translation>Gespeichert: %1 Zeilen in %2</translation>
     </message>
+    <message>
+        <source>; on another time axis and not in it: %1</source>
+        <translation>; auf einer anderen Zeitachse und nicht darin: %1</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MonitorPanel</name>
@@ -8655,6 +8663,10 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
         <source>The device samples them at other moments than the rest, or at none that repeat. Plot signals of one event together.</source>
         <translation>Das Gerät tastet sie zu anderen Zeitpunkten ab als die übrigen oder zu keinen, die sich wiederholen. Signale eines Ereignisses gemeinsam zeichnen.</translation>
     </message>
+    <message>
+        <source>The picture is of the plots that share the axis of the one with the focus.</source>
+        <translation>Das Bild ist von den Diagrammen, die die Achse dessen mit dem Fokus teilen.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MonitorPicture</name>
@@ -8697,6 +8709,10 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
     <message>
         <source>%1, reference</source>
         <translation>%1, Referenz</translation>
+    </message>
+    <message>
+        <source>On another time axis and not in the picture: %1</source>
+        <translation>Auf einer anderen Zeitachse und nicht im Bild: %1</translation>
     </message>
 </context>
 <context>
@@ -8781,6 +8797,10 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
     <message>
         <source>The disk is being read</source>
         <translation>Der Datenträger wird gelesen</translation>
+    </message>
+    <message>
+        <source>In view of each plot</source>
+        <translation>Im Bild jedes Diagramms</translation>
     </message>
 </context>
 <context>
@@ -12108,6 +12128,38 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>There is a pair %1 already; this one is still called %2</source>
         <translation>Ein Paar %1 gibt es schon; dieses heißt weiter %2</translation>
+    </message>
+    <message>
+        <source>Own time axis, paused</source>
+        <translation>Eigene Zeitachse, angehalten</translation>
+    </message>
+    <message>
+        <source>Own time axis, following, %1 s</source>
+        <translation>Eigene Zeitachse, folgt, %1 s</translation>
+    </message>
+    <message>
+        <source>Own time axis, scrolled; press End to follow</source>
+        <translation>Eigene Zeitachse, verschoben; Ende folgt wieder</translation>
+    </message>
+    <message>
+        <source>Time axis of %1</source>
+        <translation>Zeitachse von %1</translation>
+    </message>
+    <message>
+        <source>Own time axis</source>
+        <translation>Eigene Zeitachse</translation>
+    </message>
+    <message>
+        <source>The plot zooms and scrolls by itself, with its own time below it; again: with the others</source>
+        <translation>Das Diagramm zoomt und scrollt für sich, mit eigener Zeit darunter; noch einmal: mit den anderen</translation>
+    </message>
+    <message>
+        <source>One time axis for all plots</source>
+        <translation>Eine Zeitachse für alle Diagramme</translation>
+    </message>
+    <message>
+        <source>Plots with their own time axis share the others&apos; again</source>
+        <translation>Diagramme mit eigener Zeitachse teilen wieder die der anderen</translation>
     </message>
 </context>
 <context>

@@ -5243,10 +5243,6 @@
         <translation>“{}”必须是文本列表</translation>
     </message>
     <message>
-        <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit</source>
-        <translation>未知的键“{}”；[[plot]] 有 signals、min、max、unit、right、right_min、right_max、right_unit</translation>
-    </message>
-    <message>
         <source>unknown key &apos;{}&apos;; [monitor.trigger] has on, source, mode, slope, level, hysteresis, window_s, pre_trigger_ratio, hold_off_s, board</source>
         <translation>未知的键“{}”；[monitor.trigger] 有 on、source、mode、slope、level、hysteresis、window_s、pre_trigger_ratio、hold_off_s、board</translation>
     </message>
@@ -5377,6 +5373,14 @@
     <message>
         <source>[monitor] has follow and cursors (true or false), span_s and trigger</source>
         <translation>[monitor] 有 follow 和 cursors（true 或 false）、span_s 和 trigger</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow</source>
+        <translation>未知的键 “{}”；[[plot]] 有 signals、min、max、unit、right、right_min、right_max、right_unit、own_span_s、own_follow</translation>
+    </message>
+    <message>
+        <source>a [[plot]] with its own time axis has own_span_s, which is more than 0</source>
+        <translation>有自己时间轴的 [[plot]] 有 own_span_s，且大于 0</translation>
     </message>
 </context>
 <context>
@@ -8603,6 +8607,10 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
         <source>Saved: %1 rows in %2</source>
         <translation>已保存：%1 行，%2</translation>
     </message>
+    <message>
+        <source>; on another time axis and not in it: %1</source>
+        <translation>；位于其他时间轴，未包含：%1</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MonitorPanel</name>
@@ -8650,6 +8658,10 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
         <source>The device samples them at other moments than the rest, or at none that repeat. Plot signals of one event together.</source>
         <translation>设备对它们的采样时刻与其余信号不同，或没有周期性采样。请一起绘制同一事件的信号。</translation>
     </message>
+    <message>
+        <source>The picture is of the plots that share the axis of the one with the focus.</source>
+        <translation>图片包含与具有焦点的曲线图共用时间轴的曲线图。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MonitorPicture</name>
@@ -8692,6 +8704,10 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
     <message>
         <source>%1, reference</source>
         <translation>%1，参考</translation>
+    </message>
+    <message>
+        <source>On another time axis and not in the picture: %1</source>
+        <translation>位于其他时间轴，未包含在图片中：%1</translation>
     </message>
 </context>
 <context>
@@ -8775,6 +8791,10 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
     <message>
         <source>The disk is being read</source>
         <translation>正在读取磁盘</translation>
+    </message>
+    <message>
+        <source>In view of each plot</source>
+        <translation>各曲线图视图内</translation>
     </message>
 </context>
 <context>
@@ -12099,6 +12119,38 @@ A real device has its own time.</source>
     <message>
         <source>There is a pair %1 already; this one is still called %2</source>
         <translation>已有名为 %1 的光标对；这一对仍名为 %2</translation>
+    </message>
+    <message>
+        <source>Own time axis, paused</source>
+        <translation>自己的时间轴，已暂停</translation>
+    </message>
+    <message>
+        <source>Own time axis, following, %1 s</source>
+        <translation>自己的时间轴，跟随，%1 s</translation>
+    </message>
+    <message>
+        <source>Own time axis, scrolled; press End to follow</source>
+        <translation>自己的时间轴，已滚动；按 End 跟随</translation>
+    </message>
+    <message>
+        <source>Time axis of %1</source>
+        <translation>%1 的时间轴</translation>
+    </message>
+    <message>
+        <source>Own time axis</source>
+        <translation>自己的时间轴</translation>
+    </message>
+    <message>
+        <source>The plot zooms and scrolls by itself, with its own time below it; again: with the others</source>
+        <translation>曲线图独立缩放和滚动，时间显示在其下方；再按一次则与其他曲线图联动</translation>
+    </message>
+    <message>
+        <source>One time axis for all plots</source>
+        <translation>所有曲线图共用一个时间轴</translation>
+    </message>
+    <message>
+        <source>Plots with their own time axis share the others&apos; again</source>
+        <translation>有自己时间轴的曲线图重新共用其他曲线图的时间轴</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "widgets/time_view.h"
 #include "widgets/value_range.h"
 
 #include <QString>
@@ -49,6 +50,7 @@ struct PlotSpec {
     std::vector<LimitBand> bands;
     std::optional<ValueRange> fixedRange; ///< default: follows the data
     PlotAxis right = {};                  ///< of the curves that are on the right
+    std::optional<OwnTime> ownTime = {};  ///< how its own time axis begins; default: the one of the stack
 
     bool operator==(const PlotSpec&) const = default;
 };

@@ -22,7 +22,6 @@ namespace {
 constexpr int FramePeriod_ms = 33; ///< 30 frames a second
 constexpr int HandleWidth = 4;
 constexpr int EvenShare = 1000; ///< the splitter makes heights of it
-constexpr std::size_t ZoomHistoryLength = 50;
 
 } // namespace
 
@@ -54,6 +53,11 @@ void LivePlotStack::setStale(const QString& words) {
 }
 
 void LivePlotStack::setHistory(const control::SampleHistory* history) {
+    for (Row& row : m_rows) {
+        if (row.time && history != m_history) {
+            row.time->setFollowing(true); // where it stood is no place of the other one
+        }
+    }
     m_history = history;
     m_drawnRevision.reset();
     matchRows();
@@ -101,6 +105,9 @@ void LivePlotStack::removeCurve(int plot, const std::string& signal) {
     settleAxes(m_specs[static_cast<std::size_t>(plot)]);
     if (curves.empty()) {
         m_specs.erase(m_specs.begin() + plot);
+        for (std::size_t i = static_cast<std::size_t>(plot) + 1; i < m_rows.size(); ++i) {
+            m_rows[i - 1].time = m_rows[i].time; // goes up with its plot
+        }
     }
     if (m_specs.empty()) {
         m_specs.emplace_back();
@@ -118,6 +125,7 @@ void LivePlotStack::setTheme(const Theme& theme) {
     for (const Row& row : m_rows) {
         row.plot->setTheme(theme);
         row.legend->setTheme(theme);
+        row.timeAxis->setTheme(theme);
     }
     m_timeAxis->setTheme(theme);
     m_cursorBar->setTheme(theme);
@@ -127,11 +135,17 @@ void LivePlotStack::setTheme(const Theme& theme) {
 LivePlotStack::Row LivePlotStack::makeRow() {
     Row row;
     row.box = new QWidget;
-    auto* layout = new QHBoxLayout(row.box);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    auto* column = new QVBoxLayout(row.box);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    auto* layout = new QHBoxLayout;
+    column->addLayout(layout, 1);
     row.plot = new LivePlot(row.box);
     row.legend = new LiveLegend(row.box);
+    row.timeAxis = new TimeAxisBar(row.box);
+    row.timeAxis->hide();
+    row.timeAxis->setTheme(m_theme);
+    column->addWidget(row.timeAxis);
     layout->addWidget(row.plot, 1);
     layout->addWidget(row.legend);
     row.plot->setTheme(m_theme);
@@ -144,7 +158,8 @@ LivePlotStack::Row LivePlotStack::makeRow() {
 void LivePlotStack::connectPlot(int index) {
     LivePlot* plot = m_rows[static_cast<std::size_t>(index)].plot;
     connectLegend(index);
-    connect(plot, &LivePlot::zoomRequested, this, &LivePlotStack::zoomTime);
+    connect(plot, &LivePlot::zoomRequested, this,
+            [this, index](double factor, double at_s) { zoomTime(viewOf(index), factor, at_s); });
     connect(plot, &LivePlot::viewAboutToChange, this, &LivePlotStack::remember);
     connect(plot, &LivePlot::fitRequested, this, &LivePlotStack::fitAll);
     connect(plot, &LivePlot::cursorMoved, this, &LivePlotStack::setCursor);
@@ -154,16 +169,19 @@ void LivePlotStack::connectPlot(int index) {
     });
     connect(plot, &LivePlot::levelMoved, this, &LivePlotStack::levelMoved);
     connect(plot, &LivePlot::valuesChanged, this, [this] { m_isDirty = true; });
-    connect(plot, &LivePlot::panRequested, this, [this](double by_s) {
+    connect(plot, &LivePlot::panRequested, this, [this, index](double by_s) {
         const bool wasFollowing = isFollowing();
-        m_view.pan(by_s);
+        viewOf(index).pan(by_s);
         changed(wasFollowing, isPaused());
     });
-    connect(plot, &LivePlot::boxChosen, this, [this, plot](control::TimeRange time, ValueRange values) {
-        remember();
-        plot->zoomValues(values);
-        showTimeRange(time);
-    });
+    connect(plot, &LivePlot::boxChosen, this,
+            [this, plot, index](control::TimeRange time, ValueRange values) {
+                const bool wasFollowing = isFollowing();
+                remember();
+                plot->zoomValues(values);
+                viewOf(index).show(time);
+                changed(wasFollowing, isPaused());
+            });
     connect(plot, &LivePlot::signalsDropped, this,
             [this, index](const QStringList& names) { Q_EMIT signalsDropped(index, names); });
 }
@@ -197,7 +215,10 @@ void LivePlotStack::configureRow(std::size_t index) {
     row.plot->setCursors(m_pairs);
     row.plot->setEvent(m_event_s);
     row.plot->setLevel(m_level);
-    if (row.isConfigured && row.plot->spec() == m_specs[index] && row.plot->history() == m_history) {
+    matchTime(index);
+    PlotSpec wanted = m_specs[index];
+    wanted.ownTime = row.plot->spec().ownTime; // is no matter of the plot
+    if (row.isConfigured && row.plot->spec() == wanted && row.plot->history() == m_history) {
         return; // keeps its zoom and its hidden curves
     }
     row.isConfigured = true;
@@ -224,100 +245,6 @@ ValueRange LivePlotStack::valueRange(int plot, bool isRight) const {
 std::optional<ValueRange> LivePlotStack::heldRange(int plot, bool isRight) const {
     const HeldRanges held = m_rows.at(static_cast<std::size_t>(plot)).plot->heldRanges();
     return isRight ? held.right : held.left;
-}
-
-void LivePlotStack::changed(bool wasFollowing, bool wasPaused) {
-    m_isDirty = true;
-    m_actions.at(Command::Follow)->setChecked(isFollowing());
-    m_actions.at(Command::Pause)->setChecked(isPaused());
-    if (wasFollowing != isFollowing()) {
-        Q_EMIT followingChanged(isFollowing());
-    }
-    if (wasPaused != isPaused()) {
-        Q_EMIT pausedChanged(isPaused());
-    }
-}
-
-void LivePlotStack::setFollowing(bool isFollowing) {
-    const bool wasFollowing = this->isFollowing();
-    const bool wasPaused = isPaused();
-    m_view.setFollowing(isFollowing);
-    changed(wasFollowing, wasPaused);
-}
-
-void LivePlotStack::setPaused(bool isPaused) {
-    const bool wasFollowing = isFollowing();
-    const bool wasPaused = this->isPaused();
-    m_view.setPaused(isPaused);
-    changed(wasFollowing, wasPaused);
-}
-
-void LivePlotStack::setTimeSpan(double length_s) {
-    if (length_s > 0.0) {
-        m_view.zoom(length_s / m_view.range().length_s(), m_view.range().end_s);
-        m_isDirty = true;
-    }
-}
-
-void LivePlotStack::showTimeRange(control::TimeRange range) {
-    const bool wasFollowing = isFollowing();
-    m_view.show(range);
-    changed(wasFollowing, isPaused());
-}
-
-void LivePlotStack::remember() {
-    Snapshot snapshot{m_view, {}};
-    for (const Row& row : m_rows) {
-        const HeldRanges held = row.plot->heldRanges();
-        snapshot.values.emplace_back(held.left, held.right);
-    }
-    m_zoomHistory.push_back(std::move(snapshot));
-    if (m_zoomHistory.size() > ZoomHistoryLength) {
-        m_zoomHistory.erase(m_zoomHistory.begin());
-    }
-    m_isWheeling = false;
-}
-
-void LivePlotStack::zoomBack() {
-    if (m_zoomHistory.empty()) {
-        return;
-    }
-    const bool wasFollowing = isFollowing();
-    const bool wasPaused = isPaused();
-    m_view = m_zoomHistory.back().view;
-    for (std::size_t i = 0; i < m_rows.size() && i < m_zoomHistory.back().values.size(); ++i) {
-        const auto& [left, right] = m_zoomHistory.back().values[i];
-        m_rows[i].plot->setHeldRanges({left, right});
-    }
-    m_zoomHistory.pop_back();
-    m_isWheeling = false;
-    changed(wasFollowing, wasPaused);
-}
-
-void LivePlotStack::zoomTime(double factor, double at_s) {
-    if (!m_isWheeling) {
-        remember();
-        m_isWheeling = true;
-    }
-    m_view.zoom(factor, at_s);
-    m_isDirty = true;
-}
-
-void LivePlotStack::fitAll() {
-    remember();
-    const bool wasFollowing = isFollowing();
-    if (!wasFollowing) {
-        m_view.showAll();
-    }
-    for (const Row& row : m_rows) {
-        row.plot->setHeldRanges({});
-    }
-    m_drawnRevision.reset();
-    drawFrame();
-    for (const Row& row : m_rows) {
-        row.plot->fitValues();
-    }
-    changed(wasFollowing, isPaused());
 }
 
 } // namespace halbench::widgets

@@ -40,7 +40,11 @@ class TimeAxisBar;
 ///     P, Shift+P         the next pair, the one before; F2 names it
 ///     G, Shift+C         the view goes to the pair, the pair comes into the view
 ///     M                  marker                    Insert                          add signals
+///     O, Shift+O         the plot has its own time axis or not, one time axis for all
 ///     K, Shift+K         keep what is shown as faint reference, remove it
+///
+/// Where a plot has its own time axis, keys act on that axis while the plot or its legend has the focus, and
+/// on the one of all other plots elsewhere; pause holds all of them.
 ///
 /// In a legend, by its menu too: R puts the chosen curve on the other axis, Ctrl+Up and Ctrl+Down into the
 /// plot above or below, on the axis that has its unit or is free.
@@ -72,6 +76,8 @@ public:
         Marker,
         KeepReference,
         RemoveReference,
+        OwnTime,
+        OneTimeAxis,
         AddSignals
     };
 
@@ -103,6 +109,15 @@ public:
     /// Length of the shown stretch of time.
     void setTimeSpan(double length_s);
     const control::TimeRange& timeRange() const { return m_view.range(); }
+    /// What this plot shows, which has its own time axis or not.
+    const control::TimeRange& timeRange(int plot) const { return viewOf(plot).range(); }
+    /// As it is now; none: it shares the time axis of the stack.
+    std::optional<OwnTime> ownTime(int plot) const;
+    void setOwnTime(int plot, const std::optional<OwnTime>& own);
+    /// Whether any plot has its own.
+    bool hasOwnTimes() const;
+    /// Those on the time axis that keys act on.
+    std::vector<int> plotsOfActiveAxis() const;
     void showTimeRange(control::TimeRange range);
     /// The values' axes fit the next data at once, also inwards; those that the user holds stay, unless what
     /// is shown has nothing to do with what was.
@@ -163,11 +178,14 @@ private:
         QWidget* box = nullptr;
         LivePlot* plot = nullptr;
         LiveLegend* legend = nullptr;
+        TimeAxisBar* timeAxis = nullptr;
+        std::optional<TimeView> time = {}; ///< where it has its own axis
         bool isConfigured = false;
     };
     struct Snapshot { ///< an entry of the zoom history
         TimeView view;
         std::vector<std::pair<std::optional<ValueRange>, std::optional<ValueRange>>> values;
+        std::vector<std::optional<TimeView>> ownTimes;
     };
     void createActions();
     void addAction(Command command, const QString& text, const QString& shortcut, const QString& what);
@@ -180,12 +198,24 @@ private:
     void configureRow(std::size_t index);
     void fitTitles();
     void align();
+    void updateViews();
     void drawFrame();
     void showState();
     bool showNumbers();
     void remember();
-    void zoomTime(double factor, double at_s);
+    const TimeView& viewOf(int plot) const;
+    TimeView& viewOf(int plot) { return const_cast<TimeView&>(std::as_const(*this).viewOf(plot)); }
+    int axisPlot() const;
+    TimeView& activeView();
+    const TimeView& activeView() const;
+    void createTimeActions();
+    void runOnTime(Command command);
+    void toggleOwnTime(int plot);
+    void shareTime();
+    void matchTime(std::size_t index);
+    void zoomTime(TimeView& view, double factor, double at_s);
     void changed(bool wasFollowing, bool wasPaused);
+    void showChecks();
     void connectCursorBar();
     void createCursorActions();
     void runOnPairs(Command command);
@@ -195,9 +225,11 @@ private:
     void placeCursors();
     void moveCursor(int columns);
     void dropMarker();
-    int activePlot() const;
+    std::optional<int> focusedPlot() const;
+    int activePlot() const { return focusedPlot().value_or(0); }
     int deviceColumns() const;
-    double timeStep_s() const;
+    double timeStep_s(const TimeView& view) const;
+    void showOwnState(const Row& row);
 
     const control::SampleHistory* m_history = nullptr;
     Theme m_theme;

@@ -12,8 +12,6 @@
 namespace halbench::widgets {
 namespace {
 
-constexpr double KeyZoom = 1.5;
-constexpr double Page_ratio = 0.9;    ///< of the view
 constexpr double Scroll_ratio = 0.05; ///< of the view, without cursors
 constexpr int CoarseColumns = 50;     ///< of a cursor step with Shift
 
@@ -39,6 +37,7 @@ void LivePlotStack::createActions() {
     addAction(Command::RemoveReference, tr("Remove the reference"), QStringLiteral("Shift+K"),
               tr("The faint curves go"));
     m_actions.at(Command::RemoveReference)->setEnabled(false);
+    createTimeActions();
     addAction(Command::AddSignals, tr("Add signals"), QStringLiteral("Insert"), tr("Choose signals to show"));
     for (const Command command : {Command::Pause, Command::Follow, Command::Cursors}) {
         m_actions.at(command)->setCheckable(true);
@@ -60,29 +59,22 @@ void LivePlotStack::addAction(Command command, const QString& text, const QStrin
 }
 
 void LivePlotStack::run(Command command) {
-    const bool wasFollowing = isFollowing();
-    const bool wasPaused = isPaused();
-    const double middle_s = 0.5 * (m_view.range().begin_s + m_view.range().end_s);
     switch (command) {
     case Command::Pause:
-        return setPaused(!wasPaused);
-    case Command::Follow:
-        return setFollowing(wasPaused || !wasFollowing);
+        return setPaused(!isPaused());
     case Command::Fit:
         return fitAll();
     case Command::ZoomBack:
         return zoomBack();
+    case Command::Follow:
     case Command::ShowAll:
-        remember();
-        m_view.showAll();
-        break;
     case Command::ZoomIn:
     case Command::ZoomOut:
-        return zoomTime(command == Command::ZoomIn ? 1.0 / KeyZoom : KeyZoom, middle_s);
     case Command::ScrollBack:
     case Command::ScrollOn:
-        m_view.pan((command == Command::ScrollOn ? Page_ratio : -Page_ratio) * m_view.range().length_s());
-        break;
+    case Command::OwnTime:
+    case Command::OneTimeAxis:
+        return runOnTime(command);
     case Command::Marker:
         return dropMarker();
     case Command::KeepReference:
@@ -95,14 +87,13 @@ void LivePlotStack::run(Command command) {
     default:
         return runOnPairs(command);
     }
-    changed(wasFollowing, wasPaused);
 }
 
-int LivePlotStack::activePlot() const {
+std::optional<int> LivePlotStack::focusedPlot() const {
     const auto focused = std::find_if(m_rows.begin(), m_rows.end(), [](const Row& row) {
         return row.plot->hasFocus() || row.legend->hasFocus();
     });
-    return focused == m_rows.end() ? 0 : static_cast<int>(focused - m_rows.begin());
+    return focused == m_rows.end() ? std::nullopt : std::optional(static_cast<int>(focused - m_rows.begin()));
 }
 
 void LivePlotStack::keyPressEvent(QKeyEvent* event) {
@@ -118,7 +109,8 @@ void LivePlotStack::keyPressEvent(QKeyEvent* event) {
         return;
     }
     const bool wasFollowing = isFollowing();
-    m_view.pan(sign * (isCoarse ? 5.0 : 1.0) * Scroll_ratio * m_view.range().length_s());
+    TimeView& view = activeView();
+    view.pan(sign * (isCoarse ? 5.0 : 1.0) * Scroll_ratio * view.range().length_s());
     changed(wasFollowing, isPaused());
 }
 

@@ -80,7 +80,7 @@ void LivePlotStack::runOnPairs(Command command) {
 }
 
 control::TimeRange LivePlotStack::thirdsOfView() const {
-    const control::TimeRange& view = m_view.range();
+    const control::TimeRange& view = activeView().range();
     return {view.begin_s + view.length_s() / 3.0, view.begin_s + view.length_s() * 2.0 / 3.0};
 }
 
@@ -88,10 +88,12 @@ control::TimeRange LivePlotStack::thirdsOfView() const {
 void LivePlotStack::showPair() {
     const CursorPair pair = cursors();
     const double apart_s = std::abs(pair.b_s - pair.a_s);
-    const double length_s = apart_s > 0.0 ? apart_s / PairShare_ratio : m_view.range().length_s();
+    const double length_s = apart_s > 0.0 ? apart_s / PairShare_ratio : activeView().range().length_s();
     const double middle_s = 0.5 * (pair.a_s + pair.b_s);
+    const bool wasFollowing = isFollowing();
     remember();
-    showTimeRange({middle_s - 0.5 * length_s, middle_s + 0.5 * length_s});
+    activeView().show({middle_s - 0.5 * length_s, middle_s + 0.5 * length_s});
+    changed(wasFollowing, isPaused());
 }
 
 void LivePlotStack::namePair(const QString& name) {
@@ -108,7 +110,7 @@ void LivePlotStack::namePair(const QString& name) {
 /// The pair that nobody named comes into the view; one with a name stays where it was put.
 void LivePlotStack::setCursorsVisible(bool areVisible) {
     const CursorPair pair = cursors();
-    const control::TimeRange& view = m_view.range();
+    const control::TimeRange& view = activeView().range();
     const auto isInView = [&](double time_s) { return time_s >= view.begin_s && time_s <= view.end_s; };
     if (areVisible && !pair.isVisible && !m_pairs.areKept() && !(isInView(pair.a_s) && isInView(pair.b_s))) {
         const control::TimeRange thirds = thirdsOfView();
@@ -144,7 +146,7 @@ void LivePlotStack::placeCursors() {
 }
 
 void LivePlotStack::moveCursor(int columns) {
-    const double column_s = m_view.range().length_s() / deviceColumns();
+    const double column_s = activeView().range().length_s() / deviceColumns();
     setCursor(cursors().active, cursors().at(cursors().active) + columns * column_s);
 }
 

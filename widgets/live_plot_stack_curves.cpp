@@ -100,8 +100,8 @@ bool LivePlotStack::moveCurve(int plot, const std::string& signal, int to) {
 
 void LivePlotStack::keepReference() {
     std::set<std::string> shown;
-    for (const Row& row : m_rows) {
-        for (const HistoryCurve* curve : row.plot->curves()) {
+    for (const int plot : plotsOfActiveAxis()) {
+        for (const HistoryCurve* curve : m_rows[static_cast<std::size_t>(plot)].plot->curves()) {
             if (curve->isVisible()) {
                 shown.insert(curve->curve().signal);
             }
@@ -110,7 +110,7 @@ void LivePlotStack::keepReference() {
     if (m_history == nullptr) {
         return;
     }
-    ReferenceTraces traces = keptTraces(*m_history, shown, m_view.range());
+    ReferenceTraces traces = keptTraces(*m_history, shown, activeView().range());
     traces.event_s = m_event_s;
     traces.name = tr("what was shown");
     setReference(std::make_shared<const ReferenceTraces>(std::move(traces)));
@@ -131,7 +131,7 @@ void LivePlotStack::setReference(ReferencePtr reference) {
 }
 
 double LivePlotStack::referenceShift_s() const {
-    return m_reference != nullptr ? shiftOf(*m_reference, m_view.range().begin_s, m_event_s) : 0.0;
+    return m_reference != nullptr ? shiftOf(*m_reference, activeView().range().begin_s, m_event_s) : 0.0;
 }
 
 } // namespace halbench::widgets

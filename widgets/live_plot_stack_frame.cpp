@@ -45,7 +45,7 @@ void LivePlotStack::refresh() {
     if (m_isDirty || !isPaused() || !isWhole) {
         drawFrame();
     } else {
-        m_view.update(m_history->range(), deviceColumns());
+        updateViews();
     }
     if (m_isDirty || !m_areNumbersWhole || ++m_framesSinceNumbers >= FramesPerNumber) {
         m_framesSinceNumbers = 0;
@@ -61,22 +61,38 @@ int LivePlotStack::deviceColumns() const {
     return std::max(1, static_cast<int>(std::lround((canvas->width() - 1) * canvas->devicePixelRatioF())));
 }
 
-double LivePlotStack::timeStep_s() const {
+double LivePlotStack::timeStep_s(const TimeView& view) const {
     const int room = fontMetrics().averageCharWidth() * CharactersPerTick;
     const int labels = std::max(1, m_rows.front().plot->canvas()->width() / std::max(1, room));
-    return niceStep(m_view.range().length_s(), labels);
+    return niceStep(view.range().length_s(), labels);
+}
+
+void LivePlotStack::updateViews() {
+    const std::optional<control::TimeRange> held = m_history != nullptr ? m_history->range() : std::nullopt;
+    m_view.update(held, deviceColumns());
+    for (Row& row : m_rows) {
+        if (row.time) {
+            row.time->update(held, deviceColumns());
+        }
+    }
 }
 
 void LivePlotStack::drawFrame() {
-    m_view.update(m_history != nullptr ? m_history->range() : std::nullopt, deviceColumns());
+    updateViews();
     for (const Row& row : m_rows) {
-        row.plot->showFrame(m_view.range(), timeStep_s(), m_view.drawn());
+        const TimeView& view = row.time ? *row.time : m_view;
+        row.plot->showFrame(view.range(), timeStep_s(view), view.drawn());
     }
     if (m_isDirty) { // titles and the height of the plots do not change with the data
         fitTitles();
     }
     align();
-    m_timeAxis->setRange(m_view.range(), timeStep_s(), m_event_s);
+    m_timeAxis->setRange(m_view.range(), timeStep_s(m_view), m_event_s);
+    for (const Row& row : m_rows) {
+        if (row.time) {
+            row.timeAxis->setRange(row.time->range(), timeStep_s(*row.time), m_event_s);
+        }
+    }
 }
 
 void LivePlotStack::fitTitles() {
@@ -122,6 +138,9 @@ void LivePlotStack::align() {
     const QRect canvas = m_rows.front().plot->canvasRect();
     const QPoint left = m_rows.front().plot->mapTo(this, canvas.topLeft());
     m_timeAxis->setCanvas(left.x() - m_timeAxis->x(), canvas.width());
+    for (const Row& row : m_rows) {
+        row.timeAxis->setCanvas(row.plot->x() + row.plot->canvasRect().x(), canvas.width());
+    }
 }
 
 /// Whether all of them are known: what the disk has not given yet has a dash.
@@ -152,7 +171,24 @@ bool LivePlotStack::showNumbers() {
     return !glance || glance->isWhole();
 }
 
+void LivePlotStack::showOwnState(const Row& row) {
+    const QString length = numberText(row.time->range().length_s(), 4);
+    if (isPaused()) {
+        row.timeAxis->setState(tr("Own time axis, paused"), true);
+    } else if (row.time->isFollowing()) {
+        row.timeAxis->setState(tr("Own time axis, following, %1 s").arg(length), false);
+    } else {
+        row.timeAxis->setState(tr("Own time axis, scrolled; press End to follow"), true);
+    }
+}
+
 void LivePlotStack::showState() {
+    showChecks(); // the focus may have gone to another axis
+    for (const Row& row : m_rows) {
+        if (row.time) {
+            showOwnState(row);
+        }
+    }
     if (isPaused()) {
         m_timeAxis->setState(tr("Paused, data are kept (%1 s since)").arg(fixedText(m_view.behind_s(), 1)),
                              true);

@@ -6,6 +6,14 @@
 
 namespace halbench::widgets {
 
+/// A time axis of one plot alone, as it is kept.
+struct OwnTime {
+    double span_s = 10.0;
+    bool isFollowing = true;
+
+    bool operator==(const OwnTime&) const = default;
+};
+
 /// Which stretch of time the plots show: follows the newest sample, stands still where the user scrolled, or
 /// is paused. Pausing freezes the view only; data are kept arriving. A value: the zoom history keeps copies.
 class TimeView {

@@ -111,6 +111,7 @@ struct HeldAxis {
 void readPlot(ProjectReader& reader, const ConfigNode& node, PlotChoice& plot) {
     HeldAxis left;
     HeldAxis right;
+    std::optional<bool> follows;
     for (const auto& [key, value] : node.members) {
         if (key == "signals" || key == "right") {
             readSignals(reader, value, key, key == "right" ? plot.rightNames : plot.signalNames);
@@ -120,14 +121,25 @@ void readPlot(ProjectReader& reader, const ConfigNode& node, PlotChoice& plot) {
             left.take(reader, key, value, key == "max");
         } else if (key == "right_min" || key == "right_max") {
             right.take(reader, key, value, key == "right_max");
+        } else if (key == "own_span_s") {
+            plot.ownTime = widgets::OwnTime{reader.number(value, key), true};
+        } else if (key == "own_follow") {
+            follows = reader.flag(value, key);
         } else {
-            reader.refuse(value, fmt::format("unknown key '{}'; a [[plot]] has signals, min, max, unit, "
-                                             "right, right_min, right_max, right_unit",
-                                             key));
+            reader.refuse(value,
+                          fmt::format("unknown key '{}'; a [[plot]] has signals, min, max, unit, "
+                                      "right, right_min, right_max, right_unit, own_span_s, own_follow",
+                                      key));
         }
     }
     if (left.isWrong() || right.isWrong()) {
         reader.refuse(node, "a [[plot]] has both min and max, or neither; min is less than max");
+    }
+    if (plot.ownTime ? !(plot.ownTime->span_s > 0.0) : follows.has_value()) {
+        reader.refuse(node, "a [[plot]] with its own time axis has own_span_s, which is more than 0");
+    }
+    if (plot.ownTime) {
+        plot.ownTime->isFollowing = follows.value_or(true);
     }
     plot.range = left.held();
     plot.rightRange = right.held();
@@ -159,6 +171,12 @@ toml::array projectPlots(const std::vector<PlotChoice>& list) {
             table.insert("right_min", plot.rightRange->low);
             table.insert("right_max", plot.rightRange->high);
             table.insert("right_unit", projectValue(plot.rightUnit));
+        }
+        if (plot.ownTime) {
+            table.insert("own_span_s", plot.ownTime->span_s);
+        }
+        if (plot.ownTime && !plot.ownTime->isFollowing) {
+            table.insert("own_follow", false);
         }
         array.push_back(table);
     }

@@ -1,6 +1,5 @@
 #include "app/workspaces/monitor_data.h"
 
-#include "app/workspaces/monitor_statistics.h"
 #include "app/workspaces/plot_rows.h"
 #include "devices/acquisition/convert_recording.h"
 #include "devices/acquisition/recording_csv.h"
@@ -49,7 +48,16 @@ MonitorData::MonitorData(Workbench& bench, widgets::LivePlotStack& stack, QWidge
 }
 
 Result<Recording> MonitorData::rows(std::size_t mostValues) const {
-    return plotRows(m_stack.plots(), *m_stack.history(), stretchInView(m_stack), mostValues);
+    const TakenPlots taken = takenPlots(m_stack);
+    return plotRows(taken.plots, *m_stack.history(), taken.range, mostValues);
+}
+
+/// Of plots on other time axes; empty: none.
+QString MonitorData::leftOut() const {
+    const QStringList names = takenPlots(m_stack).leftOut;
+    return names.isEmpty()
+               ? QString()
+               : tr("; on another time axis and not in it: %1").arg(names.join(QStringLiteral(", ")));
 }
 
 /// When the time axis was at zero, ISO 8601; empty where nobody knows: simulated time passes at any speed,
@@ -106,11 +114,12 @@ void MonitorData::copy() {
         return;
     }
     QGuiApplication::clipboard()->setText(plotTable(*taken, m_stack.plots()));
-    Q_EMIT done(tr("Copied: %1 rows").arg(widgets::countText(taken->rows())));
+    Q_EMIT done(tr("Copied: %1 rows").arg(widgets::countText(taken->rows())) + leftOut());
 }
 
 void MonitorData::save() {
     const Result<Recording> taken = rows(MostPlotValues); // as it is now, not after the dialog
+    const QString others = leftOut();
     if (!taken) {
         refuse(taken.error());
         return;
@@ -123,9 +132,9 @@ void MonitorData::save() {
     }
     m_files.run([file = path.toStdString(), rows = *taken,
                  meta = meta(*taken)] { return devices::exportRecording(file, rows, meta); },
-                [this, path, count = taken->rows()](const Result<void>& written) {
+                [this, path, count = taken->rows(), others](const Result<void>& written) {
                     if (written) {
-                        Q_EMIT done(tr("Saved: %1 rows in %2").arg(widgets::countText(count), path));
+                        Q_EMIT done(tr("Saved: %1 rows in %2").arg(widgets::countText(count), path) + others);
                     } else {
                         refuse(written.error());
                     }

@@ -35,6 +35,7 @@ Q_SIGNALS:
 
 private:
     Result<Recording> rows(std::size_t mostValues) const;
+    QString leftOut() const;
     devices::RecordingMeta meta(const Recording& rows) const;
     std::string timeOfZero() const;
     void copy();

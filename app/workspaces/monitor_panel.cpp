@@ -138,6 +138,13 @@ void MonitorPanel::connectStack() {
         m_message->showMessage({widgets::Severity::Error, text, remedy, {}});
     };
     connect(m_picture, &MonitorPicture::failed, this, sayFailure);
+    connect(m_picture, &MonitorPicture::leftOut, this, [this](const QString& text) {
+        m_message->showMessage(
+            {widgets::Severity::Information,
+             text,
+             tr("The picture is of the plots that share the axis of the one with the focus."),
+             {}});
+    });
     connect(m_data, &MonitorData::failed, this, sayFailure);
     connect(m_data, &MonitorData::done, this, [this](const QString& text) {
         m_message->showMessage({widgets::Severity::Success, text, {}, {}});

@@ -30,6 +30,9 @@ void MonitorPanel::showView() {
                                     : std::move(plots));
     m_stack->setTimeSpan(m_view.span_s.value_or(DefaultSpan_s));
     m_stack->setFollowing(m_view.isFollowing);
+    for (int i = 0; i < static_cast<int>(m_stack->plots().size()); ++i) {
+        m_stack->setOwnTime(i, m_stack->plots()[static_cast<std::size_t>(i)].ownTime);
+    }
     m_isIncomplete = !missing.isEmpty();
     m_message->clear();
     if (m_isIncomplete) {
@@ -82,6 +85,10 @@ MonitorView MonitorPanel::view() const {
         if (!choice.rightNames.empty()) {
             choice.rightRange = m_stack->heldRange(static_cast<int>(i), true);
             choice.rightUnit = choice.rightRange ? plots[i].right.unit.toStdString() : std::string();
+        }
+        choice.ownTime = m_stack->ownTime(static_cast<int>(i));
+        if (choice.ownTime) {
+            choice.ownTime->span_s = rounded(choice.ownTime->span_s);
         }
         if (!choice.signalNames.empty()) {
             view.plots.push_back(std::move(choice));

@@ -12,6 +12,7 @@
 #include <QGuiApplication>
 #include <QWidget>
 
+#include <algorithm>
 #include <limits>
 
 namespace halbench::app {
@@ -66,7 +67,7 @@ widgets::Curve drawnCurve(const control::SampleHistory& history, const widgets::
 void addReference(widgets::Panel& panel, const widgets::LivePlotStack& stack, const widgets::PlotSpec& plot) {
     const widgets::ReferencePtr& reference = stack.reference();
     const double shift_s = stack.referenceShift_s();
-    const control::TimeRange range = stack.timeRange();
+    const control::TimeRange range = stack.timeRange(stack.plotsOfActiveAxis().front());
     for (std::size_t i = 0; reference != nullptr && i < plot.curves.size(); ++i) {
         const auto samples = reference->samples.find(plot.curves[i].signal);
         if (samples == reference->samples.end()) {
@@ -99,15 +100,16 @@ QAction* makeAction(QWidget& panel, const QString& text, const QString& what, co
 
 widgets::Figure monitorFigure(const widgets::LivePlotStack& stack, const control::SampleHistory& history) {
     widgets::Figure figure;
-    const control::TimeRange range = stack.timeRange();
+    const std::vector<int> active = stack.plotsOfActiveAxis();
+    const control::TimeRange range = stack.timeRange(active.front());
     figure.x = {MonitorPicture::tr("time").toStdString(), "s", false, range.begin_s, range.end_s, {}};
-    for (std::size_t i = 0; i < stack.plots().size(); ++i) {
-        const widgets::PlotSpec& plot = stack.plots()[i];
-        const widgets::ValueRange values = stack.valueRange(static_cast<int>(i));
+    for (const int i : active) { // a picture has one time axis
+        const widgets::PlotSpec& plot = stack.plots()[static_cast<std::size_t>(i)];
+        const widgets::ValueRange values = stack.valueRange(i);
         widgets::Panel panel;
         panel.y = {plot.quantity.toStdString(), plot.unit.toStdString(), false, values.low, values.high, {}};
         if (widgets::hasRightAxis(plot)) {
-            const widgets::ValueRange right = stack.valueRange(static_cast<int>(i), true);
+            const widgets::ValueRange right = stack.valueRange(i, true);
             panel.right = widgets::Axis{plot.right.quantity.toStdString(),
                                         plot.right.unit.toStdString(),
                                         false,
@@ -141,9 +143,24 @@ widgets::Figure MonitorPicture::figure() const {
     return figure;
 }
 
+void MonitorPicture::sayLeftOut() {
+    const std::vector<int> active = m_stack.plotsOfActiveAxis();
+    QStringList names;
+    for (int i = 0; i < static_cast<int>(m_stack.plots().size()); ++i) {
+        if (std::find(active.begin(), active.end(), i) == active.end()) {
+            names << m_stack.plots()[static_cast<std::size_t>(i)].quantity;
+        }
+    }
+    if (!names.isEmpty()) {
+        Q_EMIT leftOut(
+            tr("On another time axis and not in the picture: %1").arg(names.join(QStringLiteral(", "))));
+    }
+}
+
 void MonitorPicture::copy() {
     QGuiApplication::clipboard()->setImage(
         widgets::figureImage(figure(), widgets::currentTheme(), ClipboardFineness));
+    sayLeftOut();
 }
 
 void MonitorPicture::save() {
@@ -153,6 +170,7 @@ void MonitorPicture::save() {
     if (path.isEmpty()) {
         return;
     }
+    sayLeftOut();
     const auto format = widgets::pictureFormat(path).value_or(widgets::PictureFormat::Png);
     m_files.run(
         widgets::pictureWriting(widgets::pictureFile(figure(), widgets::currentTheme(), format), path),

@@ -35,9 +35,11 @@ public:
 
 Q_SIGNALS:
     void failed(const QString& text, const QString& remedy);
+    void leftOut(const QString& text); ///< plots on another time axis, in words
 
 private:
     widgets::Figure figure() const;
+    void sayLeftOut();
     void copy();
     void save();
 

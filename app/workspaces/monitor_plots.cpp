@@ -168,6 +168,7 @@ std::vector<widgets::PlotSpec> chosenPlots(const std::vector<PlotChoice>& choice
             plot.fixedRange = choice.unit == plot.unit.toStdString() ? choice.range : std::nullopt;
             plot.right.fixedRange =
                 choice.rightUnit == plot.right.unit.toStdString() ? choice.rightRange : std::nullopt;
+            plot.ownTime = choice.ownTime;
             widgets::settleAxes(plot);
             plots.push_back(std::move(plot));
         }

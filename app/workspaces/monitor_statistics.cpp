@@ -28,11 +28,11 @@ std::optional<double> slopeOf(const control::SampleHistory& history, const widge
 
 } // namespace
 
-control::TimeRange stretchInView(const widgets::LivePlotStack& stack) {
-    const widgets::CursorPair& cursors = stack.cursors();
+control::TimeRange stretchInView(const widgets::LivePlotStack& stack, int plot) {
+    const widgets::CursorPair cursors = stack.cursors();
     return cursors.isVisible
                ? control::TimeRange{std::min(cursors.a_s, cursors.b_s), std::max(cursors.a_s, cursors.b_s)}
-               : stack.timeRange();
+               : stack.timeRange(plot);
 }
 
 MonitorStatistics::MonitorStatistics(Workbench& bench, widgets::LivePlotStack& stack, QWidget& panel)
@@ -62,10 +62,11 @@ void MonitorStatistics::refresh() {
         return;
     }
     const control::SampleHistory& history = *m_stack.history();
-    const control::TimeRange range = stretchInView(m_stack);
     const control::SampleHistory::Glance glance(history);
     std::vector<widgets::StatisticsRow> rows;
-    for (const widgets::PlotSpec& plot : m_stack.plots()) {
+    for (int i = 0; i < static_cast<int>(m_stack.plots().size()); ++i) {
+        const widgets::PlotSpec& plot = m_stack.plots()[static_cast<std::size_t>(i)];
+        const control::TimeRange range = stretchInView(m_stack, i);
         for (const widgets::PlotCurve& curve : plot.curves) {
             const control::SampleStatistics found = history.statistics(curve.signal, range);
             widgets::StatisticsRow row;
@@ -86,11 +87,16 @@ void MonitorStatistics::refresh() {
     for (widgets::StatisticsRow& row : rows) {
         row.isKnown = glance.isWhole(); // a number is right or absent
     }
-    const QString length = widgets::numberText(range.length_s(), 5);
-    m_table->setStretch(!glance.isWhole()             ? tr("The disk is being read")
-                        : m_stack.cursors().isVisible ? tr("Between the cursors, %1 s").arg(length)
-                                                      : tr("In view, %1 s").arg(length));
+    m_table->setStretch(glance.isWhole() ? stretchWords() : tr("The disk is being read"));
     m_table->setRows(rows);
+}
+
+QString MonitorStatistics::stretchWords() const {
+    const QString length = widgets::numberText(stretchInView(m_stack, 0).length_s(), 5);
+    if (m_stack.cursors().isVisible) {
+        return tr("Between the cursors, %1 s").arg(length);
+    }
+    return m_stack.hasOwnTimes() ? tr("In view of each plot") : tr("In view, %1 s").arg(length);
 }
 
 QWidget& MonitorStatistics::table() {

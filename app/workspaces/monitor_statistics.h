@@ -14,8 +14,8 @@ class StatisticsTable;
 
 namespace halbench::app {
 
-/// Between the cursors, or what is in view.
-control::TimeRange stretchInView(const widgets::LivePlotStack& stack);
+/// Between the cursors, or what is in view of a plot.
+control::TimeRange stretchInView(const widgets::LivePlotStack& stack, int plot);
 
 /// The table below the Monitor's plots: statistics of every curve between the cursors, or of what is in view
 /// without them (resources/help/monitor.md, "Statistics"). It takes what the plots can spare.
@@ -34,6 +34,7 @@ protected:
 
 private:
     void refresh();
+    QString stretchWords() const;
     void fit();
 
     Workbench& m_bench;

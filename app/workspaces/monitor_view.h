@@ -2,6 +2,7 @@
 
 #include "app/workspaces/trigger_choice.h"
 #include "devices/acquisition/derived_signals.h"
+#include "widgets/time_view.h"
 #include "widgets/value_range.h"
 
 #include <optional>
@@ -18,6 +19,7 @@ struct PlotChoice {
     std::vector<std::string> rightNames = {}; ///< of those on the right axis, and the same of that
     std::optional<widgets::ValueRange> rightRange = {};
     std::string rightUnit = {};
+    std::optional<widgets::OwnTime> ownTime = {}; ///< its own time axis; none: the one of all plots
 
     bool operator==(const PlotChoice&) const = default;
 };

@@ -1,9 +1,10 @@
 #include "app/workspaces/plot_rows.h"
 
+#include "app/workspaces/monitor_statistics.h"
 #include "widgets/display_units.h"
+#include "widgets/live_plot_stack.h"
 
 #include <QCoreApplication>
-#include <QStringList>
 
 #include <fmt/format.h>
 
@@ -125,6 +126,20 @@ Result<Recording> plotRows(const std::vector<widgets::PlotSpec>& plots, const co
     layout.period_s = usualStep_s(rows.time_s);
     rows.layout = std::make_shared<const StreamLayout>(std::move(layout));
     return rows;
+}
+
+TakenPlots takenPlots(const widgets::LivePlotStack& stack) {
+    const std::vector<int> active = stack.plotsOfActiveAxis();
+    TakenPlots taken{{}, stretchInView(stack, active.front()), {}};
+    for (int i = 0; i < static_cast<int>(stack.plots().size()); ++i) {
+        const widgets::PlotSpec& plot = stack.plots()[static_cast<std::size_t>(i)];
+        if (stack.cursors().isVisible || std::find(active.begin(), active.end(), i) != active.end()) {
+            taken.plots.push_back(plot);
+        } else {
+            taken.leftOut << plot.quantity;
+        }
+    }
+    return taken;
 }
 
 QString plotTable(const Recording& rows, const std::vector<widgets::PlotSpec>& plots) {

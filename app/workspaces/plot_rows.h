@@ -5,9 +5,13 @@
 #include "control/signals/sample_history.h"
 #include "widgets/live_plot_spec.h"
 
-#include <QString>
+#include <QStringList>
 
 #include <vector>
+
+namespace halbench::widgets {
+class LivePlotStack;
+}
 
 namespace halbench::app {
 
@@ -19,6 +23,15 @@ constexpr std::size_t MostPlotValues = 4000000;
 /// SI. Errors: OutOfRange (no samples, or more than `mostValues`).
 Result<Recording> plotRows(const std::vector<widgets::PlotSpec>& plots, const control::SampleHistory& history,
                            control::TimeRange range, std::size_t mostValues = MostPlotValues);
+
+/// What is taken of a stack: with cursors the stretch between them of all plots, without them what is in view
+/// of the plots on the time axis that keys act on; `leftOut` names the other plots.
+struct TakenPlots {
+    std::vector<widgets::PlotSpec> plots;
+    control::TimeRange range;
+    QStringList leftOut;
+};
+TakenPlots takenPlots(const widgets::LivePlotStack& stack);
 
 /// For a spreadsheet: columns parted by tabulators, a row of names, one of units, then the rows, in the units
 /// and the notation of the screen; empty where there is no value.

@@ -19,7 +19,8 @@ Project sample() {
     project.given = {{"J", 5.5e-4}, {"phi", 0.0143}};
     project.calibrations = {{"htm 1", "{\n  \"schema\": \"halbench.calibration/1\"\n}\n"}};
     project.monitor.plots = {{{"hall.a", "hall.b"}, widgets::ValueRange{-0.1, 1.0 / 3.0}, "mT"},
-                             {{"speed"}, {}, {}},
+                             {{"speed"}, {}, {}, {}, {}, {}, widgets::OwnTime{2.5, true}},
+                             {{"torque"}, {}, {}, {}, {}, {}, widgets::OwnTime{0.1, false}},
                              {{"position"}, {}, {}, {"speed"}, widgets::ValueRange{-2.0, 50.5}, "r/min"}};
     project.monitor.isFollowing = false;
     project.monitor.span_s = 2.5;
@@ -65,14 +66,29 @@ TEST(ProjectFile, textsComeBackWhateverIsInThem) {
 }
 
 TEST(ProjectFile, aPlotThatMakesNoSenseIsRefusedWithItsLine) {
-    for (const char* lines :
-         {"[[plot]]\nsignals = 7\n", "[[plot]]\nmin = 1.0\n", "[[plot]]\nmin = 1.0\nmax = 1.0\n",
-          "[[plot]]\nmin = nan\nmax = 1.0\n", "[monitor]\nspan_s = 0.0\n", "[monitor]\nfollow = 1\n",
-          "[monitor]\ntrigger = 1\n", "[monitor.trigger]\nmode = \"always\"\n",
-          "[monitor.trigger]\nwindow_s = 0.0\n", "[monitor.trigger]\non = 1\n",
-          "[monitor.trigger]\nedge = 1\n", "plot = 3\n", "derived = 3\n", "[[derived]]\nname = \"x\"\n",
-          "[[plot]]\nright = 7\n", "[[plot]]\nright_min = 1.0\n", "[[derived]]\nformula = \"x\"\n",
-          "monitor = 3\n", "plot = [3]\n"}) {
+    for (const char* lines : {"[[plot]]\nsignals = 7\n",
+                              "[[plot]]\nmin = 1.0\n",
+                              "[[plot]]\nmin = 1.0\nmax = 1.0\n",
+                              "[[plot]]\nmin = nan\nmax = 1.0\n",
+                              "[monitor]\nspan_s = 0.0\n",
+                              "[monitor]\nfollow = 1\n",
+                              "[monitor]\ntrigger = 1\n",
+                              "[monitor.trigger]\nmode = \"always\"\n",
+                              "[monitor.trigger]\nwindow_s = 0.0\n",
+                              "[monitor.trigger]\non = 1\n",
+                              "[monitor.trigger]\nedge = 1\n",
+                              "plot = 3\n",
+                              "derived = 3\n",
+                              "[[derived]]\nname = \"x\"\n",
+                              "[[plot]]\nown_span_s = 0.0\n",
+                              "[[plot]]\nown_follow = true\n",
+                              "[[plot]]\nown_span_s = \"1\"\n",
+                              "[[plot]]\nown_span_s = 1.0\nown_follow = 3\n",
+                              "[[plot]]\nright = 7\n",
+                              "[[plot]]\nright_min = 1.0\n",
+                              "[[derived]]\nformula = \"x\"\n",
+                              "monitor = 3\n",
+                              "plot = [3]\n"}) {
         const auto read =
             parseProject(std::string("schema = \"halbench.project/1\"\n") + lines, "motor.toml");
         ASSERT_FALSE(read) << lines;

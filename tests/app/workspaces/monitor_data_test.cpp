@@ -114,6 +114,19 @@ TEST_F(MonitorDataTest, betweenTheCursorsIsWhatConvertCutsOutOfTheWhole) {
     EXPECT_EQ(bytesOf(file("part.csv")), bytesOf(file("cut.csv")));
 }
 
+TEST_F(MonitorDataTest, ofPlotsWithSeveralTimeAxesTheOnesOfTheFocusAreTaken) {
+    stack().showTimeRange(between(0.0, 3.0));
+    stack().setOwnTime(1, widgets::OwnTime{1.0, false});
+    press(Qt::Key_C, Qt::ControlModifier | Qt::AltModifier); // the first plot has the focus
+    const QString shared = QGuiApplication::clipboard()->text().section('\n', 0, 0);
+    EXPECT_TRUE(shared.contains("Hall A")) << shared.toStdString();
+    EXPECT_FALSE(shared.contains("Angle")) << shared.toStdString();
+    EXPECT_TRUE(panel->findChild<widgets::MessageBar*>()->message().text.contains("not in it"));
+    stack().setCursorsVisible(true); // a stretch of time for all
+    press(Qt::Key_C, Qt::ControlModifier | Qt::AltModifier);
+    EXPECT_TRUE(QGuiApplication::clipboard()->text().section('\n', 0, 0).contains("Angle"));
+}
+
 TEST_F(MonitorDataTest, theClipboardHasNamesUnitsAndTheUnitsOfTheScreen) {
     stack().showTimeRange(between(1.0, 1.01));
     press(Qt::Key_C, Qt::ControlModifier | Qt::AltModifier);

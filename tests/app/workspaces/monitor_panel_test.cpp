@@ -347,6 +347,24 @@ TEST_F(MonitorPanelTest, anAxisHeldInAnotherUnitIsLetGo) {
     EXPECT_FALSE(stack().heldRange(0));
 }
 
+TEST_F(MonitorPanelTest, aTimeAxisOfItsOwnIsPartOfTheView) {
+    connectTo("sim:htm", 5.0);
+    stack().setOwnTime(1, widgets::OwnTime{2.5, true});
+    stack().setOwnTime(2, widgets::OwnTime{4.0, false});
+    const MonitorView kept = panel->view();
+    EXPECT_FALSE(kept.plots[0].ownTime);
+    EXPECT_EQ(kept.plots[1].ownTime, (widgets::OwnTime{2.5, true}));
+    EXPECT_EQ(kept.plots[2].ownTime, (widgets::OwnTime{4.0, false}));
+    panel->setView(MonitorView());
+    EXPECT_FALSE(stack().hasOwnTimes());
+    panel->setView(kept);
+    EXPECT_EQ(panel->view(), kept);
+    DisplayUnits units; // other units: the axis stays
+    units.speed = SpeedUnit::RadiansPerSecond;
+    bench().setDisplayUnits(units);
+    EXPECT_EQ(panel->view().plots[2].ownTime, (widgets::OwnTime{4.0, false}));
+}
+
 TEST_F(MonitorPanelTest, pairsOfCursorsArePartOfTheViewTheUnnamedOneIsNot) {
     connectTo("sim:htm", 5.0);
     const auto run = [&](widgets::LivePlotStack::Command command) { stack().action(command)->trigger(); };

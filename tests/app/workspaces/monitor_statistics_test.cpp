@@ -58,6 +58,27 @@ TEST_F(MonitorStatisticsTest, ofSeveralPairsTheOneThatMeasuresCounts) {
     EXPECT_EQ(range(), "Between the cursors, 1 s");
 }
 
+TEST_F(MonitorStatisticsTest, aPlotWithItsOwnTimeAxisHasItsOwnStretch) {
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(
+        wait([&] { return bench().history().range() && bench().history().range()->length_s() > 3.0; }));
+    const double end_s = bench().history().range()->end_s;
+    stack().showTimeRange({end_s - 2.0, end_s - 1.0});
+    stack().setOwnTime(0, widgets::OwnTime{0.5, false});
+    const control::TimeRange own = stack().timeRange(0);
+    EXPECT_NEAR(own.length_s(), 0.5, 1e-9);
+    press(Qt::Key_S);
+    EXPECT_EQ(range(), "In view of each plot");
+    const auto count = [&](const char* signal, control::TimeRange stretch) {
+        return QLocale().toString(
+            static_cast<qulonglong>(bench().history().statistics(signal, stretch).moments.count()));
+    };
+    EXPECT_EQ(table().item(0, 8)->text(), count("hall.a", own));
+    ASSERT_EQ(table().item(5, 0)->text(), "Current command [A]");
+    EXPECT_EQ(table().item(5, 8)->text(), count("current_command", {end_s - 2.0, end_s - 1.0}));
+    EXPECT_NE(table().item(5, 8)->text(), table().item(0, 8)->text());
+}
+
 TEST_F(MonitorStatisticsTest, plotsKeepTwoThirdsOfThePanel) {
     connectTo("sim:htm", 5.0);
     for (const QSize size : {QSize(700, 560), QSize(700, 800), QSize(1400, 1200)}) {
