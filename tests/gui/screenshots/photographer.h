@@ -1,0 +1,74 @@
+#pragma once
+
+#include "app/window/main_window.h"
+#include "app/window/preferences.h"
+#include "widgets/figure_view.h"
+
+#include <QPoint>
+#include <QSize>
+#include <QString>
+#include <QtTest/QTest>
+
+namespace halbench::app {
+
+/// Goes through the window as its user would and takes pictures of what is seen, light and dark.
+class Photographer {
+public:
+    Photographer(QString folder, QString language, QSize size);
+    /// The Monitor in its other uses: trigger, spectrum, XY, statistics with derived signals.
+    bool takeMonitor();
+    /// Pages of the help: the first one, pictures, a panel's section, one that is in English only.
+    bool takeHelp();
+    /// A calibration with its pictures, as fast as possible: a busy machine would be stopped on the way.
+    bool takeCalibrationOnly();
+    /// Tune alone, for a motor that is known.
+    bool takeTune();
+    /// The crossover is dragged through the Bode plot, then the margin; the pictures follow.
+    bool takeDragging();
+    /// Those of the folder "recordings" beside the pictures: laid over each other, their results, one that is
+    /// played.
+    bool takeRecordings();
+    bool takeAll();
+
+private:
+    static constexpr int Patience_ms = 120000;
+    static constexpr int DataTime_ms = 9500; ///< until a plot has something to show
+    static constexpr int Settling_ms = 400;
+
+    static Preferences dressed(const QString& language);
+    static void wear(ThemeChoice choice);
+    DeviceSession& session() { return m_window.bench().session(); }
+    template <typename Condition>
+    static bool wait(Condition condition) {
+        return QTest::qWaitFor(condition, Patience_ms);
+    }
+    /// A panel in front, when it has seen enough.
+    void takePanel(const char* panel);
+    /// What the key does in the panel.
+    static void trigger(const QWidget& panel, const char* key);
+    /// A motor that follows a reference for longer than the pictures take.
+    void startMotion(const char* reference);
+    void take(const QString& scene) { take(scene, m_window); }
+    void take(const QString& scene, QWidget& shown);
+    widgets::FigureView& openLoop();
+    void mouse(QEvent::Type type, Qt::MouseButton button, Qt::MouseButtons buttons);
+    void hold(int handle);
+    void pull(const QPoint& way);
+    void letGo() { mouse(QEvent::MouseButtonRelease, Qt::LeftButton, Qt::NoButton); }
+    void takePerspectives(const QString& prefix);
+    /// The main button of the panel's visible page.
+    bool press(const char* panel, const char* context, const char* text);
+    bool takeCalibration();
+    bool takeIdentification();
+    /// Designs kept beside each other, as a table and in the pictures.
+    bool takeDesigns();
+    bool takeTuning();
+
+    QString m_folder;
+    QString m_language;
+    MainWindow m_window;
+    QPoint m_hand; ///< in the picture of the open loop
+    bool m_isSaved = true;
+};
+
+} // namespace halbench::app

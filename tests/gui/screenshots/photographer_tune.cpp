@@ -1,0 +1,140 @@
+#include "app/window/dock_layout.h"
+#include "app/workspaces/design_names.h"
+#include "app/workspaces/loop_view.h"
+#include "app/workspaces/page_chooser.h"
+#include "app/workspaces/tune_form.h"
+#include "tests/app/workspaces/published_motor.h"
+#include "tests/gui/screenshots/photographer.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QMouseEvent>
+#include <QPushButton>
+#include <QTableWidget>
+
+#include <string_view>
+#include <utility>
+
+namespace halbench::app {
+
+bool Photographer::takeTune() {
+    m_window.connectDevice(QStringLiteral("sim:htm"));
+    if (!wait([this] { return !m_window.bench().deviceValues().empty(); })) {
+        return false;
+    }
+    m_window.bench().setIdentification(publishedMotor());
+    return takeTuning() && m_isSaved;
+}
+
+bool Photographer::takeDragging() {
+    m_window.connectDevice(QStringLiteral("sim:htm"));
+    if (!wait([this] { return !m_window.bench().deviceValues().empty(); })) {
+        return false;
+    }
+    m_window.bench().setIdentification(publishedMotor());
+    m_window.docks().setPerspective(Perspective::Tune);
+    if (!wait([this] { return m_window.bench().design().has_value(); })) {
+        return false;
+    }
+    QTest::qWait(DataTime_ms / 5);
+    take(QStringLiteral("drag-1-before"));
+    hold(0);
+    pull({-28, 0});
+    take(QStringLiteral("drag-2-slower"));
+    pull({70, 0});
+    take(QStringLiteral("drag-3-faster"));
+    pull({160, 0});
+    take(QStringLiteral("drag-4-beyond-reach"));
+    pull({-188, 0});
+    letGo();
+    QTest::qWait(Settling_ms); // who looks for the other handle
+    hold(1);
+    pull({0, -14});
+    take(QStringLiteral("drag-5-margin"));
+    letGo();
+    if (!wait([this] { return m_window.bench().design()->method == "edited"; })) {
+        return false;
+    }
+    QTest::qWait(DataTime_ms / 5);
+    take(QStringLiteral("drag-6-released"));
+    return m_isSaved;
+}
+
+widgets::FigureView& Photographer::openLoop() {
+    return m_window.docks().panel("tune")->findChild<LoopView*>()->picture();
+}
+
+void Photographer::mouse(QEvent::Type type, Qt::MouseButton button, Qt::MouseButtons buttons) {
+    QMouseEvent event(type, QPointF(m_hand), button, buttons, Qt::NoModifier);
+    QApplication::sendEvent(&openLoop(), &event);
+}
+
+void Photographer::hold(int handle) {
+    m_hand = openLoop().handlePlace(handle).value_or(QPoint());
+    mouse(QEvent::MouseButtonPress, Qt::LeftButton, Qt::LeftButton);
+}
+
+void Photographer::pull(const QPoint& way) {
+    m_hand += way;
+    mouse(QEvent::MouseMove, Qt::NoButton, Qt::LeftButton);
+}
+
+bool Photographer::takeDesigns() {
+    QWidget& tune = *m_window.docks().panel("tune");
+    auto* origin = tune.findChild<TuneForm*>()->findChild<QComboBox*>();
+    if (!press("tune", "halbench::app::TunePanel", "Designs")) {
+        return false;
+    }
+    for (const char* method : {"lambda", "lqr", "recommended"}) {
+        for (int i = 0; i < origin->count(); ++i) {
+            if (origin->itemText(i).endsWith(designTitle(method))) {
+                origin->setCurrentIndex(i);
+                break;
+            }
+        }
+        const bool isLast = method == std::string_view("recommended");
+        if (!wait([&] { return m_window.bench().design()->method == method; }) ||
+            !(isLast || press("tune", "halbench::app::DesignTable", "Keep this design"))) {
+            return false;
+        }
+    }
+    tune.findChild<QTableWidget*>("designs")->setCurrentCell(1, 0);
+    QTest::qWait(DataTime_ms / 5);
+    take(QStringLiteral("tune-designs"));
+    tune.findChild<PageChooser*>()->findChild<QPushButton*>()->click();
+    take(QStringLiteral("tune-compared"));
+    auto* views = tune.findChild<LoopView*>();
+    const std::pair<LoopView::View, const char*> scenes[] = {
+        {LoopView::View::Nyquist, "tune-nyquist"},
+        {LoopView::View::Nichols, "tune-nichols"},
+        {LoopView::View::Sensitivity, "tune-sensitivity"},
+        {LoopView::View::RootLocus, "tune-root-locus"}};
+    for (const auto& [view, scene] : scenes) {
+        views->setView(view);
+        take(QLatin1String(scene));
+    }
+    views->setView(LoopView::View::Bode);
+    return true;
+}
+
+bool Photographer::takeTuning() {
+    m_window.docks().setPerspective(Perspective::Tune);
+    if (!wait([this] { return m_window.bench().design().has_value(); })) {
+        return false;
+    }
+    QTest::qWait(DataTime_ms / 5);
+    take(QStringLiteral("tune-design"));
+    if (!takeDesigns()) {
+        return false;
+    }
+    session().setPace({0.0});
+    if (!press("tune", "halbench::app::TunePanel", "Apply and verify")) {
+        return false;
+    }
+    const bool isDone = wait([this] { return session().procedure().isEmpty(); });
+    QTest::qWait(DataTime_ms / 5);
+    take(QStringLiteral("tune-verified"));
+    return isDone;
+}
+
+} // namespace halbench::app
