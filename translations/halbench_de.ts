@@ -5375,12 +5375,292 @@
         <translation>[monitor] hat follow und cursors (true oder false), span_s und trigger</translation>
     </message>
     <message>
+        <source>a quoted cell does not end as it should</source>
+        <translation>eine Zelle in Anführungszeichen endet nicht, wie sie sollte</translation>
+    </message>
+    <message>
+        <source>{} cells where there are {} before</source>
+        <translation>{} Zellen, wo es davor {} sind</translation>
+    </message>
+    <message>
+        <source>the names of several columns where there is one</source>
+        <translation>die Namen mehrerer Spalten, wo es eine gibt</translation>
+    </message>
+    <message>
+        <source>there are no rows of numbers</source>
+        <translation>es gibt keine Zeilen mit Zahlen</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is written with thousands separators</source>
+        <translation>„{}“ ist mit Tausendertrennzeichen geschrieben</translation>
+    </message>
+    <message>
+        <source>{} columns are called &apos;{}&apos;</source>
+        <translation>{} Spalten heißen „{}“</translation>
+    </message>
+    <message>
+        <source>give its number: {} or {}</source>
+        <translation>geben Sie ihre Nummer an: {} oder {}</translation>
+    </message>
+    <message>
+        <source>the table has no column &apos;{}&apos;</source>
+        <translation>die Tabelle hat keine Spalte „{}“</translation>
+    </message>
+    <message>
+        <source>it has {}; a number from 1 to {} also names one</source>
+        <translation>sie hat {}; auch eine Nummer von 1 bis {} nennt eine</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no unit that is known</source>
+        <translation>„{}“ ist keine bekannte Einheit</translation>
+    </message>
+    <message>
+        <source>for example s, ms, us, rad, deg, rad/s, rpm, A, mA, T, mT, degC, or - for none</source>
+        <translation>zum Beispiel s, ms, us, rad, deg, rad/s, rpm, A, mA, T, mT, degC, oder - für keine</translation>
+    </message>
+    <message>
+        <source>--map: &apos;{}&apos; cannot name a signal</source>
+        <translation>--map: „{}“ kann kein Signal benennen</translation>
+    </message>
+    <message>
+        <source>a name has letters, digits, &apos;.&apos; and &apos;_&apos; and begins with a letter; the time is chosen with --time</source>
+        <translation>ein Name hat Buchstaben, Ziffern, &apos;.&apos; und &apos;_&apos; und beginnt mit einem Buchstaben; die Zeit wählt --time</translation>
+    </message>
+    <message>
+        <source>--map {}={} is given twice</source>
+        <translation>--map {}={} ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>give every name and every column once</source>
+        <translation>geben Sie jeden Namen und jede Spalte einmal an</translation>
+    </message>
+    <message>
+        <source>which column is the time is not certain</source>
+        <translation>welche Spalte die Zeit ist, ist nicht sicher</translation>
+    </message>
+    <message>
+        <source>column {}</source>
+        <translation>Spalte {}</translation>
+    </message>
+    <message>
+        <source>there is none: F rows a second</source>
+        <translation>es gibt keine: F Zeilen in der Sekunde</translation>
+    </message>
+    <message>
+        <source>the unit of column &apos;{}&apos; is not known</source>
+        <translation>die Einheit der Spalte „{}“ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>its numbers are in {}</source>
+        <translation>ihre Zahlen sind in {}</translation>
+    </message>
+    <message>
+        <source>column &apos;{}&apos; is in {}, which is no time</source>
+        <translation>Spalte „{}“ ist in {}, was keine Zeit ist</translation>
+    </message>
+    <message>
+        <source>choose another with --time, or say its unit with --unit</source>
+        <translation>wählen Sie mit --time eine andere, oder nennen Sie mit --unit ihre Einheit</translation>
+    </message>
+    <message>
+        <source>column &apos;{}&apos; is in {}, but {} is in {}</source>
+        <translation>Spalte „{}“ ist in {}, aber {} ist in {}</translation>
+    </message>
+    <message>
+        <source>no unit</source>
+        <translation>keine Einheit</translation>
+    </message>
+    <message>
+        <source>map another column with --map, or say its unit with --unit</source>
+        <translation>ordnen Sie mit --map eine andere Spalte zu, oder nennen Sie mit --unit ihre Einheit</translation>
+    </message>
+    <message>
+        <source>--map {}={}: this column is the time</source>
+        <translation>--map {}={}: diese Spalte ist die Zeit</translation>
+    </message>
+    <message>
+        <source>choose the time&apos;s column with --time, or give --rate_Hz</source>
+        <translation>wählen Sie die Zeitspalte mit --time, oder geben Sie --rate_Hz an</translation>
+    </message>
+    <message>
+        <source>how columns and numbers are written is not certain</source>
+        <translation>wie Spalten und Zahlen geschrieben sind, ist nicht sicher</translation>
+    </message>
+    <message>
+        <source> (thousands separators, which are not read: remove them)</source>
+        <translation> (Tausendertrennzeichen, die nicht gelesen werden: entfernen Sie sie)</translation>
+    </message>
+    <message>
+        <source>whether line {} is a row of numbers or of {} is not certain</source>
+        <translation>ob Zeile {} eine Zeile mit Zahlen oder mit {} ist, ist nicht sicher</translation>
+    </message>
+    <message>
+        <source>no header: numbers from the first line on</source>
+        <translation>keine Kopfzeile: Zahlen von der ersten Zeile an</translation>
+    </message>
+    <message>
+        <source>one line of names</source>
+        <translation>eine Zeile mit Namen</translation>
+    </message>
+    <message>
+        <source>a line of names, then one of units</source>
+        <translation>eine Zeile mit Namen, dann eine mit Einheiten</translation>
+    </message>
+    <message>
+        <source>write numbers without them</source>
+        <translation>schreiben Sie Zahlen ohne sie</translation>
+    </message>
+    <message>
+        <source>a table has rows of equally many numbers, at most two lines of names and units before them, and comments that begin with #; --separator, --decimal and --header say how it is written</source>
+        <translation>eine Tabelle hat Zeilen mit gleich vielen Zahlen, davor höchstens zwei Zeilen mit Namen und Einheiten, und Kommentare, die mit # beginnen; --separator, --decimal und --header sagen, wie sie geschrieben ist</translation>
+    </message>
+    <message>
+        <source>UTF-16 text</source>
+        <translation>UTF-16-Text</translation>
+    </message>
+    <message>
+        <source>zeros, so this is no text</source>
+        <translation>Nullbytes, also ist dies kein Text</translation>
+    </message>
+    <message>
+        <source>save it as text in UTF-8</source>
+        <translation>speichern Sie sie als Text in UTF-8</translation>
+    </message>
+    <message>
+        <source>{}:1:1: the lines end with CR alone</source>
+        <translation>{}:1:1: die Zeilen enden mit CR allein</translation>
+    </message>
+    <message>
+        <source>save it with line ends LF or CR LF</source>
+        <translation>speichern Sie sie mit Zeilenenden LF oder CR LF</translation>
+    </message>
+    <message>
+        <source>{}:1:1: there are no rows</source>
+        <translation>{}:1:1: es gibt keine Zeilen</translation>
+    </message>
+    <message>
+        <source>give a file with rows of numbers</source>
+        <translation>geben Sie eine Datei mit Zeilen von Zahlen an</translation>
+    </message>
+    <message>
+        <source>{}:{}:1: the line has {} characters</source>
+        <translation>{}:{}:1: die Zeile hat {} Zeichen</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no number that can be held</source>
+        <translation>„{}“ ist keine Zahl, die gehalten werden kann</translation>
+    </message>
+    <message>
+        <source>numbers reach from about 1e-308 to 1e308</source>
+        <translation>Zahlen reichen von etwa 1e-308 bis 1e308</translation>
+    </message>
+    <message>
+        <source>numbers of this table are written like -1{}5e-3; --decimal says otherwise</source>
+        <translation>Zahlen dieser Tabelle sind geschrieben wie -1{}5e-3; --decimal sagt es anders</translation>
+    </message>
+    <message>
+        <source>the line has {} characters</source>
+        <translation>die Zeile hat {} Zeichen</translation>
+    </message>
+    <message>
+        <source>a quote inside a quoted cell is written twice</source>
+        <translation>ein Anführungszeichen in einer solchen Zelle wird doppelt geschrieben</translation>
+    </message>
+    <message>
+        <source>{} cells where the table has {} columns</source>
+        <translation>{} Zellen, wo die Tabelle {} Spalten hat</translation>
+    </message>
+    <message>
+        <source>the time is missing</source>
+        <translation>die Zeit fehlt</translation>
+    </message>
+    <message>
+        <source>remove the row, or give --rate_Hz instead</source>
+        <translation>entfernen Sie die Zeile, oder geben Sie stattdessen --rate_Hz an</translation>
+    </message>
+    <message>
+        <source>the time does not increase: {} s after {} s</source>
+        <translation>die Zeit nimmt nicht zu: {} s nach {} s</translation>
+    </message>
+    <message>
+        <source>sort the rows by time, choose another column with --time, or give --rate_Hz</source>
+        <translation>ordnen Sie die Zeilen nach der Zeit, wählen Sie mit --time eine andere Spalte, oder geben Sie --rate_Hz an</translation>
+    </message>
+    <message>
+        <source>--rate_Hz: not between 1e-6 and 1e9</source>
+        <translation>--rate_Hz: nicht zwischen 1e-6 und 1e9</translation>
+    </message>
+    <message>
+        <source>give how many rows were sampled in a second</source>
+        <translation>geben Sie an, wie viele Zeilen in der Sekunde abgetastet wurden</translation>
+    </message>
+    <message>
+        <source>--time and --rate_Hz both say where the time comes from</source>
+        <translation>--time und --rate_Hz sagen beide, woher die Zeit kommt</translation>
+    </message>
+    <message>
+        <source>give one of them</source>
+        <translation>geben Sie eines davon an</translation>
+    </message>
+    <message>
+        <source>{}: {} columns</source>
+        <translation>{}: {} Spalten</translation>
+    </message>
+    <message>
+        <source>unit not known</source>
+        <translation>Einheit nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the unit &apos;{}&apos; of column &apos;{}&apos; is not known: its numbers stay as they are, without a unit</source>
+        <translation>die Einheit „{}“ der Spalte „{}“ ist nicht bekannt: ihre Zahlen bleiben, wie sie sind, ohne Einheit</translation>
+    </message>
+    <message>
+        <source>say its unit with --unit</source>
+        <translation>nennen Sie mit --unit ihre Einheit</translation>
+    </message>
+    <message>
+        <source>the steps of the time lie between {} s and {} s</source>
+        <translation>die Schritte der Zeit liegen zwischen {} s und {} s</translation>
+    </message>
+    <message>
+        <source>the times are kept as they are; what needs an even rate may refuse them</source>
+        <translation>die Zeiten bleiben, wie sie sind; was gleichmäßige Schritte braucht, lehnt sie vielleicht ab</translation>
+    </message>
+    <message>
+        <source>{} rows are missing</source>
+        <translation>{} Zeilen fehlen</translation>
+    </message>
+    <message>
+        <source>the sidecar says where</source>
+        <translation>die Begleitdatei sagt, wo</translation>
+    </message>
+    <message>
         <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow</source>
         <translation>unbekannter Schlüssel „{}“; ein [[plot]] hat signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow</translation>
     </message>
     <message>
         <source>a [[plot]] with its own time axis has own_span_s, which is more than 0</source>
         <translation>ein [[plot]] mit eigener Zeitachse hat own_span_s, größer als 0</translation>
+    </message>
+    <message>
+        <source>{}: there is such a file already</source>
+        <translation>{}: eine solche Datei gibt es schon</translation>
+    </message>
+    <message>
+        <source>give the recording another name</source>
+        <translation>geben Sie der Aufzeichnung einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>the import was cancelled</source>
+        <translation>der Import wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>{}: cannot be read</source>
+        <translation>{}: kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>look whether it is still there</source>
+        <translation>sehen Sie nach, ob sie noch da ist</translation>
     </message>
 </context>
 <context>
@@ -7961,6 +8241,281 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::ImportForm</name>
+    <message>
+        <source>as found: %1</source>
+        <translation>wie gefunden: %1</translation>
+    </message>
+    <message>
+        <source>not certain</source>
+        <translation>nicht sicher</translation>
+    </message>
+    <message>
+        <source>Separator</source>
+        <translation>Trennzeichen</translation>
+    </message>
+    <message>
+        <source>What stands between the columns</source>
+        <translation>Was zwischen den Spalten steht</translation>
+    </message>
+    <message>
+        <source>comma</source>
+        <translation>Komma</translation>
+    </message>
+    <message>
+        <source>semicolon</source>
+        <translation>Semikolon</translation>
+    </message>
+    <message>
+        <source>tabulator</source>
+        <translation>Tabulator</translation>
+    </message>
+    <message>
+        <source>blank</source>
+        <translation>Leerzeichen</translation>
+    </message>
+    <message>
+        <source>none, one column</source>
+        <translation>keines, eine Spalte</translation>
+    </message>
+    <message>
+        <source>Decimal sign</source>
+        <translation>Dezimalzeichen</translation>
+    </message>
+    <message>
+        <source>What stands before the decimals of a number</source>
+        <translation>Was vor den Nachkommastellen einer Zahl steht</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Header</source>
+        <translation>Kopfzeilen</translation>
+    </message>
+    <message>
+        <source>What stands above the numbers</source>
+        <translation>Was über den Zahlen steht</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>names</source>
+        <translation>Namen</translation>
+    </message>
+    <message>
+        <source>names, then units</source>
+        <translation>Namen, dann Einheiten</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>The column of the time, or how many rows were sampled in a second</source>
+        <translation>Die Spalte der Zeit, oder wie viele Zeilen in der Sekunde abgetastet wurden</translation>
+    </message>
+    <message>
+        <source>Rows a second</source>
+        <translation>Zeilen in der Sekunde</translation>
+    </message>
+    <message>
+        <source>How many rows were sampled in a second</source>
+        <translation>Wie viele Zeilen in der Sekunde abgetastet wurden</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>none: rows a second</source>
+        <translation>keine: Zeilen in der Sekunde</translation>
+    </message>
+    <message>
+        <source>Say how many rows were sampled in a second.</source>
+        <translation>Geben Sie an, wie viele Zeilen in der Sekunde abgetastet wurden.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::ImportView</name>
+    <message>
+        <source>First rows as they would be read</source>
+        <translation>Erste Zeilen, wie sie gelesen würden</translation>
+    </message>
+    <message>
+        <source>The first rows in the units of the recording; above each what its column becomes</source>
+        <translation>Die ersten Zeilen in den Einheiten der Aufzeichnung; darüber, was aus jeder Spalte wird</translation>
+    </message>
+    <message>
+        <source>Choose table…</source>
+        <translation>Tabelle wählen…</translation>
+    </message>
+    <message>
+        <source>A table that another program wrote; the window&apos;s key for it is Ctrl+I</source>
+        <translation>Eine Tabelle, die ein anderes Programm geschrieben hat; die Taste des Fensters dafür ist Strg+I</translation>
+    </message>
+    <message>
+        <source>Table that is imported</source>
+        <translation>Tabelle, die importiert wird</translation>
+    </message>
+    <message>
+        <source>Name of the recording</source>
+        <translation>Name der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>The recording gets this name, in the folder of the recordings</source>
+        <translation>Die Aufzeichnung bekommt diesen Namen, im Ordner der Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Reads all rows, writes the recording and shows it</source>
+        <translation>Liest alle Zeilen, schreibt die Aufzeichnung und zeigt sie</translation>
+    </message>
+    <message>
+        <source>What is missing for the import</source>
+        <translation>Was zum Import fehlt</translation>
+    </message>
+    <message>
+        <source>Choose table</source>
+        <translation>Tabelle wählen</translation>
+    </message>
+    <message>
+        <source>Table (*.csv *.txt *.tsv *.dat);;All files (*)</source>
+        <translation>Tabelle (*.csv *.txt *.tsv *.dat);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>First lines, as they are</source>
+        <translation>Erste Zeilen, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Choose a table first. What of it is not certain is asked here.</source>
+        <translation>Wählen Sie zuerst eine Tabelle. Was daran nicht sicher ist, wird hier gefragt.</translation>
+    </message>
+    <message>
+        <source>The table is being read.</source>
+        <translation>Die Tabelle wird gelesen.</translation>
+    </message>
+    <message>
+        <source>The table cannot be read like this; above stands why.</source>
+        <translation>Die Tabelle lässt sich so nicht lesen; oben steht, warum.</translation>
+    </message>
+    <message>
+        <source>To be answered above: %1.</source>
+        <translation>Oben zu beantworten: %1.</translation>
+    </message>
+    <message>
+        <source>The recording needs a name, which is no folder.</source>
+        <translation>Die Aufzeichnung braucht einen Namen, der kein Ordner ist.</translation>
+    </message>
+    <message>
+        <source>There is a recording of this name already.</source>
+        <translation>Eine Aufzeichnung dieses Namens gibt es schon.</translation>
+    </message>
+    <message>
+        <source>Importing</source>
+        <translation>Importiert</translation>
+    </message>
+    <message>
+        <source>Importing: %1 rows</source>
+        <translation>Importiert: %1 Zeilen</translation>
+    </message>
+    <message>
+        <source>Imported: %1 rows in %2</source>
+        <translation>Importiert: %1 Zeilen in %2</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::ImportWords</name>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>unit not known</source>
+        <translation>Einheit nicht bekannt</translation>
+    </message>
+    <message>
+        <source>no unit</source>
+        <translation>keine Einheit</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>aus %1</translation>
+    </message>
+    <message>
+        <source>time [s]
+by %1 rows a second</source>
+        <translation>Zeit [s]
+mit %1 Zeilen in der Sekunde</translation>
+    </message>
+    <message>
+        <source>Choose separator, decimal sign, header or time above as they are in the table, or mend the table.</source>
+        <translation>Wählen Sie oben Trennzeichen, Dezimalzeichen, Kopfzeilen oder Zeit, wie sie in der Tabelle sind, oder berichtigen Sie die Tabelle.</translation>
+    </message>
+    <message>
+        <source>how columns and numbers are written</source>
+        <translation>wie Spalten und Zahlen geschrieben sind</translation>
+    </message>
+    <message>
+        <source>what the first lines are</source>
+        <translation>was die ersten Zeilen sind</translation>
+    </message>
+    <message>
+        <source>which column is the time</source>
+        <translation>welche Spalte die Zeit ist</translation>
+    </message>
+    <message>
+        <source>there is none: rows a second</source>
+        <translation>es gibt keine: Zeilen in der Sekunde</translation>
+    </message>
+    <message>
+        <source>its numbers are in %1</source>
+        <translation>ihre Zahlen sind in %1</translation>
+    </message>
+    <message>
+        <source>separator %1</source>
+        <translation>Trennzeichen %1</translation>
+    </message>
+    <message>
+        <source>decimal comma</source>
+        <translation>Dezimalkomma</translation>
+    </message>
+    <message>
+        <source>decimal point</source>
+        <translation>Dezimalpunkt</translation>
+    </message>
+    <message>
+        <source>%1; it reads %2</source>
+        <translation>%1; gelesen wird %2</translation>
+    </message>
+    <message>
+        <source>Not certain: %1</source>
+        <translation>Nicht sicher: %1</translation>
+    </message>
+    <message>
+        <source>Only you know; nothing is imported before it is answered</source>
+        <translation>Das wissen nur Sie; nichts wird importiert, bevor es beantwortet ist</translation>
+    </message>
+    <message>
+        <source>Please choose</source>
+        <translation>Bitte wählen</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::JogRow</name>
     <message>
         <source>− Back</source>
@@ -8464,6 +9019,10 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
     <message>
         <source>&amp;Edit</source>
         <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Import a &amp;table…</source>
+        <translation>&amp;Tabelle importieren…</translation>
     </message>
 </context>
 <context>
@@ -9757,10 +10316,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Macht aus dem, was ein unterbrochenes Programm hinterließ, eine Aufzeichnung</translation>
     </message>
     <message>
-        <source>Overlay, results, tags and notes</source>
-        <translation>Überlagerung, Ergebnisse, Schlagwörter und Notizen</translation>
-    </message>
-    <message>
         <source>Overlay</source>
         <translation>Überlagerung</translation>
     </message>
@@ -9835,6 +10390,22 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Plays the recording in the panels, as if its device were connected (Ctrl+Return). The device that is connected is left; not while it is armed, is recorded or works</source>
         <translation>Spielt die Aufzeichnung in den Bereichen ab, als wäre ihr Gerät verbunden (Strg+Eingabe). Das verbundene Gerät wird getrennt; nicht, solange es freigegeben ist, aufgezeichnet wird oder arbeitet</translation>
+    </message>
+    <message>
+        <source>Overlay, results, tags and notes, import</source>
+        <translation>Überlagerung, Ergebnisse, Schlagwörter und Notizen, Import</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>This table is of another program: look below how it is read.</source>
+        <translation>Diese Tabelle ist von einem anderen Programm: Sehen Sie unten, wie sie gelesen wird.</translation>
+    </message>
+    <message>
+        <source>Import makes a recording of it; the table stays as it is.</source>
+        <translation>Importieren macht eine Aufzeichnung daraus; die Tabelle bleibt, wie sie ist.</translation>
     </message>
 </context>
 <context>

@@ -5375,12 +5375,292 @@
         <translation>[monitor] 有 follow 和 cursors（true 或 false）、span_s 和 trigger</translation>
     </message>
     <message>
+        <source>a quoted cell does not end as it should</source>
+        <translation>带引号的单元格没有正确结束</translation>
+    </message>
+    <message>
+        <source>{} cells where there are {} before</source>
+        <translation>此处有 {} 个单元格，之前有 {} 个</translation>
+    </message>
+    <message>
+        <source>the names of several columns where there is one</source>
+        <translation>只有一列，却有多列的名称</translation>
+    </message>
+    <message>
+        <source>there are no rows of numbers</source>
+        <translation>没有数字行</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is written with thousands separators</source>
+        <translation>“{}” 带有千位分隔符</translation>
+    </message>
+    <message>
+        <source>{} columns are called &apos;{}&apos;</source>
+        <translation>有 {} 列名为 “{}”</translation>
+    </message>
+    <message>
+        <source>give its number: {} or {}</source>
+        <translation>给出列号：{} 或 {}</translation>
+    </message>
+    <message>
+        <source>the table has no column &apos;{}&apos;</source>
+        <translation>表中没有列 “{}”</translation>
+    </message>
+    <message>
+        <source>it has {}; a number from 1 to {} also names one</source>
+        <translation>它有 {}；也可用 1 到 {} 的编号指定一列</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no unit that is known</source>
+        <translation>“{}” 不是已知的单位</translation>
+    </message>
+    <message>
+        <source>for example s, ms, us, rad, deg, rad/s, rpm, A, mA, T, mT, degC, or - for none</source>
+        <translation>例如 s、ms、us、rad、deg、rad/s、rpm、A、mA、T、mT、degC，- 表示无单位</translation>
+    </message>
+    <message>
+        <source>--map: &apos;{}&apos; cannot name a signal</source>
+        <translation>--map：“{}” 不能作为信号名称</translation>
+    </message>
+    <message>
+        <source>a name has letters, digits, &apos;.&apos; and &apos;_&apos; and begins with a letter; the time is chosen with --time</source>
+        <translation>名称由字母、数字、&apos;.&apos; 和 &apos;_&apos; 组成，以字母开头；时间用 --time 选择</translation>
+    </message>
+    <message>
+        <source>--map {}={} is given twice</source>
+        <translation>--map {}={} 给出了两次</translation>
+    </message>
+    <message>
+        <source>give every name and every column once</source>
+        <translation>每个名称和每一列只给出一次</translation>
+    </message>
+    <message>
+        <source>which column is the time is not certain</source>
+        <translation>不确定哪一列是时间</translation>
+    </message>
+    <message>
+        <source>column {}</source>
+        <translation>第 {} 列</translation>
+    </message>
+    <message>
+        <source>there is none: F rows a second</source>
+        <translation>没有：每秒 F 行</translation>
+    </message>
+    <message>
+        <source>the unit of column &apos;{}&apos; is not known</source>
+        <translation>列 “{}” 的单位未知</translation>
+    </message>
+    <message>
+        <source>its numbers are in {}</source>
+        <translation>其数字的单位是 {}</translation>
+    </message>
+    <message>
+        <source>column &apos;{}&apos; is in {}, which is no time</source>
+        <translation>列 “{}” 的单位是 {}，不是时间</translation>
+    </message>
+    <message>
+        <source>choose another with --time, or say its unit with --unit</source>
+        <translation>用 --time 选择另一列，或用 --unit 给出其单位</translation>
+    </message>
+    <message>
+        <source>column &apos;{}&apos; is in {}, but {} is in {}</source>
+        <translation>列 “{}” 的单位是 {}，但 {} 的单位是 {}</translation>
+    </message>
+    <message>
+        <source>no unit</source>
+        <translation>无单位</translation>
+    </message>
+    <message>
+        <source>map another column with --map, or say its unit with --unit</source>
+        <translation>用 --map 对应另一列，或用 --unit 给出其单位</translation>
+    </message>
+    <message>
+        <source>--map {}={}: this column is the time</source>
+        <translation>--map {}={}：这一列是时间</translation>
+    </message>
+    <message>
+        <source>choose the time&apos;s column with --time, or give --rate_Hz</source>
+        <translation>用 --time 选择时间列，或给出 --rate_Hz</translation>
+    </message>
+    <message>
+        <source>how columns and numbers are written is not certain</source>
+        <translation>不确定列和数字的写法</translation>
+    </message>
+    <message>
+        <source> (thousands separators, which are not read: remove them)</source>
+        <translation>（千位分隔符不被读取：请去掉）</translation>
+    </message>
+    <message>
+        <source>whether line {} is a row of numbers or of {} is not certain</source>
+        <translation>不确定第 {} 行是数字行还是 {} 行</translation>
+    </message>
+    <message>
+        <source>no header: numbers from the first line on</source>
+        <translation>无表头：从第一行起就是数字</translation>
+    </message>
+    <message>
+        <source>one line of names</source>
+        <translation>一行名称</translation>
+    </message>
+    <message>
+        <source>a line of names, then one of units</source>
+        <translation>一行名称，然后一行单位</translation>
+    </message>
+    <message>
+        <source>write numbers without them</source>
+        <translation>请书写不带千位分隔符的数字</translation>
+    </message>
+    <message>
+        <source>a table has rows of equally many numbers, at most two lines of names and units before them, and comments that begin with #; --separator, --decimal and --header say how it is written</source>
+        <translation>表由数字个数相同的行组成，其前最多有两行名称和单位，注释以 # 开头；--separator、--decimal 和 --header 说明其写法</translation>
+    </message>
+    <message>
+        <source>UTF-16 text</source>
+        <translation>UTF-16 文本</translation>
+    </message>
+    <message>
+        <source>zeros, so this is no text</source>
+        <translation>零字节，因此这不是文本</translation>
+    </message>
+    <message>
+        <source>save it as text in UTF-8</source>
+        <translation>请另存为 UTF-8 文本</translation>
+    </message>
+    <message>
+        <source>{}:1:1: the lines end with CR alone</source>
+        <translation>{}:1:1：行尾只有 CR</translation>
+    </message>
+    <message>
+        <source>save it with line ends LF or CR LF</source>
+        <translation>请以行尾 LF 或 CR LF 保存</translation>
+    </message>
+    <message>
+        <source>{}:1:1: there are no rows</source>
+        <translation>{}:1:1：没有行</translation>
+    </message>
+    <message>
+        <source>give a file with rows of numbers</source>
+        <translation>请给出含有数字行的文件</translation>
+    </message>
+    <message>
+        <source>{}:{}:1: the line has {} characters</source>
+        <translation>{}:{}:1：该行有 {} 个字符</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no number that can be held</source>
+        <translation>“{}” 不是可以保存的数字</translation>
+    </message>
+    <message>
+        <source>numbers reach from about 1e-308 to 1e308</source>
+        <translation>数字的范围约为 1e-308 到 1e308</translation>
+    </message>
+    <message>
+        <source>numbers of this table are written like -1{}5e-3; --decimal says otherwise</source>
+        <translation>此表的数字写作 -1{}5e-3；可用 --decimal 另行指定</translation>
+    </message>
+    <message>
+        <source>the line has {} characters</source>
+        <translation>该行有 {} 个字符</translation>
+    </message>
+    <message>
+        <source>a quote inside a quoted cell is written twice</source>
+        <translation>带引号的单元格内的引号要写两次</translation>
+    </message>
+    <message>
+        <source>{} cells where the table has {} columns</source>
+        <translation>此处有 {} 个单元格，而表有 {} 列</translation>
+    </message>
+    <message>
+        <source>the time is missing</source>
+        <translation>缺少时间</translation>
+    </message>
+    <message>
+        <source>remove the row, or give --rate_Hz instead</source>
+        <translation>删除该行，或改为给出 --rate_Hz</translation>
+    </message>
+    <message>
+        <source>the time does not increase: {} s after {} s</source>
+        <translation>时间没有递增：{} s 在 {} s 之后</translation>
+    </message>
+    <message>
+        <source>sort the rows by time, choose another column with --time, or give --rate_Hz</source>
+        <translation>按时间排序各行，用 --time 选择另一列，或给出 --rate_Hz</translation>
+    </message>
+    <message>
+        <source>--rate_Hz: not between 1e-6 and 1e9</source>
+        <translation>--rate_Hz：不在 1e-6 与 1e9 之间</translation>
+    </message>
+    <message>
+        <source>give how many rows were sampled in a second</source>
+        <translation>给出每秒采样的行数</translation>
+    </message>
+    <message>
+        <source>--time and --rate_Hz both say where the time comes from</source>
+        <translation>--time 和 --rate_Hz 都指定了时间来源</translation>
+    </message>
+    <message>
+        <source>give one of them</source>
+        <translation>只给出其中一个</translation>
+    </message>
+    <message>
+        <source>{}: {} columns</source>
+        <translation>{}：{} 列</translation>
+    </message>
+    <message>
+        <source>unit not known</source>
+        <translation>单位未知</translation>
+    </message>
+    <message>
+        <source>the unit &apos;{}&apos; of column &apos;{}&apos; is not known: its numbers stay as they are, without a unit</source>
+        <translation>单位“{}”（列“{}”）未知：其数字保持不变，无单位</translation>
+    </message>
+    <message>
+        <source>say its unit with --unit</source>
+        <translation>用 --unit 给出其单位</translation>
+    </message>
+    <message>
+        <source>the steps of the time lie between {} s and {} s</source>
+        <translation>时间步长在 {} s 与 {} s 之间</translation>
+    </message>
+    <message>
+        <source>the times are kept as they are; what needs an even rate may refuse them</source>
+        <translation>时间保持不变；需要均匀采样的功能可能会拒绝</translation>
+    </message>
+    <message>
+        <source>{} rows are missing</source>
+        <translation>缺少 {} 行</translation>
+    </message>
+    <message>
+        <source>the sidecar says where</source>
+        <translation>附属文件说明位置</translation>
+    </message>
+    <message>
         <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow</source>
         <translation>未知的键 “{}”；[[plot]] 有 signals、min、max、unit、right、right_min、right_max、right_unit、own_span_s、own_follow</translation>
     </message>
     <message>
         <source>a [[plot]] with its own time axis has own_span_s, which is more than 0</source>
         <translation>有自己时间轴的 [[plot]] 有 own_span_s，且大于 0</translation>
+    </message>
+    <message>
+        <source>{}: there is such a file already</source>
+        <translation>{}：已有此文件</translation>
+    </message>
+    <message>
+        <source>give the recording another name</source>
+        <translation>请为记录换一个名称</translation>
+    </message>
+    <message>
+        <source>the import was cancelled</source>
+        <translation>导入已取消</translation>
+    </message>
+    <message>
+        <source>{}: cannot be read</source>
+        <translation>{}：无法读取</translation>
+    </message>
+    <message>
+        <source>look whether it is still there</source>
+        <translation>请查看它是否还在</translation>
     </message>
 </context>
 <context>
@@ -7956,6 +8236,281 @@ its way to the one before (Ctrl+Shift+R)</source>
     </message>
 </context>
 <context>
+    <name>halbench::app::ImportForm</name>
+    <message>
+        <source>as found: %1</source>
+        <translation>识别结果：%1</translation>
+    </message>
+    <message>
+        <source>not certain</source>
+        <translation>不确定</translation>
+    </message>
+    <message>
+        <source>Separator</source>
+        <translation>分隔符</translation>
+    </message>
+    <message>
+        <source>What stands between the columns</source>
+        <translation>列之间的字符</translation>
+    </message>
+    <message>
+        <source>comma</source>
+        <translation>逗号</translation>
+    </message>
+    <message>
+        <source>semicolon</source>
+        <translation>分号</translation>
+    </message>
+    <message>
+        <source>tabulator</source>
+        <translation>制表符</translation>
+    </message>
+    <message>
+        <source>blank</source>
+        <translation>空格</translation>
+    </message>
+    <message>
+        <source>none, one column</source>
+        <translation>无，只有一列</translation>
+    </message>
+    <message>
+        <source>Decimal sign</source>
+        <translation>小数点符号</translation>
+    </message>
+    <message>
+        <source>What stands before the decimals of a number</source>
+        <translation>数字小数部分之前的符号</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Header</source>
+        <translation>表头</translation>
+    </message>
+    <message>
+        <source>What stands above the numbers</source>
+        <translation>数字上方的内容</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>names</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>names, then units</source>
+        <translation>名称，然后单位</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>The column of the time, or how many rows were sampled in a second</source>
+        <translation>时间列，或每秒采样的行数</translation>
+    </message>
+    <message>
+        <source>Rows a second</source>
+        <translation>每秒行数</translation>
+    </message>
+    <message>
+        <source>How many rows were sampled in a second</source>
+        <translation>每秒采样的行数</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>列 %1</translation>
+    </message>
+    <message>
+        <source>none: rows a second</source>
+        <translation>无：按每秒行数</translation>
+    </message>
+    <message>
+        <source>Say how many rows were sampled in a second.</source>
+        <translation>请给出每秒采样的行数。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::ImportView</name>
+    <message>
+        <source>First rows as they would be read</source>
+        <translation>将要读取的前几行</translation>
+    </message>
+    <message>
+        <source>The first rows in the units of the recording; above each what its column becomes</source>
+        <translation>以记录的单位显示前几行；上方说明每一列成为什么</translation>
+    </message>
+    <message>
+        <source>Choose table…</source>
+        <translation>选择表…</translation>
+    </message>
+    <message>
+        <source>A table that another program wrote; the window&apos;s key for it is Ctrl+I</source>
+        <translation>由其他程序写出的表；窗口快捷键为 Ctrl+I</translation>
+    </message>
+    <message>
+        <source>Table that is imported</source>
+        <translation>要导入的表</translation>
+    </message>
+    <message>
+        <source>Name of the recording</source>
+        <translation>记录的名称</translation>
+    </message>
+    <message>
+        <source>The recording gets this name, in the folder of the recordings</source>
+        <translation>记录以此名称保存在记录文件夹中</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>导入</translation>
+    </message>
+    <message>
+        <source>Reads all rows, writes the recording and shows it</source>
+        <translation>读取所有行，写入记录并显示</translation>
+    </message>
+    <message>
+        <source>What is missing for the import</source>
+        <translation>导入还缺什么</translation>
+    </message>
+    <message>
+        <source>Choose table</source>
+        <translation>选择表</translation>
+    </message>
+    <message>
+        <source>Table (*.csv *.txt *.tsv *.dat);;All files (*)</source>
+        <translation>表 (*.csv *.txt *.tsv *.dat);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>First lines, as they are</source>
+        <translation>原样的前几行</translation>
+    </message>
+    <message>
+        <source>Choose a table first. What of it is not certain is asked here.</source>
+        <translation>请先选择一个表。其中不确定的内容会在此询问。</translation>
+    </message>
+    <message>
+        <source>The table is being read.</source>
+        <translation>正在读取表。</translation>
+    </message>
+    <message>
+        <source>The table cannot be read like this; above stands why.</source>
+        <translation>无法这样读取该表；原因见上方。</translation>
+    </message>
+    <message>
+        <source>To be answered above: %1.</source>
+        <translation>请在上方回答：%1。</translation>
+    </message>
+    <message>
+        <source>The recording needs a name, which is no folder.</source>
+        <translation>记录需要一个名称，且不能是文件夹。</translation>
+    </message>
+    <message>
+        <source>There is a recording of this name already.</source>
+        <translation>已有同名的记录。</translation>
+    </message>
+    <message>
+        <source>Importing</source>
+        <translation>正在导入</translation>
+    </message>
+    <message>
+        <source>Importing: %1 rows</source>
+        <translation>正在导入：%1 行</translation>
+    </message>
+    <message>
+        <source>Imported: %1 rows in %2</source>
+        <translation>已导入：%1 行，保存在 %2</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::ImportWords</name>
+    <message>
+        <source>time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>unit not known</source>
+        <translation>单位未知</translation>
+    </message>
+    <message>
+        <source>no unit</source>
+        <translation>无单位</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>列 %1</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>来自 %1</translation>
+    </message>
+    <message>
+        <source>time [s]
+by %1 rows a second</source>
+        <translation>时间 [s]
+每秒 %1 行</translation>
+    </message>
+    <message>
+        <source>Choose separator, decimal sign, header or time above as they are in the table, or mend the table.</source>
+        <translation>请在上方按表中的实际情况选择分隔符、小数点符号、表头或时间，或修改该表。</translation>
+    </message>
+    <message>
+        <source>how columns and numbers are written</source>
+        <translation>列和数字的写法</translation>
+    </message>
+    <message>
+        <source>what the first lines are</source>
+        <translation>前几行是什么</translation>
+    </message>
+    <message>
+        <source>which column is the time</source>
+        <translation>哪一列是时间</translation>
+    </message>
+    <message>
+        <source>there is none: rows a second</source>
+        <translation>没有：按每秒行数</translation>
+    </message>
+    <message>
+        <source>its numbers are in %1</source>
+        <translation>其数字的单位是 %1</translation>
+    </message>
+    <message>
+        <source>separator %1</source>
+        <translation>分隔符 %1</translation>
+    </message>
+    <message>
+        <source>decimal comma</source>
+        <translation>小数逗号</translation>
+    </message>
+    <message>
+        <source>decimal point</source>
+        <translation>小数点</translation>
+    </message>
+    <message>
+        <source>%1; it reads %2</source>
+        <translation>%1；读作 %2</translation>
+    </message>
+    <message>
+        <source>Not certain: %1</source>
+        <translation>不确定：%1</translation>
+    </message>
+    <message>
+        <source>Only you know; nothing is imported before it is answered</source>
+        <translation>只有您知道；回答之前不会导入</translation>
+    </message>
+    <message>
+        <source>Please choose</source>
+        <translation>请选择</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::JogRow</name>
     <message>
         <source>− Back</source>
@@ -8459,6 +9014,10 @@ its way to the one before (Ctrl+Shift+R)</source>
     <message>
         <source>&amp;Edit</source>
         <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Import a &amp;table…</source>
+        <translation>导入表(&amp;T)…</translation>
     </message>
 </context>
 <context>
@@ -9749,10 +10308,6 @@ A real device has its own time.</source>
         <translation>把中断的程序留下的内容恢复成记录</translation>
     </message>
     <message>
-        <source>Overlay, results, tags and notes</source>
-        <translation>叠加、结果、标签和备注</translation>
-    </message>
-    <message>
         <source>Overlay</source>
         <translation>叠加</translation>
     </message>
@@ -9827,6 +10382,22 @@ A real device has its own time.</source>
     <message>
         <source>Plays the recording in the panels, as if its device were connected (Ctrl+Return). The device that is connected is left; not while it is armed, is recorded or works</source>
         <translation>在各面板中回放该记录，如同其设备已连接（Ctrl+回车）。当前连接的设备会断开；设备已使能、正在记录或正在工作时不可用</translation>
+    </message>
+    <message>
+        <source>Overlay, results, tags and notes, import</source>
+        <translation>叠加、结果、标签和备注、导入</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>导入</translation>
+    </message>
+    <message>
+        <source>This table is of another program: look below how it is read.</source>
+        <translation>该表来自其他程序：请在下方查看读取方式。</translation>
+    </message>
+    <message>
+        <source>Import makes a recording of it; the table stays as it is.</source>
+        <translation>导入会由它生成记录；原表保持不变。</translation>
     </message>
 </context>
 <context>

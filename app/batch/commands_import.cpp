@@ -141,17 +141,6 @@ CommandResult finish(CommandContext& context, const JsonValue& document, const s
     return ExitCode::Done;
 }
 
-devices::RecordingMeta metaFor(const ResultHeader& header, const Recording& recording) {
-    devices::RecordingMeta meta;
-    meta.started = header.started;
-    meta.software = HALBENCH_VERSION;
-    for (const StreamLayout::Column& column : recording.layout->columns) {
-        meta.signals.push_back(
-            {column.name, devices::csvColumnName(column.name, column.unit), column.unit, ""});
-    }
-    return meta;
-}
-
 } // namespace
 
 CommandResult runImportCommand(CommandContext& context, const CommandOptions& options) {
@@ -184,8 +173,8 @@ CommandResult runImportCommand(CommandContext& context, const CommandOptions& op
         return failure(import.error());
     }
     header.quality = qualityOf(*plan, &*import);
-    const Result<void> written =
-        devices::writeExactRecordingFile(options.out, import->recording, metaFor(header, import->recording));
+    const Result<void> written = devices::writeExactRecordingFile(options.out, import->recording,
+                                                                  importedMeta(header, import->recording));
     if (!written) {
         return failure(written.error());
     }

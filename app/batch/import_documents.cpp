@@ -1,6 +1,7 @@
 #include "app/batch/import_documents.h"
 
 #include "app/batch/numbers.h"
+#include "devices/acquisition/recording_csv.h"
 
 #include <fmt/format.h>
 
@@ -114,6 +115,17 @@ JsonValue importDocument(const ResultHeader& header, const devices::CsvPlan& pla
             .set("lost_rows", import->recording.lostRows);
     }
     return document;
+}
+
+devices::RecordingMeta importedMeta(const ResultHeader& header, const Recording& recording) {
+    devices::RecordingMeta meta;
+    meta.started = header.started;
+    meta.software = HALBENCH_VERSION;
+    for (const StreamLayout::Column& column : recording.layout->columns) {
+        meta.signals.push_back(
+            {column.name, devices::csvColumnName(column.name, column.unit), column.unit, ""});
+    }
+    return meta;
 }
 
 std::string previewText(const devices::CsvPlan& plan) {

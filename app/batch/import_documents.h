@@ -2,6 +2,7 @@
 
 #include "app/batch/result_header.h"
 #include "devices/acquisition/csv_import.h"
+#include "devices/acquisition/recording_meta.h"
 
 #include <string>
 
@@ -14,6 +15,9 @@ DataQuality qualityOf(const devices::CsvPlan& plan, const devices::CsvImport* im
 /// halbench.import/1: dialect, columns, first lines, questions, and what was read.
 JsonValue importDocument(const ResultHeader& header, const devices::CsvPlan& plan,
                          const devices::CsvImport* import);
+
+/// What the sidecar of an imported recording says: nothing is known of its device.
+devices::RecordingMeta importedMeta(const ResultHeader& header, const Recording& recording);
 
 /// The same for people, before anything was read.
 std::string previewText(const devices::CsvPlan& plan);

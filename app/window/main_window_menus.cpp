@@ -7,6 +7,7 @@
 #include "app/window/preferences_dialog.h"
 #include "app/window/project_menu.h"
 #include "app/window/unkept_bar.h"
+#include "app/workspaces/recordings_panel.h"
 #include "app/workspaces/tune_panel.h"
 #include "devices/acquisition/page_file.h"
 #include "widgets/phrasebook.h"
@@ -57,6 +58,12 @@ void MainWindow::fillFileMenu() {
     createProjects();
     m_projects->addTo(*m_fileMenu);
     m_fileMenu->addSeparator();
+    QAction* import = m_fileMenu->addAction(tr("Import a &table…"), this, [this] {
+        m_docks->setPerspective(Perspective::Record);
+        static_cast<RecordingsPanel*>(m_docks->panel("recordings"))->importTable();
+    });
+    import->setShortcut(QKeySequence("Ctrl+I"));
+    m_fileMenu->addSeparator();
     QAction* preferences = m_fileMenu->addAction(tr("&Preferences…"), this, &MainWindow::askPreferences);
     preferences->setShortcut(QKeySequence("Ctrl+,"));
     m_fileMenu->addSeparator();
@@ -98,7 +105,8 @@ void MainWindow::createProjects() {
     });
 }
 
-/// Of the proposed gains; it says which change, whatever perspective is shown. Lists and tables have their own.
+/// Of the proposed gains; it says which change, whatever perspective is shown. Lists and tables have their
+/// own.
 void MainWindow::fillEditMenu() {
     m_editMenu->addActions(static_cast<TunePanel*>(m_docks->panel("tune"))->historyActions());
 }

@@ -2,6 +2,7 @@
 
 #include "app/workspaces/compact_table.h"
 #include "app/workspaces/drive_control.h"
+#include "app/workspaces/import_view.h"
 #include "app/workspaces/panel_parts.h"
 #include "app/workspaces/recording_control.h"
 #include "app/workspaces/result_history_view.h"
@@ -80,6 +81,7 @@ RecordingsPanel::~RecordingsPanel() {
 }
 
 void RecordingsPanel::setFileChooser(FileChooser chooser) {
+    m_import->setFileChooser(chooser);
     m_overlay->setFileChooser(std::move(chooser));
 }
 
@@ -175,13 +177,17 @@ void RecordingsPanel::buildActions(QVBoxLayout& column) {
 }
 
 void RecordingsPanel::buildTabs(QWidget* parent) {
-    auto* tabs = new QTabWidget(parent);
-    tabs->setAccessibleName(tr("Overlay, results, tags and notes"));
+    m_tabs = new QTabWidget(parent);
+    QTabWidget* tabs = m_tabs;
+    tabs->setAccessibleName(tr("Overlay, results, tags and notes, import"));
     m_overlay = new RunOverlay(m_bench, tabs);
     m_results = new ResultHistoryView(tabs);
     tabs->addTab(m_overlay, tr("Overlay"));
     tabs->addTab(m_results, tr("Results over time"));
     tabs->addTab(buildWords(tabs), tr("Tags and notes"));
+    m_import = new ImportView(m_bench, tabs);
+    tabs->addTab(m_import, tr("Import"));
+    connectImport();
 }
 
 QWidget* RecordingsPanel::buildWords(QWidget* parent) {
@@ -246,47 +252,6 @@ void RecordingsPanel::take(Folder folder) {
     refreshActions();
 }
 
-/// Once after the start: what a killed program or a power loss left.
-void RecordingsPanel::recoverAll() {
-    if (std::exchange(m_hasRecovered, true)) {
-        return;
-    }
-    for (int row = 0; row < m_model.rowCount(); ++row) {
-        if (m_model.entry(row).isInterrupted) {
-            recover(m_model.entry(row).path);
-        }
-    }
-}
-
-void RecordingsPanel::recover(const QString& path) {
-    m_files.run(
-        [path] { return recoverRecording(path); },
-        [this](const Result<RecoveredRecording>& done) {
-            if (!done) {
-                m_message->showMessage({widgets::Severity::Error,
-                                        widgets::inWords(done.error().message),
-                                        widgets::inWords(done.error().hint),
-                                        {}});
-                return;
-            }
-            const QString text =
-                tr("An interrupted recording was recovered: %1 s in %2")
-                    .arg(widgets::fixedText(done->duration_s, 2), QDir::toNativeSeparators(done->path));
-            QString lost = done->lostOctets == 0
-                               ? tr("Nothing that was written is lost.")
-                               : tr("Lost: %1 octets at its end or damaged.")
-                                     .arg(widgets::countText(static_cast<qulonglong>(done->lostOctets)));
-            if (!done->keptOriginal.isEmpty()) {
-                lost +=
-                    QLatin1Char(' ') +
-                    tr("The damaged file is kept as %1.").arg(QDir::toNativeSeparators(done->keptOriginal));
-            }
-            m_message->showMessage({widgets::Severity::Information, text, lost, {}});
-            m_bench.session().message(MessageLevel::Info, tr("recording"), text + QLatin1String(". ") + lost);
-            refresh();
-        });
-}
-
 QList<int> RecordingsPanel::selectedRows() const {
     QList<int> rows;
     const QModelIndexList selected = m_table->selectionModel()->selectedRows();
@@ -343,9 +308,7 @@ void RecordingsPanel::refreshActions() {
 void RecordingsPanel::openWhole() {
     const RecordingEntry* entry = chosen();
     if (entry != nullptr && m_open->isEnabled()) {
-        m_message->clear();
-        m_bench.shownRecording().open(entry->path);
-        Q_EMIT played();
+        openEntry(entry->path);
     }
 }
 

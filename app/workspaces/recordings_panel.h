@@ -15,6 +15,7 @@ class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
 class QPushButton;
+class QTabWidget;
 class QTableView;
 class QVBoxLayout;
 
@@ -25,6 +26,7 @@ class QuantityEdit;
 
 namespace halbench::app {
 
+class ImportView;
 class ResultHistoryView;
 class RunOverlay;
 
@@ -38,6 +40,8 @@ public:
     ~RecordingsPanel() override;
 
     void setFileChooser(FileChooser chooser);
+    /// Asks for a table of another program and shows how it would be read.
+    void importTable();
 
 Q_SIGNALS:
     void played(); ///< or opened: whoever shows signals comes to the front
@@ -64,6 +68,9 @@ private:
     void onSelection();
     void refreshActions();
     void openWhole();
+    void openEntry(const QString& path);
+    void connectImport();
+    void onImported(const QString& path);
     void play();
     void onSession();
     void saveWords();
@@ -86,6 +93,8 @@ private:
     QLabel* m_empty = nullptr;
     RunOverlay* m_overlay = nullptr;
     ResultHistoryView* m_results = nullptr;
+    ImportView* m_import = nullptr;
+    QTabWidget* m_tabs = nullptr;
     QString m_begun; ///< path of the recording that `m_from` is of
     QString m_words; ///< path of the recording whose words are shown
     bool m_hasRecovered = false;

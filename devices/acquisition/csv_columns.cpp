@@ -233,10 +233,10 @@ std::string wordFor(const std::vector<CsvColumn>& columns, std::size_t index) {
 void askForTime(CsvColumns& result) {
     CsvQuestion question{"time", "which column is the time is not certain", {}};
     for (std::size_t i = 0; i < std::min(result.columns.size(), NamedColumns); ++i) {
-        question.answers.push_back(
-            {"--time " + shellWord(wordFor(result.columns, i)), fmt::format("column {}", i + 1)});
+        const std::string word = wordFor(result.columns, i);
+        question.answers.push_back({"--time " + shellWord(word), fmt::format("column {}", i + 1), {}, word});
     }
-    question.answers.push_back({"--rate_Hz F", "there is none: F rows a second"});
+    question.answers.push_back({"--rate_Hz F", "there is none: F rows a second", {}, {}, {}, true});
     result.questions.push_back(std::move(question));
 }
 
@@ -244,7 +244,8 @@ void askForUnit(CsvColumns& result, std::size_t index, const std::vector<std::st
     const std::string word = wordFor(result.columns, index);
     CsvQuestion question{"unit", fmt::format("the unit of column '{}' is not known", word), {}};
     for (const std::string& unit : units) {
-        question.answers.push_back({"--unit " + shellWord(word + "=" + unit), "its numbers are in " + unit});
+        question.answers.push_back(
+            {"--unit " + shellWord(word + "=" + unit), "its numbers are in " + unit, {}, {}, {word, unit}});
     }
     result.questions.push_back(std::move(question));
 }
@@ -331,6 +332,20 @@ void nameSignals(CsvColumns& result) {
 }
 
 } // namespace
+
+CsvImportRequest answered(CsvImportRequest request, const CsvQuestion::Answer& answer) {
+    const CsvHints& hints = answer.hints;
+    request.hints.separator = hints.separator ? hints.separator : request.hints.separator;
+    request.hints.decimal = hints.decimal ? hints.decimal : request.hints.decimal;
+    request.hints.header = hints.header ? hints.header : request.hints.header;
+    if (!answer.timeColumn.empty()) {
+        request.timeColumn = answer.timeColumn;
+    }
+    if (!answer.unit.first.empty()) {
+        request.units.push_back(answer.unit);
+    }
+    return request;
+}
 
 Result<CsvColumns> arrangeColumns(const std::vector<std::string>& names,
                                   const std::vector<std::string>& units, std::size_t width,

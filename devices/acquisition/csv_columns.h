@@ -19,6 +19,9 @@ struct CsvImportRequest {
     std::vector<std::pair<std::string, std::string>> units; ///< column of theirs, unit as it is written there
 };
 
+/// What is said of a table, and an answer to a question about it.
+CsvImportRequest answered(CsvImportRequest request, const CsvQuestion::Answer& answer);
+
 struct CsvColumn {
     std::string header;  ///< in UTF-8; empty when the table has no names
     std::string name;    ///< of it, without the unit

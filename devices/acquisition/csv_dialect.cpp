@@ -115,16 +115,21 @@ CsvQuestion numbersQuestion(const std::vector<CsvAttempt>& alive) {
     const bool isDecimalAsked = differs(&CsvDialect::decimal) || !isSeparatorOpen;
     for (const CsvAttempt& attempt : alive) {
         std::string option;
+        CsvHints hints;
         if (isSeparatorOpen) {
             option = "--separator '" + separatorWord(attempt.dialect.separator) + "'";
+            hints.separator = attempt.dialect.separator;
         }
         if (isDecimalAsked) {
             option += fmt::format("{}--decimal {}", option.empty() ? "" : " ", attempt.dialect.decimal);
+            hints.decimal = attempt.dialect.decimal;
         }
         question.answers.push_back(
-            {option, attempt.sample + (attempt.group != 0 ? " (thousands separators, which are not read: "
-                                                            "remove them)"
-                                                          : "")});
+            {option,
+             attempt.sample + (attempt.group != 0 ? " (thousands separators, which are not read: "
+                                                    "remove them)"
+                                                  : ""),
+             hints});
     }
     return question;
 }
@@ -140,7 +145,7 @@ CsvQuestion headerQuestion(const CsvAttempt& attempt, const std::vector<CsvLine>
         const char* const meaning = header == CsvHeader::None    ? "no header: numbers from the first line on"
                                     : header == CsvHeader::Names ? "one line of names"
                                                                  : "a line of names, then one of units";
-        question.answers.push_back({"--header " + headerWord(header), meaning});
+        question.answers.push_back({"--header " + headerWord(header), meaning, {{}, {}, header}});
     }
     return question;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace halbench::devices {
@@ -31,6 +32,11 @@ struct CsvQuestion {
     struct Answer {
         std::string option;  ///< "--separator none --decimal ,"
         std::string meaning; ///< "1 column: 1.5"
+        // What the options say, for answered():
+        CsvHints hints = {};
+        std::string timeColumn = {};
+        std::pair<std::string, std::string> unit = {}; ///< column of theirs, unit
+        bool isRate = false;                           ///< the rows of a second are still to be told
     };
     std::string about; ///< "numbers", "header", "time", "unit"
     std::string text;

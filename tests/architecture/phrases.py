@@ -16,7 +16,7 @@ TABLES = {
     "lines": ("devices/transport/", "devices/xcp/"),
     "devices": ("models/", "devices/"),
     "procedures": ("app/procedures/", "app/session/"),
-    "files": ("app/batch/config_node.cpp", "app/batch/frequency_file.cpp", "app/batch/configuration_", "app/batch/identification_file.cpp", "app/batch/json_parser.cpp",
+    "files": ("app/batch/config_node.cpp", "app/batch/frequency_file.cpp", "app/batch/configuration_", "app/batch/identification_file.cpp", "app/batch/import_documents.cpp", "app/batch/json_parser.cpp",
               "app/batch/json_value.cpp", "app/batch/model_file.cpp", "app/batch/output_file.cpp",
               "app/batch/presets.cpp", "app/batch/recording_list.cpp", "app/batch/result_header.cpp", "app/batch/run_comparison.cpp",
               "app/batch/toml_reader.cpp", "app/window/project_", "app/workspaces/",
@@ -24,13 +24,15 @@ TABLES = {
 }
 # what of these folders no window shows: command line only, or no sentence but a word of a file format
 NEVER_SHOWN = (
-    "control/base/assert.cpp", "control/base/result.h", "devices/acquisition/csv_", "devices/firmware/", "devices/serve_device.cpp",
+    "control/base/assert.cpp", "control/base/result.h", "devices/firmware/", "devices/serve_device.cpp",
     "devices/transport/pty_server.cpp", "devices/xcp/a2l_interface.cpp", "devices/xcp/a2l_parser.",
     "app/procedures/amplifier_analysis.cpp", "app/procedures/motor_analysis.cpp",
     "app/procedures/motor_geometry_analysis.cpp")
 # words of a notation
 NO_SENTENCES = {"{} Hz", "zeta, omega-rad-s", "phase-margin-deg, omega-rad-s", "{}, seed, imperfections, chain",
-                "value = {}", "--set {}", "ended by SIGTERM", "in use"}
+                "value = {}", "--set {}", "ended by SIGTERM", "in use",
+                "--rate_Hz F", "--time {}", "--unit {}={}", "--separator '{}'", "{}--decimal {}", "--header {}", "CR LF",
+                "{}, from {}", ", byte order mark", "{} column{}:"}
 # of these only texts with something filled in are messages; the others are help of the command line
 ONLY_FILLED_IN = ("models/plants/htm_parameters.cpp", "app/procedures/move_reference.cpp")
 

@@ -12,6 +12,7 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QFile>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -317,6 +318,26 @@ TEST_F(RecordingsPanelTest, aNewRecordingAppearsByItself) {
     ASSERT_TRUE(wait([&] { return bench().recording().status().rows > 20; }));
     bench().recording().stop();
     EXPECT_TRUE(listed(1));
+}
+
+TEST_F(RecordingsPanelTest, aTableOfAnotherProgramIsLookedAtBeforeItOpens) {
+    QFile table(folder.filePath("bench.csv"));
+    ASSERT_TRUE(table.open(QIODevice::WriteOnly));
+    table.write("t_ms;Winkel [deg]\n0;0,5\n1;1,5\n2;2,5\n");
+    table.close();
+    open();
+    ASSERT_TRUE(listed(1));
+    this->table()->selectRow(0);
+    click(*panel, "Open");
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Import")->isEnabled(); }));
+    EXPECT_EQ(panel->findChild<QTabWidget*>()->tabText(panel->findChild<QTabWidget*>()->currentIndex()),
+              "Import");
+    EXPECT_TRUE(message().text.contains("another program")) << message().text.toStdString();
+    click(*panel, "Import");
+    ASSERT_TRUE(wait([&] { return bench().shownRecording().file() != nullptr; }));
+    EXPECT_TRUE(bench().shownRecording().path().endsWith("bench-2.csv"));
+    EXPECT_TRUE(listed(2));
+    ASSERT_TRUE(wait([&] { return bench().history().contains("Winkel"); }));
 }
 
 } // namespace
