@@ -3,11 +3,13 @@
 #include "app/procedures/move_procedure.h"
 #include "app/window/dock_layout.h"
 #include "app/window/help_window.h"
+#include "app/workspaces/import_view.h"
 #include "widgets/theme_style.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QDir>
+#include <QFile>
 #include <QPixmap>
 #include <QPushButton>
 #include <QTabWidget>
@@ -57,6 +59,13 @@ bool Photographer::takeRecordings() {
     auto* tabs = panel->findChild<QTabWidget*>();
     tabs->setCurrentIndex(1);
     take(QStringLiteral("recordings-results"));
+    tabs->setCurrentIndex(3);
+    const QString import = QDir(m_folder).filePath(QStringLiteral("recordings/import.txt"));
+    if (QFile::exists(import)) { // a table of another program, if there is one
+        panel->findChild<ImportView*>()->begin(import);
+        QTest::qWait(DataTime_ms / 5);
+    }
+    take(QStringLiteral("recordings-import"));
     tabs->setCurrentIndex(0);
     table->selectRow(0);
     press("recordings", "halbench::app::RecordingsPanel", "Play");
@@ -74,12 +83,7 @@ bool Photographer::takeAll() {
     startMotion("sine,amplitude_deg=100,period_s=2");
     QTest::qWait(DataTime_ms);
     takePerspectives({});
-    session().abortProcedure();
-    if (!wait([this] { return session().procedure().isEmpty(); })) {
-        return false;
-    }
-    session().request([](devices::Device& device) { return device.clearStop(); }, [](Result<void>) {});
-    return takeCalibration() && takeIdentification() && takeTuning() && m_isSaved;
+    return endMotion() && takeCalibration() && takeIdentification() && takeTuning() && m_isSaved;
 }
 
 Preferences Photographer::dressed(const QString& language) {
@@ -96,14 +100,27 @@ void Photographer::wear(ThemeChoice choice) {
     }
 }
 
-void Photographer::takePanel(const char* panel) {
+void Photographer::front(const char* panel) {
     for (ads::CDockWidget* dock : m_window.docks().docks()) {
         if (dock->objectName() == QLatin1String(panel)) {
             dock->setAsCurrentTab();
         }
     }
+}
+
+void Photographer::takePanel(const char* panel, const char* scene) {
+    front(panel);
     QTest::qWait(DataTime_ms);
-    take(QStringLiteral("monitor-") + QLatin1String(panel));
+    take(QStringLiteral("monitor-") + QLatin1String(scene));
+}
+
+bool Photographer::endMotion() {
+    session().abortProcedure();
+    if (!wait([this] { return session().procedure().isEmpty(); })) {
+        return false;
+    }
+    session().request([](devices::Device& device) { return device.clearStop(); }, [](Result<void>) {});
+    return true;
 }
 
 void Photographer::trigger(const QWidget& panel, const char* key) {

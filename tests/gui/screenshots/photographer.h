@@ -9,13 +9,20 @@
 #include <QString>
 #include <QtTest/QTest>
 
+namespace halbench::widgets {
+class LivePlotStack;
+}
+
 namespace halbench::app {
+
+class MonitorPanel;
 
 /// Goes through the window as its user would and takes pictures of what is seen, light and dark.
 class Photographer {
 public:
     Photographer(QString folder, QString language, QSize size);
-    /// The Monitor in its other uses: trigger, spectrum, XY, statistics with derived signals.
+    /// The Monitor in its typical uses: a motor that turns, XY, cursors with statistics, a plot with its own
+    /// time axis, spectrum and spectrogram, one event that was caught.
     bool takeMonitor();
     /// Pages of the help: the first one, pictures, a panel's section, one that is in English only.
     bool takeHelp();
@@ -42,12 +49,19 @@ private:
     static bool wait(Condition condition) {
         return QTest::qWaitFor(condition, Patience_ms);
     }
+    void front(const char* panel);
     /// A panel in front, when it has seen enough.
-    void takePanel(const char* panel);
+    void takePanel(const char* panel, const char* scene);
     /// What the key does in the panel.
     static void trigger(const QWidget& panel, const char* key);
     /// A motor that follows a reference for longer than the pictures take.
     void startMotion(const char* reference);
+    bool endMotion();
+    MonitorPanel& monitor();
+    widgets::LivePlotStack& plots();
+    void takeCursors();
+    void takeOwnAxis();
+    bool takeTrigger();
     void take(const QString& scene) { take(scene, m_window); }
     void take(const QString& scene, QWidget& shown);
     widgets::FigureView& openLoop();

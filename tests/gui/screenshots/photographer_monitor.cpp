@@ -1,39 +1,91 @@
+// The Monitor in its typical uses, as resources/help/monitor.md tells them.
 #include "app/window/dock_layout.h"
 #include "app/workspaces/monitor_panel.h"
 #include "tests/gui/screenshots/photographer.h"
+#include "widgets/live_plot_stack.h"
 
 namespace halbench::app {
+
+using Command = widgets::LivePlotStack::Command;
 
 bool Photographer::takeMonitor() {
     m_window.connectDevice(QStringLiteral("sim:htm"));
     if (!wait([this] { return !m_window.bench().deviceValues().empty(); })) {
         return false;
     }
-    startMotion("ramp,rate_deg_s=720");
-    takePanel("xy");
-    session().abortProcedure();
-    if (!wait([this] { return session().procedure().isEmpty(); })) {
-        return false;
-    }
-    session().request([](devices::Device& device) { return device.clearStop(); }, [](Result<void>) {});
     startMotion("sine,amplitude_deg=100,period_s=2");
-    takePanel("spectrum");
+    front("monitor");
+    QTest::qWait(DataTime_ms);
+    takeCursors();
+    takeOwnAxis();
+    takePanel("spectrum", "spectrum");
     QWidget& spectrum = *m_window.docks().panel("spectrum");
     trigger(spectrum, "O");
     QTest::qWait(Settling_ms);
     take(QStringLiteral("monitor-spectrogram"));
     trigger(spectrum, "O");
+    if (!takeTrigger() || !endMotion()) {
+        return false;
+    }
+    monitor().setView(MonitorView());
+    startMotion("ramp,rate_deg_s=720");
+    takePanel("monitor", "watch"); // a motor that turns
+    takePanel("xy", "xy");         // its two Hall sensors, with the ellipse
+    return m_isSaved;
+}
+
+/// Two pairs, one of which measures, with the statistics between its cursors.
+void Photographer::takeCursors() {
+    widgets::LivePlotStack& stack = plots();
     MonitorView view;
     view.plots = {{{"reference", "position"}, {}, {}}, {{"speed"}, {}, {}}, {{"current_command"}, {}, {}}};
-    view.trigger = {true, "speed", control::TriggerMode::Normal, control::TriggerSlope::Rising, 0.0, 0.5, 1.0,
-                    0.25, 0.0};
     view.derived = {{"field", "sqrt(hall.a^2 + hall.b^2)", ""}};
-    auto* monitor = static_cast<MonitorPanel*>(m_window.docks().panel("monitor"));
-    monitor->setView(view);
-    takePanel("monitor");
-    trigger(*monitor, "S");
-    takePanel("derived");
-    return m_isSaved;
+    monitor().setView(view);
+    QTest::qWait(DataTime_ms / 5);
+    stack.setPaused(true);
+    const double end_s = stack.timeRange().end_s;
+    widgets::CursorPairs pairs({{QStringLiteral("fall"), end_s - 7.4, end_s - 6.4},
+                                {QStringLiteral("rise"), end_s - 4.2, end_s - 3.2}},
+                               1);
+    pairs.setVisible(true);
+    stack.setCursorPairs(pairs);
+    trigger(monitor(), "S");
+    QTest::qWait(Settling_ms);
+    take(QStringLiteral("monitor-cursors"));
+    trigger(monitor(), "S");
+    stack.setCursorsVisible(false);
+    stack.setPaused(false);
+}
+
+/// A second of the speed over ten of the angle.
+void Photographer::takeOwnAxis() {
+    plots().setOwnTime(1, widgets::OwnTime{1.0, true});
+    QTest::qWait(DataTime_ms / 5);
+    take(QStringLiteral("monitor-own-axis"));
+    plots().setOwnTime(1, std::nullopt);
+}
+
+/// One event is caught and stands.
+bool Photographer::takeTrigger() {
+    MonitorView view = monitor().view();
+    view.trigger = {true, "speed", control::TriggerMode::Single, control::TriggerSlope::Rising, 0.0, 0.5, 1.0,
+                    0.25, 0.0};
+    monitor().setView(view);
+    front("monitor");
+    if (!wait([this] { return plots().event_s().has_value(); })) {
+        return false;
+    }
+    QTest::qWait(Settling_ms);
+    take(QStringLiteral("monitor-trigger"));
+    return true;
+}
+
+MonitorPanel& Photographer::monitor() {
+    return *static_cast<MonitorPanel*>(m_window.docks().panel("monitor"));
+}
+
+widgets::LivePlotStack& Photographer::plots() {
+    return *monitor().findChild<widgets::LivePlotStack*>();
 }
 
 } // namespace halbench::app
