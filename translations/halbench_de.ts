@@ -5662,6 +5662,14 @@
         <source>look whether it is still there</source>
         <translation>sehen Sie nach, ob sie noch da ist</translation>
     </message>
+    <message>
+        <source>nothing is shown that could be saved</source>
+        <translation>es wird nichts gezeigt, was gespeichert werden könnte</translation>
+    </message>
+    <message>
+        <source>wait until there is a picture</source>
+        <translation>warten Sie, bis es ein Bild gibt</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -8614,6 +8622,26 @@ mit %1 Zeilen in der Sekunde</translation>
         <source>Connect the simulated motor</source>
         <translation>Simulierten Motor verbinden</translation>
     </message>
+    <message>
+        <source>Save data…</source>
+        <translation>Daten speichern…</translation>
+    </message>
+    <message>
+        <source>Save data</source>
+        <translation>Daten speichern</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>data</source>
+        <translation>Daten</translation>
+    </message>
+    <message>
+        <source>saved: %1</source>
+        <translation>gespeichert: %1</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::LivePlateaus</name>
@@ -11230,6 +11258,10 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>The colours&apos; scale in dB, re 1 of the unit</source>
         <translation>Die Skala der Farben in dB, bezogen auf 1 der Einheit</translation>
     </message>
+    <message>
+        <source>Save the lines as a table (CSV), in SI units</source>
+        <translation>Die Linien als Tabelle (CSV) in SI-Einheiten speichern</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::StopLatch</name>
@@ -12226,6 +12258,10 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>rms distance of the points from the ellipse %1 % of the amplitude</source>
         <translation>Effektiver Abstand der Punkte von der Ellipse %1 % der Amplitude</translation>
+    </message>
+    <message>
+        <source>Save all points as a table (CSV), in SI units</source>
+        <translation>Alle Punkte als Tabelle (CSV) in SI-Einheiten speichern</translation>
     </message>
 </context>
 <context>

@@ -5662,6 +5662,14 @@
         <source>look whether it is still there</source>
         <translation>请查看它是否还在</translation>
     </message>
+    <message>
+        <source>nothing is shown that could be saved</source>
+        <translation>没有显示可以保存的内容</translation>
+    </message>
+    <message>
+        <source>wait until there is a picture</source>
+        <translation>请等到有图片显示</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -8609,6 +8617,26 @@ by %1 rows a second</source>
         <source>Connect the simulated motor</source>
         <translation>连接仿真电机</translation>
     </message>
+    <message>
+        <source>Save data…</source>
+        <translation>保存数据…</translation>
+    </message>
+    <message>
+        <source>Save data</source>
+        <translation>保存数据</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>表 (*.csv)</translation>
+    </message>
+    <message>
+        <source>data</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>saved: %1</source>
+        <translation>已保存：%1</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::LivePlateaus</name>
@@ -11221,6 +11249,10 @@ A real device has its own time.</source>
         <source>The colours&apos; scale in dB, re 1 of the unit</source>
         <translation>颜色标尺以 dB 表示，以单位的 1 为基准</translation>
     </message>
+    <message>
+        <source>Save the lines as a table (CSV), in SI units</source>
+        <translation>把谱线保存为表（CSV），采用 SI 单位</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::StopLatch</name>
@@ -12217,6 +12249,10 @@ A real device has its own time.</source>
     <message>
         <source>rms distance of the points from the ellipse %1 % of the amplitude</source>
         <translation>各点到椭圆的均方根距离为幅值的 %1 %</translation>
+    </message>
+    <message>
+        <source>Save all points as a table (CSV), in SI units</source>
+        <translation>把所有点保存为表（CSV），采用 SI 单位</translation>
     </message>
 </context>
 <context>

@@ -149,6 +149,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "stopped by watchdog"),
     QT_TRANSLATE_NOOP("Phrases", "a design needs a name"),
     QT_TRANSLATE_NOOP("Phrases", "there is a design '{}' already"),
+    QT_TRANSLATE_NOOP("Phrases", "nothing is shown that could be saved"),
+    QT_TRANSLATE_NOOP("Phrases", "wait until there is a picture"),
     QT_TRANSLATE_NOOP("Phrases", "the board's capture was ended by somebody else"),
     QT_TRANSLATE_NOOP("Phrases", "another program may be using it; wait again to start it anew"),
     QT_TRANSLATE_NOOP("Phrases", "{} values are more than are taken out of the plots at once"),

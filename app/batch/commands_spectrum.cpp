@@ -2,6 +2,7 @@
 #include "app/batch/numbers.h"
 #include "app/batch/output_file.h"
 #include "app/batch/result_header.h"
+#include "app/batch/spectrum_table.h"
 #include "control/base/units.h"
 #include "control/signals/spectrum.h"
 #include "devices/acquisition/convert_recording.h"
@@ -124,33 +125,6 @@ DataQuality qualityOf(const Spectrum& spectrum, std::size_t rows) {
     return quality;
 }
 
-/// "value_A", "value_A_squared_per_Hz", "value_A_per_sqrtHz", "value_per_Hz".
-std::string columnName(const char* name, const std::string& unit, SpectrumScale scale) {
-    const std::optional<Unit> known = findUnit(control::spectrumUnit(unit, SpectrumScale::Peak));
-    const std::string suffix = known && !known->suffix.empty() ? "_" + std::string(known->suffix) : "";
-    switch (scale) {
-    case SpectrumScale::Density:
-        return name + suffix + (suffix.empty() ? "_per_Hz" : "_squared_per_Hz");
-    case SpectrumScale::RootDensity:
-        return name + suffix + "_per_sqrtHz";
-    case SpectrumScale::Peak:
-    case SpectrumScale::Rms:
-        break;
-    }
-    return name + suffix;
-}
-
-std::string csvText(const Spectrum& spectrum, const std::string& unit) {
-    const SpectrumScale scale = spectrum.config.scale;
-    std::string text = fmt::format("frequency_Hz,{},{},{}\n", columnName("value", unit, scale),
-                                   columnName("low", unit, scale), columnName("high", unit, scale));
-    for (std::size_t line = 0; line < spectrum.values.size(); ++line) {
-        text += formatNumber(spectrum.frequency_Hz[line]) + ',' + formatNumber(spectrum.values[line]) + ',' +
-                formatNumber(spectrum.low[line]) + ',' + formatNumber(spectrum.high[line]) + '\n';
-    }
-    return text;
-}
-
 JsonValue windowJson(const Spectrum& spectrum) {
     const control::WindowFigures& figures = control::figuresOf(spectrum.config.window);
     JsonValue window = JsonValue::object();
@@ -225,7 +199,7 @@ CommandResult runSpectrumCommand(CommandContext& context, const CommandOptions& 
                        spectrum.error().hint);
     }
     source->header.quality = qualityOf(*spectrum, source->part.rows());
-    if (const Result<void> written = writeFile(options.out, csvText(*spectrum, source->signal().unit));
+    if (const Result<void> written = writeFile(options.out, spectrumTable(*spectrum, source->signal().unit));
         !written) {
         return failure(written.error());
     }

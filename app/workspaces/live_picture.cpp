@@ -4,11 +4,15 @@
 #include "app/workspaces/signal_box.h"
 #include "widgets/empty_state.h"
 #include "widgets/figure_view.h"
+#include "widgets/icons.h"
 #include "widgets/phrasebook.h"
 
+#include <QAction>
 #include <QLabel>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace halbench::app {
 
@@ -52,6 +56,39 @@ widgets::FigureView* LivePicture::makeView(QWidget* parent, const QString& toolT
 void LivePicture::savePictureAs(const QString& fileName, const PictureSaving& saving) {
     savePicture(this, m_chooser, fileName, m_files, saving,
                 [this](const Error& error) { sayWarning(error); });
+}
+
+void LivePicture::addData(const QList<QWidget*>& views, const QString& toolTip, const QString& fileName) {
+    auto* save = new QAction(widgets::themedIcon(QStringLiteral("export")), tr("Save data…"), this);
+    save->setShortcut(QKeySequence(QStringLiteral("Ctrl+Alt+E")));
+    save->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    save->setToolTip(
+        QStringLiteral("%1 (%2)").arg(toolTip, save->shortcut().toString(QKeySequence::NativeText)));
+    connect(save, &QAction::triggered, this, [this, fileName] { saveData(fileName); });
+    addAction(save);
+    for (QWidget* view : views) {
+        view->addAction(save);
+    }
+}
+
+/// What is shown now, not after the dialog.
+void LivePicture::saveData(const QString& fileName) {
+    const Table text = table();
+    if (!text) {
+        sayWarning(
+            {ErrorCode::OutOfRange, "nothing is shown that could be saved", "wait until there is a picture"});
+        return;
+    }
+    saveText(
+        this, m_chooser, {tr("Save data"), fileName, tr("Table (*.csv)")}, m_files,
+        [text](const std::string&) -> Result<std::string> { return text(); },
+        [this](const QString& path, const Result<void>& written) {
+            if (written) {
+                m_bench.session().message(MessageLevel::Info, tr("data"), tr("saved: %1").arg(path));
+            } else {
+                sayWarning(written.error());
+            }
+        });
 }
 
 QLabel* LivePicture::makeWords(QWidget* parent, const QString& accessibleName) {

@@ -9,7 +9,9 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 class QLabel;
@@ -43,6 +45,8 @@ protected:
     widgets::FigureView* makeView(QWidget* parent, const QString& toolTip, const QString& fileName);
     /// Asks for a file for a picture that is another widget's.
     void savePictureAs(const QString& fileName, const PictureSaving& saving);
+    /// What the picture shows, as a table: Ctrl+Alt+E, in the menus of `views` too, at first under this name.
+    void addData(const QList<QWidget*>& views, const QString& toolTip, const QString& fileName);
     /// What is said below the picture.
     QLabel* makeWords(QWidget* parent, const QString& accessibleName);
     /// A choice of a signal that the panel asks the device for.
@@ -52,6 +56,9 @@ protected:
     /// Starts `task` on what the history has now.
     virtual void compute() = 0;
     virtual bool isHeld() const { return false; }
+    /// Makes the text of the table, on any thread; none while nothing is shown.
+    using Table = std::function<std::string()>;
+    virtual Table table() const { return {}; }
 
     /// Drops what is being computed, for another question.
     void askAnew();
@@ -68,6 +75,7 @@ private:
     void onDerived();
     void want();
     void ask();
+    void saveData(const QString& fileName);
 
     Workbench& m_bench;
     FileChooser m_chooser;

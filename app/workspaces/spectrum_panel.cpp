@@ -1,5 +1,6 @@
 #include "app/workspaces/spectrum_panel.h"
 
+#include "app/batch/spectrum_table.h"
 #include "app/workspaces/field_grid.h"
 #include "app/workspaces/panel_parts.h"
 #include "app/workspaces/signal_box.h"
@@ -72,6 +73,8 @@ QWidget* SpectrumPanel::buildContent() {
     m_hold = addSwitch(*bar, tr("Hold"), tr("Keep the spectrum as it is; the data go on"), "H", false);
     column->addWidget(bar);
     column->addWidget(buildPictures(content), 1);
+    addData({m_view, m_gram}, tr("Save the lines as a table (CSV), in SI units"),
+            QStringLiteral("spectrum.csv"));
     m_words = makeWords(content, tr("What the spectrum says"));
     column->addWidget(m_words);
     return content;
@@ -199,18 +202,33 @@ bool SpectrumPanel::isHeld() const {
     return m_hold->isChecked();
 }
 
+/// As `halbench spectrum` writes it.
+LivePicture::Table SpectrumPanel::table() const {
+    if (m_spectrum) {
+        return [spectrum = *m_spectrum, unit = m_unit] { return spectrumTable(spectrum, unit); };
+    }
+    if (m_spectrogram) {
+        return [spectrogram = *m_spectrogram, unit = m_unit, scale = m_shownAs] {
+            return spectrogramTable(spectrogram, unit, scale);
+        };
+    }
+    return {};
+}
+
 void SpectrumPanel::compute() {
     if (m_overTime->isChecked()) {
         computeOverTime();
         return;
     }
+    const SignalStretch last =
+        lastStretch(bench().history(), m_signal->signal(), m_stretch->value(), MostRows);
     task().run(
-        [stretch = lastStretch(bench().history(), m_signal->signal(), m_stretch->value(), MostRows),
-         config = config()] {
+        [stretch = last, config = config()] {
             const SignalStretch open = withOpenGaps(stretch);
             return control::spectrum({open.time_s, open.values, open.unit}, config);
         },
-        [this, look = look()](const Result<control::Spectrum>& spectrum) {
+        [this, look = look(), unit = last.unit](const Result<control::Spectrum>& spectrum) {
+            m_unit = unit;
             m_spectrum = spectrum ? std::optional(*spectrum) : std::nullopt;
             showSpectrum(spectrum, look);
         });
@@ -218,12 +236,16 @@ void SpectrumPanel::compute() {
 
 void SpectrumPanel::computeOverTime() {
     dressRange();
-    task().run([stretch = lastStretch(bench().history(), m_signal->signal(), m_stretch->value(), MostRows),
-                config = config()] { return spectrogramOf(stretch, config); },
-               [this](const Result<control::Spectrogram>& spectrogram) {
-                   m_spectrogram = spectrogram ? std::optional(*spectrogram) : std::nullopt;
-                   showSpectrogram(spectrogram, look()); // as it is wanted by now
-               });
+    const SignalStretch last =
+        lastStretch(bench().history(), m_signal->signal(), m_stretch->value(), MostRows);
+    task().run(
+        [stretch = last, config = config()] { return spectrogramOf(stretch, config); },
+        [this, unit = last.unit, scale = config().scale](const Result<control::Spectrogram>& spectrogram) {
+            m_unit = unit;
+            m_shownAs = scale;
+            m_spectrogram = spectrogram ? std::optional(*spectrogram) : std::nullopt;
+            showSpectrogram(spectrogram, look()); // as it is wanted by now
+        });
 }
 
 control::SpectrumConfig SpectrumPanel::config() const {

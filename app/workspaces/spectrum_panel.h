@@ -31,6 +31,7 @@ protected:
     void takeCatalogue(const devices::Catalogue& catalogue) override;
     void compute() override;
     bool isHeld() const override;
+    Table table() const override;
 
 private:
     QWidget* buildContent();
@@ -68,6 +69,8 @@ private:
     QLabel* m_words = nullptr;
     std::optional<control::Spectrum> m_spectrum;
     std::optional<control::Spectrogram> m_spectrogram;
+    std::string m_unit;                 ///< of the signal that the numbers are of
+    control::SpectrumScale m_shownAs{}; ///< their scale
 };
 
 } // namespace halbench::app

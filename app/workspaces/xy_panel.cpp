@@ -1,9 +1,11 @@
 #include "app/workspaces/xy_panel.h"
 
+#include "app/batch/numbers.h"
 #include "app/procedures/ellipse_shape.h"
 #include "app/workspaces/field_grid.h"
 #include "app/workspaces/signal_box.h"
 #include "control/base/units.h"
+#include "devices/acquisition/recording_csv.h"
 #include "widgets/display_units.h"
 #include "widgets/estimate_table.h"
 #include "widgets/figure_view.h"
@@ -59,6 +61,7 @@ QWidget* XyPanel::buildContent() {
                       tr("The arrow keys walk along the points; Ctrl+C copies the picture, Ctrl+E saves it"),
                       QStringLiteral("xy.svg"));
     column->addWidget(m_view, 1);
+    addData({m_view}, tr("Save all points as a table (CSV), in SI units"), QStringLiteral("xy.csv"));
     m_words = makeWords(content, tr("What the ellipse says"));
     column->addWidget(m_words);
     m_numbers = new widgets::EstimateTable(content);
@@ -97,17 +100,40 @@ void XyPanel::compute() {
     const auto stretch = [this](const SignalBox& box) {
         return lastStretch(bench().history(), box.signal(), m_stretch->value(), MostRows);
     };
+    const SignalStretch xStretch = stretch(*m_x);
+    const SignalStretch yStretch = stretch(*m_y);
     task().run(
-        [x = stretch(*m_x), y = stretch(*m_y), isFitted = m_ellipse->isChecked(),
-         xFactor = shown(*m_x).factor, yFactor = shown(*m_y).factor] {
-            const SignalPair all = pairUp(x, y);
-            Answer answer{thinned(all, xFactor, yFactor), {}};
+        [x = xStretch, y = yStretch, xName = m_x->signal(), yName = m_y->signal(),
+         isFitted = m_ellipse->isChecked(), xFactor = shown(*m_x).factor, yFactor = shown(*m_y).factor] {
+            const auto all = std::make_shared<const SignalPair>(pairUp(x, y));
+            Answer answer{thinned(*all, xFactor, yFactor),
+                          all,
+                          devices::csvColumnName(xName, x.unit),
+                          devices::csvColumnName(yName, y.unit),
+                          {}};
             if (isFitted) {
-                answer.fit = control::fitHallEllipse(all.x, all.y);
+                answer.fit = control::fitHallEllipse(all->x, all->y);
             }
             return answer;
         },
-        [this](const Answer& answer) { showAnswer(answer); });
+        [this](const Answer& answer) {
+            m_shown = answer;
+            showAnswer(answer);
+        });
+}
+
+/// All of the stretch, not only what is drawn of it; rows in which one is missing are none.
+LivePicture::Table XyPanel::table() const {
+    if (m_shown.all == nullptr || m_shown.all->x.empty()) {
+        return {};
+    }
+    return [all = m_shown.all, header = m_shown.xColumn + ',' + m_shown.yColumn + '\n'] {
+        std::string text = header;
+        for (std::size_t row = 0; row < all->x.size(); ++row) {
+            text += formatNumber(all->x[row]) + ',' + formatNumber(all->y[row]) + '\n';
+        }
+        return text;
+    };
 }
 
 void XyPanel::showAnswer(const Answer& answer) {

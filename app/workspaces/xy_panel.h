@@ -5,6 +5,9 @@
 #include "app/workspaces/signal_stretch.h"
 #include "widgets/figure.h"
 
+#include <memory>
+#include <string>
+
 class QCheckBox;
 class QLabel;
 
@@ -26,10 +29,14 @@ public:
 protected:
     void takeCatalogue(const devices::Catalogue& catalogue) override;
     void compute() override;
+    Table table() const override;
 
 private:
     struct Answer {
-        SignalPair points; ///< as many as are drawn, as shown
+        SignalPair points;                     ///< as many as are drawn, as shown
+        std::shared_ptr<const SignalPair> all; ///< in SI, of these columns
+        std::string xColumn;
+        std::string yColumn;
         std::optional<Result<control::HallEllipseFit>> fit;
     };
     QWidget* buildContent();
@@ -44,6 +51,7 @@ private:
     widgets::FigureView* m_view = nullptr;
     widgets::EstimateTable* m_numbers = nullptr;
     QLabel* m_words = nullptr;
+    Answer m_shown;
 };
 
 } // namespace halbench::app
