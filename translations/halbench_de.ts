@@ -12298,16 +12298,8 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Messmarkenpaar</translation>
     </message>
     <message>
-        <source>Further pairs of cursors: N adds one, P chooses the next, F2 names it</source>
-        <translation>Weitere Paare von Messmarken: N fügt eines hinzu, P wählt das nächste, F2 benennt es</translation>
-    </message>
-    <message>
         <source>Pair that measures</source>
         <translation>Paar, das misst</translation>
-    </message>
-    <message>
-        <source>The pair that measures; the others are drawn faint (P, Shift+P)</source>
-        <translation>Das Paar, das misst; die anderen sind schwach gezeichnet (P, Umschalt+P)</translation>
     </message>
     <message>
         <source>Name of the cursor pair</source>
@@ -12316,6 +12308,10 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Name of the pair that measures; a pair with a name is kept in the project (F2)</source>
         <translation>Name des Paars, das misst; ein Paar mit Namen bleibt im Projekt (F2)</translation>
+    </message>
+    <message>
+        <source>Pair that measures: %1. N adds one, P chooses the next, F2 names it; the others are drawn faint</source>
+        <translation>Paar, das misst: %1. N fügt eines hinzu, P wählt das nächste, F2 benennt es; die anderen sind schwach gezeichnet</translation>
     </message>
 </context>
 <context>

@@ -12289,16 +12289,8 @@ A real device has its own time.</source>
         <translation>光标对</translation>
     </message>
     <message>
-        <source>Further pairs of cursors: N adds one, P chooses the next, F2 names it</source>
-        <translation>更多光标对：N 添加一对，P 选择下一对，F2 命名</translation>
-    </message>
-    <message>
         <source>Pair that measures</source>
         <translation>测量的光标对</translation>
-    </message>
-    <message>
-        <source>The pair that measures; the others are drawn faint (P, Shift+P)</source>
-        <translation>正在测量的一对；其余各对以淡线显示（P、Shift+P）</translation>
     </message>
     <message>
         <source>Name of the cursor pair</source>
@@ -12307,6 +12299,10 @@ A real device has its own time.</source>
     <message>
         <source>Name of the pair that measures; a pair with a name is kept in the project (F2)</source>
         <translation>正在测量的一对的名称；有名称的光标对随项目保存（F2）</translation>
+    </message>
+    <message>
+        <source>Pair that measures: %1. N adds one, P chooses the next, F2 names it; the others are drawn faint</source>
+        <translation>测量的光标对：%1。N 添加一对，P 选择下一对，F2 命名；其余各对以淡线显示</translation>
     </message>
 </context>
 <context>

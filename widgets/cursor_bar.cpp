@@ -4,7 +4,8 @@
 #include "widgets/theme_style.h"
 
 #include <QAction>
-#include <QComboBox>
+#include <QActionGroup>
+#include <QApplication>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -27,8 +28,8 @@ constexpr int LongestName = 40;
 } // namespace
 
 CursorBar::CursorBar(QWidget* parent)
-    : QWidget(parent), m_menu(new QToolButton(this)), m_choice(new QComboBox(this)),
-      m_name(new QLineEdit(this)), m_distance(new QLabel(this)), m_refusal(new QLabel(this)) {
+    : QWidget(parent), m_menu(new QToolButton(this)), m_name(new QLineEdit(this)),
+      m_distance(new QLabel(this)), m_refusal(new QLabel(this)), m_list(new QMenu(m_menu)) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 4);
     layout->setSpacing(8);
@@ -43,29 +44,35 @@ CursorBar::CursorBar(QWidget* parent)
 }
 
 void CursorBar::addPairFields() {
-    m_menu->setText(tr("Cursor pair"));
-    m_menu->setToolTip(tr("Further pairs of cursors: N adds one, P chooses the next, F2 names it"));
+    m_menu->setAccessibleName(tr("Pair that measures"));
     m_menu->setPopupMode(QToolButton::InstantPopup);
-    m_choice->setAccessibleName(tr("Pair that measures"));
-    m_choice->setToolTip(tr("The pair that measures; the others are drawn faint (P, Shift+P)"));
-    m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_choice->setMinimumContentsLength(NameCharacters / 2);
-    m_choice->hide();
+    m_menu->setMenu(m_list);
+    m_list->setToolTipsVisible(true);
+    connect(m_list, &QMenu::aboutToShow, this, &CursorBar::fillMenu);
     m_name->setObjectName(QStringLiteral("name"));
     m_name->setAccessibleName(tr("Name of the cursor pair"));
     m_name->setToolTip(tr("Name of the pair that measures; a pair with a name is kept in the project (F2)"));
     m_name->setMaxLength(LongestName);
-    m_name->setFixedWidth(fontMetrics().averageCharWidth() * (NameCharacters + 2));
-    connect(m_choice, QOverload<int>::of(&QComboBox::activated), this, &CursorBar::pairChosen);
-    connect(m_name, &QLineEdit::editingFinished, this, [this] {
-        if (m_name->text() != m_shownName) {
-            Q_EMIT nameTyped(m_name->text());
-        }
-    });
-    for (QWidget* field :
-         {static_cast<QWidget*>(m_menu), static_cast<QWidget*>(m_choice), static_cast<QWidget*>(m_name)}) {
-        layout()->addWidget(field);
+    m_name->setFixedWidth(fontMetrics().averageCharWidth() * (NameCharacters + 4));
+    m_name->hide();
+    connect(m_name, &QLineEdit::editingFinished, this, &CursorBar::finishName);
+    layout()->addWidget(m_menu);
+    layout()->addWidget(m_name);
+}
+
+/// The pairs, the one that measures ticked, and what can be done with them.
+void CursorBar::fillMenu() {
+    m_list->clear();
+    auto* group = new QActionGroup(m_list);
+    for (std::size_t i = 0; i < m_pairs.list().size(); ++i) {
+        QAction* pair = m_list->addAction(m_pairs.list()[i].name);
+        pair->setCheckable(true);
+        pair->setChecked(i == m_pairs.chosen());
+        group->addAction(pair);
+        connect(pair, &QAction::triggered, this, [this, i] { Q_EMIT pairChosen(static_cast<int>(i)); });
     }
+    m_list->addSeparator();
+    m_list->addActions(m_actions);
 }
 
 void CursorBar::addTimeField(int index) {
@@ -99,29 +106,21 @@ void CursorBar::setTheme(const Theme& theme) {
 }
 
 void CursorBar::setPairActions(const QList<QAction*>& actions) {
-    auto* menu = new QMenu(m_menu);
-    menu->setToolTipsVisible(true);
-    menu->addActions(actions);
-    m_menu->setMenu(menu);
+    m_actions = actions;
+    fillMenu();
 }
 
 void CursorBar::setPairs(const CursorPairs& pairs) {
-    QStringList names;
-    for (const NamedPair& pair : pairs.list()) {
-        names << pair.name;
-    }
-    {
-        const QSignalBlocker blocker(m_choice);
-        m_choice->clear();
-        m_choice->addItems(names);
-        m_choice->setCurrentIndex(static_cast<int>(pairs.chosen()));
-    }
-    m_choice->setVisible(names.size() > 1);
-    if (m_shownName != pairs.name() || !m_name->hasFocus()) { // what is being typed stays
-        m_shownName = pairs.name();
-        m_name->setText(m_shownName);
-    }
+    m_pairs = pairs;
+    const QString& name = pairs.name();
+    m_menu->setText(!pairs.areKept()                    ? tr("Cursor pair")
+                    : name.size() <= NameCharacters + 1 ? name
+                                                        : name.left(NameCharacters) + QChar(0x2026));
+    m_menu->setToolTip(
+        tr("Pair that measures: %1. N adds one, P chooses the next, F2 names it; the others are drawn faint")
+            .arg(name));
     m_refusal->clear();
+    m_distance->show();
     showTimes(pairs.cursors());
 }
 
@@ -139,12 +138,30 @@ void CursorBar::showTimes(const CursorPair& cursors) {
 }
 
 void CursorBar::editName() {
+    m_before = QApplication::focusWidget();
+    m_name->setText(m_pairs.name());
+    m_name->show();
     m_name->setFocus(Qt::ShortcutFocusReason);
     m_name->selectAll();
 }
 
+/// Enter, or the focus went elsewhere; hiding the field ends it once more.
+void CursorBar::finishName() {
+    if (m_name->isHidden()) {
+        return;
+    }
+    const bool isEntered = m_name->hasFocus();
+    m_name->hide();
+    if (isEntered && m_before != nullptr) {
+        m_before->setFocus();
+    }
+    if (m_name->text() != m_pairs.name()) {
+        Q_EMIT nameTyped(m_name->text());
+    }
+}
+
 void CursorBar::refuseName(const QString& reason) {
-    m_name->setText(m_shownName);
+    m_distance->hide(); // there is no room for both
     m_refusal->setText(reason);
 }
 

@@ -3,19 +3,20 @@
 #include "widgets/cursor_pairs.h"
 #include "widgets/theme.h"
 
+#include <QPointer>
 #include <QWidget>
 
 class QAction;
-class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
+class QMenu;
 class QToolButton;
 
 namespace halbench::widgets {
 
-/// The pair that measures: which one it is, its name and its cursors' times, all of which can be typed, their
-/// distance and its reciprocal.
+/// The pair that measures: its name, under which a menu has the other pairs, its cursors' times, which can be
+/// typed, their distance and its reciprocal.
 class CursorBar : public QWidget {
     Q_OBJECT
 public:
@@ -39,16 +40,20 @@ Q_SIGNALS:
 
 private:
     void addPairFields();
+    void fillMenu();
+    void finishName();
     void addTimeField(int index);
     void showTimes(const CursorPair& cursors);
 
     QToolButton* m_menu;
-    QComboBox* m_choice;
     QLineEdit* m_name;
     QDoubleSpinBox* m_fields[2];
     QLabel* m_distance;
     QLabel* m_refusal;
-    QString m_shownName;
+    CursorPairs m_pairs;
+    QList<QAction*> m_actions;
+    QMenu* m_list;
+    QPointer<QWidget> m_before; ///< had the focus before the name
 };
 
 } // namespace halbench::widgets

@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QPixmap>
 
+#include <algorithm>
 #include <cmath>
 
 namespace halbench::widgets {
@@ -23,6 +24,13 @@ QFont slanted() {
     return font;
 }
 
+/// Before the decimal point; a number that is beyond all measure is cut.
+int digitsOf(double value) {
+    constexpr double Most = 1e12;
+    const double size = std::min(std::abs(value), Most);
+    return size < 1.0 ? 1 : 1 + static_cast<int>(std::floor(std::log10(size)));
+}
+
 std::optional<double> difference(const LegendNumbers& numbers) {
     return numbers.atA && numbers.atB ? std::optional(*numbers.atB - *numbers.atA) : std::nullopt;
 }
@@ -37,6 +45,7 @@ void LegendTableModel::setCurves(const std::vector<HistoryCurve*>& curves) {
     beginResetModel();
     m_curves = curves;
     m_numbers.assign(curves.size(), {});
+    m_digits = 0;
     endResetModel();
 }
 
@@ -50,6 +59,11 @@ void LegendTableModel::setTheme(const Theme& theme) {
 void LegendTableModel::setNumbers(const std::vector<LegendNumbers>& numbers) {
     if (numbers != m_numbers && numbers.size() == m_curves.size() && !m_curves.empty()) {
         m_numbers = numbers;
+        for (const LegendNumbers& row : numbers) {
+            for (const auto& value : {row.value, row.atA, row.atB, difference(row)}) {
+                m_digits = std::max(m_digits, digitsOf(value.value_or(0.0)));
+            }
+        }
         Q_EMIT dataChanged(index(0, Value), index(rowCount() - 1, Difference));
     }
 }
@@ -86,7 +100,9 @@ QString LegendTableModel::widestText(int row, Column column) const {
         return text(static_cast<std::size_t>(row), column);
     }
     const int decimals = m_curves[static_cast<std::size_t>(row)]->curve().decimals;
-    return fixedText(decimals < 3 ? -8888.0 : -888.0, decimals); // fine scales measure small quantities
+    const int usual = decimals < 3 ? 4 : 3; // fine scales measure small quantities
+    const double eights = std::floor(std::pow(10.0, std::max(usual, m_digits)) * 8.0 / 9.0);
+    return fixedText(-eights, decimals);
 }
 
 QString LegendTableModel::describe(std::size_t row) const {

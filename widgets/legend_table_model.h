@@ -55,6 +55,7 @@ private:
     std::vector<HistoryCurve*> m_curves;
     std::vector<LegendNumbers> m_numbers;
     Theme m_theme;
+    int m_digits = 0; ///< before the decimal point, of the largest number so far: widths only grow
 };
 
 } // namespace halbench::widgets

@@ -124,12 +124,15 @@ void LivePlotStack::align() {
         }
     }
     int total_px = name_px > 0 ? name_px + LineSampleRoom : 0;
+    int numbers_px = name_px > 0 ? LineSampleRoom : 0;
     for (int column = LegendTableModel::Value; column < LegendTableModel::Columns; ++column) {
         const bool isShown =
             cursors().isVisible || column == LegendTableModel::Value || column == LegendTableModel::Unit;
         total_px += isShown ? widths[static_cast<std::size_t>(column)] : 0;
+        numbers_px += isShown ? widths[static_cast<std::size_t>(column)] : 0;
     }
-    total_px = std::min(total_px, static_cast<int>(WidestLegend_ratio * width()));
+    // Names give way to the plots; a number that is cut is another number.
+    total_px = std::max(numbers_px, std::min(total_px, static_cast<int>(WidestLegend_ratio * width())));
     for (const Row& row : m_rows) {
         row.plot->setExtent(m_extent_px);
         row.plot->setRightExtent(hasRight ? std::optional(m_rightExtent_px) : std::nullopt);

@@ -117,11 +117,11 @@ void OverlayItem::draw(QPainter* painter, const QwtScaleMap& xMap, const QwtScal
 }
 
 void OverlayItem::drawFlag(QPainter* painter, double x, const QRectF& canvas, const QString& text,
-                           const QColor& colour, const QColor& textColour) const {
+                           const QColor& colour, const QColor& textColour, double side) const {
     const QFontMetricsF metrics(painter->font());
     const double width = metrics.horizontalAdvance(text) + 8.0;
     const double left =
-        std::clamp(x - 0.5 * width, canvas.left(), std::max(canvas.left(), canvas.right() - width));
+        std::clamp(x - side * width, canvas.left(), std::max(canvas.left(), canvas.right() - width));
     const QRectF flag(left, canvas.top(), width, metrics.height());
     painter->fillRect(flag, colour);
     painter->setPen(textColour);
@@ -196,6 +196,15 @@ QString OverlayItem::cursorFlag(const NamedPair& pair, int index) const {
                                        letter);
 }
 
+/// Flags with names stand outside their pair, so that one does not cover the other.
+double OverlayItem::flagSide(const NamedPair& pair, int index) const {
+    if (!m_cursors.areKept()) {
+        return 0.5;
+    }
+    const bool isFirst = pair.at(index) < pair.at(1 - index) || (pair.a_s == pair.b_s && index == 0);
+    return isFirst ? 1.0 : 0.0;
+}
+
 void OverlayItem::drawOtherCursors(QPainter* painter, const QwtScaleMap& xMap, const QRectF& canvas) const {
     for (std::size_t pair = 0; pair < m_cursors.list().size(); ++pair) {
         for (int i = 0; pair != m_cursors.chosen() && i < 2; ++i) {
@@ -207,7 +216,7 @@ void OverlayItem::drawOtherCursors(QPainter* painter, const QwtScaleMap& xMap, c
             painter->drawLine(QPointF(x, canvas.top()), QPointF(x, canvas.bottom()));
             if (m_areNamesShown) {
                 drawFlag(painter, x, canvas, cursorFlag(m_cursors.list()[pair], i), m_theme.raised,
-                         m_theme.muted);
+                         m_theme.muted, flagSide(m_cursors.list()[pair], i));
             }
         }
     }
@@ -230,7 +239,7 @@ void OverlayItem::drawCursors(QPainter* painter, const QwtScaleMap& xMap, const 
         painter->drawLine(QPointF(x, canvas.top()), QPointF(x, canvas.bottom()));
         if (m_areNamesShown) {
             drawFlag(painter, x, canvas, cursorFlag(m_cursors.list()[m_cursors.chosen()], i), colour,
-                     m_theme.panel);
+                     m_theme.panel, flagSide(m_cursors.list()[m_cursors.chosen()], i));
         }
     }
 }

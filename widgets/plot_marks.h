@@ -73,8 +73,10 @@ public:
               const QRectF& canvas) const override;
 
 private:
+    /// `side`: which part of its width lies at the left of the line.
     void drawFlag(QPainter* painter, double x, const QRectF& canvas, const QString& text,
-                  const QColor& colour, const QColor& textColour) const;
+                  const QColor& colour, const QColor& textColour, double side = 0.5) const;
+    double flagSide(const NamedPair& pair, int index) const;
     void drawMarkers(QPainter* painter, const QwtScaleMap& xMap, const QRectF& canvas) const;
     void drawCursors(QPainter* painter, const QwtScaleMap& xMap, const QRectF& canvas) const;
     void drawOtherCursors(QPainter* painter, const QwtScaleMap& xMap, const QRectF& canvas) const;

@@ -2,9 +2,10 @@
 #include "widgets/cursor_bar.h"
 #include "widgets/cursor_pairs.h"
 
-#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
+#include <QToolButton>
 #include <QtTest>
 
 #include <gtest/gtest.h>
@@ -99,7 +100,35 @@ TEST_F(CursorPairKeysTest, aNameThatIsTakenOrEmptyIsRefusedInPlaceAndTheOldOneSt
         said += label->text();
     }
     EXPECT_TRUE(said.contains("There is a pair 1 already")) << said.toStdString();
-    EXPECT_EQ(bar().findChild<QLineEdit*>("name")->text(), "2");
+    EXPECT_FALSE(bar().findChild<QLineEdit*>("name")->isVisible());
+    EXPECT_EQ(bar().findChild<QToolButton*>()->text(), "2");
+}
+
+TEST_F(CursorPairKeysTest, theMenuOfTheBarHasThePairsAndWhatCanBeDoneWithThem) {
+    press(Qt::Key_C);
+    press(Qt::Key_N);
+    QMenu* menu = bar().findChild<QToolButton*>()->menu();
+    Q_EMIT menu->aboutToShow();
+    const QList<QAction*> entries = menu->actions();
+    ASSERT_EQ(entries.size(), 2 + 1 + 7); // pairs, a line, actions
+    EXPECT_TRUE(entries[1]->isChecked());
+    entries[0]->trigger();
+    EXPECT_EQ(stack.cursorPairs().name(), "1");
+    EXPECT_EQ(entries[3], stack.action(Command::NewPair));
+}
+
+TEST_F(CursorPairKeysTest, theBarIsWholeOnTheWindowsFirstSize) {
+    stack.resize(690, 560); // what 1440 x 900 leaves for it
+    CursorPairs long_({{"A name of more than a few letters", -1234.5678, 1e4}, {"b", 0.0, 1.0}}, 0);
+    long_.setVisible(true);
+    stack.setCursorPairs(long_);
+    frame();
+    EXPECT_LE(bar().minimumSizeHint().width(), 690);
+    for (const QLabel* label : bar().findChildren<QLabel*>()) {
+        if (label->isVisible() && !label->text().isEmpty()) {
+            EXPECT_GE(label->width(), label->sizeHint().width()) << label->text().toStdString();
+        }
+    }
 }
 
 TEST_F(CursorPairKeysTest, lettersOfANameAreNoCommands) {
@@ -181,7 +210,6 @@ TEST_F(CursorPairKeysTest, allPairsAreDrawnThoseThatDoNotMeasureFaintly) {
     EXPECT_GT(share(2.0), 0.2); // dots
     EXPECT_LT(share(2.0), 0.7);
     EXPECT_LT(share(5.0), 0.1);
-    EXPECT_TRUE(bar().findChild<QComboBox*>()->isVisible());
 }
 
 } // namespace

@@ -75,6 +75,30 @@ TEST_F(LivePlotStackTest, nothingIsShortenedOnTheWindowsFirstSize) {
     }
 }
 
+TEST_F(LivePlotStackTest, aLargeNumberIsWholeInTheLegendOfANarrowStack) {
+    control::SampleHistory far{std::size_t{1} << 24};
+    SampleBlock block;
+    block.layout = std::make_shared<const StreamLayout>(StreamLayout{{{"angle", "rad"}}, 0.001});
+    for (int row = 0; row < 1000; ++row) {
+        block.time_s.push_back(0.001 * row);
+        block.values.push_back(-2345.678); // -134397.45 degrees, of many turns
+    }
+    far.append(block);
+    stack.setHistory(&far);
+    stack.resize(690, 560);
+    stack.setCursorsVisible(true);
+    frame();
+    frame(); // the numbers of the first are known to the widths of the second
+    const LiveLegend* legend = legends()[1];
+    const QModelIndex value = legend->model()->index(0, LegendTableModel::Value);
+    EXPECT_EQ(value.data().toString().size(), 10) << value.data().toString().toStdString();
+    EXPECT_GE(legend->columnWidth(LegendTableModel::Value),
+              legend->fontMetrics().horizontalAdvance(value.data().toString()));
+    const QRect last = legend->visualRect(legend->model()->index(0, LegendTableModel::Unit));
+    EXPECT_LE(last.right(), legend->viewport()->width());
+    stack.setHistory(&history);
+}
+
 TEST_F(LivePlotStackTest, axesDoNotMoveWhileLabelsGrow) {
     const int before = plots().front()->canvasRect().left();
     stack.fitAll();
