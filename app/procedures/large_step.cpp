@@ -28,21 +28,29 @@ models::PositionLaw boardLaw(const control::PositionLaw& law, const LoopConditio
 
 } // namespace
 
-Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const control::PositionLaw& law,
-                                   const LoopConditions& conditions, double amplitude_rad) {
+Result<models::PositionLaw> simulatedLaw(const control::PositionLaw& law, const LoopConditions& conditions) {
     const auto gains = control::boardGains(law.gains);
     if (!gains) {
         return failure(gains.error());
     }
     control::PositionLaw converted = law;
     converted.gains = *gains;
+    return boardLaw(converted, conditions);
+}
+
+Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const control::PositionLaw& law,
+                                   const LoopConditions& conditions, double amplitude_rad) {
+    const auto simulated = simulatedLaw(law, conditions);
+    if (!simulated) {
+        return failure(simulated.error());
+    }
     // Motion depends on the ratios alone, so the motor may as well have an inertia of 1.
     models::IdealLoopConfig config;
     config.rotor.inertia_kg_m2 = 1.0;
     config.rotor.viscousDamping_Nm_s = plant.dampingRate_1_s;
     config.rotor.coulombFriction_Nm = plant.breakawayCurrent_A * plant.accelerationGain_rad_s2_A;
     config.torqueConstant_Nm_per_A = plant.accelerationGain_rad_s2_A;
-    config.law = boardLaw(converted, conditions);
+    config.law = *simulated;
     config.reference.amplitude_rad = amplitude_rad;
     config.duration_s = 5.0;
     models::IdealTrace trace = models::runIdealLoop(config);

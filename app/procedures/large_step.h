@@ -4,6 +4,9 @@
 
 namespace halbench::app {
 
+/// The law as the event-exact simulation runs it, in the board's notation. Errors: of the gains.
+Result<models::PositionLaw> simulatedLaw(const control::PositionLaw& law, const LoopConditions& conditions);
+
 /// Event-exact simulation of the ideal loop (help: htm-theory.md 8, level A) over 5 s. The law must have
 /// passed runAnalysis. Errors: of the inputs.
 Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const control::PositionLaw& law,
