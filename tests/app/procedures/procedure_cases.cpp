@@ -5,8 +5,10 @@
 #include "app/procedures/capture_procedure.h"
 #include "app/procedures/frequency_procedure.h"
 #include "app/procedures/identify_procedure.h"
+#include "app/procedures/live_apply_procedure.h"
 #include "app/procedures/move_procedure.h"
 #include "app/procedures/record_procedure.h"
+#include "tests/app/procedures/uncertain_motor.h"
 
 namespace halbench::app {
 namespace {
@@ -55,6 +57,15 @@ Result<void> applyVerified(devices::Device& device, const ProcedureObserver& obs
     return withoutValue(runApply(device, config, observer));
 }
 
+Result<void> applyInSteps(devices::Device& device, const ProcedureObserver& observer) {
+    LiveApplyConfig config;
+    config.motor = uncertainMotor(0.02);
+    config.target.gains.proportional = NewGain_A_per_rad;
+    config.target.gains.derivative = 0.05;
+    config.duration_s = 1.0;
+    return withoutValue(runLiveApply(device, config, observer));
+}
+
 Result<void> identifyShortly(devices::Device& device, const ProcedureObserver& observer) {
     IdentifyConfig config;
     config.sweep = {2.0, 4.0, 0.5};
@@ -88,6 +99,10 @@ std::vector<ProcedureCase> procedureCases() {
         {"apply",
          {State::Prepare, State::Propose, State::Apply, State::Verify, State::Done},
          applyVerified,
+         NewGain_A_per_rad},
+        {"live_apply",
+         {State::Prepare, State::Propose, State::Apply, State::Verify, State::Done},
+         applyInSteps,
          NewGain_A_per_rad},
         {"identify",
          {State::Prepare, State::Excite, State::Record, State::Fit, State::Judge, State::Done},

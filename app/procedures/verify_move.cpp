@@ -1,0 +1,191 @@
+#include "app/procedures/verify_move.h"
+
+#include "app/procedures/position_law_parameters.h"
+#include "app/procedures/procedure_steps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::app {
+namespace {
+
+Result<models::IdealTrace> predict(const ApplyVerification& verification, const control::PositionPlant& plant,
+                                   const models::PositionLaw& law) {
+    const auto reference = idealReference(verification.reference);
+    if (!reference) {
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("a {} has no prediction to verify against",
+                                   moveShapeName(verification.reference.shape)),
+                       "Verify with a step, ramp, sine or staircase.");
+    }
+    models::IdealLoopConfig loop;
+    loop.rotor.inertia_kg_m2 = 1.0; // the motion depends on the ratios to J only
+    loop.rotor.viscousDamping_Nm_s = plant.dampingRate_1_s;
+    loop.rotor.coulombFriction_Nm = plant.breakawayCurrent_A * plant.accelerationGain_rad_s2_A;
+    loop.torqueConstant_Nm_per_A = plant.accelerationGain_rad_s2_A;
+    loop.law = law;
+    loop.reference = *reference;
+    loop.duration_s = verification.duration_s;
+    return models::runIdealLoop(loop);
+}
+
+// Where friction holds the rotor against the gains depends on how it got there: no prediction can say it.
+double frictionBand_rad(const control::PositionPlant& plant, const models::PositionLaw& law) {
+    constexpr double StaticFriction_ratio = 1.15; // resources/help/htm-theory.md section 9
+    const double left_A = std::max(0.0, StaticFriction_ratio * plant.breakawayCurrent_A - law.stiction_A);
+    return law.kp_A_per_rad > 0.0 ? left_A / law.kp_A_per_rad : 0.0;
+}
+
+void judge(const ApplyVerification& verification, ApplyResult& result) {
+    const MoveFigures& predicted = *result.predicted;
+    const MoveFigures& measured = result.verification->measured;
+    VerificationBand& band = *result.band;
+    const auto expect = [&](const char* what, double seen, double allowed, const char* unit) {
+        if (!(seen <= allowed)) {
+            result.quality.verdict = Verdict::Refused;
+            result.quality.findings.push_back(
+                {"verification_failed",
+                 fmt::format("{} was {:.3g} {}, the prediction allows {:.3g} {}", what, seen, unit, allowed,
+                             unit),
+                 "The old values run again. Identify the motor anew, or choose calmer gains."});
+        }
+    };
+    if (predicted.overshoot_percent && measured.overshoot_percent) {
+        band.allowedOvershoot_percent =
+            *predicted.overshoot_percent + verification.overshootTolerance_percent;
+        band.allowed_rad = std::max(std::fabs(predicted.finalError_rad), band.friction_rad) +
+                           verification.errorTolerance_rad;
+        expect("overshoot", *measured.overshoot_percent, *band.allowedOvershoot_percent, "%");
+        expect("final error", std::fabs(measured.finalError_rad), band.allowed_rad, "rad");
+    } else {
+        constexpr double Margin_ratio = 1.5; // friction scatter is the largest part of a tracking error
+        band.allowed_rad = Margin_ratio * std::max(predicted.rmsError_rad, band.friction_rad) +
+                           verification.errorTolerance_rad;
+        expect("rms error", measured.rmsError_rad, band.allowed_rad, "rad");
+    }
+}
+
+/// Measured against predicted at the same time; between two rows of the prediction on the straight line.
+void compareCurves(const Recording& measured, VerificationBand& band) {
+    const std::vector<double> position_rad = measured.column("position");
+    const models::IdealTrace& predicted = band.predicted;
+    for (std::size_t i = 0; i < position_rad.size(); ++i) {
+        const double time_s = measured.time_s[i];
+        const auto after = std::lower_bound(predicted.time_s.begin(), predicted.time_s.end(), time_s);
+        if (after == predicted.time_s.begin() || after == predicted.time_s.end()) {
+            continue;
+        }
+        const auto next = static_cast<std::size_t>(after - predicted.time_s.begin());
+        const double share_ratio =
+            (time_s - predicted.time_s[next - 1]) / (predicted.time_s[next] - predicted.time_s[next - 1]);
+        const double angle_rad =
+            std::lerp(predicted.angle_rad[next - 1], predicted.angle_rad[next], share_ratio);
+        const double off_rad = position_rad[i] - position_rad.front() - angle_rad;
+        if (std::fabs(off_rad) > std::fabs(band.largestOff_rad)) {
+            band.largestOff_rad = off_rad;
+            band.largestOffTime_s = time_s;
+        }
+    }
+}
+
+/// What of a recording was not seen: rows that are missing inside, and the time after its last one.
+struct Unseen {
+    double total_s = 0.0;
+    double longest_s = 0.0;
+};
+
+Unseen unseenOf(const Recording& recording, double duration_s) {
+    const std::vector<double>& time_s = recording.time_s;
+    if (time_s.size() < 2) {
+        return {duration_s, duration_s};
+    }
+    double period_s = duration_s;
+    for (std::size_t i = 1; i < time_s.size(); ++i) {
+        period_s = std::min(period_s, time_s[i] - time_s[i - 1]);
+    }
+    Unseen unseen;
+    const auto add = [&](double from_s, double to_s) {
+        const double missing_s = to_s - from_s - 1.5 * period_s; // half a period for the rounding of times
+        if (missing_s > 0.0) {
+            unseen.total_s += missing_s + period_s / 2.0;
+            unseen.longest_s = std::max(unseen.longest_s, missing_s + period_s / 2.0);
+        }
+    };
+    for (std::size_t i = 1; i < time_s.size(); ++i) {
+        add(time_s[i - 1], time_s[i]);
+    }
+    add(time_s.back(), duration_s);
+    return unseen;
+}
+
+/// What the move itself tells of its data speaks of the verification too; a move of which much is missing
+/// verifies nothing, however well the rest fits.
+void judgeData(const ApplyVerification& verification, ApplyResult& result) {
+    constexpr double MostUnseen_ratio = 0.1;
+    constexpr double LongestUnseen_ratio = 0.02; // a gap longer than that may hide the overshoot
+    const Unseen unseen = unseenOf(result.verification->recording, verification.duration_s);
+    DataQuality& quality = result.quality;
+    quality = result.verification->quality;
+    if (unseen.total_s > MostUnseen_ratio * verification.duration_s ||
+        unseen.longest_s > LongestUnseen_ratio * verification.duration_s) {
+        quality.verdict = Verdict::Refused;
+        quality.findings.push_back(
+            {"verification_incomplete",
+             fmt::format("the verification move was seen for {:.2f} of {:.2f} s",
+                         verification.duration_s - unseen.total_s, verification.duration_s),
+             "The old values run again. See that the link is not overloaded, and "
+             "apply again."});
+    }
+}
+
+} // namespace
+
+MoveConfig moveOf(const ApplyVerification& verification) {
+    MoveConfig config;
+    config.reference = verification.reference;
+    config.duration_s = verification.duration_s;
+    return config;
+}
+
+Result<void> verifyMove(devices::Device& device, const ApplyVerification& verification,
+                        const ProcedureObserver& observer, ApplyResult& result) {
+    if (auto entered = enterState(observer, ProcedureState::Verify); !entered) {
+        return entered;
+    }
+    const auto plant = plantFromEstimate(verification.motor);
+    if (!plant) {
+        return failure(plant.error());
+    }
+    const auto law = readPositionLaw(device);
+    if (!law) {
+        return failure(law.error());
+    }
+    auto trace = predict(verification, *plant, *law);
+    if (!trace) {
+        return failure(trace.error());
+    }
+    const auto predicted =
+        measureMove({trace->time_s, trace->reference_rad, trace->angle_rad}, moveOf(verification));
+    if (!predicted) {
+        return failure(predicted.error());
+    }
+    ProcedureObserver quiet = observer;
+    quiet.onState = nullptr; // all of the move is one state here
+    const auto seen = performMove(device, moveOf(verification), quiet);
+    if (!seen) {
+        return failure(seen.error());
+    }
+    result.predicted = *predicted;
+    result.verification = *seen;
+    result.band.emplace();
+    result.band->predicted = *std::move(trace);
+    result.band->friction_rad = frictionBand_rad(*plant, *law);
+    compareCurves(seen->recording, *result.band);
+    judgeData(verification, result);
+    judge(verification, result);
+    return {};
+}
+
+} // namespace halbench::app
