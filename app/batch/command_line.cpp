@@ -188,6 +188,13 @@ void addTuningCommands(CLI::App& app, CommandOptions& options) {
         ->take_all()
         ->allow_extra_args(false)
         ->type_name("GAINS.json");
+    analyse
+        ->add_option("--what-if", options.whatIfRecording, "A recorded move, as it would be with these gains")
+        ->type_name("RECORDING");
+    analyse->add_option("--ran", options.ranFile, "Gains of that move; default: as recorded beside it")
+        ->type_name("GAINS.json");
+    analyse->add_option("--motion", options.whatIfFile, "Recorded and predicted motion of --what-if")
+        ->type_name("F.csv");
     addCode(analyse, options);
 }
 

@@ -54,6 +54,9 @@ struct CommandOptions {
     std::string bodeFile, stepFile, polesFile;
     std::string codeFile;              ///< tune, analyse --code
     std::vector<std::string> compared; ///< analyse --compare
+    std::string whatIfRecording;       ///< analyse --what-if RECORDING
+    std::string ranFile;               ///< analyse --ran GAINS.json
+    std::string whatIfFile;            ///< analyse --motion F.csv
     std::string experiment;
     std::string deviceOverride; ///< run --device
     std::vector<std::string> assignments;

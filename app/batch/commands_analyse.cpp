@@ -6,6 +6,7 @@
 #include "app/batch/numbers.h"
 #include "app/batch/output_file.h"
 #include "app/batch/result_documents.h"
+#include "app/batch/what_if_report.h"
 
 #include <fmt/format.h>
 
@@ -118,6 +119,39 @@ Result<void> writeFiles(const CommandOptions& options, const ComparedLoop& loop,
     return done ? writeLaw(options.codeFile, loop.gains.law, conditions, {loop.gains.method, device}) : done;
 }
 
+/// Without --what-if nothing.
+Result<std::optional<WhatIfReport>> askWhatIf(const CommandOptions& options, const ModelFile& model,
+                                              const ComparedLoop& own, LoopConditions conditions,
+                                              std::uint64_t seed) {
+    if (options.whatIfRecording.empty()) {
+        if (!options.ranFile.empty() || !options.whatIfFile.empty()) {
+            return failure(ErrorCode::Usage, "--ran and --motion belong to --what-if",
+                           "name the recorded move: --what-if RECORDING");
+        }
+        return std::optional<WhatIfReport>();
+    }
+    conditions.timing = own.gains.timing;
+    const Result<RanMove> ran = readRanMove(options.whatIfRecording, options.ranFile, conditions);
+    if (!ran) {
+        return failure(ran.error());
+    }
+    if (ran->conditions.timing.period_s != own.gains.timing.period_s) {
+        return failure(ErrorCode::InvalidInput, "--what-if: the gains that ran are of another sample period",
+                       "compare gains of one board");
+    }
+    Result<WhatIfReport> report =
+        reportWhatIf(*ran, model.estimate, own.gains.law, {TuneConfig().draws, seed});
+    if (!report) {
+        return failure(report.error());
+    }
+    if (!options.whatIfFile.empty()) {
+        if (const Result<void> written = writeFile(options.whatIfFile, whatIfTable(*report)); !written) {
+            return failure(written.error());
+        }
+    }
+    return std::optional<WhatIfReport>(*std::move(report));
+}
+
 bool isAnyRefused(const std::vector<ComparedLoop>& loops) {
     return std::any_of(loops.begin(), loops.end(), [](const ComparedLoop& loop) {
         return loop.result.quality.verdict == Verdict::Refused;
@@ -152,12 +186,21 @@ CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& o
         document.set("compared", comparedLoops({loops->begin() + 1, loops->end()}));
         text += comparisonTable(*loops);
     }
+    const auto motion = askWhatIf(options, *model, own, *conditions, header.seed);
+    if (!motion) {
+        return failure(motion.error());
+    }
+    if (*motion) {
+        document.set("what_if", whatIfBody(**motion));
+        text += whatIfText(**motion);
+    }
     Result<void> done = writeFiles(options, own, *conditions, model->device);
     done = done ? deliver(context, document, text, "") : done;
     if (!done) {
         return failure(done.error());
     }
-    return isAnyRefused(*loops) ? ExitCode::CheckFailed : ExitCode::Done;
+    const bool isWithheld = *motion && (*motion)->withheld;
+    return isAnyRefused(*loops) || isWithheld ? ExitCode::CheckFailed : ExitCode::Done;
 }
 
 } // namespace halbench::app

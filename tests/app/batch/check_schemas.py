@@ -89,6 +89,11 @@ class Schemas(unittest.TestCase):
         self.accept(self.run_json("tune", "m.json", "--method", "pole-placement", "--out", "p.json"))
         both = self.accept(self.run_json("analyse", "m.json", "p.json", "--compare", "g.json"))
         self.assertEqual(set(both["compared"][0]) - set(alone), {"gains_file", "method"})
+        self.run_json("move", "sim:htm?seed=4", "--reference", "step,amplitude_deg=30", "--duration", "1", "--out", "v.csv")
+        what_if = self.accept(self.run_json("analyse", "m.json", "g.json", "--what-if", "v.csv"))["what_if"]
+        self.assertTrue(what_if["explained"] and what_if["predicted"]["widest_band_rad"] > 0)
+        withheld = self.accept(self.run_json("analyse", "m.json", "g.json", "--what-if", "v.csv", "--ran", "g.json", code=1))
+        self.assertIsNone(withheld["what_if"]["predicted"])
         regulator = self.accept(self.run_json("tune", "m.json", "--method", "lqr", "--omega-rad-s", "25"))
         self.assertIsNone(regulator["forms"]["standard"]["ti"])  # no integral action
         self.assertGreater(regulator["proof"]["noise_gain_A_per_rad"], 0)
