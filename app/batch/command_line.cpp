@@ -169,6 +169,7 @@ void addTuningCommands(CLI::App& app, CommandOptions& options) {
     tune->add_option("--phase-margin-deg", options.phaseMargin, "Phase margin")->type_name("DEG");
     addCalibration(tune, options);
     tune->add_option("--apply", options.applyDevice, "Write the gains to this device")->type_name("DEVICE");
+    tune->add_flag("--live", options.isLive, "With --apply: in small steps, each proved by a move");
     tune->add_flag("--foreign-model", options.takesForeignModel,
                    "Apply to a real device what was identified on another one");
     tune->add_option("--given", options.given, "Known constant when DEVICE is identified first")

@@ -57,6 +57,7 @@ struct CommandOptions {
     std::string whatIfRecording;       ///< analyse --what-if RECORDING
     std::string ranFile;               ///< analyse --ran GAINS.json
     std::string whatIfFile;            ///< analyse --motion F.csv
+    bool isLive = false;               ///< tune --apply DEVICE --live
     std::string experiment;
     std::string deviceOverride; ///< run --device
     std::vector<std::string> assignments;

@@ -193,7 +193,39 @@ Result<void> openToApply(CommandContext& context, const CommandOptions& options,
     return {};
 }
 
-Result<ApplyResult> applyGains(CommandContext& context, TuningSource& source, const TuneResult& result) {
+/// An apply as it is printed and written.
+struct AppliedGains {
+    ApplyResult result;
+    JsonValue body;
+    std::string steps; ///< lines about them; empty: at once
+};
+
+Result<AppliedGains> applyInSteps(CommandContext& context, TuningSource& source, const TuneResult& result) {
+    if (const Result<void> kept = backUp(context, *source.device); !kept) {
+        return failure(kept.error());
+    }
+    const Result<LoopConditions> conditions = loopConditionsOf(*source.device); // its delay, its limit
+    if (!conditions) {
+        return failure(conditions.error());
+    }
+    LiveApplyConfig config;
+    config.target = result.law;
+    config.motor = source.estimate;
+    config.conditions = *conditions;
+    config.conditions.stray = source.conditions.stray; // with its calibration
+    config.draws.seed = source.header.seed;
+    Result<LiveApplyResult> applied = runLiveApply(*source.device, config, observerFor(context));
+    if (!applied) {
+        return failure(applied.error());
+    }
+    const auto within = std::count_if(applied->steps.begin(), applied->steps.end(),
+                                      [](const LiveStepResult& step) { return step.isWithin; });
+    return AppliedGains{
+        applied->apply, liveApplyBody(*applied),
+        fmt::format("{} of {} steps went within the predicted band\n", within, applied->plannedSteps)};
+}
+
+Result<AppliedGains> applyGains(CommandContext& context, TuningSource& source, const TuneResult& result) {
     Result<std::vector<ParameterValue>> values = lawForDevice(result.law, source.device->catalogue());
     if (!values) {
         return failure(values.error());
@@ -204,7 +236,11 @@ Result<ApplyResult> applyGains(CommandContext& context, TuningSource& source, co
     ApplyConfig config;
     config.values = *std::move(values);
     config.verification = stepVerification(source.estimate);
-    return runApply(*source.device, config, observerFor(context));
+    Result<ApplyResult> applied = runApply(*source.device, config, observerFor(context));
+    if (!applied) {
+        return failure(applied.error());
+    }
+    return AppliedGains{*applied, applyBody(*applied), {}};
 }
 
 /// Method and targets, judged before anything moves.
@@ -215,6 +251,10 @@ Result<TuneConfig> tuneConfigFrom(const CommandOptions& options) {
     }
     TuneConfig config;
     config.method = options.method.empty() ? config.method : options.method;
+    if (options.isLive && options.applyDevice.empty()) {
+        return failure(ErrorCode::Usage, "--live belongs to --apply",
+                       "name the device: --apply DEVICE --live");
+    }
     config.targets = *targets;
     std::vector<std::string> known;
     for (const control::DesignMethod& method : control::designMethods()) {
@@ -267,15 +307,16 @@ CommandResult runTuneCommand(CommandContext& context, const CommandOptions& opti
     std::string text = gainsText(*result);
     bool isKept = true;
     if (!options.applyDevice.empty()) {
-        const Result<ApplyResult> applied = applyGains(context, *source, *result);
+        const Result<AppliedGains> applied =
+            options.isLive ? applyInSteps(context, *source, *result) : applyGains(context, *source, *result);
         if (!applied) {
             return failure(applied.error());
         }
-        isKept = applied->isKept;
-        document.set("applied", applyBody(*applied));
-        text += agreementLine(*applied);
+        isKept = applied->result.isKept;
+        document.set("applied", applied->body);
+        text += applied->steps + agreementLine(applied->result);
         text += fmt::format("{}\n{}", isKept ? "applied and verified" : "not kept, the old gains run again",
-                            findingLines(applied->quality));
+                            findingLines(applied->result.quality));
     }
     if (const Result<void> done = deliver(context, document, text, options.out); !done) {
         return failure(done.error());

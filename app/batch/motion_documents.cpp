@@ -119,4 +119,20 @@ JsonValue applyBody(const ApplyResult& result) {
     return body.set("verification", result.verification ? moveBody(*result.verification) : JsonValue());
 }
 
+JsonValue liveApplyBody(const LiveApplyResult& result) {
+    JsonValue steps = JsonValue::array();
+    for (const LiveStepResult& step : result.steps) {
+        JsonValue entry = JsonValue::object();
+        entry.set("values", toJson(step.values)).set("within", step.isWithin);
+        entry.set("widening_ratio", finiteOrNull(step.widening_ratio));
+        entry.set("gain_margin_ratio_p5", finiteOrNull(step.robust.gainMargin_ratio_p5));
+        entry.set("phase_margin_deg_p5", finiteOrNull(step.robust.phaseMargin_deg_p5));
+        entry.set("unstable_fraction", finiteOrNull(step.robust.unstable_fraction));
+        steps.push(entry);
+    }
+    JsonValue body = applyBody(result.apply);
+    body.set("planned_steps", static_cast<std::uint64_t>(result.plannedSteps));
+    return body.set("steps", steps);
+}
+
 } // namespace halbench::app

@@ -6,6 +6,7 @@
 #include "app/procedures/calibrate_procedure.h"
 #include "app/procedures/frequency_procedure.h"
 #include "app/procedures/identify_procedure.h"
+#include "app/procedures/live_apply_procedure.h"
 #include "app/procedures/motor_analysis.h"
 #include "app/procedures/move_procedure.h"
 #include "app/procedures/move_repetition.h"
@@ -40,6 +41,8 @@ JsonValue moveFigures(const MoveFigures& figures);
 JsonValue amplifierBody(const AmplifierAnalysis& result);
 JsonValue motorAnalysisBody(const MotorAnalysis& result);
 JsonValue applyBody(const ApplyResult& result);
+/// The same with its steps.
+JsonValue liveApplyBody(const LiveApplyResult& result);
 
 /// {value, unit, ci95, source}; value and ci95 are null when it is not identifiable.
 JsonValue toJson(const control::Estimate& estimate);

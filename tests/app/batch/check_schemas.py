@@ -94,6 +94,11 @@ class Schemas(unittest.TestCase):
         self.assertTrue(what_if["explained"] and what_if["predicted"]["widest_band_rad"] > 0)
         withheld = self.accept(self.run_json("analyse", "m.json", "g.json", "--what-if", "v.csv", "--ran", "g.json", code=1))
         self.assertIsNone(withheld["what_if"]["predicted"])
+        walked = self.accept(self.run_json("tune", "m.json", "--apply", "sim:htm", "--live"))["applied"]
+        self.assertTrue(walked["kept"] and len(walked["steps"]) == walked["planned_steps"] > 3)
+        heavier = self.accept(self.run_json("tune", "m.json", "--apply", "sim:htm?J=1.65e-3", "--live", code=1))
+        self.assertFalse(heavier["applied"]["kept"])
+        self.assertLess(len(heavier["applied"]["steps"]), heavier["applied"]["planned_steps"])
         regulator = self.accept(self.run_json("tune", "m.json", "--method", "lqr", "--omega-rad-s", "25"))
         self.assertIsNone(regulator["forms"]["standard"]["ti"])  # no integral action
         self.assertGreater(regulator["proof"]["noise_gain_A_per_rad"], 0)
