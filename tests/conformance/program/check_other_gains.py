@@ -1,0 +1,76 @@
+"""halbench analyse --what-if and tune --apply --live: what other gains would do, and how they get onto the board.
+
+    python3 check_other_gains.py build/release/halbench [OtherGains[.case]]
+"""
+import csv
+import sys
+import unittest
+
+import halbench
+from halbench import ProgramCase
+
+STEP = ("--reference", "step,amplitude_deg=28.6", "--duration", "2")
+
+
+class OtherGains(ProgramCase):
+    def prepare(self):
+        self.accept("identify", "sim:htm?seed=3", "--out", "m.json", timeout=110)
+        self.accept("tune", "m.json", "--out", "g.json")
+
+    def test_a_recorded_move_with_other_gains(self):
+        self.prepare()
+        self.accept("move", "sim:htm?seed=3", *STEP, "--out", "move.csv")
+        answer = self.accept("analyse", "m.json", "g.json", "--what-if", "move.csv", "--motion", "f.csv", "--json")
+        what_if = answer.json()["what_if"]
+        self.assertTrue(what_if["explained"])
+        # The published gains, with which a simulated motor starts, overshoot; the recommended ones hardly do.
+        self.assertLess(what_if["predicted"]["overshoot_rad"], 0.5 * what_if["recorded"]["overshoot_rad"])
+        with open(self.path("f.csv"), encoding="utf-8") as file:
+            rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+        self.assertEqual(len(rows), 401)
+        for row in rows:
+            self.assertLessEqual(row["p5_rad"], row["p95_rad"])
+        again = self.accept("analyse", "m.json", "g.json", "--what-if", "move.csv", "--json")
+        self.assertEqual(again.out, answer.out, "the same seed, the same bytes")
+        self.assertIn("the same move with these gains", self.accept("analyse", "m.json", "g.json", "--what-if", "move.csv").out)
+
+    def test_a_move_of_another_motor_says_nothing(self):
+        self.prepare()
+        self.accept("move", "sim:htm?seed=3&J=1.65e-3", *STEP, "--out", "move.csv")
+        answer = self.run_program("analyse", "m.json", "g.json", "--what-if", "move.csv")
+        self.assertEqual(answer.code, 1)
+        self.assertIn("WITHHELD", answer.out)
+        self.assertIn("does not explain the recorded move", answer.out)
+        document = self.run_program("analyse", "m.json", "g.json", "--what-if", "move.csv", "--json").json()["what_if"]
+        self.assertIsNone(document["predicted"])
+        self.assertEqual(document["data_quality"]["verdict"], "refused")
+
+    def test_what_is_no_recorded_move_is_refused(self):
+        self.prepare()
+        self.refuse(2, "--what-if", "analyse", "m.json", "g.json", "--motion", "f.csv")
+        self.refuse(2, r"none\.csv", "analyse", "m.json", "g.json", "--what-if", "none.csv")
+        self.accept("record", "sim:htm", "--duration", "0.5", "--signals", "hall.a", "--out", "hall.csv")
+        self.refuse(2, "position", "analyse", "m.json", "g.json", "--what-if", "hall.csv")
+
+    def test_gains_in_small_steps(self):
+        self.prepare()
+        answer = self.accept("tune", "m.json", "--apply", "sim:htm?seed=3", "--live", "--json")
+        applied = answer.json()["applied"]
+        self.assertTrue(applied["kept"])
+        self.assertEqual(len(applied["steps"]), applied["planned_steps"])
+        kp = [step["values"][0]["value"] for step in applied["steps"]]
+        self.assertEqual(sorted(kp), kp)
+        self.assertAlmostEqual(kp[-1], answer.json()["gains"]["kp"]["value"], delta=1e-4)  # single precision
+        self.refuse(2, "--apply", "tune", "m.json", "--live")
+
+    def test_a_motor_that_moves_otherwise_keeps_its_gains(self):
+        self.prepare()
+        answer = self.run_program("tune", "m.json", "--apply", "sim:htm?seed=3&J=1.65e-3", "--live")
+        self.assertEqual(answer.code, 1)
+        self.assertIn("left the predicted band", answer.out)
+        self.assertIn("not kept, the old gains run again", answer.out)
+
+
+if __name__ == "__main__":
+    halbench.set_program(sys.argv.pop(1))
+    unittest.main(verbosity=2)
