@@ -280,4 +280,25 @@ widgets::Figure verificationFigure(const VerificationBand& band, const Recording
     return figure;
 }
 
+void addWhatIfCurves(widgets::Figure& figure, const WhatIf& whatIf, const std::optional<MotionBand>& band,
+                     const std::vector<double>& reference_rad, widgets::AngleUnit unit) {
+    constexpr int Colour = 4;
+    const AngleScale scale = scaleOf(unit);
+    const std::string word = utf8(Words::tr("with the proposed gains"));
+    std::vector<double> time_s;
+    for (std::size_t row = 0; row < whatIf.angle_rad.size(); ++row) {
+        time_s.push_back(1e-3 * static_cast<double>(row));
+    }
+    figure.panels[0].curves.push_back({word, time_s, scale.of(whatIf.angle_rad), CurveStyle::Line, Colour});
+    figure.panels[1].curves.push_back(
+        {word, time_s, scale.of(difference(reference_rad, whatIf.angle_rad)), CurveStyle::Line, Colour});
+    figure.panels[2].curves.push_back({word, time_s, whatIf.current_A, CurveStyle::Line, Colour});
+    if (band) {
+        widgets::Curve area = bandCurve(band->time_s, band->angle_rad, 1.0, scale.factor);
+        area.label = utf8(Words::tr("nine tenths of such moves"));
+        area.colour = Colour;
+        figure.panels[0].curves.push_back(std::move(area));
+    }
+}
+
 } // namespace halbench::app

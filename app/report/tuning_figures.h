@@ -2,6 +2,7 @@
 
 #include "app/procedures/apply_procedure.h"
 #include "app/procedures/measured_loop.h"
+#include "app/procedures/what_if.h"
 #include "app/report/loop_curves.h"
 #include "control/base/sample_block.h"
 #include "widgets/display_units.h"
@@ -43,5 +44,11 @@ std::optional<widgets::Figure> largeStepFigure(const AnalysisResult& predicted,
 /// with the error that the prediction allows and what friction may hold; the current.
 widgets::Figure verificationFigure(const VerificationBand& band, const Recording& measured,
                                    widgets::AngleUnit unit = widgets::AngleUnit::Degree);
+
+/// Into verificationFigure(): the same move as it would have been with other gains, with its band when that
+/// is known. `reference_rad` of the move, from where the rotor was.
+void addWhatIfCurves(widgets::Figure& figure, const WhatIf& whatIf, const std::optional<MotionBand>& band,
+                     const std::vector<double>& reference_rad,
+                     widgets::AngleUnit unit = widgets::AngleUnit::Degree);
 
 } // namespace halbench::app

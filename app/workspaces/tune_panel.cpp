@@ -218,6 +218,7 @@ std::optional<TuneQuestion> TunePanel::question() {
     question.config.conditions = m_conditions;
     takeStrayInterval(question.config.conditions, m_bench.strayInterval95_T_per_A());
     question.present = m_presentLaw;
+    question.record = m_record;
     if (m_restored) {
         question.config.method = m_restored->method;
         question.config.targets = m_restored->targets;
@@ -262,6 +263,8 @@ void TunePanel::ask() {
     m_sketching.cancel();
     m_judging.cancel(); // answers to older numbers must not come after a number that is none
     m_spreading.cancel();
+    m_replaying.cancel();
+    m_whatIfBand.reset();
     if (const auto asked = question()) {
         m_sketching.run([asked = *asked] { return sketchTuning(asked); },
                         [this](const Result<TuneSketch>& sketch) { showSketch(sketch); });

@@ -16,6 +16,7 @@
 #include <QWidget>
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -29,6 +30,8 @@ class QSplitter;
 class QStackedWidget;
 
 namespace halbench::widgets {
+struct Figure;
+struct Remark;
 class EmptyState;
 class FigureView;
 class MessageBar;
@@ -168,7 +171,12 @@ private:
     void finishApply(const Result<ApplyResult>& result);
     void showVerification(const ApplyResult& result);
     void drawVerification();
-    void showAgreement();
+    void showAgreement(const std::vector<widgets::Remark>& remarks);
+    void useRecord(const ApplyResult& result);
+    void forgetRecord();
+    void replayRecord();
+    bool isWhatIfDrawn() const;
+    void addWhatIf(widgets::Figure& figure, std::vector<widgets::Remark>& remarks) const;
     void tellOfDevice(const widgets::Message& message);
     void forgetToldOfDevice();
     void onUnits();
@@ -182,6 +190,8 @@ private:
     LatestTask m_judging;   ///< the rest
     LatestTask m_comparing; ///< the kept designs
     LatestTask m_spreading; ///< the band of the large step, which takes longest
+    LatestTask m_recalling; ///< whether a verification move is explained
+    LatestTask m_replaying; ///< the band of the same move with the proposed gains
     FileQueue m_files;
     LoopConditions m_conditions;
     std::optional<control::PositionLaw> m_presentLaw; ///< that m_present is of
@@ -190,22 +200,24 @@ private:
     KeptDesigns m_designs;
     std::optional<Shaping> m_shaping;
     GainHistory m_history;
-    QList<QAction*> m_historyActions;           ///< undo, redo
-    std::map<std::string, JudgedLoop> m_judged; ///< kept designs by their document
-    std::map<std::string, Error> m_unjudged;    ///< likewise: why not
-    std::optional<Error> m_problem;             ///< why nothing is proposed
-    std::optional<MeasuredPlant> m_measured;    ///< drawn into the open loop
-    std::optional<double> m_bandwidth_rad_s;    ///< of what is shown
-    std::optional<Answer> m_early;              ///< waits for the sketch of the same question
-    std::optional<TuneSketch> m_sketch;         ///< what is drawn
-    std::optional<TuneResult> m_shown;          ///< what the numbers say, and what would be applied
-    std::optional<AppliedGains> m_applying;     ///< on their way
-    std::optional<AppliedGains> m_undecided;    ///< applied, neither kept nor restored
-    std::optional<AppliedGains> m_onDevice;     ///< kept
-    std::vector<ParameterValue> m_before;       ///< what an apply replaced; empty when that is decided
-    std::optional<ApplyResult> m_verified;      ///< the last apply that moved
-    bool m_isUndone = false;                    ///< the gains that were verified were taken back
-    QTimer m_decision;                          ///< runs until Keep can be meant
+    QList<QAction*> m_historyActions;            ///< undo, redo
+    std::map<std::string, JudgedLoop> m_judged;  ///< kept designs by their document
+    std::map<std::string, Error> m_unjudged;     ///< likewise: why not
+    std::optional<Error> m_problem;              ///< why nothing is proposed
+    std::optional<MeasuredPlant> m_measured;     ///< drawn into the open loop
+    std::optional<double> m_bandwidth_rad_s;     ///< of what is shown
+    std::optional<Answer> m_early;               ///< waits for the sketch of the same question
+    std::optional<TuneSketch> m_sketch;          ///< what is drawn
+    std::optional<TuneResult> m_shown;           ///< what the numbers say, and what would be applied
+    std::optional<AppliedGains> m_applying;      ///< on their way
+    std::optional<AppliedGains> m_undecided;     ///< applied, neither kept nor restored
+    std::optional<AppliedGains> m_onDevice;      ///< kept
+    std::vector<ParameterValue> m_before;        ///< what an apply replaced; empty when that is decided
+    std::optional<ApplyResult> m_verified;       ///< the last apply that moved
+    std::shared_ptr<const WhatIfBasis> m_record; ///< of its move; nothing: none, or not judged yet
+    std::optional<MotionBand> m_whatIfBand;      ///< of what is drawn of it
+    bool m_isUndone = false;                     ///< the gains that were verified were taken back
+    QTimer m_decision;                           ///< runs until Keep can be meant
     bool m_isApplying = false;
     bool m_isOfThisMotor = false; ///< what is applied now; not once another project was opened meanwhile
     QString m_toldOfDevice;       ///< the message while it is of an apply, thus of one device and motor
@@ -221,7 +233,7 @@ private:
     LoopSliders* m_sliders = nullptr;
     Preflight* m_preflight = nullptr;
     ForeignMotorNotice* m_foreign = nullptr;
-    QLabel* m_outlook = nullptr; ///< what Apply and verify will do to the rotor
+    QLabel* m_outlook = nullptr;    ///< what Apply and verify will do to the rotor
     QPushButton* m_apply = nullptr;
     QPushButton* m_keep = nullptr;
     QPushButton* m_restore = nullptr;

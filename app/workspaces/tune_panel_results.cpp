@@ -95,8 +95,8 @@ void TunePanel::showSketch(const Result<TuneSketch>& sketch) {
     m_present = sketch->present;
     m_sketch = *sketch;
     drawPredictions();
+    drawVerification(); // what if its move had been made with these gains
     showShape();
-    showAgreement();
     if (m_shaping && m_shaping->isWaiting) {
         takeShape(); // the hand went on meanwhile
         return;
@@ -138,12 +138,13 @@ void TunePanel::showAnswer(const Result<TuneResult>& answer, std::optional<doubl
     showDesigns();
     refreshButtons();
     spreadLargeStep(proposed);
+    replayRecord();
 }
 
 void TunePanel::showProblem(const Error& error) {
     m_shown.reset();
     m_problem = error;
-    showAgreement();
+    drawVerification();
     m_verdict->setVerdict(widgets::VerdictLevel::Refused, widgets::inWords(error.message),
                           {{widgets::inWords(error.hint), {}}});
     showDesigns(); // what was proposed before is not proposed any more
@@ -266,6 +267,7 @@ void TunePanel::finishApply(const Result<ApplyResult>& result) {
 void TunePanel::showVerification(const ApplyResult& result) {
     m_verified = result;
     m_isUndone = !result.isKept;
+    useRecord(result);
     drawVerification();
     m_figures->setPageEnabled(m_verificationPage, true);
     m_figures->setCurrent(m_verificationPage);
@@ -274,6 +276,7 @@ void TunePanel::showVerification(const ApplyResult& result) {
 /// Neither its verdict, nor its picture, nor what was said of it holds any longer.
 void TunePanel::forgetVerification() {
     m_isOfThisMotor = false;
+    forgetRecord();
     if (m_verified) {
         m_verified.reset();
         m_verification->setFigure({});
@@ -296,23 +299,22 @@ void TunePanel::drawVerification() {
     if (!m_verified || !m_verified->verification || !m_verified->band) {
         return;
     }
-    m_verification->setFigure(verificationFigure(*m_verified->band, m_verified->verification->recording,
-                                                 m_bench.displayUnits().angle));
-    showAgreement();
-}
-
-/// A green verdict beside gains that it is not of would be taken for theirs.
-void TunePanel::showAgreement() {
-    if (!m_verified || !m_verified->verification || !m_verified->band) {
-        return;
-    }
     const DisplayUnits& units = m_bench.displayUnits();
-    const bool isWithin = m_verified->quality.verdict != Verdict::Refused;
+    widgets::Figure figure =
+        verificationFigure(*m_verified->band, m_verified->verification->recording, units.angle);
     std::vector<widgets::Remark> remarks = {
         {agreementWords(*m_verified->band, m_verified->verification->measured, units), {}}};
     if (const QString ripple = rippleOf(*m_verified, m_conditions, units); !ripple.isEmpty()) {
         remarks.push_back({ripple, {}});
     }
+    addWhatIf(figure, remarks);
+    m_verification->setFigure(std::move(figure));
+    showAgreement(remarks);
+}
+
+/// A green verdict beside gains that it is not of would be taken for theirs.
+void TunePanel::showAgreement(const std::vector<widgets::Remark>& remarks) {
+    const bool isWithin = m_verified->quality.verdict != Verdict::Refused;
     const bool isOfShown = m_applying && m_sketch && !m_problem && m_sketch->law == m_applying->law;
     if (isWithin && (m_isUndone || !isOfShown)) {
         m_agreement->setVerdict(

@@ -136,6 +136,7 @@ void TunePanel::endShaping() {
     }
     if (m_shown) { // else it follows the answer
         spreadLargeStep(*m_shown);
+        replayRecord();
     }
 }
 

@@ -40,7 +40,7 @@ Result<TuneSketch> sketchTuning(const TuneQuestion& question) {
     if (!predicted) {
         return failure(predicted.error());
     }
-    TuneSketch sketch{*law, std::move(*predicted), {}, {}};
+    TuneSketch sketch{*law, std::move(*predicted), {}, {}, {}};
     auto uncertainty = loopUncertainty(question.motor, sketch.law, question.config.conditions,
                                        sketch.predicted, {question.config.draws, question.config.seed});
     if (uncertainty) {
@@ -51,6 +51,9 @@ Result<TuneSketch> sketchTuning(const TuneQuestion& question) {
         if (present) {
             sketch.present = std::move(*present);
         }
+    }
+    if (question.record) {
+        sketch.whatIf = whatIf(*question.record, sketch.law);
     }
     return sketch;
 }

@@ -2,7 +2,9 @@
 
 #include "app/procedures/loop_uncertainty.h"
 #include "app/procedures/tune.h"
+#include "app/procedures/what_if.h"
 
+#include <memory>
 #include <optional>
 
 namespace halbench::app {
@@ -13,6 +15,7 @@ struct TuneQuestion {
     TuneConfig config;                           ///< its method names the gains when `law` is given
     std::optional<control::PositionLaw> law;     ///< gains to judge; none: the method designs them
     std::optional<control::PositionLaw> present; ///< gains on the device, drawn beside them
+    std::shared_ptr<const WhatIfBasis> record;   ///< a measured move, to be replayed through the gains
 };
 
 /// What can be drawn at once: some milliseconds.
@@ -21,6 +24,7 @@ struct TuneSketch {
     AnalysisResult predicted;
     std::optional<AnalysisResult> present;
     std::optional<LoopUncertainty> uncertainty; ///< nothing: not known of this motor
+    std::optional<Result<WhatIf>> whatIf;       ///< of the question's record
 };
 /// A pure function. What the device's present gains make unjudgeable is left out. Errors: as of
 /// answerTuning.

@@ -1,9 +1,11 @@
 // What the Tune panel does between two places of the hand: gains, predictions, a thousand motors, pictures.
+#include "app/procedures/large_step.h"
 #include "app/report/tuning_figures.h"
 #include "app/workspaces/loop_view.h"
 #include "app/workspaces/tune_question.h"
 #include "control/base/units.h"
 #include "control/design/crossover_design.h"
+#include "control/design/design_methods.h"
 #include "control/design/robustness.h"
 #include "tests/bench/goal.h"
 #include "widgets/figure_view.h"
@@ -30,6 +32,17 @@ MotorEstimate motor() {
     return estimate;
 }
 
+/// A verification move of 3 s, as the window has one while the gains are shaped after an apply.
+std::shared_ptr<const WhatIfBasis> verifiedMove() {
+    const control::PositionLaw ran = *control::designLaw("published", *plantFromEstimate(motor()), {}, {});
+    const std::vector<models::ReferencePoint> reference(1, {0.5, 0.0, 0.0});
+    const RunMotor measured{*plantFromEstimate(motor()), 1.0, 1.0};
+    const models::LoopReplay seen =
+        models::replayLoop(replayOf(measured, *simulatedLaw(ran, {}), reference, 3001));
+    const RecordedMove move{std::vector<double>(3001, 0.5), seen.angle_rad, seen.current_A};
+    return std::make_shared<const WhatIfBasis>(*prepareWhatIf({move, ran, {}, motor(), {1000, 1}}));
+}
+
 /// The two pictures of a wide window: magnitude and phase, angle and current.
 struct Pictures {
     LoopView loop;
@@ -53,6 +66,7 @@ struct Pictures {
 void benchRefresh(Goals& goals) {
     TuneQuestion question;
     question.motor = motor();
+    question.record = verifiedMove();
     const control::PositionPlant plant = *plantFromEstimate(question.motor);
     const control::UncertainPlant uncertain = *uncertainPlantFromEstimate(question.motor);
     const LoopConditions& conditions = question.config.conditions;
@@ -65,6 +79,9 @@ void benchRefresh(Goals& goals) {
                                                      control::CrossoverPriority::Margin);
         question.law = control::PositionLaw{design->gains};
         sketch = *sketchTuning(question);
+        if (!sketch.whatIf || !*sketch.whatIf) {
+            goals.failed("the verification move with the gains in the hand", "it is not predicted");
+        }
         benchmark::DoNotOptimize(
             control::assessRobustness(uncertain, design->gains, conditions.timing, 1000, Random(1))
                 ->unstable_fraction);
