@@ -138,6 +138,16 @@ QString verificationWords(const MoveOutlook& outlook, const DisplayUnits& units)
              widgets::fixedText(outlook.speedLimit_rad_s * speed.factor, 0), speed.unit);
 }
 
+QString liveStepWords(const MoveOutlook& outlook, const DisplayUnits& units) {
+    const DisplayQuantity speed = displayQuantity("rad/s", units);
+    return Words::
+        tr("Apply and verify goes in small steps. After each one it turns the rotor by %1, once this way and "
+           "once that, in %2 s; the board ends the motion at %3 from where it starts, or at %4 %5.")
+            .arg(angleText(outlook.excursion_rad, units), widgets::numberText(outlook.armed_s, 2),
+                 angleText(outlook.window_rad, units),
+                 widgets::fixedText(outlook.speedLimit_rad_s * speed.factor, 0), speed.unit);
+}
+
 QString agreementWords(const VerificationBand& band, const MoveFigures& measured, const DisplayUnits& units) {
     const double rest_rad = std::abs(measured.finalError_rad);
     const double excess_rad = rest_rad - band.allowed_rad;

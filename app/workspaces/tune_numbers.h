@@ -28,6 +28,8 @@ constexpr double LargeStep_rad = 1.7453292519943295; ///< 100 degrees
 
 /// What Apply and verify does to the rotor, before it is pressed.
 QString verificationWords(const MoveOutlook& outlook, const DisplayUnits& units);
+/// The same of an apply in small steps, of which `outlook` is one.
+QString liveStepWords(const MoveOutlook& outlook, const DisplayUnits& units);
 
 /// How far a verification step was from what the prediction allows, in one sentence.
 QString agreementWords(const VerificationBand& band, const MoveFigures& measured, const DisplayUnits& units);

@@ -14,6 +14,7 @@
 #include "widgets/progress_row.h"
 #include "widgets/theme_style.h"
 
+#include <QCheckBox>
 #include <QEvent>
 #include <QKeyEvent>
 #include <QLabel>
@@ -86,6 +87,7 @@ void TunePanel::connectParts() {
     connect(m_preflight, &Preflight::changed, this, &TunePanel::refreshButtons);
     connect(m_foreign, &ForeignMotorNotice::changed, this, &TunePanel::refreshButtons);
     connect(m_apply, &QPushButton::clicked, this, &TunePanel::apply);
+    connect(m_inSteps, &QCheckBox::toggled, this, &TunePanel::refreshOutlook);
     connect(m_keep, &QPushButton::clicked, this, &TunePanel::keep);
     connect(m_restore, &QPushButton::clicked, this, &TunePanel::restore);
     connect(m_save, &QPushButton::clicked, this, &TunePanel::saveGains);

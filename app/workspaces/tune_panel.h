@@ -23,6 +23,7 @@
 #include <vector>
 
 class QAction;
+class QCheckBox;
 class QLabel;
 class QPushButton;
 class QScrollArea;
@@ -168,6 +169,7 @@ private:
     QString keptDesignOf(const AppliedGains& gains, const QString& stem);
     void leaveGains();
     void apply();
+    void startApplying(const control::PositionLaw& law, std::vector<ParameterValue> values);
     void finishApply(const Result<ApplyResult>& result);
     void showVerification(const ApplyResult& result);
     void drawVerification();
@@ -233,6 +235,7 @@ private:
     LoopSliders* m_sliders = nullptr;
     Preflight* m_preflight = nullptr;
     ForeignMotorNotice* m_foreign = nullptr;
+    QCheckBox* m_inSteps = nullptr; ///< how Apply and verify goes
     QLabel* m_outlook = nullptr;    ///< what Apply and verify will do to the rotor
     QPushButton* m_apply = nullptr;
     QPushButton* m_keep = nullptr;

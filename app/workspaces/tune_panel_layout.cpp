@@ -1,4 +1,5 @@
 // What the Tune panel is made of, and its words.
+#include "app/procedures/live_apply_procedure.h"
 #include "app/workspaces/design_table.h"
 #include "app/workspaces/document_files.h"
 #include "app/workspaces/foreign_motor_notice.h"
@@ -17,6 +18,7 @@
 #include "widgets/theme_style.h"
 #include "widgets/verdict_view.h"
 
+#include <QCheckBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -61,6 +63,7 @@ QWidget* TunePanel::buildSettings() {
     m_foreign = new ForeignMotorNotice(m_bench, page);
     m_progress = new widgets::ProgressRow(page);
     m_progress->hide();
+    m_inSteps = new QCheckBox;
     m_outlook = new QLabel(page);
     m_outlook->setWordWrap(true);
     for (QWidget* part : std::initializer_list<QWidget*>{m_model, m_sliders, m_form, m_gains}) {
@@ -76,6 +79,7 @@ QWidget* TunePanel::buildSettings() {
     all->setSpacing(widgets::PanelMargin_px);
     all->addWidget(scrolled(page), 1);
     all->addWidget(m_verdict);
+    all->addWidget(m_inSteps);
     all->addWidget(m_outlook);
     all->addWidget(m_progress); // what is decided stays in sight, however far the rest is scrolled
     all->addWidget(buildButtons());
@@ -161,6 +165,12 @@ void TunePanel::refreshWords() {
     m_empty->setIconName(QStringLiteral("settings"));
     say(*m_apply, tr("Apply and verify"),
         tr("All gains at once, then a step that must go as predicted; Esc stops it"));
+    m_inSteps->setText(tr("In small steps"));
+    m_inSteps->setToolTip(
+        tr("From the gains that run to the new ones in steps of at most half as much again, each "
+           "judged before it is written and proved by a move; if one leaves its band, the gains "
+           "from before run again"));
+    m_inSteps->setAccessibleName(m_inSteps->text());
     say(*m_keep, tr("Keep"),
         tr("The new gains stay until the device is switched off or, for a simulated one, disconnected; Save "
            "in the device, in the Parameters panel, keeps them longer"));
@@ -190,8 +200,11 @@ void TunePanel::growVerification() {
 
 /// From what the procedure is given: how far and how long is said before it is pressed, not in a tooltip.
 void TunePanel::refreshOutlook() {
-    m_outlook->setText(verificationWords(
-        verificationOutlook(stepVerification({}), m_bench.session().catalogue()), m_bench.displayUnits()));
+    const devices::Catalogue& catalogue = m_bench.session().catalogue();
+    const DisplayUnits& units = m_bench.displayUnits();
+    m_outlook->setText(m_inSteps->isChecked()
+                           ? liveStepWords(liveStepOutlook({}, catalogue), units)
+                           : verificationWords(verificationOutlook(stepVerification({}), catalogue), units));
 }
 
 void TunePanel::onUnits() {

@@ -180,9 +180,6 @@ void TunePanel::apply() {
         showError(values.error());
         return;
     }
-    ApplyConfig config;
-    config.values = *values;
-    config.verification = stepVerification(motorEstimate(*m_bench.identification()));
     const auto document = toJsonText(gainsDocument(m_bench.designHeader(), *m_shown));
     HB_ASSERT(document.has_value()); // a result holds finite numbers only
     const devices::DeviceInfo& info = m_bench.session().info();
@@ -191,17 +188,7 @@ void TunePanel::apply() {
     forgetVerification();
     m_isOfThisMotor = true;
     m_preflight->setRunning(tr("This verification is running"));
-    const QPointer<TunePanel> self(this);
-    m_isApplying = m_bench.session().runProcedure(
-        tr("Apply"),
-        [config](devices::Device& device, const ProcedureObserver& observer) {
-            return runApply(device, config, observer);
-        },
-        [self](const Result<ApplyResult>& result) {
-            if (self) {
-                self->finishApply(result);
-            }
-        });
+    startApplying(m_shown->law, *values);
     if (!m_isApplying) {
         m_preflight->setRunning({});
     }
