@@ -5670,6 +5670,118 @@
         <source>wait until there is a picture</source>
         <translation>warten Sie, bis es ein Bild gibt</translation>
     </message>
+    <message>
+        <source>the measured motion left the predicted band at {} s, by {} degrees</source>
+        <translation>die gemessene Bewegung hat das vorhergesagte Band bei {} s verlassen, um {} Grad</translation>
+    </message>
+    <message>
+        <source>step {} of {} is not safe: {} % of the motors that the data allow make its loop unstable, its margins are {} deg and {}</source>
+        <translation>Schritt {} von {} ist nicht sicher: {} % der Motoren, die die Daten zulassen, machen seinen Kreis instabil, seine Reserven sind {} Grad und {}</translation>
+    </message>
+    <message>
+        <source>nothing was written; choose gains with larger margins, or identify more precisely</source>
+        <translation>nichts wurde geschrieben; Reglerparameter mit größeren Reserven wählen oder genauer identifizieren</translation>
+    </message>
+    <message>
+        <source>steps of a factor {} do not get anywhere</source>
+        <translation>Schritte um den Faktor {} führen nirgendwohin</translation>
+    </message>
+    <message>
+        <source>allow at least 1.05</source>
+        <translation>mindestens 1,05 zulassen</translation>
+    </message>
+    <message>
+        <source>the way to these gains takes more than 40 steps</source>
+        <translation>der Weg zu diesen Reglerparametern braucht mehr als 40 Schritte</translation>
+    </message>
+    <message>
+        <source>allow larger steps, or apply gains that are nearer first</source>
+        <translation>größere Schritte zulassen oder zuerst nähere Reglerparameter übernehmen</translation>
+    </message>
+    <message>
+        <source>step {} of {}: {}</source>
+        <translation>Schritt {} von {}: {}</translation>
+    </message>
+    <message>
+        <source>more than a twentieth of the measured motion was outside the predicted band</source>
+        <translation>mehr als ein Zwanzigstel der gemessenen Bewegung lag außerhalb des vorhergesagten Bandes</translation>
+    </message>
+    <message>
+        <source>the new gains were not kept</source>
+        <translation>die neuen Reglerparameter wurden nicht behalten</translation>
+    </message>
+    <message>
+        <source>the uncertainty of the model allows no motor at all</source>
+        <translation>die Unsicherheit des Modells lässt gar keinen Motor zu</translation>
+    </message>
+    <message>
+        <source>identify the motor again</source>
+        <translation>den Motor erneut identifizieren</translation>
+    </message>
+    <message>
+        <source>a recorded move of {} s cannot be replayed</source>
+        <translation>eine aufgezeichnete Bewegung von {} s lässt sich nicht nachstellen</translation>
+    </message>
+    <message>
+        <source>record {} to {} s of a move</source>
+        <translation>{} bis {} s einer Bewegung aufzeichnen</translation>
+    </message>
+    <message>
+        <source>rows are missing at {} s: what happened there is not known</source>
+        <translation>bei {} s fehlen Zeilen: Was dort geschah, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>record the move again, at 100 Hz or more</source>
+        <translation>die Bewegung erneut aufzeichnen, mit 100 Hz oder mehr</translation>
+    </message>
+    <message>
+        <source>the rotor moves already when the recording begins</source>
+        <translation>der Rotor bewegt sich schon, wenn die Aufzeichnung beginnt</translation>
+    </message>
+    <message>
+        <source>replay a recording that begins with its move, as `halbench move --out` writes it</source>
+        <translation>eine Aufzeichnung nachstellen, die mit ihrer Bewegung beginnt, wie `halbench move --out` sie schreibt</translation>
+    </message>
+    <message>
+        <source>the recording has no {}</source>
+        <translation>die Aufzeichnung hat kein {}</translation>
+    </message>
+    <message>
+        <source>a move is replayed from position, reference and current_command</source>
+        <translation>eine Bewegung wird aus position, reference und current_command nachgestellt</translation>
+    </message>
+    <message>
+        <source>record the move again</source>
+        <translation>die Bewegung erneut aufzeichnen</translation>
+    </message>
+    <message>
+        <source>the identified loop with the gains that ran does not explain the recorded move: {} % of it lie outside the predicted band</source>
+        <translation>der identifizierte Kreis mit den Reglerparametern, die liefen, erklärt die aufgezeichnete Bewegung nicht: {} % davon liegen außerhalb des vorhergesagten Bandes</translation>
+    </message>
+    <message>
+        <source>the band is widened until it holds the record; identify the motor anew for a better one</source>
+        <translation>das Band ist so verbreitert, dass es die Aufzeichnung enthält; für ein besseres den Motor neu identifizieren</translation>
+    </message>
+    <message>
+        <source>nothing follows from this record for other gains: identify the motor anew, or choose a record of this motor with these gains</source>
+        <translation>aus dieser Aufzeichnung folgt nichts für andere Reglerparameter: den Motor neu identifizieren oder eine Aufzeichnung dieses Motors mit diesen Reglerparametern wählen</translation>
+    </message>
+    <message>
+        <source>with these gains the loop is unstable: no motion is predicted</source>
+        <translation>mit diesen Reglerparametern ist der Kreis instabil: Es wird keine Bewegung vorhergesagt</translation>
+    </message>
+    <message>
+        <source>choose gains that are stable</source>
+        <translation>stabile Reglerparameter wählen</translation>
+    </message>
+    <message>
+        <source>these gains magnify what the model does not know {} times more than those that ran: the band is that much wider</source>
+        <translation>diese Reglerparameter vergrößern, was das Modell nicht weiß, {}-mal so sehr wie die, die liefen: Um so viel breiter ist das Band</translation>
+    </message>
+    <message>
+        <source>apply them in small steps, or choose gains with a larger modulus margin</source>
+        <translation>sie in kleinen Schritten übernehmen oder Reglerparameter mit größerem Abstand von −1 wählen</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -11685,6 +11797,10 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>Apply and verify turns the rotor by %1, in %2 s; the board ends the motion at %3 from where it starts, or at %4 %5.</source>
         <translation>„Übernehmen, prüfen“ dreht den Rotor um %1, in %2 s; das Steuergerät beendet die Bewegung bei %3 vom Anfang oder bei %4 %5.</translation>
     </message>
+    <message>
+        <source>Apply and verify goes in small steps. After each one it turns the rotor by %1, once this way and once that, in %2 s; the board ends the motion at %3 from where it starts, or at %4 %5.</source>
+        <translation>Übernehmen, prüfen geht in kleinen Schritten. Nach jedem dreht es den Rotor um %1, einmal hin und einmal her, in %2 s; das Steuergerät beendet die Bewegung bei %3 vom Anfang oder bei %4 %5.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuneNumbers</name>
@@ -12031,6 +12147,22 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>Within the predicted band: the gains that were applied, not those shown now</source>
         <translation>Im vorhergesagten Band: die übernommenen Reglerparameter, nicht die jetzt gezeigten</translation>
     </message>
+    <message>
+        <source>In small steps</source>
+        <translation>In kleinen Schritten</translation>
+    </message>
+    <message>
+        <source>From the gains that run to the new ones in steps of at most half as much again, each judged before it is written and proved by a move; if one leaves its band, the gains from before run again</source>
+        <translation>Von den laufenden Reglerparametern zu den neuen in Schritten um höchstens die Hälfte mehr, jeder vor dem Schreiben beurteilt und durch eine Bewegung nachgewiesen; verlässt eine ihr Band, laufen die von vorher wieder</translation>
+    </message>
+    <message>
+        <source>What the proposed gains would make of this move is not said: %1</source>
+        <translation>Was die vorgeschlagenen Reglerparameter aus dieser Bewegung machen würden, wird nicht gesagt: %1</translation>
+    </message>
+    <message>
+        <source>With the proposed gains this move would overshoot by %1 instead of %2 and come to rest %3 from its set-point instead of %4.</source>
+        <translation>Mit den vorgeschlagenen Reglerparametern würde diese Bewegung um %1 statt %2 überschwingen und %3 statt %4 neben ihrem Sollwert zur Ruhe kommen.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuningFigures</name>
@@ -12121,6 +12253,14 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>5 % to 95 % of the motors</source>
         <translation>5 % bis 95 % der Motoren</translation>
+    </message>
+    <message>
+        <source>with the proposed gains</source>
+        <translation>mit den vorgeschlagenen Reglerparametern</translation>
+    </message>
+    <message>
+        <source>nine tenths of such moves</source>
+        <translation>neun Zehntel solcher Bewegungen</translation>
     </message>
 </context>
 <context>

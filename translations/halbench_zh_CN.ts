@@ -5670,6 +5670,118 @@
         <source>wait until there is a picture</source>
         <translation>请等到有图片显示</translation>
     </message>
+    <message>
+        <source>the measured motion left the predicted band at {} s, by {} degrees</source>
+        <translation>测得的运动在 {} s 离开了预测范围，超出 {} 度</translation>
+    </message>
+    <message>
+        <source>step {} of {} is not safe: {} % of the motors that the data allow make its loop unstable, its margins are {} deg and {}</source>
+        <translation>第 {} 步（共 {} 步）不安全：数据允许的电机中有 {} % 使其回路不稳定，其裕度为 {} 度和 {}</translation>
+    </message>
+    <message>
+        <source>nothing was written; choose gains with larger margins, or identify more precisely</source>
+        <translation>未写入任何内容；请选择裕度更大的增益，或更精确地辨识</translation>
+    </message>
+    <message>
+        <source>steps of a factor {} do not get anywhere</source>
+        <translation>每步 {} 倍无法到达任何地方</translation>
+    </message>
+    <message>
+        <source>allow at least 1.05</source>
+        <translation>请至少允许 1.05</translation>
+    </message>
+    <message>
+        <source>the way to these gains takes more than 40 steps</source>
+        <translation>到达这些增益需要超过 40 步</translation>
+    </message>
+    <message>
+        <source>allow larger steps, or apply gains that are nearer first</source>
+        <translation>请允许更大的步长，或先应用更接近的增益</translation>
+    </message>
+    <message>
+        <source>step {} of {}: {}</source>
+        <translation>第 {} 步（共 {} 步）：{}</translation>
+    </message>
+    <message>
+        <source>more than a twentieth of the measured motion was outside the predicted band</source>
+        <translation>测得的运动有超过二十分之一在预测范围之外</translation>
+    </message>
+    <message>
+        <source>the new gains were not kept</source>
+        <translation>新增益未保留</translation>
+    </message>
+    <message>
+        <source>the uncertainty of the model allows no motor at all</source>
+        <translation>模型的不确定度不允许任何电机</translation>
+    </message>
+    <message>
+        <source>identify the motor again</source>
+        <translation>请重新辨识电机</translation>
+    </message>
+    <message>
+        <source>a recorded move of {} s cannot be replayed</source>
+        <translation>无法重放 {} s 的记录运动</translation>
+    </message>
+    <message>
+        <source>record {} to {} s of a move</source>
+        <translation>请记录 {} 至 {} s 的运动</translation>
+    </message>
+    <message>
+        <source>rows are missing at {} s: what happened there is not known</source>
+        <translation>在 {} s 处缺行：那里发生了什么不得而知</translation>
+    </message>
+    <message>
+        <source>record the move again, at 100 Hz or more</source>
+        <translation>请以 100 Hz 或更高速率重新记录该运动</translation>
+    </message>
+    <message>
+        <source>the rotor moves already when the recording begins</source>
+        <translation>记录开始时转子已在运动</translation>
+    </message>
+    <message>
+        <source>replay a recording that begins with its move, as `halbench move --out` writes it</source>
+        <translation>请重放以其运动开始的记录，如 `halbench move --out` 所写</translation>
+    </message>
+    <message>
+        <source>the recording has no {}</source>
+        <translation>记录中没有 {}</translation>
+    </message>
+    <message>
+        <source>a move is replayed from position, reference and current_command</source>
+        <translation>重放运动需要 position、reference 和 current_command</translation>
+    </message>
+    <message>
+        <source>record the move again</source>
+        <translation>请重新记录该运动</translation>
+    </message>
+    <message>
+        <source>the identified loop with the gains that ran does not explain the recorded move: {} % of it lie outside the predicted band</source>
+        <translation>辨识的回路在当时运行的增益下不能解释记录的运动：其中 {} % 在预测范围之外</translation>
+    </message>
+    <message>
+        <source>the band is widened until it holds the record; identify the motor anew for a better one</source>
+        <translation>范围已加宽到包含该记录；要得到更好的范围，请重新辨识电机</translation>
+    </message>
+    <message>
+        <source>nothing follows from this record for other gains: identify the motor anew, or choose a record of this motor with these gains</source>
+        <translation>从该记录得不出其他增益的任何结论：请重新辨识电机，或选择此电机在这些增益下的记录</translation>
+    </message>
+    <message>
+        <source>with these gains the loop is unstable: no motion is predicted</source>
+        <translation>在这些增益下回路不稳定：不预测运动</translation>
+    </message>
+    <message>
+        <source>choose gains that are stable</source>
+        <translation>请选择稳定的增益</translation>
+    </message>
+    <message>
+        <source>these gains magnify what the model does not know {} times more than those that ran: the band is that much wider</source>
+        <translation>这些增益把模型所不知道的部分放大到当时运行的增益的 {} 倍：范围也相应加宽</translation>
+    </message>
+    <message>
+        <source>apply them in small steps, or choose gains with a larger modulus margin</source>
+        <translation>请以小步应用，或选择模裕度更大的增益</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -11676,6 +11788,10 @@ A real device has its own time.</source>
         <source>Apply and verify turns the rotor by %1, in %2 s; the board ends the motion at %3 from where it starts, or at %4 %5.</source>
         <translation>“应用并验证”使转子转动 %1，历时 %2 s；离起点 %3 或达到 %4 %5 时，控制板结束运动。</translation>
     </message>
+    <message>
+        <source>Apply and verify goes in small steps. After each one it turns the rotor by %1, once this way and once that, in %2 s; the board ends the motion at %3 from where it starts, or at %4 %5.</source>
+        <translation>应用并验证以小步进行。每步之后使转子转动 %1，一次朝这边，一次朝那边，历时 %2 s；距起点 %3 或达到 %4 %5 时，控制板结束运动。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuneNumbers</name>
@@ -12022,6 +12138,22 @@ A real device has its own time.</source>
         <source>Within the predicted band: the gains that were applied, not those shown now</source>
         <translation>在预测范围内：指已应用的增益，而非现在显示的增益</translation>
     </message>
+    <message>
+        <source>In small steps</source>
+        <translation>以小步进行</translation>
+    </message>
+    <message>
+        <source>From the gains that run to the new ones in steps of at most half as much again, each judged before it is written and proved by a move; if one leaves its band, the gains from before run again</source>
+        <translation>从运行中的增益到新增益，每步至多增加一半，每步在写入前被判断，并由一次运动验证；若某次运动离开其范围，则重新运行之前的增益</translation>
+    </message>
+    <message>
+        <source>What the proposed gains would make of this move is not said: %1</source>
+        <translation>不说明建议的增益会使此运动怎样：%1</translation>
+    </message>
+    <message>
+        <source>With the proposed gains this move would overshoot by %1 instead of %2 and come to rest %3 from its set-point instead of %4.</source>
+        <translation>用建议的增益，此运动会超调 %1 而不是 %2，并在距设定值 %3 而不是 %4 处静止。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuningFigures</name>
@@ -12112,6 +12244,14 @@ A real device has its own time.</source>
     <message>
         <source>5 % to 95 % of the motors</source>
         <translation>5 % 至 95 % 的电机</translation>
+    </message>
+    <message>
+        <source>with the proposed gains</source>
+        <translation>用建议的增益</translation>
+    </message>
+    <message>
+        <source>nine tenths of such moves</source>
+        <translation>此类运动的十分之九</translation>
     </message>
 </context>
 <context>
