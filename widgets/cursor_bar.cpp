@@ -22,8 +22,10 @@ namespace {
 constexpr double Farthest_s = 1e7;
 constexpr int Decimals = 4; ///< 0.1 ms: finer than any stream's period
 constexpr double Step_s = 0.01;
-constexpr int NameCharacters = 10;
+constexpr int NameCharacters = 9;
 constexpr int LongestName = 40;
+constexpr int TimeCharacters = 12; ///< "-1234.5678 s"
+constexpr int StepButtons_px = 32; ///< and the margins
 
 } // namespace
 
@@ -82,6 +84,7 @@ void CursorBar::addTimeField(int index) {
     field->setDecimals(Decimals);
     field->setSingleStep(Step_s);
     field->setSuffix(QStringLiteral(" s"));
+    field->setFixedWidth(TimeCharacters * fontMetrics().averageCharWidth() + StepButtons_px);
     field->setKeyboardTracking(false);
     field->setAlignment(Qt::AlignRight);
     field->setAccessibleName(tr("Time of cursor %1").arg(name));

@@ -35,6 +35,7 @@ LiveLegend::LiveLegend(QWidget* parent) : QTableView(parent) {
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     horizontalHeader()->setMinimumSectionSize(8);
     horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setTextElideMode(Qt::ElideRight); // a narrow name's column says so
     setCursorColumnsShown(false, false);
     setAccessibleName(tr("Legend with live values"));
     setAccessibleDescription(

@@ -118,8 +118,9 @@ TEST_F(CursorPairKeysTest, theMenuOfTheBarHasThePairsAndWhatCanBeDoneWithThem) {
 }
 
 TEST_F(CursorPairKeysTest, theBarIsWholeOnTheWindowsFirstSize) {
+    applyTheme(*qApp, loadTheme("light").value(), {QLocale(), Dress().fontSize_pt}); // as in the window
     stack.resize(690, 560); // what 1440 x 900 leaves for it
-    CursorPairs long_({{"A name of more than a few letters", -1234.5678, 1e4}, {"b", 0.0, 1.0}}, 0);
+    CursorPairs long_({{"A name of more than a few letters", 1234.5678, 1012.25}, {"b", 0.0, 1.0}}, 0);
     long_.setVisible(true);
     stack.setCursorPairs(long_);
     frame();

@@ -44,8 +44,8 @@ void Photographer::takeCursors() {
     QTest::qWait(DataTime_ms / 5);
     stack.setPaused(true);
     const double end_s = stack.timeRange().end_s;
-    widgets::CursorPairs pairs({{QStringLiteral("fall"), end_s - 7.4, end_s - 6.4},
-                                {QStringLiteral("rise"), end_s - 4.2, end_s - 3.2}},
+    widgets::CursorPairs pairs({{QStringLiteral("fall"), end_s - 8.4, end_s - 7.4},
+                                {QStringLiteral("rise"), end_s - 3.2, end_s - 2.2}},
                                1);
     pairs.setVisible(true);
     stack.setCursorPairs(pairs);
