@@ -266,7 +266,7 @@ void TunePanel::ask() {
     m_judging.cancel(); // answers to older numbers must not come after a number that is none
     m_spreading.cancel();
     m_replaying.cancel();
-    m_whatIfBand.reset();
+    m_whatIfSpread.reset();
     if (const auto asked = question()) {
         m_sketching.run([asked = *asked] { return sketchTuning(asked); },
                         [this](const Result<TuneSketch>& sketch) { showSketch(sketch); });

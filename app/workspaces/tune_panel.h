@@ -217,7 +217,7 @@ private:
     std::vector<ParameterValue> m_before;        ///< what an apply replaced; empty when that is decided
     std::optional<ApplyResult> m_verified;       ///< the last apply that moved
     std::shared_ptr<const WhatIfBasis> m_record; ///< of its move; nothing: none, or not judged yet
-    std::optional<MotionBand> m_whatIfBand;      ///< of what is drawn of it
+    std::optional<WhatIf> m_whatIfSpread;        ///< its band with the proposed gains, when the hand rests
     bool m_isUndone = false;                     ///< the gains that were verified were taken back
     QTimer m_decision;                           ///< runs until Keep can be meant
     bool m_isApplying = false;

@@ -59,7 +59,7 @@ void TunePanel::forgetRecord() {
     m_recalling.cancel();
     m_replaying.cancel();
     m_record.reset();
-    m_whatIfBand.reset();
+    m_whatIfSpread.reset();
     if (m_sketch) {
         m_sketch->whatIf.reset();
     }
@@ -80,7 +80,7 @@ void TunePanel::replayRecord() {
     m_replaying.run([record = m_record, law = m_sketch->law] { return whatIfWithBand(*record, law); },
                     [this](const Result<WhatIf>& replayed) {
                         if (replayed && m_record) {
-                            m_whatIfBand = replayed->band;
+                            m_whatIfSpread = *replayed;
                             drawVerification();
                         }
                     });
@@ -100,7 +100,8 @@ void TunePanel::addWhatIf(widgets::Figure& figure, std::vector<widgets::Remark>&
     }
     const DisplayUnits& units = m_bench.displayUnits();
     const RecordedMove& move = m_record->config.move;
-    addWhatIfCurves(figure, *whatIf, m_whatIfBand, move.reference_rad, units.angle);
+    addWhatIfCurves(figure, *whatIf, m_whatIfSpread ? m_whatIfSpread->band : std::nullopt, move.reference_rad,
+                    units.angle);
     const MotionFigures would = motionFigures(move.reference_rad, whatIf->angle_rad);
     const MotionFigures was = motionFigures(move.reference_rad, move.position_rad);
     if (would.overshoot_rad && was.overshoot_rad) {
@@ -111,6 +112,9 @@ void TunePanel::addWhatIf(widgets::Figure& figure, std::vector<widgets::Remark>&
                       angleText(std::abs(would.finalError_rad), units),
                       angleText(std::abs(was.finalError_rad), units)),
              {}});
+    }
+    for (const Finding& finding : (m_whatIfSpread ? *m_whatIfSpread : *whatIf).quality.findings) {
+        remarks.push_back({widgets::inWords(finding.message), widgets::inWords(finding.hint)});
     }
 }
 

@@ -1,5 +1,6 @@
 #include "app/procedures/move_procedure.h"
 #include "app/window/dock_layout.h"
+#include "app/workspaces/preflight.h"
 #include "devices/acquisition/recording_file.h"
 #include "devices/open_device.h"
 #include "tests/app/window/faulty_line.h"
@@ -268,7 +269,7 @@ TEST_F(WindowReconnectTest, aLossInTheVerificationMoveOfTuneLeavesTheOldGainsAnd
     ASSERT_TRUE(wait([&] { return bench.design().has_value(); }));
     ASSERT_NE(bench.design()->law.gains.proportional, before);
     QWidget& tune = *window->docks().panel("tune");
-    auto* consent = tune.findChild<QCheckBox*>();
+    auto* consent = tune.findChild<Preflight*>()->findChild<QCheckBox*>();
     ASSERT_NE(consent, nullptr);
     consent->click();
     auto* apply = button("Apply and verify");

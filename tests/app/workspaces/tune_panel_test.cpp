@@ -293,7 +293,7 @@ TEST_F(TunePanelTest, aDeviceLostInTheVerificationIsSaidInPlace) {
     connectMotor(QString::fromUtf8(board.readLine()).trimmed().section(' ', 1), 1.0);
     bench.setIdentification(publishedMotor());
     ASSERT_TRUE(wait([&] { return bench.design().has_value(); }));
-    if (auto* consent = panel.findChild<QCheckBox*>(); consent->isVisible()) {
+    if (auto* consent = panel.findChild<Preflight*>()->findChild<QCheckBox*>(); consent->isVisible()) {
         EXPECT_FALSE(canApply()); // a real motor moves only with consent
         QTest::mouseClick(consent, Qt::LeftButton, {}, {8, consent->height() / 2});
     }

@@ -38,6 +38,8 @@ TEST_F(TuneWhatIfTest, theMeasuredMoveIsDrawnAsItWouldBeWithTheProposedGains) {
               *std::max_element(measured.begin(), measured.end()) + 0.02);
     EXPECT_TRUE(wait([&] { return words().contains("this move would overshoot by"); }))
         << words().toStdString();
+    EXPECT_TRUE(wait([&] { return words().contains("magnify what the model does not know"); }))
+        << words().toStdString();
 }
 
 TEST_F(TuneWhatIfTest, itFollowsTheGains) {
