@@ -107,7 +107,7 @@ class Schemas(unittest.TestCase):
         self.run_json("record", "sim:htm", "--duration", "0.1", "--out", "m.csv")
         self.run_json("record", "sim:htm?seed=2", "--duration", "0.2", "--out", "n.csv")
         listed = self.accept(self.run_json("recordings"))
-        self.assertEqual((len(listed["recordings"]), len(listed["identifications"])), (2, 1))
+        self.assertEqual((len(listed["recordings"]), len(listed["identifications"])), (3, 1))
         for align in ("start", "trigger"):
             self.accept(self.run_json("overlay", "m.csv", "n.csv", "--signals", "position,status", "--align", align,
                                       "--out", "o.csv", code=0 if align == "start" else 2))
