@@ -91,7 +91,11 @@ void addMovingCommands(CLI::App& app, CommandOptions& options) {
     record->add_option("--wait", options.wait, "Longest wait for the trigger, default 10")->type_name("S");
     record->add_flag("--reconnect", options.isReconnecting,
                      "Wait for a device that is lost and record on, with the gap marked; not with --capture");
-    record->add_option("--out", options.out, "Recording")->required()->type_name("FILE.csv");
+    record->add_option("--out", options.out, "Recording")->type_name("FILE.csv");
+    record
+        ->add_option("--out-mask", options.outMask,
+                     "Instead of --out: a name of its own with {device}, {date}, {time} and {number}")
+        ->type_name("FOLDER/MASK");
     CLI::App* move = addCommand(app, "move", "Follow a reference and measure how well");
     addDevice(move, options);
     move->add_option("--reference", options.reference, "step,amplitude_deg=100 ...")

@@ -33,6 +33,7 @@ struct CommandOptions {
     std::string signals;
     std::string rate;
     bool isReconnecting = false;           ///< record --reconnect
+    std::string outMask;                   ///< record --out-mask
     std::string capture;                   ///< record --capture A,B
     std::string trigger, preTrigger, wait; ///< record
     std::string reference;
@@ -78,6 +79,8 @@ struct CommandOptions {
     std::vector<std::string> columnUnits;               ///< import --unit COLUMN=UNIT
     bool isPreview = false;                             ///< import --preview
     std::string search;                                 ///< recordings --search
+    std::string retain;                                 ///< recordings --retain; the next line only with it
+    bool isDeleted = false, isTrashed = false;          ///< --delete, --trash
     std::string align;                                  ///< overlay --align
 };
 

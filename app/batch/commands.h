@@ -22,6 +22,7 @@ CommandResult runSpectrumCommand(CommandContext& context, const CommandOptions& 
 CommandResult runPlotCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runImportCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runRecordingsCommand(CommandContext& context, const CommandOptions& options);
+CommandResult runRetentionCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runOverlayCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runServeCommand(CommandContext& context, const CommandOptions& options);
 

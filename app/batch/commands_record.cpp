@@ -2,10 +2,14 @@
 #include "app/batch/names.h"
 #include "app/batch/numbers.h"
 #include "app/batch/recording_file.h"
+#include "app/batch/recording_name.h"
 #include "app/batch/result_header.h"
 #include "app/batch/waiting_device.h"
 #include "app/procedures/capture_procedure.h"
 #include "app/procedures/record_procedure.h"
+
+#include <QtCore/QDir>
+#include <QtCore/QFileInfo>
 
 #include <fmt/format.h>
 
@@ -94,6 +98,51 @@ Result<CaptureConfig> captureConfigFrom(const CommandOptions& options) {
     return read ? Result<CaptureConfig>(std::move(config)) : failure(read.error());
 }
 
+/// The part of "FOLDER/MASK.csv" that names the file; the ending may be missing.
+QString nameMaskOf(const std::string& outMask) {
+    const QString mask = QFileInfo(QString::fromStdString(outMask)).fileName();
+    return mask.endsWith(QLatin1String(".csv")) ? mask.chopped(4) : mask;
+}
+
+/// Where it goes. Errors: Usage, InvalidInput (the mask).
+Result<void> checkOutput(const CommandOptions& options) {
+    if (options.out.empty() == options.outMask.empty()) {
+        return failure(ErrorCode::Usage,
+                       options.out.empty() ? "--out is required" : "--out and --out-mask exclude each other",
+                       "say where to with --out FILE.csv or --out-mask 'FOLDER/{device}_{number}'");
+    }
+    if (!options.out.empty()) {
+        return {};
+    }
+    if (options.outMask.find("{name}") != std::string::npos) {
+        return failure(ErrorCode::Usage, "--out-mask has no {name}", "write the name itself into the mask");
+    }
+    return checkNameMask(nameMaskOf(options.outMask));
+}
+
+struct Output {
+    std::string path;
+    std::string automaticName; ///< without a mask: none
+};
+
+/// `started`: the result's, so that virtual time gives equal names.
+Result<Output> outputFor(const CommandOptions& options, const devices::Device& device,
+                         const std::string& started) {
+    if (options.outMask.empty()) {
+        return Output{options.out, {}};
+    }
+    const QFileInfo mask(QString::fromStdString(options.outMask));
+    const QDateTime date = QDateTime::fromString(QString::fromStdString(started), Qt::ISODate);
+    const Result<QString> name =
+        recordingName(nameMaskOf(options.outMask), {recordedDevice(device.info()), {}, date}, mask.path());
+    if (!name) {
+        return failure(name.error());
+    }
+    const QString file = *name + QStringLiteral(".csv");
+    const bool isHere = mask.path() == QLatin1String(".");
+    return Output{isHere ? file.toStdString() : mask.dir().filePath(file).toStdString(), name->toStdString()};
+}
+
 /// What is told of a recording that is complete.
 struct Recorded {
     std::size_t rows = 0;
@@ -103,14 +152,17 @@ struct Recorded {
     std::optional<double> trigger_s = {}; ///< of a stream that was waited for
 };
 
-CommandResult tell(CommandContext& context, const std::string& path, const ResultHeader& header,
+CommandResult tell(CommandContext& context, const Output& output, const ResultHeader& header,
                    const Recorded& recorded) {
     JsonValue document = toJson(header);
+    if (!output.automaticName.empty()) {
+        document.set("file", output.automaticName + ".csv");
+    }
     document.set("rows", static_cast<std::uint64_t>(recorded.rows))
         .set("lost_rows", recorded.lostRows)
         .set("gaps", recorded.gaps)
         .set("gaps_s", recorded.gaps_s);
-    context.console.log(LogLevel::Info, fmt::format("wrote {} ({} rows)", path, recorded.rows));
+    context.console.log(LogLevel::Info, fmt::format("wrote {} ({} rows)", output.path, recorded.rows));
     if (recorded.trigger_s) {
         document.set("trigger_s", *recorded.trigger_s);
         context.console.log(LogLevel::Info, fmt::format("the trigger is at {:.4g} s", *recorded.trigger_s));
@@ -142,12 +194,16 @@ CommandResult recordCapture(CommandContext& context, const CommandOptions& optio
     if (!capture) {
         return failure(capture.error());
     }
-    const Result<void> written =
-        writeRecording(options.out, *capture, **device, {header.started, {{0.0, "trigger"}}, {}});
+    const Result<Output> output = outputFor(options, **device, header.started);
+    if (!output) {
+        return failure(output.error());
+    }
+    const Result<void> written = writeRecording(
+        output->path, *capture, **device, {header.started, {{0.0, "trigger"}}, {}, output->automaticName});
     if (!written) {
         return failure(written.error());
     }
-    return tell(context, options.out, header, {capture->rows(), capture->lostRows, 0, 0.0});
+    return tell(context, *output, header, {capture->rows(), capture->lostRows, 0, 0.0});
 }
 
 CommandResult recordStream(CommandContext& context, const CommandOptions& options) {
@@ -163,7 +219,12 @@ CommandResult recordStream(CommandContext& context, const CommandOptions& option
         options.isReconnecting ? waitingDevice(context, options.device, *std::move(opened)) : nullptr;
     devices::Device& device = back ? *back : **opened;
     ResultHeader header = headerFor(context, "halbench.recorded/1", device);
-    RecordingOutput output(context, device, options.out, header.started);
+    const Result<Output> place = outputFor(options, device, header.started);
+    if (!place) {
+        return failure(place.error());
+    }
+    RecordingOutput output(context, device, place->path, header.started);
+    output.setAutomaticName(place->automaticName);
     if (back) {
         back->setEvents(eventsTo(context, output));
     }
@@ -180,13 +241,16 @@ CommandResult recordStream(CommandContext& context, const CommandOptions& option
         return failure(output.stopped(done.error()));
     }
     header.quality = result->quality;
-    return tell(context, options.out, header,
+    return tell(context, *place, header,
                 {result->rows, result->lostRows, result->gaps, result->gaps_s, result->trigger_s});
 }
 
 } // namespace
 
 CommandResult runRecordCommand(CommandContext& context, const CommandOptions& options) {
+    if (const Result<void> checked = checkOutput(options); !checked) {
+        return failure(checked.error());
+    }
     return options.capture.empty() ? recordStream(context, options) : recordCapture(context, options);
 }
 

@@ -155,6 +155,9 @@ std::string summaryText(const std::vector<RecordingEntry>& recordings,
 } // namespace
 
 CommandResult runRecordingsCommand(CommandContext& context, const CommandOptions& options) {
+    if (!options.retain.empty() || options.isDeleted || options.isTrashed) {
+        return runRetentionCommand(context, options);
+    }
     const QString folder =
         options.input.empty() ? QStringLiteral(".") : QString::fromStdString(options.input);
     if (const QFileInfo info(folder); !info.isDir() || !info.isReadable()) {

@@ -31,6 +31,7 @@ Result<void> writeRecording(const std::string& path, const Recording& recording,
     if (!notes.parameters.empty()) {
         meta.parameters = std::move(notes.parameters);
     }
+    meta.automaticName = std::move(notes.automaticName);
     return devices::writeRecordingFile(path, written, std::move(meta));
 }
 
@@ -42,8 +43,9 @@ RecordOutlet RecordingOutput::outlet() {
 Result<void> RecordingOutput::begin(const StreamLayout& layout) {
     devices::WriterOptions options;
     options.flushInterval_s = devices::FlushInterval_s;
-    auto writer = devices::RecordingWriter::create(
-        m_path, layout, devices::describeRecording(m_device, layout, m_started), std::move(options));
+    devices::RecordingMeta meta = devices::describeRecording(m_device, layout, m_started);
+    meta.automaticName = m_automaticName;
+    auto writer = devices::RecordingWriter::create(m_path, layout, std::move(meta), std::move(options));
     if (!writer) {
         return failure(writer.error());
     }

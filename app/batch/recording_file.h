@@ -16,6 +16,7 @@ struct RecordingNotes {
     std::vector<devices::RecordingMeta::Marker> markers;
     /// At the start of the recording; empty: as they are now.
     std::vector<devices::RecordingMeta::ParameterNote> parameters;
+    std::string automaticName = {}; ///< as devices::RecordingMeta
 };
 
 /// Where the board's reference began a step or plateau, or ended: markers of a recording that has the signal
@@ -36,6 +37,8 @@ public:
 
     /// For runRecord(); this object must outlive it. Errors: FileSystem, Usage.
     RecordOutlet outlet();
+    /// As devices::RecordingMeta; before it begins.
+    void setAutomaticName(const std::string& name) { m_automaticName = name; }
     /// For the sidecar; time of the recording.
     void addMarker(double time_s, const std::string& text);
     /// Gives the file its name. Error: FileSystem; see stopped().
@@ -50,6 +53,7 @@ private:
     devices::Device& m_device;
     std::string m_path;
     std::string m_started;
+    std::string m_automaticName;
     std::unique_ptr<devices::RecordingWriter> m_writer;
 };
 

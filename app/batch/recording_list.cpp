@@ -55,6 +55,7 @@ void takeMeta(const devices::RecordingMeta& meta, RecordingEntry& entry) {
     }
     entry.tags = listOf(meta.tags);
     entry.notes = QString::fromStdString(meta.notes);
+    entry.hasOwnName = entry.name.isEmpty() || entry.name.toStdString() != meta.automaticName;
 }
 
 void readSidecar(RecordingEntry& entry) {
@@ -78,6 +79,10 @@ bool isBeingWritten(const QString& path) {
     }
     const bool isFree = ::flock(file.handle(), LOCK_SH | LOCK_NB) == 0;
     return !isFree;
+}
+
+QStringList documentsIn(const QDir& folder) {
+    return folder.entryList({QStringLiteral("*.json")}, QDir::Files);
 }
 
 /// "run.model.json" and "run.json" belong to "run.csv"; no sidecar does.
@@ -112,10 +117,15 @@ std::optional<RecordingEntry> entryOf(const QFileInfo& file, const QStringList& 
 
 } // namespace
 
+std::optional<RecordingEntry> recordingAt(const QString& path) {
+    const QFileInfo file(path);
+    return file.isFile() ? entryOf(file, documentsIn(file.dir())) : std::nullopt;
+}
+
 std::vector<RecordingEntry> recordingsIn(const QString& folder) {
     std::vector<RecordingEntry> entries;
     const QDir dir(folder);
-    const QStringList documents = dir.entryList({QStringLiteral("*.json")}, QDir::Files);
+    const QStringList documents = documentsIn(dir);
     const QFileInfoList files = dir.entryInfoList(
         {QStringLiteral("*.csv"), QStringLiteral("*.mf4"), QStringLiteral("*.csv.partial")}, QDir::Files);
     for (const QFileInfo& file : files) {

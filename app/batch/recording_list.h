@@ -29,6 +29,7 @@ struct RecordingEntry {
     std::uint64_t missingRows = 0;
     bool isInterrupted = false; ///< it can be recovered
     bool hasSidecar = false;    ///< otherwise it has neither tags nor notes
+    bool hasOwnName = true;     ///< somebody's, or not known to be the program's
 
     bool operator==(const RecordingEntry&) const = default;
 };
@@ -36,6 +37,9 @@ struct RecordingEntry {
 /// All recordings of a folder, the newest first; none when there is no such folder. A recording that is still
 /// being written is left out. For a thread of its own: a folder may be large, or far away.
 std::vector<RecordingEntry> recordingsIn(const QString& folder);
+
+/// One of them, as it is now; nothing when it is gone or being written.
+std::optional<RecordingEntry> recordingAt(const QString& path);
 
 /// What a recording is searched by: name, device, date, signals, tags, notes, results.
 QString searchText(const RecordingEntry& entry);

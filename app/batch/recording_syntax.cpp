@@ -71,6 +71,13 @@ void addComparing(CLI::App& app, CommandOptions& options) {
     recordings->add_option("FOLDER", options.input, "Default: the current one");
     recordings->add_option("--search", options.search, "Only those in which every word occurs")
         ->type_name("WORDS");
+    recordings
+        ->add_option(
+            "--retain", options.retain,
+            "What of the recordings that the program named is beyond N days or N GB; removes nothing")
+        ->type_name("Nd,NGB");
+    recordings->add_flag("--delete", options.isDeleted, "Delete what --retain finds, for good");
+    recordings->add_flag("--trash", options.isTrashed, "Move what --retain finds to the trash");
     CLI::App* overlay = addCommand(app, "overlay", "Lay recordings over each other on one time axis");
     overlay->add_option("RECORDING", options.names, "Two or more; the others are compared with the first")
         ->required();

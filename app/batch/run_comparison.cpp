@@ -46,7 +46,8 @@ Result<ComparedRun> readRun(const std::string& path, const std::function<Result<
                        "compare fewer recordings, or parts of them (halbench convert --from --to)");
     }
     const std::string name = QFileInfo(QString::fromStdString(path)).completeBaseName().toStdString();
-    return ComparedRun{name, std::move(file->recording), std::move(file->meta)};
+    return ComparedRun{name, std::move(file->recording), std::move(file->meta),
+                       std::make_shared<devices::FileHold>(path)};
 }
 
 } // namespace

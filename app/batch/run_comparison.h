@@ -1,8 +1,10 @@
 #pragma once
 
+#include "devices/acquisition/file_access.h"
 #include "devices/acquisition/recording_file.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +27,7 @@ struct ComparedRun {
     std::string name;
     Recording recording;
     devices::RecordingMeta meta;
+    std::shared_ptr<const devices::FileHold> hold = {}; ///< of the file it came from
 };
 
 /// Runs that were read to be compared, and why others were not.

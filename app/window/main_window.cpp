@@ -8,6 +8,7 @@
 #include "app/window/preferences_dialog.h"
 #include "app/window/project_menu.h"
 #include "app/window/project_work.h"
+#include "app/window/recording_tidying.h"
 #include "app/window/return_key.h"
 #include "app/window/stop_guard.h"
 #include "app/window/task_flow.h"
@@ -154,6 +155,8 @@ void MainWindow::connectPanels() {
     connect(calibrate, &CalibratePanel::helpRequested, this, &MainWindow::openHelp);
     auto* tune = static_cast<TunePanel*>(m_docks->panel("tune"));
     connect(tune, &TunePanel::gainsLeft, this, &MainWindow::sayGainsLeft);
+    m_tidying = new RecordingTidying(m_bench, this);
+    useRecordingPreferences();
     m_work = new ProjectWork(m_bench, {*identify, *calibrate, *tune}, this);
 }
 

@@ -21,6 +21,7 @@ class DockLayout;
 class NotesPanel;
 class ProjectMenu;
 class ProjectWork;
+class RecordingTidying;
 class TopBar;
 class UnkeptBar;
 
@@ -75,6 +76,7 @@ private:
     void chooseLanguage(const QString& id);
     void askPreferences();
     void usePreferences(const Preferences& chosen);
+    void useRecordingPreferences();
     void showHelp();
     void openHelp(const QString& address);
     void noteStop(const QString& by);
@@ -114,6 +116,7 @@ private:
     UnkeptBar* m_unkept = nullptr; ///< why the project was not left
     ProjectMenu* m_projects = nullptr;
     ProjectWork* m_work = nullptr;
+    RecordingTidying* m_tidying = nullptr;
     TopBar* m_bar = nullptr;
     QMenu* m_fileMenu = nullptr;
     QMenu* m_editMenu = nullptr;

@@ -6,6 +6,7 @@
 #include "app/window/panels.h"
 #include "app/window/preferences_dialog.h"
 #include "app/window/project_menu.h"
+#include "app/window/recording_tidying.h"
 #include "app/window/unkept_bar.h"
 #include "app/workspaces/recordings_panel.h"
 #include "app/workspaces/tune_panel.h"
@@ -177,11 +178,19 @@ void MainWindow::askPreferences() {
     }
 }
 
+void MainWindow::useRecordingPreferences() {
+    m_bench.recording().setNameMask(m_preferences.recordingNames);
+    m_tidying->setLimits(m_preferences.retention);
+}
+
 void MainWindow::usePreferences(const Preferences& chosen) {
     m_preferences.stopLockOut_ms = chosen.stopLockOut_ms;
     m_bench.stopLatch().setLockOut_ms(chosen.stopLockOut_ms);
     m_preferences.historyLimit_GB = chosen.historyLimit_GB;
     m_historyPages->setLimit_bytes(static_cast<std::uint64_t>(chosen.historyLimit_GB) * BytesPerGB);
+    m_preferences.recordingNames = chosen.recordingNames;
+    m_preferences.retention = chosen.retention;
+    useRecordingPreferences();
     m_preferences.units = chosen.units;
     m_bench.setDisplayUnits(chosen.units);
     if (chosen.language != m_preferences.language) {

@@ -62,6 +62,40 @@ QString word(SpeedUnit wanted) {
     return {};
 }
 
+void loadRecordings(QSettings& settings, Preferences& preferences) {
+    const QString mask = settings.value("recording_names").toString();
+    if (checkNameMask(mask)) {
+        preferences.recordingNames = mask;
+    }
+    // What is damaged removes nothing.
+    bool isNumber = false;
+    const int days = settings.value("keep_recordings_days").toInt(&isNumber);
+    if (isNumber && days >= 1 && days <= MostRetentionDays) {
+        preferences.retention.days = days;
+    }
+    const int size_GB = settings.value("keep_recordings_gb").toInt(&isNumber);
+    if (isNumber && size_GB >= 1 && size_GB <= MostKept_GB) {
+        preferences.retention.size_bytes = static_cast<std::uint64_t>(size_GB) * RetentionGB_bytes;
+    }
+}
+
+void saveLimit(QSettings& settings, const char* key, const std::optional<std::uint64_t>& limit) {
+    if (limit) {
+        settings.setValue(key, static_cast<qulonglong>(*limit));
+    } else {
+        settings.remove(key);
+    }
+}
+
+void saveRecordings(QSettings& settings, const Preferences& preferences) {
+    settings.setValue("recording_names", preferences.recordingNames);
+    const RetentionLimits& limits = preferences.retention;
+    saveLimit(settings, "keep_recordings_days",
+              limits.days ? std::optional(static_cast<std::uint64_t>(*limits.days)) : std::nullopt);
+    saveLimit(settings, "keep_recordings_gb",
+              limits.size_bytes ? std::optional(*limits.size_bytes / RetentionGB_bytes) : std::nullopt);
+}
+
 } // namespace
 
 Preferences loadPreferences() {
@@ -78,6 +112,7 @@ Preferences loadPreferences() {
     if (isNumber) {
         preferences.historyLimit_GB = std::clamp(history_GB, LeastHistory_GB, MostHistory_GB);
     }
+    loadRecordings(settings, preferences);
     preferences.units = {angleUnit(settings.value("angle_unit").toString()),
                          speedUnit(settings.value("speed_unit").toString())};
     preferences.geometry = settings.value("geometry").toByteArray();
@@ -97,6 +132,7 @@ void savePreferences(const Preferences& preferences) {
     settings.setValue("language", preferences.language);
     settings.setValue("stop_lock_out_ms", preferences.stopLockOut_ms);
     settings.setValue("history_limit_gb", preferences.historyLimit_GB);
+    saveRecordings(settings, preferences);
     settings.setValue("angle_unit", word(preferences.units.angle));
     settings.setValue("speed_unit", word(preferences.units.speed));
     settings.setValue("geometry", preferences.geometry);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/batch/recording_name.h"
+#include "app/batch/recording_retention.h"
 #include "app/workspaces/display_quantity.h"
 #include "devices/remembered_port.h"
 
@@ -14,6 +16,7 @@ namespace halbench::app {
 constexpr int LongestLockOut_ms = 30000;
 constexpr int LeastHistory_GB = 1;
 constexpr int MostHistory_GB = 4000;
+constexpr int MostKept_GB = 100000;
 constexpr std::uint64_t BytesPerGB = 1000000000;
 
 enum class ThemeChoice { System, Light, Dark };
@@ -24,6 +27,8 @@ struct Preferences {
     QString language;          ///< "en", "de", "zh_CN"; empty: the system's
     int stopLockOut_ms = 1000; ///< after a stop, how long re-arming is refused
     int historyLimit_GB = 12;  ///< of the disk, for samples that memory has no room for
+    QString recordingNames = QString::fromLatin1(DefaultNameMask); ///< mask
+    RetentionLimits retention;                                     ///< of recordings so named; off at first
     DisplayUnits units;
     QByteArray geometry;
     QString perspective;

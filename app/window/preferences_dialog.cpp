@@ -1,6 +1,7 @@
 #include "app/window/preferences_dialog.h"
 
 #include "app/window/language.h"
+#include "app/window/recording_fields.h"
 #include "widgets/display_units.h"
 #include "widgets/stop_button.h"
 
@@ -42,6 +43,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, Workbench& 
     addUnits(*form);
     addLockOut(*form);
     addHistory(*form, history_bytes);
+    m_recordings = new RecordingFields(*form, preferences, bench, this);
     addButtons(*form, bench);
 }
 
@@ -116,6 +118,10 @@ void PreferencesDialog::addButtons(QFormLayout& form, Workbench& bench) {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     buttons->button(QDialogButtonBox::Ok)->setToolTip(tr("Use what is chosen (Enter)"));
     buttons->button(QDialogButtonBox::Cancel)->setToolTip(tr("Leave all as it was (Esc, which stops too)"));
+    QPushButton* use = buttons->button(QDialogButtonBox::Ok);
+    use->setEnabled(m_recordings->isReady());
+    connect(m_recordings, &RecordingFields::changed, use,
+            [this, use] { use->setEnabled(m_recordings->isReady()); });
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* stop = new widgets::StopButton(widgets::StopButton::Variant::Compact, this);
@@ -134,6 +140,8 @@ Preferences PreferencesDialog::chosen() const {
     preferences.units = {selected<widgets::AngleUnit>(*m_angle), selected<SpeedUnit>(*m_speed)};
     preferences.stopLockOut_ms = m_lockOut_ms->value();
     preferences.historyLimit_GB = m_history_GB->value();
+    preferences.recordingNames = m_recordings->nameMask();
+    preferences.retention = m_recordings->limits();
     return preferences;
 }
 

@@ -11,7 +11,10 @@ class QSpinBox;
 
 namespace halbench::app {
 
-/// Theme, language, units, the lock-out after a stop and the history's room on the disk. Changes nothing by
+class RecordingFields;
+
+/// Theme, language, units, the lock-out after a stop, the history's room on the disk, names of recordings and
+/// how long they are kept. Changes nothing by
 /// itself; carries a small STOP.
 class PreferencesDialog : public QDialog {
     Q_OBJECT
@@ -39,6 +42,7 @@ private:
     QComboBox* m_speed = nullptr;
     QSpinBox* m_lockOut_ms = nullptr;
     QSpinBox* m_history_GB = nullptr;
+    RecordingFields* m_recordings = nullptr;
 };
 
 } // namespace halbench::app

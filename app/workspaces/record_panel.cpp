@@ -83,8 +83,6 @@ void RecordPanel::buildTarget(QVBoxLayout& column) {
     m_folder->setToolTip(tr("Made when it does not exist"));
     m_name = new QLineEdit(this);
     m_name->setAccessibleName(tr("Name of the recording"));
-    m_name->setPlaceholderText(tr("device and date"));
-    m_name->setToolTip(tr("Without ending; empty: device and date"));
     m_rate = new QComboBox(this);
     m_rate->setAccessibleName(tr("Rows per second"));
     m_rate->setToolTip(tr("At most as many as the device sends"));
@@ -98,6 +96,8 @@ void RecordPanel::buildTarget(QVBoxLayout& column) {
     column.addLayout(rows);
     // At once, so that the window's Record action goes by them too.
     RecordingControl& recording = m_bench.recording();
+    connect(&recording, &RecordingControl::nameMaskChanged, this, &RecordPanel::showMask);
+    showMask();
     connect(m_folder, &QLineEdit::textChanged, this, [&recording](const QString& folder) {
         recording.setFolder(QDir::fromNativeSeparators(folder.trimmed()));
     });
@@ -105,6 +105,16 @@ void RecordPanel::buildTarget(QVBoxLayout& column) {
             [&recording](const QString& name) { recording.setName(name.trimmed()); });
     connect(m_rate, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
             [this, &recording] { recording.setRate_Hz(m_rate->currentData().toDouble()); });
+}
+
+void RecordPanel::showMask() {
+    const QString& mask = m_bench.recording().nameMask();
+    const bool isDefault = mask == QLatin1String(DefaultNameMask);
+    m_name->setPlaceholderText(isDefault ? tr("device and date") : mask);
+    const QString toolTip = mask.contains(QStringLiteral("{name}"))
+                                ? tr("What {name} is in the name mask %1 (File > Preferences)")
+                                : tr("Without ending; empty: by the name mask %1 (File > Preferences)");
+    m_name->setToolTip(toolTip.arg(mask));
 }
 
 /// When the recording begins and ends.

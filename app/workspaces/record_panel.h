@@ -32,6 +32,7 @@ private:
     void addMarker();
     void refresh();
     void showMoment();
+    void showMask();
     void onFinished(const QString& path, const RecorderStatus& status);
 
     Workbench& m_bench;

@@ -58,6 +58,13 @@ void RecordingControl::setFolder(const QString& folder) {
     }
 }
 
+void RecordingControl::setNameMask(const QString& mask) {
+    if (mask != m_nameMask) {
+        m_nameMask = mask;
+        Q_EMIT nameMaskChanged();
+    }
+}
+
 /// Keeps rows while a start from before now is possible, and the signals of a recording among them, so that
 /// the stream does not change when it starts.
 void RecordingControl::hold() {
@@ -92,17 +99,26 @@ bool RecordingControl::isReady() {
         Q_EMIT failed(tr("There is nothing to record."), tr("Connect a device first."));
         return false;
     }
-    const devices::DeviceInfo& info = m_session.info();
-    const std::string& known = !info.id.empty() ? info.id : !info.model.empty() ? info.model : info.transport;
-    const QString subject = QString::fromStdString(known);
-    const QString name = m_name.isEmpty() ? datedName(subject, m_wallClock()) : m_name;
-    m_path = QDir(m_folder).filePath(name + QStringLiteral(".csv"));
+    const Result<QString> name = newName();
+    if (!name) {
+        Q_EMIT failed(widgets::inWords(name.error().message), widgets::inWords(name.error().hint));
+        return false;
+    }
+    m_path = QDir(m_folder).filePath(*name + QStringLiteral(".csv"));
     if (QFileInfo::exists(m_path)) {
         Q_EMIT failed(tr("%1 exists already.").arg(m_path),
                       tr("Choose another name; recordings are not overwritten."));
         return false;
     }
     return true;
+}
+
+/// A name that the user wrote is taken as it is, or not at all; the mask finds a free one.
+Result<QString> RecordingControl::newName() const {
+    const bool isMasked = m_name.isEmpty() || m_nameMask.contains(QStringLiteral("{name}"));
+    return isMasked ? recordingName(m_nameMask, {recordedDevice(m_session.info()), m_name, m_wallClock()},
+                                    m_folder)
+                    : legalFileName(m_name);
 }
 
 void RecordingControl::start() {
@@ -148,18 +164,21 @@ void RecordingControl::prepare() {
         config.end_s = *m_event_s + m_postTrigger_s;
     }
     m_isStarting = true;
+    const std::string automaticName =
+        m_name.isEmpty() ? QFileInfo(m_path).completeBaseName().toStdString() : std::string();
     const std::string started = m_wallClock().toString(Qt::ISODate).toStdString();
     m_session.request(
         [layout = config.layout, started](devices::Device& device) -> Result<devices::RecordingMeta> {
             return devices::describeRecording(device, layout, started);
         },
-        [self = QPointer(this), config](const Result<devices::RecordingMeta>& meta) {
+        [self = QPointer(this), config, automaticName](const Result<devices::RecordingMeta>& meta) {
             if (!self || !self->m_isStarting) {
                 return; // ended before it began
             }
             if (meta) {
                 RecorderConfig complete = config;
                 complete.meta = *meta;
+                complete.meta.automaticName = automaticName;
                 self->begin(std::move(complete));
             } else {
                 self->stop();

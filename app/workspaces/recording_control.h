@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/batch/recording_name.h"
 #include "app/session/device_session.h"
 #include "app/session/recorder.h"
 #include "app/session/recording_feed.h"
@@ -32,10 +33,16 @@ public:
     /// Where and how densely the next recording goes; the rate is lowered to what the stream has.
     void setFolder(const QString& folder);
     const QString& folder() const { return m_folder; }
+    /// Recordings of the folder came or went otherwise.
+    void noteFilesChanged() { Q_EMIT folderChanged(); }
     void setRate_Hz(double rate_Hz) { m_rate_Hz = rate_Hz; }
     double rate_Hz() const { return m_rate_Hz; }
-    /// Empty: device and date. Without folder and ending.
+    /// What the mask's {name} is; a mask without it: the whole name. Empty: the program names the recording
+    /// by the mask. Without folder and ending.
     void setName(const QString& name) { m_name = name; }
+    /// As checkNameMask() accepts.
+    void setNameMask(const QString& mask);
+    const QString& nameMask() const { return m_nameMask; }
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
     void setDisk(devices::DiskAccess disk) { m_disk = std::move(disk); }
     /// What may wait for the disk.
@@ -67,8 +74,9 @@ public:
     void noteValues(const std::map<std::string, double>& values);
 
 Q_SIGNALS:
-    void changed(); ///< ten times a second while recording
-    void folderChanged();
+    void changed();       ///< ten times a second while recording
+    void folderChanged(); ///< another one, or its files
+    void nameMaskChanged();
     void finished(const QString& path, const halbench::app::RecorderStatus& status);
     void failed(const QString& text, const QString& remedy);
     void rowsDropped(); ///< the first ones of this recording: the disk does not keep up
@@ -76,6 +84,7 @@ Q_SIGNALS:
 private:
     void onSession();
     bool isReady();
+    Result<QString> newName() const;
     void prepare();
     void hold();
     void begin(RecorderConfig config);
@@ -89,6 +98,7 @@ private:
     std::size_t m_queue_rows = RecorderConfig().queue_rows;
     QString m_folder;
     QString m_name;
+    QString m_nameMask = QString::fromLatin1(DefaultNameMask);
     QString m_path;
     double m_rate_Hz = 100.0;
     std::shared_ptr<RecordingFeed> m_feed = std::make_shared<RecordingFeed>();

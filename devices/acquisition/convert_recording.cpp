@@ -105,7 +105,8 @@ Result<std::vector<std::size_t>> columnsOf(const StreamLayout& layout,
 }
 
 RecordingMeta partMeta(RecordingMeta meta, const StreamLayout& layout) {
-    meta.gaps.clear(); // found again while writing
+    meta.gaps.clear();          // found again while writing
+    meta.automaticName.clear(); // somebody asked for this file
     std::vector<RecordingMeta::SignalNote> notes;
     for (const StreamLayout::Column& column : layout.columns) {
         const std::string header = csvColumnName(column.name, column.unit);

@@ -1,9 +1,11 @@
 #include "devices/acquisition/file_access.h"
 
 #include <QtCore/QDir>
+#include <QtCore/QFile>
 #include <QtCore/QFileInfo>
 
 #include <fmt/format.h>
+#include <sys/file.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -20,6 +22,20 @@ std::string causeOf(const QFileDevice& file) {
 tl::unexpected<Error> cannotWrite(const std::string& path, const QFileDevice& file) {
     return failure(ErrorCode::FileSystem, fmt::format("cannot write '{}': {}", path, causeOf(file)),
                    "check that the folder can be written and the disk has room");
+}
+
+FileHold::FileHold(const std::string& path) : m_file(std::make_unique<QFile>(QString::fromStdString(path))) {
+    if (m_file->open(QIODevice::ReadOnly)) {
+        (void)::flock(m_file->handle(), LOCK_SH | LOCK_NB);
+    }
+}
+
+FileHold::~FileHold() = default;
+
+bool isHeld(const std::string& path) {
+    QFile file(QString::fromStdString(path));
+    return file.open(QIODevice::ReadOnly) && ::flock(file.handle(), LOCK_EX | LOCK_NB) != 0 &&
+           errno == EWOULDBLOCK;
 }
 
 Result<void> createFolderOf(const std::string& path) {

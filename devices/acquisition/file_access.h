@@ -4,6 +4,7 @@
 
 #include <QtCore/QFileDevice>
 
+#include <memory>
 #include <string>
 
 namespace halbench::devices {
@@ -16,6 +17,19 @@ std::string causeOf(const QFileDevice& file);
 
 /// FileSystem, with path, cause and remedy.
 tl::unexpected<Error> cannotWrite(const std::string& path, const QFileDevice& file);
+
+/// Somebody looks at a file: as long as this lives no Halbench tidies it away. Where the disk knows no locks,
+/// or there is no such file, it does nothing.
+class FileHold {
+public:
+    explicit FileHold(const std::string& path);
+    ~FileHold();
+
+private:
+    std::unique_ptr<QFileDevice> m_file;
+};
+/// Whether a file is held or written, here or by another program.
+bool isHeld(const std::string& path);
 
 /// Makes the folder in which `path` will be written. Errors: FileSystem, also when `path` is a folder.
 Result<void> createFolderOf(const std::string& path);

@@ -97,6 +97,9 @@ void addOptional(const RecordingMeta& meta, QJsonObject& root) {
     if (!meta.notes.empty()) {
         root.insert("notes", textOf(meta.notes));
     }
+    if (!meta.automaticName.empty()) {
+        root.insert("automatic_name", textOf(meta.automaticName));
+    }
 }
 
 void takeOptional(const QJsonObject& root, RecordingMeta& meta) {
@@ -106,6 +109,7 @@ void takeOptional(const QJsonObject& root, RecordingMeta& meta) {
         meta.tags.push_back(tag.toString().toStdString());
     }
     meta.notes = stringOf(root, "notes");
+    meta.automaticName = stringOf(root, "automatic_name");
 }
 
 } // namespace

@@ -48,6 +48,8 @@ struct RecordingMeta {
     std::uint64_t droppedRows = 0; ///< of the stream, because the disk did not keep up
     std::vector<std::string> tags; ///< the user's words, to find it again
     std::string notes;             ///< the user's
+    /// Without folder and ending, as long as nobody but the program named it: a renamed file has another.
+    std::string automaticName;
     double period_s = 0.0;
     std::string sha256; ///< of the CSV file
 };

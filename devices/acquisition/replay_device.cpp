@@ -1,5 +1,6 @@
 #include "devices/acquisition/replay_device.h"
 
+#include "devices/acquisition/file_access.h"
 #include "devices/acquisition/recording_file.h"
 #include "devices/profile.h"
 
@@ -25,8 +26,9 @@ tl::unexpected<Error> readOnly() {
 
 class ReplayDevice final : public Device, private Clock {
 public:
-    ReplayDevice(const std::string& uri, RecordedFile file, double begin_s)
-        : m_whole(std::make_shared<const RecordedFile>(std::move(file))), m_file(*m_whole), m_now_s(begin_s) {
+    ReplayDevice(const std::string& uri, const std::string& path, RecordedFile file, double begin_s)
+        : m_hold(path), m_whole(std::make_shared<const RecordedFile>(std::move(file))), m_file(*m_whole),
+          m_now_s(begin_s) {
         m_info = m_file.meta.device;
         m_info.uri = uri;
         m_info.transport = "replay";
@@ -64,6 +66,7 @@ private:
     /// Places of the signals in the recording. Error: UnknownName.
     Result<std::vector<std::size_t>> columnsOf(std::span<const std::string> names) const;
 
+    FileHold m_hold;
     std::shared_ptr<const RecordedFile> m_whole;
     const RecordedFile& m_file; ///< the same
     DeviceInfo m_info;
@@ -284,7 +287,8 @@ Result<std::unique_ptr<Device>> openReplayDevice(const std::string& uri, const s
                        fmt::format("the recording ends at {} s, before {} s", length_s, source.begin_s),
                        "begin earlier");
     }
-    return std::unique_ptr<Device>(std::make_unique<ReplayDevice>(uri, *std::move(file), source.begin_s));
+    return std::unique_ptr<Device>(
+        std::make_unique<ReplayDevice>(uri, source.path, *std::move(file), source.begin_s));
 }
 
 std::shared_ptr<const RecordedFile> recordingOf(Device& device) {

@@ -106,6 +106,8 @@ class Schemas(unittest.TestCase):
                          "refused")
         self.run_json("record", "sim:htm", "--duration", "0.1", "--out", "m.csv")
         self.run_json("record", "sim:htm?seed=2", "--duration", "0.2", "--out", "n.csv")
+        self.accept(self.run_json("record", "sim:htm", "--duration", "0.1", "--out-mask", "by-mask/{device}"))
+        self.accept(self.run_json("recordings", "by-mask", "--retain", "1d,1GB"))
         listed = self.accept(self.run_json("recordings"))
         self.assertEqual((len(listed["recordings"]), len(listed["identifications"])), (3, 1))
         for align in ("start", "trigger"):

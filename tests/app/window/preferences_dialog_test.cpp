@@ -8,11 +8,14 @@
 #include "widgets/stop_button.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QTemporaryDir>
 #include <QTimer>
 
 namespace halbench::app {
@@ -44,6 +47,15 @@ protected:
         one.setFocus();
         QTest::keyClicks(&one, text);
         EXPECT_EQ(one.currentText(), text);
+    }
+
+    static QLabel* labelled(PreferencesDialog& dialog, const QString& name) {
+        for (auto* label : dialog.findChildren<QLabel*>()) {
+            if (label->accessibleName() == name) {
+                return label;
+            }
+        }
+        return nullptr;
     }
 
     static void press(PreferencesDialog& dialog, QDialogButtonBox::StandardButton button) {
@@ -132,6 +144,50 @@ TEST_F(PreferencesDialogTest, theHistorysRoomOnTheDiskCountsAtOnceAndIsKept) {
     });
     EXPECT_EQ(window->historyPages().limit_bytes(), 3'000'000'000U);
     EXPECT_EQ(loadPreferences().historyLimit_GB, 3);
+}
+
+TEST_F(PreferencesDialogTest, aWrongNameMaskIsRefusedInPlaceAndAGoodOneNamesTheNextRecording) {
+    open();
+    connectMotor(1.0);
+    inDialog([](PreferencesDialog& dialog) {
+        auto* mask = dialog.findChild<QLineEdit*>();
+        auto* use = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+        auto* example = labelled(dialog, "Example of a recording's name");
+        ASSERT_NE(example, nullptr);
+        EXPECT_TRUE(example->text().startsWith("e.g. sim-htm-1_20")) << example->text().toStdString();
+        mask->setText("runs/{number}");
+        EXPECT_FALSE(use->isEnabled());
+        EXPECT_TRUE(example->text().startsWith("name mask, character 5: a name has no folder in it"))
+            << example->text().toStdString();
+        mask->setText("bench_{number}");
+        EXPECT_TRUE(use->isEnabled());
+        EXPECT_EQ(example->text(), "e.g. bench_001.csv");
+        press(dialog, QDialogButtonBox::Ok);
+    });
+    EXPECT_EQ(window->bench().recording().nameMask(), "bench_{number}");
+    EXPECT_EQ(loadPreferences().recordingNames, "bench_{number}");
+}
+
+TEST_F(PreferencesDialogTest, whatWouldGoIsSaidBeforeItCanBeSwitchedOn) {
+    open();
+    QTemporaryDir folder;
+    window->bench().recording().setFolder(folder.path());
+    inDialog([&](PreferencesDialog& dialog) {
+        auto* use = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+        auto* plan = labelled(dialog, "Recordings that would go now");
+        ASSERT_NE(plan, nullptr);
+        EXPECT_EQ(plan->text(), "Nothing is ever removed.");
+        for (auto* each : dialog.findChildren<QCheckBox*>()) {
+            if (each->accessibleName() == "Keep recordings for a time") {
+                each->click();
+            }
+        }
+        EXPECT_FALSE(use->isEnabled()) << "not before it was looked";
+        EXPECT_TRUE(QTest::qWaitFor([&] { return use->isEnabled(); }));
+        EXPECT_TRUE(plan->text().startsWith("With OK nothing goes now from ")) << plan->text().toStdString();
+        press(dialog, QDialogButtonBox::Ok);
+    });
+    EXPECT_EQ(loadPreferences().retention, (RetentionLimits{90, {}}));
 }
 
 TEST_F(PreferencesDialogTest, itsStopStops) {

@@ -16,6 +16,8 @@ TEST_F(PreferencesTest, comeBackAsTheyWereSaved) {
     saved.language = "de";
     saved.stopLockOut_ms = 5000;
     saved.historyLimit_GB = 250;
+    saved.recordingNames = "{name} {number}";
+    saved.retention = {30, 20 * RetentionGB_bytes};
     saved.perspective = "tune";
     saved.lastDevice = {"serial:/dev/ttyACM0", "HB-17"};
     saved.arrangements = {{"tune", QByteArray("\x01\x00\xff", 3)}, {"monitor", "m"}};
@@ -25,6 +27,8 @@ TEST_F(PreferencesTest, comeBackAsTheyWereSaved) {
     EXPECT_EQ(loaded.language, "de");
     EXPECT_EQ(loaded.stopLockOut_ms, 5000);
     EXPECT_EQ(loaded.historyLimit_GB, 250);
+    EXPECT_EQ(loaded.recordingNames, "{name} {number}");
+    EXPECT_EQ(loaded.retention, saved.retention);
     EXPECT_EQ(loaded.perspective, "tune");
     EXPECT_EQ(loaded.lastDevice.uri, "serial:/dev/ttyACM0");
     EXPECT_EQ(loaded.lastDevice.serial, "HB-17");
@@ -42,6 +46,20 @@ TEST_F(PreferencesTest, damagedOnesKeepTheirDefault) {
     EXPECT_EQ(loadPreferences().historyLimit_GB, LeastHistory_GB);
     QSettings().setValue("stop_lock_out_ms", -5);
     EXPECT_EQ(loadPreferences().stopLockOut_ms, 0); // a lock-out has no negative length
+}
+
+TEST_F(PreferencesTest, damagedLimitsRemoveNothing) {
+    EXPECT_FALSE(loadPreferences().retention.isOn());
+    for (const QVariant& wrong : {QVariant(0), QVariant(-3), QVariant("soon"), QVariant(99999999)}) {
+        QSettings().setValue("keep_recordings_days", wrong);
+        QSettings().setValue("keep_recordings_gb", wrong);
+        EXPECT_FALSE(loadPreferences().retention.isOn()) << wrong.toString().toStdString();
+    }
+    QSettings().setValue("recording_names", "../{date}");
+    EXPECT_EQ(loadPreferences().recordingNames, DefaultNameMask);
+    Preferences off;
+    savePreferences(off); // and switching off is kept too
+    EXPECT_FALSE(QSettings().contains("keep_recordings_days"));
 }
 
 TEST(WindowProgram, opensWithoutArgumentsOrWithItsOwn) {

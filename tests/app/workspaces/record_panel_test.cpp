@@ -98,6 +98,24 @@ TEST_F(RecordPanelTest, theDefaultNameHasTheDeviceAndAnIsoDate) {
     EXPECT_TRUE(name.endsWith(".csv"));
 }
 
+TEST_F(RecordPanelTest, theMaskNamesWhatNobodyNamedAndTheSidecarSaysWhichThatIs) {
+    RecordingControl& recording = bench().recording();
+    recording.setNameMask("{device} {number} {name}");
+    auto* name = find<QLineEdit>(*panel, "Name of the recording");
+    EXPECT_EQ(name->placeholderText(), "{device} {number} {name}");
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Start recording")->isEnabled(); }));
+    for (const char* typed : {"", "a/b"}) {
+        type(name, typed);
+        click(*panel, "Start recording");
+        ASSERT_TRUE(wait([&] { return figure("Rows written").toInt() > 5; }));
+        click(*panel, "End the recording");
+        ASSERT_TRUE(wait([&] { return !recording.isRecording(); }));
+    }
+    EXPECT_EQ(recorded("sim-htm-1 001 recording").meta.automaticName, "sim-htm-1 001 recording");
+    EXPECT_EQ(recorded("sim-htm-1 001 a-b").meta.automaticName, "") << "somebody named it";
+}
+
 TEST_F(RecordPanelTest, anOlderRecordingIsNeverOverwritten) {
     QFile older(folder.filePath("mine.csv"));
     ASSERT_TRUE(older.open(QIODevice::WriteOnly));

@@ -3,10 +3,13 @@
     python3 check_comparing.py build/release/halbench [Lists|Overlays[.case]]
 """
 import csv
+import datetime
 import hashlib
 import json
 import math
+import os
 import sys
+import time
 import unittest
 
 import halbench
@@ -104,6 +107,87 @@ class Lists(Comparing):
         self.refuse(2, "'none' is no folder", "recordings", "none")
         self.write("file", "")
         self.refuse(2, "'file' is no folder", "recordings", "file")
+
+
+class Retention(Comparing):
+    def old(self, name, days, **said):
+        self.record(name, math.sin, **({"automatic_name": name} | said))
+        when = time.time() - 86400 * days
+        started = datetime.datetime.fromtimestamp(when, datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
+        with open(self.path(f"{name}.meta.json"), encoding="utf-8") as file:
+            meta = json.load(file)
+        self.write(f"{name}.meta.json", json.dumps(meta | {"started": started}))
+        os.utime(self.path(f"{name}.csv"), (when, when))
+
+    def files(self):
+        return sorted(name for name in os.listdir(self.path(".")) if name.endswith((".csv", ".json")))
+
+    def retain(self, *arguments):
+        return self.accept("recordings", *arguments, "--json").json()
+
+    def test_without_a_word_nothing_is_removed(self):
+        self.old("a", 40)
+        self.old("b", 2)
+        before = self.files()
+        told = self.retain("--retain", "30d")
+        self.assertEqual([(each["file"], each["reason"], each["action"]) for each in told["removals"]], [("a.csv", "days", "none")])
+        self.assertEqual((told["recordings"], told["days"], told["limit_bytes"]), (2, 30, None))
+        answer = self.accept("recordings", ".", "--retain", "30d")
+        self.assertRegex(answer.out, r"would go +a\.csv .*more than 30 days old")
+        self.assertIn("nothing was removed", answer.out)
+        self.assertEqual(self.files(), before)
+
+    def test_delete_removes_what_was_said_and_says_it(self):
+        self.old("a", 40)
+        self.old("b", 2)
+        self.old("tagged", 50, tags=["keep"])
+        self.old("mine", 60, automatic_name="other")
+        self.old("own", 60, automatic_name="")
+        self.write("foreign.csv", "time_s,x\n0,1\n")
+        answer = self.accept("recordings", "--retain", "30d", "--delete", "--json")
+        told = answer.json()
+        self.assertEqual([(each["file"], each["action"]) for each in told["removals"]], [("a.csv", "delete")])
+        self.assertEqual([(each["file"], each["kept_because"]) for each in told["kept"]], [("tagged.csv", "it has tags")])
+        self.assertEqual((told["recordings"], told["before_bytes"] - told["after_bytes"]), (3, told["removals"][0]["bytes"]))
+        self.assertRegex(answer.err, r"deleted .*a\.csv")
+        self.assertEqual(self.files(), sorted(["foreign.csv"] + [f"{name}.{ending}" for name in ("b", "mine", "own", "tagged")
+                                                                 for ending in ("csv", "meta.json")]))
+
+    def test_what_was_edited_stays(self):
+        self.old("a", 40)
+        with open(self.path("a.csv"), "a", encoding="utf-8") as file:
+            file.write("9,9,9\n")
+        os.utime(self.path("a.csv"), (1.7e9, 1.7e9))
+        (removal,) = self.retain("--retain", "1d", "--delete")["removals"]
+        self.assertEqual((removal["action"], removal["kept_because"]), ("kept", "'a' stays: its rows were changed"))
+        self.assertEqual(self.files(), ["a.csv", "a.meta.json"])
+
+    def test_what_is_recorded_by_a_mask_is_named_counted_and_retained(self):
+        for number in ("001", "002"):
+            told = self.accept("record", "sim:htm", "--duration", "0.1", "--out-mask", "runs/{device}_{date}_{number}", "--json").json()
+            self.assertEqual(told["file"], f"sim-htm-1_1970-01-01_{number}.csv")
+            self.assertTrue(os.path.exists(self.path(f"runs/{told['file']}")))
+        told = self.retain("runs", "--retain", "1d")
+        self.assertEqual((told["recordings"], told["removals"]), (2, []), "of the last 24 hours")
+        self.accept("record", "sim:htm", "--duration", "0.1", "--out-mask", "knock.csv")
+        self.accept("record", "sim:htm", "--duration", "0.1", "--out-mask", "knock")
+        self.accept("record", "sim:htm", "--capture", "hall.a", "--out-mask", "knock")
+        self.assertEqual([name for name in self.files() if name.endswith(".csv")], ["knock-2.csv", "knock-3.csv", "knock.csv"])
+
+    def test_wrong_orders_are_refused_with_a_remedy(self):
+        self.old("a", 40)
+        before = self.files()
+        for message, arguments in (("does not understand '30'", ("--retain", "30")),
+                                   ("belong to --retain", ("--delete",)),
+                                   ("exclude each other", ("--retain", "30d", "--delete", "--trash")),
+                                   ("--search does not go", ("--retain", "30d", "--search", "x")),
+                                   ("'none' is no folder", ("none", "--retain", "30d"))):
+            self.refuse(2, message, "recordings", *arguments)
+        for message, arguments in (("--out is required", ()), ("exclude each other", ("--out", "a.csv", "--out-mask", "b")),
+                                   ("character 1: there is no placeholder 'dev'", ("--out-mask", "runs/{dev}")),
+                                   ("--out-mask has no {name}", ("--out-mask", "{name}"))):
+            self.refuse(2, message, "record", "sim:htm", "--duration", "0.1", *arguments)
+        self.assertEqual(self.files(), before)
 
 
 class Overlays(Comparing):

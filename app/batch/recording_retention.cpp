@@ -1,0 +1,214 @@
+#include "app/batch/recording_retention.h"
+
+#include "app/batch/names.h"
+#include "devices/acquisition/file_access.h"
+#include "devices/acquisition/recording_meta.h"
+
+#include <QtCore/QCryptographicHash>
+#include <QtCore/QDir>
+#include <QtCore/QFile>
+#include <QtCore/QFileInfo>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr qint64 Recent_s = 86400;
+constexpr qint64 Day_s = 86400;
+constexpr const char* Example = "say e.g. --retain 30d, --retain 20GB or --retain 30d,20GB";
+
+QString sidecarPath(const QString& data) {
+    return QString::fromStdString(devices::metaPathOf(data.toStdString()));
+}
+
+/// Of "30d" and "d" the 30; nothing when it ends otherwise or is no whole number from 1 on.
+std::optional<std::uint64_t> countBefore(const std::string& text, const std::string& unit) {
+    if (text.size() <= unit.size() || text.compare(text.size() - unit.size(), unit.size(), unit) != 0) {
+        return std::nullopt;
+    }
+    std::uint64_t count = 0;
+    const char* const end = text.data() + text.size() - unit.size();
+    const auto parsed = std::from_chars(text.data(), end, count);
+    return parsed.ec == std::errc{} && parsed.ptr == end && count > 0 ? std::optional(count) : std::nullopt;
+}
+
+/// Only a complete CSV recording has a sidecar that can say who named it.
+std::optional<NamedRecording> namedBy(const RecordingEntry& entry) {
+    if (!entry.hasSidecar || entry.hasOwnName || !entry.path.endsWith(QLatin1String(".csv"))) {
+        return std::nullopt;
+    }
+    const QFileInfo data(entry.path);
+    const QFileInfo sidecar(sidecarPath(entry.path));
+    return NamedRecording{entry.path, entry.name, std::max(entry.date, data.lastModified().toUTC()),
+                          static_cast<std::uint64_t>(data.size() + sidecar.size())};
+}
+
+/// A picture, a model, a layout: whatever bears the recording's name is a reason to keep it.
+bool hasCompanion(const QString& path, const QString& name) {
+    const QStringList files = QFileInfo(path).dir().entryList(QDir::AllEntries | QDir::Hidden);
+    return std::any_of(files.begin(), files.end(), [&](const QString& file) {
+        return file.startsWith(name + QLatin1Char('.')) && file != name + QLatin1String(".csv") &&
+               file != name + QLatin1String(".meta.json");
+    });
+}
+
+/// Root may write what its owner protected; that is meant all the same.
+bool isWritable(const QFileInfo& file) {
+    return file.isWritable() && file.permission(QFileDevice::WriteOwner);
+}
+
+std::optional<KeptBecause> protectionOf(const RecordingEntry& entry, const NamedRecording& recording,
+                                        const QDateTime& now) {
+    const QFileInfo data(recording.path);
+    const QFileInfo sidecar(sidecarPath(recording.path));
+    if (data.isSymLink() || sidecar.isSymLink()) {
+        return KeptBecause::Link;
+    }
+    if (!entry.tags.isEmpty()) {
+        return KeptBecause::Tags;
+    }
+    if (!entry.notes.isEmpty()) {
+        return KeptBecause::Notes;
+    }
+    if (!entry.results.isEmpty() || hasCompanion(recording.path, recording.name)) {
+        return KeptBecause::Results;
+    }
+    if (!isWritable(data) || !isWritable(sidecar)) {
+        return KeptBecause::WriteProtected;
+    }
+    if (recording.date.secsTo(now) < Recent_s) { // also what lies in the future: a clock is wrong
+        return KeptBecause::Recent;
+    }
+    return devices::isHeld(recording.path.toStdString()) ? std::optional(KeptBecause::Open) : std::nullopt;
+}
+
+/// Whether the rows are those that were recorded.
+bool isUnchanged(const QString& path) {
+    QFile data(path);
+    QFile sidecar(sidecarPath(path));
+    if (!data.open(QIODevice::ReadOnly) || !sidecar.open(QIODevice::ReadOnly)) {
+        return false;
+    }
+    const auto meta =
+        devices::parseMetaJson(sidecar.readAll().toStdString(), sidecar.fileName().toStdString());
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    return meta && hash.addData(&data) && hash.result().toHex().toStdString() == meta->sha256;
+}
+
+Result<RemovalWay> removeFile(const QString& path, RemovalWay way) {
+    if (way == RemovalWay::Trash && QFile::moveToTrash(path)) {
+        return RemovalWay::Trash;
+    }
+    QFile file(path);
+    if (!file.remove()) {
+        return failure(ErrorCode::FileSystem,
+                       fmt::format("cannot remove '{}': {}", path.toStdString(), devices::causeOf(file)),
+                       "check that the folder can be written");
+    }
+    return RemovalWay::Delete;
+}
+
+} // namespace
+
+Result<RetentionLimits> parseRetention(const std::string& text) {
+    RetentionLimits limits;
+    for (const std::string& part : splitList(text)) {
+        const auto days = countBefore(part, "d");
+        const auto size_GB = countBefore(part, "GB");
+        const bool isTwice = (days && limits.days) || (size_GB && limits.size_bytes);
+        const bool isLimit =
+            (days && *days <= MostRetentionDays) || (size_GB && *size_GB <= MostRetention_GB);
+        if (isTwice || !isLimit) {
+            return failure(ErrorCode::Usage, fmt::format("--retain does not understand '{}'", part), Example);
+        }
+        if (days) {
+            limits.days = static_cast<int>(*days);
+        } else {
+            limits.size_bytes = *size_GB * RetentionGB_bytes;
+        }
+    }
+    return limits.isOn() ? Result<RetentionLimits>(limits)
+                         : failure(ErrorCode::Usage, "--retain needs a limit", Example);
+}
+
+std::string keptBecauseText(KeptBecause reason) {
+    switch (reason) {
+    case KeptBecause::Tags:
+        return "it has tags";
+    case KeptBecause::Notes:
+        return "it has notes";
+    case KeptBecause::Results:
+        return "a file beside it bears its name";
+    case KeptBecause::Open:
+        return "it is open";
+    case KeptBecause::Recent:
+        return "it is of the last 24 hours";
+    case KeptBecause::WriteProtected:
+        return "it is write-protected";
+    case KeptBecause::Link:
+        return "it is a link";
+    case KeptBecause::Changed:
+        break;
+    }
+    return "its rows were changed";
+}
+
+RetentionPlan planRetention(const QString& folder, const RetentionLimits& limits, const QDateTime& now) {
+    struct Candidate {
+        RecordingEntry entry;
+        NamedRecording recording;
+    };
+    RetentionPlan plan;
+    std::vector<Candidate> candidates;
+    for (RecordingEntry& entry : recordingsIn(folder)) {
+        if (auto recording = namedBy(entry)) {
+            plan.before_bytes += recording->size_bytes;
+            candidates.push_back({std::move(entry), *std::move(recording)});
+        }
+    }
+    plan.recordings = candidates.size();
+    std::sort(candidates.begin(), candidates.end(), [](const Candidate& one, const Candidate& other) {
+        return std::pair(one.recording.date, one.recording.path) <
+               std::pair(other.recording.date, other.recording.path);
+    });
+    plan.after_bytes = plan.before_bytes;
+    for (const Candidate& each : candidates) {
+        const bool isTooOld = limits.days && each.recording.date.secsTo(now) > *limits.days * Day_s;
+        const bool isTooMuch = limits.size_bytes && plan.after_bytes > *limits.size_bytes;
+        if (!isTooOld && !isTooMuch) {
+            continue;
+        }
+        if (const auto reason = protectionOf(each.entry, each.recording, now)) {
+            plan.kept.push_back({each.recording, *reason});
+        } else {
+            plan.removals.push_back({each.recording, isTooOld});
+            plan.after_bytes -= each.recording.size_bytes;
+        }
+    }
+    return plan;
+}
+
+Result<RemovalWay> removeRecording(const RetentionPlan::Removal& removal, RemovalWay way,
+                                   const QDateTime& now) {
+    const QString& path = removal.recording.path;
+    const std::optional<RecordingEntry> entry = recordingAt(path);
+    const auto recording = entry ? namedBy(*entry) : std::nullopt;
+    auto kept = recording ? protectionOf(*entry, *recording, now) : std::optional(KeptBecause::Changed);
+    kept = !kept && !isUnchanged(path) ? KeptBecause::Changed : kept;
+    if (kept) {
+        return failure(
+            ErrorCode::Refused,
+            fmt::format("'{}' stays: {}", removal.recording.name.toStdString(), keptBecauseText(*kept)),
+            "it is looked at again the next time");
+    }
+    const Result<RemovalWay> removed = removeFile(path, way);
+    const Result<RemovalWay> with = removed ? removeFile(sidecarPath(path), *removed) : removed;
+    return with ? removed : with;
+}
+
+} // namespace halbench::app
