@@ -1,3 +1,4 @@
+#include "app/batch/coil_documents.h"
 #include "app/batch/command_support.h"
 #include "app/batch/names.h"
 #include "app/batch/numbers.h"
@@ -150,6 +151,7 @@ struct Recorded {
     std::uint64_t gaps = 0;
     double gaps_s = 0.0;
     std::optional<double> trigger_s = {}; ///< of a stream that was waited for
+    std::vector<CoilForecast> coils = {}; ///< at its end
 };
 
 CommandResult tell(CommandContext& context, const Output& output, const ResultHeader& header,
@@ -166,6 +168,12 @@ CommandResult tell(CommandContext& context, const Output& output, const ResultHe
     if (recorded.trigger_s) {
         document.set("trigger_s", *recorded.trigger_s);
         context.console.log(LogLevel::Info, fmt::format("the trigger is at {:.4g} s", *recorded.trigger_s));
+    }
+    if (!recorded.coils.empty()) {
+        document.set("coil_forecast", toJson(recorded.coils));
+        if (const std::string line = coilLine(recorded.coils); !line.empty()) {
+            context.console.log(LogLevel::Info, line);
+        }
     }
     for (const Finding& finding : header.quality.findings) {
         context.console.log(LogLevel::Warning, finding.message + "; " + finding.hint);
@@ -228,7 +236,13 @@ CommandResult recordStream(CommandContext& context, const CommandOptions& option
     if (back) {
         back->setEvents(eventsTo(context, output));
     }
-    const RecordOutlet outlet = output.outlet();
+    const std::optional<double> limit_degC = temperatureLimit_degC(device);
+    CoilWatch coils(device.catalogue());
+    RecordOutlet outlet = output.outlet();
+    outlet.append = [&coils, toFile = outlet.append](const SampleBlock& block) {
+        coils.take(block);
+        return toFile(block);
+    };
     const Result<RecordResult> result = runRecord(device, *config, observerFor(context), &outlet);
     if (result && result->trigger_s) {
         output.addMarker(*result->trigger_s, "trigger");
@@ -242,7 +256,8 @@ CommandResult recordStream(CommandContext& context, const CommandOptions& option
     }
     header.quality = result->quality;
     return tell(context, *place, header,
-                {result->rows, result->lostRows, result->gaps, result->gaps_s, result->trigger_s});
+                {result->rows, result->lostRows, result->gaps, result->gaps_s, result->trigger_s,
+                 limit_degC ? coils.forecasts(*limit_degC) : std::vector<CoilForecast>()});
 }
 
 } // namespace

@@ -1,16 +1,17 @@
 #include "app/workspaces/monitor_panel.h"
 
 #include "app/workspaces/monitor_data.h"
+#include "app/workspaces/monitor_forecast.h"
 #include "app/workspaces/monitor_picture.h"
 #include "app/workspaces/monitor_plots.h"
 #include "app/workspaces/monitor_recording.h"
 #include "app/workspaces/monitor_reference.h"
 #include "app/workspaces/monitor_statistics.h"
+#include "app/workspaces/monitor_tools.h"
 #include "app/workspaces/monitor_trigger.h"
 #include "app/workspaces/panel_parts.h"
 #include "widgets/display_units.h"
 #include "widgets/empty_state.h"
-#include "widgets/icons.h"
 #include "widgets/live_plot_stack.h"
 #include "widgets/message_bar.h"
 #include "widgets/phrasebook.h"
@@ -29,27 +30,7 @@ namespace halbench::app {
 
 namespace {
 
-using Command = widgets::LivePlotStack::Command;
 constexpr int ValuesPeriod_ms = 100;
-
-struct Tool {
-    Command command;
-    const char* icon;
-    bool hasText = false;
-};
-constexpr Tool Tools[] = {{Command::Pause, "pause", true}, {Command::Follow, "follow", true},
-                          {Command::Fit, "fit"},           {Command::ShowAll, "zoom"},
-                          {Command::ZoomBack, "undo"},     {Command::Cursors, "cursor"},
-                          {Command::Marker, "note"},       {Command::AddSignals, "add"}};
-
-/// The tool of the action; but for the most used ones its name is in the tool tip, so that all fit.
-void addTool(QToolBar& bar, QAction& action, bool hasText) {
-    bar.addAction(&action);
-    auto* button = static_cast<QToolButton*>(bar.widgetForAction(&action));
-    button->setAccessibleName(action.text());
-    button->setToolButtonStyle(hasText ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
-    button->setPopupMode(QToolButton::InstantPopup); // of one that has a menu
-}
 
 } // namespace
 
@@ -78,6 +59,7 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     m_recording = new MonitorRecording(m_bench, *m_stack, *m_message, *this);
     column->addWidget(m_message);
     column->addWidget(m_stack, 1);
+    column->addWidget(&(new MonitorForecast(m_bench, *m_stack, *this))->row());
     column->addWidget(&m_statistics->table());
     m_pages->addWidget(m_empty);
     m_pages->addWidget(plots);
@@ -108,11 +90,7 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
 QWidget* MonitorPanel::buildTools() {
     auto* bar = new QToolBar(tr("Plots"), this);
     bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"))->setToolTip(tr("More tools"));
-    for (const Tool& tool : Tools) {
-        QAction* action = m_stack->action(tool.command);
-        action->setIcon(widgets::themedIcon(QLatin1String(tool.icon)));
-        addTool(*bar, *action, tool.hasText);
-    }
+    addPlotTools(*bar, *m_stack);
     for (QAction* action : {&m_reference->menuAction(), &m_trigger->action(), &m_statistics->action(),
                             &m_picture->copyAction(), &m_picture->saveAction()}) {
         addTool(*bar, *action, false);

@@ -233,6 +233,7 @@ PROCEDURE_DOORS = {"app/procedures/" + name + ".h" for name in (
     "ellipse_shape",
     "loop_uncertainty",  # the motors that runTune draws, for the pictures
     "live_apply_procedure", "what_if",
+    "coil_watch",  # temperatures are read: nothing moves
     "capture_orders")}  # the board captures: nothing moves, nothing is judged
 FITS = r"control/identify/|models/estimators/"
 PARTS_OF_PROCEDURES = r"\b(run(?!Procedure\b|Step\b|Window\b)[A-Z]\w*|identifyRecording|performMove)\s*\("

@@ -1,0 +1,88 @@
+#include "app/procedures/coil_watch.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace halbench::app {
+
+namespace {
+
+using Verdict = control::LimitForecast::Verdict;
+
+/// Smaller is more urgent; seconds where there are any.
+double urgency(const control::LimitForecast& forecast) {
+    switch (forecast.verdict) {
+    case Verdict::AtLimit:
+        return -1.0;
+    case Verdict::Reached:
+    case Verdict::NotBefore:
+        return forecast.earliest_s.value_or(0.0);
+    case Verdict::Withheld:
+        return 2.0 * control::LimitForecast::Longest_s;
+    case Verdict::NotReached:
+        break;
+    }
+    return 3.0 * control::LimitForecast::Longest_s;
+}
+
+} // namespace
+
+CoilWatch::CoilWatch(const devices::Catalogue& catalogue) {
+    const char* const letters[] = {"a", "b"};
+    for (std::size_t i = 0; i < m_coils.size(); ++i) {
+        m_coils[i].temperature = catalogue.signalForRole(std::string("coil_temperature.") + letters[i]);
+        m_coils[i].current = catalogue.signalForRole(std::string("current.") + letters[i]);
+    }
+}
+
+void CoilWatch::add(std::size_t coil, double time_s, double temperature_degC, double current_A) {
+    m_coils[coil].bins.add(time_s, temperature_degC, current_A);
+}
+
+void CoilWatch::take(const SampleBlock& block) {
+    for (std::size_t i = 0; i < m_coils.size(); ++i) {
+        const Coil& coil = m_coils[i];
+        const int temperature = coil.temperature.empty() ? -1 : block.layout->indexOf(coil.temperature);
+        const int current = coil.current.empty() ? -1 : block.layout->indexOf(coil.current);
+        for (std::size_t row = 0; temperature >= 0 && row < block.rows(); ++row) {
+            add(i, block.time_s[row], block.value(row, static_cast<std::size_t>(temperature)),
+                current < 0 ? std::numeric_limits<double>::quiet_NaN()
+                            : block.value(row, static_cast<std::size_t>(current)));
+        }
+    }
+}
+
+std::vector<CoilForecast> CoilWatch::forecasts(double limit_degC) const {
+    std::vector<CoilForecast> forecasts;
+    for (const Coil& coil : m_coils) {
+        if (coil.bins.newest_degC()) {
+            forecasts.push_back({coil.temperature, control::forecastLimit(
+                                                       control::atSteadyLoad(coil.bins.bins()), limit_degC)});
+        }
+    }
+    return forecasts;
+}
+
+const CoilForecast* mostUrgent(const std::vector<CoilForecast>& forecasts) {
+    const auto found = std::min_element(forecasts.begin(), forecasts.end(),
+                                        [](const CoilForecast& one, const CoilForecast& other) {
+                                            return urgency(one.forecast) < urgency(other.forecast);
+                                        });
+    return found == forecasts.end() ? nullptr : &*found;
+}
+
+std::optional<double> temperatureLimit_degC(devices::Device& device) {
+    const std::string name = device.catalogue().parameterForRole("limit.temperature");
+    if (!name.empty()) {
+        const std::string names[] = {name};
+        const auto values = device.readParameters(names);
+        if (values && !values->empty()) {
+            return values->front();
+        }
+    }
+    const auto& constants = device.catalogue().knownConstants;
+    const auto known = constants.find("T_limit_degC");
+    return known == constants.end() ? std::nullopt : std::optional(known->second);
+}
+
+} // namespace halbench::app
