@@ -101,10 +101,13 @@ constexpr std::array KnownKeys = {
     KeySpec{"move", "repeat", Integer, false, 1, 1000, "", "so many times, each from where the rotor came to rest: `repetition`"},
     KeySpec{"move", "settled_deg", Number, false, 1e-6, 1e6, "", "with `repeat`: a run has settled when its error stays below this where errors count"},
 
-    KeySpec{"record", "duration_s", Number, true, 0.001, 360000, "", "how long, s"},
+    KeySpec{"record", "duration_s", Number, true, 0.001, 360000, "", "how long, s; with a trigger from that on"},
     KeySpec{"record", "signals", TextList, false, 0, 0, "", "signals; default those of the profile"},
     KeySpec{"record", "rate_hz", Number, false, 1e-3, 1e6, "", "rows per second; default 100"},
     KeySpec{"record", "reconnect", Boolean, false, 0, 0, "", "a device that is lost is waited for, as `record --reconnect` does; default false"},
+    KeySpec{"record", "trigger", Text, false, 0, 0, "", "begin when it comes: SIGNAL>LEVEL (rising) or SIGNAL<LEVEL; as `record --trigger`"},
+    KeySpec{"record", "pre_trigger_s", Number, false, 0, 360000, "", "what is kept from before the trigger, as far as the step goes back, s; default 0"},
+    KeySpec{"record", "wait_s", Number, false, 0.001, 360000, "", "longest wait for the trigger, s; default 10"},
 
     KeySpec{"set", "values", Numbers, true, 0, 0, "", "parameters and values, written in one transaction; they stay for the steps that follow"},
 

@@ -3,6 +3,7 @@
 #include "app/batch/experiment_keys.h"
 #include "app/batch/names.h"
 #include "app/batch/numbers.h"
+#include "app/procedures/capture_procedure.h"
 
 #include <fmt/format.h>
 
@@ -192,6 +193,28 @@ Result<void> checkSubject(const ConfigNode& step) {
     return {};
 }
 
+Result<void> checkRecording(const ConfigNode& step) {
+    const ConfigNode* trigger = step.find("trigger");
+    for (const char* key : {"pre_trigger_s", "wait_s"}) {
+        if (const ConfigNode* node = step.find(key); node != nullptr && trigger == nullptr) {
+            return complaint(*node, fmt::format("'{}' needs a 'trigger'", key),
+                             "say what is waited for, e.g. trigger = \"speed>10\"");
+        }
+    }
+    if (trigger == nullptr) {
+        return {};
+    }
+    const Result<CaptureTrigger> event = parseCaptureTrigger(trigger->text);
+    if (!event || event->kind != CaptureTrigger::Kind::Level) {
+        return complaint(*trigger, fmt::format("'trigger' = \"{}\" is no level of a signal", trigger->text),
+                         "write SIGNAL>LEVEL (rising) or SIGNAL<LEVEL (falling), e.g. \"speed>10\"");
+    }
+    if (const ConfigNode* reconnect = step.find("reconnect"); reconnect != nullptr && reconnect->boolean) {
+        return complaint(*reconnect, "'reconnect' does not go with 'trigger'", "leave one of them out");
+    }
+    return {};
+}
+
 /// Rules that no single key can hold.
 Result<void> checkCombination(const ConfigNode& step) {
     const auto has = [&](const ConfigNode* table, const char* key) {
@@ -214,6 +237,11 @@ Result<void> checkCombination(const ConfigNode& step) {
     }
     if (has(&step, "settled_deg") && !has(&step, "repeat")) {
         return complaint(*step.find("settled_deg"), "'settled_deg' needs 'repeat'", "say how many times");
+    }
+    if (kind == "record") {
+        if (const Result<void> recorded = checkRecording(step); !recorded) {
+            return recorded;
+        }
     }
     if (kind == "analyse") {
         if (const Result<void> read = checkSubject(step); !read) {

@@ -38,7 +38,7 @@ public:
         } else if (step.kind == "set") {
             planSet(step);
         } else {
-            plan.duration_s = step.number("duration_s").value_or(0.0);
+            plan.duration_s = step.number("duration_s").value_or(0.0) + longestWait_s(step);
         }
         if (!planned) {
             return failure(planned.error());
@@ -47,6 +47,12 @@ public:
     }
 
 private:
+    /// The plan is of a trigger that comes at the last moment.
+    static double longestWait_s(const ExperimentStep& step) {
+        const bool isTriggered = step.kind == "record" && step.text("trigger");
+        return isTriggered ? recordConfigOf(step).trigger->patience_s : 0.0;
+    }
+
     void heat(StepPlan& plan, double meanSquare_A2) {
         const double reached_degC =
             forecastCoil_degC(coilModel(m_device.catalogue()), m_coils, meanSquare_A2, plan.duration_s);

@@ -60,6 +60,10 @@ Result<void> checkSignals(const ExperimentStep& step, const devices::Catalogue& 
             return at(*step.find("signals"), unknownName(catalogue, name));
         }
     }
+    const RecordConfig config = recordConfigOf(step);
+    if (config.trigger && catalogue.findSignal(config.trigger->event.signal) == nullptr) {
+        return at(*step.find("trigger"), unknownName(catalogue, config.trigger->event.signal));
+    }
     return {};
 }
 
@@ -176,6 +180,12 @@ RecordConfig recordConfigOf(const ExperimentStep& step) {
     config.signals = step.texts("signals");
     config.rate_Hz = step.number("rate_hz").value_or(config.rate_Hz);
     config.duration_s = *step.number("duration_s");
+    if (const std::optional<std::string> trigger = step.text("trigger")) {
+        config.trigger.emplace();
+        config.trigger->event = *parseCaptureTrigger(*trigger); // judged when the file was read
+        config.trigger->preTrigger_s = step.number("pre_trigger_s").value_or(config.trigger->preTrigger_s);
+        config.trigger->patience_s = step.number("wait_s").value_or(config.trigger->patience_s);
+    }
     return config;
 }
 

@@ -85,6 +85,9 @@ Result<StepOutcome> runRecordStep(StepRun& run, const ExperimentStep& step) {
     const ReturnWait wait(run, step, file);
     Result<RecordResult> result =
         runRecord(run.device, recordConfigOf(step), observerFor(run.context), isStreamed ? &outlet : nullptr);
+    if (result && result->trigger_s && isStreamed) {
+        file.addMarker(*result->trigger_s, "trigger");
+    }
     const Result<void> present = wait.present(); // away when the time was over: the recording is cut
     const Result<void> done = !result      ? failure(result.error())
                               : !present   ? present
@@ -101,6 +104,9 @@ Result<StepOutcome> runRecordStep(StepRun& run, const ExperimentStep& step) {
     outcome.quality = result->quality;
     outcome.body.set("rows", static_cast<std::uint64_t>(result->rows));
     outcome.body.set("lost_rows", result->lostRows);
+    if (result->trigger_s) {
+        outcome.body.set("trigger_s", *result->trigger_s);
+    }
     if (isWaitingStep(step)) {
         outcome.body.set("gaps", static_cast<std::uint64_t>(result->gaps));
         outcome.body.set("gaps_s", result->gaps_s);

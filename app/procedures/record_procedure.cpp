@@ -156,7 +156,7 @@ Result<void> awaitEvent(devices::Device& device, const ProcedureObserver& observ
         if (waited_s > patience_s) {
             return failure(ErrorCode::Refused,
                            fmt::format("the trigger did not come within {} s", patience_s),
-                           "wait longer with --wait, or choose another --trigger");
+                           "wait longer (--wait; wait_s of a step), or choose another trigger");
         }
         if (auto waited = waitObserved(device, observer, Piece_s, 0.0, 0.0, "waits for the trigger");
             !waited) {

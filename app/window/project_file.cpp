@@ -5,6 +5,7 @@
 #include "app/procedures/identify_procedure.h"
 #include "app/window/project_monitor.h"
 #include "app/window/project_reader.h"
+#include "app/window/project_recording.h"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -63,6 +64,8 @@ void readKey(Reader& reader, const std::string& key, const ConfigNode& node, Pro
         readGiven(reader, node, project.given);
     } else if (key == "monitor") {
         readMonitor(reader, node, project.monitor);
+    } else if (key == "recording") {
+        readRecording(reader, node, project.recording);
     } else if (key == "plot") {
         readPlots(reader, node, project.monitor.plots);
     } else if (key == "cursors") {
@@ -72,7 +75,8 @@ void readKey(Reader& reader, const std::string& key, const ConfigNode& node, Pro
     } else if (key != "schema") {
         reader.refuse(node,
                       fmt::format("unknown key '{}'; known are schema, device, notes, perspective, layout, "
-                                  "monitor, plot, cursors, derived, given, model, design, calibration",
+                                  "monitor, recording, plot, cursors, derived, given, model, design, "
+                                  "calibration",
                                   key));
     }
 }
@@ -126,6 +130,9 @@ std::string projectText(const Project& project) {
     }
     if (!project.monitor.cursors.empty()) {
         table.insert("cursors", projectCursors(project.monitor.cursors));
+    }
+    if (project.recording != RecordingChoice{}) { // likewise
+        table.insert("recording", projectRecording(project.recording));
     }
     std::ostringstream text;
     text << toml::toml_formatter(table, toml::toml_formatter::default_flags &

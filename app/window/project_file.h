@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/workspaces/monitor_view.h"
+#include "app/workspaces/recording_choice.h"
 #include "control/base/result.h"
 
 #include <map>
@@ -29,6 +30,7 @@ struct Project {
     std::vector<NamedDocument> calibrations;
     std::map<std::string, double> given; ///< constants of the motor known beforehand: J, c, Kf, phi in SI
     MonitorView monitor;
+    RecordingChoice recording;
 
     bool operator==(const Project&) const = default;
 };

@@ -74,6 +74,7 @@ void ProjectWork::fill(Project& project) const {
     }
     project.calibrations = m_calibrations;
     project.given = m_panels.identify.given();
+    project.recording = m_bench.recording().choice();
 }
 
 void ProjectWork::takeIdentification() {
@@ -116,6 +117,7 @@ QStringList ProjectWork::restore(const Project& project) {
     m_models = project.models;
     m_calibrations = project.calibrations;
     m_panels.identify.setGiven(project.given);
+    m_bench.recording().setChoice(project.recording);
     QStringList complaints = {restoreModel(), restoreDesign(project.designs), restoreCalibration()};
     complaints.removeAll({});
     return complaints;

@@ -26,8 +26,6 @@ namespace {
 /// All divide the board's 1 kHz.
 constexpr int Rates_Hz[] = {10, 20, 50, 100, 200, 500, 1000};
 constexpr int DefaultRate = 3;
-constexpr double LongestBefore_s = 300.0;
-constexpr double LongestAfter_s = 86400.0;
 constexpr int MomentLines = 2;
 
 /// "312", or "312 (2 gaps, 3.1 s)"
@@ -144,8 +142,8 @@ void RecordPanel::buildMoment(QVBoxLayout& column) {
     reserveLines(*m_moment, MomentLines);
     column.addWidget(m_moment);
     RecordingControl& recording = m_bench.recording();
-    m_before->setQuantity(recording.preTrigger_s());
-    m_after->setQuantity(0.0);
+    showChoice();
+    connect(&recording, &RecordingControl::choiceChanged, this, &RecordPanel::showChoice);
     connect(m_before, &widgets::QuantityEdit::edited, this,
             [&recording](double length_s) { recording.setPreTrigger_s(length_s); });
     connect(m_after, &widgets::QuantityEdit::edited, this,
@@ -154,6 +152,14 @@ void RecordPanel::buildMoment(QVBoxLayout& column) {
         recording.setAtEvent(kind > 0);
         refresh();
     });
+}
+
+/// As a project brought it.
+void RecordPanel::showChoice() {
+    const RecordingChoice choice = m_bench.recording().choice();
+    m_before->setQuantity(choice.before_s);
+    m_start->setCurrentIndex(choice.isAtTrigger ? 1 : 0);
+    m_after->setQuantity(choice.after_s);
 }
 
 /// What is waited for, and how much of the time before is there.

@@ -33,6 +33,7 @@ private:
     void refresh();
     void showMoment();
     void showMask();
+    void showChoice();
     void onFinished(const QString& path, const RecorderStatus& status);
 
     Workbench& m_bench;

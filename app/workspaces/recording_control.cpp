@@ -87,6 +87,17 @@ void RecordingControl::setPreTrigger_s(double length_s) {
     }
 }
 
+void RecordingControl::setChoice(const RecordingChoice& choice) {
+    if (isRecording() || m_isWaiting) {
+        return;
+    }
+    m_isAtEvent = choice.isAtTrigger;
+    m_postTrigger_s = choice.after_s;
+    setPreTrigger_s(choice.before_s);
+    Q_EMIT choiceChanged();
+    Q_EMIT changed();
+}
+
 double RecordingControl::held_s() const {
     const auto oldest_s = m_feed->oldest_s();
     const auto newest_s = m_feed->newest_s();

@@ -5,6 +5,7 @@
 #include "app/session/recorder.h"
 #include "app/session/recording_feed.h"
 #include "app/workspaces/live_signals.h"
+#include "app/workspaces/recording_choice.h"
 #include "app/workspaces/wall_clock.h"
 
 #include <QObject>
@@ -57,6 +58,9 @@ public:
     void setAtEvent(bool isAtEvent) { m_isAtEvent = isAtEvent; }
     bool isAtEvent() const { return m_isAtEvent; }
     void setPostTrigger_s(double length_s) { m_postTrigger_s = length_s; }
+    /// These three as a project keeps them. While one records or waits they stay as they are.
+    RecordingChoice choice() const { return {m_preTrigger_s, m_isAtEvent, m_postTrigger_s}; }
+    void setChoice(const RecordingChoice& choice);
 
     void start();
     /// The event that was waited for, in the device's time.
@@ -77,6 +81,7 @@ Q_SIGNALS:
     void changed();       ///< ten times a second while recording
     void folderChanged(); ///< another one, or its files
     void nameMaskChanged();
+    void choiceChanged(); ///< by setChoice()
     void finished(const QString& path, const halbench::app::RecorderStatus& status);
     void failed(const QString& text, const QString& remedy);
     void rowsDropped(); ///< the first ones of this recording: the disk does not keep up

@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 namespace halbench::app {
@@ -206,6 +207,19 @@ name = "stiffer"
 values = { "gain.kp" = 12 }
 )";
 
+const std::string Triggered = R"(schema = "halbench.experiment/1"
+device = "sim:htm?hall_noise_mT=2"
+
+[[step]]
+kind = "record"
+name = "noise"
+signals = ["position"]
+duration_s = 0.2
+trigger = "hall.a>0.157"
+pre_trigger_s = 0.1
+wait_s = 5
+)";
+
 double kpIn(const devices::RecordingMeta& meta) {
     for (const devices::RecordingMeta::ParameterNote& note : meta.parameters) {
         if (note.name == "gain.kp") {
@@ -213,6 +227,44 @@ double kpIn(const devices::RecordingMeta& meta) {
         }
     }
     return 0.0;
+}
+
+TEST_F(ExperimentRunner, aRecordingThatWaitsHasTheTimeBeforeTheEventAndItsMarker) {
+    m_device = devices::openDevice("sim:htm?hall_noise_mT=2", {}).value();
+    const fs::path folder = fs::path(::testing::TempDir()) / "halbench_triggered";
+    fs::remove_all(folder);
+    const RunOutcome outcome = run(Triggered, folder.string());
+    ASSERT_FALSE(outcome.stoppedBy.has_value()) << outcome.stoppedBy->message;
+    const double trigger_s = outcome.steps[0].body.find("trigger_s")->number();
+    EXPECT_LE(trigger_s, 0.1 + 0.01); // the time before, to a row of 100 Hz
+    const auto file = devices::readRecordingFile((folder / "noise.csv").string());
+    ASSERT_TRUE(file) << file.error().message;
+    ASSERT_EQ(file->meta.markers.size(), 1U);
+    EXPECT_EQ(file->meta.markers[0].text, "trigger");
+    EXPECT_EQ(file->meta.markers[0].time_s, trigger_s);
+    const std::vector<double> hall = file->recording.column("hall.a"); // recorded, though not named
+    const auto row = static_cast<std::size_t>(std::ceil(trigger_s * 100.0 - 1e-6));
+    ASSERT_LT(row, hall.size());
+    ASSERT_GT(row, 0U);
+    EXPECT_GE(hall[row], 0.157);
+    EXPECT_LT(hall[row - 1], 0.157);
+    EXPECT_NEAR(file->recording.time_s.back(), trigger_s + 0.2, 0.0101);
+    const RunPlan plan = planRun(m_experiment, *m_device).value();
+    EXPECT_EQ(plan.duration_s, 5.2) << "when it comes at the last moment";
+}
+
+TEST_F(ExperimentRunner, aTriggerThatDoesNotComeEndsTheRunAndAnUnknownSignalIsToldBefore) {
+    const RunOutcome outcome = run(std::string(Triggered).replace(Triggered.find("0.157"), 5, "9"));
+    ASSERT_TRUE(outcome.stoppedBy.has_value());
+    EXPECT_EQ(outcome.stoppedBy->code, ErrorCode::Refused);
+    EXPECT_NE(outcome.stoppedBy->hint.find("wait_s"), std::string::npos) << outcome.stoppedBy->hint;
+    const auto wrong = parseExperiment(
+        std::string(Triggered).replace(Triggered.find("hall.a>"), 7, "hall.z>"), "e.toml", {});
+    ASSERT_TRUE(wrong);
+    const Result<void> checked = checkAgainstDevice(*wrong, *m_device);
+    ASSERT_FALSE(checked);
+    EXPECT_EQ(checked.error().code, ErrorCode::UnknownName);
+    EXPECT_NE(checked.error().message.find("e.toml:9:"), std::string::npos) << checked.error().message;
 }
 
 TEST_F(ExperimentRunner, recordingsTellTheParametersAtTheirStartAndTheSegmentsOfTheReference) {

@@ -1,6 +1,7 @@
 #include "app/batch/experiment.h"
 #include "app/batch/experiment_keys.h"
 #include "app/batch/experiment_validation.h"
+#include "app/batch/step_configs.h"
 
 #include <gtest/gtest.h>
 
@@ -102,6 +103,37 @@ TEST(Experiment, anAnalysisTakesTheKeysOfItsSubjectOnly) {
     const Error error = mistakeIn(analysis + "pitch_mm = 0.7\n");
     EXPECT_NE(error.message.find("e.toml:6:"), std::string::npos) << error.message;
     EXPECT_NE(error.hint.find("coil"), std::string::npos) << error.hint;
+}
+
+TEST(Experiment, aRecordingMayWaitForATriggerAndSaysWhereThatIsWrong) {
+    const std::string record = "schema = \"halbench.experiment/1\"\n[[step]]\nkind = \"record\"\n"
+                               "name = \"knock\"\nduration_s = 1\n";
+    const auto good =
+        parseExperiment(record + "trigger = \"hall.a>0.1\"\npre_trigger_s = 0.5\nwait_s = 3\n", "e.toml", {});
+    ASSERT_TRUE(good) << good.error().message;
+    const RecordConfig config = recordConfigOf(good->steps.front());
+    ASSERT_TRUE(config.trigger);
+    EXPECT_EQ(config.trigger->event.signal, "hall.a");
+    EXPECT_EQ(config.trigger->event.level, 0.1);
+    EXPECT_TRUE(config.trigger->event.isRising);
+    EXPECT_EQ(config.trigger->preTrigger_s, 0.5);
+    EXPECT_EQ(config.trigger->patience_s, 3.0);
+    EXPECT_FALSE(recordConfigOf(parseExperiment(record, "e.toml", {})->steps.front()).trigger);
+    const std::pair<const char*, const char*> wrong[] = {
+        {"pre_trigger_s = 1\n", "'pre_trigger_s' needs a 'trigger'"},
+        {"wait_s = 1\n", "'wait_s' needs a 'trigger'"},
+        {"trigger = \"soon\"\n", "\"soon\" is no level of a signal"},
+        {"trigger = \"reference\"\n", "\"reference\" is no level of a signal"},
+        {"trigger = \"speed>\"\n", "\"speed>\" is no level"},
+        {"trigger = \"speed>inf\"\n", "\"speed>inf\" is no level"},
+        {"pre_trigger_s = -1\ntrigger = \"speed>1\"\n", "'pre_trigger_s' = -1 is out of range"},
+        {"reconnect = true\ntrigger = \"speed>1\"\n", "'reconnect' does not go with 'trigger'"}};
+    for (const auto& [line, message] : wrong) {
+        const Error error = mistakeIn(record + line);
+        EXPECT_NE(error.message.find("e.toml:6:"), std::string::npos) << error.message;
+        EXPECT_NE(error.message.find(message), std::string::npos) << error.message;
+        EXPECT_FALSE(error.hint.empty());
+    }
 }
 
 TEST(Experiment, settingsFromTheCommandLineReplaceValues) {

@@ -3,6 +3,7 @@
 #include "app/window/help_window.h"
 #include "app/window/main_window.h"
 #include "app/window/panels.h"
+#include "app/window/project_menu.h"
 #include "app/workspaces/device_panel.h"
 #include "app/workspaces/notes_panel.h"
 #include "tests/app/window/window_test.h"
@@ -238,12 +239,17 @@ TEST_F(MainWindowTest, aProjectBringsBackDeviceNotesAndArrangement) {
     Project project;
     project.device = "sim:htm?seed=9";
     project.notes = "bearing greased";
+    project.recording = {2.0, true, 5.0};
     ASSERT_TRUE(saveProject(project, path.toStdString()));
     open();
     window->openProject(path);
     EXPECT_EQ(window->findChild<DevicePanel*>()->address(), "sim:htm?seed=9");
     EXPECT_EQ(static_cast<NotesPanel*>(window->docks().panel("notes"))->notes(), "bearing greased");
     EXPECT_EQ(session().state(), SessionState::Disconnected); // opening a file moves nothing
+    EXPECT_EQ(window->bench().recording().choice(), project.recording);
+    window->bench().recording().setChoice({2.0, true, 7.0});
+    Q_EMIT window->findChild<ProjectMenu*>()->collecting();
+    EXPECT_EQ(window->project().project().recording, (RecordingChoice{2.0, true, 7.0}));
     EXPECT_TRUE(window->windowTitle().contains("motor.toml"));
     window.reset(); // its lock is in the folder
 }

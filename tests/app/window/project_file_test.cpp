@@ -30,6 +30,7 @@ Project sample() {
     project.monitor.cursors = {{"rise", 1.25, 2.0 / 3.0, false}, {"7 \u00b0", -1.0, 1e4, true}};
     project.monitor.areCursorsShown = true;
     project.monitor.derived = {{"power", "current.a^2 + current.b^2", "A^2"}};
+    project.recording = {2.5, true, 10.0};
     return project;
 }
 
@@ -88,7 +89,12 @@ TEST(ProjectFile, aPlotThatMakesNoSenseIsRefusedWithItsLine) {
                               "[[plot]]\nright_min = 1.0\n",
                               "[[derived]]\nformula = \"x\"\n",
                               "monitor = 3\n",
-                              "plot = [3]\n"}) {
+                              "plot = [3]\n",
+                              "recording = 1\n",
+                              "[recording]\nbefore_s = 301\n",
+                              "[recording]\nafter_s = -1.0\n",
+                              "[recording]\nat_trigger = 1\n",
+                              "[recording]\nname = \"x\"\n"}) {
         const auto read =
             parseProject(std::string("schema = \"halbench.project/1\"\n") + lines, "motor.toml");
         ASSERT_FALSE(read) << lines;

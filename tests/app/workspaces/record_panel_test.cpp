@@ -116,6 +116,24 @@ TEST_F(RecordPanelTest, theMaskNamesWhatNobodyNamedAndTheSidecarSaysWhichThatIs)
     EXPECT_EQ(recorded("sim-htm-1 001 a-b").meta.automaticName, "") << "somebody named it";
 }
 
+TEST_F(RecordPanelTest, showsWhatAProjectBringsUnlessSomethingIsRecorded) {
+    RecordingControl& recording = bench().recording();
+    recording.setChoice({2.5, true, 10.0});
+    EXPECT_EQ(find<widgets::QuantityEdit>(*panel, "Time kept before the start")->value(), 2.5);
+    EXPECT_EQ(find<QComboBox>(*panel, "Start of the recording")->currentIndex(), 1);
+    auto* after = find<widgets::QuantityEdit>(*panel, "Time after the trigger");
+    EXPECT_EQ(after->value(), 10.0);
+    EXPECT_TRUE(after->isEnabled());
+    EXPECT_EQ(recording.choice(), (RecordingChoice{2.5, true, 10.0}));
+    set("Time after the trigger", "4");
+    EXPECT_EQ(recording.choice().after_s, 4.0);
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Wait for the trigger")->isEnabled(); }));
+    click(*panel, "Wait for the trigger");
+    recording.setChoice({});
+    EXPECT_EQ(recording.choice(), (RecordingChoice{2.5, true, 4.0})) << "it waits";
+}
+
 TEST_F(RecordPanelTest, anOlderRecordingIsNeverOverwritten) {
     QFile older(folder.filePath("mine.csv"));
     ASSERT_TRUE(older.open(QIODevice::WriteOnly));
