@@ -5782,6 +5782,158 @@
         <source>apply them in small steps, or choose gains with a larger modulus margin</source>
         <translation>sie in kleinen Schritten übernehmen oder Reglerparameter mit größerem Abstand von −1 wählen</translation>
     </message>
+    <message>
+        <source>name mask, character {}: {}</source>
+        <translation>Namensmaske, Zeichen {}: {}</translation>
+    </message>
+    <message>
+        <source>known are {device}, {name}, {date}, {time} and {number}</source>
+        <translation>bekannt sind {device}, {name}, {date}, {time} und {number}</translation>
+    </message>
+    <message>
+        <source>a &apos;{&apos; without its &apos;}&apos;</source>
+        <translation>ein „{“ ohne sein „}“</translation>
+    </message>
+    <message>
+        <source>there is no placeholder &apos;{}&apos;</source>
+        <translation>es gibt keinen Platzhalter „{}“</translation>
+    </message>
+    <message>
+        <source>a &apos;}&apos; without its &apos;{&apos;</source>
+        <translation>ein „}“ ohne sein „{“</translation>
+    </message>
+    <message>
+        <source>a name has no folder in it</source>
+        <translation>ein Name enthält keinen Ordner</translation>
+    </message>
+    <message>
+        <source>the folder has a field of its own</source>
+        <translation>der Ordner hat sein eigenes Feld</translation>
+    </message>
+    <message>
+        <source>file systems refuse &apos;{}&apos;</source>
+        <translation>Dateisysteme lehnen „{}“ ab</translation>
+    </message>
+    <message>
+        <source>use letters, digits, &apos;-&apos;, &apos;_&apos; and &apos;.&apos;</source>
+        <translation>verwenden Sie Buchstaben, Ziffern, „-“, „_“ und „.“</translation>
+    </message>
+    <message>
+        <source>a second {number}</source>
+        <translation>ein zweites {number}</translation>
+    </message>
+    <message>
+        <source>one number is enough</source>
+        <translation>eine Nummer genügt</translation>
+    </message>
+    <message>
+        <source>the name mask is empty</source>
+        <translation>die Namensmaske ist leer</translation>
+    </message>
+    <message>
+        <source>write e.g. {}</source>
+        <translation>schreiben Sie z. B. {}</translation>
+    </message>
+    <message>
+        <source>a name begins with neither a space nor a point</source>
+        <translation>ein Name beginnt weder mit einem Leerzeichen noch mit einem Punkt</translation>
+    </message>
+    <message>
+        <source>begin with a letter</source>
+        <translation>beginnen Sie mit einem Buchstaben</translation>
+    </message>
+    <message>
+        <source>the ending is added to the name</source>
+        <translation>die Endung wird an den Namen angehängt</translation>
+    </message>
+    <message>
+        <source>leave .csv out</source>
+        <translation>lassen Sie .csv weg</translation>
+    </message>
+    <message>
+        <source>the recording&apos;s name would have {} octets</source>
+        <translation>der Name der Aufzeichnung hätte {} Oktette</translation>
+    </message>
+    <message>
+        <source>shorten the name or its mask to {} octets</source>
+        <translation>kürzen Sie den Namen oder seine Maske auf {} Oktette</translation>
+    </message>
+    <message>
+        <source>say e.g. --retain 30d, --retain 20GB or --retain 30d,20GB</source>
+        <translation>schreiben Sie z. B. --retain 30d, --retain 20GB oder --retain 30d,20GB</translation>
+    </message>
+    <message>
+        <source>cannot remove &apos;{}&apos;: {}</source>
+        <translation>„{}“ lässt sich nicht entfernen: {}</translation>
+    </message>
+    <message>
+        <source>--retain does not understand &apos;{}&apos;</source>
+        <translation>--retain versteht „{}“ nicht</translation>
+    </message>
+    <message>
+        <source>--retain needs a limit</source>
+        <translation>--retain braucht eine Grenze</translation>
+    </message>
+    <message>
+        <source>it has tags</source>
+        <translation>sie hat Schlagwörter</translation>
+    </message>
+    <message>
+        <source>it has notes</source>
+        <translation>sie hat Notizen</translation>
+    </message>
+    <message>
+        <source>a file beside it bears its name</source>
+        <translation>eine Datei daneben trägt ihren Namen</translation>
+    </message>
+    <message>
+        <source>it is open</source>
+        <translation>sie ist offen</translation>
+    </message>
+    <message>
+        <source>it is of the last 24 hours</source>
+        <translation>sie ist aus den letzten 24 Stunden</translation>
+    </message>
+    <message>
+        <source>it is write-protected</source>
+        <translation>sie ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>it is a link</source>
+        <translation>sie ist ein Verweis</translation>
+    </message>
+    <message>
+        <source>its rows were changed</source>
+        <translation>ihre Zeilen wurden geändert</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; stays: {}</source>
+        <translation>„{}“ bleibt: {}</translation>
+    </message>
+    <message>
+        <source>it is looked at again the next time</source>
+        <translation>beim nächsten Mal wird wieder nachgesehen</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, recording, plot, derived, given, model, design, calibration</source>
+        <translation>unbekannter Schlüssel „{}“; bekannt sind schema, device, notes, perspective, layout, monitor, recording, plot, derived, given, model, design, calibration</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; of a recording is from 0 to {} s</source>
+        <translation>„{}“ einer Aufzeichnung liegt zwischen 0 und {} s</translation>
+    </message>
+    <message>
+        <source>&apos;recording&apos; must be a table</source>
+        <translation>„recording“ muss eine Tabelle sein</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; [recording] has before_s, at_trigger, after_s</source>
+        <translation>unbekannter Schlüssel „{}“; [recording] hat before_s, at_trigger, after_s</translation>
+    </message>
+    <message>
+        <source>wait longer (--wait; wait_s of a step), or choose another trigger</source>
+        <translation>länger warten (--wait; wait_s eines Schritts) oder einen anderen Trigger wählen</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -9317,6 +9469,69 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::MonitorForecast</name>
+    <message>
+        <source>the load has been steady for %1 of the %2 s that are needed</source>
+        <translation>die Last ist seit %1 von nötigen %2 s gleich</translation>
+    </message>
+    <message>
+        <source>the temperature has not changed by one step of its sensor</source>
+        <translation>die Temperatur hat sich nicht um eine Stufe ihres Sensors geändert</translation>
+    </message>
+    <message>
+        <source>the temperature does not go as it does at a steady load</source>
+        <translation>die Temperatur verläuft nicht wie bei gleichbleibender Last</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>%1 °C</source>
+        <translation>%1 °C</translation>
+    </message>
+    <message>
+        <source>%1 reaches %2 in %3 (95 %: %4 to %5) at this load.</source>
+        <translation>%1 erreicht %2 bei dieser Last in %3 (95 %: %4 bis %5).</translation>
+    </message>
+    <message>
+        <source>%1 does not reach %2 at this load: it goes to %3 to %4 °C.</source>
+        <translation>%1 erreicht %2 bei dieser Last nicht: Sie stellt sich auf %3 bis %4 °C ein.</translation>
+    </message>
+    <message>
+        <source>%1 does not reach %2 at this load.</source>
+        <translation>%1 erreicht %2 bei dieser Last nicht.</translation>
+    </message>
+    <message>
+        <source>%1 does not reach %2 for %3 at this load; whether at all is not known yet.</source>
+        <translation>%1 erreicht %2 bei dieser Last nicht vor %3; ob überhaupt, ist noch nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>%1 is at its limit of %2.</source>
+        <translation>%1 ist an ihrem Grenzwert von %2.</translation>
+    </message>
+    <message>
+        <source>Time to %1 not known: %2.</source>
+        <translation>Zeit bis %1 nicht bekannt: %2.</translation>
+    </message>
+    <message>
+        <source>Time until the coils reach their limit</source>
+        <translation>Zeit, bis die Spulen ihren Grenzwert erreichen</translation>
+    </message>
+    <message>
+        <source>no temperature has come yet</source>
+        <translation>es kam noch keine Temperatur</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::MonitorPanel</name>
     <message>
         <source>Plots</source>
@@ -10180,10 +10395,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Gerät und Datum</translation>
     </message>
     <message>
-        <source>Without ending; empty: device and date</source>
-        <translation>Ohne Endung; leer: Gerät und Datum</translation>
-    </message>
-    <message>
         <source>Rows per second</source>
         <translation>Zeilen je Sekunde</translation>
     </message>
@@ -10378,6 +10589,14 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>Records from the trigger&apos;s next event on (Ctrl+R)</source>
         <translation>Zeichnet vom nächsten Ereignis des Triggers an auf (Strg+R)</translation>
     </message>
+    <message>
+        <source>What {name} is in the name mask %1 (File &gt; Preferences)</source>
+        <translation>Was {name} in der Namensmaske %1 ist (Datei &gt; Einstellungen)</translation>
+    </message>
+    <message>
+        <source>Without ending; empty: by the name mask %1 (File &gt; Preferences)</source>
+        <translation>Ohne Endung; leer: nach der Namensmaske %1 (Datei &gt; Einstellungen)</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::RecordingControl</name>
@@ -10400,6 +10619,134 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>%1. What was written until then is in %2.</source>
         <translation>%1. Was bis dahin geschrieben wurde, steht in %2.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RecordingFields</name>
+    <message>
+        <source>%1 MB</source>
+        <translation>%1 MB</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weitere</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Names of recordings</source>
+        <translation>Namen von Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Of recordings without a name of their own: {device}, {date} and {time} (UTC), {number}; {name} is what the Record panel has. The rest stays as it is</source>
+        <translation>Von Aufzeichnungen ohne eigenen Namen: {device}, {date} und {time} (UTC), {number}; {name} steht im Bereich Aufzeichnung. Der Rest bleibt, wie er ist</translation>
+    </message>
+    <message>
+        <source>Example of a recording&apos;s name</source>
+        <translation>Beispiel für den Namen einer Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>&amp;Names of recordings</source>
+        <translation>&amp;Namen von Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Only what the program named itself goes, the oldest first, into the trash, or for good where the disk has none. What has tags, notes or results, is open or less than a day old stays</source>
+        <translation>Nur was das Programm selbst benannt hat, geht, das Älteste zuerst, in den Papierkorb, oder endgültig, wo der Datenträger keinen hat. Was Schlagwörter, Notizen oder Ergebnisse hat, offen oder jünger als ein Tag ist, bleibt</translation>
+    </message>
+    <message>
+        <source>at &amp;most</source>
+        <translation>&amp;höchstens</translation>
+    </message>
+    <message>
+        <source> days</source>
+        <translation> Tage</translation>
+    </message>
+    <message>
+        <source>an&amp;d at most</source>
+        <translation>&amp;und höchstens</translation>
+    </message>
+    <message>
+        <source> GB</source>
+        <translation> GB</translation>
+    </message>
+    <message>
+        <source>Keep recordings for a time</source>
+        <translation>Aufzeichnungen eine Zeit lang behalten</translation>
+    </message>
+    <message>
+        <source>Days that recordings are kept</source>
+        <translation>Tage, die Aufzeichnungen behalten werden</translation>
+    </message>
+    <message>
+        <source>Limit the disk of recordings</source>
+        <translation>Speicherplatz von Aufzeichnungen begrenzen</translation>
+    </message>
+    <message>
+        <source>Disk that recordings take</source>
+        <translation>Speicherplatz von Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Recordings that would go now</source>
+        <translation>Aufzeichnungen, die jetzt gehen würden</translation>
+    </message>
+    <message>
+        <source>Keep recordings</source>
+        <translation>Aufzeichnungen behalten</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>e.g. %1.csv</source>
+        <translation>z. B. %1.csv</translation>
+    </message>
+    <message>
+        <source>Nothing is ever removed.</source>
+        <translation>Es wird nie etwas entfernt.</translation>
+    </message>
+    <message>
+        <source>Looking at what would go …</source>
+        <translation>Es wird nachgesehen, was gehen würde …</translation>
+    </message>
+    <message>
+        <source>With OK nothing goes now from %1.</source>
+        <translation>Mit OK geht jetzt nichts aus %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>With OK %n recording(s) go to the trash now (%1), from %2.</source>
+        <translation>
+            <numerusform>Mit OK geht jetzt %n Aufzeichnung in den Papierkorb (%1), aus %2.</numerusform>
+            <numerusform>Mit OK gehen jetzt %n Aufzeichnungen in den Papierkorb (%1), aus %2.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RecordingTidying</name>
+    <message>
+        <source>recordings</source>
+        <translation>Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>not tidied away: %1</source>
+        <translation>nicht aufgeräumt: %1</translation>
+    </message>
+    <message>
+        <source>older than the preferences keep</source>
+        <translation>älter, als die Einstellungen behalten</translation>
+    </message>
+    <message>
+        <source>no room by the preferences</source>
+        <translation>kein Platz nach den Einstellungen</translation>
+    </message>
+    <message>
+        <source>moved to the trash: %1 (%2)</source>
+        <translation>in den Papierkorb verschoben: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>deleted, for its disk has no trash: %1 (%2)</source>
+        <translation>gelöscht, weil der Datenträger keinen Papierkorb hat: %1 (%2)</translation>
     </message>
 </context>
 <context>

@@ -73,6 +73,23 @@
     </message>
 </context>
 <context>
+    <name>halbench::app::RecordingFields</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>With OK %n recording(s) go to the trash now (%1), from %2.</source>
+        <translation>
+            <numerusform>With OK %n recording goes to the trash now (%1), from %2.</numerusform>
+            <numerusform>With OK %n recordings go to the trash now (%1), from %2.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::SpectrumFigure</name>
     <message numerus="yes">
         <source>%Ln average(s)</source>

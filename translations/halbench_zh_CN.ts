@@ -5782,6 +5782,158 @@
         <source>apply them in small steps, or choose gains with a larger modulus margin</source>
         <translation>请以小步应用，或选择模裕度更大的增益</translation>
     </message>
+    <message>
+        <source>name mask, character {}: {}</source>
+        <translation>名称模板，第 {} 个字符：{}</translation>
+    </message>
+    <message>
+        <source>known are {device}, {name}, {date}, {time} and {number}</source>
+        <translation>可用的有 {device}、{name}、{date}、{time} 和 {number}</translation>
+    </message>
+    <message>
+        <source>a &apos;{&apos; without its &apos;}&apos;</source>
+        <translation>“{”缺少对应的“}”</translation>
+    </message>
+    <message>
+        <source>there is no placeholder &apos;{}&apos;</source>
+        <translation>没有占位符“{}”</translation>
+    </message>
+    <message>
+        <source>a &apos;}&apos; without its &apos;{&apos;</source>
+        <translation>“}”缺少对应的“{”</translation>
+    </message>
+    <message>
+        <source>a name has no folder in it</source>
+        <translation>名称中不能有文件夹</translation>
+    </message>
+    <message>
+        <source>the folder has a field of its own</source>
+        <translation>文件夹有自己的输入框</translation>
+    </message>
+    <message>
+        <source>file systems refuse &apos;{}&apos;</source>
+        <translation>文件系统不接受“{}”</translation>
+    </message>
+    <message>
+        <source>use letters, digits, &apos;-&apos;, &apos;_&apos; and &apos;.&apos;</source>
+        <translation>请使用字母、数字、“-”、“_”和“.”</translation>
+    </message>
+    <message>
+        <source>a second {number}</source>
+        <translation>第二个 {number}</translation>
+    </message>
+    <message>
+        <source>one number is enough</source>
+        <translation>一个编号就够了</translation>
+    </message>
+    <message>
+        <source>the name mask is empty</source>
+        <translation>名称模板为空</translation>
+    </message>
+    <message>
+        <source>write e.g. {}</source>
+        <translation>例如写 {}</translation>
+    </message>
+    <message>
+        <source>a name begins with neither a space nor a point</source>
+        <translation>名称不能以空格或点开头</translation>
+    </message>
+    <message>
+        <source>begin with a letter</source>
+        <translation>请以字母开头</translation>
+    </message>
+    <message>
+        <source>the ending is added to the name</source>
+        <translation>扩展名会自动加在名称后面</translation>
+    </message>
+    <message>
+        <source>leave .csv out</source>
+        <translation>请去掉 .csv</translation>
+    </message>
+    <message>
+        <source>the recording&apos;s name would have {} octets</source>
+        <translation>记录的名称将有 {} 字节</translation>
+    </message>
+    <message>
+        <source>shorten the name or its mask to {} octets</source>
+        <translation>请把名称或其模板缩短到 {} 字节</translation>
+    </message>
+    <message>
+        <source>say e.g. --retain 30d, --retain 20GB or --retain 30d,20GB</source>
+        <translation>例如写 --retain 30d、--retain 20GB 或 --retain 30d,20GB</translation>
+    </message>
+    <message>
+        <source>cannot remove &apos;{}&apos;: {}</source>
+        <translation>无法移除“{}”：{}</translation>
+    </message>
+    <message>
+        <source>--retain does not understand &apos;{}&apos;</source>
+        <translation>--retain 不理解“{}”</translation>
+    </message>
+    <message>
+        <source>--retain needs a limit</source>
+        <translation>--retain 需要一个限制</translation>
+    </message>
+    <message>
+        <source>it has tags</source>
+        <translation>它有标签</translation>
+    </message>
+    <message>
+        <source>it has notes</source>
+        <translation>它有备注</translation>
+    </message>
+    <message>
+        <source>a file beside it bears its name</source>
+        <translation>旁边有文件带有它的名称</translation>
+    </message>
+    <message>
+        <source>it is open</source>
+        <translation>它是打开的</translation>
+    </message>
+    <message>
+        <source>it is of the last 24 hours</source>
+        <translation>它属于最近 24 小时</translation>
+    </message>
+    <message>
+        <source>it is write-protected</source>
+        <translation>它被写保护</translation>
+    </message>
+    <message>
+        <source>it is a link</source>
+        <translation>它是一个链接</translation>
+    </message>
+    <message>
+        <source>its rows were changed</source>
+        <translation>它的数据行已被更改</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; stays: {}</source>
+        <translation>“{}”保留：{}</translation>
+    </message>
+    <message>
+        <source>it is looked at again the next time</source>
+        <translation>下次会再次检查</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, recording, plot, derived, given, model, design, calibration</source>
+        <translation>未知键“{}”；已知的有 schema、device、notes、perspective、layout、monitor、recording、plot、derived、given、model、design、calibration</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; of a recording is from 0 to {} s</source>
+        <translation>记录的“{}”为 0 到 {} s</translation>
+    </message>
+    <message>
+        <source>&apos;recording&apos; must be a table</source>
+        <translation>“recording”必须是一个表</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; [recording] has before_s, at_trigger, after_s</source>
+        <translation>未知键“{}”；[recording] 有 before_s、at_trigger、after_s</translation>
+    </message>
+    <message>
+        <source>wait longer (--wait; wait_s of a step), or choose another trigger</source>
+        <translation>等待更久（--wait；步骤的 wait_s），或选择其他触发</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -9312,6 +9464,69 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::MonitorForecast</name>
+    <message>
+        <source>the load has been steady for %1 of the %2 s that are needed</source>
+        <translation>负载已稳定 %1 s，需要 %2 s</translation>
+    </message>
+    <message>
+        <source>the temperature has not changed by one step of its sensor</source>
+        <translation>温度尚未变化其传感器的一个分辨率</translation>
+    </message>
+    <message>
+        <source>the temperature does not go as it does at a steady load</source>
+        <translation>温度的变化与恒定负载下不同</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>%1 °C</source>
+        <translation>%1 °C</translation>
+    </message>
+    <message>
+        <source>%1 reaches %2 in %3 (95 %: %4 to %5) at this load.</source>
+        <translation>在此负载下%1在 %3 后达到 %2（95 %：%4 到 %5）。</translation>
+    </message>
+    <message>
+        <source>%1 does not reach %2 at this load: it goes to %3 to %4 °C.</source>
+        <translation>在此负载下%1不会达到 %2：将稳定在 %3 到 %4 °C。</translation>
+    </message>
+    <message>
+        <source>%1 does not reach %2 at this load.</source>
+        <translation>在此负载下%1不会达到 %2。</translation>
+    </message>
+    <message>
+        <source>%1 does not reach %2 for %3 at this load; whether at all is not known yet.</source>
+        <translation>在此负载下%1在 %3 内不会达到 %2；是否会达到尚不清楚。</translation>
+    </message>
+    <message>
+        <source>%1 is at its limit of %2.</source>
+        <translation>%1已达到限值 %2。</translation>
+    </message>
+    <message>
+        <source>Time to %1 not known: %2.</source>
+        <translation>到 %1 的时间未知：%2。</translation>
+    </message>
+    <message>
+        <source>Time until the coils reach their limit</source>
+        <translation>线圈达到限值的时间</translation>
+    </message>
+    <message>
+        <source>no temperature has come yet</source>
+        <translation>尚未收到温度</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::MonitorPanel</name>
     <message>
         <source>Plots</source>
@@ -10173,10 +10388,6 @@ A real device has its own time.</source>
         <translation>设备和日期</translation>
     </message>
     <message>
-        <source>Without ending; empty: device and date</source>
-        <translation>不带扩展名；留空：设备和日期</translation>
-    </message>
-    <message>
         <source>Rows per second</source>
         <translation>每秒行数</translation>
     </message>
@@ -10370,6 +10581,14 @@ A real device has its own time.</source>
         <source>Records from the trigger&apos;s next event on (Ctrl+R)</source>
         <translation>从下一个触发事件起记录（Ctrl+R）</translation>
     </message>
+    <message>
+        <source>What {name} is in the name mask %1 (File &gt; Preferences)</source>
+        <translation>名称模板 %1 中的 {name}（文件 &gt; 首选项）</translation>
+    </message>
+    <message>
+        <source>Without ending; empty: by the name mask %1 (File &gt; Preferences)</source>
+        <translation>不含扩展名；留空：按名称模板 %1（文件 &gt; 首选项）</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::RecordingControl</name>
@@ -10392,6 +10611,132 @@ A real device has its own time.</source>
     <message>
         <source>%1. What was written until then is in %2.</source>
         <translation>%1。此前写入的内容在 %2 中。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RecordingFields</name>
+    <message>
+        <source>%1 MB</source>
+        <translation>%1 MB</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>还有 %n 个</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Names of recordings</source>
+        <translation>记录的名称</translation>
+    </message>
+    <message>
+        <source>Of recordings without a name of their own: {device}, {date} and {time} (UTC), {number}; {name} is what the Record panel has. The rest stays as it is</source>
+        <translation>用于没有自己名称的记录：{device}、{date} 和 {time}（UTC）、{number}；{name} 取自“记录”面板。其余部分保持不变</translation>
+    </message>
+    <message>
+        <source>Example of a recording&apos;s name</source>
+        <translation>记录名称的示例</translation>
+    </message>
+    <message>
+        <source>&amp;Names of recordings</source>
+        <translation>记录的名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Only what the program named itself goes, the oldest first, into the trash, or for good where the disk has none. What has tags, notes or results, is open or less than a day old stays</source>
+        <translation>只移除程序自己命名的记录，最旧的最先，移到回收站；磁盘没有回收站时永久删除。有标签、备注或结果的、打开的或不到一天的记录保留</translation>
+    </message>
+    <message>
+        <source>at &amp;most</source>
+        <translation>最多(&amp;M)</translation>
+    </message>
+    <message>
+        <source> days</source>
+        <translation> 天</translation>
+    </message>
+    <message>
+        <source>an&amp;d at most</source>
+        <translation>且最多(&amp;D)</translation>
+    </message>
+    <message>
+        <source> GB</source>
+        <translation> GB</translation>
+    </message>
+    <message>
+        <source>Keep recordings for a time</source>
+        <translation>按时间保留记录</translation>
+    </message>
+    <message>
+        <source>Days that recordings are kept</source>
+        <translation>保留记录的天数</translation>
+    </message>
+    <message>
+        <source>Limit the disk of recordings</source>
+        <translation>限制记录占用的磁盘</translation>
+    </message>
+    <message>
+        <source>Disk that recordings take</source>
+        <translation>记录占用的磁盘</translation>
+    </message>
+    <message>
+        <source>Recordings that would go now</source>
+        <translation>现在会移除的记录</translation>
+    </message>
+    <message>
+        <source>Keep recordings</source>
+        <translation>保留记录</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>e.g. %1.csv</source>
+        <translation>例如 %1.csv</translation>
+    </message>
+    <message>
+        <source>Nothing is ever removed.</source>
+        <translation>从不移除任何记录。</translation>
+    </message>
+    <message>
+        <source>Looking at what would go …</source>
+        <translation>正在查看会移除什么…</translation>
+    </message>
+    <message>
+        <source>With OK nothing goes now from %1.</source>
+        <translation>按“确定”后现在不会从 %1 移除任何记录。</translation>
+    </message>
+    <message numerus="yes">
+        <source>With OK %n recording(s) go to the trash now (%1), from %2.</source>
+        <translation>
+            <numerusform>按“确定”后现在有 %n 条记录移到回收站（%1），来自 %2。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RecordingTidying</name>
+    <message>
+        <source>recordings</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>not tidied away: %1</source>
+        <translation>未清理：%1</translation>
+    </message>
+    <message>
+        <source>older than the preferences keep</source>
+        <translation>超过首选项的保留时间</translation>
+    </message>
+    <message>
+        <source>no room by the preferences</source>
+        <translation>超过首选项允许的空间</translation>
+    </message>
+    <message>
+        <source>moved to the trash: %1 (%2)</source>
+        <translation>已移到回收站：%1（%2）</translation>
+    </message>
+    <message>
+        <source>deleted, for its disk has no trash: %1 (%2)</source>
+        <translation>已删除，因为磁盘没有回收站：%1（%2）</translation>
     </message>
 </context>
 <context>

@@ -278,6 +278,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "check the link; record fewer signals or at a lower rate"),
     QT_TRANSLATE_NOOP("Phrases", "{} of {} rows are missing"),
     QT_TRANSLATE_NOOP("Phrases", "Record fewer signals or at a lower rate."),
+    QT_TRANSLATE_NOOP("Phrases", "wait longer (--wait; wait_s of a step), or choose another trigger"),
     QT_TRANSLATE_NOOP("Phrases", "a recorded move of {} s cannot be replayed"),
     QT_TRANSLATE_NOOP("Phrases", "record {} to {} s of a move"),
     QT_TRANSLATE_NOOP("Phrases", "rows are missing at {} s: what happened there is not known"),
