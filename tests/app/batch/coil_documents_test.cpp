@@ -52,5 +52,39 @@ TEST(CoilDocuments, theMostUrgentIsSaid) {
     EXPECT_EQ(mostUrgent({}), nullptr);
 }
 
+/// A board of somebody: other names, the same roles; coil B has no current.
+devices::Catalogue foreignMotor() {
+    devices::Catalogue catalogue;
+    for (const auto& [name, role] : {std::pair("T_U", "coil_temperature.a"),
+                                     std::pair("T_V", "coil_temperature.b"), std::pair("i_U", "current.a")}) {
+        SignalSpec spec;
+        spec.name = name;
+        spec.role = role;
+        catalogue.signals.push_back(spec);
+    }
+    return catalogue;
+}
+
+TEST(CoilWatch, findsItsSignalsByTheirRolesAndTellsTheWarmingCoil) {
+    CoilWatch watch(foreignMotor());
+    EXPECT_TRUE(watch.forecasts(80.0).empty()) << "nothing came yet";
+    SampleBlock block;
+    block.layout = std::make_shared<const StreamLayout>(
+        StreamLayout{{{"i_U", "A"}, {"position", "rad"}, {"T_V", "degC"}, {"T_U", "degC"}}, 0.1});
+    for (int row = 0; row < 600; ++row) {
+        const double flicker_K = row % 2 == 0 ? 0.01 : -0.01;
+        block.time_s.push_back(0.1 * row);
+        block.values.insert(block.values.end(), {2.0, 0.0, 30.0 + flicker_K, 30.0 + 0.02 * row + flicker_K});
+    }
+    watch.take(block); // 0.2 K/s from 30 to 42 degC: 38 K more take 190 s on a straight line
+    const std::vector<CoilForecast> forecasts = watch.forecasts(80.0);
+    ASSERT_EQ(forecasts.size(), 2U);
+    EXPECT_EQ(mostUrgent(forecasts)->signal, "T_U");
+    ASSERT_EQ(forecasts[0].forecast.verdict, Forecast::Verdict::Reached);
+    EXPECT_NEAR(*forecasts[0].forecast.time_s, 190.0, 10.0);
+    EXPECT_NE(forecasts[1].forecast.verdict, Forecast::Verdict::Reached);
+    EXPECT_TRUE(CoilWatch(devices::Catalogue()).forecasts(80.0).empty());
+}
+
 } // namespace
 } // namespace halbench::app
