@@ -5367,10 +5367,6 @@
         <translation>nur ein Paar von [[cursors]] misst (measuring)</translation>
     </message>
     <message>
-        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, plot, cursors, derived, given, model, design, calibration</source>
-        <translation>unbekannter Schlüssel &apos;{}&apos;; bekannt sind schema, device, notes, perspective, layout, monitor, plot, cursors, derived, given, model, design, calibration</translation>
-    </message>
-    <message>
         <source>[monitor] has follow and cursors (true or false), span_s and trigger</source>
         <translation>[monitor] hat follow und cursors (true oder false), span_s und trigger</translation>
     </message>
@@ -5915,10 +5911,6 @@
         <translation>beim nächsten Mal wird wieder nachgesehen</translation>
     </message>
     <message>
-        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, recording, plot, derived, given, model, design, calibration</source>
-        <translation>unbekannter Schlüssel „{}“; bekannt sind schema, device, notes, perspective, layout, monitor, recording, plot, derived, given, model, design, calibration</translation>
-    </message>
-    <message>
         <source>&apos;{}&apos; of a recording is from 0 to {} s</source>
         <translation>„{}“ einer Aufzeichnung liegt zwischen 0 und {} s</translation>
     </message>
@@ -5933,6 +5925,10 @@
     <message>
         <source>wait longer (--wait; wait_s of a step), or choose another trigger</source>
         <translation>länger warten (--wait; wait_s eines Schritts) oder einen anderen Trigger wählen</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, recording, plot, cursors, derived, given, model, design, calibration</source>
+        <translation>unbekannter Schlüssel &apos;{}&apos;; bekannt sind schema, device, notes, perspective, layout, monitor, recording, plot, cursors, derived, given, model, design, calibration</translation>
     </message>
 </context>
 <context>

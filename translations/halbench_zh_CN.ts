@@ -5367,10 +5367,6 @@
         <translation>只有一对 [[cursors]] 可以是 measuring</translation>
     </message>
     <message>
-        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, plot, cursors, derived, given, model, design, calibration</source>
-        <translation>未知的键 &apos;{}&apos;；已知的有 schema、device、notes、perspective、layout、monitor、plot、cursors、derived、given、model、design、calibration</translation>
-    </message>
-    <message>
         <source>[monitor] has follow and cursors (true or false), span_s and trigger</source>
         <translation>[monitor] 有 follow 和 cursors（true 或 false）、span_s 和 trigger</translation>
     </message>
@@ -5915,10 +5911,6 @@
         <translation>下次会再次检查</translation>
     </message>
     <message>
-        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, recording, plot, derived, given, model, design, calibration</source>
-        <translation>未知键“{}”；已知的有 schema、device、notes、perspective、layout、monitor、recording、plot、derived、given、model、design、calibration</translation>
-    </message>
-    <message>
         <source>&apos;{}&apos; of a recording is from 0 to {} s</source>
         <translation>记录的“{}”为 0 到 {} s</translation>
     </message>
@@ -5933,6 +5925,10 @@
     <message>
         <source>wait longer (--wait; wait_s of a step), or choose another trigger</source>
         <translation>等待更久（--wait；步骤的 wait_s），或选择其他触发</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, recording, plot, cursors, derived, given, model, design, calibration</source>
+        <translation>未知的键 &apos;{}&apos;；已知的有 schema、device、notes、perspective、layout、monitor、recording、plot、cursors、derived、given、model、design、calibration</translation>
     </message>
 </context>
 <context>
