@@ -18,7 +18,8 @@ class TunePanel;
 
 /// The results of the work in a project: what was identified and designed goes in as it comes up, what a
 /// project holds comes back to where it is used. Of each list the last entry is the one in use; a document
-/// that cannot be read stays in the project as it is (resources/help/projects.md). Thread: GUI.
+/// that cannot be read stays in the project as it is (resources/help/projects.md). With it comes when the
+/// Record panel's recordings begin and end. Thread: GUI.
 class ProjectWork : public QObject {
     Q_OBJECT
 
