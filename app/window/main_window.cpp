@@ -117,6 +117,7 @@ MainWindow::~MainWindow() {
     if (m_project) {
         m_project->finishWriting(); // while there is a window to say how it went
     }
+    hide(); // panels that are hidden say which signals they need no more, to a bench that is still there
 }
 
 bool MainWindow::event(QEvent* event) {

@@ -18,10 +18,29 @@
 #include <QTemporaryDir>
 #include <qtadvanceddocking/DockWidget.h>
 
+#include <functional>
 #include <future>
+#include <utility>
 
 namespace halbench::app {
 namespace {
+
+/// Tells when the widget is hidden.
+class HideWatch : public QObject {
+public:
+    explicit HideWatch(std::function<void()> told) : m_told(std::move(told)) {}
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::Hide) {
+            m_told();
+        }
+        return QObject::eventFilter(watched, event);
+    }
+
+private:
+    std::function<void()> m_told;
+};
 
 class MainWindowTest : public WindowTest {
 protected:
@@ -60,6 +79,25 @@ TEST_F(MainWindowTest, aPlaceThatWasKeptElsewhereIsBroughtOntoTheScreen) {
     EXPECT_TRUE(room.contains(again.pos())) << again.x() << ", " << again.y();
     EXPECT_LE(again.width(), std::max(room.width(), again.minimumSizeHint().width()));
     EXPECT_LE(again.height(), std::max(room.height(), again.minimumSizeHint().height()));
+}
+
+/// As a program does that ends without closing its window. A memory checker sees what a panel touches then.
+TEST_F(MainWindowTest, aWindowThatGoesUnclosedHidesItsPanelsWhileTheirBenchIsThere) {
+    open();
+    connectMotor(5.0);
+    for (const char* panel : {"xy", "spectrum"}) {
+        window->docks().docks().value(QString::fromLatin1(panel))->setAsCurrentTab();
+    }
+    QWidget* seen = window->docks().panel("spectrum");
+    ASSERT_TRUE(wait([&] { return seen->isVisible(); }));
+    bool isBenchThere = false;
+    const QObject* bench = &window->bench();
+    bool isBenchGone = false;
+    QObject::connect(bench, &QObject::destroyed, qApp, [&] { isBenchGone = true; });
+    HideWatch watch([&] { isBenchThere = !isBenchGone; });
+    seen->installEventFilter(&watch);
+    window.reset();
+    EXPECT_TRUE(isBenchThere);
 }
 
 TEST_F(MainWindowTest, theListMarksTheDeviceThatIsConnectedAndNoOther) {
