@@ -64,8 +64,8 @@ ImportView::ImportView(Workbench& bench, QWidget* parent) : QWidget(parent), m_b
     m_table->setTabKeyNavigation(false);
     m_table->verticalHeader()->hide();
     m_table->setMinimumHeight((FewestRows + 2) * m_table->verticalHeader()->defaultSectionSize());
+    buildEnd(*column); // above the table, where it is seen in a low window too
     column->addWidget(m_table, 1);
-    buildEnd(*column);
     connect(&m_bench.recording(), &RecordingControl::folderChanged, this, &ImportView::refreshEnd);
     connect(&m_tick, &QTimer::timeout, this, &ImportView::showProgress);
     refreshEnd();
