@@ -145,7 +145,7 @@ TEST_F(HelpWindowTest, picturesAreThereAndNoWiderThanTheText) {
                 }
             }
         }
-        EXPECT_EQ(count, 2) << language.id.toStdString();
+        EXPECT_EQ(count, 6) << language.id.toStdString();
     }
 }
 
