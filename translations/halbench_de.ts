@@ -8662,10 +8662,6 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
         <translation>Tabelle (*.csv *.txt *.tsv *.dat);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>First lines, as they are</source>
-        <translation>Erste Zeilen, wie sie sind</translation>
-    </message>
-    <message>
         <source>Choose a table first. What of it is not certain is asked here.</source>
         <translation>Wählen Sie zuerst eine Tabelle. Was daran nicht sicher ist, wird hier gefragt.</translation>
     </message>
@@ -8781,6 +8777,10 @@ mit %1 Zeilen in der Sekunde</translation>
     <message>
         <source>Please choose</source>
         <translation>Bitte wählen</translation>
+    </message>
+    <message>
+        <source>First lines, as they are</source>
+        <translation>Erste Zeilen, wie sie sind</translation>
     </message>
 </context>
 <context>

@@ -8657,10 +8657,6 @@ its way to the one before (Ctrl+Shift+R)</source>
         <translation>表 (*.csv *.txt *.tsv *.dat);;所有文件 (*)</translation>
     </message>
     <message>
-        <source>First lines, as they are</source>
-        <translation>原样的前几行</translation>
-    </message>
-    <message>
         <source>Choose a table first. What of it is not certain is asked here.</source>
         <translation>请先选择一个表。其中不确定的内容会在此询问。</translation>
     </message>
@@ -8776,6 +8772,10 @@ by %1 rows a second</source>
     <message>
         <source>Please choose</source>
         <translation>请选择</translation>
+    </message>
+    <message>
+        <source>First lines, as they are</source>
+        <translation>原样的前几行</translation>
     </message>
 </context>
 <context>

@@ -79,15 +79,15 @@ ImportView::~ImportView() {
 }
 
 void ImportView::buildFile(QVBoxLayout& column) {
-    auto* choice = makeButton({tr("Choose table…"),
-                               tr("A table that another program wrote; the window's key for it is Ctrl+I"),
-                               QStringLiteral("open")},
-                              this);
-    connect(choice, &QPushButton::clicked, this, &ImportView::choose);
+    m_choose = makeButton({tr("Choose table…"),
+                           tr("A table that another program wrote; the window's key for it is Ctrl+I"),
+                           QStringLiteral("open")},
+                          this);
+    connect(m_choose, &QPushButton::clicked, this, &ImportView::choose);
     m_file = new widgets::ElidedLabel(FileCharacters, this);
     m_file->setAccessibleName(tr("Table that is imported"));
     auto* row = new QHBoxLayout;
-    row->addWidget(choice);
+    row->addWidget(m_choose);
     row->addWidget(m_file, 1);
     column.addLayout(row);
 }
@@ -211,7 +211,7 @@ void ImportView::showQuestions() {
     m_questions->setVisible(m_look && !m_look->plan.questions.empty());
 }
 
-/// While it is not known how to read them: as they are.
+/// As they would be read; while that is not known, as they are.
 void ImportView::showLines() {
     m_table->clear();
     m_table->setRowCount(0);
@@ -219,29 +219,15 @@ void ImportView::showLines() {
     if (!m_look) {
         return;
     }
-    if (m_look->first.rows() > 0) {
-        showRows();
-        return;
-    }
-    m_table->setColumnCount(1);
-    m_table->setHorizontalHeaderLabels({tr("First lines, as they are")});
-    m_table->setRowCount(static_cast<int>(m_look->plan.firstLines.size()));
-    for (int i = 0; i < m_table->rowCount(); ++i) {
-        const std::string& line = m_look->plan.firstLines[static_cast<std::size_t>(i)];
-        m_table->setItem(i, 0, new QTableWidgetItem(QString::fromStdString(line)));
-    }
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-}
-
-void ImportView::showRows() {
-    const ImportPreview preview = previewOf(*m_look);
+    const bool isRead = m_look->first.rows() > 0;
+    const ImportPreview preview = isRead ? previewOf(*m_look) : linesOf(m_look->plan);
     m_table->setColumnCount(preview.headers.size());
     m_table->setHorizontalHeaderLabels(preview.headers);
     m_table->setRowCount(static_cast<int>(preview.rows.size()));
     for (int row = 0; row < m_table->rowCount(); ++row) {
         for (int column = 0; column < m_table->columnCount(); ++column) {
             auto* item = new QTableWidgetItem(preview.rows[static_cast<std::size_t>(row)].value(column));
-            item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            item->setTextAlignment((isRead ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
             m_table->setItem(row, column, item);
         }
     }
@@ -282,6 +268,7 @@ void ImportView::refreshEnd() {
     m_reason->setText(reason);
     showRole(*m_reason, m_look && !reason.isEmpty() ? widgets::Role::Warn : widgets::Role::Muted);
     m_running->setVisible(m_progress != nullptr);
+    m_choose->setEnabled(m_progress == nullptr);
     m_form->setEnabled(m_text != nullptr && m_progress == nullptr);
     m_questions->setEnabled(m_progress == nullptr);
 }

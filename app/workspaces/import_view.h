@@ -54,7 +54,6 @@ private:
     void take(Result<TableLook> look);
     void showQuestions();
     void showLines();
-    void showRows();
     void run();
     void finish(const Result<ImportedTable>& done);
     void showProgress();
@@ -70,6 +69,7 @@ private:
     std::optional<TableLook> m_look;            ///< none: it cannot be read as it is
     std::shared_ptr<ImportProgress> m_progress; ///< while it is imported
     bool m_isLooking = false;
+    QPushButton* m_choose = nullptr;
     widgets::ElidedLabel* m_file = nullptr;
     ImportForm* m_form = nullptr;
     QWidget* m_questions = nullptr;

@@ -2,6 +2,7 @@
 
 #include "app/workspaces/panel_parts.h"
 #include "control/base/unit_text.h"
+#include "devices/acquisition/csv_text.h"
 #include "widgets/display_units.h"
 #include "widgets/phrasebook.h"
 
@@ -61,6 +62,29 @@ ImportPreview previewOf(const TableLook& look) {
         std::size_t signal = 0; // the recording has the time beside its columns
         for (std::size_t i = 0; i < plan.columns.size(); ++i) {
             cells << number(plan.time == i ? first.time_s[row] : first.values[row * width + signal++]);
+        }
+        preview.rows.push_back(cells);
+    }
+    return preview;
+}
+
+ImportPreview linesOf(const devices::CsvPlan& plan) {
+    ImportPreview preview;
+    if (!plan.dialect) {
+        preview.headers << Words::tr("First lines, as they are");
+    }
+    for (std::size_t i = 0; i < plan.columns.size(); ++i) {
+        preview.headers << Words::tr("column %1").arg(i + 1);
+    }
+    for (const std::string& line : plan.firstLines) {
+        QStringList cells;
+        std::vector<devices::CsvCell> parts;
+        if (plan.dialect && devices::splitCsv(line, plan.dialect->separator, parts)) {
+            for (const devices::CsvCell& part : parts) {
+                cells << QString::fromUtf8(part.text.data(), static_cast<int>(part.text.size()));
+            }
+        } else {
+            cells << QString::fromStdString(line);
         }
         preview.rows.push_back(cells);
     }

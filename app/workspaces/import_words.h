@@ -17,6 +17,8 @@ struct ImportPreview {
     std::vector<QStringList> rows;
 };
 ImportPreview previewOf(const TableLook& look);
+/// While something is asked: the first lines as they are written, in their columns where these are known.
+ImportPreview linesOf(const devices::CsvPlan& plan);
 
 /// The remedy in the words of the window: the command line's names its options.
 QString importRemedy(const Error& error);

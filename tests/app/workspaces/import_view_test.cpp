@@ -148,6 +148,8 @@ TEST_F(ImportViewTest, aUnitThatIsNowhereIsAsked) {
     look("time_s,speed\n0,30\n1,60\n");
     ASSERT_NE(question(), nullptr) << reason().toStdString();
     EXPECT_FALSE(button().isEnabled());
+    EXPECT_EQ(cell(0, 1), "speed"); // its columns are known, what their numbers mean is not
+    EXPECT_EQ(cell(2, 1), "60");
     choose(*question(), question()->findText("its numbers are in rpm"));
     ASSERT_TRUE(button().isEnabled()) << reason().toStdString();
     EXPECT_DOUBLE_EQ(import().values[0], M_PI);
