@@ -3,6 +3,7 @@
 #include "control/analysis/frequency_scan.h"
 #include "control/base/units.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +15,54 @@ void look(LoopScan& scan) {
     scan.value.reserve(scan.frequency_rad_s.size());
     for (const double frequency : scan.frequency_rad_s) {
         scan.value.push_back(scan.at(frequency));
+    }
+}
+
+/// Four points at once: one point alone waits for each of its products in turn. The operations of a point and
+/// their order are those of TransferFunction::at, and so are its digits.
+struct FourPoints {
+    Eigen::Array4d real;
+    Eigen::Array4d imaginary;
+};
+
+FourPoints evaluate(const Polynomial& polynomial, const FourPoints& x) {
+    FourPoints value{Eigen::Array4d::Zero(), Eigen::Array4d::Zero()};
+    for (const double coefficient : polynomial) {
+        const Eigen::Array4d next = value.real * x.real - value.imaginary * x.imaginary + coefficient;
+        value.imaginary = value.real * x.imaginary + value.imaginary * x.real;
+        value.real = next;
+    }
+    return value;
+}
+
+FourPoints pointsAt(const double* frequency_rad_s, const TimeBase& base) {
+    FourPoints x{Eigen::Array4d::Zero(), Eigen::Map<const Eigen::Array4d>(frequency_rad_s)};
+    for (Eigen::Index i = 0; i < 4 && base.isSampled(); ++i) {
+        const std::complex<double> z = std::polar(1.0, frequency_rad_s[i] * base.period_s());
+        x.real[i] = z.real();
+        x.imaginary[i] = z.imag();
+    }
+    return x;
+}
+
+void lookAtRational(LoopScan& scan, const TransferFunction& loop) {
+    const std::vector<double>& frequency_rad_s = scan.frequency_rad_s;
+    scan.value.reserve(frequency_rad_s.size());
+    for (std::size_t first = 0; first + 4 <= frequency_rad_s.size(); first += 4) {
+        const FourPoints x = pointsAt(&frequency_rad_s[first], loop.timeBase());
+        const FourPoints n = evaluate(loop.numerator(), x);
+        const FourPoints d = evaluate(loop.denominator(), x);
+        const Eigen::Array4d square = d.real * d.real + d.imaginary * d.imaginary;
+        const Eigen::Array4d real = (n.real * d.real + n.imaginary * d.imaginary) / square;
+        const Eigen::Array4d imaginary = (n.imaginary * d.real - n.real * d.imaginary) / square;
+        for (Eigen::Index i = 0; i < 4; ++i) {
+            const auto row = first + static_cast<std::size_t>(i);
+            scan.value.push_back(std::isnormal(square[i]) ? std::complex<double>(real[i], imaginary[i])
+                                                          : loop.atFrequency(frequency_rad_s[row]));
+        }
+    }
+    for (std::size_t row = scan.value.size(); row < frequency_rad_s.size(); ++row) {
+        scan.value.push_back(loop.atFrequency(frequency_rad_s[row]));
     }
 }
 
@@ -60,7 +109,7 @@ LoopScan scanLoop(const TransferFunction& openLoop) {
                   scanFrequencies(openLoop),
                   {},
                   openLoop.timeBase().isSampled()};
-    look(scan);
+    lookAtRational(scan, openLoop);
     return scan;
 }
 

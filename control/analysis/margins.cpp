@@ -46,7 +46,7 @@ bool isLower(const Crossing& a, const Crossing& b) {
 
 std::vector<Crossing> crossingsOn(const LoopScan& scan) {
     const std::vector<double>& frequencies = scan.frequency_rad_s;
-    const auto level = [&scan](double w) { return std::log(std::abs(scan.at(w))); };
+    const auto level = [&scan](double w) { return std::abs(scan.at(w)) - 1.0; };
     const auto height = [&scan](double w) { return scan.at(w).imag(); };
     std::vector<Crossing> crossings;
     for (std::size_t i = 0; i < frequencies.size(); ++i) {
@@ -92,16 +92,19 @@ struct Least {
     double frequency_rad_s = 0.0;
 };
 
-Least leastOn(const LoopScan& scan, const std::function<double(Complex)>& function) {
+/// `distance` gives a complex number of which the modulus counts.
+template <typename Distance>
+Least leastOn(const LoopScan& scan, Distance distance) {
     std::size_t best = 0;
-    Least least{HUGE_VAL, 0.0};
+    double leastSquare = HUGE_VAL; // the same order without the root
     for (std::size_t i = 0; i < scan.value.size(); ++i) {
-        if (const double value = function(scan.value[i]); value < least.value) {
-            least = {value, scan.frequency_rad_s[i]};
+        if (const double square = std::norm(distance(scan.value[i])); square < leastSquare) {
+            leastSquare = square;
             best = i;
         }
     }
-    const auto at = [&](double w) { return function(scan.at(w)); };
+    const Least least{std::abs(distance(scan.value[best])), scan.frequency_rad_s[best]};
+    const auto at = [&](double w) { return std::abs(distance(scan.at(w))); };
     const double refined_rad_s =
         goldenMinimum(at, scan.frequency_rad_s[best == 0 ? 0 : best - 1],
                       scan.frequency_rad_s[std::min(best + 1, scan.value.size() - 1)]);
@@ -114,13 +117,13 @@ StabilityMargins marginsOn(const LoopScan& scan) {
     for (const Crossing& crossing : crossingsOn(scan)) {
         takeIfSmaller(margins, crossing);
     }
-    margins.modulusMargin = leastOn(scan, [](Complex L) { return std::abs(1.0 + L); }).value;
+    margins.modulusMargin = leastOn(scan, [](Complex L) { return 1.0 + L; }).value;
     return margins;
 }
 
 SensitivityPeaks peaksOn(const LoopScan& scan) {
-    const Least modulus = leastOn(scan, [](Complex L) { return std::abs(1.0 + L); });
-    const Least inverse = leastOn(scan, [](Complex L) { return std::abs(1.0 + 1.0 / L); });
+    const Least modulus = leastOn(scan, [](Complex L) { return 1.0 + L; });
+    const Least inverse = leastOn(scan, [](Complex L) { return 1.0 + 1.0 / L; });
     return {1.0 / modulus.value, modulus.frequency_rad_s, 1.0 / inverse.value, inverse.frequency_rad_s};
 }
 
