@@ -79,7 +79,7 @@ QWidget* TunePanel::buildSettings() {
     all->setSpacing(widgets::PanelMargin_px);
     all->addWidget(scrolled(page), 1);
     all->addWidget(m_verdict);
-    all->addWidget(m_inSteps);
+    all->addWidget(m_inSteps, 0, Qt::AlignLeft);
     all->addWidget(m_outlook);
     all->addWidget(m_progress); // what is decided stays in sight, however far the rest is scrolled
     all->addWidget(buildButtons());
