@@ -123,6 +123,16 @@ class Interrupts(BoardCase):
             self.assertEqual(self.board(uri), before)
             self.assert_nothing_left()
 
+    def test_gains_on_their_way_go_back(self):
+        self.accept("identify", "sim:htm", "--out", "m.json", timeout=110)
+        for number, code in SIGNALS:
+            _, uri = self.serve()
+            before = self.board(uri)
+            # Eight steps of two seconds each: after seven some are written, and not all.
+            ended, _, err = self.interrupt(number, 7.0, "tune", "m.json", "--apply", uri, "--live", "--arm", "--foreign-model")
+            self.assertEqual(ended, code, err)
+            self.assertEqual(self.board(uri), before)
+
     def test_serving_ends_with_success(self):
         for number, _ in SIGNALS:
             for kind in ("tcp", "udp", "pty"):
@@ -142,6 +152,16 @@ class Departures(BoardCase):
         self.assertEqual(process.returncode, 3, err)
         self.assertLess(time.monotonic() - began, 8.0)
         self.assert_nothing_left()
+
+    def test_board_that_dies_while_gains_walk_is_not_said_to_have_its_old_ones(self):
+        self.accept("identify", "sim:htm", "--out", "m.json", timeout=110)
+        server, uri = self.serve()
+        process = self.start_program("tune", "m.json", "--apply", uri, "--live", "--arm", "--foreign-model")
+        time.sleep(7.0)
+        server.kill()
+        _, err = process.communicate(timeout=20)
+        self.assertEqual(process.returncode, 3, err)
+        self.assertIn("not confirmed", err)
 
     def test_board_that_freezes_in_mid_recording_is_a_device_failure(self):
         server, uri = self.serve()
@@ -196,6 +216,20 @@ class Departures(BoardCase):
         time.sleep(2.0)
         process.kill()
         time.sleep(2.0)         # the board's watchdog: 1 s
+        self.assert_stopped_itself(uri, parameters)
+
+    def test_killed_program_leaves_the_gains_from_before_all_steps(self):
+        self.accept("identify", "sim:htm", "--out", "m.json", timeout=110)
+        _, uri = self.serve()
+        parameters, _ = self.board(uri)
+        process = self.start_program("tune", "m.json", "--apply", uri, "--live", "--arm", "--foreign-model")
+        time.sleep(7.0)
+        self.assertIsNone(process.poll(), "it is on its way")
+        process.kill()
+        time.sleep(2.0)         # the board's watchdog: 1 s
+        self.assertEqual(self.board(uri)[0] | {"hb.mode": 0}, parameters | {"hb.mode": 0})
+
+    def assert_stopped_itself(self, uri, parameters):
         values = {v["name"]: v["value"]
                   for v in self.accept("get", uri, "hb.arm", "status", "current_command", "--json").json()["values"]}
         self.assertEqual(values, {"hb.arm": 0, "status": 3, "current_command": 0})
