@@ -1,6 +1,6 @@
 #include "app/procedures/live_apply_plan.h"
 
-#include "app/procedures/large_step.h"
+#include "app/procedures/live_step_judge.h"
 
 #include <fmt/format.h>
 
@@ -14,9 +14,6 @@ namespace {
 using control::PositionLaw;
 
 constexpr std::size_t MostSteps = 40;
-constexpr std::size_t MostMotors = 300;
-constexpr double BandWidening_ratio = 2.0; ///< about its middle: one motion in a thousand leaves it
-constexpr double BandTolerance_rad = 0.03; ///< and what no model holds: resolution, stray field, a count
 
 double atOnce_A_per_rad(const PositionLaw& law, const LiveApplyConfig& config) {
     return law.gains.proportional + law.gains.derivative / config.conditions.timing.period_s;
@@ -69,44 +66,6 @@ double nextShare(const PositionLaw& from, double share, const LiveApplyConfig& c
     return near;
 }
 
-Result<void> admit(const TuneResult& judged, std::size_t number, std::size_t count) {
-    constexpr double MostUnstable_ratio = 0.01;
-    constexpr double LeastPhase_deg = 1.0;
-    constexpr double LeastGain_ratio = 1.1;
-    const control::Robustness& robust = judged.robust;
-    const double gain = std::max(robust.gainMargin_ratio_p5, 0.0);
-    const bool isRobust = robust.unstable_fraction < MostUnstable_ratio &&
-                          robust.phaseMargin_deg_p5 >= LeastPhase_deg && gain >= LeastGain_ratio;
-    if (judged.predicted.isStable && isRobust) {
-        return {};
-    }
-    return failure(
-        ErrorCode::Refused,
-        fmt::format("step {} of {} is not safe: {:.1f} % of the motors that the data allow make its loop "
-                    "unstable, its margins are {:.3g} deg and {:.3g}",
-                    number, count, judged.predicted.isStable ? 100.0 * robust.unstable_fraction : 100.0,
-                    robust.phaseMargin_deg_p5, gain),
-        "nothing was written; choose gains with larger margins, or identify more precisely");
-}
-
-std::vector<models::ReferencePoint> stepReference(const LiveApplyConfig& config) {
-    return {1, models::ReferencePoint{config.amplitude_rad, 0.0, 0.0}};
-}
-
-Result<MotionBand> bandOf(const PositionLaw& law, const std::vector<RunMotor>& motors,
-                          const LiveApplyConfig& config) {
-    const auto board = simulatedLaw(law, config.conditions);
-    if (!board) {
-        return failure(board.error());
-    }
-    const auto reference = stepReference(config);
-    const auto rows = static_cast<std::size_t>(std::lround(1e3 * config.duration_s)) + 1;
-    const MotionBand band = motionBand(motors, rows, [&](const RunMotor& motor) {
-        return models::replayLoop(replayOf(motor, *board, reference, rows)).angle_rad;
-    });
-    return widened(band, BandWidening_ratio, BandTolerance_rad);
-}
-
 } // namespace
 
 Result<std::vector<PositionLaw>> lawsBetween(const PositionLaw& from, const LiveApplyConfig& config) {
@@ -137,34 +96,29 @@ Result<std::vector<PositionLaw>> lawsBetween(const PositionLaw& from, const Live
 }
 
 Result<std::vector<LiveStep>> planLiveApply(const PositionLaw& from, const LiveApplyConfig& config) {
-    auto motors = drawRuns(config.motor, config.draws);
+    return planLiveApply(from, config, [] { return Result<void>(); });
+}
+
+Result<std::vector<LiveStep>> planLiveApply(const PositionLaw& from, const LiveApplyConfig& config,
+                                            const std::function<Result<void>()>& afterEach) {
+    const auto motors = liveMotors(config);
     if (!motors) {
         return failure(motors.error());
     }
-    motors->resize(std::min(motors->size(), MostMotors));
     const auto laws = lawsBetween(from, config);
     if (!laws) {
         return failure(laws.error());
     }
-    TuneConfig tuning;
-    tuning.method = "edited";
-    tuning.conditions = config.conditions;
-    tuning.draws = config.draws.count;
-    tuning.seed = config.draws.seed;
     std::vector<LiveStep> steps;
     for (const PositionLaw& law : *laws) {
-        const auto judged = judgeLaw(config.motor, law, tuning);
-        if (!judged) {
-            return failure(judged.error());
+        auto step = judgeLiveStep(law, *motors, config, {steps.size() + 1, laws->size()});
+        if (!step) {
+            return failure(step.error());
         }
-        if (const auto admitted = admit(*judged, steps.size() + 1, laws->size()); !admitted) {
-            return failure(admitted.error());
+        steps.push_back(*std::move(step));
+        if (const auto goOn = afterEach(); !goOn) {
+            return failure(goOn.error());
         }
-        auto band = bandOf(law, *motors, config);
-        if (!band) {
-            return failure(band.error());
-        }
-        steps.push_back({law, judged->robust, *std::move(band)});
     }
     return steps;
 }

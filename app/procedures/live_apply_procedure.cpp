@@ -2,6 +2,7 @@
 
 #include "app/procedures/band_watch.h"
 #include "app/procedures/gain_transaction.h"
+#include "app/procedures/live_step_judge.h"
 #include "app/procedures/procedure_steps.h"
 #include "app/procedures/restored_result.h"
 #include "app/procedures/verify_move.h"
@@ -86,7 +87,10 @@ Result<std::vector<LiveStep>> Walk::plan(const std::vector<ParameterValue>& targ
     if (!from) {
         return failure(from.error());
     }
-    return planLiveApply(*from, m_config);
+    // To compute takes seconds on a slow machine; a board that hears nothing for one takes its master for
+    // lost.
+    constexpr double Service_s = 0.01;
+    return planLiveApply(*from, m_config, [this] { return waitObserved(m_device, m_observer, Service_s); });
 }
 
 Result<std::vector<ParameterValue>> Walk::write(const PositionLaw& law) {

@@ -1,4 +1,5 @@
 #include "app/procedures/live_apply_plan.h"
+#include "app/procedures/live_step_judge.h"
 #include "tests/app/procedures/uncertain_motor.h"
 
 #include <gtest/gtest.h>
@@ -86,6 +87,21 @@ TEST(LiveApplyPlan, anUncertainMotorIsRefusedWhereAKnownOneIsNot) {
     EXPECT_TRUE(planLiveApply(law(10.0, 0.1, 0.0), config));
     config.motor = uncertainMotor(0.2);
     EXPECT_FALSE(planLiveApply(law(10.0, 0.1, 0.0), config));
+}
+
+// Who serves a link has a word after each set; what it answers ends the plan.
+TEST(LiveApplyPlan, asksBetweenItsSteps) {
+    int asked = 0;
+    const auto steps = planLiveApply(law(10.0, 0.1, 0.0), to(law(40.0, 60.0, 1.4)), [&asked] {
+        ++asked;
+        return Result<void>();
+    });
+    ASSERT_TRUE(steps) << steps.error().message;
+    EXPECT_EQ(asked, static_cast<int>(steps->size()));
+    const auto ended = planLiveApply(law(10.0, 0.1, 0.0), to(law(40.0, 60.0, 1.4)),
+                                     []() -> Result<void> { return failure(ErrorCode::Interrupted, ""); });
+    ASSERT_FALSE(ended);
+    EXPECT_EQ(ended.error().code, ErrorCode::Interrupted);
 }
 
 } // namespace

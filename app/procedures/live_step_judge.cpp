@@ -1,0 +1,92 @@
+#include "app/procedures/live_step_judge.h"
+
+#include "app/procedures/large_step.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace halbench::app {
+namespace {
+
+using control::PositionLaw;
+
+constexpr std::size_t MostMotors = 300;
+constexpr double BandWidening_ratio = 2.0; ///< about its middle: one motion in a thousand leaves it
+constexpr double BandTolerance_rad = 0.03; ///< and what no model holds: resolution, stray field, a count
+
+Result<void> admit(const TuneResult& judged, const StepNumber& step) {
+    constexpr double MostUnstable_ratio = 0.01;
+    constexpr double LeastPhase_deg = 1.0;
+    constexpr double LeastGain_ratio = 1.1;
+    const control::Robustness& robust = judged.robust;
+    const double gain = std::max(robust.gainMargin_ratio_p5, 0.0);
+    // A loop that integrates more than its motor damps has the nearer limit below its gain.
+    const bool hasGainMargin = gain >= LeastGain_ratio || gain <= 1.0 / LeastGain_ratio;
+    const bool isRobust = robust.unstable_fraction < MostUnstable_ratio &&
+                          robust.phaseMargin_deg_p5 >= LeastPhase_deg && hasGainMargin;
+    if (judged.predicted.isStable && isRobust) {
+        return {};
+    }
+    return failure(
+        ErrorCode::Refused,
+        fmt::format("step {} of {} is not safe: {:.1f} % of the motors that the data allow make its loop "
+                    "unstable, its margins are {:.3g} deg and {:.3g}",
+                    step.number, step.count,
+                    judged.predicted.isStable ? 100.0 * robust.unstable_fraction : 100.0,
+                    robust.phaseMargin_deg_p5, gain),
+        "nothing was written; choose gains with larger margins, or identify more precisely");
+}
+
+std::vector<models::ReferencePoint> stepReference(const LiveApplyConfig& config) {
+    return {1, models::ReferencePoint{config.amplitude_rad, 0.0, 0.0}};
+}
+
+Result<MotionBand> bandOf(const PositionLaw& law, const std::vector<RunMotor>& motors,
+                          const LiveApplyConfig& config) {
+    const auto board = simulatedLaw(law, config.conditions);
+    if (!board) {
+        return failure(board.error());
+    }
+    const auto reference = stepReference(config);
+    const auto rows = static_cast<std::size_t>(std::lround(1e3 * config.duration_s)) + 1;
+    const MotionBand band = motionBand(motors, rows, [&](const RunMotor& motor) {
+        return models::replayLoop(replayOf(motor, *board, reference, rows)).angle_rad;
+    });
+    return widened(band, BandWidening_ratio, BandTolerance_rad);
+}
+
+} // namespace
+
+Result<std::vector<RunMotor>> liveMotors(const LiveApplyConfig& config) {
+    auto motors = drawRuns(config.motor, config.draws);
+    if (motors) {
+        motors->resize(std::min(motors->size(), MostMotors));
+    }
+    return motors;
+}
+
+Result<LiveStep> judgeLiveStep(const PositionLaw& law, const std::vector<RunMotor>& motors,
+                               const LiveApplyConfig& config, const StepNumber& step) {
+    TuneConfig tuning;
+    tuning.method = "edited";
+    tuning.conditions = config.conditions;
+    tuning.draws = config.draws.count;
+    tuning.seed = config.draws.seed;
+    const auto judged = judgeLaw(config.motor, law, tuning);
+    if (!judged) {
+        return failure(judged.error());
+    }
+    if (const auto admitted = admit(*judged, step); !admitted) {
+        return failure(admitted.error());
+    }
+    auto band = bandOf(law, motors, config);
+    if (!band) {
+        return failure(band.error());
+    }
+    return LiveStep{law, judged->robust, *std::move(band)};
+}
+
+} // namespace halbench::app
