@@ -10636,7 +10636,7 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
     <message>
         <source>Of recordings without a name of their own: {device}, {date} and {time} (UTC), {number}; {name} is what the Record panel has. The rest stays as it is</source>
-        <translation>Von Aufzeichnungen ohne eigenen Namen: {device}, {date} und {time} (UTC), {number}; {name} steht im Bereich Aufzeichnung. Der Rest bleibt, wie er ist</translation>
+        <translation>Von Aufzeichnungen ohne eigenen Namen: {device}, {date} und {time} (UTC), {number}; {name} steht im Bereich Aufnahme. Der Rest bleibt, wie er ist</translation>
     </message>
     <message>
         <source>Example of a recording&apos;s name</source>
