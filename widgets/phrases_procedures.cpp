@@ -253,6 +253,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "Move for longer; check the gains and that nothing blocks the rotor."),
     QT_TRANSLATE_NOOP("Phrases", "a move of {} s is out of range"),
     QT_TRANSLATE_NOOP("Phrases", "Allowed: 0.05 to 3600 s."),
+    QT_TRANSLATE_NOOP("Phrases", "holds its position"),
+    QT_TRANSLATE_NOOP("Phrases", "makes the move"),
     QT_TRANSLATE_NOOP("Phrases", "the board did not start its reference"),
     QT_TRANSLATE_NOOP("Phrases", "Try again; check the link."),
     QT_TRANSLATE_NOOP("Phrases", "waits for standstill"),

@@ -85,7 +85,7 @@ Result<void> follow(devices::Device& device, const MoveConfig& config, const Pro
     if (auto armed = device.arm(); !armed) {
         return armed;
     }
-    if (auto settled = waitObserved(device, observer, Settle_s, 0.0, 0.0, "holds"); !settled) {
+    if (auto settled = waitObserved(device, observer, Settle_s, 0.0, 0.0, "holds its position"); !settled) {
         return settled;
     }
     const ParameterValue start[] = {{"reference.start", 1.0}};
@@ -95,7 +95,7 @@ Result<void> follow(devices::Device& device, const MoveConfig& config, const Pro
     if (auto entered = enterState(observer, ProcedureState::Record); !entered) {
         return entered;
     }
-    if (auto moved = waitObserved(device, observer, config.duration_s + Tail_s, 0.05, 0.95, "moves");
+    if (auto moved = waitObserved(device, observer, config.duration_s + Tail_s, 0.05, 0.95, "makes the move");
         !moved) {
         return moved;
     }

@@ -52,7 +52,7 @@ TEST(Apply, saysBeforehandHowFarItsMoveMayGo) {
     double farthest_rad = 0.0;
     ProcedureObserver observer;
     observer.onProgress = [&](double, const std::string& text) {
-        if (text == "moves") {
+        if (text == "makes the move") {
             window_rad =
                 parameter(*device, "window.position_enabled") * parameter(*device, "window.position");
             speed_rad_s = parameter(*device, "window.speed");
@@ -118,7 +118,7 @@ Result<ApplyResult> applyUnseen(double from_ratio, double to_ratio) {
     const auto device = motorAndLink.connect();
     ProcedureObserver observer;
     observer.onProgress = [&](double share, const std::string& text) {
-        if (text != "moves") {
+        if (text != "makes the move") {
             return;
         }
         motorAndLink.faults().alterReceived = nullptr;
