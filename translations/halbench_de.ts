@@ -5930,6 +5930,14 @@
         <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, recording, plot, cursors, derived, given, model, design, calibration</source>
         <translation>unbekannter Schlüssel &apos;{}&apos;; bekannt sind schema, device, notes, perspective, layout, monitor, recording, plot, cursors, derived, given, model, design, calibration</translation>
     </message>
+    <message>
+        <source>holds its position</source>
+        <translation>hält die Lage</translation>
+    </message>
+    <message>
+        <source>makes the move</source>
+        <translation>führt die Bewegung aus</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

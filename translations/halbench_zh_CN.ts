@@ -5930,6 +5930,14 @@
         <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, recording, plot, cursors, derived, given, model, design, calibration</source>
         <translation>未知的键 &apos;{}&apos;；已知的有 schema、device、notes、perspective、layout、monitor、recording、plot、cursors、derived、given、model、design、calibration</translation>
     </message>
+    <message>
+        <source>holds its position</source>
+        <translation>保持位置</translation>
+    </message>
+    <message>
+        <source>makes the move</source>
+        <translation>正在运动</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
