@@ -12503,16 +12503,20 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>In kleinen Schritten</translation>
     </message>
     <message>
-        <source>From the gains that run to the new ones in steps of at most half as much again, each judged before it is written and proved by a move; if one leaves its band, the gains from before run again</source>
-        <translation>Von den laufenden Reglerparametern zu den neuen in Schritten um höchstens die Hälfte mehr, jeder vor dem Schreiben beurteilt und durch eine Bewegung nachgewiesen; verlässt eine ihr Band, laufen die von vorher wieder</translation>
+        <source>From the gains that run to the new ones in steps that change K_P and K_P + K_D/T by half at most, each judged before it is written and proved by a move; if one leaves its band, the gains from before run again</source>
+        <translation>Von den laufenden Reglerparametern zu den neuen in Schritten, die K_P und K_P + K_D/T um höchstens die Hälfte ändern, jeder vor dem Schreiben beurteilt und durch eine Bewegung nachgewiesen; verlässt eine ihr Band, laufen die von vorher wieder</translation>
     </message>
     <message>
         <source>What the proposed gains would make of this move is not said: %1</source>
         <translation>Was die vorgeschlagenen Reglerparameter aus dieser Bewegung machen würden, wird nicht gesagt: %1</translation>
     </message>
     <message>
-        <source>With the proposed gains this move would overshoot by %1 instead of %2 and come to rest %3 from its set-point instead of %4.</source>
-        <translation>Mit den vorgeschlagenen Reglerparametern würde diese Bewegung um %1 statt %2 überschwingen und %3 statt %4 neben ihrem Sollwert zur Ruhe kommen.</translation>
+        <source>With the proposed gains this move would overshoot by %1 instead of %2 and end %3 from its set-point instead of %4.</source>
+        <translation>Mit den vorgeschlagenen Reglerparametern würde diese Bewegung um %1 statt %2 überschwingen und %3 statt %4 neben ihrem Sollwert enden.</translation>
+    </message>
+    <message>
+        <source>Outside the predicted band: the gains that were applied, not those shown now</source>
+        <translation>Außerhalb des vorhergesagten Bandes: die übernommenen Reglerparameter, nicht die jetzt gezeigten</translation>
     </message>
 </context>
 <context>

@@ -12492,16 +12492,20 @@ A real device has its own time.</source>
         <translation>以小步进行</translation>
     </message>
     <message>
-        <source>From the gains that run to the new ones in steps of at most half as much again, each judged before it is written and proved by a move; if one leaves its band, the gains from before run again</source>
-        <translation>从运行中的增益到新增益，每步至多增加一半，每步在写入前被判断，并由一次运动验证；若某次运动离开其范围，则重新运行之前的增益</translation>
+        <source>From the gains that run to the new ones in steps that change K_P and K_P + K_D/T by half at most, each judged before it is written and proved by a move; if one leaves its band, the gains from before run again</source>
+        <translation>从运行中的增益到新增益，每步使 K_P 和 K_P + K_D/T 至多变化一半，每步在写入前被判断，并由一次运动验证；若某次运动离开其范围，则重新运行之前的增益</translation>
     </message>
     <message>
         <source>What the proposed gains would make of this move is not said: %1</source>
         <translation>不说明建议的增益会使此运动怎样：%1</translation>
     </message>
     <message>
-        <source>With the proposed gains this move would overshoot by %1 instead of %2 and come to rest %3 from its set-point instead of %4.</source>
-        <translation>用建议的增益，此运动会超调 %1 而不是 %2，并在距设定值 %3 而不是 %4 处静止。</translation>
+        <source>With the proposed gains this move would overshoot by %1 instead of %2 and end %3 from its set-point instead of %4.</source>
+        <translation>用建议的增益，此运动会超调 %1 而不是 %2，结束时距设定值 %3 而不是 %4。</translation>
+    </message>
+    <message>
+        <source>Outside the predicted band: the gains that were applied, not those shown now</source>
+        <translation>超出预测范围：指已应用的增益，而非现在显示的增益</translation>
     </message>
 </context>
 <context>

@@ -44,13 +44,13 @@ std::optional<NamedRecording> namedBy(const RecordingEntry& entry) {
     }
     const QFileInfo data(entry.path);
     const QFileInfo sidecar(sidecarPath(entry.path));
-    return NamedRecording{entry.path, entry.name, std::max(entry.date, data.lastModified().toUTC()),
+    const QDateTime touched = std::max(data.lastModified(), sidecar.lastModified()).toUTC();
+    return NamedRecording{entry.path, entry.name, std::max(entry.date, touched),
                           static_cast<std::uint64_t>(data.size() + sidecar.size())};
 }
 
 /// A picture, a model, a layout: whatever bears the recording's name is a reason to keep it.
-bool hasCompanion(const QString& path, const QString& name) {
-    const QStringList files = QFileInfo(path).dir().entryList(QDir::AllEntries | QDir::Hidden);
+bool hasCompanion(const QStringList& files, const QString& name) {
     return std::any_of(files.begin(), files.end(), [&](const QString& file) {
         return file.startsWith(name + QLatin1Char('.')) && file != name + QLatin1String(".csv") &&
                file != name + QLatin1String(".meta.json");
@@ -62,8 +62,13 @@ bool isWritable(const QFileInfo& file) {
     return file.isWritable() && file.permission(QFileDevice::WriteOwner);
 }
 
+QStringList filesIn(const QString& folder) {
+    return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden, QDir::Unsorted);
+}
+
+/// `files` are those of its folder.
 std::optional<KeptBecause> protectionOf(const RecordingEntry& entry, const NamedRecording& recording,
-                                        const QDateTime& now) {
+                                        const QStringList& files, const QDateTime& now) {
     const QFileInfo data(recording.path);
     const QFileInfo sidecar(sidecarPath(recording.path));
     if (data.isSymLink() || sidecar.isSymLink()) {
@@ -75,7 +80,7 @@ std::optional<KeptBecause> protectionOf(const RecordingEntry& entry, const Named
     if (!entry.notes.isEmpty()) {
         return KeptBecause::Notes;
     }
-    if (!entry.results.isEmpty() || hasCompanion(recording.path, recording.name)) {
+    if (!entry.results.isEmpty() || hasCompanion(files, recording.name)) {
         return KeptBecause::Results;
     }
     if (!isWritable(data) || !isWritable(sidecar)) {
@@ -177,13 +182,14 @@ RetentionPlan planRetention(const QString& folder, const RetentionLimits& limits
                std::pair(other.recording.date, other.recording.path);
     });
     plan.after_bytes = plan.before_bytes;
+    const QStringList files = filesIn(folder); // once: there may be thousands
     for (const Candidate& each : candidates) {
         const bool isTooOld = limits.days && each.recording.date.secsTo(now) > *limits.days * Day_s;
         const bool isTooMuch = limits.size_bytes && plan.after_bytes > *limits.size_bytes;
         if (!isTooOld && !isTooMuch) {
             continue;
         }
-        if (const auto reason = protectionOf(each.entry, each.recording, now)) {
+        if (const auto reason = protectionOf(each.entry, each.recording, files, now)) {
             plan.kept.push_back({each.recording, *reason});
         } else {
             plan.removals.push_back({each.recording, isTooOld});
@@ -196,10 +202,13 @@ RetentionPlan planRetention(const QString& folder, const RetentionLimits& limits
 Result<RemovalWay> removeRecording(const RetentionPlan::Removal& removal, RemovalWay way,
                                    const QDateTime& now) {
     const QString& path = removal.recording.path;
+    // The rows first, which take minutes: somebody may open the recording meanwhile, or write a note.
+    const bool isSame = isUnchanged(path);
     const std::optional<RecordingEntry> entry = recordingAt(path);
     const auto recording = entry ? namedBy(*entry) : std::nullopt;
-    auto kept = recording ? protectionOf(*entry, *recording, now) : std::optional(KeptBecause::Changed);
-    kept = !kept && !isUnchanged(path) ? KeptBecause::Changed : kept;
+    const auto kept = isSame && recording
+                          ? protectionOf(*entry, *recording, filesIn(QFileInfo(path).path()), now)
+                          : std::optional(KeptBecause::Changed);
     if (kept) {
         return failure(
             ErrorCode::Refused,

@@ -55,9 +55,14 @@ void CoilWatch::take(const SampleBlock& block) {
 std::vector<CoilForecast> CoilWatch::forecasts(double limit_degC) const {
     std::vector<CoilForecast> forecasts;
     for (const Coil& coil : m_coils) {
-        if (coil.bins.newest_degC()) {
-            forecasts.push_back({coil.temperature, control::forecastLimit(
-                                                       control::atSteadyLoad(coil.bins.bins()), limit_degC)});
+        if (const auto newest_degC = coil.bins.newest_degC()) {
+            auto forecast = control::forecastLimit(control::atSteadyLoad(coil.bins.bins()), limit_degC);
+            if (forecast.stretch_s == 0.0) { // less than a second of it, but it was measured
+                forecast.now_degC = *newest_degC;
+                forecast.verdict =
+                    *newest_degC >= limit_degC ? control::LimitForecast::Verdict::AtLimit : forecast.verdict;
+            }
+            forecasts.push_back({coil.temperature, forecast});
         }
     }
     return forecasts;

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -49,9 +50,34 @@ MotionBand mirrored(const MotionBand& band) {
     return result;
 }
 
+/// Before what else was noticed: it is why the old gains are back.
 void refuse(ApplyResult& result, const char* code, const Error& why) {
     result.quality.verdict = Verdict::Refused;
-    result.quality.findings.push_back({code, why.message, why.hint});
+    result.quality.findings.insert(result.quality.findings.begin(), {code, why.message, why.hint});
+}
+
+/// The angle of a move in rows 1 ms apart, from where the rotor was: the board may send fewer, and some may
+/// be lost. Ends where the recording does.
+std::vector<double> everyMillisecond(const Recording& move) {
+    constexpr double Row_s = 1e-3;
+    const std::vector<double> position_rad = move.column("position");
+    std::vector<double> angle_rad;
+    std::size_t next = 0;
+    for (std::size_t row = 0; !position_rad.empty(); ++row) {
+        const double time_s = move.time_s.front() + Row_s * static_cast<double>(row);
+        while (next < move.time_s.size() && move.time_s[next] < time_s - 1e-9) {
+            ++next;
+        }
+        if (next >= position_rad.size()) {
+            break;
+        }
+        const std::size_t before = next == 0 ? 0 : next - 1;
+        const double step_s = move.time_s[next] - move.time_s[before];
+        const double share = step_s > 0.0 ? (time_s - move.time_s[before]) / step_s : 1.0;
+        angle_rad.push_back(std::lerp(position_rad[before], position_rad[next], share) -
+                            position_rad.front());
+    }
+    return angle_rad;
 }
 
 /// One way from snapshot to target; what it holds is for one device and one run.
@@ -136,14 +162,13 @@ Result<bool> Walk::prove(const LiveStep& step, double direction, LiveStepResult&
         return failure(moved.error()); // also when a limit of the board or the link came first
     }
     ApplyResult& whole = m_result.apply;
+    whole.predicted.reset(); // a move that was ended is not the one of the step before
+    whole.verification.reset();
+    whole.band.reset();
+    whole.quality = {};
     if (moved) {
-        const Recording& seen = verified.verification->recording;
-        std::vector<double> angle_rad = seen.column("position");
-        const double start_rad = angle_rad.empty() ? 0.0 : angle_rad.front();
-        for (double& angle : angle_rad) {
-            angle -= start_rad;
-        }
-        done.widening_ratio = neededWidening_ratio(band, angle_rad, 0.0);
+        done.widening_ratio =
+            neededWidening_ratio(band, everyMillisecond(verified.verification->recording), 0.0);
         whole.predicted = std::move(verified.predicted);
         whole.verification = std::move(verified.verification);
         whole.band = std::move(verified.band);

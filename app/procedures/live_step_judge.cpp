@@ -24,7 +24,8 @@ Result<void> admit(const TuneResult& judged, const StepNumber& step) {
     const control::Robustness& robust = judged.robust;
     const double gain = std::max(robust.gainMargin_ratio_p5, 0.0);
     // A loop that integrates more than its motor damps has the nearer limit below its gain.
-    const bool hasGainMargin = gain >= LeastGain_ratio || gain <= 1.0 / LeastGain_ratio;
+    const bool isBelow = robust.gainMargin_ratio && robust.gainMargin_ratio->p95 <= 1.0 / LeastGain_ratio;
+    const bool hasGainMargin = gain >= LeastGain_ratio || isBelow; // of all: some near each side is none
     const bool isRobust = robust.unstable_fraction < MostUnstable_ratio &&
                           robust.phaseMargin_deg_p5 >= LeastPhase_deg && hasGainMargin;
     if (judged.predicted.isStable && isRobust) {

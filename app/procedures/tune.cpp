@@ -199,6 +199,15 @@ std::vector<ParameterValue> lawParameters(const control::PositionLaw& law) {
     return result;
 }
 
+bool isSameLaw(const PositionLaw& one, const PositionLaw& other) {
+    const auto ones = lawParameters(one);
+    const auto others = lawParameters(other);
+    return std::equal(ones.begin(), ones.end(), others.begin(), others.end(),
+                      [](const ParameterValue& a, const ParameterValue& b) {
+                          return std::fabs(a.value - b.value) <= 1e-6 * std::fabs(a.value) + 1e-12;
+                      });
+}
+
 Result<control::PositionLaw> lawFromParameters(const std::map<std::string, double>& values) {
     PositionLaw law;
     for (const LawField& number : LawFields) {

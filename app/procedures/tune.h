@@ -48,6 +48,8 @@ Result<TuneResult> judgeLaw(const MotorEstimate& estimate, const control::Positi
 /// `lawFromParameters` takes any map of parameter values; what is missing keeps the default of PositionLaw
 /// except the three gains. Errors: UnknownName (a gain is missing), NotFinite, OutOfRange (negative).
 std::vector<ParameterValue> lawParameters(const control::PositionLaw& law);
+/// To what single precision leaves of a gain on a board.
+bool isSameLaw(const control::PositionLaw& one, const control::PositionLaw& other);
 Result<control::PositionLaw> lawFromParameters(const std::map<std::string, double>& values);
 
 /// Checks every value against the device's limits before anything is written. Errors: of checkParameterValue;

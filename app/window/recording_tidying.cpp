@@ -18,6 +18,8 @@ RecordingTidying::~RecordingTidying() {
 
 void RecordingTidying::setLimits(const RetentionLimits& limits) {
     m_limits = limits;
+    *m_isEnding = true; // what goes on by the limits of before
+    m_isEnding = std::make_shared<std::atomic<bool>>(false);
     tidy(m_bench.recording().folder());
 }
 
@@ -32,7 +34,7 @@ void RecordingTidying::tidy(const QString& folder) {
             const RetentionPlan plan = planRetention(folder, limits, now);
             for (const RetentionPlan::Removal& removal : plan.removals) {
                 if (*isEnding) {
-                    break; // the next start goes on
+                    break; // the next look goes on
                 }
                 outcomes.push_back({removal, removeRecording(removal, RemovalWay::Trash, now)});
             }

@@ -11,6 +11,8 @@
 #include <QObject>
 #include <QStringList>
 
+#include <utility>
+
 namespace halbench::widgets {
 class LivePlotStack;
 }
@@ -43,6 +45,7 @@ public:
     bool isShown() const { return m_isShown; }
     /// Of the live samples, while these are not shown; those of captures are kept meanwhile.
     const widgets::CursorPairs& livePairs() const { return m_otherPairs; }
+    void setLivePairs(widgets::CursorPairs pairs) { m_otherPairs = std::move(pairs); }
     /// `event`: what is waited for.
     TriggerWords words(const QString& event) const;
 

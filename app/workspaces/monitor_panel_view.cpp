@@ -5,6 +5,7 @@
 #include "widgets/live_plot_stack.h"
 #include "widgets/message_bar.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -14,9 +15,12 @@ namespace {
 
 constexpr double DefaultSpan_s = 10.0;
 
-/// To milliseconds: the view moves by whole pixel columns, a project shall not.
+/// To milliseconds, a short one to microseconds: the view moves by whole pixel columns, a project shall not.
+/// Never to nothing: a project without a length is no project.
 double rounded(double time_s) {
-    return std::round(time_s * 1e3) * 1e-3;
+    constexpr double Short_s = 0.1;
+    const double grains_Hz = time_s < Short_s ? 1e6 : 1e3;
+    return std::max(1.0, std::round(time_s * grains_Hz)) / grains_Hz;
 }
 
 } // namespace
@@ -48,7 +52,7 @@ void MonitorPanel::setView(const MonitorView& view) {
     m_view = view;
     m_bench.setDerivedSignals(view.derived);
     m_trigger->setChoice(view.trigger);
-    m_stack->setCursorPairs(cursorPairs(view));
+    m_trigger->setLivePairs(cursorPairs(view));
     m_message->clear();
     m_isIncomplete = false;
     if (m_bench.session().state() == SessionState::Connected && !m_device.isEmpty()) {

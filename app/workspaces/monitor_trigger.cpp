@@ -172,6 +172,14 @@ void MonitorTrigger::startLive(const TriggerChoice& chosen, const SetPointSignal
     m_stack.setEvent(m_event_s);
 }
 
+void MonitorTrigger::setLivePairs(widgets::CursorPairs pairs) {
+    if (m_capture->isShown()) {
+        m_capture->setLivePairs(std::move(pairs));
+    } else {
+        m_stack.setCursorPairs(std::move(pairs));
+    }
+}
+
 const widgets::CursorPairs& MonitorTrigger::livePairs() const {
     return m_capture->isShown() ? m_capture->livePairs() : m_stack.cursorPairs();
 }

@@ -38,6 +38,7 @@ public:
     void plotsChanged();
     /// The pairs on the time axis of the live samples, also while a capture is shown.
     const widgets::CursorPairs& livePairs() const;
+    void setLivePairs(widgets::CursorPairs pairs);
 
 private:
     void createActions(QWidget& panel);

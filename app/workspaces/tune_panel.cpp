@@ -322,9 +322,12 @@ void TunePanel::shareWidth() {
 bool TunePanel::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_splitter && event->type() == QEvent::Resize) {
         QMetaObject::invokeMethod(this, &TunePanel::shareWidth, Qt::QueuedConnection);
-    } else if (event->type() == QEvent::Resize && m_verificationRoom != nullptr &&
-               watched == m_verificationRoom->viewport()) {
-        growVerification();
+    } else if (m_verificationRoom != nullptr && watched == m_verificationRoom->viewport()) {
+        if (event->type() == QEvent::Resize) {
+            growVerification();
+        } else if (event->type() == QEvent::Show) {
+            drawVerification(); // the gains may be others by now
+        }
     } else if (event->type() == QEvent::ShortcutOverride && isOfHistory(static_cast<QKeyEvent&>(*event))) {
         event->ignore(); // else a number field takes the key for its own text
         return true;

@@ -173,6 +173,7 @@ private:
     void finishApply(const Result<ApplyResult>& result);
     void showVerification(const ApplyResult& result);
     void drawVerification();
+    void drawShownVerification();
     void showAgreement(const std::vector<widgets::Remark>& remarks);
     void useRecord(const ApplyResult& result);
     void forgetRecord();

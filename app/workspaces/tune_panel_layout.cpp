@@ -167,9 +167,9 @@ void TunePanel::refreshWords() {
         tr("All gains at once, then a step that must go as predicted; Esc stops it"));
     m_inSteps->setText(tr("In small steps"));
     m_inSteps->setToolTip(
-        tr("From the gains that run to the new ones in steps of at most half as much again, each "
-           "judged before it is written and proved by a move; if one leaves its band, the gains "
-           "from before run again"));
+        tr("From the gains that run to the new ones in steps that change K_P and K_P + K_D/T by half at "
+           "most, each judged before it is written and proved by a move; if one leaves its band, the "
+           "gains from before run again"));
     m_inSteps->setAccessibleName(m_inSteps->text());
     say(*m_keep, tr("Keep"),
         tr("The new gains stay until the device is switched off or, for a simulated one, disconnected; Save "

@@ -95,7 +95,7 @@ void TunePanel::showSketch(const Result<TuneSketch>& sketch) {
     m_present = sketch->present;
     m_sketch = *sketch;
     drawPredictions();
-    drawVerification(); // what if its move had been made with these gains
+    drawShownVerification(); // what if its move had been made with these gains
     showShape();
     if (m_shaping && m_shaping->isWaiting) {
         takeShape(); // the hand went on meanwhile
@@ -144,7 +144,7 @@ void TunePanel::showAnswer(const Result<TuneResult>& answer, std::optional<doubl
 void TunePanel::showProblem(const Error& error) {
     m_shown.reset();
     m_problem = error;
-    drawVerification();
+    drawShownVerification();
     m_verdict->setVerdict(widgets::VerdictLevel::Refused, widgets::inWords(error.message),
                           {{widgets::inWords(error.hint), {}}});
     showDesigns(); // what was proposed before is not proposed any more
@@ -299,10 +299,17 @@ void TunePanel::drawVerification() {
     showAgreement(remarks);
 }
 
+/// The hand that moves the gains pays for it only where it is seen; showing the page draws it.
+void TunePanel::drawShownVerification() {
+    if (m_verificationPage->isVisible()) {
+        drawVerification();
+    }
+}
+
 /// A green verdict beside gains that it is not of would be taken for theirs.
 void TunePanel::showAgreement(const std::vector<widgets::Remark>& remarks) {
     const bool isWithin = m_verified->quality.verdict != Verdict::Refused;
-    const bool isOfShown = m_applying && m_sketch && !m_problem && m_sketch->law == m_applying->law;
+    const bool isOfShown = m_applying && m_sketch && !m_problem && isSameLaw(m_sketch->law, m_applying->law);
     if (isWithin && (m_isUndone || !isOfShown)) {
         m_agreement->setVerdict(
             widgets::VerdictLevel::Doubtful,
@@ -312,7 +319,10 @@ void TunePanel::showAgreement(const std::vector<widgets::Remark>& remarks) {
         return;
     }
     m_agreement->setVerdict(isWithin ? widgets::VerdictLevel::Good : widgets::VerdictLevel::Refused,
-                            isWithin ? tr("Within the predicted band") : tr("Outside the predicted band"),
+                            isWithin    ? tr("Within the predicted band")
+                            : isOfShown ? tr("Outside the predicted band")
+                                        : tr("Outside the predicted band: the gains that were applied, not "
+                                             "those shown now"),
                             remarks);
 }
 

@@ -14,16 +14,6 @@
 namespace halbench::app {
 namespace {
 
-/// To what single precision leaves of a gain on the board.
-bool isSameLaw(const control::PositionLaw& one, const control::PositionLaw& other) {
-    const auto ones = lawParameters(one);
-    const auto others = lawParameters(other);
-    return std::equal(ones.begin(), ones.end(), others.begin(), others.end(),
-                      [](const ParameterValue& a, const ParameterValue& b) {
-                          return std::abs(a.value - b.value) <= 1e-6 * std::abs(a.value) + 1e-12;
-                      });
-}
-
 std::optional<control::PositionLaw> lawThatRan(const ApplyResult& result) {
     std::map<std::string, double> values;
     for (const ParameterValue& value : result.after) {
@@ -106,8 +96,8 @@ void TunePanel::addWhatIf(widgets::Figure& figure, std::vector<widgets::Remark>&
     const MotionFigures was = motionFigures(move.reference_rad, move.position_rad);
     if (would.overshoot_rad && was.overshoot_rad) {
         remarks.push_back(
-            {tr("With the proposed gains this move would overshoot by %1 instead of %2 and come to rest %3 "
-                "from its set-point instead of %4.")
+            {tr("With the proposed gains this move would overshoot by %1 instead of %2 and end %3 from "
+                "its set-point instead of %4.")
                  .arg(angleText(*would.overshoot_rad, units), angleText(*was.overshoot_rad, units),
                       angleText(std::abs(would.finalError_rad), units),
                       angleText(std::abs(was.finalError_rad), units)),

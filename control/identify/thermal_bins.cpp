@@ -75,9 +75,12 @@ std::vector<ThermalBin> atSteadyLoad(const std::deque<ThermalBin>& bins) {
         for (std::size_t i = from; i < begin; ++i) {
             square_A2 += bins[i].square_A2 / static_cast<double>(begin - from);
         }
+        if (!std::isfinite(square_A2)) {
+            break; // nobody knows the load
+        }
         const double mean_A2 = groups > 0.0 ? sum_A2 / groups : square_A2;
         if (std::abs(square_A2 - mean_A2) > LoadChange_ratio * mean_A2 + LeastLoadChange_A2) {
-            break; // with a current that is not known, never
+            break;
         }
         sum_A2 += square_A2;
         groups += 1.0;

@@ -49,7 +49,8 @@ private:
 };
 
 /// The newest of them in which the load did not change: groups of five seconds whose mean square of the
-/// current stays within 5 % (and 0.01 A^2) of their mean. Without currents: all of them.
+/// current stays within 5 % (and 0.01 A^2) of their mean. A current that is not known ends
+/// them: without currents there are none.
 std::vector<ThermalBin> atSteadyLoad(const std::deque<ThermalBin>& bins);
 
 } // namespace halbench::control

@@ -39,9 +39,11 @@ protected:
         age(name, days);
     }
     void age(const QString& name, int days) {
-        QFile file(path(name + ".csv"));
-        ASSERT_TRUE(file.open(QIODevice::ReadWrite));
-        ASSERT_TRUE(file.setFileTime(now.addDays(-days), QFileDevice::FileModificationTime));
+        for (const char* part : {".csv", ".meta.json"}) {
+            QFile file(path(name + part));
+            ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+            ASSERT_TRUE(file.setFileTime(now.addDays(-days), QFileDevice::FileModificationTime));
+        }
     }
     void touch(const QString& name) {
         QFile file(path(name));

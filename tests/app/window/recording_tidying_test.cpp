@@ -31,9 +31,11 @@ protected:
         recording.values = {1.0, 2.0};
         const QString path = folder.filePath(called + ".csv");
         ASSERT_TRUE(devices::writeRecordingFile(path.toStdString(), recording, meta));
-        QFile file(path);
-        ASSERT_TRUE(file.open(QIODevice::ReadWrite));
-        ASSERT_TRUE(file.setFileTime(date, QFileDevice::FileModificationTime));
+        for (const QString& part : {path, folder.filePath(called + ".meta.json")}) {
+            QFile file(part);
+            ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+            ASSERT_TRUE(file.setFileTime(date, QFileDevice::FileModificationTime));
+        }
     }
     QStringList recordings() const { return QDir(folder.path()).entryList({"*.csv"}, QDir::Files); }
 

@@ -184,6 +184,22 @@ TEST(ThermalBins, onlyTheStretchSinceTheLoadChangedCounts) {
     EXPECT_EQ(atSteadyLoad(bins.bins()).size(), bins.bins().size());
 }
 
+TEST(ThermalBins, aLoadThatIsNotKnownIsNotCalledSteady) {
+    ThermalBins bins;
+    for (int row = 0; row < 4000; ++row) {
+        const double time_s = row / Rate_Hz;
+        bins.add(time_s, 30.0 + 0.01 * time_s, time_s < 100.0 ? std::nan("") : 2.0);
+    }
+    const auto steady = atSteadyLoad(bins.bins());
+    ASSERT_FALSE(steady.empty());
+    EXPECT_GE(steady.front().time_s, 99.0); // where the current begins to be known
+    bins.clear();
+    for (int row = 0; row < 4000; ++row) {
+        bins.add(row / Rate_Hz, 30.0, std::nan(""));
+    }
+    EXPECT_TRUE(atSteadyLoad(bins.bins()).empty());
+}
+
 TEST(ThermalBins, aGapOrAClockThatRunsBackForgetsAndNoNumberIsPassedOver) {
     ThermalBins bins;
     for (int row = 0; row < 100; ++row) {

@@ -130,6 +130,7 @@ TEST(Stop, worksInEveryModeAndStaysLatched) {
     for (const std::uint8_t mode : {HB_MODE_IDLE, HB_MODE_CURRENT, HB_MODE_POSITION, HB_MODE_D_AXIS}) {
         BoardFixture f;
         f.driveIn(mode);
+        f.writePaged(offsetof(hb_htm_calibration, stray_enabled), 0.0F); // this rotor's coils have none
         f.setSetpoint(1.0F);
         f.tick(10);
         EXPECT_EQ(f.stop(), (Octets{0xFF, HB_LATCH_COMMAND}));

@@ -11,6 +11,7 @@ constexpr double Step_rad = 0.5;
 
 BoardFixture& readyToStep(BoardFixture& f) {
     f.driveIn(HB_MODE_POSITION);
+    f.writePaged(offsetof(hb_htm_calibration, stray_enabled), 0.0F); // this rotor's coils have no stray field
     f.writeLive(offsetof(hb_htm_live, reference.shape), {HB_SHAPE_STEP});
     f.writeLive(offsetof(hb_htm_live, reference.amplitude), f.octetsOf(static_cast<float>(Step_rad)));
     f.writeLive(offsetof(hb_htm_live, reference.duration_s), f.octetsOf(0.05F));
