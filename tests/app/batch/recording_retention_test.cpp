@@ -117,6 +117,8 @@ TEST_F(RecordingRetentionTest, whatSomebodyValuesStaysAndTheReasonIsSaid) {
     }
     ASSERT_TRUE(writeRecordingNotes(path("a.csv"), {"cold"}, {}));
     ASSERT_TRUE(writeRecordingNotes(path("b.csv"), {}, "first"));
+    age("a", 50); // all of this was long ago
+    age("b", 50);
     touch("c.model.json");
     touch("d.pdf");
     ASSERT_TRUE(QFile::setPermissions(path("e.csv"), QFile::ReadOwner));
@@ -125,6 +127,13 @@ TEST_F(RecordingRetentionTest, whatSomebodyValuesStaysAndTheReasonIsSaid) {
     EXPECT_EQ(names(found.removals), "");
     EXPECT_EQ(kept(found), "a: it has tags;b: it has notes;c: a file beside it bears its name;"
                            "d: a file beside it bears its name;e: it is write-protected;f: it is open;");
+}
+
+TEST_F(RecordingRetentionTest, aRecordingWhoseSidecarWasWrittenTodayIsOfToday) {
+    write("a", 50);
+    ASSERT_TRUE(writeRecordingNotes(path("a.csv"), {"cold"}, {}));
+    ASSERT_TRUE(writeRecordingNotes(path("a.csv"), {}, {})); // and taken back, to write another later
+    EXPECT_EQ(names(plan("30d").removals), "");
 }
 
 TEST_F(RecordingRetentionTest, aRecordingThatIsReplayedOrWrittenStays) {

@@ -117,7 +117,8 @@ class Retention(Comparing):
         with open(self.path(f"{name}.meta.json"), encoding="utf-8") as file:
             meta = json.load(file)
         self.write(f"{name}.meta.json", json.dumps(meta | {"started": started}))
-        os.utime(self.path(f"{name}.csv"), (when, when))
+        for ending in ("csv", "meta.json"):
+            os.utime(self.path(f"{name}.{ending}"), (when, when))
 
     def files(self):
         return sorted(name for name in os.listdir(self.path(".")) if name.endswith((".csv", ".json")))
