@@ -5938,6 +5938,14 @@
         <source>makes the move</source>
         <translation>führt die Bewegung aus</translation>
     </message>
+    <message>
+        <source>the trash does not take &apos;{}&apos;</source>
+        <translation>der Papierkorb nimmt „{}“ nicht</translation>
+    </message>
+    <message>
+        <source>empty the trash; where a disk has none, `halbench recordings --retain ... --delete` deletes for good</source>
+        <translation>Leeren Sie den Papierkorb; wo ein Datenträger keinen hat, löscht `halbench recordings --retain ... --delete` endgültig</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -10655,8 +10663,8 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>&amp;Namen von Aufzeichnungen</translation>
     </message>
     <message>
-        <source>Only what the program named itself goes, the oldest first, into the trash, or for good where the disk has none. What has tags, notes or results, is open or less than a day old stays</source>
-        <translation>Nur was das Programm selbst benannt hat, geht, das Älteste zuerst, in den Papierkorb, oder endgültig, wo der Datenträger keinen hat. Was Schlagwörter, Notizen oder Ergebnisse hat, offen oder jünger als ein Tag ist, bleibt</translation>
+        <source>Only what the program named itself goes, the oldest first, into the trash; what the trash does not take stays. What has tags, notes or results, is open or less than a day old stays</source>
+        <translation>Nur was das Programm selbst benannt hat, geht, das Älteste zuerst, in den Papierkorb; was der Papierkorb nicht nimmt, bleibt. Was Schlagwörter, Notizen oder Ergebnisse hat, offen oder jünger als ein Tag ist, bleibt</translation>
     </message>
     <message>
         <source>at &amp;most</source>
@@ -10747,10 +10755,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>moved to the trash: %1 (%2)</source>
         <translation>in den Papierkorb verschoben: %1 (%2)</translation>
-    </message>
-    <message>
-        <source>deleted, for its disk has no trash: %1 (%2)</source>
-        <translation>gelöscht, weil der Datenträger keinen Papierkorb hat: %1 (%2)</translation>
     </message>
 </context>
 <context>

@@ -5938,6 +5938,14 @@
         <source>makes the move</source>
         <translation>正在运动</translation>
     </message>
+    <message>
+        <source>the trash does not take &apos;{}&apos;</source>
+        <translation>回收站不接收“{}”</translation>
+    </message>
+    <message>
+        <source>empty the trash; where a disk has none, `halbench recordings --retain ... --delete` deletes for good</source>
+        <translation>请清空回收站；磁盘没有回收站时，`halbench recordings --retain ... --delete` 会永久删除</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -10646,8 +10654,8 @@ A real device has its own time.</source>
         <translation>记录的名称(&amp;N)</translation>
     </message>
     <message>
-        <source>Only what the program named itself goes, the oldest first, into the trash, or for good where the disk has none. What has tags, notes or results, is open or less than a day old stays</source>
-        <translation>只移除程序自己命名的记录，最旧的最先，移到回收站；磁盘没有回收站时永久删除。有标签、备注或结果的、打开的或不到一天的记录保留</translation>
+        <source>Only what the program named itself goes, the oldest first, into the trash; what the trash does not take stays. What has tags, notes or results, is open or less than a day old stays</source>
+        <translation>只移除程序自己命名的记录，最旧的最先，移到回收站；回收站不接收的记录保留。有标签、备注或结果的、打开的或不到一天的记录保留</translation>
     </message>
     <message>
         <source>at &amp;most</source>
@@ -10737,10 +10745,6 @@ A real device has its own time.</source>
     <message>
         <source>moved to the trash: %1 (%2)</source>
         <translation>已移到回收站：%1（%2）</translation>
-    </message>
-    <message>
-        <source>deleted, for its disk has no trash: %1 (%2)</source>
-        <translation>已删除，因为磁盘没有回收站：%1（%2）</translation>
     </message>
 </context>
 <context>

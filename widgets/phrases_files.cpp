@@ -119,6 +119,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "the recording's name would have {} octets"),
     QT_TRANSLATE_NOOP("Phrases", "shorten the name or its mask to {} octets"),
     QT_TRANSLATE_NOOP("Phrases", "say e.g. --retain 30d, --retain 20GB or --retain 30d,20GB"),
+    QT_TRANSLATE_NOOP("Phrases", "the trash does not take '{}'"),
+    QT_TRANSLATE_NOOP("Phrases", "empty the trash; where a disk has none, `halbench recordings --retain ... --delete` deletes for good"),
     QT_TRANSLATE_NOOP("Phrases", "cannot remove '{}': {}"),
     QT_TRANSLATE_NOOP("Phrases", "--retain does not understand '{}'"),
     QT_TRANSLATE_NOOP("Phrases", "--retain needs a limit"),

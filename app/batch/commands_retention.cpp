@@ -47,15 +47,14 @@ Outcomes carryOut(CommandContext& context, const RetentionPlan& plan, const Comm
         if (isDone && !outcomes.error) {
             const RemovalWay way = options.isTrashed ? RemovalWay::Trash : RemovalWay::Delete;
             const Result<void> goOn = checkInterrupt(context);
-            const Result<RemovalWay> removed =
-                goOn ? removeRecording(removal, way, now) : Result<RemovalWay>(failure(goOn.error()));
+            const Result<void> removed = goOn ? removeRecording(removal, way, now) : goOn;
             if (removed) {
-                outcome.action = *removed == RemovalWay::Trash ? "trash" : "delete";
+                outcome.action = options.isTrashed ? "trash" : "delete";
                 outcomes.after_bytes -= removal.recording.size_bytes;
-                context.console.log(
-                    LogLevel::Info,
-                    fmt::format("{} {}", *removed == RemovalWay::Trash ? "moved to the trash:" : "deleted",
-                                removal.recording.path.toStdString()));
+                context.console.log(LogLevel::Info,
+                                    fmt::format("{} {}",
+                                                options.isTrashed ? "moved to the trash:" : "deleted",
+                                                removal.recording.path.toStdString()));
             } else if (removed.error().code == ErrorCode::Refused) {
                 outcome.action = "kept";
                 outcome.why = removed.error().message;

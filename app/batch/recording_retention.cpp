@@ -105,17 +105,19 @@ bool isUnchanged(const QString& path) {
     return meta && hash.addData(&data) && hash.result().toHex().toStdString() == meta->sha256;
 }
 
-Result<RemovalWay> removeFile(const QString& path, RemovalWay way) {
-    if (way == RemovalWay::Trash && QFile::moveToTrash(path)) {
-        return RemovalWay::Trash;
-    }
+Result<void> removeFile(const QString& path, RemovalWay way, const TrashMove& moveToTrash) {
     QFile file(path);
-    if (!file.remove()) {
-        return failure(ErrorCode::FileSystem,
-                       fmt::format("cannot remove '{}': {}", path.toStdString(), devices::causeOf(file)),
-                       "check that the folder can be written");
+    if (way == RemovalWay::Trash ? moveToTrash(path) : file.remove()) {
+        return {};
     }
-    return RemovalWay::Delete;
+    if (way == RemovalWay::Trash) {
+        return failure(ErrorCode::FileSystem, fmt::format("the trash does not take '{}'", path.toStdString()),
+                       "empty the trash; where a disk has none, `halbench recordings --retain ... --delete` "
+                       "deletes for good");
+    }
+    return failure(ErrorCode::FileSystem,
+                   fmt::format("cannot remove '{}': {}", path.toStdString(), devices::causeOf(file)),
+                   "check that the folder can be written");
 }
 
 } // namespace
@@ -199,8 +201,12 @@ RetentionPlan planRetention(const QString& folder, const RetentionLimits& limits
     return plan;
 }
 
-Result<RemovalWay> removeRecording(const RetentionPlan::Removal& removal, RemovalWay way,
-                                   const QDateTime& now) {
+bool systemTrash(const QString& path) {
+    return QFile::moveToTrash(path);
+}
+
+Result<void> removeRecording(const RetentionPlan::Removal& removal, RemovalWay way, const QDateTime& now,
+                             const TrashMove& moveToTrash) {
     const QString& path = removal.recording.path;
     // The rows first, which take minutes: somebody may open the recording meanwhile, or write a note.
     const bool isSame = isUnchanged(path);
@@ -215,9 +221,8 @@ Result<RemovalWay> removeRecording(const RetentionPlan::Removal& removal, Remova
             fmt::format("'{}' stays: {}", removal.recording.name.toStdString(), keptBecauseText(*kept)),
             "it is looked at again the next time");
     }
-    const Result<RemovalWay> removed = removeFile(path, way);
-    const Result<RemovalWay> with = removed ? removeFile(sidecarPath(path), *removed) : removed;
-    return with ? removed : with;
+    const Result<void> removed = removeFile(path, way, moveToTrash);
+    return removed ? removeFile(sidecarPath(path), way, moveToTrash) : removed;
 }
 
 } // namespace halbench::app

@@ -3,6 +3,7 @@
 #include "app/batch/recording_list.h"
 
 #include <array>
+#include <functional>
 #include <string>
 
 namespace halbench::app {
@@ -59,10 +60,15 @@ struct RetentionPlan {
 RetentionPlan planRetention(const QString& folder, const RetentionLimits& limits, const QDateTime& now);
 
 enum class RemovalWay { Trash, Delete };
+/// Moves a file to a trash; false: it did not, and the file is where it was.
+using TrashMove = std::function<bool(const QString& path)>;
+bool systemTrash(const QString& path);
+
 /// Removes one recording of a plan with its sidecar after another look at everything that protects it, its
-/// rows against the checksum too: what was edited since stays. `Trash`: deleted where the disk has none.
-/// Says how it went. Errors: Refused (it is protected by now; `message` says by what), FileSystem.
-Result<RemovalWay> removeRecording(const RetentionPlan::Removal& removal, RemovalWay way,
-                                   const QDateTime& now);
+/// rows against the checksum too: what was edited since stays. `Trash` never deletes: what the trash does not
+/// take, full or missing, stays. Errors: Refused (it is protected by now; `message` says by what),
+/// FileSystem.
+Result<void> removeRecording(const RetentionPlan::Removal& removal, RemovalWay way, const QDateTime& now,
+                             const TrashMove& moveToTrash = systemTrash);
 
 } // namespace halbench::app

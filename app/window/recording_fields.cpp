@@ -87,9 +87,10 @@ void RecordingFields::setLimit(Limit& limit, const std::optional<int>& count) {
 }
 
 void RecordingFields::addKeeping(QFormLayout& form) {
-    const QString which = tr("Only what the program named itself goes, the oldest first, into the trash, or "
-                             "for good where the disk has none. What has tags, notes or results, is open or "
-                             "less than a day old stays");
+    const QString which =
+        tr("Only what the program named itself goes, the oldest first, into the trash; "
+           "what the trash does not take stays. What has tags, notes or results, is open or "
+           "less than a day old stays");
     m_days = addLimit(tr("at &most"), tr(" days"), MostRetentionDays, UsualDays);
     m_size = addLimit(tr("an&d at most"), tr(" GB"), MostKept_GB, UsualSize_GB);
     m_days.isOn->setAccessibleName(tr("Keep recordings for a time"));

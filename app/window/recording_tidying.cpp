@@ -48,18 +48,16 @@ void RecordingTidying::tell(const std::vector<Outcome>& outcomes) {
     int removed = 0;
     for (const Outcome& outcome : outcomes) {
         const QString path = QDir::toNativeSeparators(outcome.removal.recording.path);
-        if (!outcome.way) {
+        if (!outcome.result) {
             session.message(MessageLevel::Warning, tr("recordings"),
-                            tr("not tidied away: %1").arg(widgets::inWords(outcome.way.error().message)));
+                            tr("not tidied away: %1").arg(widgets::inWords(outcome.result.error().message)));
             continue;
         }
         ++removed;
         const QString reason = outcome.removal.isTooOld ? tr("older than the preferences keep")
                                                         : tr("no room by the preferences");
-        const QString text = *outcome.way == RemovalWay::Trash
-                                 ? tr("moved to the trash: %1 (%2)")
-                                 : tr("deleted, for its disk has no trash: %1 (%2)");
-        session.message(MessageLevel::Info, tr("recordings"), text.arg(path, reason));
+        session.message(MessageLevel::Info, tr("recordings"),
+                        tr("moved to the trash: %1 (%2)").arg(path, reason));
     }
     if (removed > 0) {
         m_bench.recording().noteFilesChanged();

@@ -29,7 +29,7 @@ Q_SIGNALS:
 private:
     struct Outcome {
         RetentionPlan::Removal removal;
-        Result<RemovalWay> way;
+        Result<void> result;
     };
 
     void tidy(const QString& folder);

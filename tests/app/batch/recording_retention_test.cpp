@@ -202,11 +202,18 @@ TEST_F(RecordingRetentionTest, whatTheTrashHasCanBeTakenBack) {
     const auto removed = removeRecording(plan("30d").removals.at(0), RemovalWay::Trash, now);
     ASSERT_TRUE(removed) << removed.error().message;
     EXPECT_TRUE(files().isEmpty());
-    if (*removed == RemovalWay::Trash) {
-        EXPECT_TRUE(QFile::exists(trash.filePath("Trash/files/a.csv")));
-        EXPECT_TRUE(QFile::exists(trash.filePath("Trash/files/a.meta.json")));
-    }
+    EXPECT_TRUE(QFile::exists(trash.filePath("Trash/files/a.csv")));
+    EXPECT_TRUE(QFile::exists(trash.filePath("Trash/files/a.meta.json")));
     home.isEmpty() ? qunsetenv("XDG_DATA_HOME") : qputenv("XDG_DATA_HOME", home);
+}
+
+TEST_F(RecordingRetentionTest, whatTheTrashDoesNotTakeStays) {
+    write("a", 50);
+    const auto full = [](const QString&) { return false; };
+    const auto removed = removeRecording(plan("30d").removals.at(0), RemovalWay::Trash, now, full);
+    ASSERT_FALSE(removed) << "deleting for good is another word";
+    EXPECT_EQ(removed.error().code, ErrorCode::FileSystem);
+    EXPECT_EQ(files(), QStringList({"a.csv", "a.meta.json"}));
 }
 
 TEST_F(RecordingRetentionTest, limitsAreRead) {
