@@ -2,17 +2,15 @@
 #include "app/window/window_application.h"
 #include "tests/bench/goal.h"
 #include "tests/bench/window_rig.h"
+#include "tests/memory_in_use.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QStandardPaths>
 #include <QtTest/QTest>
 
-#include <unistd.h>
-
 #include <cmath>
 #include <ctime>
-#include <fstream>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -38,15 +36,6 @@ double connectionTime_s(app::DeviceSession& session) {
         return {};
     });
     return *time_s;
-}
-
-/// Memory of this process in use, in MB.
-double memory_MB() {
-    std::ifstream file("/proc/self/statm");
-    double total_pages = 0.0;
-    double resident_pages = 0.0;
-    file >> total_pages >> resident_pages;
-    return resident_pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1048576.0;
 }
 
 /// Every block of the stream, as a second listener beside the window.
@@ -143,11 +132,11 @@ void benchHour(Goals& goals, app::MainWindow& window) {
     }
     QTest::qWait(1000); // pyramids and pages that are touched for the first time
     const double full_s = elapsed_s();
-    const double before_MB = memory_MB() - own_MB();
+    const double before_MB = memoryInUse_MB() - own_MB();
     if (!QTest::qWaitFor([&] { return elapsed_s() > std::max(Hour_s, 1.5 * full_s); }, Longest_ms)) {
         return goals.failed(name, "this machine is too slow for an hour");
     }
-    goals.below(name, memory_MB() - own_MB() - before_MB, Bound_MB, "MB");
+    goals.below(name, memoryInUse_MB() - own_MB() - before_MB, Bound_MB, "MB");
     goals.below("the same: of the history itself", own_MB(), 256.0, "MB");
     goals.below("the same: full after", full_s, Hour_s, "s of device time");
     goals.below("the same: rows lost", static_cast<double>(bench.history().lostRows()), 1.0, "rows");

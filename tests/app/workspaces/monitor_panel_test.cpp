@@ -359,9 +359,7 @@ TEST_F(MonitorPanelTest, aTimeAxisOfItsOwnIsPartOfTheView) {
     EXPECT_FALSE(stack().hasOwnTimes());
     panel->setView(kept);
     EXPECT_EQ(panel->view(), kept);
-    DisplayUnits units; // other units: the axis stays
-    units.speed = SpeedUnit::RadiansPerSecond;
-    bench().setDisplayUnits(units);
+    bench().setDisplayUnits({{}, SpeedUnit::RadiansPerSecond}); // the axis stays
     EXPECT_EQ(panel->view().plots[2].ownTime, (widgets::OwnTime{4.0, false}));
     stack().setOwnTime(1, widgets::OwnTime{1e-4, false}); // as far as one can zoom
     EXPECT_NEAR(panel->view().plots[1].ownTime->span_s, 1e-4, 1e-9) << "a project refuses nothing";

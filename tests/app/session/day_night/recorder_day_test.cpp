@@ -1,9 +1,9 @@
 #include "app/session/recorder.h"
+#include "tests/memory_in_use.h"
 
 #include <QtCore/QTemporaryDir>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <charconv>
 #include <fstream>
@@ -16,14 +16,6 @@ constexpr double Rate_Hz = 1000.0;
 constexpr std::uint64_t Day_rows = 86'400'000;
 constexpr std::size_t BlockRows = 5000;
 constexpr std::size_t Columns = 3;
-
-double memory_MB() {
-    std::ifstream file("/proc/self/statm");
-    double total_pages = 0.0;
-    double resident_pages = 0.0;
-    file >> total_pages >> resident_pages;
-    return resident_pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1048576.0;
-}
 
 double valueAt(std::uint64_t row, std::size_t column) {
     return static_cast<double>((row * 7 + column * 131) % 9973);
@@ -81,10 +73,10 @@ TEST(RecorderDay, memoryStaysFlatAndEveryRowIsExactThroughADayAtOneKilohertz) {
             std::this_thread::yield(); // faster than any device
         }
         if (first == Day_rows / 24) { // after an hour everything has its final size
-            early_MB = memory_MB();
+            early_MB = memoryInUse_MB();
         }
     }
-    const double late_MB = memory_MB();
+    const double late_MB = memoryInUse_MB();
     recorder.finish();
     while (recorder.status().state == RecorderStatus::State::Recording ||
            recorder.status().state == RecorderStatus::State::Finishing) {

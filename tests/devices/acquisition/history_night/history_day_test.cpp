@@ -1,13 +1,12 @@
 #include "control/signals/sample_history.h"
 #include "devices/acquisition/page_file.h"
+#include "tests/memory_in_use.h"
 
 #include <QtCore/QTemporaryDir>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <fstream>
 
 namespace halbench::devices {
 namespace {
@@ -16,14 +15,6 @@ constexpr double Rate_Hz = 10'000.0;
 constexpr std::uint64_t Day_rows = 864'000'000;
 constexpr std::size_t BlockRows = 5000;
 constexpr std::size_t Budget_bytes = std::size_t{64} << 20;
-
-double memory_MB() {
-    std::ifstream file("/proc/self/statm");
-    double total_pages = 0.0;
-    double resident_pages = 0.0;
-    file >> total_pages >> resident_pages;
-    return resident_pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1048576.0;
-}
 
 double valueAt(std::uint64_t row, std::size_t column) {
     return static_cast<double>((row * 7 + column * 131) % 9973);
@@ -63,10 +54,10 @@ TEST(HistoryDay, memoryStaysFlatAndTimesExactThroughADayAtTenKilohertz) {
         }
         ASSERT_LE(history.bytes(), Budget_bytes);
         if (first == Day_rows / 24) { // after an hour everything has its final size
-            early_MB = memory_MB();
+            early_MB = memoryInUse_MB();
         }
     }
-    EXPECT_LT(memory_MB() - early_MB, 8.0); // the allocator's unevenness; 26 GB went by
+    EXPECT_LT(memoryInUse_MB() - early_MB, 8.0); // the allocator's unevenness; 26 GB went by
     EXPECT_FALSE(file->trouble());
     EXPECT_LE(file->bytes(), config.limit_bytes);
     const control::TimeRange held = *history.range();

@@ -1,11 +1,10 @@
 #include "control/base/units.h"
 #include "devices/simulated/simulated_device.h"
+#include "tests/memory_in_use.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <fstream>
 
 namespace halbench::devices {
 namespace {
@@ -13,14 +12,6 @@ namespace {
 constexpr int Hours = 10;
 constexpr double Period_s = 0.01;
 const std::vector<std::string> Streamed = {"position", "truth.position", "torn_count", "status"};
-
-double residentMemory_MB() {
-    std::ifstream statm("/proc/self/statm");
-    double total_pages = 0.0;
-    double resident_pages = 0.0;
-    statm >> total_pages >> resident_pages;
-    return resident_pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
-}
 
 /// What the stream showed, row after row; keeps no rows.
 struct Watch {
@@ -83,7 +74,7 @@ TEST(Soak, tenHoursOfMotionLoseNothingAndKeepNoMemory) {
         const auto waited = device.clock().waitFor(start_s + 60.0 * (minute + 1) - device.clock().now_s());
         ASSERT_TRUE(waited) << waited.error().message << " in minute " << minute;
         changeGains(device, minute);
-        afterFirstHour_MB = minute == 60 ? residentMemory_MB() : afterFirstHour_MB;
+        afterFirstHour_MB = minute == 60 ? memoryInUse_MB() : afterFirstHour_MB;
     }
     const double duration_s = device.clock().now_s() - start_s;
     device.stopStream();
@@ -104,7 +95,7 @@ TEST(Soak, tenHoursOfMotionLoseNothingAndKeepNoMemory) {
     // degrees.
     EXPECT_LT(radiansToDegrees(watch.worstAngle_rad), 6.0);
     // The allocator's own pages come and go by less than a megabyte; a leak of one octet a row would be 3 MB.
-    EXPECT_LT(residentMemory_MB() - afterFirstHour_MB, 1.0);
+    EXPECT_LT(memoryInUse_MB() - afterFirstHour_MB, 1.0);
 }
 
 } // namespace

@@ -1,21 +1,11 @@
 #include "devices/xcp/xcp_device.h"
 #include "tests/devices/transport/virtual_line.h"
-
-#include <unistd.h>
+#include "tests/memory_in_use.h"
 
 #include <cmath>
-#include <fstream>
 
 namespace halbench::devices {
 namespace {
-
-double residentMemory_MB() {
-    std::ifstream statm("/proc/self/statm");
-    double total_pages = 0.0;
-    double resident_pages = 0.0;
-    statm >> total_pages >> resident_pages;
-    return resident_pages * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
-}
 
 /// An hour of device time on a line that loses and delays: armed, streaming, written to every second.
 TEST(LineSoak, anHourOnABadLineLosesNoSessionCountsEveryGapAndKeepsNoMemory) {
@@ -45,12 +35,12 @@ TEST(LineSoak, anHourOnABadLineLosesNoSessionCountsEveryGapAndKeepsNoMemory) {
         const auto written = (*device)->writeParameters(gain);
         ASSERT_TRUE(written) << second << ": " << written.error().message;
         if (second == Seconds / 10) {
-            before_MB = residentMemory_MB();
+            before_MB = memoryInUse_MB();
         }
     }
     EXPECT_TRUE((*device)->state().isArmed);
     // 200 MB of samples pass: what kept one octet in a hundred of them would show.
-    EXPECT_LT(residentMemory_MB() - before_MB, 2.0);
+    EXPECT_LT(memoryInUse_MB() - before_MB, 2.0);
     const auto span = static_cast<std::uint64_t>(std::llround((last_s - first_s) * Rate_Hz)) + 1;
     EXPECT_EQ(rows + lost, span);
     EXPECT_GT(lost, span / 1000) << "2 in a thousand are lost on average";
