@@ -46,8 +46,8 @@ void join(PixelBox& before, double ownTop, double ownBottom, PixelBox& box) {
 void shapeBoxes(const PixelMap& map, CurveShape& shape) {
     double ownTop = 0.0; // of the box before, as its samples have it
     double ownBottom = 0.0;
-    for (std::size_t i = 0; i < shape.columns.size(); ++i) {
-        const control::HistoryColumn& column = shape.columns[i];
+    for (std::size_t i = 0; i < shape.kept.columns.size(); ++i) {
+        const control::HistoryColumn& column = shape.kept.columns[i];
         if (column.extremes.isEmpty()) {
             continue;
         }
@@ -95,7 +95,7 @@ void shapeCurve(const control::SampleHistory& history, const std::string& signal
         const int count = std::clamp(
             static_cast<int>(std::ceil((visible.end_s - map.timeAt(0.0)) * map.perSecond)), 1, map.columns);
         history.columns(signal, {map.timeAt(0.0), map.timeAt(count)}, static_cast<std::size_t>(count),
-                        shape.columns);
+                        shape.kept);
         shapeBoxes(map, shape);
     }
 }

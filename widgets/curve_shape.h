@@ -45,7 +45,7 @@ struct CurveShape {
     bool areSamplesMarked = false; ///< so sparse that each is shown as a dot
 
     std::vector<control::TimedValue> samples; ///< kept, so that frames do not allocate
-    std::vector<control::HistoryColumn> columns;
+    control::KeptColumns kept;                ///< of the frame before
 };
 
 /// `drawn`: nothing outside is shown. `dotDistance`: columns between samples from which on they are marked.

@@ -32,6 +32,32 @@ struct HistoryColumn {
     bool isAfterGap = false; ///< the line from the column before is interrupted
 };
 
+class SampleHistory;
+
+/// The columns of a view that goes on with its data, with what tells which of them a next look need not
+/// compute again. One for each curve; only SampleHistory writes it.
+struct KeptColumns {
+    /// Where the columns came from, one for each stream that has the signal.
+    struct Source {
+        std::size_t stream = 0;
+        std::size_t column = 0;
+        std::uint64_t firstRow = 0; ///< that the stream held
+        std::uint64_t endRow = 0;
+        std::uint64_t snap = 1;          ///< rows to which the edges are rounded
+        double last_s = 0.0;             ///< time of the last row
+        std::vector<std::uint64_t> rows; ///< at the edges of the columns
+    };
+
+    std::vector<HistoryColumn> columns;     ///< the answer
+    const SampleHistory* history = nullptr; ///< none: nothing may be kept
+    std::string signal;
+    TimeRange range;
+    std::vector<Source> sources;
+
+    /// Forgets the first columns.
+    void skip(std::size_t count);
+};
+
 /// What a signal did in a stretch of time.
 struct SampleStatistics {
     Extremes extremes;
@@ -107,6 +133,9 @@ public:
     /// lost.
     void columns(const std::string& signal, TimeRange range, std::size_t count,
                  std::vector<HistoryColumn>& result) const;
+    /// The same for a view that is asked for frame by frame. When it has gone on by whole columns, only those
+    /// are computed that new rows may have changed: the cost is that of the news, not of the view.
+    void columns(const std::string& signal, TimeRange range, std::size_t count, KeptColumns& kept) const;
 
     class Glance;
 
@@ -126,6 +155,7 @@ private:
         std::uint64_t endRow = 0;
         TimeRange range;
         bool isExact = true; ///< from the times themselves, not from those between the marks (Glance)
+        std::uint64_t snap = 1;
         std::vector<std::uint64_t> rows;
     };
 
@@ -138,7 +168,9 @@ private:
     bool dropOldest(bool isPagedOnly);
     std::size_t pagedMemory() const;
     const std::vector<std::uint64_t>& edges(std::size_t stream, TimeRange range, std::size_t count) const;
-    void addColumns(const Place& place, TimeRange range, std::vector<HistoryColumn>& result) const;
+    std::size_t stillTrue(const std::vector<Place>& places, TimeRange range, const KeptColumns& kept) const;
+    void addColumns(const Place& place, const std::vector<std::uint64_t>& rows, std::size_t from,
+                    std::vector<HistoryColumn>& result) const;
 
     std::size_t m_budget_bytes;
     std::shared_ptr<PageCache> m_pages; ///< outlives the chunks in the streams

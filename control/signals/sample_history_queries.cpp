@@ -9,15 +9,6 @@ namespace {
 /// A lookup farther away than this many periods would show a value of another moment.
 constexpr double NearPeriods = 1.5;
 
-/// Largest group of the pyramid that is at most an eighth of a column.
-std::uint64_t snapFor(std::uint64_t rows, std::size_t columns) {
-    std::uint64_t snap = 1;
-    while (4 * snap * 8 * columns <= rows) {
-        snap *= 4;
-    }
-    return snap;
-}
-
 } // namespace
 
 SampleHistory::Glance::Glance(const SampleHistory& history) : m_pages(history.m_pages) {
@@ -148,57 +139,6 @@ bool SampleHistory::samples(const std::string& signal, TimeRange range,
         }
     }
     return areAll;
-}
-
-const std::vector<std::uint64_t>& SampleHistory::edges(std::size_t number, TimeRange range,
-                                                       std::size_t count) const {
-    const SampleTrack& track = m_streams.at(number).track;
-    if (m_edges.isExact && m_edges.stream == number && m_edges.endRow == track.endRow() &&
-        m_edges.range == range && m_edges.rows.size() == count + 1) {
-        return m_edges.rows;
-    }
-    m_edges = {number, track.endRow(), range, true, std::move(m_edges.rows)};
-    m_edges.rows.resize(count + 1);
-    const std::uint64_t first = track.rowAt(range.begin_s);
-    const std::uint64_t snap = snapFor(std::max(track.rowAt(range.end_s), first) - first, count);
-    std::uint64_t row = first;
-    for (std::size_t i = 0; i <= count; ++i) {
-        const double time_s =
-            range.begin_s + range.length_s() * static_cast<double>(i) / static_cast<double>(count);
-        row = snap >= SampleChunk::MarkRows ? track.markedRowAt(time_s) : track.rowAtFrom(row, time_s);
-        m_edges.rows[i] = std::max(row - row % snap, track.firstRow());
-    }
-    m_edges.isExact = !m_pages || !m_pages->isGlancing() || m_pages->isGlanceWhole();
-    return m_edges.rows;
-}
-
-void SampleHistory::columns(const std::string& signal, TimeRange range, std::size_t count,
-                            std::vector<HistoryColumn>& result) const {
-    result.assign(count, {});
-    if (const auto places = m_places.find(signal); places != m_places.end() && range.length_s() > 0.0) {
-        for (const Place& place : places->second) {
-            addColumns(place, range, result);
-        }
-    }
-}
-
-void SampleHistory::addColumns(const Place& place, TimeRange range,
-                               std::vector<HistoryColumn>& result) const {
-    const SampleTrack& track = m_streams.at(place.stream).track;
-    const std::vector<std::uint64_t>& rows = edges(place.stream, range, result.size());
-    bool isAfterGap = true;
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        if (rows[i] == rows[i + 1]) {
-            continue;
-        }
-        const Extremes extremes = track.extremes(place.column, rows[i], rows[i + 1]);
-        isAfterGap = isAfterGap || track.hasGap(rows[i], rows[i + 1]);
-        if (!extremes.isEmpty()) {
-            result[i].extremes.add(extremes);
-            result[i].isAfterGap = result[i].isAfterGap || isAfterGap;
-        }
-        isAfterGap = extremes.isEmpty();
-    }
 }
 
 } // namespace halbench::control
