@@ -77,13 +77,26 @@ void CurveMask::add(int column, int row, double coverage) {
     touch(column, row, row + 1);
 }
 
-void CurveMask::addBox(int column, double top, double bottom, double width) {
+void CurveMask::setPen(double width) {
     const double half = 0.5 * width;
     const int reach = static_cast<int>(std::ceil(half - 0.5)); // columns beside that the pen touches
-    for (int away = -reach; away <= reach; ++away) {
-        const double covered = std::clamp(half + 0.5 - std::abs(away), 0.0, 1.0);
-        const double beyond = std::sqrt(std::max(half * half - away * away, 0.0)); // the pen is round
-        raise(column + away, top - beyond, bottom + beyond, covered);
+    m_pen.clear();
+    for (int away = 0; away <= reach; ++away) {
+        m_pen.push_back({std::clamp(half + 0.5 - away, 0.0, 1.0),
+                         std::sqrt(std::max(half * half - away * away, 0.0))}); // the pen is round
+    }
+    m_penWidth = width;
+}
+
+void CurveMask::addBox(int column, double top, double bottom, double width) {
+    if (width != m_penWidth) { // a curve has thousands of boxes and one pen
+        setPen(width);
+    }
+    raise(column, top - m_pen[0].beyond, bottom + m_pen[0].beyond, m_pen[0].covered);
+    for (int away = 1; away < static_cast<int>(m_pen.size()); ++away) {
+        const PenColumn& pen = m_pen[static_cast<std::size_t>(away)];
+        raise(column - away, top - pen.beyond, bottom + pen.beyond, pen.covered);
+        raise(column + away, top - pen.beyond, bottom + pen.beyond, pen.covered);
     }
 }
 
@@ -94,18 +107,19 @@ void CurveMask::raise(int column, double top, double bottom, double covered) {
         return;
     }
     const int first = static_cast<int>(top);
-    const int last = static_cast<int>(std::ceil(bottom)) - 1;
+    const int last = std::min(static_cast<int>(bottom), m_rows - 1);
     std::uint8_t* pixels = pixelsOf(column);
-    const auto raiseTo = [](std::uint8_t& pixel, double coverage) {
-        pixel = std::max(pixel, static_cast<std::uint8_t>(rounded(Full * coverage)));
+    const auto raiseTo = [pixels](int row, double coverage) {
+        pixels[row] = std::max(pixels[row], static_cast<std::uint8_t>(rounded(Full * coverage)));
     };
     if (first == last) {
-        raiseTo(pixels[first], covered * (bottom - top));
+        raiseTo(first, covered * (bottom - top));
     } else {
-        raiseTo(pixels[first], covered * (first + 1 - top));
-        raiseTo(pixels[last], covered * (bottom - last));
+        raiseTo(first, covered * (first + 1 - top));
+        raiseTo(last, covered * (bottom - last));
+        const auto whole = static_cast<std::uint8_t>(rounded(Full * covered));
         for (int row = first + 1; row < last; ++row) {
-            raiseTo(pixels[row], covered);
+            pixels[row] = std::max(pixels[row], whole);
         }
     }
     touch(column, first, last + 1);

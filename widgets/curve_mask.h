@@ -30,16 +30,24 @@ private:
         int first = 0;
         int end = 0; ///< nothing touched while not after `first`
     };
+    /// What a pen covers of a column so many columns away, and how far it reaches up and down there.
+    struct PenColumn {
+        double covered = 0.0;
+        double beyond = 0.0;
+    };
     const std::uint8_t* pixelsOf(int column) const;
     std::uint8_t* pixelsOf(int column);
     void touch(int column, int first, int end);
     void add(int column, int row, double coverage);
+    void setPen(double width);
     void raise(int column, double top, double bottom, double covered);
     void addFlatLine(PixelPoint from, PixelPoint to, double halfHeight);
     void addSteepLine(PixelPoint from, PixelPoint to, double halfWidth);
 
     int m_columns = 0;
     int m_rows = 0;
+    double m_penWidth = 0.0;
+    std::vector<PenColumn> m_pen;         ///< from its middle outwards
     std::vector<std::uint8_t> m_coverage; ///< column by column
     std::vector<Rows> m_touched;
 };
