@@ -205,6 +205,7 @@ TEST_F(ReconnectTest, aStopOfBeforeTheLossIsNotSentAgain) {
 
 TEST_F(ReconnectTest, whoWaitsWhenTheLinkBreaksIsToldOnce) {
     connect(0.0);
+    isPlugged = false; // else it may be back before the test asks for its return
     std::promise<Result<void>> waited;
     connection->post([&](devices::Device& device) {
         motor.faults().unplugAt_s = 1.0; // virtual time
