@@ -3,6 +3,7 @@
 #include "control/analysis/loop_functions.h"
 #include "control/base/units.h"
 #include "control/design/crossover_design.h"
+#include "control/design/design_targets.h"
 #include "control/design/rule_designs.h"
 
 #include <fmt/format.h>
@@ -233,45 +234,6 @@ Result<PositionLaw> designPreset(std::string_view method, const PositionPlant& p
     return designPolePlacement(plant, timing, {});
 }
 
-Result<void> checkTarget(const std::optional<double>& target, std::string_view name, double max, bool isRead,
-                         std::string_view method) {
-    if (!target) {
-        return {};
-    }
-    if (!std::isfinite(*target)) {
-        return failure(ErrorCode::NotFinite, fmt::format("the target {} is not a finite number", name));
-    }
-    if (!isRead) {
-        return failure(ErrorCode::Usage, fmt::format("method {} does not read the target {}", method, name),
-                       "leave it out, or choose the method that reads it");
-    }
-    if (*target <= 0.0 || *target > max) {
-        return failure(ErrorCode::OutOfRange,
-                       fmt::format("the target {} = {} is not between 0 and {:.6g}", name, *target, max));
-    }
-    return {};
-}
-
-Result<void> checkTargets(const DesignMethod& method, const LoopTiming& timing,
-                          const DesignTargets& targets) {
-    const auto reads = [&method](std::string_view name) {
-        return method.targets.find(name) != std::string_view::npos;
-    };
-    const double nyquist_rad_s = Pi / timing.period_s;
-    for (const auto& valid :
-         {checkTarget(targets.zeta, "zeta", 10.0, reads("zeta"), method.name),
-          checkTarget(targets.omega_rad_s, "omega-rad-s", nyquist_rad_s, reads("omega-rad-s"), method.name),
-          checkTarget(targets.bandwidth_Hz, "bandwidth-hz", nyquist_rad_s / (2.0 * Pi), reads("bandwidth-hz"),
-                      method.name),
-          checkTarget(targets.phaseMargin_deg, "phase-margin-deg", 90.0, reads("phase-margin-deg"),
-                      method.name)}) {
-        if (!valid) {
-            return valid;
-        }
-    }
-    return {};
-}
-
 /// Shapes of the books that need a stage of their own behind the law.
 bool isFilter(std::string_view name) {
     return name == "notch" || name == "low-pass";
@@ -310,8 +272,10 @@ const std::vector<DesignMethod>& designMethods() {
         {"ziegler-nichols-p", "", "Ziegler and Nichols, P: half of the gain at which the loop swings"},
         {"lqr", "omega-rad-s",
          "linear-quadratic regulator, error and current weighed for the asked frequency"},
-        {"min-iae", "", "least integral of the absolute error after a load, with Ms within 1.7"},
-        {"min-itae", "", "the same with the error weighed by time: what lasts is punished"},
+        {"min-iae", "max-sensitivity, current-limit-a, step-deg",
+         "least integral of the absolute error after a load, with Ms and current within bounds"},
+        {"min-itae", "max-sensitivity, current-limit-a, step-deg",
+         "the same with the error weighed by time: what lasts is punished"},
         {"lead", "phase-margin-deg, omega-rad-s", "PD, the lead of the board, with the asked phase margin"},
         {"lag", "omega-rad-s", "PI, the lag of the board, through the asked crossover"},
         {"published", "", "10 A/rad and 0.1 A/(rad s), as printed"},
@@ -319,6 +283,13 @@ const std::vector<DesignMethod>& designMethods() {
         {"micro-step", "", "5 A/deg and 0.05 A/(deg s), for steps of a few tenths of a degree"},
         {"published-degrees", "", "the printed numbers read per degree; large steps end in a limit cycle"}};
     return methods;
+}
+
+bool readsTarget(std::string_view method, std::string_view target) {
+    const auto& all = designMethods();
+    return std::any_of(all.begin(), all.end(), [&](const DesignMethod& known) {
+        return known.name == method && known.targets.find(target) != std::string_view::npos;
+    });
 }
 
 void addFeedForward(PositionLaw& law, const PositionPlant& plant) {

@@ -16,6 +16,11 @@ struct DesignTargets {
     std::optional<double> omega_rad_s;
     std::optional<double> bandwidth_Hz;
     std::optional<double> phaseMargin_deg;
+    std::optional<double> mostMs_ratio = {};   ///< peak of the sensitivity that a search may reach
+    std::optional<double> currentLimit_A = {}; ///< that a reference step of the next line may ask for
+    std::optional<double> step_deg = {};
+
+    bool operator==(const DesignTargets&) const = default;
 };
 
 struct DesignMethod {
@@ -27,6 +32,8 @@ struct DesignMethod {
 /// All methods in the order of the help: recommended, pole-placement, bandwidth, phase-margin, and the
 /// presets published, designed, micro-step, published-degrees.
 const std::vector<DesignMethod>& designMethods();
+/// Whether a method of that name reads that target.
+bool readsTarget(std::string_view method, std::string_view target);
 
 /// Gains and feed-forward for a plant. The rules are in resources/help/tuning.md.
 /// Errors: UnknownName (method), Usage (a target the method does not read), NotFinite, OutOfRange (a target

@@ -101,9 +101,9 @@ Result<PidGains> designLqr(const RuleProblem& problem) {
 }
 
 Result<PidGains> designLeast(const RuleProblem& problem, ErrorMeasure measure) {
-    LeastErrorTargets targets;
-    targets.measure = measure;
-    const auto design = designLeastError(problem.plant, problem.timing, targets, NoCurrentLimit_A);
+    const auto design =
+        designLeastError(problem.plant, problem.timing, leastErrorTargets(measure, problem.targets),
+                         problem.targets.currentLimit_A.value_or(NoCurrentLimit_A));
     return design ? Result<PidGains>(design->gains) : failure(design.error());
 }
 
