@@ -859,10 +859,6 @@
         <translation>lassen Sie es weg, oder wählen Sie das Verfahren, das es verwendet</translation>
     </message>
     <message>
-        <source>the target {} = {} is not between 0 and {}</source>
-        <translation>das Ziel {} = {} liegt nicht zwischen 0 und {}</translation>
-    </message>
-    <message>
         <source>there is no design method &apos;{}&apos;</source>
         <translation>ein Entwurfsverfahren „{}“ gibt es nicht</translation>
     </message>
@@ -4579,10 +4575,6 @@
         <translation>weniger Schnelligkeit verlangen oder die Rechenzeit verkürzen</translation>
     </message>
     <message>
-        <source>no gains of this motor meet the asked sensitivity</source>
-        <translation>keine Reglerparameter dieses Motors erreichen die verlangte Empfindlichkeit</translation>
-    </message>
-    <message>
         <source>allow a larger Ms, or shorten the computing delay</source>
         <translation>ein größeres Ms zulassen oder die Rechenzeit verkürzen</translation>
     </message>
@@ -4693,10 +4685,6 @@
     <message>
         <source>linear-quadratic regulator, error and current weighed for the asked frequency</source>
         <translation>linear-quadratischer Regler, Fehler und Strom für die verlangte Frequenz gewichtet</translation>
-    </message>
-    <message>
-        <source>least integral of the absolute error after a load, with Ms within 1.7</source>
-        <translation>kleinstes Integral des Fehlerbetrags nach einer Last, mit Ms bis 1,7</translation>
     </message>
     <message>
         <source>the same with the error weighed by time: what lasts is punished</source>
@@ -5945,6 +5933,54 @@
     <message>
         <source>empty the trash; where a disk has none, `halbench recordings --retain ... --delete` deletes for good</source>
         <translation>Leeren Sie den Papierkorb; wo ein Datenträger keinen hat, löscht `halbench recordings --retain ... --delete` endgültig</translation>
+    </message>
+    <message>
+        <source>least integral of the absolute error after a load, with Ms and current within bounds</source>
+        <translation>kleinstes Integral des Fehlerbetrags nach einer Last, Ms und Strom in Grenzen</translation>
+    </message>
+    <message>
+        <source>the target {} = {} is not between {} and {}</source>
+        <translation>das Ziel {} = {} liegt nicht zwischen {} und {}</translation>
+    </message>
+    <message>
+        <source>1.4 is calm, 1.7 usual, 2 lively</source>
+        <translation>1,4 ist ruhig, 1,7 üblich, 2 lebhaft</translation>
+    </message>
+    <message>
+        <source>give the current that the motor can take, in A</source>
+        <translation>den Strom angeben, den der Motor verträgt, in A</translation>
+    </message>
+    <message>
+        <source>give the largest step that shall not saturate, in degrees</source>
+        <translation>den größten Sprung angeben, der die Stromgrenze nicht erreichen soll, in Grad</translation>
+    </message>
+    <message>
+        <source>the target step-deg needs the target current-limit-a</source>
+        <translation>das Ziel step-deg braucht das Ziel current-limit-a</translation>
+    </message>
+    <message>
+        <source>say how much current that step may ask for</source>
+        <translation>angeben, wie viel Strom dieser Sprung verlangen darf</translation>
+    </message>
+    <message>
+        <source>no gains with a peak of sensitivity up to {} were found for this motor: the calmest loop has {}</source>
+        <translation>für diesen Motor wurden keine Reglerparameter mit einer Empfindlichkeitsspitze bis {} gefunden: Der ruhigste Kreis hat {}</translation>
+    </message>
+    <message>
+        <source>no gains that ask for {} A at most in a step of {} deg were found for this motor: {} A are needed</source>
+        <translation>für diesen Motor wurden keine Reglerparameter gefunden, die höchstens {} A bei einem Sprung von {} Grad verlangen: {} A sind nötig</translation>
+    </message>
+    <message>
+        <source>allow more current, or a smaller step</source>
+        <translation>mehr Strom oder einen kleineren Sprung zulassen</translation>
+    </message>
+    <message>
+        <source>the target current-limit-a = {} is above the board&apos;s own limit of {} A</source>
+        <translation>das Ziel current-limit-a = {} liegt über der eigenen Grenze des Steuergeräts von {} A</translation>
+    </message>
+    <message>
+        <source>choose up to that, or leave it out</source>
+        <translation>bis dahin wählen oder weglassen</translation>
     </message>
 </context>
 <context>
@@ -12017,6 +12053,34 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>What the loop shall have; empty: the method&apos;s default</source>
         <translation>Was der Regelkreis haben soll; leer: die Vorgabe des Verfahrens</translation>
     </message>
+    <message>
+        <source>Largest Ms</source>
+        <translation>Größtes Ms</translation>
+    </message>
+    <message>
+        <source>Peak of the sensitivity that is not exceeded: 1.4 is calm, 2 lively. Numbers says whether it is what keeps the error from being less</source>
+        <translation>Spitze der Empfindlichkeit, die nicht überschritten wird: 1,4 ist ruhig, 2 lebhaft. Zahlen sagt, ob sie einen kleineren Fehler verhindert</translation>
+    </message>
+    <message>
+        <source>Current limit</source>
+        <translation>Stromgrenze</translation>
+    </message>
+    <message>
+        <source>the board&apos;s</source>
+        <translation>wie Steuergerät</translation>
+    </message>
+    <message>
+        <source>What a step of the height below may ask for; at most what the board gives</source>
+        <translation>Was ein Sprung der Höhe darunter verlangen darf; höchstens, was das Steuergerät gibt</translation>
+    </message>
+    <message>
+        <source>In a step of</source>
+        <translation>Bei einem Sprung von</translation>
+    </message>
+    <message>
+        <source>The largest step of the reference that shall not reach the current limit</source>
+        <translation>Der größte Sprung der Führungsgröße, der die Stromgrenze nicht erreichen soll</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuneNumberWords</name>
@@ -12155,6 +12219,26 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Apply and verify goes in small steps. After each one it turns the rotor by %1, once this way and once that, in %2 s; the board ends the motion at %3 from where it starts, or at %4 %5.</source>
         <translation>Übernehmen, prüfen geht in kleinen Schritten. Nach jedem dreht es den Rotor um %1, einmal hin und einmal her, in %2 s; das Steuergerät beendet die Bewegung bei %3 vom Anfang oder bei %4 %5.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1: at its bound</source>
+        <translation>%1: an der Grenze</translation>
+    </message>
+    <message>
+        <source>At its bound: this is what keeps the error after a load from being less</source>
+        <translation>An der Grenze: Dies verhindert einen kleineren Fehler nach einer Last</translation>
+    </message>
+    <message>
+        <source>Peak of sensitivity, Ms</source>
+        <translation>Empfindlichkeitsspitze Ms</translation>
+    </message>
+    <message>
+        <source>Current in a step of %1</source>
+        <translation>Strom bei einem Sprung von %1</translation>
     </message>
 </context>
 <context>

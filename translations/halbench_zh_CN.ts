@@ -859,10 +859,6 @@
         <translation>请去掉它，或选择使用它的方法</translation>
     </message>
     <message>
-        <source>the target {} = {} is not between 0 and {}</source>
-        <translation>目标 {} = {} 不在 0 和 {} 之间</translation>
-    </message>
-    <message>
         <source>there is no design method &apos;{}&apos;</source>
         <translation>没有设计方法“{}”</translation>
     </message>
@@ -4579,10 +4575,6 @@
         <translation>请降低速度要求，或缩短计算延迟</translation>
     </message>
     <message>
-        <source>no gains of this motor meet the asked sensitivity</source>
-        <translation>该电机没有满足所要求灵敏度的增益</translation>
-    </message>
-    <message>
         <source>allow a larger Ms, or shorten the computing delay</source>
         <translation>请允许更大的 Ms，或缩短计算延迟</translation>
     </message>
@@ -4693,10 +4685,6 @@
     <message>
         <source>linear-quadratic regulator, error and current weighed for the asked frequency</source>
         <translation>线性二次型调节器，误差与电流按所要求的频率加权</translation>
-    </message>
-    <message>
-        <source>least integral of the absolute error after a load, with Ms within 1.7</source>
-        <translation>负载扰动后绝对误差积分最小，Ms 不超过 1.7</translation>
     </message>
     <message>
         <source>the same with the error weighed by time: what lasts is punished</source>
@@ -5945,6 +5933,54 @@
     <message>
         <source>empty the trash; where a disk has none, `halbench recordings --retain ... --delete` deletes for good</source>
         <translation>请清空回收站；磁盘没有回收站时，`halbench recordings --retain ... --delete` 会永久删除</translation>
+    </message>
+    <message>
+        <source>least integral of the absolute error after a load, with Ms and current within bounds</source>
+        <translation>负载之后绝对误差的积分最小，Ms 与电流不超过界限</translation>
+    </message>
+    <message>
+        <source>the target {} = {} is not between {} and {}</source>
+        <translation>目标 {} = {} 不在 {} 与 {} 之间</translation>
+    </message>
+    <message>
+        <source>1.4 is calm, 1.7 usual, 2 lively</source>
+        <translation>1.4 为平稳，1.7 为常用，2 为活跃</translation>
+    </message>
+    <message>
+        <source>give the current that the motor can take, in A</source>
+        <translation>给出电机可承受的电流，单位 A</translation>
+    </message>
+    <message>
+        <source>give the largest step that shall not saturate, in degrees</source>
+        <translation>给出不应达到电流限值的最大阶跃，单位为度</translation>
+    </message>
+    <message>
+        <source>the target step-deg needs the target current-limit-a</source>
+        <translation>目标 step-deg 需要目标 current-limit-a</translation>
+    </message>
+    <message>
+        <source>say how much current that step may ask for</source>
+        <translation>说明该阶跃可要求多大电流</translation>
+    </message>
+    <message>
+        <source>no gains with a peak of sensitivity up to {} were found for this motor: the calmest loop has {}</source>
+        <translation>没有为此电机找到灵敏度峰值不超过 {} 的增益：最平稳的回路为 {}</translation>
+    </message>
+    <message>
+        <source>no gains that ask for {} A at most in a step of {} deg were found for this motor: {} A are needed</source>
+        <translation>没有为此电机找到在 {1} 度阶跃中至多要求 {0} A 的增益：需要 {2} A</translation>
+    </message>
+    <message>
+        <source>allow more current, or a smaller step</source>
+        <translation>允许更大的电流，或更小的阶跃</translation>
+    </message>
+    <message>
+        <source>the target current-limit-a = {} is above the board&apos;s own limit of {} A</source>
+        <translation>目标 current-limit-a = {} 高于控制板自身的限值 {} A</translation>
+    </message>
+    <message>
+        <source>choose up to that, or leave it out</source>
+        <translation>不超过该值，或不填</translation>
     </message>
 </context>
 <context>
@@ -12006,6 +12042,34 @@ A real device has its own time.</source>
         <source>What the loop shall have; empty: the method&apos;s default</source>
         <translation>回路应达到的指标；留空：该方法的默认值</translation>
     </message>
+    <message>
+        <source>Largest Ms</source>
+        <translation>最大 Ms</translation>
+    </message>
+    <message>
+        <source>Peak of the sensitivity that is not exceeded: 1.4 is calm, 2 lively. Numbers says whether it is what keeps the error from being less</source>
+        <translation>不超过的灵敏度峰值：1.4 为平稳，2 为活跃。“数值”页说明是否是它使误差无法更小</translation>
+    </message>
+    <message>
+        <source>Current limit</source>
+        <translation>电流限值</translation>
+    </message>
+    <message>
+        <source>the board&apos;s</source>
+        <translation>同控制板</translation>
+    </message>
+    <message>
+        <source>What a step of the height below may ask for; at most what the board gives</source>
+        <translation>下面高度的阶跃可要求的电流；至多为控制板所能给出的</translation>
+    </message>
+    <message>
+        <source>In a step of</source>
+        <translation>阶跃高度</translation>
+    </message>
+    <message>
+        <source>The largest step of the reference that shall not reach the current limit</source>
+        <translation>不应达到电流限值的最大参考值阶跃</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuneNumberWords</name>
@@ -12144,6 +12208,26 @@ A real device has its own time.</source>
     <message>
         <source>Apply and verify goes in small steps. After each one it turns the rotor by %1, once this way and once that, in %2 s; the board ends the motion at %3 from where it starts, or at %4 %5.</source>
         <translation>应用并验证以小步进行。每步之后使转子转动 %1，一次朝这边，一次朝那边，历时 %2 s；距起点 %3 或达到 %4 %5 时，控制板结束运动。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>%1: at its bound</source>
+        <translation>%1：达到界限</translation>
+    </message>
+    <message>
+        <source>At its bound: this is what keeps the error after a load from being less</source>
+        <translation>达到界限：正是它使负载之后的误差无法更小</translation>
+    </message>
+    <message>
+        <source>Peak of sensitivity, Ms</source>
+        <translation>灵敏度峰值 Ms</translation>
+    </message>
+    <message>
+        <source>Current in a step of %1</source>
+        <translation>%1 阶跃的电流</translation>
     </message>
 </context>
 <context>

@@ -303,6 +303,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "the model has no covariance: robustness is that of an exactly known motor"),
     QT_TRANSLATE_NOOP("Phrases", "{} % of the motors that the data allow make this loop unstable"),
     QT_TRANSLATE_NOOP("Phrases", "identify more precisely, or choose a slower loop"),
+    QT_TRANSLATE_NOOP("Phrases", "the target current-limit-a = {} is above the board's own limit of {} A"),
+    QT_TRANSLATE_NOOP("Phrases", "choose up to that, or leave it out"),
     QT_TRANSLATE_NOOP("Phrases", "the set of gains lacks {}"),
     QT_TRANSLATE_NOOP("Phrases", "{} = {} is negative"),
     QT_TRANSLATE_NOOP("Phrases", "the device has no parameter {}, which this set of gains needs"),

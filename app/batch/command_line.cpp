@@ -171,6 +171,15 @@ void addTuningCommands(CLI::App& app, CommandOptions& options) {
     tune->add_option("--omega-rad-s", options.omega, "Natural frequency")->type_name("RAD_S");
     tune->add_option("--bandwidth-hz", options.bandwidth, "Bandwidth")->type_name("HZ");
     tune->add_option("--phase-margin-deg", options.phaseMargin, "Phase margin")->type_name("DEG");
+    tune->add_option("--max-sensitivity", options.maxSensitivity,
+                     "min-iae, min-itae: largest peak of the sensitivity, 1.1 to 3; default 1.7")
+        ->type_name("RATIO");
+    tune->add_option(
+            "--current-limit-a", options.currentLimit,
+            "min-iae, min-itae: current that a step of --step-deg may ask for; default the board's limit")
+        ->type_name("A");
+    tune->add_option("--step-deg", options.limitedStep, "min-iae, min-itae: that step; default 2")
+        ->type_name("DEG");
     addCalibration(tune, options);
     tune->add_option("--apply", options.applyDevice, "Write the gains to this device")->type_name("DEVICE");
     tune->add_flag("--live", options.isLive, "With --apply: in small steps, each proved by a move");

@@ -50,6 +50,7 @@ struct CommandOptions {
     std::string excitation, fromFrequency, toFrequency, base, amplitude, periods, coherence;
     std::string method;
     std::string zeta, omega, bandwidth, phaseMargin;
+    std::string maxSensitivity, currentLimit, limitedStep; ///< --max-sensitivity, --current-limit-a, --step-deg
     std::string gainsFile;
     std::string calibrationFile; ///< tune, analyse --calibration CAL.json
     std::string bodeFile, stepFile, polesFile;

@@ -5,6 +5,7 @@
 #include "app/batch/numbers.h"
 #include "app/batch/result_documents.h"
 #include "control/base/units.h"
+#include "control/design/design_targets.h"
 #include "devices/device_uri.h"
 
 #include <fmt/format.h>
@@ -42,7 +43,17 @@ Result<TuningSource> sourceFromFile(const CommandContext& context, const std::st
     return source;
 }
 
-Result<TuningSource> sourceFromDevice(CommandContext& context, const CommandOptions& options) {
+/// A target that no motor can have, or not on this board, is refused before one is moved to be identified.
+Result<void> checkBeforeMotion(const TuneConfig& config, const LoopConditions& conditions) {
+    const auto& methods = control::designMethods();
+    const auto method = std::find_if(methods.begin(), methods.end(),
+                                     [&](const auto& known) { return known.name == config.method; });
+    const auto targets = targetsOnBoard(config.method, config.targets, conditions);
+    return targets ? control::checkTargets(*method, conditions.timing, *targets) : failure(targets.error());
+}
+
+Result<TuningSource> sourceFromDevice(CommandContext& context, const CommandOptions& options,
+                                      const TuneConfig& wanted) {
     Result<IdentifyConfig> config = identifyConfigFrom(options);
     if (!config) {
         return failure(config.error());
@@ -54,16 +65,19 @@ Result<TuningSource> sourceFromDevice(CommandContext& context, const CommandOpti
     TuningSource source;
     source.header = headerFor(context, "halbench.gains/1", **device);
     config->seed = source.header.seed;
+    const Result<LoopConditions> conditions = loopConditionsOf(**device);
+    if (!conditions) {
+        return failure(conditions.error());
+    }
+    if (const Result<void> possible = checkBeforeMotion(wanted, *conditions); !possible) {
+        return failure(possible.error());
+    }
+    source.conditions = *conditions;
     const Result<IdentifyResult> identified = runIdentify(**device, *config, observerFor(context));
     if (!identified) {
         return failure(identified.error());
     }
     source.estimate = motorEstimate(*identified);
-    const Result<LoopConditions> conditions = loopConditionsOf(**device);
-    if (!conditions) {
-        return failure(conditions.error());
-    }
-    source.conditions = *conditions;
     source.device = *std::move(device);
     return source;
 }
@@ -82,12 +96,15 @@ Result<control::DesignTargets> targetsFrom(const CommandOptions& options) {
     const Result<std::optional<double>> omega = target("--omega-rad-s", options.omega);
     const Result<std::optional<double>> bandwidth = target("--bandwidth-hz", options.bandwidth);
     const Result<std::optional<double>> margin = target("--phase-margin-deg", options.phaseMargin);
-    for (const auto* value : {&zeta, &omega, &bandwidth, &margin}) {
+    const Result<std::optional<double>> sensitivity = target("--max-sensitivity", options.maxSensitivity);
+    const Result<std::optional<double>> current = target("--current-limit-a", options.currentLimit);
+    const Result<std::optional<double>> step = target("--step-deg", options.limitedStep);
+    for (const auto* value : {&zeta, &omega, &bandwidth, &margin, &sensitivity, &current, &step}) {
         if (!*value) {
             return failure(value->error());
         }
     }
-    return control::DesignTargets{*zeta, *omega, *bandwidth, *margin};
+    return control::DesignTargets{*zeta, *omega, *bandwidth, *margin, *sensitivity, *current, *step};
 }
 
 /// What the uncertainty of the motor makes of each margin.
@@ -125,6 +142,21 @@ std::string proofLines(const JsonValue& proof) {
     return text;
 }
 
+std::string boundLine(const char* name, const control::BoundUse& use, const char* unit) {
+    return fmt::format("{:<26} {:.4g}{} of {:.4g}{}: {}\n", name, use.value, unit, use.bound, unit,
+                       use.isActive() ? "at its bound" : "the bound is not reached");
+}
+
+/// Which of them keeps the error from being less.
+std::string boundLines(const control::LeastErrorBounds& bounds) {
+    std::string text = boundLine("bound on Ms", bounds.sensitivity, "");
+    if (bounds.current) {
+        const std::string name = fmt::format("step of {:.4g} deg", radiansToDegrees(bounds.step_rad));
+        text += boundLine(name.c_str(), *bounds.current, " A");
+    }
+    return text;
+}
+
 std::string gainsText(const TuneResult& result) {
     std::string text = fmt::format("method {}\n", result.method);
     const JsonValue body = gainsBody(result);
@@ -142,6 +174,7 @@ std::string gainsText(const TuneResult& result) {
     if (const JsonValue* proof = body.find("proof"); proof->isObject()) {
         text += proofLines(*proof);
     }
+    text += result.bounds ? boundLines(*result.bounds) : std::string();
     return text + intervalLines(result.robust) + loopFindingLines(result.quality, true);
 }
 
@@ -281,7 +314,7 @@ CommandResult runTuneCommand(CommandContext& context, const CommandOptions& opti
     }
     const bool isDevice = devices::parseDeviceUri(options.device).has_value();
     Result<TuningSource> source =
-        isDevice ? sourceFromDevice(context, options) : sourceFromFile(context, options.device);
+        isDevice ? sourceFromDevice(context, options, *config) : sourceFromFile(context, options.device);
     if (!source) {
         return failure(source.error());
     }

@@ -60,6 +60,9 @@ constexpr std::array KnownKeys = {
     KeySpec{"tune", "omega_rad_s", Number, false, 1e-6, 1e6, "", "target: natural frequency, rad/s"},
     KeySpec{"tune", "bandwidth_hz", Number, false, 1e-6, 1e6, "", "target: bandwidth, Hz"},
     KeySpec{"tune", "phase_margin_deg", Number, false, 1e-3, 179, "", "target: phase margin, degrees"},
+    KeySpec{"tune", "max_sensitivity", Number, false, 1.1, 3, "", "target of min-iae, min-itae: largest peak of the sensitivity; default 1.7"},
+    KeySpec{"tune", "current_limit_A", Number, false, 1e-3, 1e3, "", "target of min-iae, min-itae: current that a step of step_deg may ask for; default the board's limit"},
+    KeySpec{"tune", "step_deg", Number, false, 1e-3, 360, "", "target of min-iae, min-itae: that step, degrees; default 2"},
 
     KeySpec{"analyse", "what", Choice, true, 0, 0, "loop|amplifier|torque|sensing|poles|field|coil", "the sampled position loop, or what follows from the parts of a simulated htm"},
     KeySpec{"analyse", "model", Name, false, 0, 0, "", "loop: identify step whose result is used"},

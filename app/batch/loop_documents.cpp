@@ -117,6 +117,24 @@ JsonValue formsOf(const control::PidGains& gains) {
     return forms.set("series", formOf(gains, control::PidForm::Series));
 }
 
+JsonValue boundOf(const control::BoundUse& use) {
+    JsonValue body = JsonValue::object();
+    body.set("value", finiteOrNull(use.value)).set("bound", use.bound);
+    return body.set("active", use.isActive());
+}
+
+/// Null for a method that keeps none.
+JsonValue boundsOf(const std::optional<control::LeastErrorBounds>& bounds) {
+    if (!bounds) {
+        return {};
+    }
+    JsonValue body = JsonValue::object();
+    body.set("max_sensitivity", boundOf(bounds->sensitivity));
+    body.set("current_A", bounds->current ? boundOf(*bounds->current) : JsonValue());
+    return body.set("step_deg",
+                    bounds->current ? JsonValue(radiansToDegrees(bounds->step_rad)) : JsonValue());
+}
+
 /// What a design is judged by beside its margins; null for a loop that grows beyond all numbers.
 JsonValue proofOf(const TuneResult& result) {
     const auto& proof = result.proof;
@@ -130,7 +148,8 @@ JsonValue proofOf(const TuneResult& result) {
     body.set("noise_gain_A_per_rad", finiteOrNull(proof->noiseGain_A_per_rad));
     body.set("peak_current_A_per_rad", ifStable(proof->peakCurrent_A));
     body.set("largest_linear_step_rad", ifStable(proof->largestStep_rad));
-    return body.set("pole_radius_one_sample_later", finiteOrNull(proof->poleRadiusOneSampleLater));
+    body.set("pole_radius_one_sample_later", finiteOrNull(proof->poleRadiusOneSampleLater));
+    return body.set("bounds", boundsOf(result.bounds));
 }
 
 } // namespace
@@ -173,6 +192,9 @@ JsonValue gainsBody(const TuneResult& result) {
     targets.set("zeta", result.targets.zeta).set("omega_rad_s", result.targets.omega_rad_s);
     targets.set("bandwidth_hz", result.targets.bandwidth_Hz);
     targets.set("phase_margin_deg", result.targets.phaseMargin_deg);
+    targets.set("max_sensitivity", result.targets.mostMs_ratio);
+    targets.set("current_limit_A", result.targets.currentLimit_A);
+    targets.set("step_deg", result.targets.step_deg);
     JsonValue robust = JsonValue::object();
     robust.set("draws", result.robust.draws);
     robust.set("gain_margin_ratio_p5", finiteOrNull(result.robust.gainMargin_ratio_p5));

@@ -164,8 +164,13 @@ std::optional<devices::DeviceInfo> readDevice(DocumentReader& reader) {
 }
 
 control::DesignTargets targetsOf(const JsonValue* targets) {
-    return {numberIn(targets, "zeta"), numberIn(targets, "omega_rad_s"), numberIn(targets, "bandwidth_hz"),
-            numberIn(targets, "phase_margin_deg")};
+    return {numberIn(targets, "zeta"),
+            numberIn(targets, "omega_rad_s"),
+            numberIn(targets, "bandwidth_hz"),
+            numberIn(targets, "phase_margin_deg"),
+            numberIn(targets, "max_sensitivity"),
+            numberIn(targets, "current_limit_A"),
+            numberIn(targets, "step_deg")};
 }
 
 } // namespace

@@ -190,8 +190,13 @@ RecordConfig recordConfigOf(const ExperimentStep& step) {
 }
 
 control::DesignTargets designTargetsOf(const ExperimentStep& step) {
-    return {step.number("zeta"), step.number("omega_rad_s"), step.number("bandwidth_hz"),
-            step.number("phase_margin_deg")};
+    return {step.number("zeta"),
+            step.number("omega_rad_s"),
+            step.number("bandwidth_hz"),
+            step.number("phase_margin_deg"),
+            step.number("max_sensitivity"),
+            step.number("current_limit_A"),
+            step.number("step_deg")};
 }
 
 std::vector<ParameterValue> valuesOf(const ExperimentStep& step) {

@@ -122,6 +122,17 @@ void judge(TuneResult& result) {
     result.quality.findings = result.warnings;
 }
 
+/// Of gains that say they come from such a method, also when they were read from a file.
+std::optional<control::LeastErrorBounds> boundsOf(const TuneResult& result) {
+    const auto measure = control::leastErrorMeasure(result.method);
+    const auto targets = targetsOnBoard(result.method, result.targets, result.conditions);
+    if (!measure || !targets || !result.proof) {
+        return std::nullopt;
+    }
+    return control::boundsOf(*result.proof, control::leastErrorTargets(*measure, *targets),
+                             *targets->currentLimit_A);
+}
+
 /// The law is there; prediction, robustness and verdict follow.
 Result<TuneResult> judged(TuneResult result, const MotorEstimate& estimate, const TuneConfig& config,
                           const control::UncertainPlant& uncertain) {
@@ -141,6 +152,7 @@ Result<TuneResult> judged(TuneResult result, const MotorEstimate& estimate, cons
                                           config.conditions.currentLimit_A)) {
         result.proof = *std::move(proof);
     }
+    result.bounds = boundsOf(result);
     result.warnings = result.predicted.warnings;
     addDesignWarnings(result);
     addRobustnessWarnings(result, estimate);
@@ -158,6 +170,23 @@ TuneResult undesigned(const MotorEstimate& estimate, const TuneConfig& config) {
 }
 
 } // namespace
+
+Result<control::DesignTargets> targetsOnBoard(const std::string& method, control::DesignTargets targets,
+                                              const LoopConditions& conditions) {
+    if (!control::readsTarget(method, "current-limit-a")) {
+        return targets;
+    }
+    const double board_A = conditions.currentLimit_A;
+    if (targets.currentLimit_A.value_or(board_A) > board_A) {
+        return failure(
+            ErrorCode::OutOfRange,
+            fmt::format("the target current-limit-a = {:.4g} is above the board's own limit of {:.4g} A",
+                        *targets.currentLimit_A, board_A),
+            "choose up to that, or leave it out");
+    }
+    targets.currentLimit_A = targets.currentLimit_A.value_or(board_A);
+    return targets;
+}
 
 Result<TuneResult> judgeLaw(const MotorEstimate& estimate, const control::PositionLaw& law,
                             const TuneConfig& config) {
@@ -180,7 +209,11 @@ Result<TuneResult> runTune(const MotorEstimate& estimate, const TuneConfig& conf
         return failure(uncertain.error());
     }
     TuneResult result = undesigned(estimate, config);
-    auto law = control::designLaw(config.method, result.plant, config.conditions.timing, config.targets);
+    const auto targets = targetsOnBoard(config.method, config.targets, config.conditions);
+    if (!targets) {
+        return failure(targets.error());
+    }
+    auto law = control::designLaw(config.method, result.plant, config.conditions.timing, *targets);
     law = law ? onBoard(*law) : law;
     if (!law) {
         return failure(law.error());

@@ -2,6 +2,7 @@
 
 #include "app/procedures/analyse.h"
 #include "control/design/design_methods.h"
+#include "control/design/optimal_designs.h"
 #include "control/design/proof.h"
 #include "control/design/robustness.h"
 
@@ -30,10 +31,16 @@ struct TuneResult {
     control::PositionLaw law; ///< parallel form, A/rad
     AnalysisResult predicted;
     control::Robustness robust;
-    std::optional<control::DesignProof> proof; ///< nothing: the loop grows beyond all numbers
-    std::vector<Finding> warnings;             ///< of design, prediction and robustness
+    std::optional<control::DesignProof> proof;       ///< nothing: the loop grows beyond all numbers
+    std::optional<control::LeastErrorBounds> bounds; ///< of the methods that keep some, as the proof has it
+    std::vector<Finding> warnings;                   ///< of design, prediction and robustness
     DataQuality quality;
 };
+
+/// The targets of a method with what the board limits itself: one that reads a current limit and is given
+/// none keeps to the board's. Errors: OutOfRange for more than the board gives.
+Result<control::DesignTargets> targetsOnBoard(const std::string& method, control::DesignTargets targets,
+                                              const LoopConditions& conditions);
 
 /// Identified motor in, gains out: a pure function. Errors: of plantFromEstimate and designLaw; NotFinite
 /// when a design produced something that is no number.

@@ -2,16 +2,11 @@
 
 #include "control/base/assert.h"
 
-#include <tuple>
 #include <utility>
 
 namespace halbench::app {
 
 namespace {
-
-auto parts(const control::DesignTargets& targets) {
-    return std::tie(targets.zeta, targets.omega_rad_s, targets.bandwidth_Hz, targets.phaseMargin_deg);
-}
 
 /// A hand can do more than this in a day; nobody goes back as far.
 constexpr std::size_t MostSteps = 500;
@@ -19,7 +14,7 @@ constexpr std::size_t MostSteps = 500;
 } // namespace
 
 bool GainChoice::isSameAs(const GainChoice& other) const {
-    return origin == other.origin && law == other.law && parts(targets) == parts(other.targets) &&
+    return origin == other.origin && law == other.law && targets == other.targets &&
            restored.has_value() == other.restored.has_value();
 }
 

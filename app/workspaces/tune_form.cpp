@@ -3,6 +3,8 @@
 #include "app/batch/experiment_keys.h"
 #include "app/batch/presets.h"
 #include "app/workspaces/design_names.h"
+#include "control/design/optimal_designs.h"
+#include "widgets/display_units.h"
 #include "widgets/optional_number_edit.h"
 #include "widgets/phrasebook.h"
 #include "widgets/theme_style.h"
@@ -25,12 +27,17 @@ struct TargetField {
     std::optional<double> DesignTargets::*place;
     const char* unit;
     double most;
+    double least = 0.0; ///< not itself when it is 0
 };
 constexpr std::array TargetFields = {
     TargetField{"zeta", &DesignTargets::zeta, "", 10.0},
     TargetField{"omega-rad-s", &DesignTargets::omega_rad_s, "rad/s", 1e4},
     TargetField{"bandwidth-hz", &DesignTargets::bandwidth_Hz, "Hz", 1e4},
-    TargetField{"phase-margin-deg", &DesignTargets::phaseMargin_deg, "\u00b0", 90.0}};
+    TargetField{"phase-margin-deg", &DesignTargets::phaseMargin_deg, "\u00b0", 90.0},
+    TargetField{"max-sensitivity", &DesignTargets::mostMs_ratio, "", control::least_error::MostMs_ratio,
+                control::least_error::LeastMs_ratio},
+    TargetField{"current-limit-a", &DesignTargets::currentLimit_A, "A", 1e3},
+    TargetField{"step-deg", &DesignTargets::step_deg, "\u00b0", 360.0}};
 
 constexpr int OriginRole = Qt::UserRole;
 constexpr int IdRole = Qt::UserRole + 1;
@@ -75,7 +82,7 @@ TuneForm::TuneForm(QWidget* parent)
     for (std::size_t i = 0; i < m_targets.size(); ++i) {
         Target target{new QLabel(this), new widgets::OptionalNumberEdit(this),
                       new QLabel(QString::fromUtf8(TargetFields[i].unit), this)};
-        target.edit->setLimits({0.0, TargetFields[i].most, false});
+        target.edit->setLimits({TargetFields[i].least, TargetFields[i].most, TargetFields[i].least > 0.0});
         target.edit->setObjectName(QString::fromLatin1(TargetFields[i].name));
         target.name->setBuddy(target.edit);
         widgets::setRole(*target.unit, widgets::Role::Muted);
@@ -192,12 +199,26 @@ void TuneForm::refreshWords() {
         m_origin->setItemText(i, text);
         m_origin->setItemData(i, help, Qt::ToolTipRole);
     }
-    const QString names[] = {tr("Damping ratio"), tr("Frequency"), tr("Bandwidth"), tr("Phase margin")};
+    const QString has = tr("What the loop shall have; empty: the method's default");
+    const struct {
+        QString name, otherwise, help;
+    } words[] = {{tr("Damping ratio"), tr("default"), has},
+                 {tr("Frequency"), tr("default"), has},
+                 {tr("Bandwidth"), tr("default"), has},
+                 {tr("Phase margin"), tr("default"), has},
+                 {tr("Largest Ms"), widgets::numberText(control::least_error::UsualMs_ratio, 3),
+                  tr("Peak of the sensitivity that is not exceeded: 1.4 is calm, 2 lively. Numbers says "
+                     "whether it is what "
+                     "keeps the error from being less")},
+                 {tr("Current limit"), tr("the board's"),
+                  tr("What a step of the height below may ask for; at most what the board gives")},
+                 {tr("In a step of"), widgets::numberText(control::least_error::UsualStep_deg, 3),
+                  tr("The largest step of the reference that shall not reach the current limit")}};
     for (std::size_t i = 0; i < m_targets.size(); ++i) {
-        m_targets[i].name->setText(names[i]);
-        m_targets[i].edit->setAccessibleName(names[i]);
-        m_targets[i].edit->setPlaceholderText(tr("default"));
-        m_targets[i].edit->setExplanation(tr("What the loop shall have; empty: the method's default"));
+        m_targets[i].name->setText(words[i].name);
+        m_targets[i].edit->setAccessibleName(words[i].name);
+        m_targets[i].edit->setPlaceholderText(words[i].otherwise);
+        m_targets[i].edit->setExplanation(words[i].help);
     }
     refreshTargets();
 }

@@ -57,7 +57,7 @@ private:
         widgets::OptionalNumberEdit* edit;
         QLabel* unit;
     };
-    std::array<Target, 4> m_targets{}; ///< zeta, omega, bandwidth, phase margin
+    std::array<Target, 7> m_targets{}; ///< in the order of their table
 };
 
 /// The law of a shipped preset of this model. Errors: of findPreset and lawFromParameters.

@@ -102,6 +102,26 @@ void appendMotion(const Row& row, const DisplayUnits& units) {
         });
 }
 
+QString boundWords(const control::BoundUse& use, const QString& unit) {
+    const QString text = Words::tr("%1 of %2").arg(amount(use.value, unit), amount(use.bound, unit));
+    return use.isActive() ? Words::tr("%1: at its bound").arg(text) : text;
+}
+
+/// What a design of least error was not allowed to exceed.
+void appendBounds(std::vector<TuneNumber>& numbers, const control::LeastErrorBounds& bounds,
+                  const DisplayUnits& units) {
+    const QString help = Words::tr("At its bound: this is what keeps the error after a load from being less");
+    numbers.push_back(
+        {Words::tr("Peak of sensitivity, Ms"), boundWords(bounds.sensitivity, {}), {}, {}, help});
+    if (bounds.current) {
+        numbers.push_back({Words::tr("Current in a step of %1").arg(angleText(bounds.step_rad, units)),
+                           boundWords(*bounds.current, QStringLiteral(" A")),
+                           {},
+                           {},
+                           help});
+    }
+}
+
 } // namespace
 
 std::vector<TuneNumber> tuneNumbers(const TuneResult& proposed, const std::optional<AnalysisResult>& present,
@@ -125,6 +145,9 @@ std::vector<TuneNumber> tuneNumbers(const TuneResult& proposed, const std::optio
                        {},
                        Words::tr("Share of the motors that the data allow which this loop makes unstable")});
     appendMargins(row, robust);
+    if (proposed.bounds) {
+        appendBounds(numbers, *proposed.bounds, units);
+    }
     appendMotion(row, units);
     return numbers;
 }

@@ -17,8 +17,13 @@ Result<control::PositionLaw> lawOf(const TuneQuestion& question) {
     if (!plant) {
         return failure(plant.error());
     }
-    const auto law = control::designLaw(question.config.method, *plant, question.config.conditions.timing,
-                                        question.config.targets);
+    const auto targets =
+        targetsOnBoard(question.config.method, question.config.targets, question.config.conditions);
+    if (!targets) {
+        return failure(targets.error());
+    }
+    const auto law =
+        control::designLaw(question.config.method, *plant, question.config.conditions.timing, *targets);
     if (!law) {
         return failure(law.error());
     }

@@ -94,6 +94,34 @@ TEST(Tune, robustnessSeesTheUncertaintyOfTheParametersEvenWhenTheirRatiosAreList
     EXPECT_LT(plain->robust.gainMargin_ratio_p5, plain->predicted.margins.gainMargin_ratio);
 }
 
+// A current that none was asked for is the board's; the result says what of its bounds the design uses.
+TEST(Tune, theLeastErrorKeepsToTheBoardsCurrentAndSaysWhichBoundCounts) {
+    TuneConfig config = method("min-iae");
+    config.conditions.currentLimit_A = 1.0;
+    config.targets.step_deg = 5.0; // K_P up to 11.5 A/rad, where Ms alone would allow 40
+    const auto soft = runTune(published(), config);
+    ASSERT_TRUE(soft && soft->bounds && soft->bounds->current) << soft.error().message;
+    EXPECT_TRUE(soft->bounds->current->isActive());
+    EXPECT_FALSE(soft->bounds->sensitivity.isActive());
+    EXPECT_LE(soft->law.gains.proportional * degreesToRadians(5.0), 1.001 * 1.0);
+    EXPECT_EQ(soft->targets.currentLimit_A, std::nullopt); // as it was asked
+    config.targets.step_deg.reset();
+    const auto usual = runTune(published(), config); // 2 degrees: 28.6 A/rad, still below
+    ASSERT_TRUE(usual && usual->bounds);
+    EXPECT_NEAR(radiansToDegrees(usual->bounds->step_rad), 2.0, 1e-12);
+    EXPECT_EQ(runTune(published(), method("recommended"))->bounds.has_value(), false);
+}
+
+TEST(Tune, refusesMoreCurrentThanTheBoardGives) {
+    TuneConfig config = method("min-itae");
+    config.targets.currentLimit_A = 4.5;
+    const auto refused = runTune(published(), config);
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_EQ(refused.error().code, ErrorCode::OutOfRange);
+    EXPECT_NE(refused.error().message.find("4 A"), std::string::npos) << refused.error().message;
+    EXPECT_FALSE(refused.error().hint.empty());
+}
+
 // K_P = 17 of 17.27: phi 1 % and c 2 % uncertain move the limit by more than the distance to it.
 TEST(Tune, warnsWhenTheDataAllowAMotorThatTheLoopMakesUnstable) {
     TuneConfig config = method("pole-placement");

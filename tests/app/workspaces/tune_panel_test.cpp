@@ -78,6 +78,35 @@ TEST_F(TunePanelTest, targetsAreThoseOfTheMethod) {
     EXPECT_TRUE(wait([&] { return verdict().contains("between 0 and 50"); })) << verdict().toStdString();
 }
 
+TEST_F(TunePanelTest, theLeastErrorHasBoundsAndSaysWhichOneCounts) {
+    const auto number = [&](const QString& name) {
+        const auto* table = panel.findChild<TuneNumbers*>();
+        for (int row = 0; row < table->rowCount(); ++row) {
+            if (table->item(row, 0)->text().startsWith(name)) {
+                return table->item(row, 1)->text();
+            }
+        }
+        return QString();
+    };
+    bench.setIdentification(publishedMotor());
+    choose("Where the gains come from", "Method: least IAE");
+    ASSERT_TRUE(edit("max-sensitivity")->isVisible() && edit("current-limit-a")->isVisible());
+    ASSERT_TRUE(wait([&] { return number("Peak of sens").contains("at its bound"); }));
+    EXPECT_EQ(number("Peak of sens"), "1.7 of 1.7: at its bound");
+    EXPECT_FALSE(number("Current in a step").contains("at its bound")); // 40 A/rad on 2 degrees
+    type("current-limit-a", "1");
+    type("step-deg", "5");
+    ASSERT_TRUE(wait([&] { return bench.design() && bench.design()->targets.step_deg == 5.0; }));
+    EXPECT_LE(bench.design()->law.gains.proportional, 1.001 * 180.0 / (5.0 * 3.14159265));
+    ASSERT_TRUE(wait([&] { return number("Current in a step").contains("at its bound"); }));
+    EXPECT_EQ(number("Current in a step"), "1 A of 1 A: at its bound");
+    type("max-sensitivity", "1");
+    EXPECT_TRUE(wait([&] { return verdict().contains("Largest Ms"); })) << verdict().toStdString();
+    type("max-sensitivity", "1.4");
+    type("current-limit-a", "5"); // no board of this model gives that
+    EXPECT_TRUE(wait([&] { return verdict().contains("own limit of 4 A"); })) << verdict().toStdString();
+}
+
 TEST_F(TunePanelTest, noNumberThatIsNoneReachesAGain) {
     prepare();
     const auto before = valuesNow();

@@ -257,9 +257,14 @@ class Models(ProgramCase):
 
     def test_targets_are_judged(self):
         for option in (["--zeta", "-1"], ["--zeta", "nan"], ["--omega-rad-s", "0"], ["--bandwidth-hz", "-3"],
-                       ["--phase-margin-deg", "200"], ["--bandwidth-hz", "many"]):
+                       ["--phase-margin-deg", "200"], ["--bandwidth-hz", "many"], ["--max-sensitivity", "1.5"]):
             with self.subTest(option=option):
                 self.refuse(2, r"\w", "tune", "sim:htm", *option)
+        for option, words in ((["--max-sensitivity", "1"], "1.1 and 3"), (["--max-sensitivity", "calm"], "--max-sensitivity"),
+                              (["--current-limit-a", "-1"], "--current-limit-a"), (["--step-deg", "400"], "0 and 360"),
+                              (["--current-limit-a", "40"], "own limit of 4 A")):
+            with self.subTest(option=option):
+                self.refuse(2, words, "tune", "sim:htm", "--method", "min-iae", *option)
 
     def test_references_are_judged(self):
         for reference in ("", "triangle", "step", "step,amplitude_deg", "step,amplitude_deg=", "step,amplitude_deg=nan",
