@@ -150,10 +150,8 @@ void addDelayWarning(AnalysisResult& result, const control::PositionPlant& plant
     }
 }
 
-void addFrictionWarning(AnalysisResult& result, const control::PositionPlant& plant, const PidGains& gains,
-                        const control::PositionLaw& law) {
-    const double unaided_A = std::max(0.0, plant.breakawayCurrent_A - law.stictionCurrent_A);
-    const double band_deg = radiansToDegrees(unaided_A / gains.proportional);
+void addFrictionWarning(AnalysisResult& result, const PidGains& gains) {
+    const double band_deg = radiansToDegrees(result.frictionBand_rad);
     constexpr double NotableBand_deg =
         0.64; // the accuracy that the published loop claims (htm-theory.md 6.7)
     if (band_deg > NotableBand_deg) {
@@ -246,7 +244,6 @@ Result<AnalysisResult> predictLoop(const control::PositionPlant& plant, const Pi
     result.crossings = control::allCrossings(*openLoop);
     result.proportionalLimit_A_per_rad =
         control::proportionalLimit_A_per_rad(plant, timing, gains.derivative);
-    result.frictionBand_rad = control::frictionBand_rad(plant, gains);
     result.highFrequencyGain_A_per_rad = gains.proportional + gains.derivative / timing.period_s;
     const auto closedLoop = control::feedback(*openLoop, TransferFunction::gain(1.0, openLoop->timeBase()));
     auto bode = bodeOf(*openLoop);
@@ -286,9 +283,10 @@ Result<AnalysisResult> runAnalysis(const MotorEstimate& estimate, const control:
         return failure(stepped ? largeStep.error() : stepped.error());
     }
     result->largeStep = *largeStep;
+    result->frictionBand_rad = control::frictionBand_rad(*plant, law);
     addStabilityWarnings(*result, *gains);
     addDelayWarning(*result, *plant, *gains, conditions.timing);
-    addFrictionWarning(*result, *plant, *gains, law);
+    addFrictionWarning(*result, *gains);
     addStrayWarning(*result, conditions.stray);
     addSaturationNote(*result, *gains, conditions.currentLimit_A);
     result->quality.verdict = result->isStable ? Verdict::Good : Verdict::Doubtful;

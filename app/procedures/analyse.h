@@ -65,7 +65,7 @@ struct AnalysisResult {
     std::optional<control::StepMetrics> step; ///< of the linear loop, unit step; absent when unstable
     std::optional<LargeStep> largeStep;       ///< of 100 degrees, with friction and current limit
     double proportionalLimit_A_per_rad = 0.0;
-    double frictionBand_rad = 0.0;            ///< predicted rest band +-K_f/(phi K_P)
+    double frictionBand_rad = 0.0;            ///< predicted rest band of the law, with its assist
     double highFrequencyGain_A_per_rad = 0.0; ///< K_P + K_D/T_s
     struct Bode {                             ///< open loop, phase unwrapped
         std::vector<double> frequency_Hz;

@@ -34,8 +34,10 @@ Result<models::IdealTrace> predict(const ApplyVerification& verification, const 
 // Where friction holds the rotor against the gains depends on how it got there: no prediction can say it.
 double frictionBand_rad(const control::PositionPlant& plant, const models::PositionLaw& law) {
     constexpr double StaticFriction_ratio = 1.15; // resources/help/htm-theory.md section 9
-    const double left_A = std::max(0.0, StaticFriction_ratio * plant.breakawayCurrent_A - law.stiction_A);
-    return law.kp_A_per_rad > 0.0 ? left_A / law.kp_A_per_rad : 0.0;
+    return law.kp_A_per_rad > 0.0
+               ? control::frictionBand_rad(StaticFriction_ratio * plant.breakawayCurrent_A, law.kp_A_per_rad,
+                                           law.stiction_A, law.stictionThreshold_rad)
+               : 0.0;
 }
 
 void judge(const ApplyVerification& verification, ApplyResult& result) {

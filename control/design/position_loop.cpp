@@ -182,10 +182,21 @@ double proportionalLimit_A_per_rad(const PositionPlant& plant, const LoopTiming&
     return stable;
 }
 
-double frictionBand_rad(const PositionPlant& plant, const PidGains& gains) {
-    const auto parallel = convert(gains, PidForm::Parallel, GainUnit::PerRadian);
+double frictionBand_rad(double breakaway_A, double proportional_A_per_rad, double assist_A,
+                        double assistThreshold_rad) {
+    const double unaided_rad = breakaway_A / proportional_A_per_rad;
+    if (assist_A <= 0.0) {
+        return unaided_rad;
+    }
+    return std::max((breakaway_A - assist_A) / proportional_A_per_rad,
+                    std::min(assistThreshold_rad, unaided_rad));
+}
+
+double frictionBand_rad(const PositionPlant& plant, const PositionLaw& law) {
+    const auto parallel = convert(law.gains, PidForm::Parallel, GainUnit::PerRadian);
     HB_ASSERT(parallel.has_value());
-    return plant.breakawayCurrent_A / parallel->proportional;
+    return frictionBand_rad(plant.breakawayCurrent_A, parallel->proportional, law.stictionCurrent_A,
+                            law.stictionThreshold_rad);
 }
 
 } // namespace halbench::control

@@ -72,8 +72,14 @@ double poleRadius(const TransferFunction& openLoop);
 double proportionalLimit_A_per_rad(const PositionPlant& plant, const LoopTiming& timing,
                                    double derivative_A_s_per_rad = 0.0);
 
-/// Half width of the band in which friction holds the rotor against a proportional gain: i_f/K_P.
-double frictionBand_rad(const PositionPlant& plant, const PidGains& gains);
+/// Half width of the band in which friction holds the rotor at a resting reference, before the integral moves
+/// it. The micro-step assist i_a acts beyond its threshold e_a only, so that what rests is
+///     |e| <= max((i_f - i_a)/K_P, min(e_a, i_f/K_P)),
+/// i_f/K_P without an assist (help: resources/help/tuning.md, "What the friction leaves").
+double frictionBand_rad(const PositionPlant& plant, const PositionLaw& law);
+/// The same of numbers: K_P in A/rad, above 0.
+double frictionBand_rad(double breakaway_A, double proportional_A_per_rad, double assist_A,
+                        double assistThreshold_rad);
 
 /// Answer of the linear sampled loop (no friction, no current limit) to a reference step, exact between the
 /// samples.

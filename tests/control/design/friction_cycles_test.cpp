@@ -172,7 +172,31 @@ TEST(FrictionBand, isThatOfTheSimulation) {
             const auto angle = simulated(published(), gains(kp, 0.0), NoDelay, -error_rad, 0.05);
             (angle.back() == -error_rad ? stuck_rad : free_rad) = error_rad;
         }
-        EXPECT_NEAR(frictionBand_rad(published(), gains(kp, 0.0)), stuck_rad, 1e-9);
+        PositionLaw law;
+        law.gains = gains(kp, 0.0);
+        EXPECT_NEAR(frictionBand_rad(published(), law), stuck_rad, 1e-9);
+    }
+}
+
+// The largest resting error at which |K_P e + assist| stays below the breakaway current, found by walking
+// outwards: the definition, without the formula.
+TEST(FrictionBand, ofALawWithAssistIsTheLargestErrorThatRests) {
+    const double breakaway_A = published().breakawayCurrent_A;
+    for (const double kp : {5.0, 40.0, 286.5, 800.0}) {
+        for (const double share : {0.0, 0.5, 0.9, 1.2}) {
+            PositionLaw law;
+            law.gains = gains(kp, 60.0, 1.4);
+            law.stictionCurrent_A = share * breakaway_A;
+            double largest_rad = 0.0;
+            constexpr double Step_rad = 1e-6;
+            for (double error_rad = 0.0; error_rad < 0.5; error_rad += Step_rad) {
+                const bool isAssisted = error_rad > law.stictionThreshold_rad;
+                const double asked_A = kp * error_rad + (isAssisted ? law.stictionCurrent_A : 0.0);
+                largest_rad = asked_A <= breakaway_A ? error_rad : largest_rad;
+            }
+            EXPECT_NEAR(frictionBand_rad(published(), law), largest_rad, 2.0 * Step_rad)
+                << kp << ' ' << share;
+        }
     }
 }
 

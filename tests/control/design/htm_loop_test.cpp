@@ -144,12 +144,14 @@ TEST(HtmRecommendedLoop, isStableWithAndWithoutASampleOfDelay) {
 
 // 6.7: +-8.21 deg at 10 A/rad; the micro-steps need 4.48 A/deg for +-0.32 deg, +-0.64 deg needs 2.24 A/deg.
 TEST(HtmFrictionBand, isThatOfTheTheory) {
-    EXPECT_NEAR(radiansToDegrees(frictionBand_rad(published(), gains(10.0, 0.1))), 8.21, 0.01);
-    PidGains perDegree = gains(2.24, 0.0);
-    perDegree.unit = GainUnit::PerDegree;
-    EXPECT_NEAR(radiansToDegrees(frictionBand_rad(published(), perDegree)), 0.64, 0.001);
-    perDegree.proportional = 4.48;
-    EXPECT_NEAR(radiansToDegrees(frictionBand_rad(published(), perDegree)), 0.32, 0.001);
+    PositionLaw law;
+    law.gains = gains(10.0, 0.1);
+    EXPECT_NEAR(radiansToDegrees(frictionBand_rad(published(), law)), 8.21, 0.01);
+    law.gains = gains(2.24, 0.0);
+    law.gains.unit = GainUnit::PerDegree;
+    EXPECT_NEAR(radiansToDegrees(frictionBand_rad(published(), law)), 0.64, 0.001);
+    law.gains.proportional = 4.48;
+    EXPECT_NEAR(radiansToDegrees(frictionBand_rad(published(), law)), 0.32, 0.001);
 }
 
 // Second route: the rational closed loop as a difference equation. The derivative acts on the angle alone, so
