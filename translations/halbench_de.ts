@@ -5982,6 +5982,22 @@
         <source>choose up to that, or leave it out</source>
         <translation>bis dahin wählen oder weglassen</translation>
     </message>
+    <message>
+        <source>any motion</source>
+        <translation>jede Bewegung</translation>
+    </message>
+    <message>
+        <source>a swing beyond +-{} deg</source>
+        <translation>eine Schwingung über +-{} deg</translation>
+    </message>
+    <message>
+        <source>{} grows into a lasting one of about +-{} deg at {} Hz</source>
+        <translation>{} wächst zu einer dauernden von etwa +-{} deg bei {} Hz</translation>
+    </message>
+    <message>
+        <source>keep to small steps, or choose a smaller K_P</source>
+        <translation>nur kleine Sprünge fahren, oder K_P kleiner wählen</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -12089,10 +12105,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>unendlich</translation>
     </message>
     <message>
-        <source>%1 overshoot, settled after %2</source>
-        <translation>%1 Überschwingen, eingeschwungen nach %2</translation>
-    </message>
-    <message>
         <source>Closed loop</source>
         <translation>Geschlossener Kreis</translation>
     </message>
@@ -12239,6 +12251,90 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Current in a step of %1</source>
         <translation>Strom bei einem Sprung von %1</translation>
+    </message>
+    <message>
+        <source>rise %1, %2 overshoot, within 2 % after %3</source>
+        <translation>Anstieg %1, %2 Überschwingen, innerhalb 2 % nach %3</translation>
+    </message>
+    <message>
+        <source>Disturbances near the crossover are made so many times larger; at most 2 is usual</source>
+        <translation>Störungen nahe der Durchtrittsfrequenz werden um so viel größer; höchstens 2 ist üblich</translation>
+    </message>
+    <message>
+        <source>Noise gain</source>
+        <translation>Rauschverstärkung</translation>
+    </message>
+    <message>
+        <source>Current that flickers for each radian of noise in the angle</source>
+        <translation>Strom, der je Radiant Rauschen des Winkels flackert</translation>
+    </message>
+    <message>
+        <source>Largest linear step</source>
+        <translation>Größter linearer Sprung</translation>
+    </message>
+    <message>
+        <source>A larger one reaches the current limit</source>
+        <translation>Ein größerer erreicht die Stromgrenze</translation>
+    </message>
+    <message>
+        <source>One more sample of delay</source>
+        <translation>Eine Abtastung mehr Totzeit</translation>
+    </message>
+    <message>
+        <source>stays stable</source>
+        <translation>bleibt stabil</translation>
+    </message>
+    <message>
+        <source>Whether the loop bears a current that comes one sample later</source>
+        <translation>Ob der Kreis einen Strom verträgt, der eine Abtastung später kommt</translation>
+    </message>
+    <message>
+        <source>%1 at %2 Hz, to %3 %</source>
+        <translation>%1 bei %2 Hz, auf %3 %</translation>
+    </message>
+    <message>
+        <source>Integral ends a rest</source>
+        <translation>Integrator beendet eine Ruhe</translation>
+    </message>
+    <message>
+        <source>after %1 s</source>
+        <translation>nach %1 s</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nie</translation>
+    </message>
+    <message>
+        <source>From half of the friction band; then the rotor jumps and may rest again: it hunts</source>
+        <translation>Von halbem Reibungsband aus; dann springt der Rotor und ruht vielleicht wieder: er ruckelt nach</translation>
+    </message>
+    <message>
+        <source>Limit cycle</source>
+        <translation>Dauerschwingung</translation>
+    </message>
+    <message>
+        <source>A swing that friction and the current limit let the loop keep up, by harmonic balance</source>
+        <translation>Eine Schwingung, die Reibung und Stromgrenze den Kreis aufrechterhalten lassen, nach der harmonischen Balance</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>not predicted</source>
+        <translation>nicht vorhergesagt</translation>
+    </message>
+    <message>
+        <source>The micro-step assist, or a motor without friction, is not in the balance</source>
+        <translation>Die Mikroschritthilfe oder ein Motor ohne Reibung ist nicht in der Balance</translation>
+    </message>
+    <message>
+        <source>Swing that grows</source>
+        <translation>Schwelle zum Anwachsen</translation>
+    </message>
+    <message>
+        <source>A smaller one comes to rest</source>
+        <translation>Eine kleinere kommt zur Ruhe</translation>
     </message>
 </context>
 <context>

@@ -5982,6 +5982,22 @@
         <source>choose up to that, or leave it out</source>
         <translation>不超过该值，或不填</translation>
     </message>
+    <message>
+        <source>any motion</source>
+        <translation>任何运动</translation>
+    </message>
+    <message>
+        <source>a swing beyond +-{} deg</source>
+        <translation>超过 +-{} deg 的摆动</translation>
+    </message>
+    <message>
+        <source>{} grows into a lasting one of about +-{} deg at {} Hz</source>
+        <translation>{} 会长成约 +-{} deg、{} Hz 的持续振荡</translation>
+    </message>
+    <message>
+        <source>keep to small steps, or choose a smaller K_P</source>
+        <translation>只用小阶跃，或选择较小的 K_P</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -12078,10 +12094,6 @@ A real device has its own time.</source>
         <translation>无穷大</translation>
     </message>
     <message>
-        <source>%1 overshoot, settled after %2</source>
-        <translation>超调 %1，调节时间 %2</translation>
-    </message>
-    <message>
         <source>Closed loop</source>
         <translation>闭环</translation>
     </message>
@@ -12228,6 +12240,90 @@ A real device has its own time.</source>
     <message>
         <source>Current in a step of %1</source>
         <translation>%1 阶跃的电流</translation>
+    </message>
+    <message>
+        <source>rise %1, %2 overshoot, within 2 % after %3</source>
+        <translation>上升 %1，超调 %2，%3 后保持在 2 % 以内</translation>
+    </message>
+    <message>
+        <source>Disturbances near the crossover are made so many times larger; at most 2 is usual</source>
+        <translation>穿越频率附近的扰动被放大的倍数；通常至多为 2</translation>
+    </message>
+    <message>
+        <source>Noise gain</source>
+        <translation>噪声增益</translation>
+    </message>
+    <message>
+        <source>Current that flickers for each radian of noise in the angle</source>
+        <translation>角度噪声每弧度引起的电流波动</translation>
+    </message>
+    <message>
+        <source>Largest linear step</source>
+        <translation>最大线性阶跃</translation>
+    </message>
+    <message>
+        <source>A larger one reaches the current limit</source>
+        <translation>更大的阶跃会达到电流限制</translation>
+    </message>
+    <message>
+        <source>One more sample of delay</source>
+        <translation>时延多一个采样</translation>
+    </message>
+    <message>
+        <source>stays stable</source>
+        <translation>仍然稳定</translation>
+    </message>
+    <message>
+        <source>Whether the loop bears a current that comes one sample later</source>
+        <translation>回路能否承受电流晚一个采样到来</translation>
+    </message>
+    <message>
+        <source>%1 at %2 Hz, to %3 %</source>
+        <translation>%1，%2 Hz，精度 %3 %</translation>
+    </message>
+    <message>
+        <source>Integral ends a rest</source>
+        <translation>积分结束静止</translation>
+    </message>
+    <message>
+        <source>after %1 s</source>
+        <translation>%1 s 之后</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>永不</translation>
+    </message>
+    <message>
+        <source>From half of the friction band; then the rotor jumps and may rest again: it hunts</source>
+        <translation>从半个摩擦带处算起；然后转子跳动并可能再次停住：爬行抖动</translation>
+    </message>
+    <message>
+        <source>Limit cycle</source>
+        <translation>极限环</translation>
+    </message>
+    <message>
+        <source>A swing that friction and the current limit let the loop keep up, by harmonic balance</source>
+        <translation>摩擦和电流限制使回路得以维持的振荡，用谐波平衡求得</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>not predicted</source>
+        <translation>未预测</translation>
+    </message>
+    <message>
+        <source>The micro-step assist, or a motor without friction, is not in the balance</source>
+        <translation>谐波平衡不含微步辅助，也不适用于无摩擦的电机</translation>
+    </message>
+    <message>
+        <source>Swing that grows</source>
+        <translation>增长的阈值</translation>
+    </message>
+    <message>
+        <source>A smaller one comes to rest</source>
+        <translation>更小的会停下</translation>
     </message>
 </context>
 <context>

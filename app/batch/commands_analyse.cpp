@@ -1,4 +1,5 @@
 #include "app/batch/command_support.h"
+#include "app/batch/judgement_text.h"
 #include "app/batch/law_code.h"
 #include "app/batch/loop_comparison.h"
 #include "app/batch/loop_conditions.h"
@@ -70,7 +71,27 @@ std::string analysisText(const AnalysisResult& result) {
     if (const JsonValue* step = body.find("large_step"); step->isObject()) {
         text += figureLines("large step, with friction and current limit", *step);
     }
-    return text + loopFindingLines(result.quality, false);
+    return text;
+}
+
+/// The same judgement as of gains that are designed. An analysis refuses none: what it is asked to show may
+/// be unstable.
+Result<TuneResult> judgeOwn(ComparedLoop& own, const ModelFile& model, LoopConditions conditions,
+                            std::uint64_t seed) {
+    TuneConfig config;
+    config.method = own.gains.method;
+    config.conditions = std::move(conditions);
+    config.conditions.timing = own.gains.timing;
+    config.seed = seed;
+    Result<TuneResult> judged = judgeLaw(model.estimate, own.gains.law, config);
+    if (judged) {
+        own.result.warnings = judged->warnings;
+        own.result.quality.findings = judged->warnings;
+        if (judged->quality.verdict != Verdict::Good) {
+            own.result.quality.verdict = Verdict::Doubtful;
+        }
+    }
+    return judged;
 }
 
 /// What runs on the board takes its timing with it: each loop is the one its gains were designed for.
@@ -172,16 +193,22 @@ CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& o
     if (const Result<void> taken = takeCalibration(*conditions, options.calibrationFile); !taken) {
         return failure(taken.error());
     }
-    const Result<std::vector<ComparedLoop>> loops = analyseAll(options, *model, *conditions);
+    Result<std::vector<ComparedLoop>> loops = analyseAll(options, *model, *conditions);
     if (!loops) {
         return failure(loops.error());
     }
-    const ComparedLoop& own = loops->front();
+    ComparedLoop& own = loops->front();
     ResultHeader header = headerFor(context, "halbench.analysis/1");
     header.device = model->device;
     header.seed = context.global.seed.value_or(model->seed);
+    const auto judged = judgeOwn(own, *model, *conditions, header.seed);
+    if (!judged) {
+        return failure(judged.error());
+    }
     JsonValue document = analysisDocument(header, own.result);
-    std::string text = analysisText(own.result);
+    setJudgement(document, *judged);
+    std::string text = analysisText(own.result) + proofLines(*judged) + cycleLines(*judged) +
+                       intervalLines(judged->robust) + loopFindingLines(own.result.quality, false);
     if (loops->size() > 1) {
         document.set("compared", comparedLoops({loops->begin() + 1, loops->end()}));
         text += comparisonTable(*loops);

@@ -1,5 +1,6 @@
 #include "app/batch/command_support.h"
 #include "app/batch/law_code.h"
+#include "app/batch/judgement_text.h"
 #include "app/batch/loop_conditions.h"
 #include "app/batch/model_file.h"
 #include "app/batch/numbers.h"
@@ -107,41 +108,6 @@ Result<control::DesignTargets> targetsFrom(const CommandOptions& options) {
     return control::DesignTargets{*zeta, *omega, *bandwidth, *margin, *sensitivity, *current, *step};
 }
 
-/// What the uncertainty of the motor makes of each margin.
-std::string intervalLines(const control::Robustness& robust) {
-    if (!robust.gainMargin_ratio) {
-        return "margins: no interval is known, the model has no covariance\n";
-    }
-    std::string text = fmt::format("margins of 5 % to 95 % of {} motors that the data allow\n", robust.draws);
-    const auto line = [&text](const char* name, const std::optional<control::Robustness::Interval>& interval,
-                              const char* unit) {
-        if (interval) {
-            text += fmt::format("{:<26} {:.4g} to {:.4g}{}\n", name, interval->p5, interval->p95, unit);
-        }
-    };
-    line("gain margin", robust.gainMargin_ratio, "");
-    line("phase margin", robust.phaseMargin_deg, " deg");
-    line("delay margin", robust.delayMargin_s, " s");
-    line("modulus margin", robust.modulusMargin, "");
-    line("gain crossover", robust.gainCrossover_rad_s, " rad/s");
-    return text;
-}
-
-/// What a design is judged by beside its margins.
-std::string proofLines(const JsonValue& proof) {
-    std::string text;
-    const auto line = [&](const char* name, const char* key, double factor, const char* unit) {
-        if (const JsonValue* value = proof.find(key); value->isNumber()) {
-            text += fmt::format("{:<26} {:.4g}{}\n", name, factor * value->number(), unit);
-        }
-    };
-    line("peak of sensitivity, Ms", "max_sensitivity", 1.0, "");
-    line("noise gain", "noise_gain_A_per_rad", 1.0, " A/rad");
-    line("step within the limit", "largest_linear_step_rad", radiansToDegrees(1.0), " deg");
-    line("pole radius, 1 sample late", "pole_radius_one_sample_later", 1.0, "");
-    return text;
-}
-
 std::string boundLine(const char* name, const control::BoundUse& use, const char* unit) {
     return fmt::format("{:<26} {:.4g}{} of {:.4g}{}: {}\n", name, use.value, unit, use.bound, unit,
                        use.isActive() ? "at its bound" : "the bound is not reached");
@@ -171,11 +137,9 @@ std::string gainsText(const TuneResult& result) {
                         predicted.isStable ? "stable" : "UNSTABLE", predicted.margins.gainMargin_ratio,
                         predicted.margins.phaseMargin_deg);
     text += fmt::format("delay margin {:.3g} ms\n", 1e3 * predicted.margins.delayMargin_s);
-    if (const JsonValue* proof = body.find("proof"); proof->isObject()) {
-        text += proofLines(*proof);
-    }
+    text += proofLines(result);
     text += result.bounds ? boundLines(*result.bounds) : std::string();
-    return text + intervalLines(result.robust) + loopFindingLines(result.quality, true);
+    return text + cycleLines(result) + intervalLines(result.robust) + loopFindingLines(result.quality, true);
 }
 
 std::string agreementLine(const ApplyResult& applied) {

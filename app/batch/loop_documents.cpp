@@ -152,7 +152,36 @@ JsonValue proofOf(const TuneResult& result) {
     return body.set("bounds", boundsOf(result.bounds));
 }
 
+JsonValue robustOf(const control::Robustness& robust) {
+    JsonValue body = JsonValue::object();
+    body.set("draws", robust.draws);
+    body.set("gain_margin_ratio_p5", finiteOrNull(robust.gainMargin_ratio_p5));
+    body.set("phase_margin_deg_p5", finiteOrNull(robust.phaseMargin_deg_p5));
+    body.set("unstable_fraction", finiteOrNull(robust.unstable_fraction));
+    return body.set("intervals", intervalsOf(robust));
+}
+
+/// Null where they are not predicted.
+JsonValue cyclesOf(const std::optional<std::vector<PredictedCycle>>& cycles) {
+    if (!cycles) {
+        return {};
+    }
+    JsonValue list = JsonValue::array();
+    for (const PredictedCycle& cycle : *cycles) {
+        JsonValue entry = JsonValue::object();
+        entry.set("amplitude_rad", cycle.amplitude_rad).set("frequency_hz", cycle.frequency_Hz);
+        list.push(entry.set("stable", cycle.isStable).set("accuracy_ratio", cycle.accuracy_ratio));
+    }
+    return list;
+}
+
 } // namespace
+
+void setJudgement(JsonValue& body, const TuneResult& result) {
+    body.set("proof", proofOf(result)).set("robust", robustOf(result.robust));
+    body.set("limit_cycles", cyclesOf(result.cycles));
+    body.set("friction_release_s", finiteOrNull(result.release_s));
+}
 
 JsonValue analysisBody(const AnalysisResult& result) {
     JsonValue body = JsonValue::object();
@@ -195,20 +224,15 @@ JsonValue gainsBody(const TuneResult& result) {
     targets.set("max_sensitivity", result.targets.mostMs_ratio);
     targets.set("current_limit_A", result.targets.currentLimit_A);
     targets.set("step_deg", result.targets.step_deg);
-    JsonValue robust = JsonValue::object();
-    robust.set("draws", result.robust.draws);
-    robust.set("gain_margin_ratio_p5", finiteOrNull(result.robust.gainMargin_ratio_p5));
-    robust.set("phase_margin_deg_p5", finiteOrNull(result.robust.phaseMargin_deg_p5));
-    robust.set("unstable_fraction", finiteOrNull(result.robust.unstable_fraction));
-    robust.set("intervals", intervalsOf(result.robust));
     JsonValue body = JsonValue::object();
     body.set("method", result.method).set("targets", targets);
     body.set("form", control::pidFormName(result.law.gains.form));
     body.set("sample_period_s", result.conditions.timing.period_s);
     body.set("delay_samples", result.conditions.timing.delay_samples);
     body.set("gains", gainsOf(result.law)).set("forms", formsOf(result.law.gains));
-    body.set("predicted", analysisBody(result.predicted)).set("proof", proofOf(result));
-    return body.set("robust", robust).set("warnings", toJson(result.warnings));
+    body.set("predicted", analysisBody(result.predicted));
+    setJudgement(body, result);
+    return body.set("warnings", toJson(result.warnings));
 }
 
 } // namespace halbench::app

@@ -34,6 +34,8 @@ JsonValue frequencyBody(const FrequencyResult& result);
 JsonValue calibrationBody(const CalibrateResult& result);
 JsonValue gainsBody(const TuneResult& result);
 JsonValue analysisBody(const AnalysisResult& result);
+/// What gains are judged by beside their prediction: proof, robustness, limit cycles, hunting.
+void setJudgement(JsonValue& body, const TuneResult& result);
 JsonValue moveBody(const MoveResult& result);
 /// Of a move that was repeated; it holds at least one run.
 JsonValue repetitionBody(const MoveRepetition& repetition);

@@ -97,11 +97,10 @@ void addRobustnessWarnings(TuneResult& result, const MotorEstimate& estimate) {
              "the model has no covariance: robustness is that of an exactly known motor",
              "identify the motor to get its uncertainty"});
     }
-    constexpr double NotableFraction = 0.01;
-    if (result.predicted.isStable && result.robust.unstable_fraction >= NotableFraction) {
+    if (result.predicted.isStable && result.robust.unstable_fraction > 0.0) {
         result.warnings.push_back(
             {"not_robust",
-             fmt::format("{:.1f} % of the motors that the data allow make this loop unstable",
+             fmt::format("{:.3g} % of the motors that the data allow make this loop unstable",
                          100.0 * result.robust.unstable_fraction),
              "identify more precisely, or choose a slower loop"});
     }
@@ -153,7 +152,12 @@ Result<TuneResult> judged(TuneResult result, const MotorEstimate& estimate, cons
         result.proof = *std::move(proof);
     }
     result.bounds = boundsOf(result);
+    result.cycles = predictCycles(result.plant, result.law, config.conditions);
+    result.release_s = releaseTime_s(result.plant, result.law, result.predicted.frictionBand_rad);
     result.warnings = result.predicted.warnings;
+    if (auto warning = cycleWarning(result.cycles.value_or(std::vector<PredictedCycle>()))) {
+        result.warnings.push_back(*std::move(warning));
+    }
     addDesignWarnings(result);
     addRobustnessWarnings(result, estimate);
     judge(result);

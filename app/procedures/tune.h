@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/procedures/analyse.h"
+#include "app/procedures/loop_cycles.h"
 #include "control/design/design_methods.h"
 #include "control/design/optimal_designs.h"
 #include "control/design/proof.h"
@@ -31,9 +32,11 @@ struct TuneResult {
     control::PositionLaw law; ///< parallel form, A/rad
     AnalysisResult predicted;
     control::Robustness robust;
-    std::optional<control::DesignProof> proof;       ///< nothing: the loop grows beyond all numbers
-    std::optional<control::LeastErrorBounds> bounds; ///< of the methods that keep some, as the proof has it
-    std::vector<Finding> warnings;                   ///< of design, prediction and robustness
+    std::optional<control::DesignProof> proof;         ///< nothing: the loop grows beyond all numbers
+    std::optional<control::LeastErrorBounds> bounds;   ///< of the methods that keep some, as the proof has it
+    std::optional<std::vector<PredictedCycle>> cycles; ///< nothing: not predicted for such a law or motor
+    double release_s = 0.0; ///< until the integral moves a rotor that rests at half of the friction band
+    std::vector<Finding> warnings; ///< of design, prediction and robustness
     DataQuality quality;
 };
 

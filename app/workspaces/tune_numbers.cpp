@@ -32,8 +32,9 @@ std::optional<double> inHertz(const std::optional<double>& frequency_rad_s) {
 }
 
 QString stepWords(const std::optional<control::StepMetrics>& step) {
-    return step ? Words::tr("%1 overshoot, settled after %2")
-                      .arg(amount(step->overshoot_percent, QStringLiteral(" %")),
+    return step ? Words::tr("rise %1, %2 overshoot, within 2 % after %3")
+                      .arg(amount(step->riseTime_s, QStringLiteral(" s")),
+                           amount(step->overshoot_percent, QStringLiteral(" %")),
                            amount(step->settlingTime_s, QStringLiteral(" s")))
                 : QStringLiteral("\u2013");
 }
@@ -107,6 +108,71 @@ QString boundWords(const control::BoundUse& use, const QString& unit) {
     return use.isActive() ? Words::tr("%1: at its bound").arg(text) : text;
 }
 
+/// For methods that keep no bound on it.
+void appendSensitivity(std::vector<TuneNumber>& numbers, const control::DesignProof& proof) {
+    numbers.push_back(
+        {Words::tr("Peak of sensitivity, Ms"),
+         amount(proof.peaks.Ms_ratio, {}),
+         {},
+         {},
+         Words::tr("Disturbances near the crossover are made so many times larger; at most 2 is usual")});
+}
+
+/// What the law asks of current and delay.
+void appendProof(std::vector<TuneNumber>& numbers, const control::DesignProof& proof,
+                 const DisplayUnits& units) {
+    const auto add = [&numbers](const QString& name, const QString& value, const QString& help) {
+        numbers.push_back({name, value, {}, {}, help});
+    };
+    add(Words::tr("Noise gain"), amount(proof.noiseGain_A_per_rad, QStringLiteral(" A/rad")),
+        Words::tr("Current that flickers for each radian of noise in the angle"));
+    add(Words::tr("Largest linear step"),
+        proof.isStable && std::isfinite(proof.largestStep_rad) ? angleText(proof.largestStep_rad, units)
+                                                               : QStringLiteral("\u2013"),
+        Words::tr("A larger one reaches the current limit"));
+    add(Words::tr("One more sample of delay"),
+        proof.poleRadiusOneSampleLater < 1.0 ? Words::tr("stays stable") : Words::tr("UNSTABLE"),
+        Words::tr("Whether the loop bears a current that comes one sample later"));
+}
+
+QString cycleWords(const PredictedCycle& cycle, const DisplayUnits& units) {
+    return Words::tr("%1 at %2 Hz, to %3 %")
+        .arg(QStringLiteral("\u00b1") + angleText(cycle.amplitude_rad, units, 2),
+             widgets::numberText(cycle.frequency_Hz, 2), widgets::fixedText(100.0 * cycle.accuracy_ratio, 0));
+}
+
+/// What friction and the current limit make of it.
+void appendCycles(std::vector<TuneNumber>& numbers, const TuneResult& result, const DisplayUnits& units) {
+    numbers.push_back({Words::tr("Integral ends a rest"),
+                       std::isfinite(result.release_s)
+                           ? Words::tr("after %1 s").arg(widgets::numberText(result.release_s, 2))
+                           : Words::tr("never"),
+                       {},
+                       {},
+                       Words::tr("From half of the friction band; then the rotor jumps and may rest again: "
+                                 "it hunts")});
+    const QString name = Words::tr("Limit cycle");
+    const QString help = Words::tr("A swing that friction and the current limit let the loop keep up, by "
+                                   "harmonic balance");
+    if (!result.cycles || result.cycles->empty()) {
+        numbers.push_back({name,
+                           result.cycles ? Words::tr("none") : Words::tr("not predicted"),
+                           {},
+                           {},
+                           result.cycles ? help
+                                         : Words::tr("The micro-step assist, or a motor without friction, "
+                                                     "is not in the balance")});
+        return;
+    }
+    for (const PredictedCycle& cycle : *result.cycles) {
+        numbers.push_back({cycle.isStable ? name : Words::tr("Swing that grows"),
+                           cycleWords(cycle, units),
+                           {},
+                           {},
+                           cycle.isStable ? help : Words::tr("A smaller one comes to rest")});
+    }
+}
+
 /// What a design of least error was not allowed to exceed.
 void appendBounds(std::vector<TuneNumber>& numbers, const control::LeastErrorBounds& bounds,
                   const DisplayUnits& units) {
@@ -148,7 +214,14 @@ std::vector<TuneNumber> tuneNumbers(const TuneResult& proposed, const std::optio
     if (proposed.bounds) {
         appendBounds(numbers, *proposed.bounds, units);
     }
+    if (proposed.proof && !proposed.bounds) {
+        appendSensitivity(numbers, *proposed.proof);
+    }
+    if (proposed.proof) {
+        appendProof(numbers, *proposed.proof, units);
+    }
     appendMotion(row, units);
+    appendCycles(numbers, proposed, units);
     return numbers;
 }
 

@@ -136,6 +136,23 @@ TEST(Tune, warnsWhenTheDataAllowAMotorThatTheLoopMakesUnstable) {
     EXPECT_NE(result->quality.verdict, Verdict::Good);
 }
 
+// One motor in a thousand is one too many: towards the limit the first unstable draw is told.
+TEST(Tune, warnsFromTheFirstUnstableMotorOn) {
+    int few = 0;
+    for (double omega_rad_s = 20.0; omega_rad_s < 20.95; omega_rad_s += 0.05) {
+        TuneConfig config = method("pole-placement");
+        config.targets.zeta = 0.0525;
+        config.targets.omega_rad_s = omega_rad_s;
+        const auto result = runTune(published(), config);
+        ASSERT_TRUE(result.has_value()) << omega_rad_s;
+        ASSERT_TRUE(result->predicted.isStable) << omega_rad_s;
+        const bool isAnyUnstable = result->robust.unstable_fraction > 0.0;
+        EXPECT_EQ(has(result->warnings, "not_robust"), isAnyUnstable) << omega_rad_s;
+        few += isAnyUnstable && result->robust.unstable_fraction < 0.01 ? 1 : 0;
+    }
+    EXPECT_GT(few, 0) << "no loop here is unstable for a few motors only";
+}
+
 // help: htm-theory.md 6.4-6.8
 TEST(Tune, saysOfThePublishedGainsWhatTheTheorySays) {
     const auto result = runTune(published(), method("published"));

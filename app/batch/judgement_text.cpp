@@ -1,0 +1,71 @@
+#include "app/batch/judgement_text.h"
+
+#include "control/base/units.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace halbench::app {
+
+std::string proofLines(const TuneResult& result) {
+    if (!result.proof) {
+        return {};
+    }
+    std::string text;
+    const auto line = [&](const char* name, double value, const char* unit) {
+        if (std::isfinite(value)) {
+            text += fmt::format("{:<26} {:.4g}{}\n", name, value, unit);
+        }
+    };
+    line("peak of sensitivity, Ms", result.proof->peaks.Ms_ratio, "");
+    line("noise gain", result.proof->noiseGain_A_per_rad, " A/rad");
+    if (result.proof->isStable) {
+        line("step within the limit", radiansToDegrees(result.proof->largestStep_rad), " deg");
+    }
+    line("pole radius, 1 sample late", result.proof->poleRadiusOneSampleLater, "");
+    return text;
+}
+
+std::string cycleLines(const TuneResult& result) {
+    std::string text = fmt::format("{:<26} +-{:.3g} deg\n", "friction band at rest",
+                                   radiansToDegrees(result.predicted.frictionBand_rad));
+    if (std::isfinite(result.release_s)) {
+        text +=
+            fmt::format("{:<26} {:.3g} s, from half of it\n", "the integral ends a rest", result.release_s);
+    }
+    if (!result.cycles) {
+        return text + fmt::format("{:<26} not predicted for this law or motor\n", "limit cycles");
+    }
+    if (result.cycles->empty()) {
+        return text + fmt::format("{:<26} none\n", "limit cycles");
+    }
+    for (const PredictedCycle& cycle : *result.cycles) {
+        text += fmt::format("{:<26} +-{:.3g} deg at {:.3g} Hz, to {:.0f} %\n",
+                            cycle.isStable ? "limit cycle" : "threshold of the next",
+                            radiansToDegrees(cycle.amplitude_rad), cycle.frequency_Hz,
+                            100.0 * cycle.accuracy_ratio);
+    }
+    return text;
+}
+
+std::string intervalLines(const control::Robustness& robust) {
+    if (!robust.gainMargin_ratio) {
+        return "margins: no interval is known, the model has no covariance\n";
+    }
+    std::string text = fmt::format("margins of 5 % to 95 % of {} motors that the data allow\n", robust.draws);
+    const auto line = [&text](const char* name, const std::optional<control::Robustness::Interval>& interval,
+                              const char* unit) {
+        if (interval) {
+            text += fmt::format("{:<26} {:.4g} to {:.4g}{}\n", name, interval->p5, interval->p95, unit);
+        }
+    };
+    line("gain margin", robust.gainMargin_ratio, "");
+    line("phase margin", robust.phaseMargin_deg, " deg");
+    line("delay margin", robust.delayMargin_s, " s");
+    line("modulus margin", robust.modulusMargin, "");
+    line("gain crossover", robust.gainCrossover_rad_s, " rad/s");
+    return text;
+}
+
+} // namespace halbench::app
