@@ -22,12 +22,10 @@ Result<void> admit(const TuneResult& judged, const StepNumber& step) {
     constexpr double LeastPhase_deg = 1.0;
     constexpr double LeastGain_ratio = 1.1;
     const control::Robustness& robust = judged.robust;
-    const double gain = std::max(robust.gainMargin_ratio_p5, 0.0);
-    // A loop that integrates more than its motor damps has the nearer limit below its gain.
-    const bool isBelow = robust.gainMargin_ratio && robust.gainMargin_ratio->p95 <= 1.0 / LeastGain_ratio;
-    const bool hasGainMargin = gain >= LeastGain_ratio || isBelow; // of all: some near each side is none
+    // A loop that integrates more than its motor damps has a limit below its gain too, maybe the nearer one.
+    const double gain = std::max(robust.gainMarginEitherWay_ratio_p5, 0.0);
     const bool isRobust = robust.unstable_fraction < MostUnstable_ratio &&
-                          robust.phaseMargin_deg_p5 >= LeastPhase_deg && hasGainMargin;
+                          robust.phaseMargin_deg_p5 >= LeastPhase_deg && gain >= LeastGain_ratio;
     if (judged.predicted.isStable && isRobust) {
         return {};
     }

@@ -132,9 +132,10 @@ Result<Origin> findOrigin(const Recording& recording) {
 // Keeps the rows of the reference and lets time begin with it.
 void cut(Recording& recording, const Origin& origin, const MoveConfig& config) {
     const std::size_t columns = recording.layout->columns.size();
-    const auto wanted = static_cast<std::size_t>(std::lround(config.duration_s * config.rate_Hz)) + 1;
-    const std::size_t last = std::min(recording.rows(), origin.firstRow + wanted);
     const double start_s = recording.time_s[origin.firstRow];
+    const double end_s = start_s + config.duration_s + 0.5 / config.rate_Hz; // not by count: rows may be lost
+    const auto after = std::upper_bound(recording.time_s.begin(), recording.time_s.end(), end_s);
+    const auto last = static_cast<std::size_t>(after - recording.time_s.begin());
     Recording part;
     part.layout = recording.layout;
     part.lostRows = recording.lostRows;

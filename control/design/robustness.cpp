@@ -85,13 +85,23 @@ std::vector<Draw> judge(const std::vector<PositionPlant>& plants, const PidGains
 }
 
 template <typename Figure>
-Robustness::Interval spread(const std::vector<Draw>& draws, Figure figure) {
+Robustness::Interval spreadOfDraws(const std::vector<Draw>& draws, Figure figure) {
     Eigen::ArrayXd values(static_cast<Eigen::Index>(draws.size()));
     for (std::size_t i = 0; i < draws.size(); ++i) {
-        values[static_cast<Eigen::Index>(i)] = figure(draws[i].margins);
+        values[static_cast<Eigen::Index>(i)] = figure(draws[i]);
     }
     const MiddleNineTenths middle = middleNineTenths(values);
     return {middle.p5, middle.p95};
+}
+
+template <typename Figure>
+Robustness::Interval spread(const std::vector<Draw>& draws, Figure figure) {
+    return spreadOfDraws(draws, [&figure](const Draw& draw) { return figure(draw.margins); });
+}
+
+double eitherWay_ratio(const Draw& draw) {
+    const double ratio = draw.margins.gainMargin_ratio;
+    return draw.isStable && ratio > 0.0 ? std::max(ratio, 1.0 / ratio) : std::min(ratio, 1.0);
 }
 
 Robustness summary(const std::vector<Draw>& draws, bool isUncertain) {
@@ -102,6 +112,7 @@ Robustness summary(const std::vector<Draw>& draws, bool isUncertain) {
         std::count_if(draws.begin(), draws.end(), [](const Draw& draw) { return !draw.isStable; });
     Robustness robust{static_cast<int>(draws.size()), gain.p5, phase.p5,
                       static_cast<double>(unstable) / count};
+    robust.gainMarginEitherWay_ratio_p5 = spreadOfDraws(draws, eitherWay_ratio).p5;
     if (!isUncertain) {
         return robust;
     }

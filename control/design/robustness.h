@@ -28,6 +28,11 @@ struct Robustness {
     std::optional<Interval> delayMargin_s = {};
     std::optional<Interval> modulusMargin = {};
     std::optional<Interval> gainCrossover_rad_s = {}; ///< also unknown when a draw has none
+
+    /// 5th percentile of the factor by which the gain may change either way: of a loop whose gain may neither
+    /// fall nor rise freely some draws have their nearest limit below and others above, and a percentile of
+    /// `gainMargin_ratio` says nothing of how near. At most 1 for an unstable draw.
+    double gainMarginEitherWay_ratio_p5 = 0.0;
 };
 
 /// A joint normal uncertainty of some parameters and how they make a plant. A draw that is no motor (gain not

@@ -11,7 +11,7 @@ namespace halbench::app {
 
 /// A board that does not do what it is told: `alter` changes what is written before it arrives, an empty
 /// result swallows it. Everything else goes through.
-class RogueBoard final : public devices::Device {
+class RogueBoard : public devices::Device {
 public:
     using Alter = std::function<std::vector<ParameterValue>(std::vector<ParameterValue>)>;
     RogueBoard(std::unique_ptr<devices::Device> device, Alter alter)
