@@ -61,6 +61,7 @@ QTreeView::item:selected, QListView::item:selected, QTableView::item:selected { 
     color: @text@; }
 QTreeView::item:focus, QListView::item:focus, QTableView::item:focus { border: 2px solid @accent@; }
 QHeaderView { background: @raised@; border: none; }
+QTableCornerButton::section { background: @raised@; border: none; border-bottom: 1px solid @line@; }
 QHeaderView::section { background: @raised@; color: @muted@; border: none; border-right: 1px solid @line@;
     border-bottom: 1px solid @line@; padding: 4px; }
 QTabBar::tab { background: transparent; color: @muted@; border: none; border-bottom: 2px solid transparent;

@@ -33,13 +33,8 @@ void sayFound(QComboBox& box, const std::optional<std::string>& code) {
                                  : ImportForm::tr("not certain"));
 }
 
-/// A header, unless another column has the same or none has one: then its number.
 QString wordOf(const std::vector<devices::CsvColumn>& columns, std::size_t index) {
-    const std::string& header = columns[index].header;
-    const auto same = std::count_if(columns.begin(), columns.end(), [&](const devices::CsvColumn& column) {
-        return column.header == header;
-    });
-    return header.empty() || same > 1 ? QString::number(index + 1) : QString::fromStdString(header);
+    return QString::fromStdString(devices::columnWord(columns, index));
 }
 
 } // namespace
@@ -77,6 +72,8 @@ QComboBox* ImportForm::addChoice(FieldGrid& grid, const QString& title, const QS
     connect(box, QOverload<int>::of(&QComboBox::activated), this, [this, box] {
         if (box == m_time) {
             onTime();
+        } else if (box != m_decimal) {
+            Q_EMIT reshaped();
         }
         Q_EMIT changed();
     });
@@ -88,7 +85,6 @@ void ImportForm::reset() {
         choose(*box, QString());
         box->setItemText(0, tr("not certain"));
     }
-    m_units.clear();
     m_rate->setQuantity(0.0);
     onTime();
 }
@@ -150,7 +146,6 @@ devices::CsvImportRequest ImportForm::request() const {
     } else if (m_rate->value() > 0.0) {
         request.rate_Hz = m_rate->value();
     }
-    request.units = m_units;
     return request;
 }
 
@@ -168,7 +163,6 @@ void ImportForm::take(const devices::CsvQuestion::Answer& answer) {
     if (!said.timeColumn.empty()) {
         choose(*m_time, QString::fromStdString(said.timeColumn));
     }
-    m_units.insert(m_units.end(), said.units.begin(), said.units.end());
     if (answer.isRate) {
         choose(*m_time, ByRate);
         onTime();

@@ -28,13 +28,14 @@ public:
     void reset();
     void showPlan(const devices::CsvPlan& plan);
     devices::CsvImportRequest request() const;
-    /// What answers a question.
+    /// What answers a question; that of a unit is not asked here.
     void take(const devices::CsvQuestion::Answer& answer);
     /// What is begun and not said whole; empty: nothing.
     QString obstacle() const;
 
 Q_SIGNALS:
-    void changed(); ///< by the user
+    void changed();  ///< by the user
+    void reshaped(); ///< before it: the columns become others
 
 private:
     QComboBox* addChoice(FieldGrid& grid, const QString& title, const QString& toolTip,
@@ -47,7 +48,6 @@ private:
     QComboBox* m_header = nullptr;
     QComboBox* m_time = nullptr;
     widgets::QuantityEdit* m_rate = nullptr;
-    std::vector<std::pair<std::string, std::string>> m_units; ///< as they were answered
 };
 
 } // namespace halbench::app

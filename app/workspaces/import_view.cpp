@@ -1,6 +1,7 @@
 #include "app/workspaces/import_view.h"
 
 #include "app/workspaces/import_form.h"
+#include "app/workspaces/import_table.h"
 #include "app/workspaces/import_words.h"
 #include "app/workspaces/panel_parts.h"
 #include "app/workspaces/recording_control.h"
@@ -18,7 +19,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QTableWidget>
 #include <QVBoxLayout>
 
 #include <utility>
@@ -29,7 +29,7 @@ namespace {
 
 constexpr int FileCharacters = 24;
 constexpr int NameCharacters = 20;
-constexpr int FewestRows = 4; ///< of the table, that are seen
+constexpr int FewestRows = 6; ///< of the table, that are seen: what its columns become, and numbers
 constexpr int Tick_ms = 100;
 
 /// A name that no recording of the folder has.
@@ -56,19 +56,19 @@ ImportView::ImportView(Workbench& bench, QWidget* parent) : QWidget(parent), m_b
     auto* questions = new QVBoxLayout(m_questions);
     questions->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_questions);
-    m_table = new QTableWidget(this);
-    m_table->setAccessibleName(tr("First rows as they would be read"));
-    m_table->setToolTip(
-        tr("The first rows in the units of the recording; above each what its column becomes"));
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setTabKeyNavigation(false);
-    m_table->verticalHeader()->hide();
-    m_table->setMinimumHeight((FewestRows + 2) * m_table->verticalHeader()->defaultSectionSize());
+    buildTable();
     buildEnd(*column); // above the table, where it is seen in a low window too
     column->addWidget(m_table, 1);
     connect(&m_bench.recording(), &RecordingControl::folderChanged, this, &ImportView::refreshEnd);
     connect(&m_tick, &QTimer::timeout, this, &ImportView::showProgress);
     refreshEnd();
+}
+
+void ImportView::buildTable() {
+    m_table = new ImportTable(this);
+    m_table->setMinimumHeight((FewestRows + 2) * m_table->verticalHeader()->defaultSectionSize());
+    connect(m_table, &ImportTable::changed, this, &ImportView::look);
+    connect(m_form, &ImportForm::reshaped, m_table, &ImportTable::forget);
 }
 
 /// Nobody waits for the rows of a table that nobody will see.
@@ -145,8 +145,8 @@ void ImportView::begin(const QString& path) {
     m_file->setWords(QDir::toNativeSeparators(path));
     m_form->reset();
     m_name->setText(freeName(m_bench.recording().folder(), QFileInfo(path).completeBaseName()));
+    m_table->forget();
     showQuestions();
-    showLines();
     refreshEnd();
     m_work.run([file = path.toStdString()] { return devices::readTableText(file); },
                [this](Result<std::string> text) {
@@ -165,8 +165,10 @@ void ImportView::look() {
     }
     m_isLooking = true;
     refreshEnd();
+    devices::CsvImportRequest request = m_form->request();
+    m_table->addTo(request);
     m_work.run([text = m_text, origin = QFileInfo(m_path).fileName().toStdString(),
-                request = m_form->request()] { return lookAtTable(*text, origin, request); },
+                request] { return lookAtTable(*text, origin, request); },
                [this](Result<TableLook> look) { take(std::move(look)); });
 }
 
@@ -176,12 +178,13 @@ void ImportView::take(Result<TableLook> look) {
     if (look) {
         m_look = *std::move(look);
         m_form->showPlan(m_look->plan);
+        m_table->showLook(*m_look);
     } else {
         m_look.reset();
+        m_table->showUnread();
         say(look.error());
     }
     showQuestions();
-    showLines();
     refreshEnd();
 }
 
@@ -204,34 +207,12 @@ void ImportView::showQuestions() {
             row->show(); // now, not when the layout comes to it
             connect(row, &QuestionRow::answered, this, [this](const devices::CsvQuestion::Answer& answer) {
                 m_form->take(answer);
+                m_table->take(answer);
                 look();
             });
         }
     }
     m_questions->setVisible(m_look && !m_look->plan.questions.empty());
-}
-
-/// As they would be read; while that is not known, as they are.
-void ImportView::showLines() {
-    m_table->clear();
-    m_table->setRowCount(0);
-    m_table->setColumnCount(0);
-    if (!m_look) {
-        return;
-    }
-    const bool isRead = m_look->first.rows() > 0;
-    const ImportPreview preview = isRead ? previewOf(*m_look) : linesOf(m_look->plan);
-    m_table->setColumnCount(preview.headers.size());
-    m_table->setHorizontalHeaderLabels(preview.headers);
-    m_table->setRowCount(static_cast<int>(preview.rows.size()));
-    for (int row = 0; row < m_table->rowCount(); ++row) {
-        for (int column = 0; column < m_table->columnCount(); ++column) {
-            auto* item = new QTableWidgetItem(preview.rows[static_cast<std::size_t>(row)].value(column));
-            item->setTextAlignment((isRead ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-            m_table->setItem(row, column, item);
-        }
-    }
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
 }
 
 QString ImportView::target() const {
@@ -271,6 +252,7 @@ void ImportView::refreshEnd() {
     m_choose->setEnabled(m_progress == nullptr);
     m_form->setEnabled(m_text != nullptr && m_progress == nullptr);
     m_questions->setEnabled(m_progress == nullptr);
+    m_table->setEnabled(m_progress == nullptr);
 }
 
 void ImportView::run() {
@@ -311,8 +293,8 @@ void ImportView::finish(const Result<ImportedTable>& done) {
     m_look.reset();
     m_file->setWords(QString());
     m_form->reset();
+    m_table->forget();
     showQuestions();
-    showLines();
     refreshEnd();
     m_message->showMessage({doubts.isEmpty() ? widgets::Severity::Success : widgets::Severity::Warning,
                             tr("Imported: %1 rows in %2")

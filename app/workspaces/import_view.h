@@ -15,7 +15,6 @@
 class QLabel;
 class QLineEdit;
 class QPushButton;
-class QTableWidget;
 class QVBoxLayout;
 
 namespace halbench::widgets {
@@ -27,6 +26,7 @@ class ProgressRow;
 namespace halbench::app {
 
 class ImportForm;
+class ImportTable;
 
 /// A table of another program becomes a recording: shown as it would be read, and what is not certain is
 /// asked (resources/help/monitor.md, "Import"). Reads and writes on a thread of its own.
@@ -49,11 +49,11 @@ Q_SIGNALS:
 private:
     using Text = std::shared_ptr<const std::string>;
     void buildFile(QVBoxLayout& column);
+    void buildTable();
     void buildEnd(QVBoxLayout& column);
     void look();
     void take(Result<TableLook> look);
     void showQuestions();
-    void showLines();
     void run();
     void finish(const Result<ImportedTable>& done);
     void showProgress();
@@ -73,7 +73,7 @@ private:
     widgets::ElidedLabel* m_file = nullptr;
     ImportForm* m_form = nullptr;
     QWidget* m_questions = nullptr;
-    QTableWidget* m_table = nullptr;
+    ImportTable* m_table = nullptr;
     QLineEdit* m_name = nullptr;
     QPushButton* m_import = nullptr;
     QLabel* m_reason = nullptr;

@@ -92,7 +92,16 @@ ImportPreview linesOf(const devices::CsvPlan& plan) {
 }
 
 QString importRemedy(const Error& error) {
-    if (error.hint.find("--") != std::string::npos) {
+    const auto names = [&error](const char* option) { return error.hint.find(option) != std::string::npos; };
+    if (names("--unit")) {
+        return Words::tr("Write another name or unit for the column below, or choose another column as the "
+                         "time above.");
+    }
+    if (names("--time")) {
+        return Words::tr("Choose the column of the time above, or say there how many rows were sampled in a "
+                         "second; a table that is out of order is to be mended.");
+    }
+    if (names("--")) {
         return Words::tr("Choose separator, decimal sign, header or time above as they are in the table, or "
                          "mend the table.");
     }

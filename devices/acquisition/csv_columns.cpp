@@ -171,6 +171,18 @@ Result<void> applyUnits(std::vector<CsvColumn>& columns, const CsvImportRequest&
     return {};
 }
 
+Result<void> checkName(const std::string& signal) {
+    if (isTimeName(signal)) {
+        return failure(ErrorCode::Usage, fmt::format("'{}' cannot name a signal: it is the time", signal),
+                       "choose the time's column with --time, or give --rate_Hz");
+    }
+    if (plainName(signal) != signal || signal.empty() || !isLetter(signal[0])) {
+        return failure(ErrorCode::Usage, fmt::format("'{}' cannot name a signal", signal),
+                       "a name has letters, digits, '.' and '_' and begins with a letter");
+    }
+    return {};
+}
+
 Result<void> applyMap(std::vector<CsvColumn>& columns, const CsvImportRequest& request) {
     std::set<std::string> ours;
     std::set<std::size_t> theirs;
@@ -179,14 +191,16 @@ Result<void> applyMap(std::vector<CsvColumn>& columns, const CsvImportRequest& r
         if (!column) {
             return failure(column.error());
         }
-        if (plainName(signal) != signal || signal.empty() || !isLetter(signal[0]) || isTimeName(signal)) {
-            return failure(ErrorCode::Usage, fmt::format("--map: '{}' cannot name a signal", signal),
-                           "a name has letters, digits, '.' and '_' and begins with a letter; the time is "
-                           "chosen with --time");
+        if (const Result<void> name = checkName(signal); !name) {
+            return name;
         }
-        if (!ours.insert(signal).second || !theirs.insert(*column).second) {
-            return failure(ErrorCode::Usage, fmt::format("--map {}={} is given twice", signal, header),
-                           "give every name and every column once");
+        if (!ours.insert(signal).second) {
+            return failure(ErrorCode::Usage, fmt::format("the name '{}' is given to two columns", signal),
+                           "give every column a name of its own");
+        }
+        if (!theirs.insert(*column).second) {
+            return failure(ErrorCode::Usage, fmt::format("column '{}' is given two names", header),
+                           "give every column one name");
         }
         columns[*column].signal = signal;
     }
@@ -225,15 +239,10 @@ std::string shellWord(const std::string& text) {
     return isPlain ? text : "'" + text + "'";
 }
 
-std::string wordFor(const std::vector<CsvColumn>& columns, std::size_t index) {
-    const std::string& header = columns[index].header;
-    return header.empty() ? std::to_string(index + 1) : header;
-}
-
 void askForTime(CsvColumns& result) {
     CsvQuestion question{"time", "which column is the time is not certain", {}};
     for (std::size_t i = 0; i < std::min(result.columns.size(), NamedColumns); ++i) {
-        const std::string word = wordFor(result.columns, i);
+        const std::string word = columnWord(result.columns, i);
         question.answers.push_back({"--time " + shellWord(word), fmt::format("column {}", i + 1), {}, word});
     }
     question.answers.push_back({"--rate_Hz F", "there is none: F rows a second", {}, {}, {}, true});
@@ -241,7 +250,7 @@ void askForTime(CsvColumns& result) {
 }
 
 void askForUnit(CsvColumns& result, std::size_t index, const std::vector<std::string>& units) {
-    const std::string word = wordFor(result.columns, index);
+    const std::string word = columnWord(result.columns, index);
     CsvQuestion question{"unit", fmt::format("the unit of column '{}' is not known", word), {}};
     for (const std::string& unit : units) {
         question.answers.push_back(
@@ -274,7 +283,7 @@ Result<void> chooseTime(CsvColumns& result, const CsvImportRequest& request) {
     } else if (time.unit != "s") {
         return failure(ErrorCode::InvalidInput,
                        fmt::format("column '{}' is in {}, which is no time",
-                                   wordFor(result.columns, *result.time), time.written),
+                                   columnWord(result.columns, *result.time), time.written),
                        "choose another with --time, or say its unit with --unit");
     }
     return {};
@@ -295,7 +304,7 @@ Result<void> checkQuantities(CsvColumns& result) {
                                         : std::vector<std::string>{*due, "m" + *due});
         } else if (column.unit != *due) {
             return failure(ErrorCode::InvalidInput,
-                           fmt::format("column '{}' is in {}, but {} is in {}", wordFor(result.columns, i),
+                           fmt::format("column '{}' is in {}, but {} is in {}", columnWord(result.columns, i),
                                        column.written.empty() ? "no unit" : column.written, column.signal,
                                        *due),
                            "map another column with --map, or say its unit with --unit");
@@ -333,6 +342,11 @@ void nameSignals(CsvColumns& result) {
 
 } // namespace
 
+std::string columnWord(const std::vector<CsvColumn>& columns, std::size_t index) {
+    const Result<std::size_t> found = findColumn(columns, columns[index].header);
+    return found && *found == index ? columns[index].header : std::to_string(index + 1);
+}
+
 CsvImportRequest answered(CsvImportRequest request, const CsvQuestion::Answer& answer) {
     const CsvHints& hints = answer.hints;
     request.hints.separator = hints.separator ? hints.separator : request.hints.separator;
@@ -365,9 +379,10 @@ Result<CsvColumns> arrangeColumns(const std::vector<std::string>& names,
         CsvColumn& time = result.columns[*result.time];
         for (const auto& [signal, theirs] : request.map) {
             if (signal == time.signal) {
-                return failure(ErrorCode::Usage,
-                               fmt::format("--map {}={}: this column is the time", signal, theirs),
-                               "choose the time's column with --time, or give --rate_Hz");
+                return failure(
+                    ErrorCode::Usage,
+                    fmt::format("column '{}' is the time and cannot be called '{}'", theirs, signal),
+                    "choose the time's column with --time, or give --rate_Hz");
             }
         }
         time.signal.clear();

@@ -33,6 +33,9 @@ struct CsvColumn {
     bool isUnitKnown = false;
 };
 
+/// What a request calls a column: its header, or its number where that is no other's.
+std::string columnWord(const std::vector<CsvColumn>& columns, std::size_t index);
+
 struct CsvColumns {
     std::vector<CsvColumn> columns;
     std::optional<std::size_t> time; ///< column; nothing: the rows are counted at a rate, or it is asked

@@ -2,6 +2,7 @@
 
 #include "control/base/units.h"
 
+#include <algorithm>
 #include <array>
 
 namespace halbench::devices {
@@ -74,6 +75,19 @@ std::optional<ForeignUnit> readForeignUnit(std::string_view written) {
         return ForeignUnit{unit->symbol, unit->symbol};
     }
     return std::nullopt;
+}
+
+std::vector<std::string_view> foreignUnitWords() {
+    std::vector<std::string_view> words;
+    for (const ForeignUnit& unit : Table) {
+        words.push_back(unit.written);
+    }
+    for (const Unit& unit : units()) {
+        if (!unit.symbol.empty() && std::find(words.begin(), words.end(), unit.symbol) == words.end()) {
+            words.push_back(unit.symbol);
+        }
+    }
+    return words;
 }
 
 } // namespace halbench::devices

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace halbench::devices {
 
@@ -17,5 +18,8 @@ struct ForeignUnit {
 /// Reads a unit with or without brackets around it; "", "-" and "1" say that there is none. Nothing for one
 /// that is not known; "C" is not: coulomb or Celsius.
 std::optional<ForeignUnit> readForeignUnit(std::string_view written);
+
+/// Every way of writing one that is read, for what offers them.
+std::vector<std::string_view> foreignUnitWords();
 
 } // namespace halbench::devices

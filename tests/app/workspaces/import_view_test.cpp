@@ -1,3 +1,4 @@
+#include "app/workspaces/import_table.h"
 #include "app/workspaces/import_view.h"
 #include "app/workspaces/import_words.h"
 #include "app/workspaces/recording_control.h"
@@ -11,7 +12,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QTableWidget>
 #include <QTemporaryDir>
 
 #include <cmath>
@@ -61,14 +61,33 @@ protected:
         Q_EMIT box.activated(index);
         settle();
     }
+    ImportTable& rows() { return *find<ImportTable>(*view, "First rows as they would be read"); }
+    /// Of the table itself, below what is said of its columns.
     QString cell(int row, int column) {
-        return find<QTableWidget>(*view, "First rows as they would be read")->item(row, column)->text();
+        const QTableWidgetItem* title = rows().verticalHeaderItem(0);
+        const int first = title != nullptr && title->text() == "Name" ? FirstRow : 0;
+        return rows().item(row + first, column)->text();
     }
-    QString header(int column) {
-        return find<QTableWidget>(*view, "First rows as they would be read")
-            ->horizontalHeaderItem(column)
-            ->text();
+    QString header(int column) { return rows().horizontalHeaderItem(column)->text(); }
+    /// As by keyboard: on the cell, typed over what is there, and confirmed.
+    void write(int row, int column, const QString& text) {
+        rows().setFocus();
+        rows().setCurrentCell(row, column);
+        QTest::keyClick(&rows(), Qt::Key_F2);
+        auto* editor = qobject_cast<QLineEdit*>(rows().indexWidget(rows().currentIndex()));
+        ASSERT_NE(editor, nullptr);
+        EXPECT_FALSE(editor->accessibleName().isEmpty());
+        type(editor, text);
+        QTest::keyClick(editor, Qt::Key_Return);
+        QCoreApplication::processEvents(); // the delegate commits after the key
+        settle();
     }
+    void takeBack(int row, int column) {
+        rows().setCurrentCell(row, column);
+        QTest::keyClick(&rows(), Qt::Key_Delete);
+        settle();
+    }
+    bool isSaid(int row, int column) { return rows().item(row, column)->font().bold(); }
     widgets::Message message() { return view->findChild<widgets::MessageBar*>()->message(); }
     Recording import() {
         QTest::mouseClick(&button(), Qt::LeftButton);
@@ -78,6 +97,9 @@ protected:
         return read ? read->recording : Recording();
     }
 
+    static constexpr int NameRow = 0;
+    static constexpr int UnitRow = 1;
+    static constexpr int FirstRow = 2;
     QTemporaryDir folder;
     QString imported;
     std::unique_ptr<ImportView> view;
@@ -153,6 +175,108 @@ TEST_F(ImportViewTest, aUnitThatIsNowhereIsAsked) {
     choose(*question(), question()->findText("its numbers are in rpm"));
     ASSERT_TRUE(button().isEnabled()) << reason().toStdString();
     EXPECT_DOUBLE_EQ(import().values[0], M_PI);
+}
+
+/// The same request as `--map speed=Drehzahl --unit Drehzahl=rpm`.
+TEST_F(ImportViewTest, columnsAreNamedAndTheirUnitSaidInTheTable) {
+    look("t_s,Drehzahl,Strom [mA]\n0,30,1500\n1,60,2500\n");
+    ASSERT_TRUE(button().isEnabled()) << reason().toStdString();
+    EXPECT_EQ(rows().item(NameRow, 1)->text(), "Drehzahl");
+    EXPECT_EQ(rows().item(UnitRow, 2)->text(), "mA");
+    EXPECT_FALSE(rows().item(NameRow, 0)->flags() & Qt::ItemIsEditable) << "the time has its own field";
+    EXPECT_EQ(rows().item(UnitRow, 2)->data(Qt::AccessibleTextRole).toString(),
+              "Unit of column Strom [mA]: mA");
+    write(UnitRow, 1, "rpm");
+    write(NameRow, 1, "speed");
+    write(NameRow, 2, "current_command");
+    ASSERT_TRUE(button().isEnabled()) << reason().toStdString();
+    EXPECT_TRUE(isSaid(NameRow, 1) && isSaid(UnitRow, 1) && isSaid(NameRow, 2));
+    EXPECT_FALSE(isSaid(UnitRow, 2)) << "that was found";
+    EXPECT_EQ(header(1), "speed [rad/s]\nfrom Drehzahl");
+    const Recording recording = import();
+    ASSERT_EQ(recording.layout->columns.size(), 2U);
+    EXPECT_EQ(recording.layout->columns[0].name, "speed");
+    EXPECT_EQ(recording.layout->columns[1].name, "current_command");
+    EXPECT_DOUBLE_EQ(recording.values[0], M_PI); // 30 r/min
+    EXPECT_DOUBLE_EQ(recording.values[1], 1.5);
+}
+
+TEST_F(ImportViewTest, whatWasSaidOfAColumnIsTakenBack) {
+    look("time_s,speed,x\n0,30,1\n1,60,2\n");
+    choose(*question(), question()->findText("its numbers are in rpm"));
+    ASSERT_TRUE(button().isEnabled()) << reason().toStdString();
+    EXPECT_EQ(rows().item(UnitRow, 1)->text(), "rpm");
+    EXPECT_TRUE(isSaid(UnitRow, 1));
+    write(UnitRow, 1, "deg/s");
+    EXPECT_NEAR(cell(1, 1).toDouble(), M_PI / 3.0, 1e-8) << "60 deg/s; nine digits are shown";
+    takeBack(UnitRow, 1);
+    EXPECT_FALSE(button().isEnabled()) << "it is asked again";
+    ASSERT_NE(question(), nullptr);
+    EXPECT_EQ(rows().item(UnitRow, 1)->text(), "");
+    choose(*question(), question()->findText("its numbers are in rad/s"));
+    EXPECT_EQ(cell(1, 1), "60");
+    write(NameRow, 2, "hall.a");
+    ASSERT_NE(question(), nullptr) << "hall.a has a quantity, x has no unit";
+    takeBack(NameRow, 2);
+    EXPECT_EQ(rows().item(NameRow, 2)->text(), "x");
+    EXPECT_FALSE(isSaid(NameRow, 2));
+    EXPECT_TRUE(button().isEnabled()) << reason().toStdString();
+}
+
+TEST_F(ImportViewTest, whatCannotBeSaidIsRefusedInWordsOfTheWindowAndStaysToBeMended) {
+    look("t_s,a [T],b\n0,1,2\n1,2,3\n");
+    struct Wrong {
+        int row;
+        const char* text;
+        const char* said;
+    };
+    for (const Wrong& wrong :
+         {Wrong{NameRow, "9 lives", "cannot name a signal"}, Wrong{NameRow, "zeit", "it is the time"},
+          Wrong{UnitRow, "furlong", "no unit"}, Wrong{NameRow, "speed", "is in T, but speed is in rad/s"}}) {
+        write(wrong.row, 1, wrong.text);
+        EXPECT_FALSE(button().isEnabled()) << wrong.text;
+        EXPECT_TRUE(message().text.contains(wrong.said)) << message().text.toStdString();
+        EXPECT_FALSE(message().text.contains("--")) << message().text.toStdString();
+        EXPECT_FALSE(message().remedy.contains("--")) << message().remedy.toStdString();
+        EXPECT_EQ(rows().item(wrong.row, 1)->text(), wrong.text) << "to be mended";
+        takeBack(wrong.row, 1);
+        EXPECT_TRUE(button().isEnabled()) << reason().toStdString();
+    }
+    write(NameRow, 1, "same");
+    write(NameRow, 2, "same");
+    EXPECT_TRUE(message().text.contains("given to two columns")) << message().text.toStdString();
+    write(NameRow, 2, "other");
+    EXPECT_TRUE(button().isEnabled()) << message().text.toStdString();
+}
+
+/// Two columns of one header are told apart by their number, and a count of rows shifts none of them.
+TEST_F(ImportViewTest, columnsOfTheSameHeaderAndWithoutATimeAreNamed) {
+    look("x,x\n1,2\n3,4\n");
+    auto* time = find<QComboBox>(*view, "Time");
+    choose(*time, time->findText("none: rows a second"));
+    type(find<widgets::QuantityEdit>(*view, "Rows a second"), "10");
+    QTest::keyClick(find<widgets::QuantityEdit>(*view, "Rows a second"), Qt::Key_Return);
+    settle();
+    ASSERT_TRUE(button().isEnabled()) << reason().toStdString() << message().text.toStdString();
+    write(NameRow, 2, "second"); // the counted time stands before them
+    write(NameRow, 1, "first");
+    ASSERT_TRUE(button().isEnabled()) << message().text.toStdString();
+    const Recording recording = import();
+    EXPECT_EQ(recording.layout->columns[0].name, "first");
+    EXPECT_EQ(recording.layout->columns[1].name, "second");
+    EXPECT_DOUBLE_EQ(recording.values[1], 2.0);
+}
+
+TEST_F(ImportViewTest, otherColumnsForgetWhatWasSaidOfThem) {
+    look("t_s;x\n0;1\n1;2\n");
+    write(NameRow, 1, "mine");
+    EXPECT_EQ(header(1).left(4), "mine");
+    choose(*find<QComboBox>(*view, "Separator"), find<QComboBox>(*view, "Separator")->findText("comma"));
+    EXPECT_FALSE(button().isEnabled());
+    choose(*find<QComboBox>(*view, "Separator"), 0);
+    ASSERT_TRUE(button().isEnabled()) << message().text.toStdString();
+    EXPECT_EQ(rows().item(NameRow, 1)->text(), "x");
+    EXPECT_FALSE(isSaid(NameRow, 1));
 }
 
 TEST_F(ImportViewTest, whatTheUserSaysGoesBeforeWhatWasFound) {

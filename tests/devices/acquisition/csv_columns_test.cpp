@@ -74,6 +74,18 @@ TEST(CsvColumns, aMappedSignalMustHaveItsQuantity) {
     EXPECT_EQ(result.error().message, "column 'omega_mech' is in mA, but speed is in rad/s");
 }
 
+/// An answer that names two columns at once would be refused.
+TEST(CsvColumns, columnsOfOneHeaderAreAskedForByTheirNumber) {
+    const auto result = arrange({"t_s", "speed", "speed", "x", "x [V]"});
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_EQ(columnWord(result->columns, 0), "t_s");
+    EXPECT_EQ(columnWord(result->columns, 1), "2");
+    EXPECT_EQ(columnWord(result->columns, 3), "4") << "x is the name of the next one too";
+    EXPECT_EQ(columnWord(result->columns, 4), "x [V]");
+    ASSERT_FALSE(result->questions.empty());
+    EXPECT_EQ(result->questions[0].answers[0].option, "--unit '2=rad/s'");
+}
+
 TEST(CsvColumns, namesAreMadeFitAndKeptApart) {
     const auto result = arrange({"t_s", "a b", "a-b", "", "a_b_2", "\xCF\x89", "position", "position_rad"},
                                 {{}, "", {}, {}, {{"7", "deg"}}});
