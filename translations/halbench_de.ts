@@ -5403,22 +5403,6 @@
         <translation>zum Beispiel s, ms, us, rad, deg, rad/s, rpm, A, mA, T, mT, degC, oder - für keine</translation>
     </message>
     <message>
-        <source>--map: &apos;{}&apos; cannot name a signal</source>
-        <translation>--map: „{}“ kann kein Signal benennen</translation>
-    </message>
-    <message>
-        <source>a name has letters, digits, &apos;.&apos; and &apos;_&apos; and begins with a letter; the time is chosen with --time</source>
-        <translation>ein Name hat Buchstaben, Ziffern, &apos;.&apos; und &apos;_&apos; und beginnt mit einem Buchstaben; die Zeit wählt --time</translation>
-    </message>
-    <message>
-        <source>--map {}={} is given twice</source>
-        <translation>--map {}={} ist zweimal angegeben</translation>
-    </message>
-    <message>
-        <source>give every name and every column once</source>
-        <translation>geben Sie jeden Namen und jede Spalte einmal an</translation>
-    </message>
-    <message>
         <source>which column is the time is not certain</source>
         <translation>welche Spalte die Zeit ist, ist nicht sicher</translation>
     </message>
@@ -5457,10 +5441,6 @@
     <message>
         <source>map another column with --map, or say its unit with --unit</source>
         <translation>ordnen Sie mit --map eine andere Spalte zu, oder nennen Sie mit --unit ihre Einheit</translation>
-    </message>
-    <message>
-        <source>--map {}={}: this column is the time</source>
-        <translation>--map {}={}: diese Spalte ist die Zeit</translation>
     </message>
     <message>
         <source>choose the time&apos;s column with --time, or give --rate_Hz</source>
@@ -5997,6 +5977,38 @@
     <message>
         <source>keep to small steps, or choose a smaller K_P</source>
         <translation>nur kleine Sprünge fahren, oder K_P kleiner wählen</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; cannot name a signal: it is the time</source>
+        <translation>&apos;{}&apos; kann kein Signal bezeichnen: Das ist die Zeit</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; cannot name a signal</source>
+        <translation>&apos;{}&apos; kann kein Signal bezeichnen</translation>
+    </message>
+    <message>
+        <source>a name has letters, digits, &apos;.&apos; and &apos;_&apos; and begins with a letter</source>
+        <translation>ein Name besteht aus Buchstaben, Ziffern, &apos;.&apos; und &apos;_&apos; und beginnt mit einem Buchstaben</translation>
+    </message>
+    <message>
+        <source>the name &apos;{}&apos; is given to two columns</source>
+        <translation>den Namen &apos;{}&apos; bekommen zwei Spalten</translation>
+    </message>
+    <message>
+        <source>give every column a name of its own</source>
+        <translation>geben Sie jeder Spalte einen eigenen Namen</translation>
+    </message>
+    <message>
+        <source>column &apos;{}&apos; is given two names</source>
+        <translation>die Spalte &apos;{}&apos; bekommt zwei Namen</translation>
+    </message>
+    <message>
+        <source>give every column one name</source>
+        <translation>geben Sie jeder Spalte einen Namen</translation>
+    </message>
+    <message>
+        <source>column &apos;{}&apos; is the time and cannot be called &apos;{}&apos;</source>
+        <translation>die Spalte &apos;{}&apos; ist die Zeit und kann nicht &apos;{}&apos; heißen</translation>
     </message>
 </context>
 <context>
@@ -8676,7 +8688,11 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
     </message>
 </context>
 <context>
-    <name>halbench::app::ImportView</name>
+    <name>halbench::app::ImportTable</name>
+    <message>
+        <source>You said this; emptied (Delete), it is as found in the table</source>
+        <translation>Das haben Sie gesagt; geleert (Entf) gilt, was in der Tabelle gefunden wurde</translation>
+    </message>
     <message>
         <source>First rows as they would be read</source>
         <translation>Erste Zeilen, wie sie gelesen würden</translation>
@@ -8685,6 +8701,45 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
         <source>The first rows in the units of the recording; above each what its column becomes</source>
         <translation>Die ersten Zeilen in den Einheiten der Aufzeichnung; darüber, was aus jeder Spalte wird</translation>
     </message>
+    <message>
+        <source>column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Name of column %1</source>
+        <translation>Name der Spalte %1</translation>
+    </message>
+    <message>
+        <source>The column of the time is chosen above</source>
+        <translation>Die Spalte der Zeit wird oben gewählt</translation>
+    </message>
+    <message>
+        <source>What the recording calls this column: write a name, F2 changes it</source>
+        <translation>Wie die Aufzeichnung diese Spalte nennt: Name eintippen, F2 ändert ihn</translation>
+    </message>
+    <message>
+        <source>Unit of column %1</source>
+        <translation>Einheit der Spalte %1</translation>
+    </message>
+    <message>
+        <source>What its numbers are written in, for example rpm or mA; a hyphen: no unit</source>
+        <translation>Worin ihre Zahlen geschrieben sind, zum Beispiel rpm oder mA; ein Bindestrich: keine Einheit</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::ImportView</name>
     <message>
         <source>Choose table…</source>
         <translation>Tabelle wählen…</translation>
@@ -8849,6 +8904,14 @@ mit %1 Zeilen in der Sekunde</translation>
     <message>
         <source>First lines, as they are</source>
         <translation>Erste Zeilen, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Write another name or unit for the column below, or choose another column as the time above.</source>
+        <translation>Schreiben Sie unten einen anderen Namen oder eine andere Einheit der Spalte, oder wählen Sie oben eine andere Spalte als Zeit.</translation>
+    </message>
+    <message>
+        <source>Choose the column of the time above, or say there how many rows were sampled in a second; a table that is out of order is to be mended.</source>
+        <translation>Wählen Sie oben die Spalte der Zeit, oder geben Sie dort an, wie viele Zeilen in der Sekunde abgetastet wurden; eine Tabelle in falscher Reihenfolge ist zu berichtigen.</translation>
     </message>
 </context>
 <context>

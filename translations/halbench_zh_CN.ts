@@ -5403,22 +5403,6 @@
         <translation>例如 s、ms、us、rad、deg、rad/s、rpm、A、mA、T、mT、degC，- 表示无单位</translation>
     </message>
     <message>
-        <source>--map: &apos;{}&apos; cannot name a signal</source>
-        <translation>--map：“{}” 不能作为信号名称</translation>
-    </message>
-    <message>
-        <source>a name has letters, digits, &apos;.&apos; and &apos;_&apos; and begins with a letter; the time is chosen with --time</source>
-        <translation>名称由字母、数字、&apos;.&apos; 和 &apos;_&apos; 组成，以字母开头；时间用 --time 选择</translation>
-    </message>
-    <message>
-        <source>--map {}={} is given twice</source>
-        <translation>--map {}={} 给出了两次</translation>
-    </message>
-    <message>
-        <source>give every name and every column once</source>
-        <translation>每个名称和每一列只给出一次</translation>
-    </message>
-    <message>
         <source>which column is the time is not certain</source>
         <translation>不确定哪一列是时间</translation>
     </message>
@@ -5457,10 +5441,6 @@
     <message>
         <source>map another column with --map, or say its unit with --unit</source>
         <translation>用 --map 对应另一列，或用 --unit 给出其单位</translation>
-    </message>
-    <message>
-        <source>--map {}={}: this column is the time</source>
-        <translation>--map {}={}：这一列是时间</translation>
     </message>
     <message>
         <source>choose the time&apos;s column with --time, or give --rate_Hz</source>
@@ -5997,6 +5977,38 @@
     <message>
         <source>keep to small steps, or choose a smaller K_P</source>
         <translation>只用小阶跃，或选择较小的 K_P</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; cannot name a signal: it is the time</source>
+        <translation>“{}”不能作为信号名称：它是时间</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; cannot name a signal</source>
+        <translation>“{}”不能作为信号名称</translation>
+    </message>
+    <message>
+        <source>a name has letters, digits, &apos;.&apos; and &apos;_&apos; and begins with a letter</source>
+        <translation>名称由字母、数字、“.”和“_”组成，并以字母开头</translation>
+    </message>
+    <message>
+        <source>the name &apos;{}&apos; is given to two columns</source>
+        <translation>名称“{}”被赋予两列</translation>
+    </message>
+    <message>
+        <source>give every column a name of its own</source>
+        <translation>请给每列一个各自的名称</translation>
+    </message>
+    <message>
+        <source>column &apos;{}&apos; is given two names</source>
+        <translation>列“{}”被赋予两个名称</translation>
+    </message>
+    <message>
+        <source>give every column one name</source>
+        <translation>请给每列一个名称</translation>
+    </message>
+    <message>
+        <source>column &apos;{}&apos; is the time and cannot be called &apos;{}&apos;</source>
+        <translation>列“{}”是时间，不能称为“{}”</translation>
     </message>
 </context>
 <context>
@@ -8671,7 +8683,11 @@ its way to the one before (Ctrl+Shift+R)</source>
     </message>
 </context>
 <context>
-    <name>halbench::app::ImportView</name>
+    <name>halbench::app::ImportTable</name>
+    <message>
+        <source>You said this; emptied (Delete), it is as found in the table</source>
+        <translation>这是您指定的；清空（Delete）后恢复为表中识别的内容</translation>
+    </message>
     <message>
         <source>First rows as they would be read</source>
         <translation>将要读取的前几行</translation>
@@ -8680,6 +8696,45 @@ its way to the one before (Ctrl+Shift+R)</source>
         <source>The first rows in the units of the recording; above each what its column becomes</source>
         <translation>以记录的单位显示前几行；上方说明每一列成为什么</translation>
     </message>
+    <message>
+        <source>column %1</source>
+        <translation>列 %1</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Name of column %1</source>
+        <translation>列 %1 的名称</translation>
+    </message>
+    <message>
+        <source>The column of the time is chosen above</source>
+        <translation>时间列在上方选择</translation>
+    </message>
+    <message>
+        <source>What the recording calls this column: write a name, F2 changes it</source>
+        <translation>记录中此列的名称：直接输入，按 F2 修改</translation>
+    </message>
+    <message>
+        <source>Unit of column %1</source>
+        <translation>列 %1 的单位</translation>
+    </message>
+    <message>
+        <source>What its numbers are written in, for example rpm or mA; a hyphen: no unit</source>
+        <translation>其数值所用的单位，例如 rpm 或 mA；连字符表示无单位</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::ImportView</name>
     <message>
         <source>Choose table…</source>
         <translation>选择表…</translation>
@@ -8844,6 +8899,14 @@ by %1 rows a second</source>
     <message>
         <source>First lines, as they are</source>
         <translation>原样的前几行</translation>
+    </message>
+    <message>
+        <source>Write another name or unit for the column below, or choose another column as the time above.</source>
+        <translation>请在下方为该列填写其他名称或单位，或在上方选择其他列作为时间。</translation>
+    </message>
+    <message>
+        <source>Choose the column of the time above, or say there how many rows were sampled in a second; a table that is out of order is to be mended.</source>
+        <translation>请在上方选择时间列，或在那里给出每秒采样的行数；顺序错误的表需先更正。</translation>
     </message>
 </context>
 <context>
