@@ -19,6 +19,9 @@ struct DesignTargets {
     std::optional<double> mostMs_ratio = {};   ///< peak of the sensitivity that a search may reach
     std::optional<double> currentLimit_A = {}; ///< that a reference step of the next line may ask for
     std::optional<double> step_deg = {};
+    /// Where proportional control was measured to swing; both or none. Absent: as the model says.
+    std::optional<double> ultimateGain_A_per_rad = {};
+    std::optional<double> ultimatePeriod_s = {};
 
     bool operator==(const DesignTargets&) const = default;
 };

@@ -57,7 +57,9 @@ Result<void> checkTargets(const DesignMethod& method, const LoopTiming& timing,
                                   {"current-limit-a", targets.currentLimit_A, 0.0, 1e3,
                                    "give the current that the motor can take, in A"},
                                   {"step-deg", targets.step_deg, 0.0, 360.0,
-                                   "give the largest step that shall not saturate, in degrees"}};
+                                   "give the largest step that shall not saturate, in degrees"},
+                                  {"ultimate-gain", targets.ultimateGain_A_per_rad, 0.0, 1e5},
+                                  {"ultimate-period", targets.ultimatePeriod_s, 0.0, 1e3}};
     for (const TargetRange& range : ranges) {
         if (const auto valid = checkTarget(range, method); !valid) {
             return valid;
@@ -66,6 +68,10 @@ Result<void> checkTargets(const DesignMethod& method, const LoopTiming& timing,
     if (targets.step_deg && !targets.currentLimit_A) {
         return failure(ErrorCode::Usage, "the target step-deg needs the target current-limit-a",
                        "say how much current that step may ask for");
+    }
+    if (targets.ultimateGain_A_per_rad.has_value() != targets.ultimatePeriod_s.has_value()) {
+        return failure(ErrorCode::Usage, "the ultimate gain and the ultimate period belong together",
+                       "give both, as the relay experiment found them, or leave both to the model");
     }
     return {};
 }

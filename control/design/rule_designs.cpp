@@ -72,11 +72,20 @@ Result<PidGains> designLambda(const RuleProblem& problem) {
     return stableOnBoard(problem, lambdaGains(*process, lambda_s), "ask for a lower bandwidth");
 }
 
-Result<PidGains> designZieglerNichols(const RuleProblem& problem, ControllerKind kind) {
+/// As it was measured, otherwise as the model says.
+Result<UltimatePoint> ultimateOf(const RuleProblem& problem) {
+    const DesignTargets& measured = problem.targets;
+    if (measured.ultimateGain_A_per_rad && measured.ultimatePeriod_s) {
+        return UltimatePoint{*measured.ultimateGain_A_per_rad, *measured.ultimatePeriod_s};
+    }
     PidGains unit;
     unit.proportional = 1.0;
     const auto loop = sampledOpenLoop(problem.plant, unit, problem.timing);
-    const auto ultimate = loop ? ultimatePoint(*loop) : failure(loop.error());
+    return loop ? ultimatePoint(*loop) : failure(loop.error());
+}
+
+Result<PidGains> designZieglerNichols(const RuleProblem& problem, ControllerKind kind) {
+    const auto ultimate = ultimateOf(problem);
     if (!ultimate) {
         return failure(ultimate.error());
     }

@@ -78,6 +78,24 @@ TEST(ZieglerNichols, startsFromWhereTheSampledLoopSwings) {
     }
 }
 
+// As the relay experiment found it, which knows the amplifier's lag: the rule is of that and not of the
+// model.
+TEST(ZieglerNichols, takesTheUltimatePointThatWasMeasured) {
+    DesignTargets measured;
+    measured.ultimateGain_A_per_rad = 16.3;
+    measured.ultimatePeriod_s = 0.307;
+    const PidGains pid = gainsOf("ziegler-nichols", measured);
+    EXPECT_NEAR(pid.proportional, 0.6 * 16.3, 1e-12);
+    EXPECT_NEAR(pid.integral, 1.2 * 16.3 / 0.307, 1e-9);
+    EXPECT_NEAR(pid.derivative, 0.075 * 16.3 * 0.307, 1e-12);
+    measured.ultimatePeriod_s.reset();
+    EXPECT_EQ(design("ziegler-nichols", measured).error().code, ErrorCode::Usage);
+    measured.ultimatePeriod_s = -1.0;
+    EXPECT_EQ(design("ziegler-nichols", measured).error().code, ErrorCode::OutOfRange);
+    measured.ultimatePeriod_s = 0.307;
+    EXPECT_EQ(design("recommended", measured).error().code, ErrorCode::Usage); // does not read it
+}
+
 // c/J damps too little for the phase that PI costs at half of the ultimate gain.
 TEST(ZieglerNichols, refusesPiOnAMotorThatItMakesUnstable) {
     const auto refused = design("ziegler-nichols-pi");
