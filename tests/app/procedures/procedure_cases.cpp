@@ -8,6 +8,7 @@
 #include "app/procedures/live_apply_procedure.h"
 #include "app/procedures/move_procedure.h"
 #include "app/procedures/record_procedure.h"
+#include "app/procedures/relay_procedure.h"
 #include "tests/app/procedures/uncertain_motor.h"
 
 namespace halbench::app {
@@ -82,6 +83,12 @@ Result<void> identifyFrequency(devices::Device& device, const ProcedureObserver&
     return withoutValue(runFrequency(device, config, {}, observer));
 }
 
+Result<void> relayShortly(devices::Device& device, const ProcedureObserver& observer) {
+    RelayConfig config;
+    config.cycles = 40;
+    return withoutValue(runRelay(device, config, observer));
+}
+
 Result<void> calibrateAndApply(devices::Device& device, const ProcedureObserver& observer) {
     CalibrateConfig config;
     config.apply = true;
@@ -111,6 +118,10 @@ std::vector<ProcedureCase> procedureCases() {
         {"frequency",
          {State::Prepare, State::Excite, State::Record, State::Fit, State::Judge, State::Done},
          identifyFrequency,
+         {}},
+        {"relay",
+         {State::Prepare, State::Excite, State::Record, State::Fit, State::Judge, State::Done},
+         relayShortly,
          {}},
         {"calibrate",
          {State::Prepare, State::Excite, State::Propose, State::Apply, State::Verify, State::Done},
