@@ -132,6 +132,24 @@ void addFrequency(CLI::App* identify, CommandOptions& options) {
     addCalibration(identify, options);
 }
 
+void addRelay(CLI::App* identify, CommandOptions& options) {
+    identify->add_flag("--relay", options.isRelay,
+                       "The relay experiment instead: ultimate gain and period of the position loop");
+    identify
+        ->add_option("--model", options.relayModel,
+                     "Of --relay: plans it and is compared, from identify --out")
+        ->type_name("MODEL.json");
+    identify
+        ->add_option("--relay-current", options.relayCurrent, "Height of the relay; default: what is safe")
+        ->type_name("A");
+    identify
+        ->add_option("--relay-gain", options.relayGain,
+                     "Gain where it does not saturate; default: 1.5 times the foreseen ultimate gain")
+        ->type_name("A_PER_RAD");
+    identify->add_option("--cycles", options.cycles, "Of --relay: measured, 40 to 400, default 100")
+        ->type_name("N");
+}
+
 void addIdentifyingCommands(CLI::App& app, CommandOptions& options) {
     CLI::App* calibrate = addCommand(app, "calibrate", "Calibrate the sensors");
     addDevice(calibrate, options);
@@ -155,6 +173,7 @@ void addIdentifyingCommands(CLI::App& app, CommandOptions& options) {
         ->type_name("KGM2");
     identify->add_option("--out", options.out, "Result")->type_name("MODEL.json");
     addFrequency(identify, options);
+    addRelay(identify, options);
 }
 
 void addCode(CLI::App* command, CommandOptions& options) {
@@ -180,6 +199,8 @@ void addTuningCommands(CLI::App& app, CommandOptions& options) {
         ->type_name("A");
     tune->add_option("--step-deg", options.limitedStep, "min-iae, min-itae: that step; default 2")
         ->type_name("DEG");
+    tune->add_option("--relay", options.relayFile, "Ziegler-Nichols: ultimate gain and period as measured")
+        ->type_name("RELAY.json");
     addCalibration(tune, options);
     tune->add_option("--apply", options.applyDevice, "Write the gains to this device")->type_name("DEVICE");
     tune->add_flag("--live", options.isLive, "With --apply: in small steps, each proved by a move");

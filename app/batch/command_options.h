@@ -47,6 +47,9 @@ struct CommandOptions {
     std::string bare;         ///< --bare MODEL.json
     std::string addedInertia; ///< --added-inertia KGM2
     bool isFrequency = false; ///< identify --frequency; the next line only with it
+    bool isRelay = false;     ///< identify --relay; the next line only with it, and --base-rad-s
+    std::string relayModel, relayGain, relayCurrent, cycles;
+    std::string relayFile; ///< tune --relay RELAY.json
     std::string excitation, fromFrequency, toFrequency, base, amplitude, periods, coherence;
     std::string method;
     std::string zeta, omega, bandwidth, phaseMargin;

@@ -1,6 +1,7 @@
 #include "app/batch/command_support.h"
 #include "app/batch/frequency_options.h"
 #include "app/batch/recording_file.h"
+#include "app/batch/relay_options.h"
 #include "app/batch/result_documents.h"
 #include "devices/acquisition/recording_file.h"
 #include "devices/device_uri.h"
@@ -80,10 +81,18 @@ std::optional<std::string> recordingPath(const std::string& text) {
 } // namespace
 
 CommandResult runIdentifyCommand(CommandContext& context, const CommandOptions& options) {
-    if (const Result<void> fits = checkFrequencyOptions(options); !fits) {
+    if (const Result<void> fits = checkRelayOptions(options); !fits) {
         return failure(fits.error());
     }
     const std::optional<std::string> path = recordingPath(options.device);
+    if (options.isRelay) {
+        return path ? failure(ErrorCode::Usage, options.device + ": a recording cannot swing",
+                              "--relay needs a device")
+                    : runRelayCommand(context, options);
+    }
+    if (const Result<void> fits = checkFrequencyOptions(options); !fits) {
+        return failure(fits.error());
+    }
     if (options.isFrequency) {
         return path ? failure(ErrorCode::Usage, options.device + ": a recording cannot be excited",
                               "--frequency needs a device")

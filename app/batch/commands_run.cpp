@@ -32,7 +32,7 @@ Result<Experiment> readExperiment(const CommandOptions& options) {
 
 bool needsConsent(const Experiment& experiment) {
     for (const ExperimentStep& step : experiment.steps) {
-        if (step.kind == "identify" || step.kind == "frequency" || step.kind == "calibrate" ||
+        if (step.kind == "identify" || step.kind == "frequency" || step.kind == "relay" || step.kind == "calibrate" ||
             step.kind == "move" || step.kind == "apply") {
             return true;
         }

@@ -4,6 +4,7 @@
 #include "app/batch/loop_conditions.h"
 #include "app/batch/model_file.h"
 #include "app/batch/numbers.h"
+#include "app/batch/relay_document.h"
 #include "app/batch/result_documents.h"
 #include "control/base/units.h"
 #include "control/design/design_targets.h"
@@ -105,7 +106,16 @@ Result<control::DesignTargets> targetsFrom(const CommandOptions& options) {
             return failure(value->error());
         }
     }
-    return control::DesignTargets{*zeta, *omega, *bandwidth, *margin, *sensitivity, *current, *step};
+    control::DesignTargets targets{*zeta, *omega, *bandwidth, *margin, *sensitivity, *current, *step};
+    if (!options.relayFile.empty()) {
+        const Result<RelayFile> relay = readRelayFile(options.relayFile);
+        if (!relay) {
+            return failure(relay.error());
+        }
+        targets.ultimateGain_A_per_rad = relay->ultimateGain_A_per_rad;
+        targets.ultimatePeriod_s = relay->ultimatePeriod_s;
+    }
+    return targets;
 }
 
 std::string boundLine(const char* name, const control::BoundUse& use, const char* unit) {
@@ -269,6 +279,30 @@ Result<TuneConfig> tuneConfigFrom(const CommandOptions& options) {
     return config;
 }
 
+/// The loop that swung is the one that is designed for; that it was of another motor is said.
+Result<std::optional<Finding>> checkRelay(const CommandOptions& options, const TuningSource& source) {
+    if (options.relayFile.empty()) {
+        return std::optional<Finding>();
+    }
+    const Result<RelayFile> relay = readRelayFile(options.relayFile);
+    if (!relay) {
+        return failure(relay.error());
+    }
+    if (!(relay->timing == source.conditions.timing)) {
+        return failure(
+            ErrorCode::InvalidInput,
+            fmt::format("--relay: {} was measured at {:.4g} s with {} samples of delay, the design is for "
+                        "{:.4g} s and {}",
+                        options.relayFile, relay->timing.period_s, relay->timing.delay_samples,
+                        source.conditions.timing.period_s, source.conditions.timing.delay_samples),
+            "make the experiment on the loop that is designed for");
+    }
+    if (!relay->header.device || !source.header.device) {
+        return std::optional<Finding>();
+    }
+    return foreignMotor(relay->header.device, *source.header.device);
+}
+
 } // namespace
 
 CommandResult runTuneCommand(CommandContext& context, const CommandOptions& options) {
@@ -287,9 +321,17 @@ CommandResult runTuneCommand(CommandContext& context, const CommandOptions& opti
     }
     config->conditions = source->conditions;
     config->seed = source->header.seed;
+    const Result<std::optional<Finding>> foreign = checkRelay(options, *source);
+    if (!foreign) {
+        return failure(foreign.error());
+    }
     Result<TuneResult> result = runTune(source->estimate, *config);
     if (!result) {
         return failure(result.error());
+    }
+    if (*foreign) {
+        result->quality.findings.push_back(**foreign);
+        result->warnings.push_back(**foreign);
     }
     const Result<void> opened = openToApply(context, options, *source, *result);
     if (!opened) {

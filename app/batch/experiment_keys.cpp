@@ -9,7 +9,7 @@ namespace halbench::app {
 namespace {
 
 constexpr double Any = std::numeric_limits<double>::max();
-constexpr std::string_view Kinds = "identify|frequency|calibrate|tune|apply|move|record|set|wait|analyse";
+constexpr std::string_view Kinds = "identify|frequency|relay|calibrate|tune|apply|move|record|set|wait|analyse";
 constexpr std::string_view Presets = "published|designed|micro-step|published-in-degrees|recommended";
 constexpr std::string_view Methods =
     "recommended|pole-placement|bandwidth|phase-margin|simc|lambda|ziegler-nichols|ziegler-nichols-pi|"
@@ -51,6 +51,13 @@ constexpr std::array KnownKeys = {
     KeySpec{"frequency", "coherence", Number, false, 0.5, 0.999, "", "least coherence of a point that is used; default 0.9"},
     KeySpec{"frequency", "speed_limit_rad_s", Number, false, 6, 1e4, "", "speed window; default 40"},
 
+    KeySpec{"relay", "model", Name, false, 0, 0, "", "identify step whose result plans it and is compared; default the published motor"},
+    KeySpec{"relay", "base_rad_s", Number, false, -1e4, 1e4, "", "speed that it swings around, at least 3 rad/s either way; default what is safe"},
+    KeySpec{"relay", "current_A", Number, false, 0.01, 1000, "", "height of the relay; default what is safe"},
+    KeySpec{"relay", "gain_A_per_rad", Number, false, 0.01, 2000, "", "gain where it does not saturate; default 1.5 times the foreseen ultimate gain"},
+    KeySpec{"relay", "cycles", Integer, false, 40, 400, "", "that are measured; default 100"},
+    KeySpec{"relay", "speed_limit_rad_s", Number, false, 6, 1e4, "", "speed window; default 40"},
+
     KeySpec{"calibrate", "what", Choice, true, 0, 0, "hall|stray|static-friction|all", "which calibration"},
     KeySpec{"calibrate", "apply", Boolean, false, 0, 0, "", "keep the result on the device; default false"},
 
@@ -63,6 +70,9 @@ constexpr std::array KnownKeys = {
     KeySpec{"tune", "max_sensitivity", Number, false, 1.1, 3, "", "target of min-iae, min-itae: largest peak of the sensitivity; default 1.7"},
     KeySpec{"tune", "current_limit_A", Number, false, 1e-3, 1e3, "", "target of min-iae, min-itae: current that a step of step_deg may ask for; default the board's limit"},
     KeySpec{"tune", "step_deg", Number, false, 1e-3, 360, "", "target of min-iae, min-itae: that step, degrees; default 2"},
+    KeySpec{"tune", "ultimate_gain_A_per_rad", Number, false, 1e-6, 1e5, "", "Ziegler-Nichols: gain at which the loop swings, as measured"},
+    KeySpec{"tune", "ultimate_period_s", Number, false, 1e-6, 1e3, "", "Ziegler-Nichols: period of that, s"},
+    KeySpec{"tune", "relay", Name, false, 0, 0, "", "Ziegler-Nichols: relay step that measured both"},
 
     KeySpec{"analyse", "what", Choice, true, 0, 0, "loop|amplifier|torque|sensing|poles|field|coil", "the sampled position loop, or what follows from the parts of a simulated htm"},
     KeySpec{"analyse", "model", Name, false, 0, 0, "", "loop: identify step whose result is used"},

@@ -17,6 +17,7 @@ struct StepKind {
 constexpr std::array Kinds = {
     StepKind{"identify", runIdentifyStep},
     StepKind{"frequency", runFrequencyStep},
+    StepKind{"relay", runRelayStep},
     StepKind{"calibrate", runCalibrateStep},
     StepKind{"tune", runTuneStep},
     StepKind{"analyse", runAnalyseStep},
@@ -28,7 +29,7 @@ constexpr std::array Kinds = {
 };
 
 bool records(const std::string& kind) {
-    return kind == "identify" || kind == "frequency" || kind == "move" || kind == "record";
+    return kind == "identify" || kind == "frequency" || kind == "relay" || kind == "move" || kind == "record";
 }
 
 Result<StepOutcome> runStep(StepRun& run, const ExperimentStep& step) {

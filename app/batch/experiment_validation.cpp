@@ -261,8 +261,9 @@ Result<void> checkCombination(const ConfigNode& step) {
 
 /// A step may use the results of steps before it only.
 Result<void> checkUses(const ConfigNode& step, const std::vector<const ConfigNode*>& earlier) {
-    constexpr std::array<std::pair<const char*, const char*>, 3> Uses = {
-        std::pair("model", "identify"), std::pair("gains", "tune"), std::pair("bare", "identify")};
+    constexpr std::array<std::pair<const char*, const char*>, 4> Uses = {
+        std::pair("model", "identify"), std::pair("gains", "tune"), std::pair("bare", "identify"),
+        std::pair("relay", "relay")};
     for (const auto& use : Uses) {
         const ConfigNode* used = step.find(use.first);
         const auto isMeant = [&](const ConfigNode* other) {

@@ -1,3 +1,4 @@
+#include "app/batch/relay_document.h"
 #include "app/batch/result_documents.h"
 
 namespace halbench::app {
@@ -96,6 +97,10 @@ JsonValue identificationDocument(ResultHeader header, const IdentifyResult& resu
 
 JsonValue frequencyDocument(ResultHeader header, const FrequencyResult& result) {
     return joined(std::move(header), result.quality, frequencyBody(result));
+}
+
+JsonValue relayDocument(ResultHeader header, const RelayResult& result) {
+    return joined(std::move(header), result.quality, relayBody(result));
 }
 
 JsonValue calibrationDocument(ResultHeader header, const CalibrateResult& result) {

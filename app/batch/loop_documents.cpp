@@ -224,6 +224,8 @@ JsonValue gainsBody(const TuneResult& result) {
     targets.set("max_sensitivity", result.targets.mostMs_ratio);
     targets.set("current_limit_A", result.targets.currentLimit_A);
     targets.set("step_deg", result.targets.step_deg);
+    targets.set("ultimate_gain_A_per_rad", result.targets.ultimateGain_A_per_rad);
+    targets.set("ultimate_period_s", result.targets.ultimatePeriod_s);
     JsonValue body = JsonValue::object();
     body.set("method", result.method).set("targets", targets);
     body.set("form", control::pidFormName(result.law.gains.form));

@@ -170,7 +170,9 @@ control::DesignTargets targetsOf(const JsonValue* targets) {
             numberIn(targets, "phase_margin_deg"),
             numberIn(targets, "max_sensitivity"),
             numberIn(targets, "current_limit_A"),
-            numberIn(targets, "step_deg")};
+            numberIn(targets, "step_deg"),
+            numberIn(targets, "ultimate_gain_A_per_rad"),
+            numberIn(targets, "ultimate_period_s")};
 }
 
 } // namespace

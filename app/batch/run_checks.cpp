@@ -88,6 +88,8 @@ const Recording* StepOutcome::recording() const {
         recording = &identified->recording;
     } else if (const auto* response = std::get_if<FrequencyResult>(&detail)) {
         recording = &response->recording;
+    } else if (const auto* relay = std::get_if<RelayResult>(&detail)) {
+        recording = &relay->recording;
     } else if (const auto* moved = std::get_if<MoveOutcome>(&detail)) {
         recording = &moved->result.recording;
     } else if (const auto* recorded = std::get_if<RecordResult>(&detail)) {

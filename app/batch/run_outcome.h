@@ -6,6 +6,7 @@
 #include "app/procedures/apply_procedure.h"
 #include "app/procedures/calibrate_procedure.h"
 #include "app/procedures/frequency_procedure.h"
+#include "app/procedures/relay_procedure.h"
 #include "app/procedures/identify_procedure.h"
 #include "app/procedures/motor_analysis.h"
 #include "app/procedures/move_procedure.h"
@@ -36,7 +37,7 @@ struct TuneOutcome {
 };
 
 /// The procedure's own result, for later steps and the report.
-using StepDetail = std::variant<std::monostate, IdentifyResult, FrequencyResult, CalibrateResult, TuneOutcome, AnalysisResult,
+using StepDetail = std::variant<std::monostate, IdentifyResult, FrequencyResult, RelayResult, CalibrateResult, TuneOutcome, AnalysisResult,
                                 AmplifierAnalysis, MotorAnalysis, ApplyResult, MoveOutcome, RecordResult>;
 
 struct StepOutcome {

@@ -6,6 +6,7 @@
 #include "app/procedures/coil_forecast.h"
 #include "app/procedures/frequency_board.h"
 #include "app/procedures/position_law_parameters.h"
+#include "app/procedures/relay_plan.h"
 
 #include <fmt/format.h>
 
@@ -29,6 +30,8 @@ public:
             planned = planIdentify(step, plan);
         } else if (step.kind == "frequency") {
             planned = planResponse(step, plan);
+        } else if (step.kind == "relay") {
+            planned = planSwing(step, plan);
         } else if (step.kind == "calibrate") {
             planned = planCalibrate(step, plan);
         } else if (step.kind == "move") {
@@ -82,6 +85,19 @@ private:
         plan.duration_s = response->duration_s();
         plan.peakCurrent_A = response->peakCurrent_A;
         heat(plan, response->meanSquare_A2);
+        return {};
+    }
+
+    /// As for the published motor: the model of an earlier step is not there yet.
+    Result<void> planSwing(const ExperimentStep& step, StepPlan& plan) {
+        const RelayBoard board{m_law.period_s, m_law.delaySamples, m_law.limit_A};
+        const auto relay = planRelay(relayConfigOf(step), board);
+        if (!relay) {
+            return failure(relay.error());
+        }
+        plan.duration_s = relay->duration_s();
+        plan.peakCurrent_A = relay->limit_A;
+        heat(plan, relay->meanSquare_A2);
         return {};
     }
 

@@ -114,6 +114,7 @@ ReportSection sectionOf(const StepOutcome& step, const std::optional<KnownMotor>
         ReportSection operator()(const FrequencyResult& result) const {
             return frequencySection(heading, result);
         }
+        ReportSection operator()(const RelayResult& result) const { return relaySection(heading, result); }
         ReportSection operator()(const CalibrateResult& result) const {
             return calibrationSection(heading, result);
         }

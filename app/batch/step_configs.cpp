@@ -132,6 +132,16 @@ FrequencyConfig frequencyConfigOf(const ExperimentStep& step) {
     return config;
 }
 
+RelayConfig relayConfigOf(const ExperimentStep& step) {
+    RelayConfig config;
+    config.base_rad_s = step.number("base_rad_s");
+    config.limit_A = step.number("current_A");
+    config.gain_A_per_rad = step.number("gain_A_per_rad");
+    config.cycles = static_cast<int>(step.number("cycles").value_or(config.cycles));
+    config.speedLimit_rad_s = step.number("speed_limit_rad_s").value_or(config.speedLimit_rad_s);
+    return config;
+}
+
 Result<CalibrateConfig> calibrateConfigOf(const ExperimentStep& step) {
     CalibrateConfig config;
     Result<std::vector<Calibration>> which = calibrationsFrom(step.text("what").value_or("all"));
@@ -196,7 +206,9 @@ control::DesignTargets designTargetsOf(const ExperimentStep& step) {
             step.number("phase_margin_deg"),
             step.number("max_sensitivity"),
             step.number("current_limit_A"),
-            step.number("step_deg")};
+            step.number("step_deg"),
+            step.number("ultimate_gain_A_per_rad"),
+            step.number("ultimate_period_s")};
 }
 
 std::vector<ParameterValue> valuesOf(const ExperimentStep& step) {

@@ -9,6 +9,8 @@ namespace halbench::app {
 
 Result<IdentifyConfig> identifyConfigOf(const ExperimentStep& step);
 FrequencyConfig frequencyConfigOf(const ExperimentStep& step);
+/// Without the model of an earlier step.
+RelayConfig relayConfigOf(const ExperimentStep& step);
 Result<CalibrateConfig> calibrateConfigOf(const ExperimentStep& step);
 Result<MoveConfig> moveConfigOf(const ExperimentStep& step);
 /// A recording that waits for a device that is lost (`reconnect`).

@@ -36,6 +36,7 @@ Result<LoopConditions> conditionsOf(StepRun& run);
 // One function a kind. Name and kind of the outcome are set by the caller. Errors: of the procedure.
 Result<StepOutcome> runIdentifyStep(StepRun& run, const ExperimentStep& step);
 Result<StepOutcome> runFrequencyStep(StepRun& run, const ExperimentStep& step);
+Result<StepOutcome> runRelayStep(StepRun& run, const ExperimentStep& step);
 Result<StepOutcome> runCalibrateStep(StepRun& run, const ExperimentStep& step);
 Result<StepOutcome> runTuneStep(StepRun& run, const ExperimentStep& step);
 Result<StepOutcome> runAnalyseStep(StepRun& run, const ExperimentStep& step);

@@ -1,4 +1,5 @@
 #include "app/batch/presets.h"
+#include "app/batch/relay_document.h"
 #include "app/batch/result_documents.h"
 #include "app/batch/step_configs.h"
 #include "app/batch/step_runs.h"
@@ -86,6 +87,26 @@ Result<StepOutcome> runFrequencyStep(StepRun& run, const ExperimentStep& step) {
     return outcome;
 }
 
+Result<StepOutcome> runRelayStep(StepRun& run, const ExperimentStep& step) {
+    RelayConfig config = relayConfigOf(step);
+    if (const std::optional<std::string> name = step.text("model")) {
+        const IdentifyResult* model = run.find<IdentifyResult>(*name);
+        if (model == nullptr) {
+            return failure(missingResult(*name));
+        }
+        config.motor = motorEstimate(*model);
+    }
+    Result<RelayResult> result = runRelay(run.device, config, observerFor(run.context));
+    if (!result) {
+        return failure(result.error());
+    }
+    StepOutcome outcome;
+    outcome.quality = result->quality;
+    outcome.body = relayBody(*result);
+    outcome.detail = *std::move(result);
+    return outcome;
+}
+
 Result<StepOutcome> runCalibrateStep(StepRun& run, const ExperimentStep& step) {
     Result<CalibrateConfig> config = calibrateConfigOf(step);
     if (!config) {
@@ -115,6 +136,14 @@ Result<StepOutcome> runTuneStep(StepRun& run, const ExperimentStep& step) {
     TuneConfig config;
     config.method = step.text("method").value_or(config.method);
     config.targets = designTargetsOf(step);
+    if (const std::optional<std::string> name = step.text("relay")) {
+        const RelayResult* relay = run.find<RelayResult>(*name);
+        if (relay == nullptr || !relay->ultimate) {
+            return failure(missingResult(*name));
+        }
+        config.targets.ultimateGain_A_per_rad = ultimateGainOf(*relay).value;
+        config.targets.ultimatePeriod_s = ultimatePeriodOf(*relay).value;
+    }
     config.conditions = *conditions;
     config.seed = run.seed;
     const MotorEstimate motor = motorEstimate(*model);

@@ -6,6 +6,7 @@
 #include "app/procedures/identify_procedure.h"
 #include "app/procedures/motor_analysis.h"
 #include "app/procedures/move_repetition.h"
+#include "app/procedures/relay_procedure.h"
 #include "app/procedures/tune.h"
 #include "app/report/report.h"
 #include "models/plants/htm_ideal_loop.h"
@@ -25,6 +26,9 @@ ReportSection identificationSection(const std::string& heading, const IdentifyRe
 /// Margins with their intervals or why they are withheld, the rotor that fits, open loop and plant point by
 /// point with coherence, how strongly each band was excited, the excitation as recorded.
 ReportSection frequencySection(const std::string& heading, const FrequencyResult& result);
+
+/// Ultimate gain and period with intervals, the cycle, whether they agree with the model.
+ReportSection relaySection(const std::string& heading, const RelayResult& result);
 
 /// What was found and is proposed or applied, and the static friction over the angle.
 ReportSection calibrationSection(const std::string& heading, const CalibrateResult& result);
