@@ -6010,6 +6010,158 @@
         <source>column &apos;{}&apos; is the time and cannot be called &apos;{}&apos;</source>
         <translation>die Spalte &apos;{}&apos; ist die Zeit und kann nicht &apos;{}&apos; heißen</translation>
     </message>
+    <message>
+        <source>the ultimate gain and the ultimate period belong together</source>
+        <translation>kritische Verstärkung und kritische Periode gehören zusammen</translation>
+    </message>
+    <message>
+        <source>give both, as the relay experiment found them, or leave both to the model</source>
+        <translation>geben Sie beide an, wie der Relaisversuch sie gefunden hat, oder überlassen Sie beide dem Modell</translation>
+    </message>
+    <message>
+        <source>the rows of the cycle are not three signals of one length</source>
+        <translation>die Zeilen der Schwingung sind nicht drei gleich lange Signale</translation>
+    </message>
+    <message>
+        <source>a row of the cycle holds no number</source>
+        <translation>eine Zeile der Schwingung enthält keine Zahl</translation>
+    </message>
+    <message>
+        <source>no rotor has the response that the cycle shows</source>
+        <translation>kein Rotor antwortet so, wie die Schwingung es zeigt</translation>
+    </message>
+    <message>
+        <source>look at the record: an angle error or a resonance may be in it</source>
+        <translation>sehen Sie sich die Aufzeichnung an: darin kann ein Winkelfehler oder eine Resonanz stecken</translation>
+    </message>
+    <message>
+        <source>the loop swings {} times in the record: that is no limit cycle</source>
+        <translation>der Kreis schwingt in der Aufzeichnung {}-mal: das ist keine Dauerschwingung</translation>
+    </message>
+    <message>
+        <source>use a larger gain of the relay, or the model of this motor</source>
+        <translation>verwenden Sie eine größere Verstärkung des Relais oder das Modell dieses Motors</translation>
+    </message>
+    <message>
+        <source>this motor does not damp: proportional control swings at any gain</source>
+        <translation>dieser Motor dämpft nicht: mit P-Regelung schwingt er bei jeder Verstärkung</translation>
+    </message>
+    <message>
+        <source>there is no ultimate gain; use a method with derivative action</source>
+        <translation>es gibt keine kritische Verstärkung; verwenden Sie ein Verfahren mit D-Anteil</translation>
+    </message>
+    <message>
+        <source>at the cycle&apos;s frequency the phase is {} deg, too far from -180 deg</source>
+        <translation>bei der Frequenz der Schwingung ist die Phase {} Grad, zu weit von -180 Grad entfernt</translation>
+    </message>
+    <message>
+        <source>at most {} deg are allowed: look for a delay that the board does not tell, or a resonance</source>
+        <translation>höchstens {} Grad sind erlaubt: suchen Sie nach einer Verzögerung, die das Steuergerät nicht angibt, oder nach einer Resonanz</translation>
+    </message>
+    <message>
+        <source>rows are missing: the cycles do not fit together</source>
+        <translation>Zeilen fehlen: die Schwingungen passen nicht zusammen</translation>
+    </message>
+    <message>
+        <source>the cycle&apos;s frequency wanders by {} %: the angle&apos;s errors drive it with the turn, {} % are allowed</source>
+        <translation>die Frequenz der Schwingung wandert um {} %: die Winkelfehler treiben sie mit der Umdrehung an, {} % sind erlaubt</translation>
+    </message>
+    <message>
+        <source>calibrate the sensors and apply it, then measure again</source>
+        <translation>kalibrieren Sie die Sensoren, übernehmen Sie das, und messen Sie erneut</translation>
+    </message>
+    <message>
+        <source>the cycle&apos;s amplitude changes by {} % from the first third to the last</source>
+        <translation>die Amplitude der Schwingung ändert sich vom ersten bis zum letzten Drittel um {} %</translation>
+    </message>
+    <message>
+        <source>measure more cycles, or give the relay a larger gain; calibrate the sensors first</source>
+        <translation>messen Sie mehr Schwingungen, oder geben Sie dem Relais eine größere Verstärkung; kalibrieren Sie zuerst die Sensoren</translation>
+    </message>
+    <message>
+        <source>the ultimate gain lies between {} and {} A/rad: that is no answer</source>
+        <translation>die kritische Verstärkung liegt zwischen {} und {} A/rad: das ist keine Antwort</translation>
+    </message>
+    <message>
+        <source>measure more cycles; calibrate the sensors first</source>
+        <translation>messen Sie mehr Schwingungen; kalibrieren Sie zuerst die Sensoren</translation>
+    </message>
+    <message>
+        <source>the ultimate gain is known to {} % only</source>
+        <translation>die kritische Verstärkung ist nur auf {} % bekannt</translation>
+    </message>
+    <message>
+        <source>the model foresees an ultimate gain of {} to {} A/rad, measured were {} to {}</source>
+        <translation>das Modell sieht eine kritische Verstärkung von {} bis {} A/rad voraus, gemessen wurden {} bis {}</translation>
+    </message>
+    <message>
+        <source>identify the motor again: it has changed, or one of the two is wrong</source>
+        <translation>identifizieren Sie den Motor erneut: er hat sich verändert, oder eines von beiden ist falsch</translation>
+    </message>
+    <message>
+        <source>whether it agrees with the model is not known: the model has no covariance</source>
+        <translation>ob es mit dem Modell übereinstimmt, ist nicht bekannt: das Modell hat keine Kovarianz</translation>
+    </message>
+    <message>
+        <source>it was compared with no model of this motor</source>
+        <translation>es wurde mit keinem Modell dieses Motors verglichen</translation>
+    </message>
+    <message>
+        <source>identify the motor and give its model</source>
+        <translation>identifizieren Sie den Motor, und geben Sie sein Modell an</translation>
+    </message>
+    <message>
+        <source>speed limit in rad/s</source>
+        <translation>Drehzahlgrenze in rad/s</translation>
+    </message>
+    <message>
+        <source>number of cycles</source>
+        <translation>Anzahl der Schwingungen</translation>
+    </message>
+    <message>
+        <source>height of the relay in A</source>
+        <translation>Höhe des Relais in A</translation>
+    </message>
+    <message>
+        <source>gain of the relay in A/rad</source>
+        <translation>Verstärkung des Relais in A/rad</translation>
+    </message>
+    <message>
+        <source>on a base of {} rad/s no relay swings the loop by {} rad without bringing the rotor near standstill or above {} rad/s</source>
+        <translation>bei einer Grunddrehzahl von {} rad/s schwingt kein Relais den Kreis um {} rad, ohne den Rotor dem Stillstand nahe oder über {} rad/s zu bringen</translation>
+    </message>
+    <message>
+        <source>no base speed from {} to {} rad/s lets a relay swing the loop by {} rad without bringing the rotor near standstill</source>
+        <translation>keine Grunddrehzahl von {} bis {} rad/s lässt ein Relais den Kreis um {} rad schwingen, ohne den Rotor dem Stillstand nahe zu bringen</translation>
+    </message>
+    <message>
+        <source>leave base speed and height of the relay to the program, allow a higher speed or more current, or use the model of this motor</source>
+        <translation>überlassen Sie Grunddrehzahl und Höhe des Relais dem Programm, erlauben Sie eine höhere Drehzahl oder mehr Strom, oder verwenden Sie das Modell dieses Motors</translation>
+    </message>
+    <message>
+        <source>calibrate the sensors and apply it, use the model of this motor, or a lower relay</source>
+        <translation>kalibrieren Sie die Sensoren und übernehmen Sie das, verwenden Sie das Modell dieses Motors oder ein niedrigeres Relais</translation>
+    </message>
+    <message>
+        <source>the rotor reached {} rad/s, foreseen were {}</source>
+        <translation>der Rotor erreichte {} rad/s, vorhergesehen waren {}</translation>
+    </message>
+    <message>
+        <source>identify the motor and give its model: the plan was made for another one</source>
+        <translation>identifizieren Sie den Motor, und geben Sie sein Modell an: der Plan war für einen anderen</translation>
+    </message>
+    <message>
+        <source>swings around a steady motion</source>
+        <translation>schwingt um eine gleichmäßige Bewegung</translation>
+    </message>
+    <message>
+        <source>the device has no parameter for {}</source>
+        <translation>das Gerät hat keinen Parameter für {}</translation>
+    </message>
+    <message>
+        <source>the relay experiment needs a position loop with a gain and a current limit</source>
+        <translation>der Relaisversuch braucht einen Lageregelkreis mit einer Verstärkung und einer Stromgrenze</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

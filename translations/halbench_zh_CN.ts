@@ -6010,6 +6010,158 @@
         <source>column &apos;{}&apos; is the time and cannot be called &apos;{}&apos;</source>
         <translation>列“{}”是时间，不能称为“{}”</translation>
     </message>
+    <message>
+        <source>the ultimate gain and the ultimate period belong together</source>
+        <translation>临界增益和临界周期必须一起给出</translation>
+    </message>
+    <message>
+        <source>give both, as the relay experiment found them, or leave both to the model</source>
+        <translation>请按继电实验的结果给出两者，或者都由模型决定</translation>
+    </message>
+    <message>
+        <source>the rows of the cycle are not three signals of one length</source>
+        <translation>振荡的各行不是三个等长的信号</translation>
+    </message>
+    <message>
+        <source>a row of the cycle holds no number</source>
+        <translation>振荡记录中有一行不是数字</translation>
+    </message>
+    <message>
+        <source>no rotor has the response that the cycle shows</source>
+        <translation>没有任何转子具有该振荡所显示的响应</translation>
+    </message>
+    <message>
+        <source>look at the record: an angle error or a resonance may be in it</source>
+        <translation>请查看记录：其中可能有角度误差或谐振</translation>
+    </message>
+    <message>
+        <source>the loop swings {} times in the record: that is no limit cycle</source>
+        <translation>回路在记录中振荡了 {} 次：这不是极限环</translation>
+    </message>
+    <message>
+        <source>use a larger gain of the relay, or the model of this motor</source>
+        <translation>请使用更大的继电增益，或此电机的模型</translation>
+    </message>
+    <message>
+        <source>this motor does not damp: proportional control swings at any gain</source>
+        <translation>此电机没有阻尼：比例控制在任何增益下都会振荡</translation>
+    </message>
+    <message>
+        <source>there is no ultimate gain; use a method with derivative action</source>
+        <translation>不存在临界增益；请使用带微分作用的方法</translation>
+    </message>
+    <message>
+        <source>at the cycle&apos;s frequency the phase is {} deg, too far from -180 deg</source>
+        <translation>在振荡频率处相位为 {} 度，离 -180 度太远</translation>
+    </message>
+    <message>
+        <source>at most {} deg are allowed: look for a delay that the board does not tell, or a resonance</source>
+        <translation>最多允许 {} 度：请检查控制板未说明的时延，或谐振</translation>
+    </message>
+    <message>
+        <source>rows are missing: the cycles do not fit together</source>
+        <translation>缺少数据行：各个周期无法衔接</translation>
+    </message>
+    <message>
+        <source>the cycle&apos;s frequency wanders by {} %: the angle&apos;s errors drive it with the turn, {} % are allowed</source>
+        <translation>振荡频率漂移了 {} %：角度误差使其随转动变化，允许 {} %</translation>
+    </message>
+    <message>
+        <source>calibrate the sensors and apply it, then measure again</source>
+        <translation>请标定传感器并应用，然后重新测量</translation>
+    </message>
+    <message>
+        <source>the cycle&apos;s amplitude changes by {} % from the first third to the last</source>
+        <translation>振荡幅值从前三分之一到后三分之一变化了 {} %</translation>
+    </message>
+    <message>
+        <source>measure more cycles, or give the relay a larger gain; calibrate the sensors first</source>
+        <translation>请测量更多周期，或增大继电增益；请先标定传感器</translation>
+    </message>
+    <message>
+        <source>the ultimate gain lies between {} and {} A/rad: that is no answer</source>
+        <translation>临界增益介于 {} 与 {} A/rad 之间：这不算结果</translation>
+    </message>
+    <message>
+        <source>measure more cycles; calibrate the sensors first</source>
+        <translation>请测量更多周期；请先标定传感器</translation>
+    </message>
+    <message>
+        <source>the ultimate gain is known to {} % only</source>
+        <translation>临界增益只精确到 {} %</translation>
+    </message>
+    <message>
+        <source>the model foresees an ultimate gain of {} to {} A/rad, measured were {} to {}</source>
+        <translation>模型预计临界增益为 {} 至 {} A/rad，实测为 {} 至 {}</translation>
+    </message>
+    <message>
+        <source>identify the motor again: it has changed, or one of the two is wrong</source>
+        <translation>请重新辨识电机：电机已改变，或两者之一有误</translation>
+    </message>
+    <message>
+        <source>whether it agrees with the model is not known: the model has no covariance</source>
+        <translation>无法判断是否与模型一致：模型没有协方差</translation>
+    </message>
+    <message>
+        <source>it was compared with no model of this motor</source>
+        <translation>未与此电机的模型进行比较</translation>
+    </message>
+    <message>
+        <source>identify the motor and give its model</source>
+        <translation>请辨识电机并给出其模型</translation>
+    </message>
+    <message>
+        <source>speed limit in rad/s</source>
+        <translation>速度限值（rad/s）</translation>
+    </message>
+    <message>
+        <source>number of cycles</source>
+        <translation>周期数</translation>
+    </message>
+    <message>
+        <source>height of the relay in A</source>
+        <translation>继电幅值（A）</translation>
+    </message>
+    <message>
+        <source>gain of the relay in A/rad</source>
+        <translation>继电增益（A/rad）</translation>
+    </message>
+    <message>
+        <source>on a base of {} rad/s no relay swings the loop by {} rad without bringing the rotor near standstill or above {} rad/s</source>
+        <translation>在 {} rad/s 的基础速度下，没有任何继电幅值能使回路摆动 {} rad 而不使转子接近静止或超过 {} rad/s</translation>
+    </message>
+    <message>
+        <source>no base speed from {} to {} rad/s lets a relay swing the loop by {} rad without bringing the rotor near standstill</source>
+        <translation>从 {} 到 {} rad/s 没有任何基础速度能让继电使回路摆动 {} rad 而不使转子接近静止</translation>
+    </message>
+    <message>
+        <source>leave base speed and height of the relay to the program, allow a higher speed or more current, or use the model of this motor</source>
+        <translation>请让程序选择基础速度和继电幅值，允许更高的速度或更大的电流，或使用此电机的模型</translation>
+    </message>
+    <message>
+        <source>calibrate the sensors and apply it, use the model of this motor, or a lower relay</source>
+        <translation>请标定传感器并应用，使用此电机的模型，或更低的继电幅值</translation>
+    </message>
+    <message>
+        <source>the rotor reached {} rad/s, foreseen were {}</source>
+        <translation>转子达到 {} rad/s，预计为 {}</translation>
+    </message>
+    <message>
+        <source>identify the motor and give its model: the plan was made for another one</source>
+        <translation>请辨识电机并给出其模型：计划是为另一台电机制定的</translation>
+    </message>
+    <message>
+        <source>swings around a steady motion</source>
+        <translation>围绕匀速运动摆动</translation>
+    </message>
+    <message>
+        <source>the device has no parameter for {}</source>
+        <translation>设备没有用于 {} 的参数</translation>
+    </message>
+    <message>
+        <source>the relay experiment needs a position loop with a gain and a current limit</source>
+        <translation>继电实验需要带增益和电流限值的位置回路</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

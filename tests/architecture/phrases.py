@@ -30,7 +30,7 @@ NEVER_SHOWN = (
     "app/procedures/amplifier_analysis.cpp", "app/procedures/motor_analysis.cpp",
     "app/procedures/motor_geometry_analysis.cpp")
 # words of a notation
-NO_SENTENCES = {"{} Hz", "zeta, omega-rad-s", "phase-margin-deg, omega-rad-s", "max-sensitivity, current-limit-a, step-deg", "{}, seed, imperfections, chain",
+NO_SENTENCES = {"{} Hz", "zeta, omega-rad-s", "ultimate-gain, ultimate-period", "phase-margin-deg, omega-rad-s", "max-sensitivity, current-limit-a, step-deg", "{}, seed, imperfections, chain",
                 "value = {}", "--set {}", "ended by SIGTERM", "in use",
                 "--rate_Hz F", "--time {}", "--unit {}={}", "--separator '{}'", "{}--decimal {}", "--header {}", "CR LF",
                 "{}, from {}", ", byte order mark", "{} column{}:"}
