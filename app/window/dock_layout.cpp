@@ -55,7 +55,8 @@ void configureDocking() {
     Manager::setConfigFlag(Manager::ActiveTabHasCloseButton, false);
     Manager::setConfigFlag(Manager::DockAreaHasCloseButton, false);
     Manager::setConfigFlag(Manager::FocusHighlighting, true);
-    Manager::setConfigFlag(Manager::XmlCompressionEnabled, false); // layouts that can be compared
+    Manager::setConfigFlag(Manager::XmlCompressionEnabled, false); // layouts that can be compared,
+    Manager::setConfigFlag(Manager::XmlAutoFormattingEnabled);     // line by line
     Manager::iconProvider().registerCustomIcon(ads::DockAreaMenuIcon, widgets::themedIcon("chevron-down"));
     Manager::iconProvider().registerCustomIcon(ads::DockAreaUndockIcon, widgets::themedIcon("export"));
 }
