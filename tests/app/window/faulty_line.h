@@ -12,7 +12,9 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cstdint>
+#include <deque>
 #include <string>
 #include <thread>
 #include <vector>
@@ -55,7 +57,29 @@ public:
     /// From now on the board says that its library is an older one.
     void ageFirmware() { m_isOld = true; }
 
+    /// Every message of the board comes so much later.
+    void delay(std::chrono::milliseconds by) { m_delay = by; }
+    /// Of the samples from now on so many never come, or begin with the number of a list that nobody asked
+    /// for; one in SpoiltEvery. A board that sends a sample in several messages: its first one.
+    void loseSamples(int count) { m_toLose = count; }
+    void damageSamples(int count) { m_toDamage = count; }
+    int lost() const { return m_lost; }
+    int damaged() const { return m_damaged; }
+    /// What passed: samples and, they among them, messages.
+    std::uint64_t samples() const { return m_samples; }
+    std::uint64_t messages() const { return m_messages; }
+
 private:
+    static constexpr std::uint64_t SpoiltEvery = 16;
+    static constexpr std::size_t HeaderOctets = 4; ///< LEN u16 | CTR u16
+    static constexpr std::uint8_t NobodysList = 0x7B;
+
+    using Clock = std::chrono::steady_clock;
+    struct Message {
+        Clock::time_point due;
+        std::vector<std::uint8_t> octets;
+    };
+
     static sockaddr_in loopback(int port) {
         sockaddr_in address{};
         address.sin_family = AF_INET;
@@ -78,7 +102,8 @@ private:
             const std::string& served = (m_isOther ? m_other : m_board).uri();
             const sockaddr_in address = loopback(std::stoi(served.substr(served.rfind(':') + 1)));
             ::connect(board, reinterpret_cast<const sockaddr*>(&address), sizeof address);
-            m_inMessage = 0;
+            m_coming.clear();
+            m_waiting.clear();
             relay(master, board);
             ::close(master);
             ::close(board);
@@ -88,14 +113,18 @@ private:
     void relay(int master, int board) {
         while (!m_isEnding && m_fault != Fault::Cut) {
             std::array<pollfd, 2> ends{{{master, POLLIN, 0}, {board, POLLIN, 0}}};
-            ::poll(ends.data(), ends.size(), m_fault == Fault::Flooding ? 0 : 5);
+            const bool isHurried = m_fault == Fault::Flooding || !m_waiting.empty();
+            ::poll(ends.data(), ends.size(), isHurried ? (m_fault == Fault::Flooding ? 0 : 1) : 5);
             if (ends[0].revents != 0 && !forward(master, board, false)) {
                 return;
             }
             if (ends[1].revents != 0 && !forward(board, master, true)) {
                 return;
             }
-            if (m_fault == Fault::Flooding && m_inMessage == 0 && hasRoom(master) && !flood(master)) {
+            if (!deliver(master)) {
+                return;
+            }
+            if (m_fault == Fault::Flooding && hasRoom(master) && !flood(master)) {
                 return;
             }
         }
@@ -120,11 +149,64 @@ private:
             return false;
         }
         if (isBoard) {
-            follow(octets.data(), static_cast<std::size_t>(count));
-            age(octets.data(), octets.data() + count);
+            take(octets.data(), static_cast<std::size_t>(count));
+            return true;
         }
-        return (isBoard && m_fault == Fault::Stalled) ||
-               sendAll(to, octets.data(), static_cast<std::size_t>(count));
+        return sendAll(to, octets.data(), static_cast<std::size_t>(count));
+    }
+
+    /// Whole messages only go on, so that what the line does is between two of them.
+    void take(const std::uint8_t* octets, std::size_t count) {
+        m_coming.insert(m_coming.end(), octets, octets + count);
+        while (m_coming.size() >= HeaderOctets) {
+            const std::size_t size = HeaderOctets + m_coming[0] + 256U * m_coming[1];
+            if (m_coming.size() < size) {
+                return;
+            }
+            const auto end = m_coming.begin() + static_cast<std::ptrdiff_t>(size);
+            Message message{Clock::now() + m_delay.load(), {m_coming.begin(), end}};
+            m_coming.erase(m_coming.begin(), end);
+            age(message.octets.data(), message.octets.data() + size);
+            if (m_fault != Fault::Stalled && !spoilSample(message)) {
+                m_waiting.push_back(std::move(message));
+            }
+        }
+    }
+
+    /// The first message of one: number 0 of its list, in front of the mark of an overload.
+    static bool isSample(const Message& message) {
+        return message.octets.size() > HeaderOctets && (message.octets[HeaderOctets] & 0x7FU) == 0;
+    }
+
+    /// Whether it never comes.
+    bool spoilSample(Message& message) {
+        if (!isSample(message) || ++m_seen % SpoiltEvery != 0) {
+            return false;
+        }
+        if (m_toLose > 0) {
+            --m_toLose;
+            ++m_lost;
+            return true;
+        }
+        if (m_toDamage > 0) {
+            --m_toDamage;
+            ++m_damaged;
+            message.octets[HeaderOctets] = NobodysList;
+        }
+        return false;
+    }
+
+    bool deliver(int master) {
+        while (!m_waiting.empty() && m_waiting.front().due <= Clock::now()) {
+            const Message message = std::move(m_waiting.front());
+            m_waiting.pop_front();
+            if (!sendAll(master, message.octets.data(), message.octets.size())) {
+                return false;
+            }
+            ++m_messages;
+            m_samples += isSample(message) ? 1U : 0U;
+        }
+        return true;
     }
 
     void age(std::uint8_t* begin, std::uint8_t* end) const {
@@ -132,20 +214,6 @@ private:
         const std::string old = "0.1.0-0x";
         while (m_isOld && (begin = std::search(begin, end, now.begin(), now.end())) != end) {
             begin = std::copy(old.begin(), old.end(), begin);
-        }
-    }
-
-    /// Follows the messages `LEN u16 | CTR u16 | PACKET` of the board, so that a flood comes between two of
-    /// them.
-    void follow(const std::uint8_t* octets, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) {
-            if (m_inMessage < 2) {
-                m_length = m_inMessage == 0 ? octets[i] : m_length + 256U * octets[i];
-            }
-            ++m_inMessage;
-            if (m_inMessage >= 4 && m_inMessage == m_length + 4U) {
-                m_inMessage = 0;
-            }
         }
     }
 
@@ -171,8 +239,16 @@ private:
     std::string m_uri;
     std::atomic<Fault> m_fault = Fault::None;
     std::atomic<bool> m_isEnding = false;
-    std::size_t m_length = 0;    ///< of the board's message that is on its way
-    std::size_t m_inMessage = 0; ///< octets of it that came; 0: between two
+    std::atomic<std::chrono::milliseconds> m_delay{};
+    std::atomic<int> m_toLose = 0;
+    std::atomic<int> m_toDamage = 0;
+    std::atomic<int> m_lost = 0;
+    std::atomic<int> m_damaged = 0;
+    std::atomic<std::uint64_t> m_samples = 0;
+    std::atomic<std::uint64_t> m_messages = 0;
+    std::uint64_t m_seen = 0;           ///< samples
+    std::vector<std::uint8_t> m_coming; ///< of the board, not a whole message yet
+    std::deque<Message> m_waiting;
     std::thread m_thread;
 };
 
