@@ -42,6 +42,8 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     m_stack = new widgets::LivePlotStack(this);
     m_stack->setTheme(widgets::currentTheme());
     m_stack->setHistory(&m_bench.history());
+    // A frame shows what has arrived until it is drawn, not what another timer brought up to a frame ago.
+    connect(m_stack, &widgets::LivePlotStack::frameStarting, &m_bench, &Workbench::drainSamples);
     m_trigger = new MonitorTrigger(m_bench, *m_stack, *this);
     m_picture = new MonitorPicture(m_bench, *m_stack, *this);
     m_data = new MonitorData(m_bench, *m_stack, *this);
