@@ -63,6 +63,61 @@ struct Pictures {
     }
 };
 
+/// The page Verification or What if where it is seen instead of those two: a recorded move of three panels
+/// and what the gains in the hand would have made of it.
+struct RecordedPicture {
+    widgets::FigureView view;
+    QImage screen = QImage(560, 800, QImage::Format_RGB32); ///< taller than its page, which scrolls
+
+    RecordedPicture() { view.resize(screen.size()); }
+    void draw(widgets::Figure figure, const WhatIfBasis& record, const WhatIf& whatIf) {
+        addWhatIfCurves(figure, whatIf, std::nullopt, record.config.move.reference_rad);
+        view.setFigure(std::move(figure));
+        view.render(&screen);
+        benchmark::DoNotOptimize(screen.bits());
+    }
+};
+
+/// What the panel has of the verification move itself.
+struct Verified {
+    VerificationBand band;
+    Recording measured;
+
+    explicit Verified(const RecordedMove& move) {
+        auto layout = std::make_shared<StreamLayout>();
+        layout->columns = {{"position", "rad"}, {"current_command", "A"}};
+        measured.layout = layout;
+        for (std::size_t row = 0; row < move.rows(); ++row) {
+            measured.time_s.push_back(1e-3 * static_cast<double>(row));
+            measured.values.insert(measured.values.end(), {move.position_rad[row], move.current_A[row]});
+        }
+        band.predicted = {measured.time_s, move.position_rad, {}, move.reference_rad, move.current_A};
+        band.allowed_rad = 0.03;
+        band.friction_rad = 0.01;
+    }
+};
+
+/// `predict_s`: of everything that is predicted while the hand moves, the what-if of the verification with
+/// it.
+void benchRecorded(Goals& goals, const TuneQuestion& question, const TuneSketch& sketch, double predict_s) {
+    const WhatIfBasis& record = *question.record;
+    const Verified verified(record.config.move);
+    RecordedPicture picture;
+    const double verification_s = processorTime_s(
+        [&] { picture.draw(verificationFigure(verified.band, verified.measured), record, **sketch.whatIf); },
+        25);
+    goals.below("refresh while dragging, the verification move and its what-if in sight, one core",
+                1e3 * (predict_s + verification_s), 16.0, "ms");
+    const double recording_s = processorTime_s(
+        [&] {
+            const Result<WhatIf> whatIfNow = whatIf(record, sketch.law);
+            picture.draw(recordedMoveFigure(record.config.move), record, *whatIfNow);
+        },
+        25);
+    goals.below("refresh while dragging, a recorded move and its what-if in sight, one core",
+                1e3 * (predict_s + recording_s), 16.0, "ms");
+}
+
 void benchRefresh(Goals& goals) {
     TuneQuestion question;
     question.motor = motor();
@@ -91,6 +146,7 @@ void benchRefresh(Goals& goals) {
     goals.below("prediction while dragging, with 1000 motors", 1e3 * predict_s, 12.0, "ms");
     goals.below("full refresh while dragging: four panels, 1000 motors, one core", 1e3 * (predict_s + draw_s),
                 16.0, "ms");
+    benchRecorded(goals, question, sketch, predict_s);
 }
 
 } // namespace
