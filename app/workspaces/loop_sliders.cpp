@@ -8,7 +8,6 @@
 #include <QAction>
 #include <QEvent>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -51,11 +50,8 @@ LoopSliders::LoopSliders(QWidget* parent) : QWidget(parent), m_note(makeNote(thi
                        static_cast<int>(control::crossover::MostMargin_deg * Places_per_deg));
     m_margin->setSingleStep(static_cast<int>(Places_per_deg));
     m_margin->setPageStep(static_cast<int>(5.0 * Places_per_deg));
-    grid->addWidget(m_note, 2, 0, 1, 2);
-    reserveLines(*m_note, 3);
-    m_buttons = new QHBoxLayout;
-    m_buttons->setSpacing(0);
-    grid->addLayout(m_buttons, 2, 2, Qt::AlignRight | Qt::AlignTop);
+    grid->addWidget(m_note, 2, 0, 1, 4);
+    reserveLines(*m_note, 1); // as long as what is said of a limit
     connect(m_speed, &QSlider::valueChanged, this,
             [this](int place) { Q_EMIT crossoverMoved(crossoverAt(place)); });
     connect(m_margin, &QSlider::valueChanged, this,
@@ -65,12 +61,15 @@ LoopSliders::LoopSliders(QWidget* parent) : QWidget(parent), m_note(makeNote(thi
 }
 
 void LoopSliders::setHistory(QAction& undo, QAction& redo) {
+    auto* grid = static_cast<QGridLayout*>(layout());
+    int line = 0;
     for (QAction* action : {&undo, &redo}) {
         auto* button = new QToolButton(this);
         button->setDefaultAction(action);
         button->setAutoRaise(true);
         button->setToolButtonStyle(Qt::ToolButtonIconOnly);
-        m_buttons->addWidget(button);
+        grid->addWidget(button, line++,
+                        3); // beside a slider each: a row of their own would cost the gains a line
         const auto name = [button, action] { button->setAccessibleName(action->text().remove('&')); };
         connect(action, &QAction::changed, button, name);
         name();
@@ -135,26 +134,29 @@ void LoopSliders::showNumbers() {
 }
 
 void LoopSliders::sayLimit(const CrossoverAim& wanted, const control::CrossoverDesign& design) {
-    const QString asked = pairWords(wanted);
+    const QString reached = pairWords(design.reached);
     QString why;
     switch (design.limit) {
     case CrossoverLimit::None:
         break;
     case CrossoverLimit::Range:
-        why = tr("%1 is beyond what can be set here.").arg(asked);
+        why = tr("Only %1: the range ends there.").arg(reached);
         break;
     case CrossoverLimit::Derivative:
-        why = tr("%1 would need a negative K_D.").arg(asked);
+        why = tr("Only %1: else K_D is negative.").arg(reached);
         break;
     case CrossoverLimit::Stiffness:
-        why = tr("%1 would be a damper, no position loop.").arg(asked);
+        why = tr("Only %1: else it only damps.").arg(reached);
         break;
     case CrossoverLimit::Stability:
-        why = tr("%1 would leave a gain margin below %2.")
-                  .arg(asked, widgets::numberText(control::crossover::LeastGainMargin_ratio, 2));
+        why = tr("Only %1: gain margin %2.")
+                  .arg(reached, widgets::numberText(control::crossover::LeastGainMargin_ratio, 2));
         break;
     }
-    sayProblem(why.isEmpty() ? why : tr("%1 The nearest is %2.").arg(why, pairWords(design.reached)));
+    sayProblem(why);
+    m_note->setToolTip(
+        why.isEmpty() ? why
+                      : tr("Asked for: %1. The nearest that can be had is taken.").arg(pairWords(wanted)));
 }
 
 void LoopSliders::sayProblem(const QString& text) {

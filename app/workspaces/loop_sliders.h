@@ -7,7 +7,6 @@
 #include <optional>
 
 class QAction;
-class QHBoxLayout;
 class QLabel;
 class QSlider;
 
@@ -25,7 +24,7 @@ public:
     /// Why the loop is not what was asked; CrossoverLimit::None says nothing any more.
     void sayLimit(const control::CrossoverAim& wanted, const control::CrossoverDesign& design);
     void sayProblem(const QString& text);
-    /// Their buttons stand beside what is said.
+    /// Their buttons stand beside the sliders.
     void setHistory(QAction& undo, QAction& redo);
 
 Q_SIGNALS:
@@ -53,7 +52,6 @@ private:
     QLabel* m_marginNumber = nullptr;
     QSlider* m_margin = nullptr;
     QLabel* m_note = nullptr;
-    QHBoxLayout* m_buttons = nullptr;
 };
 
 } // namespace halbench::app

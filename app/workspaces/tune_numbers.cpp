@@ -3,6 +3,7 @@
 #include "control/base/units.h"
 #include "widgets/display_units.h"
 #include "widgets/theme_style.h"
+#include "widgets/unbroken.h"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -225,23 +226,38 @@ std::vector<TuneNumber> tuneNumbers(const TuneResult& proposed, const std::optio
     return numbers;
 }
 
-QString verificationWords(const MoveOutlook& outlook, const DisplayUnits& units) {
+namespace {
+
+/// Where the board ends the motion.
+struct MotionEnd {
+    QString angle;
+    QString speed;
+};
+
+MotionEnd endOf(const MoveOutlook& outlook, const DisplayUnits& units) {
     const DisplayQuantity speed = displayQuantity("rad/s", units);
-    return Words::tr("Apply and verify turns the rotor by %1, in %2 s; the board ends the motion at %3 from "
-                     "where it starts, or at %4 %5.")
-        .arg(angleText(outlook.excursion_rad, units), widgets::numberText(outlook.armed_s, 2),
-             angleText(outlook.window_rad, units),
-             widgets::fixedText(outlook.speedLimit_rad_s * speed.factor, 0), speed.unit);
+    return {widgets::unbroken(angleText(outlook.window_rad, units)),
+            widgets::unbroken(widgets::fixedText(outlook.speedLimit_rad_s * speed.factor, 0) +
+                              QLatin1Char(' ') + speed.unit)};
+}
+
+} // namespace
+
+QString verificationWords(const MoveOutlook& outlook, const DisplayUnits& units) {
+    const MotionEnd end = endOf(outlook, units);
+    return Words::tr("The rotor will turn by %1, in %2; the board ends it at %3 or %4.")
+        .arg(widgets::unbroken(angleText(outlook.excursion_rad, units)),
+             widgets::unbroken(widgets::numberText(outlook.armed_s, 2) + QStringLiteral(" s")), end.angle,
+             end.speed);
 }
 
 QString liveStepWords(const MoveOutlook& outlook, const DisplayUnits& units) {
-    const DisplayQuantity speed = displayQuantity("rad/s", units);
-    return Words::
-        tr("Apply and verify goes in small steps. After each one it turns the rotor by %1, once this way and "
-           "once that, in %2 s; the board ends the motion at %3 from where it starts, or at %4 %5.")
-            .arg(angleText(outlook.excursion_rad, units), widgets::numberText(outlook.armed_s, 2),
-                 angleText(outlook.window_rad, units),
-                 widgets::fixedText(outlook.speedLimit_rad_s * speed.factor, 0), speed.unit);
+    const MotionEnd end = endOf(outlook, units);
+    return Words::tr(
+               "After each step the rotor will turn by %1, to and fro, in %2; the board ends it at %3 or %4.")
+        .arg(widgets::unbroken(angleText(outlook.excursion_rad, units)),
+             widgets::unbroken(widgets::numberText(outlook.armed_s, 2) + QStringLiteral(" s")), end.angle,
+             end.speed);
 }
 
 QString agreementWords(const VerificationBand& band, const MoveFigures& measured, const DisplayUnits& units) {

@@ -106,6 +106,10 @@ protected:
         click(panel, "Apply and verify");
         ASSERT_TRUE(wait([&] { return isEnabled(panel, "Keep"); })) << message().toStdString();
     }
+    /// Words as they are read, without what keeps a number and its unit in one line.
+    static QString plain(QString text) {
+        return text.remove(QChar(0x2060)).replace(QChar(0x00a0), QLatin1Char(' '));
+    }
     static QString focused() {
         const QWidget* widget = QApplication::focusWidget();
         return widget == nullptr ? QString() : widget->accessibleName();

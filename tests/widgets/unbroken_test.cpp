@@ -1,0 +1,41 @@
+#include "widgets/unbroken.h"
+
+#include <QTextLayout>
+
+#include <gtest/gtest.h>
+
+namespace halbench::widgets {
+namespace {
+
+/// Lines that these words take where hardly one character has room.
+int lines(const QString& text) {
+    QTextLayout layout(text);
+    QTextOption option;
+    option.setWrapMode(QTextOption::WordWrap); // at word ends only
+    layout.setTextOption(option);
+    layout.beginLayout();
+    int count = 0;
+    for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+        line.setLineWidth(1.0);
+        ++count;
+    }
+    layout.endLayout();
+    return count;
+}
+
+TEST(Unbroken, staysInOneLineWhereItsPlainWordsDoNot) {
+    for (const char* text : {"382 r/min", "382 1/min", "0.5 rad", "c/J = 2.24 \u00b1 0.09"}) {
+        const QString plain = QString::fromUtf8(text);
+        EXPECT_GT(lines(plain), 1) << text;
+        EXPECT_EQ(lines(unbroken(plain)), 1) << text;
+    }
+}
+
+TEST(Unbroken, readsAsItDid) {
+    QString read = unbroken(QStringLiteral("382 1/min"));
+    read.remove(QChar(0x2060));
+    EXPECT_EQ(read.replace(QChar(0x00a0), QLatin1Char(' ')), "382 1/min");
+}
+
+} // namespace
+} // namespace halbench::widgets
