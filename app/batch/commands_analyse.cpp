@@ -156,10 +156,6 @@ Result<std::optional<WhatIfReport>> askWhatIf(const CommandOptions& options, con
     if (!ran) {
         return failure(ran.error());
     }
-    if (ran->conditions.timing.period_s != own.gains.timing.period_s) {
-        return failure(ErrorCode::InvalidInput, "--what-if: the gains that ran are of another sample period",
-                       "compare gains of one board");
-    }
     Result<WhatIfReport> report =
         reportWhatIf(*ran, model.estimate, own.gains.law, {TuneConfig().draws, seed});
     if (!report) {

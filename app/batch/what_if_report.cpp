@@ -32,12 +32,13 @@ bool isOfLaw(const std::string& name) {
     return name.starts_with("gain.") || name.starts_with("feedforward.") || name.starts_with("stiction.");
 }
 
+constexpr const char* GiveRanFile = "give them: --ran GAINS.json";
+
 Result<control::PositionLaw> recordedLaw(const devices::RecordedFile& file, const std::string& path) {
     const auto law = lawFromParameters(valuesOf(file.meta));
     if (!law) {
         return failure(ErrorCode::InvalidInput,
-                       fmt::format("{}: which gains ran is not recorded beside it", path),
-                       "give them: --ran GAINS.json");
+                       fmt::format("{}: which gains ran is not recorded beside it", path), GiveRanFile);
     }
     for (const devices::RecordingMeta::ParameterChange& change : file.meta.changes) {
         if (isOfLaw(change.name)) {
@@ -116,11 +117,20 @@ Result<RanMove> readRanMove(const std::string& recordingPath, const std::string&
         if (!gains) {
             return failure(gains.error());
         }
+        if (gains->timing.period_s != conditions.timing.period_s) {
+            return failure(ErrorCode::InvalidInput,
+                           ranFile + ": the gains that ran are of another sample period",
+                           "compare gains of one board");
+        }
         ran.law = gains->law;
         ran.conditions.timing = gains->timing;
     }
     takeConditions(ran.conditions, valuesOf(file->meta));
     return ran;
+}
+
+bool needsRanFile(const Error& error) {
+    return error.hint == GiveRanFile;
 }
 
 Result<WhatIfReport> reportWhatIf(const RanMove& ran, const MotorEstimate& motor,

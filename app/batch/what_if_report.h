@@ -17,9 +17,12 @@ struct RanMove {
 };
 
 /// Reads a recording with its sidecar. `ranFile`: the gains that ran, when they are not recorded; else empty.
-/// Errors: of the files; InvalidInput (no gains recorded, or changed within); of recordedMove().
+/// Errors: of the files; InvalidInput (no gains recorded, or changed within; those of `ranFile` are of
+/// another sample period than `conditions`); of recordedMove().
 Result<RanMove> readRanMove(const std::string& recordingPath, const std::string& ranFile,
                             const LoopConditions& conditions);
+/// Whether that is for want of `ranFile`: who has it can ask for it.
+bool needsRanFile(const Error& error);
 
 /// What `analyse --what-if` answers: also why nothing is predicted.
 struct WhatIfReport {

@@ -218,6 +218,15 @@ std::vector<double> difference(const std::vector<double>& one, const std::vector
     return result;
 }
 
+std::vector<double> everyMillisecond(std::size_t rows) {
+    std::vector<double> time_s;
+    time_s.reserve(rows);
+    for (std::size_t row = 0; row < rows; ++row) {
+        time_s.push_back(1e-3 * static_cast<double>(row));
+    }
+    return time_s;
+}
+
 /// What is left of a curve to the set-point it should reach, around zero as far as the bands matter.
 widgets::Panel remainder(const VerificationBand& band, const AngleScale& scale, double end_s) {
     constexpr double Around_ratio = 2.5; // of the allowed error: what is on its way leaves the panel
@@ -280,15 +289,33 @@ widgets::Figure verificationFigure(const VerificationBand& band, const Recording
     return figure;
 }
 
+widgets::Figure recordedMoveFigure(const RecordedMove& move, widgets::AngleUnit unit) {
+    const AngleScale scale = scaleOf(unit);
+    const std::vector<double> time_s = everyMillisecond(move.rows());
+    const std::string recordedWord = utf8(Words::tr("recorded"));
+    widgets::Figure figure;
+    figure.title = utf8(Words::tr("Recorded move"));
+    widgets::Panel current = angleOverCurrent(figure, scale);
+    widgets::Panel rest;
+    rest.y = {utf8(Words::tr("error")), scale.symbol, false, {}, {}, {}};
+    rest.height_px = 160;
+    figure.panels[0].curves = {
+        {utf8(Words::tr("set-point")), time_s, scale.of(move.reference_rad), CurveStyle::DottedLine, 7},
+        {recordedWord, time_s, scale.of(move.position_rad), CurveStyle::Line, 0}};
+    rest.curves = {{recordedWord, time_s, scale.of(difference(move.reference_rad, move.position_rad)),
+                    CurveStyle::Line, 0}};
+    current.curves = {{recordedWord, time_s, move.current_A, CurveStyle::Line, 0}};
+    figure.panels.push_back(std::move(rest));
+    figure.panels.push_back(std::move(current));
+    return figure;
+}
+
 void addWhatIfCurves(widgets::Figure& figure, const WhatIf& whatIf, const std::optional<MotionBand>& band,
                      const std::vector<double>& reference_rad, widgets::AngleUnit unit) {
     constexpr int Colour = 4;
     const AngleScale scale = scaleOf(unit);
     const std::string word = utf8(Words::tr("with the proposed gains"));
-    std::vector<double> time_s;
-    for (std::size_t row = 0; row < whatIf.angle_rad.size(); ++row) {
-        time_s.push_back(1e-3 * static_cast<double>(row));
-    }
+    const std::vector<double> time_s = everyMillisecond(whatIf.angle_rad.size());
     figure.panels[0].curves.push_back({word, time_s, scale.of(whatIf.angle_rad), CurveStyle::Line, Colour});
     figure.panels[1].curves.push_back(
         {word, time_s, scale.of(difference(reference_rad, whatIf.angle_rad)), CurveStyle::Line, Colour});

@@ -45,7 +45,11 @@ std::optional<widgets::Figure> largeStepFigure(const AnalysisResult& predicted,
 widgets::Figure verificationFigure(const VerificationBand& band, const Recording& measured,
                                    widgets::AngleUnit unit = widgets::AngleUnit::Degree);
 
-/// Into verificationFigure(): the same move as it would have been with other gains, with its band when that
+/// Any recorded move as it was, over its set-point; what is left to that; the current.
+widgets::Figure recordedMoveFigure(const RecordedMove& move,
+                                   widgets::AngleUnit unit = widgets::AngleUnit::Degree);
+
+/// Into one of these two: the same move as it would have been with other gains, with its band when that
 /// is known. `reference_rad` of the move, from where the rotor was.
 void addWhatIfCurves(widgets::Figure& figure, const WhatIf& whatIf, const std::optional<MotionBand>& band,
                      const std::vector<double>& reference_rad,

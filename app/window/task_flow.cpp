@@ -80,6 +80,11 @@ void connectTaskFlow(DockLayout& docks, Workbench& bench) {
     panelOf<XyPanel>(docks, "xy")->setFileChooser(fileDialogs(bench));
     auto* recordings = panelOf<RecordingsPanel>(docks, "recordings");
     recordings->setFileChooser(fileDialogs(bench));
+    QObject::connect(recordings, &RecordingsPanel::whatIfRequested, tune,
+                     [&docks, tune](const QString& path) {
+                         docks.setPerspective(Perspective::Tune);
+                         tune->useRecording(path);
+                     });
     QObject::connect(recordings, &RecordingsPanel::played, &docks, [&docks] {
         ads::CDockWidget* monitor = docks.docks().value(QStringLiteral("monitor"));
         monitor->toggleView(true);

@@ -15,16 +15,15 @@ namespace halbench::app {
 
 LoopView::LoopView(QWidget* parent)
     : QWidget(parent), m_label(new QLabel(this)), m_choice(new QComboBox(this)),
-      m_picture(new widgets::FigureView(this)), m_note(new QLabel(this)) {
-    auto* row = new QHBoxLayout;
-    row->setSpacing(widgets::PanelMargin_px);
-    row->addWidget(m_label);
-    row->addWidget(m_choice);
-    row->addStretch(1);
+      m_picture(new widgets::FigureView(this)), m_note(new QLabel(this)), m_row(new QHBoxLayout) {
+    m_row->setSpacing(widgets::PanelMargin_px);
+    m_row->addWidget(m_label);
+    m_row->addWidget(m_choice);
+    m_row->addStretch(1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(widgets::GridStep_px);
-    column->addLayout(row);
+    column->addLayout(m_row);
     column->addWidget(m_note);
     column->addWidget(m_picture, 1);
     m_label->setBuddy(m_choice);
@@ -36,6 +35,10 @@ LoopView::LoopView(QWidget* parent)
     connect(m_choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &LoopView::show);
     connectHandles();
     sayWords();
+}
+
+void LoopView::addTool(QWidget& tool) {
+    m_row->addWidget(&tool);
 }
 
 void LoopView::sayWords() {

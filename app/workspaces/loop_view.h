@@ -11,6 +11,7 @@
 #include <vector>
 
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 
 namespace halbench::widgets {
@@ -34,6 +35,8 @@ public:
                   const std::optional<MeasuredLoop>& measured = std::nullopt, ///< in Bode, Nyquist, Nichols
                   const std::optional<LoopUncertainty>& uncertainty = std::nullopt); ///< in the Bode plot
     void setView(View view);
+    /// A control of whoever owns this, beside the choice of the view.
+    void addTool(QWidget& tool);
     widgets::FigureView& picture() { return *m_picture; }
 
 Q_SIGNALS:
@@ -71,7 +74,8 @@ private:
     QLabel* m_label = nullptr;
     QComboBox* m_choice = nullptr;
     widgets::FigureView* m_picture = nullptr;
-    QLabel* m_note = nullptr; ///< why a picture is missing
+    QLabel* m_note = nullptr;     ///< why a picture is missing
+    QHBoxLayout* m_row = nullptr; ///< above the picture
 };
 
 } // namespace halbench::app

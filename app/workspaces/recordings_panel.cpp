@@ -154,6 +154,9 @@ void RecordingsPanel::buildActions(QVBoxLayout& column) {
         makeNumberField({tr("Begin at"), tr("Time of the recording at which it is played; Enter goes there"),
                          QStringLiteral("s"), 2, 0.0, LongestRecording_s, 1.0},
                         this);
+    m_whatIf = makeButton(
+        {tr("What if"), tr("Shows in Tune what the gains proposed there would have made of this move"), {}},
+        this);
     m_recover =
         makeButton({tr("Recover"), tr("Makes a recording of what an interrupted program left"), {}}, this);
     auto* label = new QLabel(tr("Begin at"), this);
@@ -164,11 +167,17 @@ void RecordingsPanel::buildActions(QVBoxLayout& column) {
     row->addWidget(label);
     row->addWidget(m_from);
     row->addStretch(1);
+    row->addWidget(m_whatIf);
     row->addWidget(m_recover);
     column.addLayout(row);
     connect(m_open, &QPushButton::clicked, this, &RecordingsPanel::openWhole);
     connect(m_play, &QPushButton::clicked, this, &RecordingsPanel::play);
     connect(m_from, &widgets::QuantityEdit::entered, this, &RecordingsPanel::play);
+    connect(m_whatIf, &QPushButton::clicked, this, [this] {
+        if (const RecordingEntry* entry = chosen()) {
+            Q_EMIT whatIfRequested(entry->path);
+        }
+    });
     connect(m_recover, &QPushButton::clicked, this, [this] {
         if (const RecordingEntry* entry = chosen()) {
             recover(entry->path);
@@ -298,6 +307,7 @@ void RecordingsPanel::refreshActions() {
     const bool isWhole = entry != nullptr && !entry->isInterrupted;
     m_open->setEnabled(isWhole && isFree());
     m_play->setEnabled(isWhole && isFree());
+    m_whatIf->setEnabled(isWhole); // nothing moves and no device is left
     m_from->setEnabled(isWhole);
     m_from->setMaximum(isWhole ? entry->duration_s.value_or(LongestRecording_s) : LongestRecording_s);
     m_recover->setVisible(entry != nullptr && entry->isInterrupted);

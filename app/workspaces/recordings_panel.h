@@ -44,7 +44,8 @@ public:
     void importTable();
 
 Q_SIGNALS:
-    void played(); ///< or opened: whoever shows signals comes to the front
+    void played();                             ///< or opened: whoever shows signals comes to the front
+    void whatIfRequested(const QString& path); ///< what the gains proposed in Tune would have made of it
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -86,6 +87,7 @@ private:
     QPushButton* m_open = nullptr;
     QPushButton* m_play = nullptr;
     QPushButton* m_recover = nullptr;
+    QPushButton* m_whatIf = nullptr;
     widgets::QuantityEdit* m_from = nullptr;
     QLineEdit* m_tags = nullptr;
     QPlainTextEdit* m_notes = nullptr;

@@ -13,6 +13,7 @@
 #include "widgets/phrasebook.h"
 #include "widgets/progress_row.h"
 #include "widgets/theme_style.h"
+#include "widgets/unbroken.h"
 
 #include <QCheckBox>
 #include <QEvent>
@@ -92,6 +93,7 @@ void TunePanel::connectParts() {
     connect(m_restore, &QPushButton::clicked, this, &TunePanel::restore);
     connect(m_save, &QPushButton::clicked, this, &TunePanel::saveGains);
     connect(m_measure, &QPushButton::clicked, this, &TunePanel::chooseMeasured);
+    connectWhatIf();
     m_decision.setSingleShot(true);
     connect(&m_decision, &QTimer::timeout, this, [this] {
         refreshButtons();
@@ -169,12 +171,12 @@ void TunePanel::refreshModel() {
         const auto& interval = found->second.interval95;
         const auto half = interval ? std::optional(0.5 * (interval->second - interval->first)) : std::nullopt;
         const widgets::EstimateText text = widgets::estimateText(*found->second.value, half);
-        return QStringLiteral("%1 = %2 \u00b1 %3").arg(symbol, text.value, text.half);
+        return widgets::unbroken(QStringLiteral("%1 = %2 \u00b1 %3").arg(symbol, text.value, text.half));
     };
     QStringList parts = {words("c_over_J", "c/J"), words("phi_over_J", "\u03c6/J"),
                          words("Kf_over_phi", "K_f/\u03c6")};
     parts.removeAll({});
-    m_model->setText(tr("Identified motor (SI, 95 %): %1").arg(parts.join(QStringLiteral(", "))));
+    m_model->setText(tr("Motor (SI, 95 %): %1").arg(parts.join(QStringLiteral(", "))));
     ask();
 }
 
@@ -290,6 +292,7 @@ void TunePanel::restoreDesign(std::optional<GainsFile> gains) {
     forgetRestored();
     forgetVerification(); // of the project before
     forgetMeasured();
+    forgetRecording();
     m_restored = std::move(gains);
     const GainsFile shown = m_restored.value_or(GainsFile{});
     m_form->showChoice(m_restored ? shown.method : TuneConfig().method, shown.targets);

@@ -53,6 +53,7 @@ class Preflight;
 struct NamedLoop;
 class TuneForm;
 class TuneNumbers;
+class WhatIfPage;
 
 /// Gains for the identified motor: by a method, a preset or by hand, with everything that is predicted of
 /// them; applied as one transaction with a verification move, kept or taken back
@@ -75,6 +76,8 @@ public:
     void takeUpDesign(const std::string& name);
     /// Draws a plant that was measured into the open loop; what is no plant of this loop is refused in place.
     void useMeasured(const MeasuredPlant& plant);
+    /// Shows what the proposed gains would have made of a recorded move; what is none is refused in place.
+    void useRecording(const QString& path);
     /// What runs on the device lasts longer than its power from now on.
     void onSavedInDevice();
     /// What was done to the proposed gains, taken back and done again; named after it.
@@ -144,6 +147,13 @@ private:
     std::vector<NamedLoop> drawnLoops() const;
     void chooseMeasured();
     void forgetMeasured();
+    void connectWhatIf();
+    void chooseRecording();
+    void chooseRanGains();
+    void showRecording(const QString& path);
+    void refuseRecording(const Error& error);
+    void forgetRecording();
+    void proposeToWhatIf();
     std::optional<MeasuredLoop> drawnMeasurement() const;
     void refreshMeasuredWords();
     void drawPredictions();
@@ -223,6 +233,7 @@ private:
     QTimer m_decision;                           ///< runs until Keep can be meant
     bool m_isApplying = false;
     bool m_isOfThisMotor = false; ///< what is applied now; not once another project was opened meanwhile
+    QString m_refusedRecording;   ///< until the gains that ran are chosen
     QString m_toldOfDevice;       ///< the message while it is of an apply, thus of one device and motor
     bool m_isWidthChosen = false; ///< by who moved the line between settings and pictures
 
@@ -243,6 +254,7 @@ private:
     QPushButton* m_restore = nullptr;
     QPushButton* m_save = nullptr;
     QPushButton* m_measure = nullptr;
+    WhatIfPage* m_whatIfPage = nullptr;
     widgets::ProgressRow* m_progress = nullptr;
     LoopView* m_loop = nullptr;
     PageChooser* m_figures = nullptr;

@@ -11,6 +11,7 @@
 #include "app/workspaces/tune_form.h"
 #include "app/workspaces/tune_numbers.h"
 #include "app/workspaces/tune_panel.h"
+#include "app/workspaces/what_if_page.h"
 #include "widgets/empty_state.h"
 #include "widgets/figure_view.h"
 #include "widgets/icons.h"
@@ -95,7 +96,6 @@ QWidget* TunePanel::buildButtons() {
     m_keep = new QPushButton(bar);
     m_restore = new QPushButton(bar);
     m_save = new QPushButton(bar);
-    m_measure = new QPushButton(bar);
     widgets::setRole(*m_apply, widgets::Role::Primary);
     m_restore->setIcon(widgets::themedIcon(QStringLiteral("revert")));
     m_save->setIcon(widgets::themedIcon(QStringLiteral("save")));
@@ -103,29 +103,32 @@ QWidget* TunePanel::buildButtons() {
     grid->addWidget(m_save, 0, 1);
     grid->addWidget(m_keep, 1, 0);
     grid->addWidget(m_restore, 1, 1);
-    grid->addWidget(m_measure, 2, 0, 1, 2);
     grid->setColumnStretch(2, 1);
     m_save->hide();
-    m_measure->hide();
     return bar;
 }
 
 QWidget* TunePanel::buildFigures() {
     m_figures = new PageChooser;
     m_loop = new LoopView(m_figures);
+    m_measure = new QPushButton(m_loop);
+    m_measure->hide();
+    m_loop->addTool(*m_measure);
     m_large = new widgets::FigureView(m_figures);
     m_linear = new widgets::FigureView(m_figures);
     m_numbers = new TuneNumbers(m_figures);
     m_table = new DesignTable(m_figures);
     m_verificationPage = buildVerification();
-    for (QWidget* page :
-         std::initializer_list<QWidget*>{m_loop, m_large, m_linear, m_numbers, m_table, m_verificationPage}) {
+    m_whatIfPage = new WhatIfPage(m_bench, m_figures);
+    for (QWidget* page : std::initializer_list<QWidget*>{m_loop, m_large, m_linear, m_numbers, m_table,
+                                                         m_verificationPage, m_whatIfPage}) {
         m_figures->addPage(page);
     }
     constexpr int CharactersOfAPicture = 52; // less squeezes its axes
     m_figures->pairWhenWide(m_loop, m_large, 2 * CharactersOfAPicture * fontMetrics().averageCharWidth());
     m_figures->setPageEnabled(m_verificationPage, false);
-    for (widgets::FigureView* view : {&m_loop->picture(), m_large, m_linear, m_verification}) {
+    for (widgets::FigureView* view :
+         {&m_loop->picture(), m_large, m_linear, m_verification, &m_whatIfPage->picture()}) {
         connect(view, &widgets::FigureView::exportRequested, this, [this, view] {
             savePicture(this, m_chooser, QStringLiteral("tuning.svg"), m_files, *view,
                         [this](const Error& error) { showError(error); });
@@ -187,6 +190,8 @@ void TunePanel::refreshWords() {
     m_figures->setTitle(m_table, tr("Designs"), tr("Designs kept under a name, beside the proposed one"));
     m_figures->setTitle(m_verificationPage, tr("Verification"),
                         tr("The measured move over its prediction; there is one after Apply and verify"));
+    m_figures->setTitle(m_whatIfPage, tr("What if"),
+                        tr("A recorded move, and what the proposed gains would have made of it"));
     m_figures->setAccessibleName(tr("Predictions"));
     drawVerification();
     refreshModel();
@@ -200,6 +205,7 @@ void TunePanel::growVerification() {
 
 /// From what the procedure is given: how far and how long is said before it is pressed, not in a tooltip.
 void TunePanel::refreshOutlook() {
+    m_outlook->setToolTip(tr("Counted from where the rotor is when it starts"));
     const devices::Catalogue& catalogue = m_bench.session().catalogue();
     const DisplayUnits& units = m_bench.displayUnits();
     m_outlook->setText(m_inSteps->isChecked()

@@ -64,7 +64,7 @@ std::optional<MeasuredLoop> TunePanel::drawnMeasurement() const {
 }
 
 void TunePanel::refreshMeasuredWords() {
-    const QString text = m_measured ? tr("Remove the measured response") : tr("Measured response\u2026");
+    const QString text = m_measured ? tr("Remove the response") : tr("Measured response\u2026");
     m_measure->setText(text);
     m_measure->setAccessibleName(text);
     m_measure->setToolTip(

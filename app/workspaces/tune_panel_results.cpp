@@ -96,6 +96,7 @@ void TunePanel::showSketch(const Result<TuneSketch>& sketch) {
     m_sketch = *sketch;
     drawPredictions();
     drawShownVerification(); // what if its move had been made with these gains
+    proposeToWhatIf();
     showShape();
     if (m_shaping && m_shaping->isWaiting) {
         takeShape(); // the hand went on meanwhile
@@ -145,6 +146,7 @@ void TunePanel::showProblem(const Error& error) {
     m_shown.reset();
     m_problem = error;
     drawShownVerification();
+    proposeToWhatIf();
     m_verdict->setVerdict(widgets::VerdictLevel::Refused, widgets::inWords(error.message),
                           {{widgets::inWords(error.hint), {}}});
     showDesigns(); // what was proposed before is not proposed any more

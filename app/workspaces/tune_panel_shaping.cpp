@@ -85,9 +85,8 @@ Result<control::PositionLaw> TunePanel::shapedLaw() {
         law.gains.proportional *= factor;
         law.gains.integral *= factor;
         law.gains.derivative *= factor;
-        m_sliders->sayProblem(factor == wanted
-                                  ? QString()
-                                  : tr("More gain would make the loop unstable: it stays just below."));
+        m_sliders->sayProblem(factor == wanted ? QString()
+                                               : tr("More gain would be unstable: it stays below."));
         return law;
     }
     const auto priority = m_shaping->kind == Shaping::Kind::Margin ? control::CrossoverPriority::Crossover
@@ -134,7 +133,8 @@ void TunePanel::endShaping() {
         drawPredictions(); // the axes may find their extent again
         showShape();
     }
-    if (m_shown) { // else it follows the answer
+    proposeToWhatIf(); // with its band
+    if (m_shown) {     // else it follows the answer
         spreadLargeStep(*m_shown);
         replayRecord();
     }

@@ -1,14 +1,14 @@
-// What if: the verification move in the Tune panel as it would have been with the gains that are proposed
-// now.
+// What if: the verification move in the Tune panel, and any recorded one, as they would have been with the
+// gains that are proposed now.
 #include "app/report/tuning_figures.h"
-#include "app/workspaces/display_quantity.h"
+#include "app/workspaces/page_chooser.h"
 #include "app/workspaces/tune_panel.h"
+#include "app/workspaces/what_if_page.h"
 #include "widgets/figure_view.h"
+#include "widgets/message_bar.h"
 #include "widgets/phrasebook.h"
 #include "widgets/verdict_view.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace halbench::app {
@@ -82,30 +82,82 @@ void TunePanel::addWhatIf(widgets::Figure& figure, std::vector<widgets::Remark>&
         return;
     }
     const Result<WhatIf>& whatIf = *m_sketch->whatIf;
-    if (!whatIf) {
-        remarks.push_back({tr("What the proposed gains would make of this move is not said: %1")
-                               .arg(widgets::inWords(whatIf.error().message)),
-                           widgets::inWords(whatIf.error().hint)});
-        return;
-    }
     const DisplayUnits& units = m_bench.displayUnits();
     const RecordedMove& move = m_record->config.move;
-    addWhatIfCurves(figure, *whatIf, m_whatIfSpread ? m_whatIfSpread->band : std::nullopt, move.reference_rad,
-                    units.angle);
-    const MotionFigures would = motionFigures(move.reference_rad, whatIf->angle_rad);
-    const MotionFigures was = motionFigures(move.reference_rad, move.position_rad);
-    if (would.overshoot_rad && was.overshoot_rad) {
-        remarks.push_back(
-            {tr("With the proposed gains this move would overshoot by %1 instead of %2 and end %3 from "
-                "its set-point instead of %4.")
-                 .arg(angleText(*would.overshoot_rad, units), angleText(*was.overshoot_rad, units),
-                      angleText(std::abs(would.finalError_rad), units),
-                      angleText(std::abs(was.finalError_rad), units)),
-             {}});
+    if (whatIf) {
+        addWhatIfCurves(figure, *whatIf, m_whatIfSpread ? m_whatIfSpread->band : std::nullopt,
+                        move.reference_rad, units.angle);
     }
-    for (const Finding& finding : (m_whatIfSpread ? *m_whatIfSpread : *whatIf).quality.findings) {
-        remarks.push_back({widgets::inWords(finding.message), widgets::inWords(finding.hint)});
+    const auto said = whatIfRemarks(move, whatIf, m_whatIfSpread, units);
+    remarks.insert(remarks.end(), said.begin(), said.end());
+}
+
+void TunePanel::connectWhatIf() {
+    connect(m_whatIfPage, &WhatIfPage::recordingWanted, this, &TunePanel::chooseRecording);
+    connect(m_whatIfPage, &WhatIfPage::used, this, &TunePanel::showRecording);
+    connect(m_whatIfPage, &WhatIfPage::refused, this, &TunePanel::refuseRecording);
+    connect(m_message, &widgets::MessageBar::actionTriggered, this, &TunePanel::chooseRanGains);
+}
+
+void TunePanel::chooseRecording() {
+    if (!m_chooser.open) {
+        return;
     }
+    const QString path =
+        m_chooser.open(this, {tr("Open a recorded move"), {}, tr("Recording (*.csv *.mf4)")});
+    if (!path.isEmpty()) {
+        useRecording(path);
+    }
+}
+
+void TunePanel::useRecording(const QString& path) {
+    m_refusedRecording = path; // until it is read
+    m_whatIfPage->use(path, {}, m_conditions);
+}
+
+/// The gains of a recording that does not say them.
+void TunePanel::chooseRanGains() {
+    const QString path = m_chooser.open(this, {tr("Open the gains that ran"), {}, tr("Gains (*.json)")});
+    if (!path.isEmpty()) {
+        m_message->clear();
+        m_whatIfPage->use(m_refusedRecording, path, m_conditions);
+    }
+}
+
+void TunePanel::showRecording(const QString& path) {
+    m_refusedRecording.clear();
+    if (m_message->message().severity == widgets::Severity::Error) {
+        m_message->clear(); // of the one before, that was none
+    }
+    if (!m_bench.identification()) {
+        m_message->showMessage({widgets::Severity::Information,
+                                tr("The recording is shown once there is an identified motor."),
+                                {},
+                                {}});
+    }
+    proposeToWhatIf();
+    m_figures->setCurrent(m_whatIfPage);
+    m_bench.session().message(MessageLevel::Info, tr("Tune"), tr("What if: %1").arg(path));
+}
+
+void TunePanel::refuseRecording(const Error& error) {
+    if (needsRanFile(error) && m_chooser.open) {
+        m_message->showMessage({widgets::Severity::Error, widgets::inWords(error.message),
+                                tr("Choose the file of the gains that ran then."),
+                                tr("Gains that ran\u2026")});
+    } else {
+        showError(error);
+    }
+}
+
+void TunePanel::forgetRecording() {
+    m_whatIfPage->forget();
+}
+
+void TunePanel::proposeToWhatIf() {
+    const bool hasLaw = m_sketch && !m_problem;
+    m_whatIfPage->propose(hasLaw ? std::optional(m_sketch->law) : std::nullopt,
+                          m_shaping && m_shaping->isHeld);
 }
 
 } // namespace halbench::app

@@ -20,7 +20,7 @@ TABLES = {
               "app/batch/json_value.cpp", "app/batch/model_file.cpp", "app/batch/output_file.cpp",
               "app/batch/presets.cpp", "app/batch/recording_list.cpp", "app/batch/recording_name.cpp",
               "app/batch/recording_retention.cpp", "app/batch/result_header.cpp", "app/batch/run_comparison.cpp",
-              "app/batch/toml_reader.cpp", "app/window/project_", "app/workspaces/",
+              "app/batch/toml_reader.cpp", "app/batch/what_if_report.cpp", "app/window/project_", "app/workspaces/",
               "app/wizards/", "widgets/figure_file.cpp", "widgets/figure_view.cpp"),
 }
 # what of these folders no window shows: command line only, or no sentence but a word of a file format
@@ -30,7 +30,7 @@ NEVER_SHOWN = (
     "app/procedures/amplifier_analysis.cpp", "app/procedures/motor_analysis.cpp",
     "app/procedures/motor_geometry_analysis.cpp")
 # words of a notation
-NO_SENTENCES = {"{} Hz", "zeta, omega-rad-s", "ultimate-gain, ultimate-period", "phase-margin-deg, omega-rad-s", "max-sensitivity, current-limit-a, step-deg", "{}, seed, imperfections, chain",
+NO_SENTENCES = {"give them: --ran GAINS.json", "recorded move", "the same move with these gains", "{} Hz", "zeta, omega-rad-s", "ultimate-gain, ultimate-period", "phase-margin-deg, omega-rad-s", "max-sensitivity, current-limit-a, step-deg", "{}, seed, imperfections, chain",
                 "value = {}", "--set {}", "ended by SIGTERM", "in use",
                 "--rate_Hz F", "--time {}", "--unit {}={}", "--separator '{}'", "{}--decimal {}", "--header {}", "CR LF",
                 "{}, from {}", ", byte order mark", "{} column{}:"}

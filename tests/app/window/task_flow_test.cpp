@@ -1,8 +1,10 @@
 #include "app/window/dock_layout.h"
 #include "app/window/file_dialogs.h"
 #include "app/window/task_flow.h"
+#include "app/workspaces/recordings_panel.h"
 #include "tests/app/window/window_test.h"
 #include "tests/app/workspaces/published_motor.h"
+#include "widgets/message_bar.h"
 #include "widgets/stop_button.h"
 
 #include <QCheckBox>
@@ -77,7 +79,17 @@ TEST_F(TaskFlowTest, aMeasuredResponseIsUsedInTune) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return button("frequency", "Use in Tune") != nullptr; }, 120000));
     QTest::mouseClick(button("frequency", "Use in Tune"), Qt::LeftButton);
     EXPECT_EQ(window->docks().perspective(), Perspective::Tune);
-    ASSERT_TRUE(wait([&] { return button("tune", "Remove the measured response") != nullptr; }));
+    ASSERT_TRUE(wait([&] { return button("tune", "Remove the response") != nullptr; }));
+}
+
+TEST_F(TaskFlowTest, aRecordingIsAskedOfTuneWhatIf) {
+    open();
+    window->bench().setIdentification(publishedMotor());
+    auto* recordings = static_cast<RecordingsPanel*>(window->docks().panel("recordings"));
+    Q_EMIT recordings->whatIfRequested(QStringLiteral("none.csv"));
+    EXPECT_EQ(window->docks().perspective(), Perspective::Tune);
+    const auto* message = window->docks().panel("tune")->findChild<widgets::MessageBar*>();
+    EXPECT_TRUE(wait([&] { return message->message().text.contains("none.csv"); }));
 }
 
 TEST_F(TaskFlowTest, aFileDialogCarriesASmallStop) {

@@ -16,6 +16,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTabWidget>
 #include <QTableView>
 #include <QTableWidget>
@@ -104,6 +105,23 @@ TEST_F(RecordingsPanelTest, severalRecordingsAreSeenInALowWindowHoweverLongTheir
     QApplication::processEvents();
     const auto* shown = find<QComboBox>(*panel, "Shown");
     EXPECT_LE(shown->mapTo(panel.get(), shown->rect().bottomRight()).x(), 700);
+}
+
+// Neither moves anything nor leaves the device that is connected.
+TEST_F(RecordingsPanelTest, aRecordingIsHandedToTuneForAWhatIf) {
+    write("run", 1.0);
+    open();
+    ASSERT_TRUE(listed(1));
+    QSignalSpy asked(panel.get(), &RecordingsPanel::whatIfRequested);
+    auto* whatIf = find<QPushButton>(*panel, "What if");
+    ASSERT_NE(whatIf, nullptr);
+    EXPECT_FALSE(whatIf->isEnabled()) << "nothing is selected";
+    table()->selectRow(0);
+    ASSERT_TRUE(wait([&] { return whatIf->isEnabled(); }));
+    QTest::mouseClick(whatIf, Qt::LeftButton);
+    ASSERT_EQ(asked.count(), 1);
+    EXPECT_EQ(asked.at(0).at(0).toString(), folder.filePath("run.csv"));
+    EXPECT_EQ(bench().session().state(), SessionState::Disconnected);
 }
 
 TEST_F(RecordingsPanelTest, tagsAndNotesGoIntoTheSidecar) {

@@ -47,7 +47,7 @@ TEST_F(TuneMeasuredTest, isDrawnWithTheProposedGainsAndFollowsThem) {
     EXPECT_TRUE(message().contains("measured response")) << message().toStdString();
     choose("Where the gains come from", "Method: LQR");
     ASSERT_TRUE(wait([&] { return std::abs(curve("Open loop", "measured").front() - 28.6) > 1.0; }));
-    click(panel, "Remove the measured response");
+    click(panel, "Remove the response");
     EXPECT_TRUE(curve("Open loop", "measured").empty());
     EXPECT_NE(button(panel, "Measured response\u2026"), nullptr);
 }
