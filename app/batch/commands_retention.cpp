@@ -94,6 +94,7 @@ JsonValue documentOf(const ResultHeader& header, const RetentionLimits& limits, 
     document.set("days", limits.days).set("limit_bytes", limits.size_bytes);
     document.set("recordings", static_cast<std::uint64_t>(plan.recordings));
     document.set("before_bytes", plan.before_bytes).set("after_bytes", outcomes.after_bytes);
+    document.set("dated_after_now", textOrNull(plan.fromFuture.toStdString()));
     return document.set("removals", std::move(removals)).set("kept", std::move(kept));
 }
 
@@ -133,6 +134,12 @@ std::string textOf(const RetentionLimits& limits, const RetentionPlan& plan, con
     text += fmt::format("{} recordings that the program named: {}, {} {}\n", plan.recordings,
                         sizeText(plan.before_bytes), isDryRun ? "would become" : "now",
                         sizeText(outcomes.after_bytes));
+    if (!plan.fromFuture.isEmpty()) {
+        text +=
+            fmt::format("nothing goes: '{}' is dated after now, so the clock is or was wrong; set it right, "
+                        "or rename that recording: what has a name of its own is not counted\n",
+                        plan.fromFuture.toStdString());
+    }
     if (limits.size_bytes && outcomes.after_bytes > *limits.size_bytes) {
         text += fmt::format("that is more than {}: what stays is protected\n", sizeText(*limits.size_bytes));
     }

@@ -20,6 +20,8 @@ namespace {
 
 constexpr qint64 Recent_s = 86400;
 constexpr qint64 Day_s = 86400;
+constexpr qint64 Future_s =
+    300; ///< by so much the clocks of a disk in the network and of this machine differ
 constexpr const char* Example = "say e.g. --retain 30d, --retain 20GB or --retain 30d,20GB";
 
 QString sidecarPath(const QString& data) {
@@ -159,6 +161,8 @@ std::string keptBecauseText(KeptBecause reason) {
         return "it is write-protected";
     case KeptBecause::Link:
         return "it is a link";
+    case KeptBecause::ClockInDoubt:
+        return "the clock is in doubt";
     case KeptBecause::Changed:
         break;
     }
@@ -184,6 +188,9 @@ RetentionPlan planRetention(const QString& folder, const RetentionLimits& limits
                std::pair(other.recording.date, other.recording.path);
     });
     plan.after_bytes = plan.before_bytes;
+    if (!candidates.empty() && now.secsTo(candidates.back().recording.date) > Future_s) {
+        plan.fromFuture = candidates.back().recording.name;
+    }
     const QStringList files = filesIn(folder); // once: there may be thousands
     for (const Candidate& each : candidates) {
         const bool isTooOld = limits.days && each.recording.date.secsTo(now) > *limits.days * Day_s;
@@ -193,6 +200,8 @@ RetentionPlan planRetention(const QString& folder, const RetentionLimits& limits
         }
         if (const auto reason = protectionOf(each.entry, each.recording, files, now)) {
             plan.kept.push_back({each.recording, *reason});
+        } else if (!plan.fromFuture.isEmpty()) {
+            plan.kept.push_back({each.recording, KeptBecause::ClockInDoubt});
         } else {
             plan.removals.push_back({each.recording, isTooOld});
             plan.after_bytes -= each.recording.size_bytes;

@@ -25,7 +25,7 @@ inline constexpr std::uint64_t MostRetention_GB = 1000000;
 Result<RetentionLimits> parseRetention(const std::string& text);
 
 /// Why a recording stays although it is beyond the limits.
-enum class KeptBecause { Tags, Notes, Results, Open, Recent, WriteProtected, Link, Changed };
+enum class KeptBecause { Tags, Notes, Results, Open, Recent, WriteProtected, Link, Changed, ClockInDoubt };
 /// "has tags", for the command line and, by way of the phrase book, the window.
 std::string keptBecauseText(KeptBecause reason);
 
@@ -51,12 +51,14 @@ struct RetentionPlan {
     std::size_t recordings = 0;    ///< that the program named, in the folder
     std::uint64_t before_bytes = 0;
     std::uint64_t after_bytes = 0;
+    QString fromFuture; ///< the recording that is dated furthest after `now`: nothing goes; empty: none
 };
 
 /// What of a folder's recordings goes, oldest first, so that the limits are kept. Only what Halbench wrote
 /// and named itself (the sidecar says so, and the name is still that one) is counted and may go, and never
 /// one with tags, notes or any file beside it that bears its name, one that is open or being written, write
-/// protected, a link, or of the last 24 hours before `now`. Touches nothing. For a thread of its own.
+/// protected, a link, or of the last 24 hours before `now`. Where one is dated after `now`, the clock is or
+/// was wrong, nobody knows what is old, and nothing goes. Touches nothing. For a thread of its own.
 RetentionPlan planRetention(const QString& folder, const RetentionLimits& limits, const QDateTime& now);
 
 enum class RemovalWay { Trash, Delete };

@@ -152,14 +152,44 @@ TEST_F(RecordingRetentionTest, aRecordingThatIsReplayedOrWrittenStays) {
 
 TEST_F(RecordingRetentionTest, theLastDayStaysHoweverLittleRoomThereIs) {
     write("today", 0);
-    write("tomorrow", -1); // a clock that was wrong
     write("old", 5);
     age("old", 0); // written again, or copied here, today
     const auto found = planRetention(folder.path(), {{}, 1}, now);
     EXPECT_EQ(names(found.removals), "");
-    EXPECT_EQ(kept(found), "old: it is of the last 24 hours;today: it is of the last 24 hours;"
-                           "tomorrow: it is of the last 24 hours;");
+    EXPECT_EQ(kept(found), "old: it is of the last 24 hours;today: it is of the last 24 hours;");
     EXPECT_EQ(found.after_bytes, found.before_bytes);
+}
+
+/// By the size the recordings of a clock that was ahead would push out those that are newer indeed.
+TEST_F(RecordingRetentionTest, nothingGoesWhileOneIsDatedAfterNow) {
+    write("ahead", -400);
+    write("old", 50);
+    write("tagged", 60);
+    ASSERT_TRUE(writeRecordingNotes(path("tagged.csv"), {"cold"}, {}));
+    age("tagged", 60);
+    for (const char* limits : {"30d", "1GB"}) {
+        EXPECT_EQ(names(plan(limits).removals), "") << limits;
+        EXPECT_EQ(plan(limits).fromFuture, "ahead");
+    }
+    const auto room = planRetention(folder.path(), {{}, 1}, now);
+    EXPECT_EQ(kept(room),
+              "tagged: it has tags;old: the clock is in doubt;ahead: it is of the last 24 hours;");
+    EXPECT_EQ(room.after_bytes, room.before_bytes);
+    age("ahead", -400);
+    ASSERT_TRUE(QFile::rename(path("ahead.csv"), path("mine.csv"))); // a name of its own
+    ASSERT_TRUE(QFile::rename(path("ahead.meta.json"), path("mine.meta.json")));
+    EXPECT_EQ(names(plan("30d").removals), "old old;");
+}
+
+/// A disk in the network has a clock of its own.
+TEST_F(RecordingRetentionTest, aClockAFewMinutesAheadIsNoJump) {
+    write("old", 50);
+    write("new", 0);
+    QFile file(path("new.csv"));
+    ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+    ASSERT_TRUE(file.setFileTime(now.addSecs(240), QFileDevice::FileModificationTime));
+    file.close();
+    EXPECT_EQ(names(plan("30d").removals), "old old;");
 }
 
 TEST_F(RecordingRetentionTest, removesDataAndSidecarAndNothingElse) {
