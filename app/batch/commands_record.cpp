@@ -1,9 +1,9 @@
 #include "app/batch/coil_documents.h"
 #include "app/batch/command_support.h"
+#include "app/batch/name_reservation.h"
 #include "app/batch/names.h"
 #include "app/batch/numbers.h"
 #include "app/batch/recording_file.h"
-#include "app/batch/recording_name.h"
 #include "app/batch/result_header.h"
 #include "app/batch/waiting_device.h"
 #include "app/procedures/capture_procedure.h"
@@ -123,25 +123,28 @@ Result<void> checkOutput(const CommandOptions& options) {
 
 struct Output {
     std::string path;
-    std::string automaticName; ///< without a mask: none
+    std::string automaticName;       ///< without a mask: none
+    std::unique_ptr<QLockFile> hold; ///< on it, until the file is there
 };
 
 /// `started`: the result's, so that virtual time gives equal names.
 Result<Output> outputFor(const CommandOptions& options, const devices::Device& device,
                          const std::string& started) {
     if (options.outMask.empty()) {
-        return Output{options.out, {}};
+        return Output{options.out, {}, {}};
     }
     const QFileInfo mask(QString::fromStdString(options.outMask));
     const QDateTime date = QDateTime::fromString(QString::fromStdString(started), Qt::ISODate);
-    const Result<QString> name =
-        recordingName(nameMaskOf(options.outMask), {recordedDevice(device.info()), {}, date}, mask.path());
-    if (!name) {
-        return failure(name.error());
+    Result<ReservedName> reserved = reserveRecordingName(
+        nameMaskOf(options.outMask), {recordedDevice(device.info()), {}, date}, mask.path());
+    if (!reserved) {
+        return failure(reserved.error());
     }
-    const QString file = *name + QStringLiteral(".csv");
+    const std::string name = reserved->name.toStdString();
+    const QString file = reserved->name + QStringLiteral(".csv");
     const bool isHere = mask.path() == QLatin1String(".");
-    return Output{isHere ? file.toStdString() : mask.dir().filePath(file).toStdString(), name->toStdString()};
+    return Output{isHere ? file.toStdString() : mask.dir().filePath(file).toStdString(), name,
+                  std::move(reserved->hold)};
 }
 
 /// What is told of a recording that is complete.
@@ -227,7 +230,7 @@ CommandResult recordStream(CommandContext& context, const CommandOptions& option
         options.isReconnecting ? waitingDevice(context, options.device, *std::move(opened)) : nullptr;
     devices::Device& device = back ? *back : **opened;
     ResultHeader header = headerFor(context, "halbench.recorded/1", device);
-    const Result<Output> place = outputFor(options, device, header.started);
+    Result<Output> place = outputFor(options, device, header.started);
     if (!place) {
         return failure(place.error());
     }
@@ -239,9 +242,11 @@ CommandResult recordStream(CommandContext& context, const CommandOptions& option
     const std::optional<double> limit_degC = temperatureLimit_degC(device);
     CoilWatch coils(device.catalogue());
     RecordOutlet outlet = output.outlet();
-    outlet.append = [&coils, toFile = outlet.append](const SampleBlock& block) {
+    outlet.append = [&coils, &place, toFile = outlet.append](const SampleBlock& block) {
         coils.take(block);
-        return toFile(block);
+        const auto done = toFile(block);
+        place->hold.reset(); // the file has its name by now
+        return done;
     };
     const Result<RecordResult> result = runRecord(device, *config, observerFor(context), &outlet);
     if (result && result->trigger_s) {

@@ -1,5 +1,7 @@
 #include "app/batch/recording_name.h"
 
+#include "app/batch/name_reservation.h"
+
 #include <QtCore/QDir>
 #include <QtCore/QFileInfo>
 #include <QtCore/QRegularExpression>
@@ -8,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace halbench::app {
@@ -192,7 +195,8 @@ bool isNameTaken(const QString& folder, const QString& name) {
     });
 }
 
-Result<QString> recordingName(const QString& mask, const NameParts& parts, const QString& folder) {
+Result<QString> firstRecordingName(const QString& mask, const NameParts& parts, const QString& folder,
+                                   const std::function<bool(const QString&)>& isFree) {
     if (const Result<void> checked = checkNameMask(mask); !checked) {
         return failure(checked.error());
     }
@@ -206,7 +210,7 @@ Result<QString> recordingName(const QString& mask, const NameParts& parts, const
                                              : plain + QStringLiteral("-%1").arg(number));
     };
     QString name = make();
-    for (; isNameTaken(folder, name); ++number, name = make()) {
+    for (; !isFree(name); ++number, name = make()) {
     }
     if (const int octets = name.toUtf8().size(); octets > LongestName_octets) {
         return failure(ErrorCode::OutOfRange,
@@ -214,6 +218,11 @@ Result<QString> recordingName(const QString& mask, const NameParts& parts, const
                        fmt::format("shorten the name or its mask to {} octets", LongestName_octets));
     }
     return name;
+}
+
+Result<QString> recordingName(const QString& mask, const NameParts& parts, const QString& folder) {
+    return firstRecordingName(mask, parts, folder,
+                              [&](const QString& name) { return !isNameTaken(folder, name); });
 }
 
 } // namespace halbench::app

@@ -1,5 +1,6 @@
 #include "app/workspaces/recording_control.h"
 
+#include "app/batch/name_reservation.h"
 #include "widgets/phrasebook.h"
 
 #include <QDir>
@@ -37,6 +38,23 @@ StreamLayout layoutFor(const devices::Catalogue& catalogue, const std::vector<st
     }
     return layout;
 }
+
+/// A name from when it was found until its file has it, or nothing is recorded after all.
+class NameHold : public QObject {
+public:
+    NameHold(RecordingControl& control, std::unique_ptr<QLockFile> lock)
+        : QObject(&control), m_lock(std::move(lock)) {
+        connect(&control, &RecordingControl::changed, this, [this, &control] {
+            if (!control.isRecording() || control.status().rows > 0) {
+                m_lock.reset();
+                deleteLater();
+            }
+        });
+    }
+
+private:
+    std::unique_ptr<QLockFile> m_lock;
+};
 
 } // namespace
 
@@ -164,6 +182,19 @@ void RecordingControl::startAtEvent(double time_s) {
 }
 
 void RecordingControl::prepare() {
+    if (m_name.isEmpty() || m_nameMask.contains(QStringLiteral("{name}"))) {
+        // Another program may have found the same name meanwhile: it gets the next one.
+        Result<ReservedName> name = reserveRecordingName(
+            m_nameMask, {recordedDevice(m_session.info()), m_name, m_wallClock()}, m_folder);
+        if (!name) {
+            hold();
+            Q_EMIT failed(widgets::inWords(name.error().message), widgets::inWords(name.error().hint));
+            Q_EMIT changed();
+            return;
+        }
+        m_path = QDir(m_folder).filePath(name->name + QStringLiteral(".csv"));
+        new NameHold(*this, std::move(name->hold));
+    }
     m_liveSignals.want(this, m_session.catalogue().defaultSignals);
     RecorderConfig config;
     config.path = m_path.toStdString();

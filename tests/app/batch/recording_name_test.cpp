@@ -1,11 +1,16 @@
-#include "app/batch/recording_name.h"
+#include "app/batch/name_reservation.h"
 
+#include <QtCore/QDir>
 #include <QtCore/QFile>
 #include <QtCore/QFileInfo>
 #include <QtCore/QLocale>
 #include <QtCore/QTemporaryDir>
 
 #include <gtest/gtest.h>
+
+#include <barrier>
+#include <set>
+#include <thread>
 
 namespace halbench::app {
 namespace {
@@ -46,6 +51,62 @@ TEST_F(RecordingNameTest, theNumberIsBehindTheHighestAndNeverUsedAgain) {
     EXPECT_EQ(named("run_{number}"), "run_042");
     touch("run_999.csv.partial"); // being recorded
     EXPECT_EQ(named("run_{number}"), "run_1000");
+}
+
+/// As two programs do that begin in the same moment: both have looked before one of them writes.
+TEST_F(RecordingNameTest, aReservedNameIsGivenToNobodyElse) {
+    const NameParts parts{"HB-17", {}, date};
+    for (const char* mask : {"run", "run_{number}"}) {
+        auto first = reserveRecordingName(mask, parts, folder.path());
+        auto second = reserveRecordingName(mask, parts, folder.path());
+        ASSERT_TRUE(first && second);
+        EXPECT_NE(first->name, second->name);
+        second->hold.reset(); // it did not begin
+        touch(first->name + ".csv.partial");
+        first->hold.reset();
+        const auto third = reserveRecordingName(mask, parts, folder.path());
+        ASSERT_TRUE(third);
+        EXPECT_EQ(third->name, second->name);
+    }
+    EXPECT_TRUE(QDir(folder.path()).entryList({"*.reserved"}).isEmpty()) << "nothing is left of them";
+}
+
+TEST_F(RecordingNameTest, manyRecordersAtOnceGetANameEach) {
+    constexpr int Recorders = 8;
+    constexpr int Each = 10;
+    std::barrier begin(Recorders);
+    std::vector<std::vector<std::string>> names(Recorders);
+    std::vector<std::thread> recorders;
+    for (int i = 0; i < Recorders; ++i) {
+        recorders.emplace_back([&, i] {
+            begin.arrive_and_wait();
+            for (int k = 0; k < Each; ++k) {
+                auto name = reserveRecordingName("r{number}", {"HB-17", {}, date}, folder.path());
+                ASSERT_TRUE(name);
+                // Over a recording that is there it would be lost: NewOnly finds that out.
+                QFile file(folder.filePath(name->name + ".csv.partial"));
+                ASSERT_TRUE(file.open(QIODevice::NewOnly | QIODevice::WriteOnly)) << name->name.toStdString();
+                names[static_cast<std::size_t>(i)].push_back(name->name.toStdString());
+            }
+        });
+    }
+    for (std::thread& one : recorders) {
+        one.join();
+    }
+    std::set<std::string> all;
+    for (const auto& some : names) {
+        all.insert(some.begin(), some.end());
+    }
+    EXPECT_EQ(all.size(), std::size_t{Recorders} * Each);
+}
+
+TEST_F(RecordingNameTest, aFolderIsMadeAndWhatCannotBeIsSaid) {
+    const NameParts parts{"HB-17", {}, date};
+    EXPECT_TRUE(reserveRecordingName("run", parts, folder.filePath("new/deep")));
+    touch("file");
+    const auto inFile = reserveRecordingName("run", parts, folder.filePath("file"));
+    ASSERT_FALSE(inFile);
+    EXPECT_EQ(inFile.error().code, ErrorCode::FileSystem);
 }
 
 TEST_F(RecordingNameTest, aTakenNameIsNeverGivenAgain) {

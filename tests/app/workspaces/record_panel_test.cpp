@@ -302,5 +302,27 @@ TEST_F(RecordPanelTest, aFolderThatCannotBeMadeIsSaidInPlace) {
     EXPECT_EQ(session().state(), SessionState::Connected); // nothing else is disturbed
 }
 
+/// Two windows on one folder: the second finds its name before the first has a file.
+TEST_F(RecordPanelTest, anotherWindowThatBeginsInTheSameMomentGetsANameOfItsOwn) {
+    Workbench other;
+    connectTo("sim:htm", 5.0);
+    other.session().connectDevice("sim:htm?seed=2", {5.0});
+    ASSERT_TRUE(wait([&] { return other.session().state() == SessionState::Connected; }));
+    RecordingControl& first = bench().recording();
+    RecordingControl& second = other.recording();
+    for (RecordingControl* one : {&first, &second}) {
+        one->setFolder(folder.path());
+        one->setNameMask("run {number}");
+        one->start();
+    }
+    EXPECT_NE(first.path(), second.path());
+    ASSERT_TRUE(wait([&] { return first.status().rows > 10 && second.status().rows > 10; }));
+    first.stop();
+    second.stop();
+    ASSERT_TRUE(wait([&] { return !first.isRecording() && !second.isRecording(); }));
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files, QDir::Name),
+              QStringList({"run 001.csv", "run 001.meta.json", "run 002.csv", "run 002.meta.json"}));
+}
+
 } // namespace
 } // namespace halbench::app
