@@ -4,6 +4,7 @@
 #include "widgets/theme_style.h"
 
 #include <QApplication>
+#include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest/QTest>
@@ -12,7 +13,8 @@
 
 namespace halbench::app {
 
-/// The real window on Qt's offscreen platform, with preferences of its own.
+/// The real window on Qt's offscreen platform, with preferences and autosaves of its own: the work that an
+/// earlier test of the same process left in an unnamed project would be taken up by the next that recovers.
 class WindowTest : public testing::Test {
 protected:
     static constexpr int Patience_ms = 20000;
@@ -20,11 +22,13 @@ protected:
     struct Platform {
         Platform() {
             qputenv("QT_QPA_PLATFORM", "offscreen");
-            // Of this process: tests run side by side, and each writes preferences and autosaves.
-            static const QTemporaryDir home;
             qputenv("HOME", home.path().toUtf8());
             QStandardPaths::setTestModeEnabled(true);
+            // The first path that is asked for would serve for the whole process.
+            QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, home.filePath(".config"));
         }
+
+        const QTemporaryDir home;
     };
 
     /// Before the folders of the tests go: the window holds locks in them.
