@@ -115,6 +115,10 @@ void MainWindow::takeOverProject() {
         onMessage(widgets::Severity::Warning,
                   tr("Not everything of the project could be read: %1").arg(lost.join("; ")),
                   tr("It stays in the file as it is; the rest is open."));
+    } else if (m_work->isRecordingOwed()) {
+        onMessage(widgets::Severity::Information,
+                  tr("What the project says of recordings holds from the next one on."),
+                  tr("The present one ends as it was begun; saving the project loses nothing of it."));
     }
     if (m_project->path().empty() && !m_project->isChanged()) {
         m_project->beginWith(shownProject());

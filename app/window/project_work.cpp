@@ -61,6 +61,7 @@ ProjectWork::ProjectWork(Workbench& bench, Panels panels, QObject* parent)
     connect(&m_panels.calibrate, &CalibratePanel::calibrated, this, &ProjectWork::takeCalibration);
     connect(&m_bench, &Workbench::identificationChanged, this, &ProjectWork::takeIdentification);
     connect(&m_bench, &Workbench::designChanged, this, &ProjectWork::takeDesign);
+    connect(&m_bench.recording(), &RecordingControl::changed, this, &ProjectWork::settleRecording);
 }
 
 void ProjectWork::fill(Project& project) const {
@@ -74,7 +75,7 @@ void ProjectWork::fill(Project& project) const {
     }
     project.calibrations = m_calibrations;
     project.given = m_panels.identify.given();
-    project.recording = m_bench.recording().choice();
+    project.recording = m_recording.value_or(m_bench.recording().choice());
 }
 
 void ProjectWork::takeIdentification() {
@@ -117,10 +118,22 @@ QStringList ProjectWork::restore(const Project& project) {
     m_models = project.models;
     m_calibrations = project.calibrations;
     m_panels.identify.setGiven(project.given);
-    m_bench.recording().setChoice(project.recording);
+    m_recording = project.recording;
+    settleRecording();
     QStringList complaints = {restoreModel(), restoreDesign(project.designs), restoreCalibration()};
     complaints.removeAll({});
     return complaints;
+}
+
+/// A recording ends by what it was begun with.
+void ProjectWork::settleRecording() {
+    RecordingControl& recording = m_bench.recording();
+    if (m_recording == recording.choice()) {
+        m_recording.reset();
+    } else if (m_recording && !recording.isRecording() && !recording.isWaiting()) {
+        const RecordingChoice choice = *std::exchange(m_recording, std::nullopt);
+        recording.setChoice(choice);
+    }
 }
 
 QString ProjectWork::restoreModel() {

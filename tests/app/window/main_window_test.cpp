@@ -7,6 +7,7 @@
 #include "app/workspaces/device_panel.h"
 #include "app/workspaces/notes_panel.h"
 #include "tests/app/window/window_test.h"
+#include "widgets/message_bar.h"
 #include "widgets/stop_button.h"
 
 #include <QDialog>
@@ -289,6 +290,35 @@ TEST_F(MainWindowTest, aProjectBringsBackDeviceNotesAndArrangement) {
     Q_EMIT window->findChild<ProjectMenu*>()->collecting();
     EXPECT_EQ(window->project().project().recording, (RecordingChoice{2.0, true, 7.0}));
     EXPECT_TRUE(window->windowTitle().contains("motor.toml"));
+    window.reset(); // its lock is in the folder
+}
+
+TEST_F(MainWindowTest, whatAProjectSaysOfRecordingsHoldsAfterThePresentOne) {
+    QTemporaryDir folder;
+    Project project;
+    project.recording = {2.0, true, 5.0};
+    const QString path = folder.filePath("motor.toml");
+    ASSERT_TRUE(saveProject(project, path.toStdString()));
+    open();
+    connectMotor(5.0);
+    RecordingControl& recording = window->bench().recording();
+    recording.setFolder(folder.path());
+    recording.start();
+    ASSERT_TRUE(wait([&] { return recording.status().rows > 10; }));
+    const RecordingChoice running = recording.choice();
+    window->openProject(path);
+    EXPECT_TRUE(recording.isRecording());
+    EXPECT_EQ(recording.choice(), running);
+    bool isSaid = false;
+    for (const auto* bar : window->findChildren<widgets::MessageBar*>()) {
+        isSaid |= bar->isVisible() && bar->message().text.contains("from the next one on");
+    }
+    EXPECT_TRUE(isSaid);
+    Q_EMIT window->findChild<ProjectMenu*>()->collecting(); // saved meanwhile
+    EXPECT_EQ(window->project().project().recording, project.recording);
+    recording.stop();
+    ASSERT_TRUE(wait([&] { return !recording.isRecording(); }));
+    EXPECT_EQ(recording.choice(), project.recording);
     window.reset(); // its lock is in the folder
 }
 
