@@ -131,6 +131,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "it is of the last 24 hours"),
     QT_TRANSLATE_NOOP("Phrases", "it is write-protected"),
     QT_TRANSLATE_NOOP("Phrases", "it is a link"),
+    QT_TRANSLATE_NOOP("Phrases", "the clock is in doubt"),
     QT_TRANSLATE_NOOP("Phrases", "its rows were changed"),
     QT_TRANSLATE_NOOP("Phrases", "'{}' stays: {}"),
     QT_TRANSLATE_NOOP("Phrases", "it is looked at again the next time"),

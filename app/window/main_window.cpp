@@ -157,6 +157,7 @@ void MainWindow::connectPanels() {
     auto* tune = static_cast<TunePanel*>(m_docks->panel("tune"));
     connect(tune, &TunePanel::gainsLeft, this, &MainWindow::sayGainsLeft);
     m_tidying = new RecordingTidying(m_bench, this);
+    connect(m_tidying, &RecordingTidying::withheld, this, &MainWindow::sayWithheld);
     useRecordingPreferences();
     m_work = new ProjectWork(m_bench, {*identify, *calibrate, *tune}, this);
 }

@@ -85,6 +85,7 @@ private:
     void onPerspective();
     void onMessage(widgets::Severity severity, const QString& text, const QString& hint);
     void say(const widgets::Message& message, std::function<void()> remedy);
+    void sayWithheld(const QString& folder, int count);
     void sayGainsLeft(const QString& text, const QString& remedy, const QString& design);
     void sayNotKept(const Error& error);
     void onKept();

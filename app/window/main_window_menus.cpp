@@ -16,6 +16,7 @@
 
 #include <QActionGroup>
 #include <QApplication>
+#include <QDir>
 #include <QMenuBar>
 #include <qtadvanceddocking/DockWidget.h>
 
@@ -180,7 +181,23 @@ void MainWindow::askPreferences() {
 
 void MainWindow::useRecordingPreferences() {
     m_bench.recording().setNameMask(m_preferences.recordingNames);
-    m_tidying->setLimits(m_preferences.retention);
+    m_tidying->setLimits(m_preferences.retention, m_preferences.retentionFolders);
+}
+
+/// The preferences show what would go; their OK is the word it needs.
+void MainWindow::sayWithheld(const QString& folder, int count) {
+    const QString text =
+        tr("%n recording(s) of %1 are beyond the limits of the preferences and stay for now.", nullptr, count)
+            .arg(QDir::toNativeSeparators(folder));
+    const QString remedy =
+        tr("Nobody has seen yet what goes from this folder. The preferences show it; nothing goes before.");
+    m_bench.session().message(MessageLevel::Warning, tr("recordings"), text);
+    if (folder == m_bench.recording().folder()) { // what the preferences look at
+        say({widgets::Severity::Warning, text, remedy, tr("Preferences…")}, [this] {
+            m_message->clear();
+            askPreferences();
+        });
+    }
 }
 
 void MainWindow::usePreferences(const Preferences& chosen) {
@@ -189,7 +206,7 @@ void MainWindow::usePreferences(const Preferences& chosen) {
     m_preferences.historyLimit_GB = chosen.historyLimit_GB;
     m_historyPages->setLimit_bytes(static_cast<std::uint64_t>(chosen.historyLimit_GB) * BytesPerGB);
     m_preferences.recordingNames = chosen.recordingNames;
-    m_preferences.retention = chosen.retention;
+    agreeToRetention(m_preferences, chosen.retention, agreedName(m_bench.recording().folder()));
     useRecordingPreferences();
     m_preferences.units = chosen.units;
     m_bench.setDisplayUnits(chosen.units);

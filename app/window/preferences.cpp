@@ -12,6 +12,7 @@ namespace halbench::app {
 namespace {
 
 constexpr const char* ArrangementGroup = "arrangement";
+constexpr int RememberedFolders = 50;
 
 ThemeChoice themeChoice(const QString& word) {
     if (word == "light") {
@@ -77,6 +78,7 @@ void loadRecordings(QSettings& settings, Preferences& preferences) {
     if (isNumber && size_GB >= 1 && size_GB <= MostKept_GB) {
         preferences.retention.size_bytes = static_cast<std::uint64_t>(size_GB) * RetentionGB_bytes;
     }
+    preferences.retentionFolders = settings.value("keep_recordings_folders").toStringList();
 }
 
 void saveLimit(QSettings& settings, const char* key, const std::optional<std::uint64_t>& limit) {
@@ -94,9 +96,23 @@ void saveRecordings(QSettings& settings, const Preferences& preferences) {
               limits.days ? std::optional(static_cast<std::uint64_t>(*limits.days)) : std::nullopt);
     saveLimit(settings, "keep_recordings_gb",
               limits.size_bytes ? std::optional(*limits.size_bytes / RetentionGB_bytes) : std::nullopt);
+    settings.setValue("keep_recordings_folders", preferences.retentionFolders);
 }
 
 } // namespace
+
+void agreeToRetention(Preferences& preferences, const RetentionLimits& limits, const QString& folder) {
+    QStringList& folders = preferences.retentionFolders;
+    if (limits != preferences.retention) {
+        folders.clear();
+    }
+    preferences.retention = limits;
+    folders.removeAll(folder);
+    if (limits.isOn()) {
+        folders.prepend(folder);
+        folders = folders.mid(0, RememberedFolders);
+    }
+}
 
 Preferences loadPreferences() {
     QSettings settings;

@@ -8,6 +8,7 @@
 #include <QByteArray>
 #include <QHash>
 #include <QString>
+#include <QStringList>
 
 #include <cstdint>
 
@@ -29,12 +30,17 @@ struct Preferences {
     int historyLimit_GB = 12;  ///< of the disk, for samples that memory has no room for
     QString recordingNames = QString::fromLatin1(DefaultNameMask); ///< mask
     RetentionLimits retention;                                     ///< of recordings so named; off at first
+    QStringList retentionFolders; ///< agreedName() of those in which what goes was seen and said yes to
     DisplayUnits units;
     QByteArray geometry;
     QString perspective;
     devices::RememberedPort lastDevice;      ///< the real one that was connected last
     QHash<QString, QByteArray> arrangements; ///< of the panels by perspective, for work without a project
 };
+
+/// The limits were confirmed with their plan in this folder. Others in which they were confirmed stay so only
+/// while the limits are the same.
+void agreeToRetention(Preferences& preferences, const RetentionLimits& limits, const QString& folder);
 
 /// What is damaged or missing keeps its default.
 Preferences loadPreferences();

@@ -173,14 +173,18 @@ void RecordingFields::showPlan() {
 void RecordingFields::say(const RetentionPlan& plan) {
     const QString folder = QDir::toNativeSeparators(m_bench.recording().folder());
     const auto count = static_cast<int>(plan.removals.size());
-    if (count == 0) {
+    if (!plan.fromFuture.isEmpty()) {
+        m_plan->setText(
+            tr("Nothing goes from %1 for now: %2 is dated after now, so the clock is or was wrong.")
+                .arg(folder, plan.fromFuture));
+    } else if (count == 0) {
         m_plan->setText(tr("With OK nothing goes now from %1.").arg(folder));
     } else {
         m_plan->setText(tr("With OK %n recording(s) go to the trash now (%1), from %2.", nullptr, count)
                             .arg(sizeText(plan.before_bytes - plan.after_bytes), folder));
     }
     m_plan->setToolTip(namesIn(plan));
-    showRole(*m_plan, count == 0 ? widgets::Role::Muted : widgets::Role::Warn);
+    showRole(*m_plan, count == 0 && plan.fromFuture.isEmpty() ? widgets::Role::Muted : widgets::Role::Warn);
     Q_EMIT changed();
 }
 

@@ -7,43 +7,80 @@
 
 namespace halbench::app {
 
-RecordingTidying::RecordingTidying(Workbench& bench, QObject* parent) : QObject(parent), m_bench(bench) {
+QString agreedName(const QString& folder) {
+    const QDir dir(folder);
+    return dir.exists() ? dir.canonicalPath() : QDir::cleanPath(dir.absolutePath());
+}
+
+RecordingTidying::RecordingTidying(Workbench& bench, QObject* parent)
+    : QObject(parent), m_bench(bench), m_folder(bench.recording().folder()) {
     connect(&m_bench.recording(), &RecordingControl::finished, this,
             [this](const QString& path) { tidy(QFileInfo(path).path()); });
+    connect(&m_bench.recording(), &RecordingControl::folderChanged, this, &RecordingTidying::onFolder);
 }
 
 RecordingTidying::~RecordingTidying() {
     *m_isEnding = true;
 }
 
-void RecordingTidying::setLimits(const RetentionLimits& limits) {
+void RecordingTidying::setLimits(const RetentionLimits& limits, const QStringList& agreed) {
     m_limits = limits;
+    m_agreed = agreed;
     *m_isEnding = true; // what goes on by the limits of before
     m_isEnding = std::make_shared<std::atomic<bool>>(false);
     tidy(m_bench.recording().folder());
+}
+
+bool RecordingTidying::isAgreed(const QString& folder) const {
+    return m_agreed.contains(agreedName(folder));
+}
+
+/// What would go from a folder that is new here is said at once, not only after the first recording.
+void RecordingTidying::onFolder() {
+    const QString folder = m_bench.recording().folder();
+    if (folder != m_folder && !isAgreed(folder)) {
+        tidy(folder);
+    }
+    m_folder = folder;
 }
 
 void RecordingTidying::tidy(const QString& folder) {
     if (!m_limits.isOn()) {
         return;
     }
+    const bool mayRemove = isAgreed(folder);
     m_files.run(
-        [folder, limits = m_limits, now = m_bench.now(),
-         isEnding = m_isEnding]() -> Result<std::vector<Outcome>> {
-            std::vector<Outcome> outcomes;
-            const RetentionPlan plan = planRetention(folder, limits, now);
-            for (const RetentionPlan::Removal& removal : plan.removals) {
-                if (*isEnding) {
+        [folder, limits = m_limits, now = m_bench.now(), isEnding = m_isEnding, mayRemove]() -> Result<Look> {
+            Look look{planRetention(folder, limits, now), {}};
+            for (const RetentionPlan::Removal& removal : look.plan.removals) {
+                if (*isEnding || !mayRemove) {
                     break; // the next look goes on
                 }
-                outcomes.push_back({removal, removeRecording(removal, RemovalWay::Trash, now)});
+                look.outcomes.push_back({removal, removeRecording(removal, RemovalWay::Trash, now)});
             }
-            return outcomes;
+            return look;
         },
-        [this](const Result<std::vector<Outcome>>& outcomes) { tell(*outcomes); });
+        [this, folder, mayRemove](const Result<Look>& look) { tell(folder, *look, mayRemove); });
 }
 
-void RecordingTidying::tell(const std::vector<Outcome>& outcomes) {
+void RecordingTidying::tell(const QString& folder, const Look& look, bool isAgreed) {
+    if (!look.plan.fromFuture.isEmpty()) {
+        m_bench.session().message(
+            MessageLevel::Warning, tr("recordings"),
+            tr("nothing is tidied away: %1 is dated after now, so the clock is or was wrong")
+                .arg(look.plan.fromFuture));
+    }
+    if (const auto count = static_cast<int>(look.plan.removals.size()); count > 0 && !isAgreed) {
+        Q_EMIT withheld(folder, count);
+    }
+    const int removed = tellOutcomes(look.outcomes);
+    if (removed > 0) {
+        m_bench.recording().noteFilesChanged();
+    }
+    Q_EMIT tidied(removed);
+}
+
+int RecordingTidying::tellOutcomes(const std::vector<Outcome>& outcomes) {
     DeviceSession& session = m_bench.session();
     int removed = 0;
     for (const Outcome& outcome : outcomes) {
@@ -59,10 +96,7 @@ void RecordingTidying::tell(const std::vector<Outcome>& outcomes) {
         session.message(MessageLevel::Info, tr("recordings"),
                         tr("moved to the trash: %1 (%2)").arg(path, reason));
     }
-    if (removed > 0) {
-        m_bench.recording().noteFilesChanged();
-    }
-    Q_EMIT tidied(removed);
+    return removed;
 }
 
 } // namespace halbench::app

@@ -17,7 +17,7 @@ TEST_F(PreferencesTest, comeBackAsTheyWereSaved) {
     saved.stopLockOut_ms = 5000;
     saved.historyLimit_GB = 250;
     saved.recordingNames = "{name} {number}";
-    saved.retention = {30, 20 * RetentionGB_bytes};
+    agreeToRetention(saved, {30, 20 * RetentionGB_bytes}, "/data/runs");
     saved.perspective = "tune";
     saved.lastDevice = {"serial:/dev/ttyACM0", "HB-17"};
     saved.arrangements = {{"tune", QByteArray("\x01\x00\xff", 3)}, {"monitor", "m"}};
@@ -29,6 +29,7 @@ TEST_F(PreferencesTest, comeBackAsTheyWereSaved) {
     EXPECT_EQ(loaded.historyLimit_GB, 250);
     EXPECT_EQ(loaded.recordingNames, "{name} {number}");
     EXPECT_EQ(loaded.retention, saved.retention);
+    EXPECT_EQ(loaded.retentionFolders, QStringList({"/data/runs"}));
     EXPECT_EQ(loaded.perspective, "tune");
     EXPECT_EQ(loaded.lastDevice.uri, "serial:/dev/ttyACM0");
     EXPECT_EQ(loaded.lastDevice.serial, "HB-17");
@@ -46,6 +47,19 @@ TEST_F(PreferencesTest, damagedOnesKeepTheirDefault) {
     EXPECT_EQ(loadPreferences().historyLimit_GB, LeastHistory_GB);
     QSettings().setValue("stop_lock_out_ms", -5);
     EXPECT_EQ(loadPreferences().stopLockOut_ms, 0); // a lock-out has no negative length
+}
+
+/// Other limits are another plan, which was seen in one folder only.
+TEST_F(PreferencesTest, otherLimitsAreAgreedToInEachFolderAnew) {
+    Preferences preferences;
+    agreeToRetention(preferences, {30, {}}, "/a");
+    agreeToRetention(preferences, {30, {}}, "/b");
+    agreeToRetention(preferences, {30, {}}, "/a");
+    EXPECT_EQ(preferences.retentionFolders, QStringList({"/a", "/b"}));
+    agreeToRetention(preferences, {10, {}}, "/b");
+    EXPECT_EQ(preferences.retentionFolders, QStringList({"/b"}));
+    agreeToRetention(preferences, {}, "/b");
+    EXPECT_TRUE(preferences.retentionFolders.isEmpty());
 }
 
 TEST_F(PreferencesTest, damagedLimitsRemoveNothing) {

@@ -1,6 +1,7 @@
 #include "app/window/recording_tidying.h"
 #include "devices/acquisition/recording_writer.h"
 #include "tests/app/window/window_test.h"
+#include "widgets/message_bar.h"
 
 #include <QDir>
 #include <QSignalSpy>
@@ -45,10 +46,14 @@ protected:
         window->bench().recording().setFolder(folder.path());
     }
 
-    const QDateTime now{{2020, 6, 1}, {12, 0, 0}, Qt::UTC}; ///< what is written in the test is newer
+    static const RetentionLimits Month;
+    /// What the program writes in the test is of this machine's time.
+    QDateTime now = QDateTime::currentDateTimeUtc();
     QTemporaryDir folder;
     QTemporaryDir trash;
 };
+
+const RetentionLimits RecordingTidyingTest::Month{30, {}};
 
 TEST_F(RecordingTidyingTest, nothingGoesUnlessItWasSwitchedOn) {
     write("old", 4000);
@@ -56,7 +61,7 @@ TEST_F(RecordingTidyingTest, nothingGoesUnlessItWasSwitchedOn) {
     auto* tidying = window->findChild<RecordingTidying*>();
     ASSERT_NE(tidying, nullptr);
     QSignalSpy done(tidying, &RecordingTidying::tidied);
-    tidying->setLimits({});
+    tidying->setLimits({}, {agreedName(folder.path())});
     QTest::qWait(50);
     EXPECT_TRUE(done.isEmpty());
     EXPECT_EQ(recordings(), QStringList({"old.csv"}));
@@ -76,7 +81,7 @@ TEST_F(RecordingTidyingTest, whatGoesIsInTheLogOneByOne) {
                      });
     auto* tidying = window->findChild<RecordingTidying*>();
     QSignalSpy done(tidying, &RecordingTidying::tidied);
-    tidying->setLimits({30, {}});
+    tidying->setLimits(Month, {agreedName(folder.path())});
     ASSERT_TRUE(wait([&] { return !done.isEmpty(); }));
     EXPECT_EQ(done.at(0).at(0).toInt(), 2);
     EXPECT_EQ(recordings(), QStringList({"new.csv"}));
@@ -90,7 +95,7 @@ TEST_F(RecordingTidyingTest, itIsDoneAfterEveryRecording) {
     RecordingControl& recording = window->bench().recording();
     auto* tidying = window->findChild<RecordingTidying*>();
     QSignalSpy done(tidying, &RecordingTidying::tidied);
-    tidying->setLimits({30, {}});
+    tidying->setLimits(Month, {agreedName(folder.path())});
     ASSERT_TRUE(wait([&] { return done.size() == 1; }));
     write("old", 40);
     connectMotor(5.0);
@@ -100,6 +105,59 @@ TEST_F(RecordingTidyingTest, itIsDoneAfterEveryRecording) {
     recording.stop();
     ASSERT_TRUE(wait([&] { return done.size() == 2; }));
     EXPECT_EQ(recordings(), QStringList({"sim-htm-1 001.csv"})) << "the new one is less than a day old";
+}
+
+/// The plan that was agreed to was another folder's.
+TEST_F(RecordingTidyingTest, inAnotherFolderNothingGoesBeforeItsPlanWasSeen) {
+    write("old", 40);
+    QTemporaryDir agreed;
+    open();
+    RecordingControl& recording = window->bench().recording();
+    window->bench().setWallClock([this] { return now; });
+    recording.setFolder(agreed.path());
+    auto* tidying = window->findChild<RecordingTidying*>();
+    QSignalSpy done(tidying, &RecordingTidying::tidied);
+    QSignalSpy withheld(tidying, &RecordingTidying::withheld);
+    tidying->setLimits(Month, {agreedName(agreed.path())});
+    ASSERT_TRUE(wait([&] { return done.size() == 1; }));
+    EXPECT_TRUE(withheld.isEmpty());
+    recording.setFolder(folder.path());
+    ASSERT_TRUE(wait([&] { return done.size() == 2; }));
+    ASSERT_EQ(withheld.size(), 1);
+    EXPECT_EQ(withheld[0][0].toString(), folder.path());
+    EXPECT_EQ(withheld[0][1].toInt(), 1);
+    EXPECT_EQ(recordings(), QStringList({"old.csv"}));
+    bool isSaid = false; // in the window, with the way to the plan
+    for (const auto* bar : window->findChildren<widgets::MessageBar*>()) {
+        isSaid |= bar->isVisible() && bar->message().text.contains(QDir::toNativeSeparators(folder.path())) &&
+                  bar->message().actionText == "Preferences…";
+    }
+    EXPECT_TRUE(isSaid);
+    tidying->setLimits(Month, {agreedName(agreed.path()), agreedName(folder.path())});
+    ASSERT_TRUE(wait([&] { return done.size() == 3; }));
+    EXPECT_TRUE(recordings().isEmpty());
+}
+
+/// A clock that went back a year, or was ahead when one was recorded: what is old is not known.
+TEST_F(RecordingTidyingTest, aClockThatJumpedRemovesNothing) {
+    write("old", 40);
+    write("new", 0);
+    openThen();
+    QStringList said;
+    QObject::connect(&session(), &DeviceSession::message, window.get(),
+                     [&](MessageLevel, const QString&, const QString& text) { said << text; });
+    auto* tidying = window->findChild<RecordingTidying*>();
+    QSignalSpy done(tidying, &RecordingTidying::tidied);
+    now = now.addDays(-1); // "new" is of tomorrow, "old" is older than a month all the same
+    tidying->setLimits(Month, {agreedName(folder.path())});
+    ASSERT_TRUE(wait([&] { return !done.isEmpty(); }));
+    EXPECT_EQ(recordings(), QStringList({"new.csv", "old.csv"}));
+    ASSERT_FALSE(said.isEmpty());
+    EXPECT_TRUE(said.join('\n').contains("new is dated after now")) << said.join('\n').toStdString();
+    now = now.addDays(1);
+    tidying->setLimits(Month, {agreedName(folder.path())});
+    ASSERT_TRUE(wait([&] { return done.size() == 2; }));
+    EXPECT_EQ(recordings(), QStringList({"new.csv"}));
 }
 
 } // namespace
