@@ -43,6 +43,16 @@
     </message>
 </context>
 <context>
+    <name>halbench::app::MainWindow</name>
+    <message numerus="yes">
+        <source>%n recording(s) of %1 are beyond the limits of the preferences and stay for now.</source>
+        <translation>
+            <numerusform>%n recording of %1 is beyond the limits of the preferences and stays for now.</numerusform>
+            <numerusform>%n recordings of %1 are beyond the limits of the preferences and stay for now.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::MonitorRecording</name>
     <message numerus="yes">
         <source>%n signal(s), %1 Hz, rows lost: %2</source>

@@ -1,4 +1,5 @@
 #include "app/window/recording_tidying.h"
+#include "app/workspaces/wall_clock.h"
 #include "devices/acquisition/recording_writer.h"
 #include "tests/app/window/window_test.h"
 #include "widgets/message_bar.h"
@@ -48,7 +49,7 @@ protected:
 
     static const RetentionLimits Month;
     /// What the program writes in the test is of this machine's time.
-    QDateTime now = QDateTime::currentDateTimeUtc();
+    QDateTime now = wallClock();
     QTemporaryDir folder;
     QTemporaryDir trash;
 };
