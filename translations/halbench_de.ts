@@ -9269,6 +9269,17 @@ mit %1 Zeilen in der Sekunde</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::LoopCapture</name>
+    <message>
+        <source>capture</source>
+        <translation>Erfassung</translation>
+    </message>
+    <message>
+        <source>the device was gone before its capture settings could be put back: unless it was restarted, they are still those of the capture</source>
+        <translation>das Gerät war fort, bevor seine Erfassungseinstellungen zurückgestellt werden konnten: Wurde es nicht neu gestartet, sind es noch die der Erfassung</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::LoopFigures</name>
     <message>
         <source>modulus margin</source>

@@ -9264,6 +9264,17 @@ by %1 rows a second</source>
     </message>
 </context>
 <context>
+    <name>halbench::app::LoopCapture</name>
+    <message>
+        <source>capture</source>
+        <translation>捕获</translation>
+    </message>
+    <message>
+        <source>the device was gone before its capture settings could be put back: unless it was restarted, they are still those of the capture</source>
+        <translation>设备在其捕获设置恢复之前已断开：除非它被重新启动，否则仍是捕获时的设置</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::LoopFigures</name>
     <message>
         <source>modulus margin</source>

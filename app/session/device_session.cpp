@@ -1,5 +1,6 @@
 #include "app/session/device_session.h"
 
+#include "app/session/farewell.h"
 #include "devices/remembered_port.h"
 
 #include <QtCore/QLocale>
@@ -122,6 +123,7 @@ void DeviceSession::leave() {
     }
     setState(SessionState::Leaving);
     if (m_procedure.isEmpty()) {
+        Farewell::say(*this, *m_connection);
         m_connection->close();
     } else {
         QTimer::singleShot(RestorePatience_ms, this, &DeviceSession::disarmWhatStillRuns);
@@ -159,6 +161,9 @@ void DeviceSession::end() {
         m_procedureThread.join();
         m_procedureDevice.reset();
         m_procedure.clear();
+    }
+    if (m_connection) {
+        Farewell::say(*this, *m_connection);
     }
     takeConnection().reset();
     m_state = SessionState::Disconnected;
@@ -343,6 +348,7 @@ void DeviceSession::endProcedureThread() {
         m_procedure.clear();
         procedureChanged();
         if (m_state == SessionState::Leaving) {
+            Farewell::say(*this, *m_connection);
             m_connection->close();
         }
     }

@@ -10,11 +10,21 @@ namespace {
 constexpr int Period_ms = 100;
 constexpr double Pieces = 64.0; ///< in which a board's capture is read, about
 
+/// A board keeps a level in single precision.
+bool isSame(const ParameterValue& one, const ParameterValue& other) {
+    return one.name == other.name && static_cast<float>(one.value) == static_cast<float>(other.value);
+}
+
+bool isSame(const std::vector<ParameterValue>& one, const std::vector<ParameterValue>& other) {
+    return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                      [](const auto& a, const auto& b) { return isSame(a, b); });
+}
+
 } // namespace
 
 LoopCapture::LoopCapture(DeviceSession& session, QObject* parent)
-    : QObject(parent), m_session(session), m_living(&session),
-      m_before(std::make_shared<std::optional<SetUp>>()) {
+    : QObject(parent), m_session(session), m_living(&session) {
+    renew();
     m_timer.setInterval(Period_ms);
     connect(&m_timer, &QTimer::timeout, this, &LoopCapture::work);
     connect(&m_session, &DeviceSession::stateChanged, this, &LoopCapture::onSession);
@@ -25,8 +35,17 @@ LoopCapture::~LoopCapture() {
     if (!m_living) {
         return;
     }
-    m_session.request([before = m_before](devices::Device& device) { return putBack(device, *before); },
+    delete m_farewell;
+    m_session.request([kept = m_kept](devices::Device& device) { return putBack(device, *kept); },
                       [](const Result<void>&) {});
+}
+
+/// For another device.
+void LoopCapture::renew() {
+    delete m_farewell;
+    m_kept = std::make_shared<Kept>();
+    m_farewell =
+        new Farewell(m_session, [kept = m_kept](devices::Device& device) { (void)putBack(device, *kept); });
 }
 
 void LoopCapture::start(const CaptureConfig& config) {
@@ -56,7 +75,8 @@ void LoopCapture::setRecordingWritten(bool isWritten) {
     }
 }
 
-/// A board that was away has another set-up, and nothing to be put back.
+/// A board that is looked for may come back as it was left. The connection's thread has ended once there is
+/// no device any more.
 void LoopCapture::onSession() {
     if (m_session.state() == SessionState::Connected) {
         work();
@@ -65,7 +85,15 @@ void LoopCapture::onSession() {
     ++m_asked;
     m_isAsking = false;
     m_isBegun = false;
-    m_before = std::make_shared<std::optional<SetUp>>();
+    if (m_session.state() == SessionState::Disconnected) {
+        if (m_kept->before) {
+            m_session.message(
+                MessageLevel::Warning, tr("capture"),
+                tr("the device was gone before its capture settings could be put back: unless it "
+                   "was restarted, they are still those of the capture"));
+        }
+        renew();
+    }
     if (m_isWanted && m_state != State::Done && m_state != State::Failed) {
         setState(State::Begins);
     }
@@ -121,30 +149,51 @@ void LoopCapture::beginCapture() {
     }
     setState(State::Begins);
     m_isBegun = true;
-    ask(
-        [values = *values, before = m_before](devices::Device& device) -> Result<void> {
-            if (!*before) {
-                auto read = captureSetUpBefore(device, values);
-                if (!read) {
-                    return failure(read.error());
-                }
-                *before = *std::move(read);
-            }
-            return startCapture(device, values);
-        },
+    ask([values = *values, kept = m_kept](devices::Device& device) { return begin(device, *kept, values); },
         [this](const Result<void>& done) { done ? look() : fail(done.error()); });
 }
 
-/// Once: what is put back is forgotten.
-Result<void> LoopCapture::putBack(devices::Device& device, std::optional<SetUp>& before) {
-    const std::optional<SetUp> values = std::exchange(before, std::nullopt);
-    return values ? endCapture(device, *values) : Result<void>();
+/// What is on the board now is put back later, unless it is what an earlier capture set there.
+Result<void> LoopCapture::begin(devices::Device& device, Kept& kept, const SetUp& values) {
+    auto now = captureSetUpBefore(device, values);
+    if (!now) {
+        return failure(now.error());
+    }
+    if (!kept.before || !isSame(*now, kept.ours)) {
+        kept.before = *std::move(now);
+    }
+    kept.ours = values;
+    return startCapture(device, values);
+}
+
+/// Once: what is put back is forgotten, unless the device was lost over it. What somebody else set meanwhile
+/// stays as it is; a board that was restarted captures nothing and has nothing of ours.
+Result<void> LoopCapture::putBack(devices::Device& device, Kept& kept) {
+    if (!kept.before) {
+        return {};
+    }
+    const auto now = captureSetUpBefore(device, *kept.before);
+    const auto state = now ? readCaptureState(device) : Result<CaptureState>(failure(now.error()));
+    Result<void> done = state ? Result<void>() : failure(state.error());
+    if (state && (isSame(*now, kept.ours) || *state != CaptureState::Idle)) {
+        SetUp owed;
+        for (std::size_t i = 0; i < now->size(); ++i) {
+            if (isSame((*now)[i], kept.ours[i])) {
+                owed.push_back((*kept.before)[i]);
+            }
+        }
+        done = endCapture(device, owed);
+    }
+    if (done || done.error().code != ErrorCode::DeviceLost) {
+        kept.before.reset();
+    }
+    return done;
 }
 
 void LoopCapture::end() {
     m_timer.stop();
     m_isAsking = true;
-    m_session.request([before = m_before](devices::Device& device) { return putBack(device, *before); },
+    m_session.request([kept = m_kept](devices::Device& device) { return putBack(device, *kept); },
                       [this, self = QPointer<LoopCapture>(this), asked = m_asked](const Result<void>&) {
                           if (self && asked == m_asked) { // a board that cannot be asked says so elsewhere
                               m_isAsking = false;

@@ -2,6 +2,7 @@
 
 #include "app/procedures/capture_orders.h"
 #include "app/session/device_session.h"
+#include "app/session/farewell.h"
 
 #include <QObject>
 #include <QPointer>
@@ -16,7 +17,8 @@ namespace halbench::app {
 /// The board's own capture at loop rate, beside whatever else is done with the device: each order to the
 /// board is a short one, one at a time, between which stream, watchdog and stop are served as ever. While a
 /// procedure runs nothing is ordered at all, and while a recording is written the full capture is not read:
-/// the board keeps it. Nothing is armed. Thread: GUI.
+/// the board keeps it. Nothing is armed. The board's set-up is put back at the end, when the device is left,
+/// and when it was lost meanwhile, once it is back. Thread: GUI.
 class LoopCapture : public QObject {
     Q_OBJECT
 
@@ -64,7 +66,14 @@ private:
 
     template <typename Function, typename Then>
     void ask(Function function, Then then);
-    static Result<void> putBack(devices::Device& device, std::optional<SetUp>& before);
+    /// Used on the connection thread, where orders follow each other.
+    struct Kept {
+        std::optional<SetUp> before; ///< what the board was set to; none: nothing is to be put back
+        SetUp ours;                  ///< what it was set to for the capture
+    };
+    static Result<void> begin(devices::Device& device, Kept& kept, const SetUp& values);
+    static Result<void> putBack(devices::Device& device, Kept& kept);
+    void renew();
     void onSession();
     void work();
     void beginCapture();
@@ -83,8 +92,8 @@ private:
     State m_state = State::Off;
     Error m_error;
     Recording m_recording;
-    /// What the board was set to before; used on the connection thread, where orders follow each other.
-    std::shared_ptr<std::optional<SetUp>> m_before;
+    std::shared_ptr<Kept> m_kept;
+    QPointer<Farewell> m_farewell;
     bool m_isWanted = false;
     bool m_isBegun = false; ///< the board has the present config
     bool m_isAsking = false;
