@@ -7270,6 +7270,69 @@ Firmware %2</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::DockMenu</name>
+    <message>
+        <source>Puts the panel into a window of its own, with a STOP of its own, or back where it was</source>
+        <translation>Löst den Bereich in ein eigenes Fenster mit eigenem STOPP oder dockt ihn wieder an, wo er war</translation>
+    </message>
+    <message>
+        <source>Moves the panel behind the next one on that side, or along that edge of the window</source>
+        <translation>Verschiebt den Bereich zum nächsten auf dieser Seite oder an diesen Rand des Fensters</translation>
+    </message>
+    <message>
+        <source>Move &amp;left</source>
+        <translation>Nach &amp;links</translation>
+    </message>
+    <message>
+        <source>Move &amp;right</source>
+        <translation>Nach &amp;rechts</translation>
+    </message>
+    <message>
+        <source>Move &amp;up</source>
+        <translation>Nach &amp;oben</translation>
+    </message>
+    <message>
+        <source>Move &amp;down</source>
+        <translation>Nach &amp;unten</translation>
+    </message>
+    <message>
+        <source>Changes the size of the panel, at the expense of what is beside it</source>
+        <translation>Ändert die Größe des Bereichs auf Kosten dessen, was daneben liegt</translation>
+    </message>
+    <message>
+        <source>&amp;Wider</source>
+        <translation>&amp;Breiter</translation>
+    </message>
+    <message>
+        <source>&amp;Narrower</source>
+        <translation>&amp;Schmaler</translation>
+    </message>
+    <message>
+        <source>&amp;Taller</source>
+        <translation>&amp;Höher</translation>
+    </message>
+    <message>
+        <source>&amp;Arrange the panel</source>
+        <translation>Den Bereich &amp;anordnen</translation>
+    </message>
+    <message>
+        <source>&amp;Arrange the panel “%1”</source>
+        <translation>Den Bereich „%1“ &amp;anordnen</translation>
+    </message>
+    <message>
+        <source>Dock it &amp;back</source>
+        <translation>Wieder &amp;andocken</translation>
+    </message>
+    <message>
+        <source>&amp;Float in its own window</source>
+        <translation>In ein eigenes &amp;Fenster lösen</translation>
+    </message>
+    <message>
+        <source>&amp;Shorter</source>
+        <translation>&amp;Niedriger</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::DocumentFiles</name>
     <message>
         <source>Save picture</source>

@@ -7265,6 +7265,69 @@ Firmware %2</source>
     </message>
 </context>
 <context>
+    <name>halbench::app::DockMenu</name>
+    <message>
+        <source>Puts the panel into a window of its own, with a STOP of its own, or back where it was</source>
+        <translation>把面板移入单独的窗口（带有自己的停止按钮），或放回原处</translation>
+    </message>
+    <message>
+        <source>Moves the panel behind the next one on that side, or along that edge of the window</source>
+        <translation>把面板移到该侧的下一个面板处，或移到窗口的该侧边缘</translation>
+    </message>
+    <message>
+        <source>Move &amp;left</source>
+        <translation>左移(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Move &amp;right</source>
+        <translation>右移(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Move &amp;up</source>
+        <translation>上移(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Move &amp;down</source>
+        <translation>下移(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Changes the size of the panel, at the expense of what is beside it</source>
+        <translation>改变面板的大小，相邻部分随之变化</translation>
+    </message>
+    <message>
+        <source>&amp;Wider</source>
+        <translation>加宽(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Narrower</source>
+        <translation>变窄(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Taller</source>
+        <translation>加高(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Arrange the panel</source>
+        <translation>排列面板(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Arrange the panel “%1”</source>
+        <translation>排列面板“%1”(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Dock it &amp;back</source>
+        <translation>放回(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Float in its own window</source>
+        <translation>浮动为单独的窗口(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Shorter</source>
+        <translation>变矮(&amp;S)</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::DocumentFiles</name>
     <message>
         <source>Save picture</source>

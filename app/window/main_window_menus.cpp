@@ -1,5 +1,6 @@
 // The menus of the window, and what is chosen there.
 #include "app/window/dock_layout.h"
+#include "app/window/dock_menu.h"
 #include "app/window/file_dialogs.h"
 #include "app/window/language.h"
 #include "app/window/main_window.h"
@@ -118,6 +119,7 @@ void MainWindow::fillViewMenu() {
         m_viewMenu->addAction(m_docks->docks().value(panel.id)->toggleViewAction());
     }
     m_viewMenu->addSeparator();
+    m_viewMenu->addMenu(new DockMenu(*m_docks, m_viewMenu));
     m_viewMenu->addAction(tr("&Reset the arrangement"), m_docks, &DockLayout::reset);
     m_viewMenu->addSeparator();
     QMenu* themes = m_viewMenu->addMenu(tr("&Theme"));
