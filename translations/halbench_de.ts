@@ -6162,6 +6162,30 @@
         <source>the relay experiment needs a position loop with a gain and a current limit</source>
         <translation>der Relaisversuch braucht einen Lageregelkreis mit einer Verstärkung und einer Stromgrenze</translation>
     </message>
+    <message>
+        <source>the clock is in doubt</source>
+        <translation>die Uhr ist zweifelhaft</translation>
+    </message>
+    <message>
+        <source>{}: which gains ran is not recorded beside it</source>
+        <translation>{}: Welche Reglerparameter liefen, ist nicht daneben aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>{}: {} was changed at {} s of the recording</source>
+        <translation>{}: {} wurde bei {} s der Aufzeichnung geändert</translation>
+    </message>
+    <message>
+        <source>record a move under one set of gains</source>
+        <translation>eine Bewegung mit einem einzigen Satz Reglerparameter aufzeichnen</translation>
+    </message>
+    <message>
+        <source>{}: the gains that ran are of another sample period</source>
+        <translation>{}: Die Reglerparameter, die liefen, haben eine andere Abtastzeit</translation>
+    </message>
+    <message>
+        <source>compare gains of one board</source>
+        <translation>Reglerparameter eines einzigen Steuergeräts vergleichen</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -9404,26 +9428,6 @@ mit %1 Zeilen in der Sekunde</translation>
 <context>
     <name>halbench::app::LoopSliders</name>
     <message>
-        <source>%1 is beyond what can be set here.</source>
-        <translation>%1 liegt außerhalb dessen, was hier eingestellt werden kann.</translation>
-    </message>
-    <message>
-        <source>%1 would need a negative K_D.</source>
-        <translation>%1 bräuchte ein negatives K_D.</translation>
-    </message>
-    <message>
-        <source>%1 would be a damper, no position loop.</source>
-        <translation>%1 wäre ein Dämpfer und kein Lageregelkreis.</translation>
-    </message>
-    <message>
-        <source>%1 would leave a gain margin below %2.</source>
-        <translation>%1 ließe eine Amplitudenreserve unter %2.</translation>
-    </message>
-    <message>
-        <source>%1 The nearest is %2.</source>
-        <translation>%1 Am nächsten kommt %2.</translation>
-    </message>
-    <message>
         <source>S&amp;peed</source>
         <translation>Schnelli&amp;gkeit</translation>
     </message>
@@ -9446,6 +9450,26 @@ mit %1 Zeilen in der Sekunde</translation>
     <message>
         <source>Phase margin at that crossover, which stays. Arrow keys: 1°, Page up and down: 5°</source>
         <translation>Phasenreserve bei dieser Durchtrittsfrequenz, die bleibt. Pfeiltasten: 1°, Bild auf und ab: 5°</translation>
+    </message>
+    <message>
+        <source>Only %1: the range ends there.</source>
+        <translation>Nur %1: Dort endet der Bereich.</translation>
+    </message>
+    <message>
+        <source>Only %1: else K_D is negative.</source>
+        <translation>Nur %1: Sonst wird K_D negativ.</translation>
+    </message>
+    <message>
+        <source>Only %1: else it only damps.</source>
+        <translation>Nur %1: Sonst dämpft er nur.</translation>
+    </message>
+    <message>
+        <source>Only %1: gain margin %2.</source>
+        <translation>Nur %1: Amplitudenreserve %2.</translation>
+    </message>
+    <message>
+        <source>Asked for: %1. The nearest that can be had is taken.</source>
+        <translation>Verlangt: %1. Genommen wird das Nächste, das möglich ist.</translation>
     </message>
 </context>
 <context>
@@ -9668,6 +9692,33 @@ mit %1 Zeilen in der Sekunde</translation>
     <message>
         <source>Import a &amp;table…</source>
         <translation>&amp;Tabelle importieren…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) of %1 are beyond the limits of the preferences and stay for now.</source>
+        <translation>
+            <numerusform>%n Aufzeichnung aus %1 liegt über den Grenzen der Einstellungen und bleibt vorerst.</numerusform>
+            <numerusform>%n Aufzeichnungen aus %1 liegen über den Grenzen der Einstellungen und bleiben vorerst.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nobody has seen yet what goes from this folder. The preferences show it; nothing goes before.</source>
+        <translation>Was aus diesem Ordner ginge, hat noch niemand gesehen. Die Einstellungen zeigen es; vorher geht nichts.</translation>
+    </message>
+    <message>
+        <source>recordings</source>
+        <translation>Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Preferences…</source>
+        <translation>Einstellungen…</translation>
+    </message>
+    <message>
+        <source>What the project says of recordings holds from the next one on.</source>
+        <translation>Was das Projekt von Aufzeichnungen sagt, gilt von der nächsten an.</translation>
+    </message>
+    <message>
+        <source>The present one ends as it was begun; saving the project loses nothing of it.</source>
+        <translation>Die jetzige endet, wie sie begonnen wurde; beim Speichern des Projekts geht davon nichts verloren.</translation>
     </message>
 </context>
 <context>
@@ -11074,6 +11125,10 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
             <numerusform>Mit OK gehen jetzt %n Aufzeichnungen in den Papierkorb (%1), aus %2.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Nothing goes from %1 for now: %2 is dated after now, so the clock is or was wrong.</source>
+        <translation>Aus %1 geht vorerst nichts: %2 ist auf später als jetzt datiert, also geht oder ging die Uhr falsch.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::RecordingTidying</name>
@@ -11096,6 +11151,10 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>moved to the trash: %1 (%2)</source>
         <translation>in den Papierkorb verschoben: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>nothing is tidied away: %1 is dated after now, so the clock is or was wrong</source>
+        <translation>nichts wird aufgeräumt: %1 ist auf später als jetzt datiert, also geht oder ging die Uhr falsch</translation>
     </message>
 </context>
 <context>
@@ -11242,6 +11301,14 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Import makes a recording of it; the table stays as it is.</source>
         <translation>Importieren macht eine Aufzeichnung daraus; die Tabelle bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>What if</source>
+        <translation>Was wäre wenn</translation>
+    </message>
+    <message>
+        <source>Shows in Tune what the gains proposed there would have made of this move</source>
+        <translation>Zeigt in Auslegen, was die dort vorgeschlagenen Reglerparameter aus dieser Bewegung gemacht hätten</translation>
     </message>
 </context>
 <context>
@@ -12514,14 +12581,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>am weitesten von der Vorhersage, um %1, nach %2 s</translation>
     </message>
     <message>
-        <source>Apply and verify turns the rotor by %1, in %2 s; the board ends the motion at %3 from where it starts, or at %4 %5.</source>
-        <translation>„Übernehmen, prüfen“ dreht den Rotor um %1, in %2 s; das Steuergerät beendet die Bewegung bei %3 vom Anfang oder bei %4 %5.</translation>
-    </message>
-    <message>
-        <source>Apply and verify goes in small steps. After each one it turns the rotor by %1, once this way and once that, in %2 s; the board ends the motion at %3 from where it starts, or at %4 %5.</source>
-        <translation>Übernehmen, prüfen geht in kleinen Schritten. Nach jedem dreht es den Rotor um %1, einmal hin und einmal her, in %2 s; das Steuergerät beendet die Bewegung bei %3 vom Anfang oder bei %4 %5.</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
     </message>
@@ -12625,6 +12684,14 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>A smaller one comes to rest</source>
         <translation>Eine kleinere kommt zur Ruhe</translation>
     </message>
+    <message>
+        <source>The rotor will turn by %1, in %2; the board ends it at %3 or %4.</source>
+        <translation>Der Rotor dreht um %1, in %2; das Steuergerät beendet es bei %3 oder %4.</translation>
+    </message>
+    <message>
+        <source>After each step the rotor will turn by %1, to and fro, in %2; the board ends it at %3 or %4.</source>
+        <translation>Nach jedem Schritt dreht der Rotor um %1, hin und her, in %2; das Steuergerät beendet es bei %3 oder %4.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuneNumbers</name>
@@ -12714,10 +12781,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Predictions</source>
         <translation>Vorhersagen</translation>
-    </message>
-    <message>
-        <source>Identified motor (SI, 95 %): %1</source>
-        <translation>Identifizierter Motor (SI, 95 %): %1</translation>
     </message>
     <message>
         <source>Apply</source>
@@ -12852,10 +12915,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>%1 seiner %2 Frequenzen sind kohärent; die anderen sind hohl.</translation>
     </message>
     <message>
-        <source>Remove the measured response</source>
-        <translation>Gemessenen Frequenzgang entfernen</translation>
-    </message>
-    <message>
         <source>Measured response…</source>
         <translation>Gemessener Frequenzgang …</translation>
     </message>
@@ -12960,10 +13019,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Phasenreserve verschieben</translation>
     </message>
     <message>
-        <source>More gain would make the loop unstable: it stays just below.</source>
-        <translation>Mehr Verstärkung machte den Kreis instabil: Er bleibt knapp darunter.</translation>
-    </message>
-    <message>
         <source>Gains from the project: %1.</source>
         <translation>Reglerparameter aus dem Projekt: %1.</translation>
     </message>
@@ -12980,16 +13035,64 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Von den laufenden Reglerparametern zu den neuen in Schritten, die K_P und K_P + K_D/T um höchstens die Hälfte ändern, jeder vor dem Schreiben beurteilt und durch eine Bewegung nachgewiesen; verlässt eine ihr Band, laufen die von vorher wieder</translation>
     </message>
     <message>
-        <source>What the proposed gains would make of this move is not said: %1</source>
-        <translation>Was die vorgeschlagenen Reglerparameter aus dieser Bewegung machen würden, wird nicht gesagt: %1</translation>
-    </message>
-    <message>
-        <source>With the proposed gains this move would overshoot by %1 instead of %2 and end %3 from its set-point instead of %4.</source>
-        <translation>Mit den vorgeschlagenen Reglerparametern würde diese Bewegung um %1 statt %2 überschwingen und %3 statt %4 neben ihrem Sollwert enden.</translation>
-    </message>
-    <message>
         <source>Outside the predicted band: the gains that were applied, not those shown now</source>
         <translation>Außerhalb des vorhergesagten Bandes: die übernommenen Reglerparameter, nicht die jetzt gezeigten</translation>
+    </message>
+    <message>
+        <source>Motor (SI, 95 %): %1</source>
+        <translation>Motor (SI, 95 %): %1</translation>
+    </message>
+    <message>
+        <source>What if</source>
+        <translation>Was wäre wenn</translation>
+    </message>
+    <message>
+        <source>A recorded move, and what the proposed gains would have made of it</source>
+        <translation>Eine aufgezeichnete Bewegung, und was die vorgeschlagenen Reglerparameter daraus gemacht hätten</translation>
+    </message>
+    <message>
+        <source>Counted from where the rotor is when it starts</source>
+        <translation>Gezählt von dort, wo der Rotor beim Start steht</translation>
+    </message>
+    <message>
+        <source>Remove the response</source>
+        <translation>Frequenzgang entfernen</translation>
+    </message>
+    <message>
+        <source>More gain would be unstable: it stays below.</source>
+        <translation>Mehr Verstärkung wäre instabil: bleibt darunter.</translation>
+    </message>
+    <message>
+        <source>Open a recorded move</source>
+        <translation>Aufgezeichnete Bewegung öffnen</translation>
+    </message>
+    <message>
+        <source>Recording (*.csv *.mf4)</source>
+        <translation>Aufzeichnung (*.csv *.mf4)</translation>
+    </message>
+    <message>
+        <source>Open the gains that ran</source>
+        <translation>Reglerparameter öffnen, die liefen</translation>
+    </message>
+    <message>
+        <source>Gains (*.json)</source>
+        <translation>Reglerparameter (*.json)</translation>
+    </message>
+    <message>
+        <source>The recording is shown once there is an identified motor.</source>
+        <translation>Die Aufzeichnung wird gezeigt, sobald es einen identifizierten Motor gibt.</translation>
+    </message>
+    <message>
+        <source>What if: %1</source>
+        <translation>Was wäre wenn: %1</translation>
+    </message>
+    <message>
+        <source>Choose the file of the gains that ran then.</source>
+        <translation>Wählen Sie die Datei der Reglerparameter, die damals liefen.</translation>
+    </message>
+    <message>
+        <source>Gains that ran…</source>
+        <translation>Damalige Reglerparameter …</translation>
     </message>
 </context>
 <context>
@@ -13090,6 +13193,14 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>nine tenths of such moves</source>
         <translation>neun Zehntel solcher Bewegungen</translation>
     </message>
+    <message>
+        <source>recorded</source>
+        <translation>aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Recorded move</source>
+        <translation>Aufgezeichnete Bewegung</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::UnkeptBar</name>
@@ -13120,6 +13231,76 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Goes on; what was not saved is lost</source>
         <translation>Fährt fort; nicht Gespeichertes geht verloren</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::WhatIfPage</name>
+    <message>
+        <source>No recording is chosen</source>
+        <translation>Keine Aufzeichnung gewählt</translation>
+    </message>
+    <message>
+        <source>A recorded move is shown with what the proposed gains would have made of it, if the identified motor explains it.</source>
+        <translation>Eine aufgezeichnete Bewegung wird mit dem gezeigt, was die vorgeschlagenen Reglerparameter daraus gemacht hätten, wenn der identifizierte Motor sie erklärt.</translation>
+    </message>
+    <message>
+        <source>Open a recorded move</source>
+        <translation>Aufgezeichnete Bewegung öffnen</translation>
+    </message>
+    <message>
+        <source>Another move…</source>
+        <translation>Andere Bewegung …</translation>
+    </message>
+    <message>
+        <source>Choose another recording</source>
+        <translation>Eine andere Aufzeichnung wählen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>This page is empty again; the recording stays</source>
+        <translation>Diese Seite ist wieder leer; die Aufzeichnung bleibt</translation>
+    </message>
+    <message>
+        <source>%1: withheld, what the proposed gains would make of it</source>
+        <translation>%1: Was die vorgeschlagenen Reglerparameter daraus machen würden, wird nicht gesagt</translation>
+    </message>
+    <message>
+        <source>%1 is being judged</source>
+        <translation>%1 wird beurteilt</translation>
+    </message>
+    <message>
+        <source>%1 waits for an identified motor</source>
+        <translation>%1 wartet auf einen identifizierten Motor</translation>
+    </message>
+    <message>
+        <source>%1: the identified loop explains the recorded move</source>
+        <translation>%1: Der identifizierte Kreis erklärt die aufgezeichnete Bewegung</translation>
+    </message>
+    <message>
+        <source>%1: doubtful, as said below</source>
+        <translation>%1: zweifelhaft, wie unten gesagt</translation>
+    </message>
+    <message>
+        <source>%1 % of the recorded motion lie outside the band of the gains that ran.</source>
+        <translation>%1 % der aufgezeichneten Bewegung liegen außerhalb des Bandes der Reglerparameter, die liefen.</translation>
+    </message>
+    <message>
+        <source>The proposed gains are those that ran: the recording is what they make of it.</source>
+        <translation>Die vorgeschlagenen Reglerparameter sind die, die liefen: Die Aufzeichnung ist, was sie daraus machen.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::WhatIfWords</name>
+    <message>
+        <source>What the proposed gains would make of this move is not said: %1</source>
+        <translation>Was die vorgeschlagenen Reglerparameter aus dieser Bewegung machen würden, wird nicht gesagt: %1</translation>
+    </message>
+    <message>
+        <source>With the proposed gains this move would overshoot by %1 instead of %2 and end %3 from its set-point instead of %4.</source>
+        <translation>Mit den vorgeschlagenen Reglerparametern würde diese Bewegung um %1 statt %2 überschwingen und %3 statt %4 neben ihrem Sollwert enden.</translation>
     </message>
 </context>
 <context>

@@ -6162,6 +6162,30 @@
         <source>the relay experiment needs a position loop with a gain and a current limit</source>
         <translation>继电实验需要带增益和电流限值的位置回路</translation>
     </message>
+    <message>
+        <source>the clock is in doubt</source>
+        <translation>时钟可疑</translation>
+    </message>
+    <message>
+        <source>{}: which gains ran is not recorded beside it</source>
+        <translation>{}：旁边没有记录当时运行的增益</translation>
+    </message>
+    <message>
+        <source>{}: {} was changed at {} s of the recording</source>
+        <translation>{}：{} 在记录的 {} s 处被更改</translation>
+    </message>
+    <message>
+        <source>record a move under one set of gains</source>
+        <translation>请用同一组增益记录一次运动</translation>
+    </message>
+    <message>
+        <source>{}: the gains that ran are of another sample period</source>
+        <translation>{}：当时运行的增益属于另一采样周期</translation>
+    </message>
+    <message>
+        <source>compare gains of one board</source>
+        <translation>请比较同一控制板的增益</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -9399,26 +9423,6 @@ by %1 rows a second</source>
 <context>
     <name>halbench::app::LoopSliders</name>
     <message>
-        <source>%1 is beyond what can be set here.</source>
-        <translation>%1 超出了此处可设置的范围。</translation>
-    </message>
-    <message>
-        <source>%1 would need a negative K_D.</source>
-        <translation>%1 需要负的 K_D。</translation>
-    </message>
-    <message>
-        <source>%1 would be a damper, no position loop.</source>
-        <translation>%1 只是阻尼器，不是位置回路。</translation>
-    </message>
-    <message>
-        <source>%1 would leave a gain margin below %2.</source>
-        <translation>%1 会使增益裕度低于 %2。</translation>
-    </message>
-    <message>
-        <source>%1 The nearest is %2.</source>
-        <translation>%1 最接近的是 %2。</translation>
-    </message>
-    <message>
         <source>S&amp;peed</source>
         <translation>速度(&amp;P)</translation>
     </message>
@@ -9441,6 +9445,26 @@ by %1 rows a second</source>
     <message>
         <source>Phase margin at that crossover, which stays. Arrow keys: 1°, Page up and down: 5°</source>
         <translation>该穿越频率处的相位裕度，频率保持不变。方向键：1°，翻页键：5°</translation>
+    </message>
+    <message>
+        <source>Only %1: the range ends there.</source>
+        <translation>只到 %1：范围到此为止。</translation>
+    </message>
+    <message>
+        <source>Only %1: else K_D is negative.</source>
+        <translation>只到 %1：否则 K_D 为负。</translation>
+    </message>
+    <message>
+        <source>Only %1: else it only damps.</source>
+        <translation>只到 %1：否则只有阻尼作用。</translation>
+    </message>
+    <message>
+        <source>Only %1: gain margin %2.</source>
+        <translation>只到 %1：增益裕度 %2。</translation>
+    </message>
+    <message>
+        <source>Asked for: %1. The nearest that can be had is taken.</source>
+        <translation>要求：%1。取可达到的最接近值。</translation>
     </message>
 </context>
 <context>
@@ -9663,6 +9687,32 @@ by %1 rows a second</source>
     <message>
         <source>Import a &amp;table…</source>
         <translation>导入表(&amp;T)…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) of %1 are beyond the limits of the preferences and stay for now.</source>
+        <translation>
+            <numerusform>%1 中有 %n 条记录超出首选项的限制，暂时保留。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nobody has seen yet what goes from this folder. The preferences show it; nothing goes before.</source>
+        <translation>尚无人看过此文件夹中将移除的内容。首选项会显示；在此之前不移除任何内容。</translation>
+    </message>
+    <message>
+        <source>recordings</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Preferences…</source>
+        <translation>首选项…</translation>
+    </message>
+    <message>
+        <source>What the project says of recordings holds from the next one on.</source>
+        <translation>项目中关于记录的设置从下一条记录起生效。</translation>
+    </message>
+    <message>
+        <source>The present one ends as it was begun; saving the project loses nothing of it.</source>
+        <translation>当前记录按开始时的设置结束；保存项目不会丢失任何内容。</translation>
     </message>
 </context>
 <context>
@@ -11064,6 +11114,10 @@ A real device has its own time.</source>
             <numerusform>按“确定”后现在有 %n 条记录移到回收站（%1），来自 %2。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Nothing goes from %1 for now: %2 is dated after now, so the clock is or was wrong.</source>
+        <translation>暂不从 %1 移除任何内容：%2 的日期晚于现在，说明时钟现在或当时不准。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::RecordingTidying</name>
@@ -11086,6 +11140,10 @@ A real device has its own time.</source>
     <message>
         <source>moved to the trash: %1 (%2)</source>
         <translation>已移到回收站：%1（%2）</translation>
+    </message>
+    <message>
+        <source>nothing is tidied away: %1 is dated after now, so the clock is or was wrong</source>
+        <translation>不清理任何内容：%1 的日期晚于现在，说明时钟现在或当时不准</translation>
     </message>
 </context>
 <context>
@@ -11232,6 +11290,14 @@ A real device has its own time.</source>
     <message>
         <source>Import makes a recording of it; the table stays as it is.</source>
         <translation>导入会由它生成记录；原表保持不变。</translation>
+    </message>
+    <message>
+        <source>What if</source>
+        <translation>假如</translation>
+    </message>
+    <message>
+        <source>Shows in Tune what the gains proposed there would have made of this move</source>
+        <translation>在整定中显示那里建议的增益会使这次运动成为怎样</translation>
     </message>
 </context>
 <context>
@@ -12503,14 +12569,6 @@ A real device has its own time.</source>
         <translation>与预测相差最大处为 %1，在 %2 s</translation>
     </message>
     <message>
-        <source>Apply and verify turns the rotor by %1, in %2 s; the board ends the motion at %3 from where it starts, or at %4 %5.</source>
-        <translation>“应用并验证”使转子转动 %1，历时 %2 s；离起点 %3 或达到 %4 %5 时，控制板结束运动。</translation>
-    </message>
-    <message>
-        <source>Apply and verify goes in small steps. After each one it turns the rotor by %1, once this way and once that, in %2 s; the board ends the motion at %3 from where it starts, or at %4 %5.</source>
-        <translation>应用并验证以小步进行。每步之后使转子转动 %1，一次朝这边，一次朝那边，历时 %2 s；距起点 %3 或达到 %4 %5 时，控制板结束运动。</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 / %2</translation>
     </message>
@@ -12614,6 +12672,14 @@ A real device has its own time.</source>
         <source>A smaller one comes to rest</source>
         <translation>更小的会停下</translation>
     </message>
+    <message>
+        <source>The rotor will turn by %1, in %2; the board ends it at %3 or %4.</source>
+        <translation>转子将转动 %1，用时 %2；控制板在 %3 或 %4 处结束运动。</translation>
+    </message>
+    <message>
+        <source>After each step the rotor will turn by %1, to and fro, in %2; the board ends it at %3 or %4.</source>
+        <translation>每一步之后，转子将来回转动 %1，用时 %2；控制板在 %3 或 %4 处结束运动。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuneNumbers</name>
@@ -12703,10 +12769,6 @@ A real device has its own time.</source>
     <message>
         <source>Predictions</source>
         <translation>预测</translation>
-    </message>
-    <message>
-        <source>Identified motor (SI, 95 %): %1</source>
-        <translation>已辨识电机（SI，95 %）：%1</translation>
     </message>
     <message>
         <source>Apply</source>
@@ -12841,10 +12903,6 @@ A real device has its own time.</source>
         <translation>%2 个频率中有 %1 个相干；其余为空心点。</translation>
     </message>
     <message>
-        <source>Remove the measured response</source>
-        <translation>移除测得的响应</translation>
-    </message>
-    <message>
         <source>Measured response…</source>
         <translation>测得的响应…</translation>
     </message>
@@ -12949,10 +13007,6 @@ A real device has its own time.</source>
         <translation>移动相位裕度</translation>
     </message>
     <message>
-        <source>More gain would make the loop unstable: it stays just below.</source>
-        <translation>更大的增益会使回路不稳定：保持在其之下。</translation>
-    </message>
-    <message>
         <source>Gains from the project: %1.</source>
         <translation>来自项目的增益：%1。</translation>
     </message>
@@ -12969,16 +13023,64 @@ A real device has its own time.</source>
         <translation>从运行中的增益到新增益，每步使 K_P 和 K_P + K_D/T 至多变化一半，每步在写入前被判断，并由一次运动验证；若某次运动离开其范围，则重新运行之前的增益</translation>
     </message>
     <message>
-        <source>What the proposed gains would make of this move is not said: %1</source>
-        <translation>不说明建议的增益会使此运动怎样：%1</translation>
-    </message>
-    <message>
-        <source>With the proposed gains this move would overshoot by %1 instead of %2 and end %3 from its set-point instead of %4.</source>
-        <translation>用建议的增益，此运动会超调 %1 而不是 %2，结束时距设定值 %3 而不是 %4。</translation>
-    </message>
-    <message>
         <source>Outside the predicted band: the gains that were applied, not those shown now</source>
         <translation>超出预测范围：指已应用的增益，而非现在显示的增益</translation>
+    </message>
+    <message>
+        <source>Motor (SI, 95 %): %1</source>
+        <translation>电机（SI，95 %）：%1</translation>
+    </message>
+    <message>
+        <source>What if</source>
+        <translation>假如</translation>
+    </message>
+    <message>
+        <source>A recorded move, and what the proposed gains would have made of it</source>
+        <translation>记录的运动，以及建议的增益会使它成为怎样</translation>
+    </message>
+    <message>
+        <source>Counted from where the rotor is when it starts</source>
+        <translation>从转子起动时所在的位置算起</translation>
+    </message>
+    <message>
+        <source>Remove the response</source>
+        <translation>移除频率响应</translation>
+    </message>
+    <message>
+        <source>More gain would be unstable: it stays below.</source>
+        <translation>增益再大就不稳定：保持在其下。</translation>
+    </message>
+    <message>
+        <source>Open a recorded move</source>
+        <translation>打开记录的运动</translation>
+    </message>
+    <message>
+        <source>Recording (*.csv *.mf4)</source>
+        <translation>记录 (*.csv *.mf4)</translation>
+    </message>
+    <message>
+        <source>Open the gains that ran</source>
+        <translation>打开当时运行的增益</translation>
+    </message>
+    <message>
+        <source>Gains (*.json)</source>
+        <translation>增益 (*.json)</translation>
+    </message>
+    <message>
+        <source>The recording is shown once there is an identified motor.</source>
+        <translation>有了辨识的电机之后显示该记录。</translation>
+    </message>
+    <message>
+        <source>What if: %1</source>
+        <translation>假如：%1</translation>
+    </message>
+    <message>
+        <source>Choose the file of the gains that ran then.</source>
+        <translation>请选择当时运行的增益的文件。</translation>
+    </message>
+    <message>
+        <source>Gains that ran…</source>
+        <translation>当时的增益…</translation>
     </message>
 </context>
 <context>
@@ -13079,6 +13181,14 @@ A real device has its own time.</source>
         <source>nine tenths of such moves</source>
         <translation>此类运动的十分之九</translation>
     </message>
+    <message>
+        <source>recorded</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Recorded move</source>
+        <translation>记录的运动</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::UnkeptBar</name>
@@ -13109,6 +13219,76 @@ A real device has its own time.</source>
     <message>
         <source>Goes on; what was not saved is lost</source>
         <translation>继续；未保存的内容将丢失</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::WhatIfPage</name>
+    <message>
+        <source>No recording is chosen</source>
+        <translation>未选择记录</translation>
+    </message>
+    <message>
+        <source>A recorded move is shown with what the proposed gains would have made of it, if the identified motor explains it.</source>
+        <translation>显示记录的运动以及建议的增益会使它成为怎样，前提是辨识的电机能解释它。</translation>
+    </message>
+    <message>
+        <source>Open a recorded move</source>
+        <translation>打开记录的运动</translation>
+    </message>
+    <message>
+        <source>Another move…</source>
+        <translation>另一次运动…</translation>
+    </message>
+    <message>
+        <source>Choose another recording</source>
+        <translation>选择另一个记录</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>This page is empty again; the recording stays</source>
+        <translation>此页重新变为空；记录保留</translation>
+    </message>
+    <message>
+        <source>%1: withheld, what the proposed gains would make of it</source>
+        <translation>%1：不给出建议的增益会使它成为怎样</translation>
+    </message>
+    <message>
+        <source>%1 is being judged</source>
+        <translation>正在判断 %1</translation>
+    </message>
+    <message>
+        <source>%1 waits for an identified motor</source>
+        <translation>%1 等待辨识的电机</translation>
+    </message>
+    <message>
+        <source>%1: the identified loop explains the recorded move</source>
+        <translation>%1：辨识的回路能解释记录的运动</translation>
+    </message>
+    <message>
+        <source>%1: doubtful, as said below</source>
+        <translation>%1：存疑，原因见下</translation>
+    </message>
+    <message>
+        <source>%1 % of the recorded motion lie outside the band of the gains that ran.</source>
+        <translation>记录的运动有 %1 % 位于当时运行的增益的范围之外。</translation>
+    </message>
+    <message>
+        <source>The proposed gains are those that ran: the recording is what they make of it.</source>
+        <translation>建议的增益就是当时运行的增益：记录即其结果。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::WhatIfWords</name>
+    <message>
+        <source>What the proposed gains would make of this move is not said: %1</source>
+        <translation>不说明建议的增益会使此运动怎样：%1</translation>
+    </message>
+    <message>
+        <source>With the proposed gains this move would overshoot by %1 instead of %2 and end %3 from its set-point instead of %4.</source>
+        <translation>用建议的增益，此运动会超调 %1 而不是 %2，结束时距设定值 %3 而不是 %4。</translation>
     </message>
 </context>
 <context>
