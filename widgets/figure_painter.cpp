@@ -252,7 +252,10 @@ private:
             y.push_back(point.second);
         }
         QwtPlotCurve curve;
-        curve.setPen(pen);
+        constexpr int DenseJoins = 200; // as many round ones cost more than the lines and are not seen
+        QPen joined = pen;
+        joined.setJoinStyle(x.size() > DenseJoins ? Qt::BevelJoin : pen.joinStyle());
+        curve.setPen(joined);
         curve.setSamples(x, y);
         QwtPainter::setRoundingAlignment(false); // else points snap to whole pixels and the line wobbles
         QwtPainter::setPolylineSplitting(pen.style() ==

@@ -67,7 +67,7 @@ struct Pictures {
 /// and what the gains in the hand would have made of it.
 struct RecordedPicture {
     widgets::FigureView view;
-    QImage screen = QImage(560, 800, QImage::Format_RGB32); ///< taller than its page, which scrolls
+    QImage screen = QImage(560, 640, QImage::Format_RGB32);
 
     RecordedPicture() { view.resize(screen.size()); }
     void draw(widgets::Figure figure, const WhatIfBasis& record, const WhatIf& whatIf) {
