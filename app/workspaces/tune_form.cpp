@@ -37,7 +37,9 @@ constexpr std::array TargetFields = {
     TargetField{"max-sensitivity", &DesignTargets::mostMs_ratio, "", control::least_error::MostMs_ratio,
                 control::least_error::LeastMs_ratio},
     TargetField{"current-limit-a", &DesignTargets::currentLimit_A, "A", 1e3},
-    TargetField{"step-deg", &DesignTargets::step_deg, "\u00b0", 360.0}};
+    TargetField{"step-deg", &DesignTargets::step_deg, "\u00b0", 360.0},
+    TargetField{"ultimate-gain", &DesignTargets::ultimateGain_A_per_rad, "A/rad", 1e5},
+    TargetField{"ultimate-period", &DesignTargets::ultimatePeriod_s, "s", 1e3}};
 
 constexpr int OriginRole = Qt::UserRole;
 constexpr int IdRole = Qt::UserRole + 1;
@@ -156,6 +158,11 @@ void TuneForm::showChoice(const std::string& id, const control::DesignTargets& t
     refreshTargets();
 }
 
+void TuneForm::choose(const std::string& id, const control::DesignTargets& targets) {
+    showChoice(id, targets);
+    Q_EMIT chosen();
+}
+
 void TuneForm::refreshTargets() {
     const control::DesignMethod* method = origin() == Origin::Method ? methodNamed(this->method()) : nullptr;
     for (std::size_t i = 0; i < m_targets.size(); ++i) {
@@ -200,6 +207,8 @@ void TuneForm::refreshWords() {
         m_origin->setItemData(i, help, Qt::ToolTipRole);
     }
     const QString has = tr("What the loop shall have; empty: the method's default");
+    const QString swings =
+        tr("Where the loop swings, as the relay experiment measures it; empty: as the model says");
     const struct {
         QString name, otherwise, help;
     } words[] = {{tr("Damping ratio"), tr("default"), has},
@@ -213,7 +222,9 @@ void TuneForm::refreshWords() {
                  {tr("Current limit"), tr("the board's"),
                   tr("What a step of the height below may ask for; at most what the board gives")},
                  {tr("In a step of"), widgets::numberText(control::least_error::UsualStep_deg, 3),
-                  tr("The largest step of the reference that shall not reach the current limit")}};
+                  tr("The largest step of the reference that shall not reach the current limit")},
+                 {tr("Ultimate gain"), tr("default"), swings},
+                 {tr("Ultimate period"), tr("default"), swings}};
     for (std::size_t i = 0; i < m_targets.size(); ++i) {
         m_targets[i].name->setText(words[i].name);
         m_targets[i].edit->setAccessibleName(words[i].name);

@@ -36,6 +36,8 @@ public:
     /// The same for a method, preset or other origin by its id, with its targets; an id that this version
     /// does not know counts as edited.
     void showChoice(const std::string& id, const control::DesignTargets& targets);
+    /// The same as if the user had chosen it.
+    void choose(const std::string& id, const control::DesignTargets& targets);
 
 Q_SIGNALS:
     void chosen(); ///< origin or a target
@@ -57,7 +59,7 @@ private:
         widgets::OptionalNumberEdit* edit;
         QLabel* unit;
     };
-    std::array<Target, 7> m_targets{}; ///< in the order of their table
+    std::array<Target, 9> m_targets{}; ///< in the order of their table
 };
 
 /// The law of a shipped preset of this model. Errors: of findPreset and lawFromParameters.

@@ -78,6 +78,8 @@ public:
     void useMeasured(const MeasuredPlant& plant);
     /// Shows what the proposed gains would have made of a recorded move; what is none is refused in place.
     void useRecording(const QString& path);
+    /// Gains by Ziegler and Nichols, from where the loop was measured to swing.
+    void useUltimate(double gain_A_per_rad, double period_s);
     /// What runs on the device lasts longer than its power from now on.
     void onSavedInDevice();
     /// What was done to the proposed gains, taken back and done again; named after it.

@@ -1,5 +1,6 @@
 // A measured frequency response in the Tune panel's open loop.
 #include "app/report/tuning_figures.h"
+#include "app/workspaces/tune_form.h"
 #include "app/workspaces/tune_panel.h"
 #include "widgets/message_bar.h"
 
@@ -28,6 +29,13 @@ void TunePanel::chooseMeasured() {
                         showError(file.error());
                     }
                 });
+}
+
+void TunePanel::useUltimate(double gain_A_per_rad, double period_s) {
+    control::DesignTargets targets;
+    targets.ultimateGain_A_per_rad = gain_A_per_rad;
+    targets.ultimatePeriod_s = period_s;
+    m_form->choose("ziegler-nichols", targets);
 }
 
 void TunePanel::useMeasured(const MeasuredPlant& plant) {
