@@ -214,7 +214,10 @@ widgets::Figure frequencyFigure(const FrequencyResult& result, FrequencyView vie
 }
 
 std::optional<widgets::Figure> excitationFigure(const FrequencyResult& result) {
-    const Recording& recording = result.recording;
+    return excitationFigure(result.recording);
+}
+
+std::optional<widgets::Figure> excitationFigure(const Recording& recording) {
     if (!recording.layout || recording.rows() == 0) {
         return std::nullopt;
     }

@@ -20,5 +20,7 @@ widgets::Figure frequencyFigure(const FrequencyResult& result, FrequencyView vie
 
 /// Reference speed, speed and current as recorded; nothing without rows.
 std::optional<widgets::Figure> excitationFigure(const FrequencyResult& result);
+/// The same of any record with reference, speed and current.
+std::optional<widgets::Figure> excitationFigure(const Recording& recording);
 
 } // namespace halbench::app

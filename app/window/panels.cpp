@@ -3,6 +3,7 @@
 #include "app/wizards/calibrate_panel.h"
 #include "app/wizards/frequency_panel.h"
 #include "app/wizards/identify_panel.h"
+#include "app/wizards/relay_panel.h"
 #include "app/workspaces/configuration_panel.h"
 #include "app/workspaces/derived_panel.h"
 #include "app/workspaces/device_panel.h"
@@ -78,6 +79,8 @@ constexpr Row Rows[] = {
      "identification.md#6-calibrations", make<CalibratePanel>},
     {"frequency", QT_TRANSLATE_NOOP("Panels", "Frequency response"), PanelArea::Centre,
      in(Perspective::Identify), "identification.md#8-frequency-response", make<FrequencyPanel>},
+    {"relay", QT_TRANSLATE_NOOP("Panels", "Relay experiment"), PanelArea::Centre, in(Perspective::Identify),
+     "identification.md#9-relay-experiment", make<RelayPanel>},
     {"tune", QT_TRANSLATE_NOOP("Panels", "Tune"), PanelArea::Centre, in(Perspective::Tune),
      "tuning.md#in-the-window", make<TunePanel>},
     {"log", QT_TRANSLATE_NOOP("Panels", "Log"), PanelArea::Bottom, Everywhere,

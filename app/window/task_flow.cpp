@@ -5,6 +5,7 @@
 #include "app/wizards/calibrate_panel.h"
 #include "app/wizards/frequency_panel.h"
 #include "app/wizards/identify_panel.h"
+#include "app/wizards/relay_panel.h"
 #include "app/workspaces/configuration_panel.h"
 #include "app/workspaces/device_panel.h"
 #include "app/workspaces/monitor_panel.h"
@@ -54,16 +55,22 @@ void connectTaskFlow(DockLayout& docks, Workbench& bench) {
     auto* identify = panelOf<IdentifyPanel>(docks, "identify");
     auto* calibrate = panelOf<CalibratePanel>(docks, "calibrate");
     auto* frequency = panelOf<FrequencyPanel>(docks, "frequency");
+    auto* relay = panelOf<RelayPanel>(docks, "relay");
     auto* tune = panelOf<TunePanel>(docks, "tune");
     auto* configuration = panelOf<ConfigurationPanel>(docks, "configuration");
-    HB_ASSERT(identify != nullptr && calibrate != nullptr && frequency != nullptr && tune != nullptr &&
-              configuration != nullptr);
+    HB_ASSERT(identify != nullptr && calibrate != nullptr && frequency != nullptr && relay != nullptr &&
+              tune != nullptr && configuration != nullptr);
     QObject::connect(identify, &IdentifyPanel::tuneRequested, &docks,
                      [&docks] { docks.setPerspective(Perspective::Tune); });
     QObject::connect(frequency, &FrequencyPanel::useRequested, tune,
                      [&docks, tune](const FrequencyResult& result) {
                          docks.setPerspective(Perspective::Tune);
                          tune->useMeasured(measuredPlant(result));
+                     });
+    QObject::connect(relay, &RelayPanel::useRequested, tune,
+                     [&docks, tune](double gain_A_per_rad, double period_s) {
+                         docks.setPerspective(Perspective::Tune);
+                         tune->useUltimate(gain_A_per_rad, period_s);
                      });
     QObject::connect(tune, &TunePanel::identifyRequested, &docks,
                      [&docks] { docks.setPerspective(Perspective::Identify); });
@@ -73,6 +80,7 @@ void connectTaskFlow(DockLayout& docks, Workbench& bench) {
     identify->setFileChooser(fileDialogs(bench));
     calibrate->setFileChooser(fileDialogs(bench));
     frequency->setFileChooser(fileDialogs(bench));
+    relay->setFileChooser(fileDialogs(bench));
     tune->setFileChooser(fileDialogs(bench));
     configuration->setFileChooser(fileDialogs(bench));
     panelOf<MonitorPanel>(docks, "monitor")->setFileChooser(fileDialogs(bench));

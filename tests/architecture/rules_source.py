@@ -225,10 +225,11 @@ def own_includes(files, path):
 # What moves the motor or judges it is asked for as a whole; a panel that took parts of it would give other numbers than
 # the batch program.
 PANELS = ("app/window/", "app/wizards/", "app/workspaces/")
-PROCEDURES = ("runIdentify", "runFrequency", "runCalibrate", "runApply", "runLiveApply", "runTune",
+PROCEDURES = ("runIdentify", "runFrequency", "runRelay", "runCalibrate", "runApply", "runLiveApply", "runTune",
               "runAnalysis")
 PROCEDURE_DOORS = {"app/procedures/" + name + ".h" for name in (
     "procedure", "identify_procedure", "identify_plan", "frequency_procedure", "frequency_plan", "frequency_board",
+    "relay_procedure", "relay_plan",
     "coil_forecast", "measured_loop", "calibrate_procedure", "apply_procedure", "tune", "loop_verdict", "move_reference",
     "ellipse_shape",
     "loop_uncertainty",  # the motors that runTune draws, for the pictures

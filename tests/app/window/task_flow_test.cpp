@@ -5,6 +5,7 @@
 #include "tests/app/window/window_test.h"
 #include "tests/app/workspaces/published_motor.h"
 #include "widgets/message_bar.h"
+#include "widgets/optional_number_edit.h"
 #include "widgets/stop_button.h"
 
 #include <QCheckBox>
@@ -90,6 +91,27 @@ TEST_F(TaskFlowTest, aRecordingIsAskedOfTuneWhatIf) {
     EXPECT_EQ(window->docks().perspective(), Perspective::Tune);
     const auto* message = window->docks().panel("tune")->findChild<widgets::MessageBar*>();
     EXPECT_TRUE(wait([&] { return message->message().text.contains("none.csv"); }));
+}
+
+// From the swing to the proposal: Ziegler and Nichols from what was measured, and nothing is applied.
+TEST_F(TaskFlowTest, aMeasuredUltimateGainIsUsedInTune) {
+    open();
+    window->connectDevice("sim:htm?imperfections=off"); // uncalibrated sensors would have it refused
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->bench().deviceValues().empty(); }, Patience_ms));
+    session().setPace({0.0});
+    window->bench().setIdentification(publishedMotor());
+    window->docks().setPerspective(Perspective::Identify);
+    window->docks().docks().value("relay")->setAsCurrentTab();
+    ASSERT_TRUE(wait([&] { return button("relay", "Start experiment")->isEnabled(); }));
+    QTest::mouseClick(button("relay", "Start experiment"), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return button("relay", "Use in Tune") != nullptr; }, 120000));
+    QTest::mouseClick(button("relay", "Use in Tune"), Qt::LeftButton);
+    EXPECT_EQ(window->docks().perspective(), Perspective::Tune);
+    auto* gain = window->docks().docks().value("tune")->widget()->findChild<widgets::OptionalNumberEdit*>(
+        "ultimate-gain");
+    ASSERT_NE(gain, nullptr);
+    EXPECT_TRUE(gain->isVisible());
+    EXPECT_NEAR(gain->value().value_or(0.0), 16.29, 0.5); // resources/help/htm-theory.md 7.7
 }
 
 TEST_F(TaskFlowTest, aFileDialogCarriesASmallStop) {

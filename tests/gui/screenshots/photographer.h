@@ -28,6 +28,8 @@ public:
     bool takeHelp();
     /// A calibration with its pictures, as fast as possible: a busy machine would be stopped on the way.
     bool takeCalibrationOnly();
+    /// Calibration, then the relay experiment to the gains that are proposed from it.
+    bool takeRelay();
     /// Tune alone, for a motor that is known.
     bool takeTune();
     /// The crossover is dragged through the Bode plot, then the margin; the pictures follow.

@@ -39,6 +39,35 @@ bool Photographer::takeCalibration() {
     return isDone && press("calibrate", "halbench::app::CalibratePanel", "Apply");
 }
 
+bool Photographer::takeRelay() {
+    m_window.connectDevice(QStringLiteral("sim:htm"));
+    if (!wait([this] { return !m_window.bench().deviceValues().empty(); })) {
+        return false;
+    }
+    session().setPace({0.0});
+    if (!takeCalibration() || !wait([this] { return session().procedure().isEmpty(); }) ||
+        !takeIdentification()) {
+        return false;
+    }
+    m_window.docks().docks().value(QStringLiteral("relay"))->setAsCurrentTab();
+    QTest::qWait(Settling_ms);
+    take(QStringLiteral("relay"));
+    session().setPace({10.0});
+    if (!press("relay", "halbench::app::RelayPanel", "Start experiment")) {
+        return false;
+    }
+    QTest::qWait(DataTime_ms);
+    take(QStringLiteral("relay-run"));
+    session().setPace({0.0});
+    const bool isDone = wait([this] { return session().procedure().isEmpty(); });
+    QTest::qWait(Settling_ms);
+    take(QStringLiteral("relay-result"));
+    const bool isUsed = press("relay", "halbench::app::RelayPanel", "Use in Tune");
+    QTest::qWait(DataTime_ms);
+    take(QStringLiteral("relay-tune"));
+    return isDone && isUsed && m_isSaved;
+}
+
 bool Photographer::takeIdentification() {
     for (ads::CDockWidget* dock : m_window.docks().docks()) {
         if (dock->objectName() == QStringLiteral("identify")) {

@@ -16,12 +16,13 @@ int main(int count, char** words) {
         {"help", &Photographer::takeHelp},
         {"recordings", &Photographer::takeRecordings},
         {"calibration", &Photographer::takeCalibrationOnly},
+        {"relay", &Photographer::takeRelay},
         {"tune", &Photographer::takeTune},
         {"dragging", &Photographer::takeDragging}};
     const auto subject = subjects.find(count == 6 ? QByteArray(words[5]) : QByteArray(""));
     if (count < 5 || count > 6 || subject == subjects.end()) {
         std::fprintf(stderr, "usage: halbench_screenshots FOLDER LANGUAGE WIDTH HEIGHT "
-                             "[monitor|help|recordings|calibration|tune|dragging]\n");
+                             "[monitor|help|recordings|calibration|relay|tune|dragging]\n");
         return 2;
     }
     qputenv("QT_QPA_PLATFORM", "offscreen");

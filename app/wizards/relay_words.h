@@ -1,0 +1,23 @@
+#pragma once
+
+#include "app/procedures/relay_procedure.h"
+#include "widgets/estimate_table.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace halbench::app {
+
+/// What the window says of a relay experiment; pure functions of values.
+
+/// What will move and how far, how long, how warm.
+QString relayOutlook(const RelayConfig& config, const RelayPlan& plan, double warmest_degC);
+
+/// Ultimate gain and period with their intervals, the phase that was measured, and the model's own.
+std::vector<widgets::EstimateRow> relayRows(const RelayResult& result);
+
+/// Whether the model agrees, and how the loop swung.
+QString relayUse(const RelayResult& result);
+
+} // namespace halbench::app
