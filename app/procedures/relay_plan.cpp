@@ -105,7 +105,9 @@ Swing swingOf(const control::PositionPlant& plant, const RelayPlan& plan, const 
     Swing swing;
     swing.lowest_rad_s = base_rad_s;
     std::vector<double> reference, current, angle;
-    const auto perSample = static_cast<std::size_t>(std::lround(board.period_s * 1e3)); // rows are 1 ms apart
+    // The simulation's rows are 1 ms apart, whatever the loop's period is; every fourth shows the cycle.
+    constexpr std::size_t RowStep = 4;
+    constexpr double Row_s = 1e-3 * static_cast<double>(RowStep);
     for (std::size_t i = 0; i < trace.time_s.size(); ++i) {
         swing.peak_rad_s = std::max(swing.peak_rad_s, trace.speed_rad_s[i]);
         if (trace.time_s[i] < plan.runUp_s) {
@@ -113,7 +115,7 @@ Swing swingOf(const control::PositionPlant& plant, const RelayPlan& plan, const 
         }
         swing.lowest_rad_s = std::min(swing.lowest_rad_s, trace.speed_rad_s[i]);
         swing.highest_rad_s = std::max(swing.highest_rad_s, trace.speed_rad_s[i]);
-        if (i % perSample == 0) {
+        if (i % RowStep == 0) {
             reference.push_back(trace.reference_rad[i]);
             current.push_back(trace.current_A[i]);
             angle.push_back(trace.angle_rad[i]);
@@ -121,7 +123,7 @@ Swing swingOf(const control::PositionPlant& plant, const RelayPlan& plan, const 
         }
     }
     swing.meanSquare_A2 /= static_cast<double>(std::max<std::size_t>(current.size(), 1));
-    const auto cycle = control::estimateLimitCycle({board.period_s, reference, current, angle});
+    const auto cycle = control::estimateLimitCycle({Row_s, reference, current, angle});
     swing.cycle = cycle ? std::optional(*cycle) : std::nullopt;
     return swing;
 }

@@ -185,7 +185,7 @@ class Schemas(unittest.TestCase):
     def test_runs(self):
         folder = os.path.join(RESOURCES, "experiments", "htm")
         for name in ("tour.toml", "figure-07-amplifier.toml", "contradiction-06-difference-equation.toml",
-                     "frequency-response.toml"):
+                     "frequency-response.toml", "relay-experiment.toml"):
             with self.subTest(name=name):
                 printed = self.accept(self.run_json("run", os.path.join(folder, name), "--out", name))
                 with open(os.path.join(self.folder.name, name, "result.json"), encoding="utf-8") as file:
