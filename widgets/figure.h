@@ -32,6 +32,7 @@ struct Curve {
     CurveStyle style = CurveStyle::Line;
     std::optional<int> colour; ///< curve role 0 ... 7 of the theme; default: by position in the panel
     bool isRight = false;      ///< of the right axis, which the panel then has
+    std::vector<double> parameter = {}; ///< what each sample belongs to, on the figure's parameter axis
 };
 
 /// A straight reference line across the panel with its text at the edge, e.g. a limit or a crossover.
@@ -40,6 +41,7 @@ struct ReferenceLine {
     Direction direction = Direction::Horizontal;
     double at = 0.0;
     std::string label;
+    bool isFaint = false; ///< beside those that decide
 };
 
 /// Titled `quantity [unit]`; an empty unit leaves the bracket out.
@@ -67,6 +69,8 @@ struct Figure {
     Axis x;
     std::vector<Panel> panels;
     bool isEqualScale = false; ///< a unit is as long on both axes of the one panel, for a picture of a place
+    bool isLinked = false;     ///< what is probed is read in every panel at the same abscissa
+    std::optional<Axis> parameter = {}; ///< what the curves run along when it is not the horizontal axis
 };
 
 } // namespace halbench::widgets

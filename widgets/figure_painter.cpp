@@ -44,6 +44,12 @@ QColor bandColour(QColor colour) {
     return colour;
 }
 
+QColor faint(QColor colour) {
+    constexpr double Share = 0.6;
+    colour.setAlphaF(Share);
+    return colour;
+}
+
 void drawMarker(QPainter& painter, CurveStyle style, const QColor& colour, const QPointF& centre) {
     const QwtSymbol symbol(style == CurveStyle::Crosses ? QwtSymbol::XCross : QwtSymbol::Ellipse,
                            style == CurveStyle::Points ? QBrush(colour) : QBrush(Qt::NoBrush),
@@ -91,7 +97,8 @@ public:
     void drawReferenceLine(const ReferenceLine& line) {
         const std::optional<double> at_px = placeOf(line);
         if (at_px) {
-            m_painter.setPen(QPen(m_theme.muted, 1.0, Qt::DashLine));
+            m_painter.setPen(QPen(line.isFaint ? faint(m_theme.muted) : m_theme.muted, 1.0,
+                                  line.isFaint ? Qt::DotLine : Qt::DashLine));
             m_painter.drawLine(isHorizontal(line)
                                    ? QLineF(m_canvas.left(), *at_px, m_canvas.right(), *at_px)
                                    : QLineF(*at_px, m_canvas.top(), *at_px, m_canvas.bottom()));

@@ -2,22 +2,22 @@
 
 #include "widgets/figure_file.h"
 #include "widgets/figure_scales.h"
+#include "widgets/figure_table.h"
 #include "widgets/picture_actions.h"
 #include "widgets/theme_style.h"
 
-#include <QAccessible>
 #include <QAction>
 #include <QBuffer>
 #include <QClipboard>
+#include <QEvent>
 #include <QFontInfo>
-#include <QFontMetricsF>
 #include <QGuiApplication>
-#include <QKeyEvent>
 #include <QLocale>
 #include <QPainter>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace halbench::widgets {
 namespace {
@@ -32,14 +32,6 @@ int heightOfPanels(const Figure& figure) {
         height_px += panel.height_px;
     }
     return height_px;
-}
-
-std::optional<double> abscissaOf(const Figure& figure, const FigurePoint& point) {
-    if (point.panel >= figure.panels.size() || point.curve >= figure.panels[point.panel].curves.size()) {
-        return std::nullopt;
-    }
-    const Curve& curve = figure.panels[point.panel].curves[point.curve];
-    return point.index < curve.x.size() ? std::optional(curve.x[point.index]) : std::nullopt;
 }
 
 /// Of a picture: device-independent pixels, how many pixels each of them is, and how much larger than the
@@ -86,11 +78,11 @@ FigureView::FigureView(QWidget* parent)
 }
 
 void FigureView::setFigure(Figure figure) {
-    const std::optional<double> before = m_probe ? abscissaOf(m_figure, *m_probe) : std::nullopt;
-    m_figure = m_grip ? withAxesOf(std::move(figure), m_grip->drawn, m_grip->layout) : std::move(figure);
-    if (m_probe && abscissaOf(m_figure, *m_probe) != before) {
-        m_probe.reset();
+    const Figure before = std::exchange(m_figure, std::move(figure));
+    if (m_grip) {
+        m_figure = withAxesOf(std::move(m_figure), m_grip->drawn, m_grip->layout);
     }
+    keepProbe(before);
     updateGeometry();
     refresh();
     refreshWords();
@@ -146,6 +138,9 @@ std::function<Result<void>()> FigureView::saving(const QString& path) const {
         return
             [] { return Result<void>(failure(ErrorCode::InvalidInput, "there is no picture to save", "")); };
     }
+    if (path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
+        return pictureWriting(QByteArray::fromStdString(figureTable(m_figure)), path);
+    }
     const PictureFormat format = pictureFormat(path).value_or(PictureFormat::Png);
     return pictureWriting(format == PictureFormat::Png ? png(image(2.0)) : picture(format), path);
 }
@@ -188,45 +183,6 @@ void FigureView::paintEvent(QPaintEvent*) {
     drawProbe(painter, figure, layout);
 }
 
-void FigureView::drawProbe(QPainter& painter, const Figure& figure, const FigureLayout& layout) const {
-    const auto place = m_probe ? placeOf(figure, layout, *m_probe) : std::nullopt;
-    if (!place) {
-        return;
-    }
-    const Theme theme = currentTheme();
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(theme.text, 1.5));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(*place, 6.0, 6.0);
-    const QFont font = figureFont();
-    const QSizeF words(QFontMetricsF(font).horizontalAdvance(probeText()) + 12.0, 20.0);
-    const double right_px = width() / scale() - words.width() - 4.0;
-    const double left_px = std::clamp(place->x() + 10.0, 4.0, std::max(4.0, right_px));
-    const double above_px = place->y() - words.height() - 10.0;
-    const QRectF box(QPointF(left_px, above_px < 4.0 ? place->y() + 10.0 : above_px), words);
-    painter.setPen(QPen(theme.line, 1.0));
-    painter.setBrush(theme.raised);
-    painter.drawRoundedRect(box, 3.0, 3.0);
-    painter.setFont(font);
-    painter.setPen(theme.text);
-    painter.drawText(box, Qt::AlignCenter, probeText());
-}
-
-QString FigureView::probeText() const {
-    return m_probe ? pointText(m_figure, *m_probe) : QString();
-}
-
-void FigureView::probe(std::optional<FigurePoint> point) {
-    if (point == m_probe) {
-        return;
-    }
-    m_probe = point;
-    refreshWords();
-    update();
-    QAccessibleEvent said(this, QAccessible::DescriptionChanged);
-    QAccessible::updateAccessibility(&said);
-}
-
 void FigureView::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange ||
@@ -234,42 +190,6 @@ void FigureView::changeEvent(QEvent* event) {
         refresh();
     } else if (event->type() == QEvent::LanguageChange) {
         refreshWords();
-    }
-}
-
-void FigureView::probeAt(const QPoint& at) {
-    constexpr double Reach_px = 14.0;
-    if (!isEmpty()) {
-        const Figure figure = stretched();
-        const FigureLayout layout = layOut(figure, static_cast<int>(width() / scale()));
-        probe(nearestPoint(figure, layout, QPointF(at) / scale(), Reach_px));
-    }
-}
-
-void FigureView::leaveEvent(QEvent* event) {
-    QWidget::leaveEvent(event);
-    showUnder(std::nullopt);
-    if (!hasFocus()) {
-        probe(std::nullopt);
-    }
-}
-
-void FigureView::keyPressEvent(QKeyEvent* event) {
-    const bool isForward = event->key() == Qt::Key_Right;
-    if (step(*event)) {
-        return;
-    }
-    if (isEmpty() || (!isForward && event->key() != Qt::Key_Left)) {
-        QWidget::keyPressEvent(event); // Esc stops the motor, it belongs to the window
-        return;
-    }
-    const Figure figure = stretched();
-    const FigureLayout layout = layOut(figure, static_cast<int>(width() / scale()));
-    if (!m_probe) {
-        // The walk begins at the first sample that can be seen.
-        probe(nearestPoint(figure, layout, layout.panels.front().canvas.bottomLeft(), 1e6));
-    } else {
-        probe(neighbour(figure, layout, *m_probe, isForward ? 1 : -1));
     }
 }
 

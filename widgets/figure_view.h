@@ -17,7 +17,8 @@ namespace halbench::widgets {
 
 /// A figure on the screen, as tall as its widget: the same picture as in a report, in the colours of the
 /// current theme, sharp at every scale. The sample under the pointer, or walked to with the arrow keys, is
-/// said in words; Ctrl+C copies the picture, the context menu saves it. Its handles are moved with the mouse
+/// said in words; in linked panels a line runs through all of them and each says what it has there, and a
+/// click keeps it. Ctrl+C copies the picture, the context menu saves it. Its handles are moved with the mouse
 /// or, with Ctrl, by the arrow keys; the axes stay as they are while one is held. Whoever owns the view moves
 /// them.
 /// Thread: GUI.
@@ -27,7 +28,8 @@ public:
     explicit FigureView(QWidget* parent = nullptr);
 
     /// Panels whose curves' x and y differ in number must not come here (figureSvg says which).
-    /// The mark stays when the sample it is at keeps its place on the horizontal axis.
+    /// The mark stays when the sample it is at keeps its place on the horizontal axis; where the curves run
+    /// along something (figure_cursor.h), at the sample nearest to where it was along it.
     void setFigure(Figure figure);
     void clear();
     const Figure& figure() const { return m_figure; }
@@ -42,11 +44,15 @@ public:
 
     /// The sample that is marked, in words; empty when none is.
     QString probeText() const;
+    /// Where it is along the curves, in the unit of that axis; nothing where they run along nothing.
+    std::optional<double> probedAlong() const;
+    void probeAlong(double value);
 
     /// Drawn anew, `scale` pixels to a device-independent one.
     QImage image(double scale) const;
-    /// What writes the picture as it is now to a file, on any thread; .svg keeps its text, everything else is
-    /// .png. Its errors: InvalidInput (nothing to save), FileSystem.
+    /// What writes the picture as it is now to a file, on any thread; .svg keeps its text, .csv has its
+    /// numbers (figure_table.h), everything else is .png. Its errors: InvalidInput (nothing to save),
+    /// FileSystem.
     std::function<Result<void>()> saving(const QString& path) const;
 
     QSize sizeHint() const override;
@@ -89,10 +95,14 @@ private:
     void refreshWords();
     void probe(std::optional<FigurePoint> point);
     void probeAt(const QPoint& at);
+    void pinAt(const QPoint& at);
+    void keepProbe(const Figure& before);
+    std::optional<FigurePoint> pointUnder(const QPoint& at) const;
     void drawProbe(QPainter& painter, const Figure& figure, const FigureLayout& layout) const;
 
     Figure m_figure;
     std::optional<FigurePoint> m_probe;
+    bool m_isPinned = false; ///< by a click: the pointer does not take it along
     std::vector<FigureHandle> m_handles;
     std::optional<int> m_under; ///< handle under the pointer
     std::optional<Grip> m_grip;

@@ -99,6 +99,9 @@ void FigureView::drawHandles(QPainter& painter, const Figure& figure, const Figu
 void FigureView::mousePressEvent(QMouseEvent* event) {
     const auto handle = event->button() == Qt::LeftButton ? handleUnder(event->pos()) : std::nullopt;
     if (!handle) {
+        if (event->button() == Qt::LeftButton) {
+            pinAt(event->pos());
+        }
         QWidget::mousePressEvent(event);
         return;
     }
@@ -106,6 +109,7 @@ void FigureView::mousePressEvent(QMouseEvent* event) {
     FigureLayout layout = layOut(figure, static_cast<int>(width() / scale()));
     const QPointF place = *placeOfHandle(figure, layout, m_handles[static_cast<std::size_t>(*handle)]);
     probe(std::nullopt);
+    m_isPinned = false;
     m_grip = Grip{*handle, place - QPointF(event->pos()) / scale(), figure, {}};
     m_grip->layout = layOut(m_grip->drawn, static_cast<int>(width() / scale())); // it points into its figure
     Q_EMIT handleTaken(*handle);

@@ -85,7 +85,9 @@ Figure bodeFigure(const BodeContent& content) {
     }
     return {content.title,
             {utf8(Words::tr("frequency")), "Hz", true, {}, {}, {}},
-            {std::move(magnitude), std::move(phase)}};
+            {std::move(magnitude), std::move(phase)},
+            false,
+            true};
 }
 
 Figure ellipseFigure(const EllipseContent& content) {
