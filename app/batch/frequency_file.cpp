@@ -20,7 +20,8 @@ std::optional<MeasuredPlant::Point> pointOf(const JsonValue& entry, double above
     if (!frequency_Hz || !re || !im || !(*frequency_Hz > above_Hz) || (*re == 0.0 && *im == 0.0)) {
         return std::nullopt;
     }
-    return MeasuredPlant::Point{*frequency_Hz, {*re, *im}, isTrueIn(&entry, "used")};
+    return MeasuredPlant::Point{
+        *frequency_Hz, {*re, *im}, isTrueIn(&entry, "used"), numberIn(&entry, "coherence")};
 }
 
 } // namespace
@@ -45,6 +46,7 @@ Result<FrequencyFile> parseFrequency(const std::string& text, const std::string&
                        "make the file with 'halbench identify DEVICE --frequency --out'");
     }
     file.plant.period_s = *period_s;
+    file.plant.leastCoherence = numberIn(member(&*root, "excitation"), "least_coherence");
     double last_Hz = 0.0;
     for (const JsonValue& entry : itemsIn(&*root, "points")) {
         const auto point = pointOf(entry, last_Hz);

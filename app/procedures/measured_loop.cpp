@@ -5,16 +5,19 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 namespace halbench::app {
 
 MeasuredPlant measuredPlant(const FrequencyResult& result) {
     MeasuredPlant plant;
     plant.period_s = result.period_s;
+    plant.leastCoherence = result.config.leastCoherence;
     for (const FrequencyResultPoint& point : result.points) {
         const std::complex<double> value = point.measured.value;
         if (std::isfinite(std::norm(value)) && std::norm(value) > 0.0) {
-            plant.points.push_back({point.measured.frequency_rad_s / (2.0 * Pi), value, point.isUsed});
+            plant.points.push_back(
+                {point.measured.frequency_rad_s / (2.0 * Pi), value, point.isUsed, point.measured.coherence});
         }
     }
     return plant;
@@ -35,6 +38,7 @@ Result<MeasuredLoop> measuredLoop(const MeasuredPlant& plant, const control::Pid
         return failure(controller.error());
     }
     MeasuredLoop loop;
+    loop.leastCoherence = plant.leastCoherence;
     double near_deg = -180.0;
     for (const MeasuredPlant::Point& point : plant.points) {
         const double w = 2.0 * Pi * point.frequency_Hz;
@@ -47,6 +51,7 @@ Result<MeasuredLoop> measuredLoop(const MeasuredPlant& plant, const control::Pid
         loop.magnitude_dB.push_back(20.0 * std::log10(std::abs(L)));
         loop.phase_deg.push_back(phase_deg);
         loop.isUsed.push_back(point.isUsed);
+        loop.coherence.push_back(point.coherence.value_or(std::numeric_limits<double>::quiet_NaN()));
     }
     return loop;
 }

@@ -5,6 +5,7 @@
 #include "control/design/position_loop.h"
 
 #include <complex>
+#include <optional>
 #include <vector>
 
 namespace halbench::app {
@@ -13,11 +14,13 @@ namespace halbench::app {
 struct MeasuredPlant {
     struct Point {
         double frequency_Hz = 0.0;
-        std::complex<double> value; ///< rad/A
-        bool isUsed = false;        ///< coherent enough
+        std::complex<double> value;           ///< rad/A
+        bool isUsed = false;                  ///< coherent enough
+        std::optional<double> coherence = {}; ///< 0 ... 1; absent where the file does not say
     };
-    std::vector<Point> points; ///< ascending
-    double period_s = 0.01;    ///< of the position loop that it was measured in
+    std::vector<Point> points;                 ///< ascending
+    double period_s = 0.01;                    ///< of the position loop that it was measured in
+    std::optional<double> leastCoherence = {}; ///< from which on a point is used
 };
 
 /// What a measurement gives; points that are no number or zero are left out.
@@ -29,6 +32,8 @@ struct MeasuredLoop {
     std::vector<double> magnitude_dB;
     std::vector<double> phase_deg; ///< unwrapped along the points that are used; others lie nearest to them
     std::vector<bool> isUsed;
+    std::vector<double> coherence = {}; ///< of the measurement; NaN where it is not known
+    std::optional<double> leastCoherence = {};
 };
 
 /// C z^-d G at each measured frequency: no model of the motor is in it. Errors: of the gains; InvalidInput

@@ -1,6 +1,7 @@
 #include "app/report/frequency_figures.h"
 
 #include "app/procedures/frequency_plan.h"
+#include "app/report/coherence_panel.h"
 #include "app/report/loop_curves.h"
 #include "control/base/units.h"
 #include "widgets/figures.h"
@@ -152,25 +153,16 @@ QString titleOf(FrequencyView view) {
                                            : Words::tr("Measured closed loop");
 }
 
-widgets::Panel coherencePanel(const FrequencyResult& result) {
-    widgets::Panel panel;
-    panel.y = {utf8(Words::tr("coherence")), {}, false, 0.0, 1.0, {}};
-    panel.height_px = 110;
-    widgets::Curve used{{}, {}, {}, CurveStyle::Points, MarkColour};
-    widgets::Curve rest{{}, {}, {}, CurveStyle::HollowPoints, MarkColour};
+widgets::Panel coherenceOf(const FrequencyResult& result) {
+    std::vector<double> frequency_Hz;
+    std::vector<double> coherence;
+    std::vector<bool> isUsed;
     for (const FrequencyResultPoint& point : result.points) {
-        widgets::Curve& curve = point.isUsed ? used : rest;
-        curve.x.push_back(point.measured.frequency_rad_s / (2.0 * Pi));
-        curve.y.push_back(point.measured.coherence);
+        frequency_Hz.push_back(point.measured.frequency_rad_s / (2.0 * Pi));
+        coherence.push_back(point.measured.coherence);
+        isUsed.push_back(point.isUsed);
     }
-    for (widgets::Curve* curve : {&used, &rest}) {
-        if (!curve->x.empty()) {
-            panel.curves.push_back(std::move(*curve));
-        }
-    }
-    panel.lines = {{Direction::Horizontal, result.config.leastCoherence,
-                    fmt::format("{:.3g}", result.config.leastCoherence)}};
-    return panel;
+    return coherencePanel(frequency_Hz, coherence, isUsed, result.config.leastCoherence);
 }
 
 /// Slope of the reference, which the board does not tell.
@@ -209,7 +201,7 @@ widgets::Figure frequencyFigure(const FrequencyResult& result, FrequencyView vie
         markMargins(content, result.margins);
     }
     widgets::Figure figure = widgets::bodeFigure(content);
-    figure.panels.push_back(coherencePanel(result));
+    figure.panels.push_back(coherenceOf(result));
     return figure;
 }
 

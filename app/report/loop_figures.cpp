@@ -1,5 +1,6 @@
 #include "app/report/loop_figures.h"
 
+#include "app/report/loop_marks.h"
 #include "control/base/units.h"
 
 #include <QtCore/QCoreApplication>
@@ -26,6 +27,10 @@ struct Words {
 
 std::string utf8(const QString& text) {
     return text.toStdString();
+}
+
+widgets::Axis frequencyAxis() {
+    return {utf8(Words::tr("frequency")), "Hz", true, {}, {}, {}};
 }
 
 double decibel(double ratio) {
@@ -94,6 +99,7 @@ void addMeasured(widgets::Panel& panel, const std::optional<MeasuredLoop>& measu
         Curve& curve = measured->isUsed[i] ? coherent : rest;
         curve.x.push_back(x);
         curve.y.push_back(y);
+        curve.parameter.push_back(measured->frequency_Hz[i]);
     }
     for (Curve* curve : {&rest, &coherent}) {
         if (!curve->x.empty()) {
@@ -111,7 +117,7 @@ widgets::Figure nyquistFigure(const AnalysisResult& predicted, const std::option
     plane.y = {utf8(Words::tr("imaginary part of L")), {}, false, -2.0, 1.5, {}};
     plane.height_px = 360;
     for (const LoopCurve& each : loopCurves(predicted, present, others)) {
-        Curve curve{each.label, {}, {}, each.style, each.colour};
+        Curve curve{each.label, {}, {}, each.style, each.colour, false, each.loop->bode.frequency_Hz};
         for (const Complex& value : openLoop(*each.loop)) {
             curve.x.push_back(value.real());
             curve.y.push_back(value.imag());
@@ -127,12 +133,16 @@ widgets::Figure nyquistFigure(const AnalysisResult& predicted, const std::option
         const double margin = predicted.margins.modulusMargin;
         plane.curves.push_back(circle({-1.0, 0.0}, margin, marginLabel(margin), CurveStyle::DashedLine));
     }
-    plane.curves.push_back({"\u22121", {-1.0}, {0.0}, CurveStyle::Points, MarkColour});
+    if (predicted.isStable) {
+        appendCrossings(plane, predicted);
+    }
+    plane.curves.push_back({criticalPoint(predicted), {-1.0}, {0.0}, CurveStyle::Points, MarkColour});
     widgets::Figure figure;
     figure.title = utf8(Words::tr("Nyquist plot of the open loop"));
     figure.x = {utf8(Words::tr("real part of L")), {}, false, -2.5, 1.5, {}};
     figure.panels = {std::move(plane)};
     figure.isEqualScale = true;
+    figure.parameter = frequencyAxis();
     return figure;
 }
 
@@ -147,7 +157,8 @@ widgets::Figure nicholsFigure(const AnalysisResult& predicted, const std::option
     double least_deg = -270.0;
     for (const LoopCurve& each : loopCurves(predicted, present, others)) {
         const auto& bode = each.loop->bode;
-        panel.curves.push_back({each.label, bode.phase_deg, bode.magnitude_dB, each.style, each.colour});
+        panel.curves.push_back({each.label, bode.phase_deg, bode.magnitude_dB, each.style, each.colour, false,
+                                bode.frequency_Hz});
         for (const double phase_deg : bode.phase_deg) {
             least_deg = std::min(least_deg, phase_deg);
         }
@@ -170,6 +181,7 @@ widgets::Figure nicholsFigure(const AnalysisResult& predicted, const std::option
                 0.0,
                 0.5 * Turn_deg};
     figure.panels = {std::move(panel)};
+    figure.parameter = frequencyAxis();
     return figure;
 }
 
@@ -195,8 +207,9 @@ std::optional<widgets::Figure> sensitivityFigure(const AnalysisResult& predicted
     response.lines = {{Direction::Horizontal, 0.0, "0 dB"}};
     widgets::Figure figure;
     figure.title = utf8(Words::tr("Sensitivity and closed loop"));
-    figure.x = {utf8(Words::tr("frequency")), "Hz", true, {}, {}, {}};
+    figure.x = frequencyAxis();
     figure.panels = {std::move(error), std::move(response)};
+    figure.isLinked = true;
     return figure;
 }
 

@@ -1,5 +1,7 @@
 #include "app/report/tuning_figures.h"
 
+#include "app/report/coherence_panel.h"
+#include "app/report/loop_marks.h"
 #include "control/base/units.h"
 #include "widgets/figures.h"
 
@@ -41,24 +43,6 @@ void addMeasured(widgets::BodeContent& content, const MeasuredLoop& measured) {
         if (!response->frequency_Hz.empty()) {
             content.responses.push_back(std::move(*response));
         }
-    }
-}
-
-/// A margin is read in one panel and its crossover seen in both.
-void markMargins(widgets::BodeContent& content, const control::StabilityMargins& margins) {
-    if (margins.gainCrossover_rad_s) {
-        const double crossover_Hz = *margins.gainCrossover_rad_s / (2.0 * Pi);
-        content.magnitudeLines.push_back({Direction::Vertical, crossover_Hz, {}});
-        content.phaseLines.push_back(
-            {Direction::Vertical, crossover_Hz,
-             fmt::format("{} {:.0f}\u00b0", utf8(Words::tr("phase margin")), margins.phaseMargin_deg)});
-    }
-    if (margins.phaseCrossover_rad_s && std::isfinite(margins.gainMargin_ratio)) {
-        const double crossover_Hz = *margins.phaseCrossover_rad_s / (2.0 * Pi);
-        content.magnitudeLines.push_back(
-            {Direction::Vertical, crossover_Hz,
-             fmt::format("{} {:.2g}\u00d7", utf8(Words::tr("gain margin")), margins.gainMargin_ratio)});
-        content.phaseLines.push_back({Direction::Vertical, crossover_Hz, {}});
     }
 }
 
@@ -125,7 +109,7 @@ widgets::Figure openLoopFigure(const AnalysisResult& predicted, const std::optio
     content.magnitudeLines = {{Direction::Horizontal, 0.0, "0 dB"}};
     content.phaseLines = {{Direction::Horizontal, -180.0, "\u2212180\u00b0"}};
     if (predicted.isStable) { // a factor "to the limit" would read as room that is not there
-        markMargins(content, predicted.margins);
+        markCrossings(content, predicted);
     }
     widgets::Figure figure = widgets::bodeFigure(content);
     if (uncertainty) {
@@ -133,6 +117,11 @@ widgets::Figure openLoopFigure(const AnalysisResult& predicted, const std::optio
         constexpr double ToHertz = 0.5 / Pi;
         figure.panels[0].curves.push_back(bandCurve(bands.frequency_rad_s, bands.magnitude_dB, ToHertz));
         figure.panels[1].curves.push_back(bandCurve(bands.frequency_rad_s, bands.phase_deg, ToHertz));
+    }
+    if (measured && std::any_of(measured->coherence.begin(), measured->coherence.end(),
+                                [](double each) { return std::isfinite(each); })) {
+        figure.panels.push_back(coherencePanel(measured->frequency_Hz, measured->coherence, measured->isUsed,
+                                               measured->leastCoherence));
     }
     return figure;
 }
@@ -168,7 +157,9 @@ std::optional<widgets::Figure> linearStepFigure(const AnalysisResult& predicted,
     return widgets::Figure{utf8(Words::tr("Predicted step of %1, linear loop")
                                     .arg(QString::fromStdString(scale.text(1.0 / scale.factor)))),
                            {utf8(Words::tr("time")), "s", false, {}, {}, {}},
-                           {std::move(response), std::move(current)}};
+                           {std::move(response), std::move(current)},
+                           false,
+                           true};
 }
 
 std::optional<widgets::Figure> largeStepFigure(const AnalysisResult& predicted,
@@ -204,6 +195,7 @@ std::optional<widgets::Figure> largeStepFigure(const AnalysisResult& predicted,
     figure.title = fmt::format("{} {}", utf8(Words::tr("Predicted step with friction and current limit,")),
                                scale.text(height_rad));
     figure.panels.push_back(std::move(current));
+    figure.isLinked = true;
     return figure;
 }
 

@@ -14,6 +14,20 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(halbench::app::DocumentFiles)
 };
 
+void savePictureAs(QWidget* asking, const FileChooser& chooser, const FileQuestion& question,
+                   FileQueue& files, const PictureSaving& saving,
+                   std::function<void(const Error& error)> refused) {
+    const QString path = chooser.save ? chooser.save(asking, question) : QString();
+    if (path.isEmpty()) {
+        return;
+    }
+    files.run(saving(path), [refused = std::move(refused)](const Result<void>& saved) {
+        if (!saved) {
+            refused(saved.error());
+        }
+    });
+}
+
 } // namespace
 
 void saveDocument(QWidget* asking, const FileChooser& chooser, const FileQuestion& question, FileQueue& files,
@@ -42,24 +56,18 @@ void saveText(QWidget* asking, const FileChooser& chooser, const FileQuestion& q
 
 void savePicture(QWidget* asking, const FileChooser& chooser, const QString& suggestedName, FileQueue& files,
                  const PictureSaving& saving, std::function<void(const Error& error)> refused) {
-    const QString path = chooser.save ? chooser.save(asking, {Words::tr("Save picture"), suggestedName,
-                                                              Words::tr("Picture (*.svg *.pdf *.png)")})
-                                      : QString();
-    if (path.isEmpty()) {
-        return;
-    }
-    files.run(saving(path), [refused = std::move(refused)](const Result<void>& saved) {
-        if (!saved) {
-            refused(saved.error());
-        }
-    });
+    savePictureAs(asking, chooser,
+                  {Words::tr("Save picture"), suggestedName, Words::tr("Picture (*.svg *.pdf *.png)")}, files,
+                  saving, std::move(refused));
 }
 
 void savePicture(QWidget* asking, const FileChooser& chooser, const QString& suggestedName, FileQueue& files,
                  const widgets::FigureView& view, std::function<void(const Error& error)> refused) {
-    savePicture(
-        asking, chooser, suggestedName, files, [&view](const QString& path) { return view.saving(path); },
-        std::move(refused));
+    const QString kinds =
+        Words::tr("Picture (*.svg *.pdf *.png)") + QStringLiteral(";;") + Words::tr("Its numbers (*.csv)");
+    savePictureAs(
+        asking, chooser, {Words::tr("Save picture"), suggestedName, kinds}, files,
+        [&view](const QString& path) { return view.saving(path); }, std::move(refused));
 }
 
 } // namespace halbench::app

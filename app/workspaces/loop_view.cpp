@@ -2,9 +2,12 @@
 
 #include "app/report/loop_figures.h"
 #include "app/report/root_locus_figure.h"
+#include "app/workspaces/loop_phase.h"
+#include "widgets/figure_cursor.h"
 #include "widgets/figure_view.h"
 #include "widgets/theme_style.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -14,11 +17,12 @@
 namespace halbench::app {
 
 LoopView::LoopView(QWidget* parent)
-    : QWidget(parent), m_label(new QLabel(this)), m_choice(new QComboBox(this)),
+    : QWidget(parent), m_label(new QLabel(this)), m_choice(new QComboBox(this)), m_wrap(new QCheckBox(this)),
       m_picture(new widgets::FigureView(this)), m_note(new QLabel(this)), m_row(new QHBoxLayout) {
     m_row->setSpacing(widgets::PanelMargin_px);
     m_row->addWidget(m_label);
     m_row->addWidget(m_choice);
+    m_row->addWidget(m_wrap);
     m_row->addStretch(1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -33,6 +37,7 @@ LoopView::LoopView(QWidget* parent)
         m_choice->addItem(QString());
     }
     connect(m_choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &LoopView::show);
+    connect(m_wrap, &QCheckBox::toggled, this, [this] { show(m_choice->currentIndex()); });
     connectHandles();
     sayWords();
 }
@@ -52,6 +57,10 @@ void LoopView::sayWords() {
                             "Nichols: magnitude over phase. Sensitivity: what is left of a disturbance, and "
                             "what follows the reference. Root locus: the poles of the closed loop, and where "
                             "they go with the gain"));
+    m_wrap->setText(tr("Wrap the phase"));
+    m_wrap->setToolTip(
+        tr("Draw the phase of the Bode plot between -180 and 180 degrees instead of as one line"));
+    m_wrap->setAccessibleName(m_wrap->text());
     m_note->setText(tr("The closed loop is unstable: it has no sensitivity."));
     m_picture->setHandles(handlesOf(view()));
 }
@@ -72,10 +81,23 @@ void LoopView::setView(View view) {
     m_choice->setCurrentIndex(static_cast<int>(view));
 }
 
-void LoopView::show(int view) {
+widgets::Figure LoopView::figureOf(View view) const {
     const widgets::Figure& figure = m_figures.at(static_cast<std::size_t>(view));
+    const bool isWrapped = view == View::Bode && m_wrap->isChecked() && !figure.panels.empty();
+    return isWrapped ? withWrappedPhase(figure) : figure;
+}
+
+void LoopView::show(int view) {
+    const widgets::Figure figure = figureOf(static_cast<View>(view));
+    m_wrap->setVisible(static_cast<View>(view) == View::Bode);
+    if (widgets::alongAxis(m_picture->figure()) != nullptr) {
+        m_probed = m_picture->probedAlong(); // the root locus has no frequency: it waits for the next view
+    }
     m_note->setVisible(figure.panels.empty() && !m_figures.front().panels.empty());
     m_picture->setFigure(figure);
+    if (m_probed && !m_picture->probedAlong()) {
+        m_picture->probeAlong(*m_probed);
+    }
     m_picture->setHandles(handlesOf(this->view()));
 }
 

@@ -8,8 +8,10 @@
 #include <array>
 #include <complex>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+class QCheckBox;
 class QComboBox;
 class QHBoxLayout;
 class QLabel;
@@ -22,7 +24,8 @@ namespace halbench::app {
 
 /// The open loop as the user wants to see it: Bode, Nyquist, Nichols, its sensitivity or its root locus. In
 /// Bode its crossover and its phase margin can be moved, in the root locus the poles of the closed loop along
-/// their branches; it only asks, whoever owns it changes the loop.
+/// their branches; it only asks, whoever owns it changes the loop. The frequency that is read stays from view
+/// to view, and its phase is drawn whole or, where that is chosen, within +-180 degrees.
 class LoopView : public QWidget {
     Q_OBJECT
 public:
@@ -60,6 +63,7 @@ private:
     };
     void sayWords();
     void show(int view);
+    widgets::Figure figureOf(View view) const;
     void connectHandles();
     void findGrips(const AnalysisResult& predicted);
     void take();
@@ -69,10 +73,12 @@ private:
     View view() const;
 
     std::array<widgets::Figure, Views> m_figures;
+    std::optional<double> m_probed; ///< frequency that is read, as the pictures have it
     Grips m_grips;
     Grips m_taken; ///< as they were then
     QLabel* m_label = nullptr;
     QComboBox* m_choice = nullptr;
+    QCheckBox* m_wrap = nullptr; ///< phase of the Bode plot within half a turn
     widgets::FigureView* m_picture = nullptr;
     QLabel* m_note = nullptr;     ///< why a picture is missing
     QHBoxLayout* m_row = nullptr; ///< above the picture

@@ -1,9 +1,11 @@
 // What can be moved in the pictures of the open loop.
+#include "app/workspaces/loop_phase.h"
 #include "app/workspaces/loop_view.h"
 #include "control/analysis/locus_gain.h"
 #include "control/base/units.h"
 #include "widgets/figure_view.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 
 #include <algorithm>
@@ -72,7 +74,8 @@ std::vector<FigureHandle> LoopView::handlesOf(View view) const {
     if (view == View::Bode && crossover_rad_s) {
         const double crossover_Hz = *crossover_rad_s / (2.0 * Pi);
         handles = {{0, crossover_Hz, 0.0, FigureHandle::Way::Horizontal, tr("gain crossover")},
-                   {1, crossover_Hz, m_grips.phase_deg, FigureHandle::Way::Vertical, tr("phase margin")}};
+                   {1, crossover_Hz, m_wrap->isChecked() ? wrapped_deg(m_grips.phase_deg) : m_grips.phase_deg,
+                    FigureHandle::Way::Vertical, tr("phase margin")}};
     } else if (view == View::RootLocus) {
         for (const std::complex<double>& pole : m_grips.poles) {
             handles.push_back(
@@ -98,7 +101,9 @@ void LoopView::move(int handle, double x, double y) {
     } else if (handle == CrossoverHandle) {
         Q_EMIT crossoverMoved(2.0 * Pi * x);
     } else {
-        Q_EMIT phaseMarginMoved(m_taken.margins.phaseMargin_deg + y - m_taken.phase_deg);
+        const double way_deg = y - m_taken.phase_deg;
+        Q_EMIT phaseMarginMoved(m_taken.margins.phaseMargin_deg +
+                                (m_wrap->isChecked() ? wrapped_deg(way_deg) : way_deg));
     }
 }
 

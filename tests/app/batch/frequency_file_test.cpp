@@ -45,6 +45,8 @@ TEST(FrequencyFile, readsBackWhatWasWritten) {
     EXPECT_DOUBLE_EQ(file->plant.points[1].value.imag(), -0.1);
     EXPECT_TRUE(file->plant.points[1].isUsed);
     EXPECT_FALSE(file->plant.points[2].isUsed);
+    EXPECT_EQ(file->plant.points[2].coherence, 0.99);
+    EXPECT_EQ(file->plant.leastCoherence, 0.9);
     EXPECT_EQ(file->plant.period_s, 0.01);
 }
 

@@ -67,6 +67,8 @@ TEST(MeasuredPlant, takesThePointsOfAResultWithTheirUse) {
     FrequencyResultPoint point;
     point.measured.frequency_rad_s = 2.0 * M_PI * 3.0;
     point.measured.value = {-0.1, 0.02};
+    point.measured.coherence = 0.97;
+    result.config.leastCoherence = 0.8;
     point.isUsed = true;
     result.points = {point, point, point};
     result.points[1].isUsed = false;
@@ -76,6 +78,12 @@ TEST(MeasuredPlant, takesThePointsOfAResultWithTheirUse) {
     ASSERT_EQ(plant.points.size(), 2U);
     EXPECT_NEAR(plant.points[0].frequency_Hz, 3.0, 1e-12);
     EXPECT_EQ(plant.points[0].value, std::complex<double>(-0.1, 0.02));
+    EXPECT_EQ(plant.points[0].coherence, 0.97);
+    EXPECT_EQ(plant.leastCoherence, 0.8);
+    const auto loop = measuredLoop(plant, recommended(), {0.005, 0});
+    ASSERT_TRUE(loop);
+    EXPECT_EQ(loop->coherence, (std::vector<double>{0.97, 0.97})); // gains change nothing about it
+    EXPECT_EQ(loop->leastCoherence, 0.8);
     EXPECT_TRUE(plant.points[0].isUsed);
     EXPECT_FALSE(plant.points[1].isUsed);
 }

@@ -1,4 +1,5 @@
 #include "app/report/loop_figures.h"
+#include "app/report/loop_marks.h"
 #include "app/report/tuning_figures.h"
 #include "control/base/units.h"
 
@@ -19,6 +20,8 @@ const widgets::Curve& curve(const widgets::Figure& figure, std::size_t panel, co
         return each.label.find(part) != std::string::npos;
     });
 }
+
+using Complex = std::complex<double>;
 
 /// Three points of a loop: far below, at and above its crossover.
 AnalysisResult crossing() {
@@ -129,6 +132,66 @@ TEST(LoopFigures, theCurveTouchesTheCircleOfTheModulusMarginAndCutsTheAxisAtTheG
     EXPECT_NEAR(-1.0 / cut, loop->margins.gainMargin_ratio, 2e-3 * loop->margins.gainMargin_ratio);
 }
 
+MotorEstimate published() {
+    return {{{"c_over_J", 2.23636}, {"Kf_over_J", 37.27}, {"phi_over_J", 26.0}}, {}, {}};
+}
+
+control::PositionLaw recommended(double factor = 1.0) {
+    control::PositionLaw law;
+    law.gains.proportional = factor * 40.0;
+    law.gains.integral = factor * 60.0;
+    law.gains.derivative = factor * 1.4;
+    return law;
+}
+
+// With integral action the phase begins below -180 degrees: the loop crosses that line twice.
+TEST(LoopFigures, everyCrossingIsMarkedInBothPlotsTheDecidingOnesStrong) {
+    const auto loop = runAnalysis(published(), recommended(), {});
+    ASSERT_TRUE(loop);
+    ASSERT_GT(loop->crossings.size(), 2U);
+    const widgets::Figure bode = openLoopFigure(*loop, std::nullopt);
+    for (const widgets::Panel& panel : bode.panels) {
+        std::size_t vertical = 0;
+        std::size_t faint = 0;
+        for (const widgets::ReferenceLine& line : panel.lines) {
+            vertical += line.direction == widgets::ReferenceLine::Direction::Vertical ? 1U : 0U;
+            faint += line.isFaint ? 1U : 0U;
+        }
+        EXPECT_EQ(vertical, loop->crossings.size());
+        EXPECT_EQ(vertical - faint, 2U); // one of gain, one of phase
+    }
+    const widgets::Figure plane = nyquistFigure(*loop, std::nullopt);
+    const widgets::Curve& gain = curve(plane, 0, "gain margin");
+    EXPECT_NEAR(gain.x.at(0), -1.0 / loop->margins.gainMargin_ratio, 1e-12);
+    EXPECT_EQ(gain.y.at(0), 0.0);
+    const widgets::Curve& phase = curve(plane, 0, "phase margin");
+    const double beyond = degreesToRadians(loop->margins.phaseMargin_deg); // of the negative real axis
+    EXPECT_NEAR(phase.x.at(0), -std::cos(beyond), 1e-12);
+    EXPECT_NEAR(phase.y.at(0), -std::sin(beyond), 1e-12);
+    EXPECT_EQ(curve(plane, 0, "other crossings").x.size(), loop->crossings.size() - 2);
+}
+
+// Second route: the criterion against the poles, on both sides of the limit and with delay.
+TEST(LoopFigures, whatCirclesMinusOneIsWhatThePolesSay) {
+    for (const double factor : {0.02, 1.0, 6.0, 40.0}) {
+        for (const int delay_samples : {0, 2}) {
+            LoopConditions conditions;
+            conditions.timing.delay_samples = delay_samples;
+            const auto loop = runAnalysis(published(), recommended(factor), conditions);
+            ASSERT_TRUE(loop) << loop.error().message;
+            const auto count = nyquistCount(*loop);
+            ASSERT_TRUE(count) << factor << " " << delay_samples;
+            const auto unstable = std::count_if(loop->roots.closedLoop.begin(), loop->roots.closedLoop.end(),
+                                                [](Complex pole) { return std::abs(pole) >= 1.0; });
+            EXPECT_EQ(count->unstableOpenLoopPoles, 0); // integrators lie on the circle
+            EXPECT_EQ(count->encirclements, -unstable) << factor << " " << delay_samples;
+        }
+    }
+    const auto loop = runAnalysis(published(), recommended(), {});
+    EXPECT_EQ(criticalPoint(*loop), "\u22121, circled 0 times; unstable poles of L: 0");
+    EXPECT_EQ(criticalPoint(crossing()), "\u22121"); // no roots, no count
+}
+
 /// 0 dB at -90 degrees, coherent; -20 dB at -180 degrees, not.
 MeasuredLoop measuredPoints() {
     return {{1.0, 10.0}, {0.0, -20.0}, {-90.0, -180.0}, {true, false}};
@@ -166,6 +229,32 @@ TEST(LoopFigures, measuredPointsLieInTheNicholsPlotAndItsAxisReachesThem) {
     EXPECT_NEAR(points->y[0], 0.0, 1e-12);
     EXPECT_LE(*figure.x.min, -300.0);
     EXPECT_EQ(curve(figure, 0, "measured, not coherent").style, widgets::CurveStyle::HollowPoints);
+}
+
+TEST(LoopFigures, coherenceStandsBelowTheBodePlotWhenItWasMeasured) {
+    EXPECT_EQ(openLoopFigure(crossing(), std::nullopt, {}, measuredPoints()).panels.size(), 2U); // not known
+    MeasuredLoop measured = measuredPoints();
+    measured.coherence = {0.99, 0.4};
+    measured.leastCoherence = 0.9;
+    const widgets::Figure figure = openLoopFigure(crossing(), std::nullopt, {}, measured);
+    ASSERT_EQ(figure.panels.size(), 3U);
+    EXPECT_TRUE(figure.isLinked);
+    const widgets::Panel& coherence = figure.panels[2];
+    ASSERT_EQ(coherence.curves.size(), 2U);
+    EXPECT_EQ(coherence.curves[0].y, std::vector<double>{0.99});
+    EXPECT_EQ(coherence.curves[1].style, widgets::CurveStyle::HollowPoints);
+    EXPECT_EQ(coherence.curves[1].x, std::vector<double>{10.0});
+    EXPECT_EQ(coherence.lines.at(0).at, 0.9);
+}
+
+TEST(LoopFigures, planesKnowTheFrequencyOfEachSample) {
+    for (const auto& figure : {nyquistFigure(crossing(), std::nullopt, {}, measuredPoints()),
+                               nicholsFigure(crossing(), std::nullopt, {}, measuredPoints())}) {
+        ASSERT_TRUE(figure.parameter);
+        EXPECT_EQ(figure.parameter->unit, "Hz");
+        EXPECT_EQ(figure.panels.at(0).curves.at(0).parameter, crossing().bode.frequency_Hz);
+        EXPECT_EQ(curve(figure, 0, "measured, not coherent").parameter, std::vector<double>{10.0});
+    }
 }
 
 } // namespace

@@ -52,6 +52,19 @@ TEST_F(TuneMeasuredTest, isDrawnWithTheProposedGainsAndFollowsThem) {
     EXPECT_NE(button(panel, "Measured response\u2026"), nullptr);
 }
 
+TEST_F(TuneMeasuredTest, itsCoherenceStandsOnTheSameFrequencyAxis) {
+    write(0.01);
+    ASSERT_EQ(figure("Open loop")->figure().panels.size(), 2U);
+    click(panel, "Measured response\u2026");
+    ASSERT_TRUE(wait([&] { return figure("Open loop")->figure().panels.size() == 3U; }));
+    const widgets::Panel& coherence = figure("Open loop")->figure().panels.at(2);
+    EXPECT_EQ(coherence.curves.at(0).y, (std::vector<double>{0.99, 0.99, 0.99}));
+    EXPECT_EQ(coherence.lines.at(0).at, 0.9);
+    auto* view = const_cast<widgets::FigureView*>(figure("Open loop"));
+    view->probeAlong(2.0);
+    EXPECT_TRUE(view->probeText().contains("coherence")) << view->probeText().toStdString();
+}
+
 TEST_F(TuneMeasuredTest, isDrawnIntoNyquistAndNicholsToo) {
     write(0.01);
     click(panel, "Measured response\u2026");
