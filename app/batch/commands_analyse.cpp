@@ -8,6 +8,8 @@
 #include "app/batch/output_file.h"
 #include "app/batch/result_documents.h"
 #include "app/batch/what_if_report.h"
+#include "app/procedures/disturbance.h"
+#include "control/base/assert.h"
 
 #include <fmt/format.h>
 
@@ -124,20 +126,28 @@ Result<std::vector<ComparedLoop>> analyseAll(const CommandOptions& options, cons
     return loops;
 }
 
+/// A step of the reference, and beside it what a load does, on the same times; none of an unstable loop.
+Result<void> writeStep(const std::string& path, const AnalysisResult::Step& step,
+                       const control::LoadStep& loaded) {
+    HB_ASSERT(loaded.time_s.size() == step.time_s.size());
+    return writeColumns(
+        path, "time_s,response_rad,current_A,load_angle_rad,load_current_A",
+        {&step.time_s, &step.response_rad, &step.current_A, &loaded.angle_rad, &loaded.current_A});
+}
+
 /// What the other programs and controllers draw and run: of the first gains.
-Result<void> writeFiles(const CommandOptions& options, const ComparedLoop& loop, LoopConditions conditions,
-                        const std::optional<devices::DeviceInfo>& device) {
+Result<void> writeFiles(const CommandOptions& options, const ModelFile& model, const ComparedLoop& loop,
+                        LoopConditions conditions) {
     const AnalysisResult& result = loop.result;
+    conditions.timing = loop.gains.timing;
     Result<void> done =
         writeColumns(options.bodeFile, "frequency_hz,magnitude_db,phase_deg",
                      {&result.bode.frequency_Hz, &result.bode.magnitude_dB, &result.bode.phase_deg});
-    done = done ? writeColumns(
-                      options.stepFile, "time_s,response_rad,current_A",
-                      {&result.stepCurve.time_s, &result.stepCurve.response_rad, &result.stepCurve.current_A})
-                : done;
+    const auto loaded = disturbanceStep(model.estimate, loop.gains.law, conditions, result);
+    done = done ? writeStep(options.stepFile, result.stepCurve, loaded.value_or(control::LoadStep{})) : done;
     done = done ? writePoles(options.polesFile, result.roots) : done;
-    conditions.timing = loop.gains.timing;
-    return done ? writeLaw(options.codeFile, loop.gains.law, conditions, {loop.gains.method, device}) : done;
+    return done ? writeLaw(options.codeFile, loop.gains.law, conditions, {loop.gains.method, model.device})
+                : done;
 }
 
 /// Without --what-if nothing.
@@ -217,7 +227,7 @@ CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& o
         document.set("what_if", whatIfBody(**motion));
         text += whatIfText(**motion);
     }
-    Result<void> done = writeFiles(options, own, *conditions, model->device);
+    Result<void> done = writeFiles(options, *model, own, *conditions);
     done = done ? deliver(context, document, text, "") : done;
     if (!done) {
         return failure(done.error());

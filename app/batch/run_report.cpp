@@ -2,6 +2,8 @@
 
 #include "app/batch/known_motor.h"
 #include "app/batch/numbers.h"
+#include "app/procedures/disturbance.h"
+#include "app/report/disturbance_figure.h"
 #include "app/report/report_blocks.h"
 #include "app/report/step_sections.h"
 #include "control/base/unit_text.h"
@@ -85,18 +87,42 @@ ReportSection plainSection(const StepOutcome& step, const std::string& heading) 
 }
 
 /// The same motor under the gains that ran before the first step, to be drawn beside the proposal.
-std::optional<AnalysisResult> loopAtStart(const TuneOutcome& tuned,
-                                          const std::vector<ParameterValue>& parametersAtStart) {
+struct LoopAtStart {
+    std::optional<AnalysisResult> loop;
+    std::optional<control::LoadStep> loaded;
+};
+LoopAtStart loopAtStart(const TuneOutcome& tuned, const std::vector<ParameterValue>& parametersAtStart) {
     std::map<std::string, double> values;
     for (const ParameterValue& value : parametersAtStart) {
         values.emplace(value.name, value.value);
     }
     const Result<control::PositionLaw> law = lawFromParameters(values);
     if (!law) {
-        return std::nullopt;
+        return {};
     }
     Result<AnalysisResult> loop = runAnalysis(tuned.motor, *law, tuned.result.conditions);
-    return loop ? std::optional<AnalysisResult>(*std::move(loop)) : std::nullopt;
+    if (!loop) {
+        return {};
+    }
+    auto loaded = disturbanceStep(tuned.motor, *law, tuned.result.conditions, *loop);
+    return {*std::move(loop), std::move(loaded)};
+}
+
+ReportSection tunedSection(const std::string& heading, const TuneOutcome& tuned,
+                           const std::vector<ParameterValue>& parametersAtStart) {
+    const LoopAtStart before = loopAtStart(tuned, parametersAtStart);
+    ReportSection section = tuningSection(heading, tuned.result, before.loop);
+    const auto loaded =
+        disturbanceStep(tuned.motor, tuned.result.law, tuned.result.conditions, tuned.result.predicted);
+    if (auto figure = disturbanceFigure(loaded, before.loaded)) {
+        section.blocks.emplace_back(
+            quantityTable(fmt::format("Load worth {} A of current", DisturbanceLoad_A),
+                          {{"peak of the angle", loaded->peak_rad, "rad"},
+                           {"recovered to a tenth of the peak after", loaded->recoveryTime_s, "s"},
+                           {"angle in the end", loaded->final_rad, "rad"}}));
+        section.blocks.emplace_back(ReportPlot{*std::move(figure), "Without friction and current limit."});
+    }
+    return section;
 }
 
 ReportSection sectionOf(const StepOutcome& step, const std::optional<KnownMotor>& motor,
@@ -119,7 +145,7 @@ ReportSection sectionOf(const StepOutcome& step, const std::optional<KnownMotor>
             return calibrationSection(heading, result);
         }
         ReportSection operator()(const TuneOutcome& tuned) const {
-            return tuningSection(heading, tuned.result, loopAtStart(tuned, parametersAtStart));
+            return tunedSection(heading, tuned, parametersAtStart);
         }
         ReportSection operator()(const AnalysisResult& result) const {
             return analysisSection(heading, result);

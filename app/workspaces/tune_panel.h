@@ -262,6 +262,7 @@ private:
     PageChooser* m_figures = nullptr;
     widgets::FigureView* m_large = nullptr;
     widgets::FigureView* m_linear = nullptr;
+    widgets::FigureView* m_loaded = nullptr;
     QWidget* m_verificationPage = nullptr;
     widgets::FigureView* m_verification = nullptr;
     QScrollArea* m_verificationRoom = nullptr;

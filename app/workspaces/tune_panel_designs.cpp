@@ -1,5 +1,6 @@
 // The named designs of the Tune panel: kept, compared, drawn beside the proposed one.
 #include "app/batch/result_documents.h"
+#include "app/report/disturbance_figure.h"
 #include "app/report/tuning_figures.h"
 #include "app/workspaces/design_table.h"
 #include "app/workspaces/loop_view.h"
@@ -174,6 +175,8 @@ void TunePanel::drawPredictions() {
     m_loop->setLoops(predicted, m_present, others, drawnMeasurement(), uncertainty);
     m_linear->setFigure(
         linearStepFigure(predicted, m_present, unit, others, uncertainty).value_or(widgets::Figure{}));
+    m_loaded->setFigure(
+        disturbanceFigure(m_sketch->loaded, m_sketch->presentLoaded, unit).value_or(widgets::Figure{}));
     m_large->setFigure(
         largeStepFigure(predicted, m_present, unit, others, uncertainty).value_or(widgets::Figure{}));
 }

@@ -116,19 +116,20 @@ QWidget* TunePanel::buildFigures() {
     m_loop->addTool(*m_measure);
     m_large = new widgets::FigureView(m_figures);
     m_linear = new widgets::FigureView(m_figures);
+    m_loaded = new widgets::FigureView(m_figures);
     m_numbers = new TuneNumbers(m_figures);
     m_table = new DesignTable(m_figures);
     m_verificationPage = buildVerification();
     m_whatIfPage = new WhatIfPage(m_bench, m_figures);
-    for (QWidget* page : std::initializer_list<QWidget*>{m_loop, m_large, m_linear, m_numbers, m_table,
-                                                         m_verificationPage, m_whatIfPage}) {
+    for (QWidget* page : std::initializer_list<QWidget*>{m_loop, m_large, m_linear, m_loaded, m_numbers,
+                                                         m_table, m_verificationPage, m_whatIfPage}) {
         m_figures->addPage(page);
     }
     constexpr int CharactersOfAPicture = 52; // less squeezes its axes
     m_figures->pairWhenWide(m_loop, m_large, 2 * CharactersOfAPicture * fontMetrics().averageCharWidth());
     m_figures->setPageEnabled(m_verificationPage, false);
     for (widgets::FigureView* view :
-         {&m_loop->picture(), m_large, m_linear, m_verification, &m_whatIfPage->picture()}) {
+         {&m_loop->picture(), m_large, m_linear, m_loaded, m_verification, &m_whatIfPage->picture()}) {
         connect(view, &widgets::FigureView::exportRequested, this, [this, view] {
             savePicture(this, m_chooser, QStringLiteral("tuning.svg"), m_files, *view,
                         [this](const Error& error) { showError(error); });
@@ -186,6 +187,8 @@ void TunePanel::refreshWords() {
     m_figures->setTitle(m_large, tr("Step of %1").arg(angleText(LargeStep_rad, units)),
                         tr("A large step with friction and current limit"));
     m_figures->setTitle(m_linear, tr("Small step"), tr("The step of the linear loop"));
+    m_figures->setTitle(m_loaded, tr("Disturbance"),
+                        tr("What a load that appears at once does to the angle"));
     m_figures->setTitle(m_numbers, tr("Numbers"), tr("Every predicted figure, margins with their interval"));
     m_figures->setTitle(m_table, tr("Designs"), tr("Designs kept under a name, beside the proposed one"));
     m_figures->setTitle(m_verificationPage, tr("Verification"),

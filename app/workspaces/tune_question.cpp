@@ -51,9 +51,12 @@ Result<TuneSketch> sketchTuning(const TuneQuestion& question) {
     if (uncertainty) {
         sketch.uncertainty = *std::move(uncertainty);
     }
+    sketch.loaded = disturbanceStep(question.motor, sketch.law, question.config.conditions, sketch.predicted);
     if (question.present) {
         auto present = runAnalysis(question.motor, *question.present, question.config.conditions);
         if (present) {
+            sketch.presentLoaded =
+                disturbanceStep(question.motor, *question.present, question.config.conditions, *present);
             sketch.present = std::move(*present);
         }
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/procedures/disturbance.h"
 #include "app/procedures/loop_uncertainty.h"
 #include "app/procedures/tune.h"
 #include "app/procedures/what_if.h"
@@ -25,6 +26,9 @@ struct TuneSketch {
     std::optional<AnalysisResult> present;
     std::optional<LoopUncertainty> uncertainty; ///< nothing: not known of this motor
     std::optional<Result<WhatIf>> whatIf;       ///< of the question's record
+    /// Under load; nothing for a loop that is unstable.
+    std::optional<control::LoadStep> loaded = {};
+    std::optional<control::LoadStep> presentLoaded = {};
 };
 /// A pure function. What the device's present gains make unjudgeable is left out. Errors: as of
 /// answerTuning.

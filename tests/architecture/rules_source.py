@@ -233,6 +233,7 @@ PROCEDURE_DOORS = {"app/procedures/" + name + ".h" for name in (
     "coil_forecast", "measured_loop", "calibrate_procedure", "apply_procedure", "tune", "loop_verdict", "move_reference",
     "ellipse_shape",
     "loop_uncertainty",  # the motors that runTune draws, for the pictures
+    "disturbance",  # a prediction, as the step of runAnalysis
     "live_apply_procedure", "what_if",
     "coil_watch",  # temperatures are read: nothing moves
     "capture_orders")}  # the board captures: nothing moves, nothing is judged

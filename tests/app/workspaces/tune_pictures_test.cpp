@@ -1,5 +1,7 @@
 #include "tests/app/workspaces/tune_panel_fixture.h"
 
+#include <QFile>
+#include <QFileInfo>
 #include <QRegularExpression>
 #include <QSplitter>
 
@@ -117,6 +119,78 @@ TEST_F(TunePicturesTest, theOpenLoopIsSeenInFiveWays) {
     EXPECT_TRUE(figure("Root locus")->isVisible());
     choose("View of the open loop", "Bode");
     EXPECT_NE(figure("Open loop"), nullptr);
+}
+
+TEST_F(TunePicturesTest, theFrequencyThatIsReadStaysFromViewToView) {
+    prepare();
+    auto* view = const_cast<widgets::FigureView*>(figure("Open loop"));
+    view->probeAlong(3.0);
+    const double read_Hz = view->probedAlong().value();
+    EXPECT_NEAR(read_Hz, 3.0, 0.05); // the nearest of 400 samples
+    EXPECT_TRUE(view->probeText().contains("phase")) << view->probeText().toStdString();
+    for (const char* other : {"Nyquist", "Nichols", "Sensitivity", "Bode"}) {
+        choose("View of the open loop", other);
+        EXPECT_EQ(view->probedAlong(), read_Hz) << other;
+    }
+    choose("View of the open loop", "Root locus"); // has none
+    EXPECT_FALSE(view->probedAlong());
+    choose("View of the open loop", "Nyquist");
+    EXPECT_EQ(view->probedAlong(), read_Hz);
+}
+
+TEST_F(TunePicturesTest, thePhaseIsDrawnWithinHalfATurnWhenWanted) {
+    prepare();
+    const auto lowest = [&] {
+        const auto& values = figure("Open loop")->figure().panels.at(1).curves.at(0).y;
+        double low = 0.0;
+        for (const double value : values) {
+            low = std::isfinite(value) ? std::min(low, value) : low;
+        }
+        return low;
+    };
+    ASSERT_LT(lowest(), -185.0); // integral action
+    auto* wrap = panel.findChild<widgets::FigureView*>()->parentWidget()->findChild<QCheckBox*>();
+    ASSERT_NE(wrap, nullptr);
+    wrap->setFocus();
+    QTest::keyClick(wrap, Qt::Key_Space);
+    EXPECT_GE(lowest(), -180.0);
+    EXPECT_EQ(figure("Open loop")->figure().panels.at(1).y.max, 180.0);
+    choose("View of the open loop", "Nyquist");
+    EXPECT_FALSE(wrap->isVisible()); // is of the Bode plot
+}
+
+TEST_F(TunePicturesTest, theNumbersOfAPictureAreSavedAsATable) {
+    prepare();
+    const QString path = m_folder.filePath("loop.csv");
+    QString kinds;
+    panel.setFileChooser({[&](QWidget*, const FileQuestion& question) {
+                              kinds = question.filter;
+                              return path;
+                          },
+                          {}});
+    auto* view = const_cast<widgets::FigureView*>(figure("Open loop"));
+    QTest::keyClick(view, Qt::Key_E, Qt::ControlModifier);
+    ASSERT_TRUE(wait([&] { return QFileInfo(path).size() > 1000; }));
+    EXPECT_TRUE(kinds.contains("csv"));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QString header = QString::fromUtf8(file.readLine());
+    EXPECT_TRUE(header.contains("frequency [Hz]") && header.contains("magnitude [dB]"))
+        << header.toStdString();
+    EXPECT_EQ(QString::fromUtf8(file.readLine()).count(','), header.count(','));
+}
+
+// Integral action takes the load over; with the published gains alone it moves farther.
+TEST_F(TunePicturesTest, whatALoadDoesIsSeenBesideTheStep) {
+    prepare();
+    click(panel, "Disturbance");
+    ASSERT_NE(figure("Load worth 0.5 A"), nullptr);
+    EXPECT_TRUE(figure("Load worth 0.5 A")->isVisible());
+    const auto peak = [&] { return figure("Load worth 0.5 A")->figure().panels.at(0).lines.at(0).at; };
+    const double before_rad = peak();
+    EXPECT_GT(before_rad, 0.5 / 40.0 * 0.5); // of the order of the load over K_P
+    choose("Where the gains come from", "Preset: published");
+    EXPECT_TRUE(wait([&] { return peak() > 2.0 * before_rad; }));
 }
 
 TEST_F(TunePicturesTest, theTitlesOfThePicturesAreWholeInANarrowPanelToo) {

@@ -7,6 +7,7 @@ The law's second route is the equation of resources/help/htm-theory.md 8.4, writ
 import cmath
 import csv
 import ctypes
+import json
 import math
 import os
 import random
@@ -81,10 +82,21 @@ class Laws(ProgramCase):
     def test_both_commands_write_the_same_law(self):
         self.accept("tune", "sim:htm?seed=3", "--code", "law.c", "--out", "gains.json", timeout=110)
         self.accept("identify", "sim:htm?seed=3", "--out", "model.json", timeout=110)
-        self.accept("analyse", "model.json", "gains.json", "--code", "again.c", "--poles", "poles.csv")
+        self.accept("analyse", "model.json", "gains.json", "--code", "again.c", "--poles", "poles.csv", "--step", "step.csv")
         with open(self.path("law.c"), encoding="utf-8") as one, open(self.path("again.c"), encoding="utf-8") as other:
             self.assertEqual(one.read(), other.read())
         self.check_poles()
+        self.check_load()
+
+    def check_load(self):
+        with open(self.path("step.csv"), encoding="utf-8") as file:
+            rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+        with open(self.path("gains.json"), encoding="utf-8") as file:
+            gain = json.load(file)["gains"]["kp"]["value"]
+        angles = [row["load_angle_rad"] for row in rows]
+        self.assertTrue(0.2 * 0.5 / gain < max(angles) < 5 * 0.5 / gain)  # of the order of the load over K_P
+        self.assertLess(abs(rows[-1]["load_current_A"] + 0.5), 0.05)  # the law holds the load
+        self.assertEqual((rows[0]["load_angle_rad"], rows[0]["load_current_A"]), (0.0, 0.0))
 
     def check_poles(self):
         with open(self.path("poles.csv"), encoding="utf-8") as file:

@@ -7,11 +7,13 @@
 #include "tests/gui/screenshots/photographer.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QTableWidget>
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
@@ -114,6 +116,23 @@ bool Photographer::takeDesigns() {
         take(QLatin1String(scene));
     }
     views->setView(LoopView::View::Bode);
+    views->picture().probeAlong(4.0);
+    take(QStringLiteral("tune-cursor"));
+    views->setView(LoopView::View::Nyquist);
+    take(QStringLiteral("tune-cursor-nyquist"));
+    views->setView(LoopView::View::Bode);
+    views->findChild<QCheckBox*>()->setChecked(true);
+    take(QStringLiteral("tune-wrapped"));
+    views->findChild<QCheckBox*>()->setChecked(false);
+    const auto pages = tune.findChild<PageChooser*>()->findChildren<QAbstractButton*>();
+    const auto loaded = std::find_if(pages.begin(), pages.end(), [](const QAbstractButton* page) {
+        return page->text() == QCoreApplication::translate("halbench::app::TunePanel", "Disturbance");
+    });
+    if (loaded != pages.end()) {
+        (*loaded)->click();
+        take(QStringLiteral("tune-disturbance"));
+    }
+    tune.findChild<PageChooser*>()->findChild<QPushButton*>()->click();
     return true;
 }
 
