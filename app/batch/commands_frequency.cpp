@@ -1,6 +1,7 @@
 #include "app/batch/command_support.h"
 #include "app/batch/frequency_options.h"
 #include "app/batch/frequency_table.h"
+#include "app/batch/kept_result.h"
 #include "app/batch/loop_conditions.h"
 #include "app/batch/numbers.h"
 #include "app/batch/output_file.h"
@@ -77,26 +78,15 @@ std::string frequencyText(const FrequencyResult& result) {
 Result<void> writeFiles(const CommandOptions& options, const FrequencyResult& result, devices::Device& device,
                         const std::string& started) {
     if (!options.recordFile.empty()) {
-        if (auto written = writeRecording(options.recordFile, result.recording, device, {started, {}, {}});
+        if (auto written = namingFile(options.recordFile, writeRecording(options.recordFile, result.recording,
+                                                                         device, {started, {}, {}}));
             !written) {
             return written;
         }
     }
-    return options.bodeFile.empty() ? Result<void>() : writeFile(options.bodeFile, frequencyTable(result));
-}
-
-/// A record or a table that cannot be written does not take with it what was measured; then both are told.
-/// With
-/// --json standard output is the error's.
-Result<void> keepResult(CommandContext& context, const CommandOptions& options, const ResultHeader& header,
-                        const FrequencyResult& result, const Error& error) {
-    if (options.out.empty()) {
-        context.console.print(frequencyText(result));
-        return failure(error);
-    }
-    const Result<std::string> json = toJsonText(frequencyDocument(header, result));
-    const Result<void> kept = json ? writeFile(options.out, *json) : failure(json.error());
-    return failure(error.code, error.message + (kept ? "; the result is in " + options.out : ""), error.hint);
+    return options.bodeFile.empty()
+               ? Result<void>()
+               : namingFile(options.bodeFile, writeFile(options.bodeFile, frequencyTable(result)));
 }
 
 } // namespace
@@ -176,9 +166,11 @@ CommandResult runFrequencyCommand(CommandContext& context, const CommandOptions&
         return failure(result.error());
     }
     const Result<void> files = writeFiles(options, *result, **device, header.started);
-    const Result<void> done =
-        files ? deliver(context, frequencyDocument(header, *result), frequencyText(*result), options.out)
-              : keepResult(context, options, header, *result, files.error());
+    const KeptResult kept{frequencyDocument(header, *result), frequencyText(*result), options.out};
+    if (!files) {
+        return endWithResult(context, kept, files.error());
+    }
+    const Result<void> done = deliver(context, kept.document, kept.text, kept.out);
     if (!done) {
         return failure(done.error());
     }

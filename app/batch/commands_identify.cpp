@@ -1,5 +1,6 @@
 #include "app/batch/command_support.h"
 #include "app/batch/frequency_options.h"
+#include "app/batch/kept_result.h"
 #include "app/batch/recording_file.h"
 #include "app/batch/relay_options.h"
 #include "app/batch/result_documents.h"
@@ -37,7 +38,9 @@ CommandResult identifyDevice(CommandContext& context, const CommandOptions& opti
         const Result<void> written =
             writeRecording(options.recordFile, result->recording, **device, {header.started, {}, {}});
         if (!written) {
-            return failure(written.error());
+            return endWithResult(
+                context, {identificationDocument(header, *result), identificationText(*result), options.out},
+                namingFile(options.recordFile, written).error());
         }
     }
     return finish(context, options, header, *result);

@@ -177,6 +177,25 @@ class Results(ProgramCase):
             self.write("e.toml", file.read())
         self.check("run", "e.toml", "--out", "out")
 
+    def test_a_file_beside_it_that_cannot_be_written_does_not_hide_a_result(self):
+        self.write("file", "")
+        for mode, schema in (("--frequency --from-hz 2 --to-hz 8 --periods 4 --record", "frequency"),
+                             ("--frequency --from-hz 2 --to-hz 8 --periods 4 --bode", "frequency"),
+                             ("--given J=5.5e-4 --currents 2:4:1 --directions forward --record", "identification")):
+            arguments = ("identify", "sim:htm", *mode.split(), "file/x.csv")
+            answer = self.run_program(*arguments, "--json")
+            told = answer.json()
+            self.assertEqual((answer.code, told["schema"], told["exit_code"]), (2, "halbench.error/1", 2), answer)
+            self.assertRegex(told["message"], "file/x.csv")
+            self.assertEqual(told["result"]["schema"], f"halbench.{schema}/1", answer)
+            self.assertIn(told["result"]["data_quality"]["verdict"], ("good", "doubtful", "refused"))
+            answer = self.run_program(*arguments)
+            self.assertTrue(answer.code == 2 and answer.out.strip(), answer)
+            answer = self.run_program(*arguments, "--out", "r.json")
+            self.assertRegex(answer.err, "the result is in r.json")
+            with open(self.path("r.json"), encoding="utf-8") as file:
+                self.assertEqual(json.load(file)["schema"], f"halbench.{schema}/1")
+
     def test_written_files_are_what_is_printed(self):
         self.accept("identify", "sim:htm", "--given", "J=5.5e-4", "--out", "m.json")
         printed = self.accept("identify", "sim:htm", "--given", "J=5.5e-4", "--json").out
