@@ -2,18 +2,22 @@
 // with.
 #include "app/procedures/identify_procedure.h"
 #include "app/session/recorder.h"
+#include "app/window/dock_layout.h"
 #include "app/window/window_application.h"
+#include "app/workspaces/monitor_panel.h"
 #include "devices/acquisition/recording_writer.h"
 #include "devices/open_device.h"
 #include "tests/bench/goal.h"
 #include "tests/bench/window_rig.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QDialog>
 #include <QKeyEvent>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest/QTest>
+#include <qtadvanceddocking/DockWidget.h>
 
 #include <algorithm>
 #include <atomic>
@@ -34,6 +38,10 @@ constexpr int Presses = 100;
 constexpr double Goal_ms = 50.0;
 /// Below the friction of the motor: current flows, nothing turns.
 constexpr double Current_A = 0.2;
+/// Of the full plotting load.
+constexpr std::size_t Signals = 12;
+constexpr double Rate_Hz = 1000.0;
+constexpr double History_s = 600.0;
 
 /// When the board's current command became zero, as its own stream says; up to a slice of the connection
 /// later than it did. Thread: take() the connection's, the others any.
@@ -247,7 +255,76 @@ void benchSave(StopBench& bench, app::MainWindow& window, CurrentWatch& watch) {
     window.project().startNew();
 }
 
-int run() {
+/// Twelve signals of the device at their full rate, what the watch looks at among them.
+std::vector<std::string> twelveSignals(const app::DeviceSession& session) {
+    std::vector<std::string> names = {"current_command"};
+    for (const SignalSpec& spec : session.catalogue().signals) {
+        if (spec.maxRate_Hz >= Rate_Hz && spec.name != names.front() && names.size() < Signals) {
+            names.push_back(spec.name);
+        }
+    }
+    return names;
+}
+
+/// All of them in four plots over the whole history, with statistics of what is seen.
+void plotTwelve(app::MainWindow& window, const std::vector<std::string>& names) {
+    app::MonitorView view;
+    for (std::size_t first = 0; first < names.size(); first += Signals / 4) {
+        app::PlotChoice plot;
+        for (std::size_t i = first; i < std::min(first + Signals / 4, names.size()); ++i) {
+            plot.signalNames.push_back(names[i]);
+        }
+        view.plots.push_back(std::move(plot));
+    }
+    view.span_s = History_s;
+    auto* monitor = static_cast<app::MonitorPanel*>(window.docks().panel("monitor"));
+    monitor->setView(view);
+    for (QAction* action : monitor->findChildren<QAction*>()) {
+        if (action->isCheckable() && action->shortcut() == QKeySequence(Qt::Key_S)) {
+            action->setChecked(true);
+        }
+    }
+}
+
+/// As fast as this machine simulates it; then in real time again.
+bool fillHistory(app::MainWindow& window) {
+    constexpr int Longest_ms = 300000;
+    constexpr double Hurry_ratio = 100.0;
+    app::Workbench& workbench = window.bench();
+    workbench.clearHistory();
+    workbench.session().setPace({Hurry_ratio});
+    const bool isFull = QTest::qWaitFor(
+        [&] {
+            const auto held = workbench.history().range();
+            return held && held->length_s() >= History_s;
+        },
+        Longest_ms);
+    workbench.session().setPace({1.0});
+    return isFull;
+}
+
+/// Ten minutes of twelve signals in the plots, their statistics, the spectrum and the XY picture in windows
+/// of their own, all of them live.
+void benchFullLoad(Goals& goals, StopBench& bench, app::MainWindow& window) {
+    const std::string name = "while 10 min of 12 signals, statistics, spectrum and XY are drawn";
+    const std::vector<std::string> names = twelveSignals(window.bench().session());
+    plotTwelve(window, names);
+    if (names.size() != Signals || !fillHistory(window)) {
+        return goals.failed(name, "the history did not get full");
+    }
+    for (const char* id : {"spectrum", "xy"}) {
+        window.docks().docks().value(QString::fromLatin1(id))->setFloating();
+        const QWidget* panel = window.docks().panel(QString::fromLatin1(id));
+        if (!QTest::qWaitFor([&] { return panel->isVisible(); }, Patience_ms)) {
+            return goals.failed(name, "a picture is not seen");
+        }
+    }
+    bench.run(name, window, {});
+    goals.below("the same: rows lost", static_cast<double>(window.bench().history().lostRows()), 1.0, "rows");
+}
+
+/// All cases, or only that of the full plotting load.
+int run(bool isFullLoadAlone) {
     Goals goals;
     const auto window = openWindow();
     if (!connectMotor(*window)) {
@@ -258,10 +335,13 @@ int run() {
     window->bench().session().setBlockSink([&watch](const SampleBlockPtr& block) { watch.take(*block); });
     StopBench bench(goals, *window, watch);
 
-    bench.run("Esc to zero current command on the board while plots draw", *window, {});
-    benchDialog(bench, *window);
-    benchFit(goals, bench, *window);
-    benchSave(bench, *window, watch);
+    if (!isFullLoadAlone) {
+        bench.run("Esc to zero current command on the board while plots draw", *window, {});
+        benchDialog(bench, *window);
+        benchFit(goals, bench, *window);
+        benchSave(bench, *window, watch);
+    }
+    benchFullLoad(goals, bench, *window);
     window->bench().session().setBlockSink({});
     window->bench().session().disconnectDevice();
     return goals.exitCode();
@@ -273,5 +353,5 @@ int run() {
 int main(int count, char** arguments) {
     QStandardPaths::setTestModeEnabled(true);
     const halbench::app::WindowApplication application(count, arguments);
-    return halbench::bench::run();
+    return halbench::bench::run(count > 1 && std::string(arguments[1]) == "full");
 }
