@@ -79,6 +79,10 @@
         <source>Frequency response</source>
         <translation>Frequenzgang</translation>
     </message>
+    <message>
+        <source>Relay experiment</source>
+        <translation>Relaisversuch</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -7366,6 +7370,10 @@ Firmware %2</translation>
         <source>Picture (*.svg *.pdf *.png)</source>
         <translation>Bild (*.svg *.pdf *.png)</translation>
     </message>
+    <message>
+        <source>Its numbers (*.csv)</source>
+        <translation>Seine Zahlen (*.csv)</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DriveControl</name>
@@ -9522,6 +9530,14 @@ mit %1 Zeilen in der Sekunde</translation>
         <source>all gains, along the branch</source>
         <translation>alle Reglerparameter, entlang des Astes</translation>
     </message>
+    <message>
+        <source>Wrap the phase</source>
+        <translation>Phase umbrechen</translation>
+    </message>
+    <message>
+        <source>Draw the phase of the Bode plot between -180 and 180 degrees instead of as one line</source>
+        <translation>Die Phase des Bode-Diagramms zwischen -180 und 180 Grad zeichnen statt als eine Linie</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MainWindow</name>
@@ -11510,6 +11526,219 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
 </context>
 <context>
+    <name>halbench::app::RelayForm</name>
+    <message>
+        <source>&amp;Base speed</source>
+        <translation>&amp;Grunddrehzahl</translation>
+    </message>
+    <message>
+        <source>Height of the relay</source>
+        <translation>Höhe des Relais</translation>
+    </message>
+    <message>
+        <source>Swings</source>
+        <translation>Schwingungen</translation>
+    </message>
+    <message>
+        <source>Steady speed that the loop swings around, at least 3 rad/s in either direction: friction is then a plain offset. Empty: as slow as is safe</source>
+        <translation>Gleichmäßige Drehzahl, um die der Kreis schwingt, mindestens 3 rad/s in einer der Richtungen: Reibung ist dann ein bloßer Versatz. Leer: so langsam, wie es sicher ist</translation>
+    </message>
+    <message>
+        <source>Current at which the controller saturates. Empty: as high as is safe</source>
+        <translation>Strom, bei dem der Regler in die Begrenzung geht. Leer: so hoch, wie es sicher ist</translation>
+    </message>
+    <message>
+        <source>That are measured, 40 to 400; the intervals shrink with their root. Empty: 100</source>
+        <translation>Die gemessen werden, 40 bis 400; die Intervalle schrumpfen mit der Wurzel. Leer: 100</translation>
+    </message>
+    <message>
+        <source>what is safe</source>
+        <translation>was sicher ist</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Correct it or leave it empty</source>
+        <translation>Berichtigen Sie es, oder lassen Sie es leer</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RelayPanel</name>
+    <message>
+        <source>Save result</source>
+        <translation>Ergebnis speichern</translation>
+    </message>
+    <message>
+        <source>Relay experiment (*.json)</source>
+        <translation>Relaisversuch (*.json)</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>Vorbereiten</translation>
+    </message>
+    <message>
+        <source>Swing</source>
+        <translation>Schwingen</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassen</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Lets the loop swing by itself around a steady motion, with proportional control that saturates, and finds the gain at which it would swing for ever, with its 95 % interval. Calibrate the sensors first.</source>
+        <translation>Lässt den Kreis von selbst um eine gleichmäßige Bewegung schwingen, mit P-Regelung, die in die Begrenzung geht, und findet die Verstärkung, bei der er für immer schwänge, mit ihrem 95-%-Intervall. Kalibrieren Sie zuerst die Sensoren.</translation>
+    </message>
+    <message>
+        <source>The rotor turns steadily and swings around that. STOP (Esc) and Cancel end it; gains, limits, mode, windows and generator are restored.</source>
+        <translation>Der Rotor dreht sich gleichmäßig und schwingt darum. STOPP (Esc) und Abbrechen beenden es; Reglerparameter, Grenzen, Betriebsart, Fenster und Generator werden wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>Start experiment</source>
+        <translation>Versuch starten</translation>
+    </message>
+    <message>
+        <source>The rotor turns and swings (Ctrl+Return); Esc stops it</source>
+        <translation>Der Rotor dreht sich und schwingt (Strg+Eingabe); Esc hält ihn an</translation>
+    </message>
+    <message>
+        <source>Use in Tune</source>
+        <translation>In Auslegung verwenden</translation>
+    </message>
+    <message>
+        <source>Propose gains by Ziegler and Nichols from it, with their proof; nothing is applied</source>
+        <translation>Daraus Reglerparameter nach Ziegler und Nichols vorschlagen, mit ihrem Nachweis; nichts wird übernommen</translation>
+    </message>
+    <message>
+        <source>Save result…</source>
+        <translation>Ergebnis speichern…</translation>
+    </message>
+    <message>
+        <source>Write the file that tune --relay reads</source>
+        <translation>Die Datei schreiben, die tune --relay liest</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>Neu messen</translation>
+    </message>
+    <message>
+        <source>Back to the settings; this result stays until the next one</source>
+        <translation>Zurück zu den Einstellungen; dieses Ergebnis bleibt bis zum nächsten</translation>
+    </message>
+    <message>
+        <source>The swing as recorded</source>
+        <translation>Die Schwingung, wie aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Ultimate gain and period</source>
+        <translation>Kritische Verstärkung und Periode</translation>
+    </message>
+    <message>
+        <source>Relay experiment</source>
+        <translation>Relaisversuch</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>Misst</translation>
+    </message>
+    <message>
+        <source>Computing the result</source>
+        <translation>Berechnet das Ergebnis</translation>
+    </message>
+    <message>
+        <source>The experiment was cancelled; everything is as it was before.</source>
+        <translation>Der Versuch wurde abgebrochen; alles ist wie vorher.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RelayWords</name>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>verworfen</translation>
+    </message>
+    <message>
+        <source>The findings above say why, and what helps</source>
+        <translation>Die Befunde oben sagen, warum, und was hilft</translation>
+    </message>
+    <message>
+        <source>ultimate gain of the model</source>
+        <translation>kritische Verstärkung des Modells</translation>
+    </message>
+    <message>
+        <source>identified motor</source>
+        <translation>identifizierter Motor</translation>
+    </message>
+    <message>
+        <source>published motor</source>
+        <translation>veröffentlichter Motor</translation>
+    </message>
+    <message>
+        <source>The identified motor agrees: the two intervals overlap.</source>
+        <translation>Der identifizierte Motor stimmt überein: die beiden Intervalle überlappen sich.</translation>
+    </message>
+    <message>
+        <source>The identified motor disagrees: the two intervals lie apart.</source>
+        <translation>Der identifizierte Motor stimmt nicht überein: die beiden Intervalle liegen auseinander.</translation>
+    </message>
+    <message>
+        <source>Whether a model agrees is not known: identify the motor to compare.</source>
+        <translation>Ob ein Modell übereinstimmt, ist nicht bekannt: identifizieren Sie zum Vergleich den Motor.</translation>
+    </message>
+    <message>
+        <source>The rotor will turn in reverse at %1 rad/s (%2 r/min), about %3 turns, for %4 minutes of device time.</source>
+        <translation>Der Rotor wird sich rückwärts mit %1 rad/s (%2 1/min) drehen, etwa %3 Umdrehungen, %4 Minuten Gerätezeit lang.</translation>
+    </message>
+    <message>
+        <source>The rotor will turn forward at %1 rad/s (%2 r/min), about %3 turns, for %4 minutes of device time.</source>
+        <translation>Der Rotor wird sich vorwärts mit %1 rad/s (%2 1/min) drehen, etwa %3 Umdrehungen, %4 Minuten Gerätezeit lang.</translation>
+    </message>
+    <message>
+        <source>It swings around that by about %1° every %2 s, with speeds from %3 to %4 rad/s; its speed never changes sign, and the run ends where it leaves what is foreseen.</source>
+        <translation>Er schwingt darum um etwa %1° alle %2 s, mit Drehzahlen von %3 bis %4 rad/s; seine Drehzahl wechselt nie das Vorzeichen, und der Lauf endet, wo sie das Vorhergesehene verlässt.</translation>
+    </message>
+    <message>
+        <source>Current up to %1 A, coils up to %2 °C.</source>
+        <translation>Strom bis %1 A, Spulen bis %2 °C.</translation>
+    </message>
+    <message>
+        <source>The board ends the motion at %1 rad/s at the latest. Its gains and limits are replaced for the experiment and restored whatever happens.</source>
+        <translation>Das Steuergerät beendet die Bewegung spätestens bei %1 rad/s. Seine Reglerparameter und Grenzen werden für den Versuch ersetzt und in jedem Fall wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>ultimate gain</source>
+        <translation>kritische Verstärkung</translation>
+    </message>
+    <message>
+        <source>ultimate period</source>
+        <translation>kritische Periode</translation>
+    </message>
+    <message>
+        <source>phase where it swung</source>
+        <translation>Phase, bei der er schwang</translation>
+    </message>
+    <message>
+        <source>at %1 rad/s; followed from there to −180°</source>
+        <translation>bei %1 rad/s; von dort bis −180° verfolgt</translation>
+    </message>
+    <message>
+        <source>%1 swings of %2° around the steady motion, with %3 A; their frequency scattered by %4 %.</source>
+        <translation>%1 Schwingungen von %2° um die gleichmäßige Bewegung, mit %3 A; ihre Frequenz streute um %4 %.</translation>
+    </message>
+    <message>
+        <source>The speed stayed between %1 and %2 rad/s.</source>
+        <translation>Die Drehzahl blieb zwischen %1 und %2 rad/s.</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::RestRippleWords</name>
     <message>
         <source>at rest the current ripples by about %1 A: that is the noise of the measured angle (%2) times these gains, while friction holds the rotor still</source>
@@ -12453,6 +12682,18 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>The largest step of the reference that shall not reach the current limit</source>
         <translation>Der größte Sprung der Führungsgröße, der die Stromgrenze nicht erreichen soll</translation>
     </message>
+    <message>
+        <source>Where the loop swings, as the relay experiment measures it; empty: as the model says</source>
+        <translation>Wo der Kreis schwingt, wie der Relaisversuch es misst; leer: wie das Modell es sagt</translation>
+    </message>
+    <message>
+        <source>Ultimate gain</source>
+        <translation>Kritische Verstärkung</translation>
+    </message>
+    <message>
+        <source>Ultimate period</source>
+        <translation>Kritische Periode</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuneNumberWords</name>
@@ -13094,6 +13335,14 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>Gains that ran…</source>
         <translation>Damalige Reglerparameter …</translation>
     </message>
+    <message>
+        <source>Disturbance</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>What a load that appears at once does to the angle</source>
+        <translation>Was eine Last, die plötzlich auftritt, mit dem Winkel macht</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuningFigures</name>
@@ -13200,6 +13449,30 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Recorded move</source>
         <translation>Aufgezeichnete Bewegung</translation>
+    </message>
+    <message>
+        <source>Load worth %1 A that appears at once and stays, linear loop</source>
+        <translation>Last im Wert von %1 A, die plötzlich auftritt und bleibt, linearer Kreis</translation>
+    </message>
+    <message>
+        <source>angle from the reference</source>
+        <translation>Winkel gegen die Führungsgröße</translation>
+    </message>
+    <message>
+        <source>peak</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>recovered after</source>
+        <translation>erholt nach</translation>
+    </message>
+    <message>
+        <source>other crossings</source>
+        <translation>andere Durchtritte</translation>
+    </message>
+    <message>
+        <source>circled %1 times; unstable poles of L: %2</source>
+        <translation>umlaufen: %1 Mal; instabile Pole von L: %2</translation>
     </message>
 </context>
 <context>

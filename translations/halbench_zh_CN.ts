@@ -79,6 +79,10 @@
         <source>Frequency response</source>
         <translation>频率响应</translation>
     </message>
+    <message>
+        <source>Relay experiment</source>
+        <translation>继电实验</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -7361,6 +7365,10 @@ Firmware %2</source>
         <source>Picture (*.svg *.pdf *.png)</source>
         <translation>图片 (*.svg *.pdf *.png)</translation>
     </message>
+    <message>
+        <source>Its numbers (*.csv)</source>
+        <translation>图中的数值 (*.csv)</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DriveControl</name>
@@ -9517,6 +9525,14 @@ by %1 rows a second</source>
         <source>all gains, along the branch</source>
         <translation>所有增益，沿分支</translation>
     </message>
+    <message>
+        <source>Wrap the phase</source>
+        <translation>折叠相位</translation>
+    </message>
+    <message>
+        <source>Draw the phase of the Bode plot between -180 and 180 degrees instead of as one line</source>
+        <translation>把 Bode 图的相位画在 -180 度与 180 度之间，而不是画成一条线</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MainWindow</name>
@@ -11499,6 +11515,219 @@ A real device has its own time.</source>
     </message>
 </context>
 <context>
+    <name>halbench::app::RelayForm</name>
+    <message>
+        <source>&amp;Base speed</source>
+        <translation>基础转速(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Height of the relay</source>
+        <translation>继电幅值</translation>
+    </message>
+    <message>
+        <source>Swings</source>
+        <translation>摆动次数</translation>
+    </message>
+    <message>
+        <source>Steady speed that the loop swings around, at least 3 rad/s in either direction: friction is then a plain offset. Empty: as slow as is safe</source>
+        <translation>回路围绕其摆动的匀速转速，任一方向至少 3 rad/s：这样摩擦只是一个偏置。留空：在安全范围内尽量慢</translation>
+    </message>
+    <message>
+        <source>Current at which the controller saturates. Empty: as high as is safe</source>
+        <translation>控制器饱和时的电流。留空：在安全范围内尽量大</translation>
+    </message>
+    <message>
+        <source>That are measured, 40 to 400; the intervals shrink with their root. Empty: 100</source>
+        <translation>所测的次数，40 至 400；区间随其平方根缩小。留空：100</translation>
+    </message>
+    <message>
+        <source>what is safe</source>
+        <translation>安全值</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Correct it or leave it empty</source>
+        <translation>请更正，或留空</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RelayPanel</name>
+    <message>
+        <source>Save result</source>
+        <translation>保存结果</translation>
+    </message>
+    <message>
+        <source>Relay experiment (*.json)</source>
+        <translation>继电实验 (*.json)</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>准备</translation>
+    </message>
+    <message>
+        <source>Swing</source>
+        <translation>摆动</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>拟合</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Lets the loop swing by itself around a steady motion, with proportional control that saturates, and finds the gain at which it would swing for ever, with its 95 % interval. Calibrate the sensors first.</source>
+        <translation>让回路在会饱和的比例控制下围绕匀速运动自行摆动，求出会永远振荡的增益及其 95 % 区间。请先标定传感器。</translation>
+    </message>
+    <message>
+        <source>The rotor turns steadily and swings around that. STOP (Esc) and Cancel end it; gains, limits, mode, windows and generator are restored.</source>
+        <translation>转子匀速转动，并围绕该运动摆动。“停止”（Esc）和“取消”结束实验；增益、限值、模式、窗口和信号发生器会恢复。</translation>
+    </message>
+    <message>
+        <source>Start experiment</source>
+        <translation>开始实验</translation>
+    </message>
+    <message>
+        <source>The rotor turns and swings (Ctrl+Return); Esc stops it</source>
+        <translation>转子转动并摆动（Ctrl+Return）；Esc 停止</translation>
+    </message>
+    <message>
+        <source>Use in Tune</source>
+        <translation>用于整定</translation>
+    </message>
+    <message>
+        <source>Propose gains by Ziegler and Nichols from it, with their proof; nothing is applied</source>
+        <translation>由此按齐格勒—尼科尔斯方法提出增益及其论证；不会应用任何内容</translation>
+    </message>
+    <message>
+        <source>Save result…</source>
+        <translation>保存结果…</translation>
+    </message>
+    <message>
+        <source>Write the file that tune --relay reads</source>
+        <translation>写出 tune --relay 读取的文件</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>重新测量</translation>
+    </message>
+    <message>
+        <source>Back to the settings; this result stays until the next one</source>
+        <translation>返回设置；此结果保留到下一个结果</translation>
+    </message>
+    <message>
+        <source>The swing as recorded</source>
+        <translation>记录的摆动</translation>
+    </message>
+    <message>
+        <source>Ultimate gain and period</source>
+        <translation>临界增益和临界周期</translation>
+    </message>
+    <message>
+        <source>Relay experiment</source>
+        <translation>继电实验</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>正在测量</translation>
+    </message>
+    <message>
+        <source>Computing the result</source>
+        <translation>正在计算结果</translation>
+    </message>
+    <message>
+        <source>The experiment was cancelled; everything is as it was before.</source>
+        <translation>实验已取消；一切与之前相同。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RelayWords</name>
+    <message>
+        <source>measured</source>
+        <translation>实测</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>被拒绝</translation>
+    </message>
+    <message>
+        <source>The findings above say why, and what helps</source>
+        <translation>上面的诊断说明原因和解决办法</translation>
+    </message>
+    <message>
+        <source>ultimate gain of the model</source>
+        <translation>模型的临界增益</translation>
+    </message>
+    <message>
+        <source>identified motor</source>
+        <translation>已辨识的电机</translation>
+    </message>
+    <message>
+        <source>published motor</source>
+        <translation>公开的电机</translation>
+    </message>
+    <message>
+        <source>The identified motor agrees: the two intervals overlap.</source>
+        <translation>已辨识的电机一致：两个区间重叠。</translation>
+    </message>
+    <message>
+        <source>The identified motor disagrees: the two intervals lie apart.</source>
+        <translation>已辨识的电机不一致：两个区间分离。</translation>
+    </message>
+    <message>
+        <source>Whether a model agrees is not known: identify the motor to compare.</source>
+        <translation>无法判断是否与模型一致：请辨识电机以作比较。</translation>
+    </message>
+    <message>
+        <source>The rotor will turn in reverse at %1 rad/s (%2 r/min), about %3 turns, for %4 minutes of device time.</source>
+        <translation>转子将以 %1 rad/s（%2 r/min）反转，约 %3 转，设备时间 %4 分钟。</translation>
+    </message>
+    <message>
+        <source>The rotor will turn forward at %1 rad/s (%2 r/min), about %3 turns, for %4 minutes of device time.</source>
+        <translation>转子将以 %1 rad/s（%2 r/min）正转，约 %3 转，设备时间 %4 分钟。</translation>
+    </message>
+    <message>
+        <source>It swings around that by about %1° every %2 s, with speeds from %3 to %4 rad/s; its speed never changes sign, and the run ends where it leaves what is foreseen.</source>
+        <translation>它围绕该运动每 %2 s 摆动约 %1°，转速为 %3 至 %4 rad/s；转速从不变号，一旦超出预计，运行即结束。</translation>
+    </message>
+    <message>
+        <source>Current up to %1 A, coils up to %2 °C.</source>
+        <translation>电流最大 %1 A，线圈最高 %2 °C。</translation>
+    </message>
+    <message>
+        <source>The board ends the motion at %1 rad/s at the latest. Its gains and limits are replaced for the experiment and restored whatever happens.</source>
+        <translation>控制板最迟在 %1 rad/s 时结束运动。其增益和限值在实验期间被替换，无论发生什么都会恢复。</translation>
+    </message>
+    <message>
+        <source>ultimate gain</source>
+        <translation>临界增益</translation>
+    </message>
+    <message>
+        <source>ultimate period</source>
+        <translation>临界周期</translation>
+    </message>
+    <message>
+        <source>phase where it swung</source>
+        <translation>摆动处的相位</translation>
+    </message>
+    <message>
+        <source>at %1 rad/s; followed from there to −180°</source>
+        <translation>在 %1 rad/s 处；由此推算到 −180°</translation>
+    </message>
+    <message>
+        <source>%1 swings of %2° around the steady motion, with %3 A; their frequency scattered by %4 %.</source>
+        <translation>围绕匀速运动摆动 %1 次，幅值 %2°，电流 %3 A；其频率离散 %4 %。</translation>
+    </message>
+    <message>
+        <source>The speed stayed between %1 and %2 rad/s.</source>
+        <translation>转速保持在 %1 与 %2 rad/s 之间。</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::RestRippleWords</name>
     <message>
         <source>at rest the current ripples by about %1 A: that is the noise of the measured angle (%2) times these gains, while friction holds the rotor still</source>
@@ -12441,6 +12670,18 @@ A real device has its own time.</source>
         <source>The largest step of the reference that shall not reach the current limit</source>
         <translation>不应达到电流限值的最大参考值阶跃</translation>
     </message>
+    <message>
+        <source>Where the loop swings, as the relay experiment measures it; empty: as the model says</source>
+        <translation>回路振荡之处，由继电实验测得；留空：按模型</translation>
+    </message>
+    <message>
+        <source>Ultimate gain</source>
+        <translation>临界增益</translation>
+    </message>
+    <message>
+        <source>Ultimate period</source>
+        <translation>临界周期</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuneNumberWords</name>
@@ -13082,6 +13323,14 @@ A real device has its own time.</source>
         <source>Gains that ran…</source>
         <translation>当时的增益…</translation>
     </message>
+    <message>
+        <source>Disturbance</source>
+        <translation>扰动</translation>
+    </message>
+    <message>
+        <source>What a load that appears at once does to the angle</source>
+        <translation>突然出现的负载对角度的影响</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuningFigures</name>
@@ -13188,6 +13437,30 @@ A real device has its own time.</source>
     <message>
         <source>Recorded move</source>
         <translation>记录的运动</translation>
+    </message>
+    <message>
+        <source>Load worth %1 A that appears at once and stays, linear loop</source>
+        <translation>相当于 %1 A 的负载突然出现并保持，线性回路</translation>
+    </message>
+    <message>
+        <source>angle from the reference</source>
+        <translation>相对参考值的角度</translation>
+    </message>
+    <message>
+        <source>peak</source>
+        <translation>峰值</translation>
+    </message>
+    <message>
+        <source>recovered after</source>
+        <translation>恢复时间</translation>
+    </message>
+    <message>
+        <source>other crossings</source>
+        <translation>其他穿越</translation>
+    </message>
+    <message>
+        <source>circled %1 times; unstable poles of L: %2</source>
+        <translation>被环绕 %1 次；L 的不稳定极点：%2</translation>
     </message>
 </context>
 <context>
