@@ -1,3 +1,4 @@
+#include "tests/widgets/gui_fixture.h"
 #include "widgets/unbroken.h"
 
 #include <QTextLayout>
@@ -23,15 +24,17 @@ int lines(const QString& text) {
     return count;
 }
 
-TEST(Unbroken, staysInOneLineWhereItsPlainWordsDoNot) {
-    for (const char* text : {"382 r/min", "382 1/min", "0.5 rad", "c/J = 2.24 \u00b1 0.09"}) {
+using UnbrokenTest = GuiTest; // fonts belong to an application
+
+TEST_F(UnbrokenTest, staysInOneLineWhereItsPlainWordsDoNot) {
+    for (const char* text : {"382 r/min", "382 1/min", "3 rad", "c/J = 2.24 \u00b1 0.09"}) {
         const QString plain = QString::fromUtf8(text);
         EXPECT_GT(lines(plain), 1) << text;
         EXPECT_EQ(lines(unbroken(plain)), 1) << text;
     }
 }
 
-TEST(Unbroken, readsAsItDid) {
+TEST_F(UnbrokenTest, readsAsItDid) {
     QString read = unbroken(QStringLiteral("382 1/min"));
     read.remove(QChar(0x2060));
     EXPECT_EQ(read.replace(QChar(0x00a0), QLatin1Char(' ')), "382 1/min");
