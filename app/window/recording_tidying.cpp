@@ -4,8 +4,15 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QTimer>
 
 namespace halbench::app {
+
+namespace {
+
+constexpr int Typing_ms = 700;
+
+} // namespace
 
 QString agreedName(const QString& folder) {
     const QDir dir(folder);
@@ -35,11 +42,16 @@ bool RecordingTidying::isAgreed(const QString& folder) const {
     return m_agreed.contains(agreedName(folder));
 }
 
-/// What would go from a folder that is new here is said at once, not only after the first recording.
+/// What would go from a folder that is new here is said soon, not only after the first recording; not of the
+/// folders above it that its name passes while it is typed.
 void RecordingTidying::onFolder() {
     const QString folder = m_bench.recording().folder();
     if (folder != m_folder && !isAgreed(folder)) {
-        tidy(folder);
+        QTimer::singleShot(Typing_ms, this, [this, folder] {
+            if (folder == m_bench.recording().folder()) {
+                tidy(folder);
+            }
+        });
     }
     m_folder = folder;
 }
