@@ -36,7 +36,8 @@ ads::DockWidgetArea edgeOf(PanelArea area) {
 } // namespace
 
 DockMenu::DockMenu(DockLayout& docks, QWidget* parent)
-    : QMenu(parent), m_docks(docks), m_moves(*static_cast<ads::CDockManager*>(docks.widget())) {
+    : QMenu(parent), m_docks(docks), m_manager(docks.widget()),
+      m_moves(*static_cast<ads::CDockManager*>(docks.widget())) {
     setToolTipsVisible(true);
     m_float = addAction(QString(), this, &DockMenu::toggleFloating);
     giveKey(*m_float, "Ctrl+Shift+F",
@@ -87,7 +88,7 @@ void DockMenu::addSides() {
 void DockMenu::noteFocus(const QWidget* focused) {
     for (const QWidget* one = focused; one != nullptr; one = one->parentWidget()) {
         const auto* panel = qobject_cast<const ads::CDockWidget*>(one);
-        if (panel != nullptr && panel->dockManager() == m_docks.widget()) { // not one of another window
+        if (panel != nullptr && panel->dockManager() == m_manager) { // not one of another window
             m_id = panel->objectName();
         }
     }

@@ -25,6 +25,7 @@ private:
     void noteFocus(const QWidget* focused);
 
     DockLayout& m_docks;
+    const QWidget* m_manager; ///< only compared: it goes before the menu
     DockMoves m_moves;
     QAction* m_float = nullptr;
     QString m_id; ///< of the panel

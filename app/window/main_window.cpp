@@ -118,6 +118,9 @@ MainWindow::~MainWindow() {
         m_project->finishWriting(); // while there is a window to say how it went
     }
     hide(); // panels that are hidden say which signals they need no more, to a bench that is still there
+    for (const ads::CDockWidget* dock : m_docks->docks()) {
+        dock->window()->hide(); // one of its own does not go with this one
+    }
 }
 
 bool MainWindow::event(QEvent* event) {

@@ -101,6 +101,22 @@ TEST_F(MainWindowTest, aWindowThatGoesUnclosedHidesItsPanelsWhileTheirBenchIsThe
     EXPECT_TRUE(isBenchThere);
 }
 
+/// The same of a panel in a window of its own, which is not hidden with the one it belongs to.
+TEST_F(MainWindowTest, aWindowThatGoesHidesItsFloatingPanelsWhileTheirBenchIsThere) {
+    open();
+    connectMotor(5.0);
+    window->docks().docks().value("spectrum")->setFloating();
+    QWidget* seen = window->docks().panel("spectrum");
+    ASSERT_TRUE(wait([&] { return seen->isVisible(); }));
+    bool isBenchThere = false;
+    bool isBenchGone = false;
+    QObject::connect(&window->bench(), &QObject::destroyed, qApp, [&] { isBenchGone = true; });
+    HideWatch watch([&] { isBenchThere = !isBenchGone; });
+    seen->installEventFilter(&watch);
+    window.reset();
+    EXPECT_TRUE(isBenchThere);
+}
+
 TEST_F(MainWindowTest, theListMarksTheDeviceThatIsConnectedAndNoOther) {
     open();
     auto* devices = window->findChild<DevicePanel*>();
