@@ -13451,8 +13451,8 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Aufgezeichnete Bewegung</translation>
     </message>
     <message>
-        <source>Load worth %1 A that appears at once and stays, linear loop</source>
-        <translation>Last im Wert von %1 A, die plötzlich auftritt und bleibt, linearer Kreis</translation>
+        <source>Load worth %1 A, linear loop</source>
+        <translation>Last im Wert von %1 A, linearer Kreis</translation>
     </message>
     <message>
         <source>angle from the reference</source>

@@ -13439,10 +13439,6 @@ A real device has its own time.</source>
         <translation>记录的运动</translation>
     </message>
     <message>
-        <source>Load worth %1 A that appears at once and stays, linear loop</source>
-        <translation>相当于 %1 A 的负载突然出现并保持，线性回路</translation>
-    </message>
-    <message>
         <source>angle from the reference</source>
         <translation>相对参考值的角度</translation>
     </message>
@@ -13461,6 +13457,10 @@ A real device has its own time.</source>
     <message>
         <source>circled %1 times; unstable poles of L: %2</source>
         <translation>被环绕 %1 次；L 的不稳定极点：%2</translation>
+    </message>
+    <message>
+        <source>Load worth %1 A, linear loop</source>
+        <translation>相当于 %1 A 的负载，线性回路</translation>
     </message>
 </context>
 <context>

@@ -54,8 +54,7 @@ std::optional<widgets::Figure> disturbanceFigure(const std::optional<control::Lo
     const bool isDegree = unit == widgets::AngleUnit::Degree;
     const double factor = widgets::displayUnit("rad", unit).factor;
     widgets::Figure figure;
-    figure.title =
-        utf8(Words::tr("Load worth %1 A that appears at once and stays, linear loop").arg(DisturbanceLoad_A));
+    figure.title = utf8(Words::tr("Load worth %1 A, linear loop").arg(DisturbanceLoad_A));
     figure.x = {utf8(Words::tr("time")), "s", false, {}, {}, {}};
     figure.isLinked = true;
     figure.panels.resize(2);

@@ -53,9 +53,11 @@ void markOther(widgets::BodeContent& content, const control::Crossing& crossing)
     widgets::ReferenceLine line{Direction::Vertical, at_Hz, {}, true};
     content.magnitudeLines.push_back(line);
     content.phaseLines.push_back(line);
+    const double factor = crossing.gainMargin_ratio;
     (isGain ? content.phaseLines : content.magnitudeLines).back().label =
-        isGain ? fmt::format("{:.0f}\u00b0", crossing.phaseMargin_deg)
-               : fmt::format("{:.2g}\u00d7", crossing.gainMargin_ratio);
+        isGain          ? fmt::format("{:.0f}\u00b0", crossing.phaseMargin_deg)
+        : factor < 99.5 ? fmt::format("{:.2g}\u00d7", factor)
+                        : fmt::format("{:.0f}\u00d7", factor);
 }
 
 /// The curve's place at a crossing.

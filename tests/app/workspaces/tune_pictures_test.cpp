@@ -169,6 +169,8 @@ TEST_F(TunePicturesTest, theNumbersOfAPictureAreSavedAsATable) {
                           },
                           {}});
     auto* view = const_cast<widgets::FigureView*>(figure("Open loop"));
+    QApplication::setActiveWindow(&panel);
+    view->setFocus();
     QTest::keyClick(view, Qt::Key_E, Qt::ControlModifier);
     ASSERT_TRUE(wait([&] { return QFileInfo(path).size() > 1000; }));
     EXPECT_TRUE(kinds.contains("csv"));
