@@ -38,6 +38,12 @@ void setReason(QComboBox& box, int index, const QString& reason) {
     items->item(index)->setToolTip(reason);
 }
 
+/// It is narrower than its longest choice, which is read here.
+void tellChoice(QComboBox& source) {
+    source.setToolTip(TriggerBar::tr("The signal whose edge is the event, or the set-point") +
+                      QLatin1Char('\n') + source.currentText());
+}
+
 /// What the board can do of it.
 TriggerChoice forBoard(TriggerChoice choice) {
     choice.mode = choice.mode == control::TriggerMode::Auto ? control::TriggerMode::Normal : choice.mode;
@@ -90,7 +96,8 @@ void TriggerBar::buildEvent(QHBoxLayout& line) {
                     tr("Auto shows something after half a second even if nothing happens; Normal waits; "
                        "Single stops after one event"),
                     {tr("Auto"), tr("Normal"), tr("Single")});
-    m_source = addBox(tr("Source"), tr("The signal whose edge is the event, or the set-point"), {});
+    m_source = addBox(tr("Source"), {}, {});
+    tellChoice(*m_source);
     m_source->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_source->setMinimumContentsLength(SourceCharacters);
     m_slope = addBox(tr("Slope"), tr("Which way the source passes the level"),
@@ -188,6 +195,7 @@ void TriggerBar::fillSources() {
         m_source->addItem(source, source);
     }
     m_source->setCurrentIndex(m_source->findData(source));
+    tellChoice(*m_source);
 }
 
 /// What the board cannot do is there, and says so.
@@ -269,6 +277,7 @@ void TriggerBar::onEdited(Field field, double value) {
 
 void TriggerBar::onSource(int index) {
     m_choice.source = m_source->itemData(index).toString().toStdString();
+    tellChoice(*m_source);
     m_choice.level = 0.0;
     m_choice.hysteresis = 0.0;
     dressFields();

@@ -1,6 +1,7 @@
 #include "tests/gui/inspection.h"
 
 #include "tests/gui/needless_cuts.h"
+#include "tests/gui/seen_words.h"
 #include "tests/gui/word_contrast.h"
 #include "tests/gui/word_room.h"
 #include "widgets/theme_style.h"
@@ -112,6 +113,22 @@ QString foreign(const QString& text, const QHash<QString, QString>& phrases) {
     return isForeign ? QStringLiteral("'%1' is not translated").arg(words) : QString();
 }
 
+/// Which words are too faint to read there; empty: none.
+QString faint(QWidget& widget, const QString& text, const QRect& place) {
+    const double contrast_ratio = faintestWord_ratio(widget, place);
+    return contrast_ratio < LeastContrast
+               ? QStringLiteral("'%1' has a contrast of %2").arg(text).arg(contrast_ratio, 0, 'f', 1)
+               : QString();
+}
+
+QStringList inspectParts(QWidget& widget, const QHash<QString, QString>& phrases) {
+    QStringList found;
+    for (const SeenWords& words : seenWords(widget)) {
+        found << foreign(words.text, phrases) << faint(widget, words.text, words.place);
+    }
+    return found;
+}
+
 QStringList inspectOne(QWidget& widget, const QHash<QString, QString>& phrases) {
     QStringList found;
     found << lackOfRoom(widget) << needlessCuts(widget) << untoldKey(widget);
@@ -127,13 +144,9 @@ QStringList inspectOne(QWidget& widget, const QHash<QString, QString>& phrases) 
     const bool hasWords = !plain(textOf(widget)).trimmed().isEmpty();
     const bool isWhole = widget.visibleRegion() == QRegion(widget.rect()); // not scrolled out of sight
     if (hasWords && isWhole && widget.isEnabled() && !widget.size().isEmpty()) {
-        const double contrast_ratio = faintestWord_ratio(widget, wordsPlace(widget));
-        if (contrast_ratio < LeastContrast) {
-            found << QStringLiteral("'%1' has a contrast of %2")
-                         .arg(textOf(widget))
-                         .arg(contrast_ratio, 0, 'f', 1);
-        }
+        found << faint(widget, textOf(widget), wordsPlace(widget));
     }
+    found << inspectParts(widget, phrases);
     found.removeAll({});
     found.removeDuplicates();
     return found;

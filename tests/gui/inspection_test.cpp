@@ -165,6 +165,45 @@ TEST_F(InspectionTest, findsAnEnglishWordInAnotherLanguage) {
     EXPECT_TRUE(found({{"Save", "Sichern"}}).contains("not translated"));
 }
 
+TEST_F(InspectionTest, findsAnEnglishWordInATabAHeaderACellAndAnEmptyField) {
+    const QHash<QString, QString> phrases = {
+        {"Gain", "Verst\u00e4rkung"}, {"Value", "Wert"}, {"Search", "Suchen"}, {"held", "gehalten"}};
+    auto* field = make<QLineEdit>("");
+    field->setPlaceholderText("Search");
+    auto* tabs = new QTabBar(&root);
+    tabs->addTab("Gain");
+    tabs->resize(tabs->sizeHint());
+    tabs->move(0, 50);
+    QTableWidget table(1, 1, &root);
+    table.setHorizontalHeaderLabels({"Value"});
+    table.setItem(0, 0, new QTableWidgetItem("held"));
+    table.setGeometry(0, 100, 300, 100);
+    root.setMinimumSize(400, 220);
+    const QString said = found(phrases);
+    for (const char* word : {"Gain", "Value", "Search", "held"}) {
+        EXPECT_TRUE(said.contains(QStringLiteral("'%1' is not translated").arg(QLatin1String(word))))
+            << word << "\n"
+            << said.toStdString();
+    }
+    field->setText("Search"); // the user's word
+    table.item(0, 0)->setText("gehalten");
+    const QString rest = found(phrases);
+    EXPECT_FALSE(rest.contains("'Search'")) << rest.toStdString();
+    EXPECT_FALSE(rest.contains("'held'")) << rest.toStdString();
+}
+
+TEST_F(InspectionTest, findsAPaleCell) {
+    QTableWidget table(1, 1, &root);
+    table.setItem(0, 0, new QTableWidgetItem("hardly to be read"));
+    table.setGeometry(0, 0, 300, 100);
+    table.setColumnWidth(0, 200);
+    table.setShowGrid(false);
+    root.setMinimumSize(400, 120);
+    EXPECT_FALSE(found().contains("'hardly to be read' has a contrast")) << found().toStdString();
+    table.item(0, 0)->setForeground(QColor(200, 200, 200));
+    EXPECT_TRUE(found().contains("'hardly to be read' has a contrast")) << found().toStdString();
+}
+
 TEST_F(InspectionTest, findsAKeyThatTwoControlsShare) {
     auto* button = make<QPushButton>("&Go");
     auto* label = make<QLabel>("&Gap");

@@ -4,11 +4,14 @@
 #include "app/window/preferences_dialog.h"
 #include "app/wizards/calibrate_panel.h"
 #include "app/workspaces/drive_control.h"
+#include "app/workspaces/import_view.h"
 #include "app/workspaces/recording_control.h"
 #include "tests/app/window/window_test.h"
 #include "tests/gui/inspection.h"
 #include "widgets/stop_button.h"
 
+#include <QCheckBox>
+#include <QFile>
 #include <QMenuBar>
 #include <QPushButton>
 #include <QTabWidget>
@@ -47,16 +50,22 @@ protected:
 
     void look(const QString& place) { look(*window, place); }
 
-    void look(QWidget& shown, const QString& place) {
+    /// What is still wrong a moment later: what changes just now gets its room with the next frame.
+    QStringList settled(QWidget& shown) {
         QTest::qWait(50); // one frame of the window
         QStringList found = inspect(shown, phrases);
-        if (!found.isEmpty()) { // what changes just now gets its room with the next frame
+        if (!found.isEmpty()) {
             QTest::qWait(300);
             const QStringList still = inspect(shown, phrases);
             found.erase(std::remove_if(found.begin(), found.end(),
                                        [&](const QString& one) { return !still.contains(one); }),
                         found.end());
         }
+        return found;
+    }
+
+    void look(QWidget& shown, const QString& place) {
+        const QStringList found = settled(shown);
         for (const QString& finding : found + inspectKeys(shown)) {
             note(place, finding);
         }
@@ -65,6 +74,37 @@ protected:
         if (!stop->isVisible() || !shown.rect().contains(where)) {
             note(place, "STOP is not in sight");
         }
+    }
+
+    /// The panel alone: what is around it was seen.
+    void lookInside(const char* panel, const QString& place) {
+        QWidget& shown = *window->docks().panel(panel);
+        for (const QString& finding : settled(shown)) {
+            note(place, finding);
+        }
+    }
+
+    /// Every page that the panel has within itself.
+    int lookAtPages(const char* panel, const QString& place) {
+        int seen = 0;
+        for (auto* tabs : window->docks().panel(panel)->findChildren<QTabWidget*>()) {
+            for (int page = 0; page < tabs->count() && tabs->isVisible(); ++page) {
+                tabs->setCurrentIndex(page);
+                lookInside(panel, QStringLiteral("%1/tab %2").arg(place).arg(page));
+                ++seen;
+            }
+        }
+        return seen;
+    }
+
+    void check(const char* panel, const char* key) {
+        for (QAction* action : window->docks().panel(panel)->findChildren<QAction*>()) {
+            if (action->isCheckable() && action->shortcut() == QKeySequence(QLatin1String(key))) {
+                action->setChecked(true);
+                return;
+            }
+        }
+        ADD_FAILURE() << panel << " has no switch " << key;
     }
 
     void note(const QString& place, const QString& finding) {
@@ -169,6 +209,32 @@ TEST_P(WalkTest, findsNothingWrongInAnArmedRecordingMotor) {
     ASSERT_TRUE(wait([&] { return !window->bench().recording().isRecording(); }));
     window->docks().setPerspective(Perspective::Record);
     look("record/written");
+    EXPECT_EQ(lookAtPages("recordings", "recordings"), 4);
+    QFile table(folder.filePath("other.txt"));
+    ASSERT_TRUE(table.open(QIODevice::WriteOnly));
+    table.write("t,speed,current\n0,1.5,0.1\n0.001,1.6,0.2\n0.002,1.7,0.3\n");
+    table.close();
+    window->docks().panel("recordings")->findChild<app::ImportView*>()->begin(table.fileName());
+    QTest::qWait(200);
+    lookInside("recordings", "recordings/import of a table");
+}
+
+/// What the bars of the Monitor, the ellipse and the spectrogram add.
+TEST_P(WalkTest, findsNothingWrongInWhatPicturesAreSwitchedTo) {
+    openDressed();
+    connectMotor(1.0);
+    check("monitor", "S");
+    check("monitor", "C");
+    check("monitor", "T");
+    look("monitor/bars");
+    window->docks().docks().value("spectrum")->setAsCurrentTab();
+    check("spectrum", "O");
+    QTest::qWait(300); // computed on another thread
+    lookInside("spectrum", "spectrogram");
+    window->docks().docks().value("xy")->setAsCurrentTab();
+    window->docks().panel("xy")->findChild<QCheckBox*>()->click();
+    QTest::qWait(300);
+    lookInside("xy", "ellipse");
 }
 
 TEST_P(WalkTest, findsNothingWrongInDialogsAndFloatingDocks) {

@@ -83,6 +83,11 @@ QString tooWide(const QWidget& widget) {
                          .arg(label->height())
                    : QString();
     }
+    const auto* combo = qobject_cast<const QComboBox*>(&widget);
+    if (combo != nullptr && combo->toolTip().contains(text) &&
+        combo->sizeAdjustPolicy() == QComboBox::AdjustToMinimumContentsLengthWithIcon) {
+        return {}; // narrower than its longest choice on purpose, and the tooltip has this one
+    }
     const int needed_px = label != nullptr && Qt::mightBeRichText(text) ? label->sizeHint().width()
                                                                         : wordWidth_px(widget, text);
     return needed_px > room_px(widget) + Rounding_px
