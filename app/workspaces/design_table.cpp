@@ -72,7 +72,7 @@ DesignTable::DesignTable(QWidget* parent)
     buttons->setSpacing(widgets::PanelMargin_px);
     int at = 0;
     for (QPushButton* button : {m_keep, m_takeUp, m_remove, m_undo, m_redo}) {
-        constexpr int InARow = 3; // five would not fit beside the settings of a small window
+        constexpr int InARow = 2; // three German ones do not fit beside the settings of a small window
         buttons->addWidget(button, at / InARow, at % InARow);
         ++at;
     }
