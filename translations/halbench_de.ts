@@ -13157,7 +13157,7 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
     <message>
         <source>Measured response…</source>
-        <translation>Gemessener Frequenzgang …</translation>
+        <translation>Messung …</translation>
     </message>
     <message>
         <source>The open loop shows predictions alone again</source>
@@ -13297,7 +13297,7 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
     <message>
         <source>Remove the response</source>
-        <translation>Frequenzgang entfernen</translation>
+        <translation>Messung entfernen</translation>
     </message>
     <message>
         <source>More gain would be unstable: it stays below.</source>

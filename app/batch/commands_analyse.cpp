@@ -78,19 +78,19 @@ std::string analysisText(const AnalysisResult& result) {
 
 /// The same judgement as of gains that are designed. An analysis refuses none: what it is asked to show may
 /// be unstable.
-Result<TuneResult> judgeOwn(ComparedLoop& own, const ModelFile& model, LoopConditions conditions,
-                            std::uint64_t seed) {
+Result<TuneResult> judgeLoop(ComparedLoop& loop, const ModelFile& model, LoopConditions conditions,
+                             std::uint64_t seed) {
     TuneConfig config;
-    config.method = own.gains.method;
+    config.method = loop.gains.method;
     config.conditions = std::move(conditions);
-    config.conditions.timing = own.gains.timing;
+    config.conditions.timing = loop.gains.timing;
     config.seed = seed;
-    Result<TuneResult> judged = judgeLaw(model.estimate, own.gains.law, config);
+    Result<TuneResult> judged = judgeLaw(model.estimate, loop.gains.law, config);
     if (judged) {
-        own.result.warnings = judged->warnings;
-        own.result.quality.findings = judged->warnings;
+        loop.result.warnings = judged->warnings;
+        loop.result.quality.findings = judged->warnings;
         if (judged->quality.verdict != Verdict::Good) {
-            own.result.quality.verdict = Verdict::Doubtful;
+            loop.result.quality.verdict = Verdict::Doubtful;
         }
     }
     return judged;
@@ -133,6 +133,18 @@ Result<void> writeStep(const std::string& path, const AnalysisResult::Step& step
     return writeColumns(
         path, "time_s,response_rad,current_A,load_angle_rad,load_current_A",
         {&step.time_s, &step.response_rad, &step.current_A, &loaded.angle_rad, &loaded.current_A});
+}
+
+/// Each as it is judged alone; the answer is that of the first.
+Result<TuneResult> judgeAll(std::vector<ComparedLoop>& loops, const ModelFile& model,
+                            const LoopConditions& conditions, std::uint64_t seed) {
+    auto first = judgeLoop(loops.front(), model, conditions, seed);
+    for (std::size_t i = 1; i < loops.size(); ++i) {
+        if (const auto valid = judgeLoop(loops[i], model, conditions, seed); !valid) {
+            return failure(valid.error());
+        }
+    }
+    return first;
 }
 
 /// What the other programs and controllers draw and run: of the first gains.
@@ -203,11 +215,11 @@ CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& o
     if (!loops) {
         return failure(loops.error());
     }
-    ComparedLoop& own = loops->front();
+    const ComparedLoop& own = loops->front();
     ResultHeader header = headerFor(context, "halbench.analysis/1");
     header.device = model->device;
     header.seed = context.global.seed.value_or(model->seed);
-    const auto judged = judgeOwn(own, *model, *conditions, header.seed);
+    const auto judged = judgeAll(*loops, *model, *conditions, header.seed);
     if (!judged) {
         return failure(judged.error());
     }

@@ -158,6 +158,7 @@ void ImportTable::showRowTitles() {
     }
     setVerticalHeaderLabels(titles);
     verticalHeader()->setVisible(firstRow() > 0);
+    setCornerButtonEnabled(false); // all of the table is no choice here
 }
 
 void ImportTable::showColumn(std::size_t index) {

@@ -19,14 +19,18 @@ namespace halbench::app {
 LoopView::LoopView(QWidget* parent)
     : QWidget(parent), m_label(new QLabel(this)), m_choice(new QComboBox(this)), m_wrap(new QCheckBox(this)),
       m_picture(new widgets::FigureView(this)), m_note(new QLabel(this)), m_row(new QHBoxLayout) {
-    m_row->setSpacing(widgets::PanelMargin_px);
-    m_row->addWidget(m_label);
-    m_row->addWidget(m_choice);
+    auto* choice = new QHBoxLayout;
+    choice->setSpacing(widgets::PanelMargin_px);
+    choice->addWidget(m_label);
+    choice->addWidget(m_choice);
+    choice->addStretch(1);
+    m_row->setSpacing(widgets::PanelMargin_px); // of its own: all in one do not fit a small window
     m_row->addWidget(m_wrap);
     m_row->addStretch(1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(widgets::GridStep_px);
+    column->addLayout(choice);
     column->addLayout(m_row);
     column->addWidget(m_note);
     column->addWidget(m_picture, 1);

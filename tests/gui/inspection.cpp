@@ -81,7 +81,8 @@ QString untoldKey(const QWidget& widget) {
 bool isControl(const QWidget& widget) {
     const bool isPart = qobject_cast<const QAbstractSpinBox*>(widget.parentWidget()) != nullptr ||
                         qobject_cast<const QComboBox*>(widget.parentWidget()) != nullptr ||
-                        qobject_cast<const QTabBar*>(widget.parentWidget()) != nullptr; // its arrows
+                        qobject_cast<const QTabBar*>(widget.parentWidget()) != nullptr || // its arrows
+                        widget.inherits("QTableCornerButton"); // Ctrl+A of the table
     return !isPart && (qobject_cast<const QAbstractButton*>(&widget) != nullptr ||
                        qobject_cast<const QComboBox*>(&widget) != nullptr ||
                        qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr ||

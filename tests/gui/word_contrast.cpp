@@ -106,7 +106,11 @@ double faintestWord_ratio(const QImage& image, int letter_px) {
 }
 
 double faintestWord_ratio(QWidget& widget, const QRect& place) {
-    const QRect part(widget.mapTo(widget.window(), place.topLeft()), place.size());
+    const QRect there(widget.mapTo(widget.window(), place.topLeft()), place.size());
+    const QRect part = there.intersected(widget.window()->rect());
+    if (part.isEmpty()) { // scrolled away, or a column without width
+        return LargestContrast;
+    }
     const QImage image = widget.window()->grab(part).toImage().convertToFormat(QImage::Format_RGB32);
     const double letter_px = widget.fontMetrics().averageCharWidth() * widget.devicePixelRatioF();
     return faintestWord_ratio(image, static_cast<int>(letter_px));
