@@ -1,6 +1,7 @@
 #include "app/report/disturbance_figure.h"
 
 #include "app/procedures/disturbance.h"
+#include "widgets/display_units.h"
 
 #include <QtCore/QCoreApplication>
 
@@ -54,7 +55,8 @@ std::optional<widgets::Figure> disturbanceFigure(const std::optional<control::Lo
     const bool isDegree = unit == widgets::AngleUnit::Degree;
     const double factor = widgets::displayUnit("rad", unit).factor;
     widgets::Figure figure;
-    figure.title = utf8(Words::tr("Load worth %1 A, linear loop").arg(DisturbanceLoad_A));
+    figure.title =
+        utf8(Words::tr("Load worth %1 A, linear loop").arg(widgets::numberText(DisturbanceLoad_A, 2)));
     figure.x = {utf8(Words::tr("time")), "s", false, {}, {}, {}};
     figure.isLinked = true;
     figure.panels.resize(2);
