@@ -163,7 +163,7 @@ bool moves(const Motor& motor, control::PositionLaw law, double error_rad) {
     return runIdealLoop(loop).angle_rad.back() != 0.0;
 }
 
-// The band that is told, against the motion: 2 % of it (issue: "predicted stick band within 2 %").
+// The band that is told, against the motion: to 2 % of it.
 TEST(FrictionBandOfALaw, isWhereTheMotorRests) {
     for (const char* method : {"recommended", "micro-step", "published"}) {
         const Motor& motor = Motors[0];
