@@ -5,11 +5,14 @@
 #include "app/wizards/calibrate_panel.h"
 #include "app/workspaces/drive_control.h"
 #include "app/workspaces/import_view.h"
+#include "app/workspaces/page_chooser.h"
 #include "app/workspaces/recording_control.h"
 #include "tests/app/window/window_test.h"
 #include "tests/gui/inspection.h"
 #include "widgets/stop_button.h"
 
+#include <QAbstractButton>
+#include <QButtonGroup>
 #include <QCheckBox>
 #include <QFile>
 #include <QMenuBar>
@@ -92,6 +95,16 @@ protected:
                 tabs->setCurrentIndex(page);
                 lookInside(panel, QStringLiteral("%1/tab %2").arg(place).arg(page));
                 ++seen;
+            }
+        }
+        for (auto* chooser : window->docks().panel(panel)->findChildren<app::PageChooser*>()) {
+            for (QAbstractButton* choice : chooser->findChildren<QAbstractButton*>()) {
+                if (choice->isCheckable() && choice->isEnabled() && choice->isVisible() &&
+                    choice->group() != nullptr) {
+                    choice->click();
+                    lookInside(panel, place + QLatin1Char('/') + choice->text());
+                    ++seen;
+                }
             }
         }
         return seen;
@@ -184,6 +197,7 @@ TEST_P(WalkTest, findsNothingWrongInResultsNorWhenStopped) {
     }
     window->docks().setPerspective(Perspective::Tune);
     look("tune/design");
+    EXPECT_GE(lookAtPages("tune", "tune"), 7); // all but the verification, which nothing has made yet
     session().stopActuator();
     ASSERT_TRUE(wait([&] { return session().report().board.isStopLatched; }));
     look("tune/stopped");
