@@ -205,6 +205,24 @@ TEST_P(WalkTest, findsNothingWrongInResultsNorWhenStopped) {
     look("monitor/stopped");
 }
 
+TEST_P(WalkTest, findsNothingWrongInAMeasuredResponse) {
+    openDressed();
+    connectMotor(0.0); // as fast as possible
+    window->docks().setPerspective(Perspective::Identify);
+    window->docks().docks().value("frequency")->setAsCurrentTab();
+    look("frequency/settings");
+    QPushButton* start = button("frequency", "halbench::app::FrequencyPanel", "Start measurement");
+    ASSERT_NE(start, nullptr);
+    ASSERT_TRUE(wait([&] { return start->isEnabled(); }));
+    QTest::mouseClick(start, Qt::LeftButton);
+    QPushButton* again = button("frequency", "halbench::app::FrequencyPanel", "Measure again");
+    ASSERT_NE(again, nullptr);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return again->isVisible() && again->isEnabled(); }, Fit_ms));
+    session().setPace({1.0});
+    look("frequency/result");
+    lookAtPages("frequency", "frequency/result");
+}
+
 TEST_P(WalkTest, findsNothingWrongInAnArmedRecordingMotor) {
     openDressed();
     connectMotor(1.0);
