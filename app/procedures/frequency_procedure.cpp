@@ -1,12 +1,12 @@
 #include "app/procedures/frequency_procedure.h"
 
 #include "app/procedures/coil_forecast.h"
-#include "app/procedures/excitation_limits.h"
 #include "app/procedures/frequency_board.h"
 #include "app/procedures/frequency_judge.h"
 #include "app/procedures/procedure_steps.h"
 #include "app/procedures/restored_result.h"
 #include "app/procedures/spin_drive.h"
+#include "app/procedures/watched_turn.h"
 
 #include <fmt/format.h>
 
@@ -20,54 +20,8 @@ namespace {
 constexpr std::array<std::string_view, 3> ExcitationNames = {"multisine", "stepped-sine", "chirp"};
 constexpr double OnTheWay_s = 0.3; // rows that are recorded but not here yet
 
-std::vector<std::string> recordedSignals() {
-    return {"position",           "speed",
-            "reference",          "current_command",
-            "reference.running",  "coil_temperature.a",
-            "coil_temperature.b", "torn_count",
-            "truth.position",     "truth.speed"};
-}
-
-/// Stops the run when the rotor comes near standstill: friction would change its sign.
-class TurnWatch {
-public:
-    explicit TurnWatch(double turn_rad_s) : m_turn_rad_s(turn_rad_s) {}
-
-    void take(const SampleBlock& block) {
-        const int column = block.layout->indexOf("speed");
-        for (std::size_t row = 0; m_isOn && column >= 0 && row < block.rows(); ++row) {
-            const double share = block.value(row, static_cast<std::size_t>(column)) / m_turn_rad_s;
-            m_lowestShare = std::min(m_lowestShare, share);
-        }
-    }
-    void begin() { m_isOn = true; }
-    Result<void> check() const {
-        constexpr double LeastShare = 0.1;
-        if (m_lowestShare >= LeastShare) {
-            return {};
-        }
-        return failure(
-            ErrorCode::Refused,
-            fmt::format("the rotor came down to {:.3g} rad/s on a base of {:.3g} rad/s: near "
-                        "standstill friction is no plain offset",
-                        m_lowestShare * m_turn_rad_s, m_turn_rad_s),
-            "use a smaller amplitude or a faster base; a loop that swings by itself needs gains with "
-            "more damping first");
-    }
-
-private:
-    double m_turn_rad_s;
-    double m_lowestShare = 1.0;
-    bool m_isOn = false;
-};
-
 Result<void> startStage(devices::Device& device, const MoveReference& reference, double duration_s) {
-    std::vector<ParameterValue> values = generatorParameters(reference, duration_s + GeneratorSlack_s);
-    std::erase_if(values, [&device](const ParameterValue& value) {
-        return device.catalogue().findParameter(value.name) == nullptr;
-    });
-    values.push_back({"reference.start", 1.0});
-    return device.writeParameters(values);
+    return startGenerator(device, reference, duration_s + GeneratorSlack_s);
 }
 
 /// The excitation as one object, so that its steps share device, observer and watch.
@@ -75,32 +29,15 @@ class FrequencyExcitation {
 public:
     FrequencyExcitation(devices::Device& device, const ProcedureObserver& observer, const FrequencyPlan& plan,
                         FrequencyRun& run)
-        : m_device(device), m_outer(observer), m_observer(observer), m_watch(plan.turn_rad_s), m_plan(plan),
-          m_run(run), m_recorder(device, m_observer) {
-        m_observer.onBlock = [this](const SampleBlockPtr& block) {
-            m_watch.take(*block);
-            if (m_outer.onBlock) {
-                m_outer.onBlock(block);
-            }
-        };
-        m_observer.checkAbort = [this]() -> Result<void> {
-            const Result<void> goOn = m_outer.checkAbort ? m_outer.checkAbort() : Result<void>();
-            const Result<void> isSound = goOn ? m_recorder.check() : goOn;
-            return isSound ? m_watch.check() : isSound;
-        };
-    }
+        : m_device(device), m_outer(observer), m_plan(plan), m_run(run),
+          m_turn(device, observer,
+                 {plan.turn_rad_s, 0.0,
+                  "use a smaller amplitude or a faster base; a loop that swings by itself needs gains with "
+                  "more damping first"}) {}
 
     Result<void> drive() {
-        m_recorder.guardBy(excitationLimits(m_device.catalogue(), m_run.config.speedLimit_rad_s));
-        if (auto started = m_recorder.start(withWatchedSignals(m_device.catalogue(), recordedSignals()),
-                                            1.0 / m_run.margins.period_s);
-            !started) {
-            return started;
-        }
-        if (auto done = armAndExcite(); !done) {
-            return failure(m_recorder.causeOf(done.error()));
-        }
-        Result<Recording> recording = m_recorder.finish();
+        Result<Recording> recording = m_turn.record(m_run.config.speedLimit_rad_s, m_run.margins.period_s,
+                                                    [this] { return armAndExcite(); });
         if (!recording) {
             return failure(recording.error());
         }
@@ -116,7 +53,7 @@ private:
         Result<void> done = startStage(m_device, turning(), m_plan.runUp_s);
         done = done ? wait(m_plan.runUp_s, "runs up") : done;
         done = done ? enterState(m_outer, ProcedureState::Record) : done;
-        m_watch.begin();
+        m_turn.beginWatch();
         for (const FrequencyStage& stage : m_plan.stages) {
             done = !done ? done : stage.sweeps > 0 ? sweep(stage) : excite(stage);
         }
@@ -132,13 +69,13 @@ private:
 
     /// The board's chirp runs once and then holds its position: before it ends, steady motion takes over.
     Result<void> sweep(const FrequencyStage& stage) {
-        MeasuredStage measured{stage, m_recorder.rows(), {}};
+        MeasuredStage measured{stage, m_turn.rows(), {}};
         Result<void> done;
         for (int i = 0; done && i < stage.sweeps; ++i) {
             // Rows that were late before the sweep before and are not any more: sweeps do not overlap.
             const std::size_t begin =
                 measured.sweepRows.empty() ? std::size_t{0} : measured.sweepRows.back() + stage.rowsPerPeriod;
-            measured.sweepRows.push_back(std::max(begin, m_recorder.rows()));
+            measured.sweepRows.push_back(std::max(begin, m_turn.rows()));
             done = startStage(m_device, stage.reference, stage.sweep_s);
             const auto text = fmt::format("sweeps from {:.3g} to {:.3g} Hz, {} of {}",
                                           stage.reference.frequency_Hz, stage.to_Hz, i + 1, stage.sweeps);
@@ -157,7 +94,7 @@ private:
         }
         const auto settling =
             static_cast<std::size_t>(std::lround((stage.settle_s + OnTheWay_s) / m_run.margins.period_s));
-        m_run.stages.push_back({stage, m_recorder.rows() + settling, {}});
+        m_run.stages.push_back({stage, m_turn.rows() + settling, {}});
         return wait(duration_s + OnTheWay_s,
                     fmt::format("excites from {:.3g} Hz", stage.reference.frequency_Hz));
     }
@@ -166,16 +103,15 @@ private:
         const double whole_s = m_plan.duration_s();
         const double from = std::min(1.0, m_done_s / whole_s);
         m_done_s += duration_s;
-        return waitObserved(m_device, m_observer, duration_s, from, std::min(1.0, m_done_s / whole_s), text);
+        return waitObserved(m_device, m_turn.observer(), duration_s, from, std::min(1.0, m_done_s / whole_s),
+                            text);
     }
 
     devices::Device& m_device;
     const ProcedureObserver& m_outer;
-    ProcedureObserver m_observer; ///< the outer one, listened in
-    TurnWatch m_watch;
     const FrequencyPlan& m_plan;
     FrequencyRun& m_run;
-    StreamRecorder m_recorder;
+    WatchedTurn m_turn;
     double m_done_s = 0.0;
 };
 

@@ -1,7 +1,6 @@
 #include "app/procedures/relay_procedure.h"
 
 #include "app/procedures/coil_forecast.h"
-#include "app/procedures/excitation_limits.h"
 #include "app/procedures/frequency_board.h"
 #include "app/procedures/gain_transaction.h"
 #include "app/procedures/move_reference.h"
@@ -11,6 +10,7 @@
 #include "app/procedures/relay_plan.h"
 #include "app/procedures/restored_result.h"
 #include "app/procedures/spin_drive.h"
+#include "app/procedures/watched_turn.h"
 #include "control/base/units.h"
 
 #include <fmt/format.h>
@@ -21,58 +21,7 @@
 namespace halbench::app {
 namespace {
 
-constexpr double OnTheWay_s = 0.3;       // rows that are recorded but not here yet
-constexpr double Surprise_ratio = 1.5;   // of the speed that was foreseen
-constexpr double LeastShare_ratio = 0.1; // of the base speed
-
-std::vector<std::string> recordedSignals() {
-    return {"position",           "speed",      "reference",      "current_command", "coil_temperature.a",
-            "coil_temperature.b", "torn_count", "truth.position", "truth.speed"};
-}
-
-/// Ends the run when the speed leaves what was foreseen: near standstill friction would change its sign, and
-/// what swings more than it should is not the loop of the plan.
-class SwingWatch {
-public:
-    explicit SwingWatch(const RelayPlan& plan)
-        : m_turn_rad_s(plan.turn_rad_s),
-          m_most_ratio(Surprise_ratio * plan.predicted.highest_rad_s / std::abs(plan.turn_rad_s)) {}
-
-    void take(const SampleBlock& block) {
-        const int column = block.layout->indexOf("speed");
-        for (std::size_t row = 0; m_isOn && column >= 0 && row < block.rows(); ++row) {
-            const double share = block.value(row, static_cast<std::size_t>(column)) / m_turn_rad_s;
-            m_lowest_ratio = std::min(m_lowest_ratio, share);
-            m_highest_ratio = std::max(m_highest_ratio, share);
-        }
-    }
-    void begin() { m_isOn = true; }
-    Result<void> check() const {
-        if (m_lowest_ratio < LeastShare_ratio) {
-            return failure(
-                ErrorCode::Refused,
-                fmt::format("the rotor came down to {:.3g} rad/s on a base of {:.3g} rad/s: near "
-                            "standstill friction is no plain offset",
-                            m_lowest_ratio * m_turn_rad_s, m_turn_rad_s),
-                "calibrate the sensors and apply it, use the model of this motor, or a lower relay");
-        }
-        if (m_highest_ratio > m_most_ratio) {
-            return failure(ErrorCode::Refused,
-                           fmt::format("the rotor reached {:.3g} rad/s, foreseen were {:.3g}",
-                                       m_highest_ratio * std::abs(m_turn_rad_s),
-                                       m_most_ratio / Surprise_ratio * std::abs(m_turn_rad_s)),
-                           "identify the motor and give its model: the plan was made for another one");
-        }
-        return {};
-    }
-
-private:
-    double m_turn_rad_s;
-    double m_most_ratio;
-    double m_lowest_ratio = 1.0;
-    double m_highest_ratio = 1.0;
-    bool m_isOn = false;
-};
+constexpr double OnTheWay_s = 0.3; // rows that are recorded but not here yet
 
 /// Steady motion whose speed goes up and down slowly, so that the cycle cannot stay in step with the turn.
 MoveReference weaving(const RelayPlan& plan) {
@@ -88,32 +37,14 @@ MoveReference weaving(const RelayPlan& plan) {
 class RelayMotion {
 public:
     RelayMotion(devices::Device& device, const ProcedureObserver& observer, RelayRun& run)
-        : m_device(device), m_outer(observer), m_observer(observer), m_watch(run.plan), m_run(run),
-          m_recorder(device, m_observer) {
-        m_observer.onBlock = [this](const SampleBlockPtr& block) {
-            m_watch.take(*block);
-            if (m_outer.onBlock) {
-                m_outer.onBlock(block);
-            }
-        };
-        m_observer.checkAbort = [this]() -> Result<void> {
-            const Result<void> goOn = m_outer.checkAbort ? m_outer.checkAbort() : Result<void>();
-            const Result<void> isSound = goOn ? m_recorder.check() : goOn;
-            return isSound ? m_watch.check() : isSound;
-        };
-    }
+        : m_device(device), m_outer(observer), m_run(run),
+          m_turn(device, observer,
+                 {run.plan.turn_rad_s, run.plan.predicted.highest_rad_s,
+                  "calibrate the sensors and apply it, use the model of this motor, or a lower relay"}) {}
 
     Result<void> drive(double speedWindow_rad_s) {
-        m_recorder.guardBy(excitationLimits(m_device.catalogue(), speedWindow_rad_s));
-        if (auto started = m_recorder.start(withWatchedSignals(m_device.catalogue(), recordedSignals()),
-                                            1.0 / m_run.period_s);
-            !started) {
-            return started;
-        }
-        if (auto done = armAndSwing(); !done) {
-            return failure(m_recorder.causeOf(done.error()));
-        }
-        Result<Recording> recording = m_recorder.finish();
+        Result<Recording> recording =
+            m_turn.record(speedWindow_rad_s, m_run.period_s, [this] { return armAndSwing(); });
         if (!recording) {
             return failure(recording.error());
         }
@@ -127,36 +58,25 @@ private:
             return armed;
         }
         const RelayPlan& plan = m_run.plan;
-        Result<void> done = startReference();
+        Result<void> done = startGenerator(m_device, weaving(plan), plan.duration_s() + 2.0 * OnTheWay_s);
         const double share = plan.runUp_s / plan.duration_s();
-        done = done ? waitObserved(m_device, m_observer, plan.runUp_s + OnTheWay_s, 0.0, share, "runs up")
-                    : done;
+        done =
+            done ? waitObserved(m_device, m_turn.observer(), plan.runUp_s + OnTheWay_s, 0.0, share, "runs up")
+                 : done;
         done = done ? enterState(m_outer, ProcedureState::Record) : done;
-        m_watch.begin();
-        m_run.firstRow = m_recorder.rows();
-        done = done ? waitObserved(m_device, m_observer, plan.measured_s + OnTheWay_s, share, 1.0,
+        m_turn.beginWatch();
+        m_run.firstRow = m_turn.rows();
+        done = done ? waitObserved(m_device, m_turn.observer(), plan.measured_s + OnTheWay_s, share, 1.0,
                                    "swings around a steady motion")
                     : done;
-        m_run.endRow = m_recorder.rows();
+        m_run.endRow = m_turn.rows();
         return done ? m_device.disarm() : done;
-    }
-
-    Result<void> startReference() {
-        std::vector<ParameterValue> values =
-            generatorParameters(weaving(m_run.plan), m_run.plan.duration_s() + 2.0 * OnTheWay_s);
-        std::erase_if(values, [this](const ParameterValue& value) {
-            return m_device.catalogue().findParameter(value.name) == nullptr;
-        });
-        values.push_back({"reference.start", 1.0});
-        return m_device.writeParameters(values);
     }
 
     devices::Device& m_device;
     const ProcedureObserver& m_outer;
-    ProcedureObserver m_observer; ///< the outer one, listened in
-    SwingWatch m_watch;
     RelayRun& m_run;
-    StreamRecorder m_recorder;
+    WatchedTurn m_turn;
 };
 
 /// Proportional control that saturates, in mode position; everything else of the law is nothing.
@@ -211,7 +131,7 @@ Result<RelayBoard> readBoard(devices::Device& device) {
 Result<RelayResult> measure(devices::Device& device, RelayRun run, const ProcedureObserver& observer) {
     // The board itself ends what gets faster than was foreseen.
     const double speedWindow_rad_s =
-        std::min(run.config.speedLimit_rad_s, Surprise_ratio * run.plan.predicted.peak_rad_s);
+        std::min(run.config.speedLimit_rad_s, TurnWatch::Surprise_ratio * run.plan.predicted.peak_rad_s);
     if (auto prepared = prepareBoard(device, run.plan, speedWindow_rad_s); !prepared) {
         return failure(prepared.error());
     }
