@@ -80,6 +80,15 @@ std::string loopFindingLines(const DataQuality& quality, bool isRobustnessKnown)
            linesOf(quality.findings);
 }
 
+Result<void> refuseGiven(std::initializer_list<NamedOption> options, const char* message, const char* hint) {
+    for (const NamedOption& named : options) {
+        if (named.isGiven) {
+            return failure(ErrorCode::Usage, fmt::format("{} {}", named.option, message), hint);
+        }
+    }
+    return {};
+}
+
 std::string figureLines(std::string_view heading, const JsonValue& figures) {
     std::string text = fmt::format("{}\n", heading);
     for (const JsonMember& figure : figures.members()) {

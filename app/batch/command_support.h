@@ -5,6 +5,7 @@
 #include "app/procedures/identify_procedure.h"
 #include "devices/acquisition/derived_signals.h"
 
+#include <initializer_list>
 #include <map>
 #include <string>
 #include <string_view>
@@ -41,6 +42,14 @@ std::string figureLines(std::string_view heading, const JsonValue& figures);
 
 /// "c = 0.00123 N*m*s/rad  [0.0012, 0.00126]  identified"
 std::string estimateLine(std::string_view name, const control::Estimate& estimate);
+
+/// An option and whether it stands on the command line.
+struct NamedOption {
+    const char* option;
+    bool isGiven;
+};
+/// The first that is given is refused. Error: Usage.
+Result<void> refuseGiven(std::initializer_list<NamedOption> options, const char* message, const char* hint);
 
 /// The sweep, directions and given constants of `identify` as written on the command line.
 /// Errors: Usage, UnknownName, NotFinite, OutOfRange, naming the option; FileSystem, InvalidInput of --bare.

@@ -18,20 +18,6 @@ namespace halbench::app {
 
 namespace {
 
-struct Named {
-    const char* option;
-    bool isGiven;
-};
-
-Result<void> refuseGiven(std::initializer_list<Named> options, const char* message, const char* hint) {
-    for (const Named& named : options) {
-        if (named.isGiven) {
-            return failure(ErrorCode::Usage, fmt::format("{} {}", named.option, message), hint);
-        }
-    }
-    return {};
-}
-
 /// One option that is a number and may be left out.
 struct NumberOption {
     const char* option;

@@ -1,7 +1,7 @@
 #include "app/batch/command_support.h"
+#include "app/batch/kept_result.h"
 #include "app/batch/model_file.h"
 #include "app/batch/numbers.h"
-#include "app/batch/output_file.h"
 #include "app/batch/recording_file.h"
 #include "app/batch/relay_document.h"
 #include "app/batch/relay_options.h"
@@ -15,20 +15,6 @@
 namespace halbench::app {
 
 namespace {
-
-struct Named {
-    const char* option;
-    bool isGiven;
-};
-
-Result<void> refuseGiven(std::initializer_list<Named> options, const char* message, const char* hint) {
-    for (const Named& named : options) {
-        if (named.isGiven) {
-            return failure(ErrorCode::Usage, fmt::format("{} {}", named.option, message), hint);
-        }
-    }
-    return {};
-}
 
 std::string relayText(const RelayResult& result) {
     std::string text = estimateLine("ultimate gain", ultimateGainOf(result));
@@ -51,18 +37,6 @@ std::string relayText(const RelayResult& result) {
                                                                             : "");
     }
     return text + "\n" + findingLines(result.quality);
-}
-
-/// A record that cannot be written does not take with it what was measured; then both are told.
-Result<void> keepResult(CommandContext& context, const CommandOptions& options, const JsonValue& document,
-                        const std::string& text, const Error& error) {
-    if (options.out.empty()) {
-        context.console.print(text);
-        return failure(error);
-    }
-    const Result<std::string> json = toJsonText(document);
-    const Result<void> kept = json ? writeFile(options.out, *json) : failure(json.error());
-    return failure(error.code, error.message + (kept ? "; the result is in " + options.out : ""), error.hint);
 }
 
 } // namespace
@@ -151,15 +125,16 @@ CommandResult runRelayCommand(CommandContext& context, const CommandOptions& opt
     if (!result) {
         return failure(result.error());
     }
-    const JsonValue document = relayDocument(header, *result);
-    const std::string text = relayText(*result);
-    const Result<void> recorded =
-        options.recordFile.empty()
-            ? Result<void>()
-            : writeRecording(options.recordFile, result->recording, **device, {header.started, {}, {}});
-    const Result<void> done = recorded ? deliver(context, document, text, options.out)
-                                       : keepResult(context, options, document, text, recorded.error());
-    if (!done) {
+    const KeptResult kept{relayDocument(header, *result), relayText(*result), options.out};
+    if (!options.recordFile.empty()) {
+        const Result<void> recorded =
+            namingFile(options.recordFile, writeRecording(options.recordFile, result->recording, **device,
+                                                          {header.started, {}, {}}));
+        if (!recorded) {
+            return endWithResult(context, kept, recorded.error());
+        }
+    }
+    if (const Result<void> done = deliver(context, kept.document, kept.text, kept.out); !done) {
         return failure(done.error());
     }
     return exitCodeFor(result->quality);

@@ -32,8 +32,8 @@ Result<Experiment> readExperiment(const CommandOptions& options) {
 
 bool needsConsent(const Experiment& experiment) {
     for (const ExperimentStep& step : experiment.steps) {
-        if (step.kind == "identify" || step.kind == "frequency" || step.kind == "relay" || step.kind == "calibrate" ||
-            step.kind == "move" || step.kind == "apply") {
+        if (step.kind == "identify" || step.kind == "frequency" || step.kind == "relay" ||
+            step.kind == "calibrate" || step.kind == "move" || step.kind == "apply") {
             return true;
         }
     }

@@ -1,6 +1,6 @@
 #include "app/batch/command_support.h"
-#include "app/batch/law_code.h"
 #include "app/batch/judgement_text.h"
+#include "app/batch/law_code.h"
 #include "app/batch/loop_conditions.h"
 #include "app/batch/model_file.h"
 #include "app/batch/numbers.h"
