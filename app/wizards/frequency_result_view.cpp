@@ -3,6 +3,7 @@
 #include "app/report/frequency_figures.h"
 #include "app/wizards/frequency_words.h"
 #include "app/wizards/identify_words.h"
+#include "app/wizards/result_words.h"
 #include "app/wizards/words_and_pictures.h"
 #include "app/workspaces/document_files.h"
 #include "widgets/figure_view.h"
@@ -17,7 +18,7 @@
 namespace halbench::app {
 
 FrequencyResultView::FrequencyResultView(QWidget* parent) : QWidget(parent), m_figures(new QTabWidget(this)) {
-    QWidget* words = buildWords();
+    m_words = new ResultWords;
     for (widgets::FigureView*& view : m_views) {
         view = new widgets::FigureView(m_figures);
         m_figures->addTab(view, {});
@@ -28,31 +29,10 @@ FrequencyResultView::FrequencyResultView(QWidget* parent) : QWidget(parent), m_f
                         });
         });
     }
-    m_both = new WordsAndPictures(words, m_table, m_figures, this);
+    m_both = new WordsAndPictures(m_words, &m_words->table(), m_figures, this);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_both);
-}
-
-QWidget* FrequencyResultView::buildWords() {
-    auto* page = new QWidget;
-    auto* column = new QVBoxLayout(page);
-    column->setContentsMargins(0, 0, widgets::PanelMargin_px, 0);
-    column->setSpacing(widgets::GroupSpacing_px);
-    m_verdict = new widgets::VerdictView(page);
-    m_table = new widgets::EstimateTable(page);
-    m_use = new QLabel(page);
-    m_provenance = new QLabel(page);
-    for (QLabel* label : {m_use, m_provenance}) {
-        label->setWordWrap(true);
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    }
-    widgets::setRole(*m_provenance, widgets::Role::Muted);
-    for (QWidget* part : std::initializer_list<QWidget*>{m_verdict, m_table, m_use, m_provenance}) {
-        column->addWidget(part);
-    }
-    column->addStretch(1);
-    return page;
 }
 
 void FrequencyResultView::setResult(const FrequencyResult& result, const ResultHeader& header) {
@@ -63,13 +43,12 @@ void FrequencyResultView::setResult(const FrequencyResult& result, const ResultH
 }
 
 void FrequencyResultView::refresh() {
-    m_verdict->setVerdict(verdictLevel(m_result.quality.verdict), verdictTitle(m_result.quality),
-                          remarksOf(m_result.quality.findings));
-    m_table->setRows(frequencyRows(m_result));
-    m_table->setAccessibleName(tr("Margins and fitted rotor"));
+    m_words->setQuality(m_result.quality);
+    m_words->table().setRows(frequencyRows(m_result));
+    m_words->table().setAccessibleName(tr("Margins and fitted rotor"));
     m_both->setWordsName(tr("Margins and fitted rotor"));
-    m_use->setText(frequencyUse(m_result));
-    m_provenance->setText(provenanceText(m_header, m_result.duration_s, m_result.highestTemperature_degC));
+    m_words->setUse(frequencyUse(m_result));
+    m_words->setProvenance(provenanceText(m_header, m_result.duration_s, m_result.highestTemperature_degC));
     struct Tab {
         QString name, help;
         std::optional<FrequencyView> view; ///< absent: the raw record, never the last to be reached

@@ -9,17 +9,15 @@
 
 #include <array>
 
-class QLabel;
 class QTabWidget;
 
 namespace halbench::widgets {
-class EstimateTable;
 class FigureView;
-class VerdictView;
 } // namespace halbench::widgets
 
 namespace halbench::app {
 
+class ResultWords;
 class WordsAndPictures;
 
 /// A frequency response as it is read: verdict and findings, margins with intervals or why they are withheld,
@@ -39,17 +37,13 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    QWidget* buildWords();
     void refresh();
 
     FrequencyResult m_result;
     ResultHeader m_header;
     const FileChooser* m_chooser = nullptr;
     FileQueue m_files;
-    widgets::VerdictView* m_verdict = nullptr;
-    widgets::EstimateTable* m_table = nullptr;
-    QLabel* m_use = nullptr;
-    QLabel* m_provenance = nullptr;
+    ResultWords* m_words = nullptr;
     WordsAndPictures* m_both = nullptr;
     QTabWidget* m_figures = nullptr;
     std::array<widgets::FigureView*, 4> m_views{}; ///< open loop, plant, raw record, closed loop

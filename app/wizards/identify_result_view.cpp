@@ -3,6 +3,7 @@
 #include "app/report/identification_figures.h"
 #include "app/wizards/identify_words.h"
 #include "app/wizards/note_label.h"
+#include "app/wizards/result_words.h"
 #include "app/wizards/words_and_pictures.h"
 #include "app/workspaces/document_files.h"
 #include "app/workspaces/figure_units.h"
@@ -10,7 +11,6 @@
 #include "widgets/figure_view.h"
 #include "widgets/phrasebook.h"
 #include "widgets/theme_style.h"
-#include "widgets/verdict_view.h"
 
 #include <QEvent>
 #include <QLabel>
@@ -24,8 +24,10 @@ IdentifyResultView::IdentifyResultView(QWidget* parent)
       m_region(new widgets::FigureView(m_figures)) {
     m_figures->addTab(m_fit, {});
     m_figures->addTab(m_region, {});
-    QWidget* words = buildWords();
-    m_both = new WordsAndPictures(words, m_table, m_figures, this);
+    m_friction = noteLabel(this);
+    connect(m_friction, &QLabel::linkActivated, this, &IdentifyResultView::helpRequested);
+    m_words = new ResultWords(m_friction);
+    m_both = new WordsAndPictures(m_words, &m_words->table(), m_figures, this);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_both);
@@ -37,31 +39,6 @@ IdentifyResultView::IdentifyResultView(QWidget* parent)
                         });
         });
     }
-}
-
-QWidget* IdentifyResultView::buildWords() {
-    auto* page = new QWidget;
-    auto* column = new QVBoxLayout(page);
-    column->setContentsMargins(0, 0, widgets::PanelMargin_px, 0);
-    column->setSpacing(widgets::GroupSpacing_px);
-    m_verdict = new widgets::VerdictView(page);
-    m_table = new widgets::EstimateTable(page);
-    m_friction = noteLabel(page);
-    m_missing = new QLabel(page);
-    m_provenance = new QLabel(page);
-    for (QLabel* label : {m_missing, m_provenance}) {
-        label->setWordWrap(true);
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    }
-    widgets::setRole(*m_provenance, widgets::Role::Muted);
-    connect(m_friction, &QLabel::linkActivated, this, &IdentifyResultView::helpRequested);
-    column->addWidget(m_verdict);
-    column->addWidget(m_table);
-    column->addWidget(m_friction);
-    column->addWidget(m_missing);
-    column->addWidget(m_provenance);
-    column->addStretch(1);
-    return page;
 }
 
 void IdentifyResultView::setResult(const IdentifyResult& result, const ResultHeader& header) {
@@ -77,15 +54,13 @@ void IdentifyResultView::setUnits(const DisplayUnits& units) {
 }
 
 void IdentifyResultView::refresh() {
-    m_verdict->setVerdict(verdictLevel(m_result.quality.verdict), verdictTitle(m_result.quality),
-                          remarksOf(m_result.quality.findings));
-    m_table->setRows(estimateRows(m_result));
-    m_table->setAccessibleName(tr("Identified values"));
+    m_words->setQuality(m_result.quality);
+    m_words->table().setRows(estimateRows(m_result));
+    m_words->table().setAccessibleName(tr("Identified values"));
     m_both->setWordsName(tr("Identified values"));
     showNote(*m_friction, frictionNote(m_result));
-    m_missing->setText(missingText(m_result));
-    m_missing->setVisible(!m_missing->text().isEmpty());
-    m_provenance->setText(provenanceText(m_header, m_result.duration_s, m_result.highestTemperature_degC));
+    m_words->setUse(missingText(m_result));
+    m_words->setProvenance(provenanceText(m_header, m_result.duration_s, m_result.highestTemperature_degC));
     const auto fit = steadySpeedFigure(m_result);
     const auto region = jointRegion(m_result);
     m_fit->setFigure(inUnits(fit.value_or(widgets::Figure{}), m_units));

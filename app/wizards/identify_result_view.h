@@ -12,14 +12,13 @@ class QLabel;
 class QTabWidget;
 
 namespace halbench::widgets {
-class EstimateTable;
 class FigureView;
 class MessageBar;
-class VerdictView;
 } // namespace halbench::widgets
 
 namespace halbench::app {
 
+class ResultWords;
 class WordsAndPictures;
 
 /// An identification as it is read: verdict and findings, values with their intervals, what would supply
@@ -41,7 +40,6 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    QWidget* buildWords();
     void refresh();
 
     IdentifyResult m_result;
@@ -49,11 +47,8 @@ private:
     DisplayUnits m_units; ///< of the pictures; the values of the table stay in SI, as in the file
     const FileChooser* m_chooser = nullptr;
     FileQueue m_files;
-    widgets::VerdictView* m_verdict = nullptr;
-    widgets::EstimateTable* m_table = nullptr;
+    ResultWords* m_words = nullptr;
     QLabel* m_friction = nullptr;
-    QLabel* m_missing = nullptr;
-    QLabel* m_provenance = nullptr;
     WordsAndPictures* m_both = nullptr;
     QTabWidget* m_figures = nullptr;
     widgets::FigureView* m_fit = nullptr;

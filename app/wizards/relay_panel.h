@@ -1,30 +1,24 @@
 #pragma once
 
 #include "app/procedures/relay_procedure.h"
-#include "app/wizards/wizard_panel.h"
+#include "app/wizards/excitation_panel.h"
 
-#include <QElapsedTimer>
-
-class QLabel;
 class QPushButton;
 
 namespace halbench::widgets {
-class EstimateTable;
 class FigureView;
-class ProgressRow;
-class VerdictView;
 } // namespace halbench::widgets
 
 namespace halbench::app {
 
-class Preflight;
 class RelayForm;
+class ResultWords;
 class WordsAndPictures;
 
 /// The relay experiment step by step: what will move, the swing, the ultimate gain with its interval. It
 /// drives the same runRelay() as the batch program and saves the same file (resources/help/identification.md
 /// section 9). Thread: GUI.
-class RelayPanel : public WizardPanel {
+class RelayPanel : public ExcitationPanel {
     Q_OBJECT
 public:
     explicit RelayPanel(Workbench& bench, QWidget* parent = nullptr);
@@ -35,23 +29,13 @@ Q_SIGNALS:
 protected:
     void refreshWords() override;
     void onFileChooser() override;
+    void refreshPlan() override;
+    void start() override;
 
 private:
-    enum Page { PreparePage, RunPage, ResultPage };
-    enum Step { PrepareStep, SwingStep, FitStep, ResultStep };
-
-    QWidget* buildPrepare();
-    QWidget* buildStartRow();
-    QWidget* buildRun();
     QWidget* buildResult();
-    QWidget* buildResultWords();
-    QWidget* buildResultButtons();
-    void onDevice();
+    QPushButton* buildSaving();
     void replan();
-    void refreshPlan();
-    void start();
-    void onStage(ProcedureState stage);
-    void onProgress(double fraction, const QString& text);
     void finish(const ResultHeader& header, const Result<RelayResult>& result);
     void showResult();
 
@@ -60,25 +44,12 @@ private:
     Result<RelayPlan> m_plan;
     std::optional<RelayResult> m_found; ///< what is shown, refused or not
     ResultHeader m_header;              ///< of the same
-    bool m_isCancelling = false;
-    QElapsedTimer m_sinceStart;
 
-    QLabel* m_intro = nullptr;
     RelayForm* m_form = nullptr;
-    QLabel* m_outlook = nullptr;
-    Preflight* m_preflight = nullptr;
-    QPushButton* m_start = nullptr;
-    widgets::ProgressRow* m_progress = nullptr;
-    QLabel* m_running = nullptr;
-    widgets::VerdictView* m_verdict = nullptr;
-    widgets::EstimateTable* m_table = nullptr;
-    QLabel* m_swing = nullptr;
-    QLabel* m_provenance = nullptr;
+    ResultWords* m_words = nullptr;
     widgets::FigureView* m_record = nullptr;
     WordsAndPictures* m_both = nullptr;
-    QPushButton* m_use = nullptr;
     QPushButton* m_save = nullptr;
-    QPushButton* m_again = nullptr;
 };
 
 } // namespace halbench::app
