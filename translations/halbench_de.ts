@@ -13873,10 +13873,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Legende mit laufenden Werten</translation>
     </message>
     <message>
-        <source>Space hides or shows the chosen curve, R puts it on the other axis, Ctrl+Up and Ctrl+Down into another plot, Delete removes it from the plot.</source>
-        <translation>Leertaste blendet die gewählte Kurve aus oder ein, R legt sie auf die andere Achse, Strg+Auf und Strg+Ab legen sie in ein anderes Diagramm, Entf entfernt sie aus dem Diagramm.</translation>
-    </message>
-    <message>
         <source>The chosen curve</source>
         <translation>Die gewählte Kurve</translation>
     </message>
@@ -13907,6 +13903,14 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Remove from the plot</source>
         <translation>Aus dem Diagramm entfernen</translation>
+    </message>
+    <message>
+        <source>Space hides or shows the chosen curve, R puts it on the other axis, Ctrl+Up and Ctrl+Down into another plot, Ctrl+Shift+Down into one of its own, Delete removes it from the plot.</source>
+        <translation>Die Leertaste zeigt oder verbirgt die gewählte Kurve, R legt sie auf die andere Achse, Strg+Auf und Strg+Ab in ein anderes Diagramm, Strg+Umschalt+Ab in ein eigenes, Entf nimmt sie aus dem Diagramm.</translation>
+    </message>
+    <message>
+        <source>Into a plot of its own</source>
+        <translation>In ein eigenes Diagramm</translation>
     </message>
 </context>
 <context>

@@ -13861,10 +13861,6 @@ A real device has its own time.</source>
         <translation>带实时数值的图例</translation>
     </message>
     <message>
-        <source>Space hides or shows the chosen curve, R puts it on the other axis, Ctrl+Up and Ctrl+Down into another plot, Delete removes it from the plot.</source>
-        <translation>空格键隐藏或显示选中的曲线，R 把它放到另一侧的轴，Ctrl+上、Ctrl+下把它移到另一个曲线图，Delete 把它从曲线图中移除。</translation>
-    </message>
-    <message>
         <source>The chosen curve</source>
         <translation>选中的曲线</translation>
     </message>
@@ -13895,6 +13891,14 @@ A real device has its own time.</source>
     <message>
         <source>Remove from the plot</source>
         <translation>从曲线图中移除</translation>
+    </message>
+    <message>
+        <source>Space hides or shows the chosen curve, R puts it on the other axis, Ctrl+Up and Ctrl+Down into another plot, Ctrl+Shift+Down into one of its own, Delete removes it from the plot.</source>
+        <translation>空格键隐藏或显示选中的曲线，R 把它放到另一条轴，Ctrl+上和 Ctrl+下把它移到另一个曲线图，Ctrl+Shift+下移到它自己的曲线图，Delete 将其从曲线图中去掉。</translation>
+    </message>
+    <message>
+        <source>Into a plot of its own</source>
+        <translation>移到它自己的曲线图</translation>
     </message>
 </context>
 <context>

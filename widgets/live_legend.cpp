@@ -40,7 +40,8 @@ LiveLegend::LiveLegend(QWidget* parent) : QTableView(parent) {
     setAccessibleName(tr("Legend with live values"));
     setAccessibleDescription(
         tr("Space hides or shows the chosen curve, R puts it on the other axis, Ctrl+Up and "
-           "Ctrl+Down into another plot, Delete removes it from the plot."));
+           "Ctrl+Down into another plot, Ctrl+Shift+Down into one of its own, Delete removes it from the "
+           "plot."));
     setToolTip(accessibleDescription());
     connect(this, &QTableView::doubleClicked, this,
             [this](const QModelIndex& index) { Q_EMIT toggleRequested(index.row()); });
@@ -98,6 +99,8 @@ bool LiveLegend::run(const QKeySequence& keys) {
         Q_EMIT moveRequested(row, -1);
     } else if (keys == QKeySequence(QStringLiteral("Ctrl+Down"))) {
         Q_EMIT moveRequested(row, 1);
+    } else if (keys == QKeySequence(QStringLiteral("Ctrl+Shift+Down"))) {
+        Q_EMIT separateRequested(row);
     } else if (keys == QKeySequence(Qt::Key_Delete)) {
         Q_EMIT removeRequested(row);
     } else {
@@ -144,6 +147,7 @@ void LiveLegend::contextMenuEvent(QContextMenuEvent* event) {
     add(m_table.isRight(row) ? tr("To the left axis") : tr("To the right axis"), QKeySequence(Qt::Key_R));
     add(tr("To the plot above"), QKeySequence(QStringLiteral("Ctrl+Up")));
     add(tr("To the plot below"), QKeySequence(QStringLiteral("Ctrl+Down")));
+    add(tr("Into a plot of its own"), QKeySequence(QStringLiteral("Ctrl+Shift+Down")));
     add(tr("Remove from the plot"), QKeySequence(Qt::Key_Delete));
     menu->popup(event->globalPos());
 }

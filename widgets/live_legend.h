@@ -9,7 +9,8 @@
 namespace halbench::widgets {
 
 /// The curves of one plot with their live values; keys and a menu are for the chosen one: Space hides or
-/// shows it, R puts it on the other axis, Ctrl+Up and Ctrl+Down into another plot, Delete takes it away.
+/// shows it, R puts it on the other axis, Ctrl+Up and Ctrl+Down into another plot, Ctrl+Shift+Down into one of
+/// its own, Delete takes it away.
 class LiveLegend : public QTableView {
     Q_OBJECT
 public:
@@ -31,6 +32,7 @@ Q_SIGNALS:
     void removeRequested(int curve);
     void axisRequested(int curve);         ///< the other one
     void moveRequested(int curve, int by); ///< into the plot so many below
+    void separateRequested(int curve);     ///< into a new plot below
 
 protected:
     bool event(QEvent* event) override;

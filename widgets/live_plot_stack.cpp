@@ -155,6 +155,12 @@ LivePlotStack::Row LivePlotStack::makeRow() {
     return row;
 }
 
+void LivePlotStack::addRow() {
+    m_rows.push_back(makeRow());
+    connectPlot(static_cast<int>(m_rows.size()) - 1);
+    m_splitter->setSizes(evenShares());
+}
+
 void LivePlotStack::connectPlot(int index) {
     LivePlot* plot = m_rows[static_cast<std::size_t>(index)].plot;
     connectLegend(index);
@@ -187,11 +193,14 @@ void LivePlotStack::connectPlot(int index) {
 }
 
 /// Other plots are equally high at first, whatever room those had that went.
+QList<int> LivePlotStack::evenShares() const {
+    return QVector<int>(static_cast<int>(m_rows.size()), EvenShare).toList();
+}
+
 void LivePlotStack::matchRows() {
     const std::size_t before = m_rows.size();
     while (m_rows.size() < m_specs.size()) {
-        m_rows.push_back(makeRow());
-        connectPlot(static_cast<int>(m_rows.size()) - 1);
+        addRow();
     }
     while (m_rows.size() > m_specs.size()) {
         m_rows.back().box->hide();
@@ -200,7 +209,7 @@ void LivePlotStack::matchRows() {
         m_rows.pop_back();
     }
     if (m_rows.size() != before) {
-        m_splitter->setSizes(QVector<int>(static_cast<int>(m_rows.size()), EvenShare).toList());
+        m_splitter->setSizes(evenShares());
     }
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         configureRow(i);

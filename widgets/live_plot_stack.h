@@ -47,7 +47,7 @@ class TimeAxisBar;
 /// on the one of all other plots elsewhere; pause holds all of them.
 ///
 /// In a legend, by its menu too: R puts the chosen curve on the other axis, Ctrl+Up and Ctrl+Down into the
-/// plot above or below, on the axis that has its unit or is free.
+/// plot above or below, on the axis that has its unit or is free, Ctrl+Shift+Down into a plot of its own.
 ///
 /// A list without plots becomes one empty plot, which says what it is for.
 class LivePlotStack : public QWidget {
@@ -92,9 +92,13 @@ public:
     /// Adds to a plot, or as a new plot below when `plot` is none of them. A signal is shown once in a plot.
     void addCurve(int plot, const PlotCurve& curve);
     void removeCurve(int plot, const std::string& signal);
+    /// A new plot at that place, 0 to as many as there are; those from there on go down, with their time axes.
+    void openPlot(int at, PlotSpec plot);
     /// To the other side of its plot, or into another one. False: no axis there takes it.
     bool moveToAxis(int plot, const std::string& signal, bool isRight);
     bool moveCurve(int plot, const std::string& signal, int to);
+    /// Into a new plot below its own. False: it is alone there already.
+    bool separateCurve(int plot, const std::string& signal);
     /// Wears the application's theme from the start and when it changes; this is for another.
     void setTheme(const Theme& theme);
 
@@ -195,6 +199,8 @@ private:
     void connectLegend(int index);
     void choose(int plot, const std::string& signal);
     void matchRows();
+    void addRow();
+    QList<int> evenShares() const;
     void configureRow(std::size_t index);
     void fitTitles();
     void align();

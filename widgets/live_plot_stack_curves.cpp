@@ -37,6 +37,13 @@ void LivePlotStack::connectLegend(int index) {
             Q_EMIT plotsChanged();
         }
     });
+    connect(legend, &LiveLegend::separateRequested, this, [this, index, curveAt](int curve) {
+        const std::string signal = curveAt(curve).signal;
+        if (separateCurve(index, signal)) {
+            choose(index + 1, signal);
+            Q_EMIT plotsChanged();
+        }
+    });
     connect(legend, &LiveLegend::toggleRequested, this, [this, plot, legend](int curve) {
         HistoryCurve* item = plot->curves()[static_cast<std::size_t>(curve)];
         item->setVisible(!item->isVisible());
@@ -96,6 +103,38 @@ bool LivePlotStack::moveCurve(int plot, const std::string& signal, int to) {
     target.curves.push_back(moved);
     removeCurve(plot, signal);
     return true;
+}
+
+bool LivePlotStack::separateCurve(int plot, const std::string& signal) {
+    if (plot < 0 || plot >= static_cast<int>(m_specs.size())) {
+        return false;
+    }
+    const PlotSpec& source = m_specs[static_cast<std::size_t>(plot)];
+    const auto found = std::find_if(source.curves.begin(), source.curves.end(),
+                                    [&](const PlotCurve& curve) { return curve.signal == signal; });
+    if (found == source.curves.end() || source.curves.size() < 2) {
+        return false;
+    }
+    PlotSpec own{source.quantity, source.unit, {*found}, source.bands, {}, {}, {}};
+    if (found->isRight) { // bands are of the left axis
+        own = {source.right.quantity, source.right.unit, {*found}, {}, {}, {}, {}};
+        own.curves.front().isRight = false;
+    }
+    openPlot(plot + 1, std::move(own));
+    removeCurve(plot, signal);
+    return true;
+}
+
+void LivePlotStack::openPlot(int at, PlotSpec plot) {
+    const auto place = static_cast<std::size_t>(at);
+    m_specs.insert(m_specs.begin() + at, std::move(plot));
+    addRow();
+    for (std::size_t i = m_rows.size() - 1; i > place; --i) {
+        m_rows[i].time = m_rows[i - 1].time;
+    }
+    m_rows[place].time.reset();
+    m_zoomHistory.clear(); // its entries belong to the plots as they were
+    matchRows();
 }
 
 void LivePlotStack::keepReference() {

@@ -32,6 +32,11 @@ namespace {
 
 constexpr int ValuesPeriod_ms = 100;
 
+/// Both on their left axes.
+bool isOfQuantity(const widgets::PlotSpec& plot, const widgets::PlotSpec& wanted) {
+    return plot.unit == wanted.unit && plot.quantity == wanted.quantity;
+}
+
 } // namespace
 
 MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(bench) {
@@ -222,7 +227,6 @@ void MonitorPanel::plot(const QString& name, bool isPlotted) {
     onPlotsChanged();
 }
 
-/// To the plot asked for if its unit fits, else to the first that fits, else to a new one below.
 void MonitorPanel::addTo(int plot, const std::string& name) {
     const devices::Catalogue& catalogue = m_bench.catalogue();
     const SignalSpec* spec = catalogue.findSignal(name);
@@ -231,23 +235,44 @@ void MonitorPanel::addTo(int plot, const std::string& name) {
     }
     const widgets::PlotSpec wanted = plotFor(
         *spec, temperatureBands(catalogue, m_bench.deviceValue("limit.temperature")), m_bench.displayUnits());
-    std::vector<widgets::PlotSpec> plots = m_stack->plots();
-    const auto fits = [&](const widgets::PlotSpec& each) {
-        return each.curves.empty() || (each.unit == wanted.unit && each.quantity == wanted.quantity);
-    };
-    const bool isAsked =
-        plot >= 0 && plot < static_cast<int>(plots.size()) && fits(plots[static_cast<std::size_t>(plot)]);
-    const auto found = isAsked ? plots.begin() + plot : std::find_if(plots.begin(), plots.end(), fits);
-    if (found != plots.end() && !found->curves.empty()) {
-        m_stack->addCurve(static_cast<int>(found - plots.begin()), wanted.curves.front());
+    const std::vector<widgets::PlotSpec>& plots = m_stack->plots();
+    if (plot >= 0 && plot < static_cast<int>(plots.size())) {
+        addHere(plot, wanted);
         return;
     }
-    if (found != plots.end()) {
-        *found = wanted;
+    const auto found = std::find_if(plots.begin(), plots.end(), [&](const widgets::PlotSpec& each) {
+        return each.curves.empty() || isOfQuantity(each, wanted);
+    });
+    if (found == plots.end()) {
+        m_stack->openPlot(static_cast<int>(plots.size()), wanted);
     } else {
-        plots.push_back(wanted);
+        addHere(static_cast<int>(found - plots.begin()), wanted);
     }
-    m_stack->setPlots(std::move(plots));
+}
+
+/// What was dropped on a plot is seen there: on the left axis, on the right one, or in a plot below.
+void MonitorPanel::addHere(int plot, const widgets::PlotSpec& wanted) {
+    std::vector<widgets::PlotSpec> plots = m_stack->plots();
+    widgets::PlotSpec& here = plots[static_cast<std::size_t>(plot)];
+    widgets::PlotCurve curve = wanted.curves.front();
+    const bool isShown =
+        std::any_of(here.curves.begin(), here.curves.end(),
+                    [&](const widgets::PlotCurve& other) { return other.signal == curve.signal; });
+    if (here.curves.empty()) {
+        here = wanted;
+        m_stack->setPlots(std::move(plots));
+    } else if (isOfQuantity(here, wanted) || isShown) {
+        m_stack->addCurve(plot, curve);
+    } else if (takes(here, true, curve.unit)) {
+        curve.isRight = true;
+        if (!hasRightAxis(here)) {
+            here.right = {wanted.quantity, wanted.unit, {}};
+        }
+        here.curves.push_back(curve);
+        m_stack->setPlots(std::move(plots));
+    } else {
+        m_stack->openPlot(plot + 1, wanted);
+    }
 }
 
 void MonitorPanel::onPlotsChanged() {

@@ -17,6 +17,7 @@ namespace halbench::widgets {
 class EmptyState;
 class LivePlotStack;
 class MessageBar;
+struct PlotSpec;
 } // namespace halbench::widgets
 
 namespace halbench::app {
@@ -58,7 +59,9 @@ private:
     void onDevice();
     void onValues();
     void onDerived();
+    /// To the plot asked for; -1: to the first with that quantity, else to a new one below.
     void addTo(int plot, const std::string& name);
+    void addHere(int plot, const widgets::PlotSpec& wanted);
     void onPlotsChanged();
     void showView();
     void forgetMissing();

@@ -189,14 +189,6 @@ TEST_F(MonitorPanelTest, enterAndTickPlotASignalAndItIsStreamed) {
     EXPECT_TRUE(wait([&] { return bench().history().latest("capture.state").has_value(); }));
 }
 
-TEST_F(MonitorPanelTest, aDroppedSignalGoesToThePlotOfItsUnit) {
-    connectTo("sim:htm", 5.0);
-    Q_EMIT stack().signalsDropped(0, {"truth.speed"}); // onto the Hall sensors
-    EXPECT_EQ(stack().plots()[0].curves.size(), 2U);
-    EXPECT_EQ(stack().plots()[2].curves.size(), 2U);
-    EXPECT_EQ(item("True speed")->checkState(SignalTree::NameColumn), Qt::Checked);
-}
-
 TEST_F(MonitorPanelTest, pauseKeepsTheDataAndTheTickFollowsTheLegend) {
     connectTo("sim:htm", 5.0);
     ASSERT_TRUE(wait([&] { return bench().history().range().has_value(); }));
