@@ -13906,7 +13906,7 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     </message>
     <message>
         <source>Space hides or shows the chosen curve, R puts it on the other axis, Ctrl+Up and Ctrl+Down into another plot, Ctrl+Shift+Down into one of its own, Delete removes it from the plot.</source>
-        <translation>Die Leertaste zeigt oder verbirgt die gewählte Kurve, R legt sie auf die andere Achse, Strg+Auf und Strg+Ab in ein anderes Diagramm, Strg+Umschalt+Ab in ein eigenes, Entf nimmt sie aus dem Diagramm.</translation>
+        <translation>Die Leertaste zeigt oder verbirgt die gewählte Kurve, R legt sie auf die andere Achse, Strg+Hoch und Strg+Herunter in ein anderes Diagramm, Strg+Umschalt+Herunter in ein eigenes, Entf nimmt sie aus dem Diagramm.</translation>
     </message>
     <message>
         <source>Into a plot of its own</source>
