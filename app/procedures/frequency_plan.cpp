@@ -1,5 +1,6 @@
 #include "app/procedures/frequency_plan.h"
 
+#include "app/procedures/checked_range.h"
 #include "control/base/units.h"
 
 #include <fmt/format.h>
@@ -27,18 +28,6 @@ constexpr double PeriodsOfLowest = 4.0;
 constexpr double TurnFraction = 0.382;
 constexpr int SegmentsOfPeriod = 4; // a stepped sine needs less time for each of its lines
 
-Result<void> range(const char* what, double value, double min, double max) {
-    if (!std::isfinite(value)) {
-        return failure(ErrorCode::NotFinite, fmt::format("{} is not a finite number", what),
-                       fmt::format("allowed: {:.6g} to {:.6g}", min, max));
-    }
-    if (value < min || value > max) {
-        return failure(ErrorCode::OutOfRange, fmt::format("{} = {:.6g} is out of range", what, value),
-                       fmt::format("allowed: {:.6g} to {:.6g}", min, max));
-    }
-    return {};
-}
-
 double fastestBase_rad_s(const FrequencyConfig& config) {
     return 0.5 * config.speedLimit_rad_s;
 }
@@ -47,11 +36,11 @@ Result<void> checkConfig(const FrequencyConfig& config, double period_s) {
     constexpr double LowestFrequency_Hz = 0.1;
     constexpr double HighestShare = 0.45; // of the sampling rate; beyond it the held rotor tells little
     const double highest_Hz = HighestShare / period_s;
-    Result<void> valid = range("lowest frequency in Hz", config.from_Hz, LowestFrequency_Hz, highest_Hz);
-    valid = valid ? range("highest frequency in Hz", config.to_Hz, 1.5 * config.from_Hz, highest_Hz) : valid;
-    valid = valid ? range("number of periods", config.periods, 4, 64) : valid;
-    valid = valid ? range("least coherence", config.leastCoherence, 0.5, 0.999) : valid;
-    valid = valid ? range("amplitude in rad", config.amplitude_rad.value_or(0.01), 1e-5, 1.0) : valid;
+    Result<void> valid = checkRange("lowest frequency in Hz", config.from_Hz, LowestFrequency_Hz, highest_Hz);
+    valid = valid ? checkRange("highest frequency in Hz", config.to_Hz, 1.5 * config.from_Hz, highest_Hz) : valid;
+    valid = valid ? checkRange("number of periods", config.periods, 4, 64) : valid;
+    valid = valid ? checkRange("least coherence", config.leastCoherence, 0.5, 0.999) : valid;
+    valid = valid ? checkRange("amplitude in rad", config.amplitude_rad.value_or(0.01), 1e-5, 1.0) : valid;
     if (!valid) {
         return valid;
     }
@@ -64,7 +53,7 @@ Result<void> checkConfig(const FrequencyConfig& config, double period_s) {
                         config.base_rad_s),
             fmt::format("use at least {} rad/s in either direction", SlowestBase_rad_s));
     }
-    return range("base speed in rad/s", speed_rad_s, SlowestBase_rad_s, fastestBase_rad_s(config));
+    return checkRange("base speed in rad/s", speed_rad_s, SlowestBase_rad_s, fastestBase_rad_s(config));
 }
 
 /// The next speed upwards whose turns in a period end on TurnFraction; where that is faster than

@@ -1,5 +1,6 @@
 #include "app/procedures/relay_plan.h"
 
+#include "app/procedures/checked_range.h"
 #include "app/procedures/identify_plan.h"
 #include "control/base/random.h"
 #include "control/base/units.h"
@@ -24,34 +25,23 @@ constexpr double Weaves = 3.0;             // in the measured time
 constexpr double LeastRunUp_s = 5.0;
 constexpr double RunUpCycles = 15.0;
 
-Result<void> range(const char* what, double value, double min, double max) {
-    if (!std::isfinite(value)) {
-        return failure(ErrorCode::NotFinite, fmt::format("{} is not a finite number", what),
-                       fmt::format("allowed: {:.6g} to {:.6g}", min, max));
-    }
-    if (value < min || value > max) {
-        return failure(ErrorCode::OutOfRange, fmt::format("{} = {:.6g} is out of range", what, value),
-                       fmt::format("allowed: {:.6g} to {:.6g}", min, max));
-    }
-    return {};
-}
-
 double fastestBase_rad_s(const RelayConfig& config) {
     return 0.5 * config.speedLimit_rad_s;
 }
 
 Result<void> checkConfig(const RelayConfig& config, const RelayBoard& board) {
-    Result<void> valid = range("speed limit in rad/s", config.speedLimit_rad_s, 2.0 * SlowestBase_rad_s, 1e4);
-    valid = valid ? range("number of cycles", config.cycles, 40, 400) : valid;
+    Result<void> valid =
+        checkRange("speed limit in rad/s", config.speedLimit_rad_s, 2.0 * SlowestBase_rad_s, 1e4);
+    valid = valid ? checkRange("number of cycles", config.cycles, 40, 400) : valid;
     if (valid && config.base_rad_s) {
-        valid = range("base speed in rad/s", std::abs(*config.base_rad_s), SlowestBase_rad_s,
-                      fastestBase_rad_s(config));
+        valid = checkRange("base speed in rad/s", std::abs(*config.base_rad_s), SlowestBase_rad_s,
+                           fastestBase_rad_s(config));
     }
     if (valid && config.limit_A) {
-        valid = range("height of the relay in A", *config.limit_A, 0.01, board.currentLimit_A);
+        valid = checkRange("height of the relay in A", *config.limit_A, 0.01, board.currentLimit_A);
     }
     return valid && config.gain_A_per_rad
-               ? range("gain of the relay in A/rad", *config.gain_A_per_rad, 0.01, 2000)
+               ? checkRange("gain of the relay in A/rad", *config.gain_A_per_rad, 0.01, 2000)
                : valid;
 }
 
