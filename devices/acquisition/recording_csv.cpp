@@ -186,29 +186,41 @@ std::string csvHeader(const StreamLayout& layout) {
     return text + '\n';
 }
 
-void appendCsvNumber(std::string& text, double value, CsvNumbers numbers) {
+namespace {
+
+/// More than any number takes: 17 digits, sign, point and exponent.
+constexpr std::size_t MaxDigits = 40;
+
+/// Behind the digits of `value`; where they would begin for what is no number.
+char* putDigits(char* at, double value, CsvNumbers numbers) {
     if (!std::isfinite(value)) {
-        return;
+        return at;
     }
-    char digits[40];
-    std::to_chars_result end{};
     const auto narrow = static_cast<float>(value);
     const bool isFloat = numbers == CsvNumbers::BoardFloats && static_cast<double>(narrow) == value &&
                          value != std::floor(value);
-    end = isFloat ? std::to_chars(digits, digits + sizeof digits, narrow)
-                  : std::to_chars(digits, digits + sizeof digits, value);
-    text.append(digits, end.ptr);
+    return isFloat ? std::to_chars(at, at + MaxDigits, narrow).ptr
+                   : std::to_chars(at, at + MaxDigits, value).ptr;
+}
+
+} // namespace
+
+void appendCsvNumber(std::string& text, double value, CsvNumbers numbers) {
+    char digits[MaxDigits];
+    text.append(digits, putDigits(digits, value, numbers));
 }
 
 void appendCsvRows(std::string& text, const SampleBlock& block, CsvNumbers numbers) {
     const std::size_t columns = block.layout->columns.size();
+    std::vector<char> line((columns + 1) * (MaxDigits + 1)); // a line at once: the text grows once a row
     for (std::size_t row = 0; row < block.rows(); ++row) {
-        appendCsvNumber(text, block.time_s[row], numbers);
+        char* at = putDigits(line.data(), block.time_s[row], numbers);
         for (std::size_t column = 0; column < columns; ++column) {
-            text += ',';
-            appendCsvNumber(text, block.value(row, column), numbers);
+            *at++ = ',';
+            at = putDigits(at, block.value(row, column), numbers);
         }
-        text += '\n';
+        *at++ = '\n';
+        text.append(line.data(), at);
     }
 }
 
