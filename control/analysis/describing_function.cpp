@@ -38,14 +38,14 @@ bool fallsBack(const TransferFunction& loop, double gain) {
     return unstablePoles(loop, gain * (1.0 - Aside)) == 0 && unstablePoles(loop, gain * (1.0 + Aside)) > 0;
 }
 
-/// Crossings of the line Im L = -height on the left half: bisected over the scan.
+/// Crossings of the line Im L = -height on the left half, found over the scan.
 std::vector<double> lineCrossings(const TransferFunction& loop, double height) {
     const auto above = [&](double w) { return loop.atFrequency(w).imag() + height; };
     const std::vector<double> grid = scanFrequencies(loop);
     std::vector<double> result;
     for (std::size_t i = 1; i < grid.size(); ++i) {
         if ((above(grid[i - 1]) < 0.0) != (above(grid[i]) < 0.0)) {
-            const double frequency = bisect(above, grid[i - 1], grid[i]);
+            const double frequency = rootBetween(above, grid[i - 1], grid[i]);
             if (loop.atFrequency(frequency).real() < 0.0) {
                 result.push_back(frequency);
             }
@@ -70,8 +70,8 @@ double saturationGain(double amplitude, double limit) {
 double saturationAmplitude(double gain, double limit) {
     HB_ASSERT(gain > 0.0 && gain < 1.0 && isPositive(limit));
     // N < 4 r/pi, so the amplitude lies below 4/(pi gain) limits.
-    return bisect([&](double amplitude) { return gain - saturationGain(amplitude, limit); }, limit,
-                  1.28 * limit / gain);
+    return rootBetween([&](double amplitude) { return gain - saturationGain(amplitude, limit); }, limit,
+                       1.28 * limit / gain);
 }
 
 std::complex<double> relayGain(double amplitude, double level, double hysteresis) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace halbench::control {
 
@@ -79,6 +80,31 @@ double clearFrom_rad_s(const TransferFunction& system, const std::vector<double>
     return clear == frequencies.end() ? frequencies.back() : *clear;
 }
 
+struct Sample {
+    double x = 0.0;
+    double value = 0.0;
+
+    bool isNegative() const { return value < 0.0; }
+};
+
+/// How far from the newest point to the other side the zero may lie: inverse quadratic interpolation where
+/// the three points lie so that it converges, else the middle (Chandrupatla, Advances in Engineering Software
+/// 28 (1997) 145).
+double nextShare(const Sample& newest, const Sample& other, const Sample& before) {
+    constexpr double Middle = 0.5;
+    const double a = newest.value;
+    const double b = other.value;
+    const double c = before.value;
+    const double place = (newest.x - other.x) / (before.x - other.x);
+    const double height = (a - b) / (c - b);
+    if (!(height * height < place && (1.0 - height) * (1.0 - height) < 1.0 - place)) {
+        return Middle;
+    }
+    const double along = (before.x - newest.x) / (other.x - newest.x);
+    const double share = a / (b - a) * c / (b - c) + along * a / (c - a) * b / (c - b);
+    return std::isfinite(share) ? share : Middle;
+}
+
 } // namespace
 
 std::vector<double> scanFrequencies(const TransferFunction& system) {
@@ -102,10 +128,12 @@ std::vector<double> scanFrequencies(const TransferFunction& system) {
     const double decades = std::log10(to_rad_s / from_rad_s);
     std::vector<double> frequencies =
         logarithmicFrequencies(from_rad_s, to_rad_s, static_cast<int>(decades * PointsPerDecade) + 2);
+    const auto extra = static_cast<std::ptrdiff_t>(frequencies.size()); // what is before it is in order
     for (const Complex& point : points) {
         addAround(frequencies, point, from_rad_s, to_rad_s);
     }
-    std::sort(frequencies.begin(), frequencies.end());
+    std::sort(frequencies.begin() + extra, frequencies.end());
+    std::inplace_merge(frequencies.begin(), frequencies.begin() + extra, frequencies.end());
     frequencies.erase(std::unique(frequencies.begin(), frequencies.end()), frequencies.end());
     if (base.isSampled()) {
         const double least_rad_s = clearFrom_rad_s(system, frequencies);
@@ -114,20 +142,27 @@ std::vector<double> scanFrequencies(const TransferFunction& system) {
     return frequencies;
 }
 
-double bisect(const std::function<double(double)>& function, double low, double high) {
-    const bool isLowNegative = function(low) < 0.0;
-    for (int i = 0; i < 200; ++i) {
-        const double middle = 0.5 * (low + high);
-        if (middle <= low || middle >= high) {
-            break;
+double rootBetween(const std::function<double(double)>& function, double low, double high) {
+    constexpr int MostRounds = 200; // a jump is halved: 53 rounds for two ends of one size
+    Sample newest{high, function(high)};
+    Sample other{low, function(low)};
+    double share = 0.5;
+    for (int i = 0; i < MostRounds; ++i) {
+        const double x = newest.x + share * (other.x - newest.x);
+        const Sample here{x, function(x)};
+        const bool isSameSide = here.isNegative() == newest.isNegative();
+        const Sample before = isSameSide ? newest : other;
+        other = isSameSide ? other : newest;
+        newest = here;
+        const Sample best = std::abs(other.value) < std::abs(newest.value) ? other : newest;
+        const double rounding = 2.0 * std::numeric_limits<double>::epsilon() * std::abs(best.x);
+        const double least = rounding / std::abs(other.x - newest.x);
+        if (best.value == 0.0 || !(least < 0.5)) {
+            return best.x;
         }
-        if ((function(middle) < 0.0) == isLowNegative) {
-            low = middle;
-        } else {
-            high = middle;
-        }
+        share = std::clamp(nextShare(newest, other, before), least, 1.0 - least);
     }
-    return 0.5 * (low + high);
+    return 0.5 * (newest.x + other.x);
 }
 
 double goldenMinimum(const std::function<double(double)>& function, double low, double high) {

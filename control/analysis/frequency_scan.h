@@ -13,8 +13,9 @@ namespace halbench::control {
 /// digits to cancellation (sampled integrators at very low frequency) are left out.
 std::vector<double> scanFrequencies(const TransferFunction& system);
 
-/// Zero of a continuous function between two points of opposite sign, by bisection to the rounding of x.
-double bisect(const std::function<double(double)>& function, double low, double high);
+/// Zero of a function between two points of opposite sign, to the rounding of x; where it jumps from one sign
+/// to the other, the jump. Some ten values of a smooth function, never more than 200.
+double rootBetween(const std::function<double(double)>& function, double low, double high);
 
 /// Place of the smallest value inside an interval that holds one minimum, by golden section.
 double goldenMinimum(const std::function<double(double)>& function, double low, double high);

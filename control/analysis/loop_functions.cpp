@@ -44,7 +44,7 @@ std::optional<double> bandwidth_rad_s(const TransferFunction& closedLoop) {
     const std::vector<double> frequencies = scanFrequencies(closedLoop);
     for (std::size_t i = 1; i < frequencies.size(); ++i) {
         if (excess(frequencies[i]) < 0.0) {
-            return bisect(excess, frequencies[i - 1], frequencies[i]);
+            return rootBetween(excess, frequencies[i - 1], frequencies[i]);
         }
     }
     return std::nullopt;

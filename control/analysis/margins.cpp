@@ -54,11 +54,11 @@ std::vector<Crossing> crossingsOn(const LoopScan& scan) {
         const Complex before = scan.value[i == 0 ? 0 : i - 1];
         const bool isNyquist = scan.endsAtNyquist && i + 1 == frequencies.size();
         if (i > 0 && changesSign(std::norm(before) - 1.0, std::norm(here) - 1.0)) {
-            const double frequency = bisect(level, frequencies[i - 1], frequencies[i]);
+            const double frequency = rootBetween(level, frequencies[i - 1], frequencies[i]);
             crossings.push_back(gainCrossing(scan.at(frequency), frequency));
         }
         if (i > 0 && !isNyquist && changesSign(before.imag(), here.imag())) {
-            const double frequency = bisect(height, frequencies[i - 1], frequencies[i]);
+            const double frequency = rootBetween(height, frequencies[i - 1], frequencies[i]);
             if (isOnNegativeAxis(scan.at(frequency))) {
                 crossings.push_back(phaseCrossing(std::abs(scan.at(frequency)), frequency));
             }

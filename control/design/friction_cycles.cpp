@@ -38,7 +38,7 @@ public:
         if ((lead_rad(a) < 0.0) == (lead_rad(most_1_s) < 0.0)) {
             return std::nullopt;
         }
-        const double damping_1_s = bisect(lead_rad, a, most_1_s);
+        const double damping_1_s = rootBetween(lead_rad, a, most_1_s);
         if (std::abs(lead_rad(damping_1_s)) > 0.1) {
             return std::nullopt; // the phase jumped by a turn
         }
@@ -108,7 +108,7 @@ Result<std::vector<LimitCycle>> frictionCycles(const PositionPlant& plant, const
                 const auto trial = balance.at(w);
                 return trial ? trial->excess_log : 0.0;
             };
-            const double found = bisect(excess, beforeFrequency, frequency);
+            const double found = rootBetween(excess, beforeFrequency, frequency);
             if (const auto trial = balance.at(found); trial && std::abs(trial->excess_log) < 1e-6) {
                 cycles.push_back({trial->amplitude_rad, found, false});
             }

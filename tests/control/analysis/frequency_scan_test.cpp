@@ -47,9 +47,53 @@ TEST(FrequencyScan, leavesOutFrequenciesWhereTheDenominatorHasNoDigits) {
     }
 }
 
-TEST(FrequencyScan, bisectionFindsAZeroToTheRounding) {
-    EXPECT_NEAR(bisect([](double x) { return x * x - 2.0; }, 1.0, 2.0), std::sqrt(2.0), 1e-15);
-    EXPECT_NEAR(bisect([](double x) { return 2.0 - x * x; }, 1.0, 2.0), std::sqrt(2.0), 1e-15);
+/// The zero, and how many values were asked for.
+struct Found {
+    double x = 0.0;
+    int values = 0;
+};
+
+template <typename Function>
+Found countedRoot(Function function, double low, double high) {
+    Found found;
+    found.x = rootBetween(
+        [&](double x) {
+            ++found.values;
+            return function(x);
+        },
+        low, high);
+    return found;
+}
+
+// Tolerance: the rounding of x, from either side.
+TEST(FrequencyScan, findsAZeroToTheRounding) {
+    EXPECT_NEAR(rootBetween([](double x) { return x * x - 2.0; }, 1.0, 2.0), std::sqrt(2.0), 1e-15);
+    EXPECT_NEAR(rootBetween([](double x) { return 2.0 - x * x; }, 1.0, 2.0), std::sqrt(2.0), 1e-15);
+    EXPECT_NEAR(rootBetween([](double x) { return std::log(x); }, 1e-6, 1e6), 1.0, 1e-15);
+    EXPECT_EQ(rootBetween([](double x) { return x - 3.0; }, 3.0, 4.0), 3.0);
+}
+
+TEST(FrequencyScan, aZeroOfASmoothFunctionTakesFewValues) {
+    const Found cosine = countedRoot([](double x) { return std::cos(x) - x; }, 0.7, 0.8);
+    EXPECT_NEAR(cosine.x, 0.7390851332151607, 3e-16); // the Dottie number; its rounding is 1e-16
+    EXPECT_LE(cosine.values, 10);
+}
+
+// A halving takes 53 rounds for any function; what is flat or jumps may not cost a multiple of it.
+TEST(FrequencyScan, aJumpAndAFlatZeroAreFoundTooInTheEnd) {
+    const Found jump = countedRoot([](double x) { return x < 1.7 ? -1.0 : 1e9; }, 1.0, 2.0);
+    EXPECT_NEAR(jump.x, 1.7, 1e-15);
+    EXPECT_LE(jump.values, 120);
+    const Found flat = countedRoot([](double x) { return std::pow(x - 1.3, 9); }, 1.0, 2.0);
+    EXPECT_NEAR(flat.x, 1.3, 1e-15); // the ninth power has its digits: only x is rounded
+    EXPECT_LE(flat.values, 200);
+}
+
+TEST(FrequencyScan, aFunctionWithoutValueInsideIsHalved) {
+    const auto holed = [](double x) { return x < 1.5 ? -1.0 : (x < 1.75 ? NAN : 1.0); };
+    const double x = rootBetween(holed, 1.0, 2.0);
+    EXPECT_GE(x, 1.5 - 1e-15);
+    EXPECT_LE(x, 1.75);
 }
 
 TEST(FrequencyScan, findsTheSmallestValueBetweenThePoints) {
