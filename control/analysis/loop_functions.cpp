@@ -34,8 +34,20 @@ Result<LoopFunctions> loopFunctions(const TransferFunction& plant, const Transfe
 
 ResponsePeak peakMagnitude(const TransferFunction& system) {
     const auto negative = [&system](double w) { return -std::abs(system.atFrequency(w)); };
-    const double frequency_rad_s = scanMinimum(negative, scanFrequencies(system));
-    return {std::abs(system.atFrequency(frequency_rad_s)), frequency_rad_s};
+    const std::vector<double> frequencies = scanFrequencies(system);
+    const double frequency_rad_s = scanMinimum(negative, frequencies);
+    ResponsePeak peak{std::abs(system.atFrequency(frequency_rad_s)), frequency_rad_s};
+    // The ends of the curve, which no grid holds; an integrator has no value at rest.
+    const double rest = std::abs(system.dcGain());
+    if (std::isfinite(rest) && rest > peak.magnitude_ratio) {
+        peak = {rest, frequencies.front()};
+    }
+    const double direct = std::abs(system.numerator().front() / system.denominator().front());
+    if (system.timeBase().isContinuous() && degree(system.numerator()) == system.order() &&
+        direct > peak.magnitude_ratio) {
+        peak = {direct, frequencies.back()};
+    }
+    return peak;
 }
 
 std::optional<double> bandwidth_rad_s(const TransferFunction& closedLoop) {

@@ -26,7 +26,8 @@ struct ResponsePeak {
     double frequency_rad_s = 0.0;
 };
 
-/// Largest magnitude over frequency, e.g. the resonant peak of T.
+/// Largest magnitude over frequency, e.g. the resonant peak of T. One that lies at rest or at infinity is
+/// told with the lowest or highest frequency looked at.
 ResponsePeak peakMagnitude(const TransferFunction& system);
 
 /// Lowest frequency where the magnitude has fallen to 1/sqrt(2) of the static gain (absent when it never

@@ -102,6 +102,15 @@ std::size_t relevantPoints(const DeadTimeSystem& loop, const std::vector<double>
     return count;
 }
 
+/// Sampled loops end at the Nyquist frequency, which the grid holds.
+void lookAtEnds(LoopScan& scan, const TransferFunction& loop, double deadTime_s) {
+    scan.atRest = loop.dcGain();
+    const bool isDirect = degree(loop.numerator()) == loop.order();
+    if (loop.timeBase().isContinuous() && !(isDirect && deadTime_s > 0.0)) {
+        scan.atInfinity = isDirect ? loop.numerator().front() / loop.denominator().front() : 0.0;
+    }
+}
+
 } // namespace
 
 LoopScan scanLoop(const TransferFunction& openLoop) {
@@ -110,6 +119,7 @@ LoopScan scanLoop(const TransferFunction& openLoop) {
                   {},
                   openLoop.timeBase().isSampled()};
     lookAtRational(scan, openLoop);
+    lookAtEnds(scan, openLoop, 0.0);
     return scan;
 }
 
@@ -123,6 +133,7 @@ LoopScan scanLoop(const DeadTimeSystem& openLoop) {
         scan.frequency_rad_s.resize(relevantPoints(openLoop, scan.frequency_rad_s));
     }
     look(scan);
+    lookAtEnds(scan, openLoop.rational(), openLoop.deadTime_s());
     return scan;
 }
 

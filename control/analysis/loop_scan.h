@@ -5,6 +5,7 @@
 
 #include <complex>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace halbench::control {
@@ -15,6 +16,10 @@ struct LoopScan {
     std::vector<double> frequency_rad_s;
     std::vector<std::complex<double>> value;
     bool endsAtNyquist = false;
+    /// L towards rest and, where it has one, towards infinite frequency: ends of the curve that no grid
+    /// holds. An integrating loop has an infinite real one.
+    std::optional<std::complex<double>> atRest = {};
+    std::optional<std::complex<double>> atInfinity = {};
 };
 
 LoopScan scanLoop(const TransferFunction& openLoop);

@@ -86,7 +86,8 @@ void takeIfSmaller(StabilityMargins& margins, const Crossing& crossing) {
     margins.delayMargin_s = std::min(margins.delayMargin_s, crossing.delayMargin_s);
 }
 
-/// Smallest value of a function over a scan, and its place: the best point, refined between its neighbours.
+/// Smallest value of a function over a scan, and its place: the best point, refined between its neighbours,
+/// or an end of the curve, whose place is the first or last frequency that was looked at.
 struct Least {
     double value = 0.0;
     double frequency_rad_s = 0.0;
@@ -109,7 +110,15 @@ Least leastOn(const LoopScan& scan, Distance distance) {
         goldenMinimum(at, scan.frequency_rad_s[best == 0 ? 0 : best - 1],
                       scan.frequency_rad_s[std::min(best + 1, scan.value.size() - 1)]);
     const double refined = at(refined_rad_s);
-    return refined < least.value ? Least{refined, refined_rad_s} : least;
+    Least result = refined < least.value ? Least{refined, refined_rad_s} : least;
+    const auto takeEnd = [&](const std::optional<Complex>& end, double frequency_rad_s) {
+        if (end && std::abs(distance(*end)) < result.value) {
+            result = {std::abs(distance(*end)), frequency_rad_s};
+        }
+    };
+    takeEnd(scan.atRest, scan.frequency_rad_s.front());
+    takeEnd(scan.atInfinity, scan.frequency_rad_s.back());
+    return result;
 }
 
 StabilityMargins marginsOn(const LoopScan& scan) {

@@ -52,7 +52,7 @@ StabilityMargins smallestMargins(const FrequencyResponse& openLoop);
 
 /// Largest magnitudes of S = 1/(1+L) and T = L/(1+L) over frequency. Ms bounds the margins of every loop:
 /// gain margin >= Ms/(Ms-1), phase margin >= 2 asin(1/(2 Ms)) (Astrom, Hagglund, "Advanced PID Control",
-/// section 4.5).
+/// section 4.5). A peak at rest or at infinity is told with the lowest or highest frequency looked at.
 struct SensitivityPeaks {
     double Ms_ratio = 0.0;
     double MsFrequency_rad_s = 0.0;
