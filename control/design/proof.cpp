@@ -13,21 +13,24 @@ namespace halbench::control {
 namespace {
 
 /// sqrt(sum h[k]^2) of a stable sampled system: C X C' + D D' with X = A X A' + B B'.
-double impulseNorm(const TransferFunction& system) {
-    const StateSpace s = toStateSpace(system);
+double impulseNorm(const StateSpace& s) {
     const Eigen::MatrixXd X = solveLyapunov(s.A, s.B * s.B.transpose());
     return std::sqrt((s.C * X * s.C.transpose() + s.D * s.D.transpose()).value());
 }
 
-/// From the measured angle to the current, C z^-d/(1 + L) over the closed polynomial.
-Result<TransferFunction> noiseToCurrent(const PositionPlant& plant, const PidGains& gains,
-                                        const LoopTiming& timing) {
+/// From the measured angle to the current, C z^-d/(1 + L), as states: one closed polynomial would put all its
+/// slow roots into one row, and C X C' then be the small difference of large parts.
+Result<StateSpace> noiseToCurrent(const PositionPlant& plant, const PidGains& gains,
+                                  const LoopTiming& timing) {
     const auto controller = sampledController(gains, timing.period_s);
     if (!controller) {
-        return controller;
+        return failure(controller.error());
     }
     const auto delayed = series(*controller, TransferFunction::delay(timing.delay_samples, timing.period_s));
-    return delayed ? feedback(*delayed, sampledPlant(plant, timing.period_s)) : delayed;
+    if (!delayed) {
+        return failure(delayed.error());
+    }
+    return feedback(toStateSpace(*delayed), toStateSpace(sampledPlant(plant, timing.period_s)));
 }
 
 } // namespace
