@@ -10524,6 +10524,18 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>&amp;History on the disk</source>
         <translation>&amp;Verlauf auf dem Datenträger</translation>
     </message>
+    <message>
+        <source>&amp;Frequencies in</source>
+        <translation>Fre&amp;quenzen in</translation>
+    </message>
+    <message>
+        <source>Unit of the frequency axes of loops and responses; files have Hz</source>
+        <translation>Einheit der Frequenzachsen von Kreisen und Frequenzgängen; Dateien haben Hz</translation>
+    </message>
+    <message>
+        <source>hertz</source>
+        <translation>Hertz</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::Preflight</name>

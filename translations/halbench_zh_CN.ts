@@ -10516,6 +10516,18 @@ A real device has its own time.</source>
         <source>&amp;History on the disk</source>
         <translation>磁盘上的历史(&amp;H)</translation>
     </message>
+    <message>
+        <source>&amp;Frequencies in</source>
+        <translation>频率单位(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Unit of the frequency axes of loops and responses; files have Hz</source>
+        <translation>回路和响应的频率轴单位；文件使用 Hz</translation>
+    </message>
+    <message>
+        <source>hertz</source>
+        <translation>赫兹</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::Preflight</name>

@@ -79,6 +79,7 @@ FigureView::FigureView(QWidget* parent)
 
 void FigureView::setFigure(Figure figure) {
     const Figure before = std::exchange(m_figure, std::move(figure));
+    m_numbers.reset();
     if (m_grip) {
         m_figure = withAxesOf(std::move(m_figure), m_grip->drawn, m_grip->layout);
     }
@@ -139,7 +140,7 @@ std::function<Result<void>()> FigureView::saving(const QString& path) const {
             [] { return Result<void>(failure(ErrorCode::InvalidInput, "there is no picture to save", "")); };
     }
     if (path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
-        return pictureWriting(QByteArray::fromStdString(figureTable(m_figure)), path);
+        return pictureWriting(QByteArray::fromStdString(figureTable(m_numbers.value_or(m_figure))), path);
     }
     const PictureFormat format = pictureFormat(path).value_or(PictureFormat::Png);
     return pictureWriting(format == PictureFormat::Png ? png(image(2.0)) : picture(format), path);

@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace halbench::widgets {
@@ -31,6 +32,9 @@ public:
     /// The mark stays when the sample it is at keeps its place on the horizontal axis; where the curves run
     /// along something (figure_cursor.h), at the sample nearest to where it was along it.
     void setFigure(Figure figure);
+    /// What a .csv is written from instead, when a picture is drawn in other units than files have; until the
+    /// next figure.
+    void setNumbers(Figure figure) { m_numbers = std::move(figure); }
     void clear();
     const Figure& figure() const { return m_figure; }
     bool isEmpty() const { return m_figure.panels.empty(); }
@@ -101,6 +105,7 @@ private:
     void drawProbe(QPainter& painter, const Figure& figure, const FigureLayout& layout) const;
 
     Figure m_figure;
+    std::optional<Figure> m_numbers;
     std::optional<FigurePoint> m_probe;
     bool m_isPinned = false; ///< by a click: the pointer does not take it along
     std::vector<FigureHandle> m_handles;

@@ -63,6 +63,14 @@ QString word(SpeedUnit wanted) {
     return {};
 }
 
+FrequencyUnit frequencyUnit(const QString& word) {
+    return word == "rad/s" ? FrequencyUnit::RadiansPerSecond : FrequencyUnit::Hertz;
+}
+
+QString word(FrequencyUnit unit) {
+    return unit == FrequencyUnit::RadiansPerSecond ? "rad/s" : "Hz";
+}
+
 void loadRecordings(QSettings& settings, Preferences& preferences) {
     const QString mask = settings.value("recording_names").toString();
     if (checkNameMask(mask)) {
@@ -130,7 +138,8 @@ Preferences loadPreferences() {
     }
     loadRecordings(settings, preferences);
     preferences.units = {angleUnit(settings.value("angle_unit").toString()),
-                         speedUnit(settings.value("speed_unit").toString())};
+                         speedUnit(settings.value("speed_unit").toString()),
+                         frequencyUnit(settings.value("frequency_unit").toString())};
     preferences.geometry = settings.value("geometry").toByteArray();
     preferences.perspective = settings.value("perspective").toString();
     preferences.lastDevice = {settings.value("last_device").toString().toStdString(),
@@ -151,6 +160,7 @@ void savePreferences(const Preferences& preferences) {
     saveRecordings(settings, preferences);
     settings.setValue("angle_unit", word(preferences.units.angle));
     settings.setValue("speed_unit", word(preferences.units.speed));
+    settings.setValue("frequency_unit", word(preferences.units.frequency));
     settings.setValue("geometry", preferences.geometry);
     settings.setValue("perspective", preferences.perspective);
     settings.setValue("last_device", QString::fromStdString(preferences.lastDevice.uri));

@@ -79,6 +79,11 @@ void PreferencesDialog::addUnits(QFormLayout& form) {
     addItem(*m_speed, tr("degrees per second"), SpeedUnit::DegreesPerSecond);
     addItem(*m_speed, tr("radians per second"), SpeedUnit::RadiansPerSecond);
     select(*m_speed, m_before.units.speed);
+    m_frequency = addChoice(form, tr("&Frequencies in"),
+                            tr("Unit of the frequency axes of loops and responses; files have Hz"));
+    addItem(*m_frequency, tr("hertz"), FrequencyUnit::Hertz);
+    addItem(*m_frequency, tr("radians per second"), FrequencyUnit::RadiansPerSecond);
+    select(*m_frequency, m_before.units.frequency);
 }
 
 void PreferencesDialog::addLockOut(QFormLayout& form) {
@@ -137,7 +142,8 @@ Preferences PreferencesDialog::chosen() const {
     Preferences preferences = m_before;
     preferences.theme = selected<ThemeChoice>(*m_theme);
     preferences.language = m_language->currentData().toString();
-    preferences.units = {selected<widgets::AngleUnit>(*m_angle), selected<SpeedUnit>(*m_speed)};
+    preferences.units = {selected<widgets::AngleUnit>(*m_angle), selected<SpeedUnit>(*m_speed),
+                         selected<FrequencyUnit>(*m_frequency)};
     preferences.stopLockOut_ms = m_lockOut_ms->value();
     preferences.historyLimit_GB = m_history_GB->value();
     preferences.recordingNames = m_recordings->nameMask();

@@ -40,6 +40,7 @@ private:
     QComboBox* m_language = nullptr;
     QComboBox* m_angle = nullptr;
     QComboBox* m_speed = nullptr;
+    QComboBox* m_frequency = nullptr;
     QSpinBox* m_lockOut_ms = nullptr;
     QSpinBox* m_history_GB = nullptr;
     RecordingFields* m_recordings = nullptr;

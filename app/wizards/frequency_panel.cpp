@@ -23,6 +23,9 @@ FrequencyPanel::FrequencyPanel(Workbench& workbench, QWidget* parent) : Excitati
     addPages(*m_form, *result, buildSaving());
     connect(m_form, &FrequencyForm::changed, this, &FrequencyPanel::refreshPlan);
     connect(&useButton(), &QPushButton::clicked, this, [this] { Q_EMIT useRequested(m_found); });
+    const auto takeUnit = [this] { m_result->setFrequencyUnit(bench().displayUnits().frequency); };
+    connect(&bench(), &Workbench::displayUnitsChanged, this, takeUnit);
+    takeUnit();
     FrequencyPanel::refreshWords();
 }
 

@@ -6,6 +6,7 @@
 #include "app/wizards/result_words.h"
 #include "app/wizards/words_and_pictures.h"
 #include "app/workspaces/document_files.h"
+#include "app/workspaces/figure_units.h"
 #include "widgets/figure_view.h"
 #include "widgets/phrasebook.h"
 #include "widgets/theme_style.h"
@@ -42,6 +43,13 @@ void FrequencyResultView::setResult(const FrequencyResult& result, const ResultH
     m_both->shareAnew();
 }
 
+void FrequencyResultView::setFrequencyUnit(FrequencyUnit unit) {
+    if (unit != m_unit) {
+        m_unit = unit;
+        refresh();
+    }
+}
+
 void FrequencyResultView::refresh() {
     m_words->setQuality(m_result.quality);
     m_words->table().setRows(frequencyRows(m_result));
@@ -66,9 +74,11 @@ void FrequencyResultView::refresh() {
         m_figures->setTabText(static_cast<int>(i), tab.name);
         m_figures->setTabToolTip(static_cast<int>(i), tab.help);
         const bool hasPoints = !m_result.points.empty();
-        m_views[i]->setFigure(!tab.view   ? excitationFigure(m_result).value_or(widgets::Figure{})
-                              : hasPoints ? frequencyFigure(m_result, *tab.view)
-                                          : widgets::Figure{});
+        showInFrequencyUnit(*m_views[i],
+                            !tab.view   ? excitationFigure(m_result).value_or(widgets::Figure{})
+                            : hasPoints ? frequencyFigure(m_result, *tab.view)
+                                        : widgets::Figure{},
+                            m_unit);
     }
     m_figures->setAccessibleName(tr("Pictures of the frequency response"));
 }

@@ -2,6 +2,7 @@
 
 #include "app/batch/result_header.h"
 #include "app/procedures/frequency_procedure.h"
+#include "app/workspaces/display_quantity.h"
 #include "app/workspaces/file_chooser.h"
 #include "app/workspaces/file_queue.h"
 
@@ -28,6 +29,7 @@ public:
     explicit FrequencyResultView(QWidget* parent = nullptr);
 
     void setResult(const FrequencyResult& result, const ResultHeader& header);
+    void setFrequencyUnit(FrequencyUnit unit); ///< of the pictures
     void setFileChooser(const FileChooser* chooser) { m_chooser = chooser; }
 
 Q_SIGNALS:
@@ -41,6 +43,7 @@ private:
 
     FrequencyResult m_result;
     ResultHeader m_header;
+    FrequencyUnit m_unit = FrequencyUnit::Hertz;
     const FileChooser* m_chooser = nullptr;
     FileQueue m_files;
     ResultWords* m_words = nullptr;

@@ -10,10 +10,13 @@ namespace halbench::app {
 
 enum class SpeedUnit { TurnsPerMinute, DegreesPerSecond, RadiansPerSecond };
 
+enum class FrequencyUnit { Hertz, RadiansPerSecond };
+
 /// What the user prefers to read; fields of the same unit follow.
 struct DisplayUnits {
     widgets::AngleUnit angle = widgets::AngleUnit::Degree;
     SpeedUnit speed = SpeedUnit::TurnsPerMinute;
+    FrequencyUnit frequency = FrequencyUnit::Hertz; ///< of the frequency axes of loops
 
     bool operator==(const DisplayUnits&) const = default;
 };

@@ -2,6 +2,7 @@
 
 #include "app/report/loop_figures.h"
 #include "app/report/root_locus_figure.h"
+#include "app/workspaces/figure_units.h"
 #include "app/workspaces/loop_phase.h"
 #include "widgets/figure_cursor.h"
 #include "widgets/figure_view.h"
@@ -91,6 +92,22 @@ widgets::Figure LoopView::figureOf(View view) const {
     return isWrapped ? withWrappedPhase(figure) : figure;
 }
 
+void LoopView::setFrequencyUnit(FrequencyUnit unit) {
+    if (unit == m_unit) {
+        return;
+    }
+    const auto read = m_picture->probedAlong();
+    const double ratio = frequencyFactor(unit) / frequencyFactor(m_unit);
+    m_unit = unit;
+    if (m_probed) {
+        m_probed = *m_probed * ratio; // waits while the root locus is shown
+    }
+    show(m_choice->currentIndex());
+    if (read) {
+        m_picture->probeAlong(*read * ratio); // the same frequency under another number
+    }
+}
+
 void LoopView::show(int view) {
     const widgets::Figure figure = figureOf(static_cast<View>(view));
     m_wrap->setVisible(static_cast<View>(view) == View::Bode);
@@ -98,7 +115,7 @@ void LoopView::show(int view) {
         m_probed = m_picture->probedAlong(); // the root locus has no frequency: it waits for the next view
     }
     m_note->setVisible(figure.panels.empty() && !m_figures.front().panels.empty());
-    m_picture->setFigure(figure);
+    showInFrequencyUnit(*m_picture, figure, m_unit);
     if (m_probed && !m_picture->probedAlong()) {
         m_picture->probeAlong(*m_probed);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/report/tuning_figures.h"
+#include "app/workspaces/display_quantity.h"
 #include "widgets/figure_handle.h"
 
 #include <QWidget>
@@ -40,6 +41,7 @@ public:
     void setView(View view);
     /// A control of whoever owns this, beside the choice of the view.
     void addTool(QWidget& tool);
+    void setFrequencyUnit(FrequencyUnit unit); ///< of the axes; handles and signals stay in rad/s
     widgets::FigureView& picture() { return *m_picture; }
 
 Q_SIGNALS:
@@ -73,6 +75,7 @@ private:
     View view() const;
 
     std::array<widgets::Figure, Views> m_figures;
+    FrequencyUnit m_unit = FrequencyUnit::Hertz;
     std::optional<double> m_probed; ///< frequency that is read, as the pictures have it
     Grips m_grips;
     Grips m_taken; ///< as they were then

@@ -1,4 +1,5 @@
 // What can be moved in the pictures of the open loop.
+#include "app/workspaces/figure_units.h"
 #include "app/workspaces/loop_phase.h"
 #include "app/workspaces/loop_view.h"
 #include "control/analysis/locus_gain.h"
@@ -72,9 +73,9 @@ std::vector<FigureHandle> LoopView::handlesOf(View view) const {
     const auto& crossover_rad_s = m_grips.margins.gainCrossover_rad_s;
     std::vector<FigureHandle> handles;
     if (view == View::Bode && crossover_rad_s) {
-        const double crossover_Hz = *crossover_rad_s / (2.0 * Pi);
-        handles = {{0, crossover_Hz, 0.0, FigureHandle::Way::Horizontal, tr("gain crossover")},
-                   {1, crossover_Hz, m_wrap->isChecked() ? wrapped_deg(m_grips.phase_deg) : m_grips.phase_deg,
+        const double crossover = *crossover_rad_s / (2.0 * Pi) * frequencyFactor(m_unit);
+        handles = {{0, crossover, 0.0, FigureHandle::Way::Horizontal, tr("gain crossover")},
+                   {1, crossover, m_wrap->isChecked() ? wrapped_deg(m_grips.phase_deg) : m_grips.phase_deg,
                     FigureHandle::Way::Vertical, tr("phase margin")}};
     } else if (view == View::RootLocus) {
         for (const std::complex<double>& pole : m_grips.poles) {
@@ -99,7 +100,7 @@ void LoopView::move(int handle, double x, double y) {
             Q_EMIT gainMoved(control::gainNearest(m_taken.locus, *branch, {x, y}));
         }
     } else if (handle == CrossoverHandle) {
-        Q_EMIT crossoverMoved(2.0 * Pi * x);
+        Q_EMIT crossoverMoved(2.0 * Pi * x / frequencyFactor(m_unit));
     } else {
         const double way_deg = y - m_taken.phase_deg;
         Q_EMIT phaseMarginMoved(m_taken.margins.phaseMargin_deg +

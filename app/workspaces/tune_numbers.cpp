@@ -28,8 +28,16 @@ QString amount(const std::optional<double>& value, const QString& unit, int digi
     return value ? amount(*value, unit, digits) : QStringLiteral("\u2013");
 }
 
-std::optional<double> inHertz(const std::optional<double>& frequency_rad_s) {
-    return frequency_rad_s ? std::optional(*frequency_rad_s / (2.0 * Pi)) : std::nullopt;
+/// What a frequency in rad/s is multiplied by, and the unit that it then has.
+struct FrequencyScale {
+    double factor;
+    QString unit;
+};
+
+FrequencyScale frequencyScale(const DisplayUnits& units) {
+    return units.frequency == FrequencyUnit::RadiansPerSecond
+               ? FrequencyScale{1.0, QStringLiteral(" rad/s")}
+               : FrequencyScale{0.5 / Pi, QStringLiteral(" Hz")};
 }
 
 QString stepWords(const std::optional<control::StepMetrics>& step) {
@@ -49,7 +57,7 @@ QString intervalWords(const std::optional<control::Robustness::Interval>& spread
 
 /// How far the loop is from instability, each with its interval.
 template <typename Row>
-void appendMargins(const Row& row, const control::Robustness& robust) {
+void appendMargins(const Row& row, const control::Robustness& robust, const FrequencyScale& frequency) {
     row(
         Words::tr("Gain margin"),
         Words::tr("Factor on the gain that makes the loop unstable; at least 2 is usual"),
@@ -76,10 +84,12 @@ void appendMargins(const Row& row, const control::Robustness& robust) {
         intervalWords(robust.modulusMargin));
     row(
         Words::tr("Gain crossover"), Words::tr("Where the open loop has the gain 1"),
-        [](const AnalysisResult& loop) {
-            return amount(inHertz(loop.margins.gainCrossover_rad_s), QStringLiteral(" Hz"));
+        [&frequency](const AnalysisResult& loop) {
+            const auto& crossover_rad_s = loop.margins.gainCrossover_rad_s;
+            return amount(crossover_rad_s ? std::optional(*crossover_rad_s * frequency.factor) : std::nullopt,
+                          frequency.unit);
         },
-        intervalWords(robust.gainCrossover_rad_s, 0.5 / Pi));
+        intervalWords(robust.gainCrossover_rad_s, frequency.factor));
 }
 
 /// What the motion shows; without intervals.
@@ -211,7 +221,7 @@ std::vector<TuneNumber> tuneNumbers(const TuneResult& proposed, const std::optio
                        {},
                        {},
                        Words::tr("Share of the motors that the data allow which this loop makes unstable")});
-    appendMargins(row, robust);
+    appendMargins(row, robust, frequencyScale(units));
     if (proposed.bounds) {
         appendBounds(numbers, *proposed.bounds, units);
     }

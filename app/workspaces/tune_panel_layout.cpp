@@ -218,6 +218,7 @@ void TunePanel::refreshOutlook() {
 
 void TunePanel::onUnits() {
     m_gains->setAngleUnit(m_bench.displayUnits().angle);
+    m_loop->setFrequencyUnit(m_bench.displayUnits().frequency);
     refreshWords(); // and every picture with them
 }
 

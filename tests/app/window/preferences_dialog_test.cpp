@@ -80,14 +80,15 @@ TEST_F(PreferencesDialogTest, unitsOfThePlotsChangeAtOnceAndAreKept) {
     inDialog([](PreferencesDialog& dialog) {
         choose(dialog, "Angles in", "radians");
         choose(dialog, "Speeds in", "radians per second");
+        choose(dialog, "Frequencies in", "radians per second");
         press(dialog, QDialogButtonBox::Ok);
     });
     EXPECT_EQ(plotUnits().size(), plots);
     EXPECT_TRUE(plotUnits().contains("rad"));
     EXPECT_TRUE(plotUnits().contains("rad/s"));
     EXPECT_FALSE(plotUnits().contains("r/min"));
-    EXPECT_EQ(loadPreferences().units,
-              (DisplayUnits{widgets::AngleUnit::Radian, SpeedUnit::RadiansPerSecond}));
+    EXPECT_EQ(loadPreferences().units, (DisplayUnits{widgets::AngleUnit::Radian, SpeedUnit::RadiansPerSecond,
+                                                     FrequencyUnit::RadiansPerSecond}));
 }
 
 TEST_F(PreferencesDialogTest, cancelLeavesAllAsItWas) {

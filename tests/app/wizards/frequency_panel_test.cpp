@@ -115,6 +115,12 @@ TEST_F(FrequencyPanelTest, showsCoherenceUnderTheBodeAndTheRawRecordOneClickAway
     ASSERT_EQ(loop->figure().panels.size(), 3U);
     EXPECT_EQ(loop->figure().panels[2].y.quantity, "coherence");
     EXPECT_EQ(tabs->tabText(2), "Raw record");
+    const double first_Hz = loop->figure().panels[0].curves.at(0).x.at(0);
+    DisplayUnits units = bench.displayUnits();
+    units.frequency = FrequencyUnit::RadiansPerSecond;
+    bench.setDisplayUnits(units);
+    EXPECT_EQ(loop->figure().x.unit, "rad/s");
+    EXPECT_DOUBLE_EQ(loop->figure().panels[0].curves.at(0).x.at(0), 2.0 * M_PI * first_Hz);
     const auto* raw = static_cast<widgets::FigureView*>(tabs->widget(2));
     EXPECT_FALSE(raw->figure().panels.at(0).curves.at(0).x.empty());
     auto* table = panel.findChild<widgets::EstimateTable*>();

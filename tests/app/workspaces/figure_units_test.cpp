@@ -42,5 +42,31 @@ TEST(FigureUnits, radiansStayWhereTheyArePreferred) {
     EXPECT_DOUBLE_EQ(shown.panels.front().curves.front().y[0], std::numbers::pi);
 }
 
+// 3 Hz are 6 pi rad/s, along an axis and along a curve alike.
+TEST(FigureUnits, frequenciesAreShownInRadiansPerSecondWherePreferred) {
+    widgets::Figure bode;
+    bode.x = {"frequency", "Hz", true, 1.0, {}, {}};
+    bode.panels.resize(1);
+    bode.panels[0].curves = {{"L", {3.0}, {-6.0}, {}, {}}};
+    bode.panels[0].lines = {{widgets::ReferenceLine::Direction::Vertical, 3.0, {}},
+                            {widgets::ReferenceLine::Direction::Horizontal, -6.0, {}}};
+    EXPECT_EQ(inFrequencyUnit(bode, FrequencyUnit::Hertz).x.unit, "Hz");
+    const widgets::Figure shown = inFrequencyUnit(bode, FrequencyUnit::RadiansPerSecond);
+    EXPECT_EQ(shown.x.unit, "rad/s");
+    EXPECT_DOUBLE_EQ(*shown.x.min, 2.0 * std::numbers::pi);
+    EXPECT_DOUBLE_EQ(shown.panels[0].curves[0].x[0], 6.0 * std::numbers::pi);
+    EXPECT_EQ(shown.panels[0].curves[0].y[0], -6.0);
+    EXPECT_DOUBLE_EQ(shown.panels[0].lines[0].at, 6.0 * std::numbers::pi);
+    EXPECT_EQ(shown.panels[0].lines[1].at, -6.0);
+    widgets::Figure plane;
+    plane.x = {"real part", {}, false, {}, {}, {}};
+    plane.parameter = bode.x;
+    plane.panels.resize(1);
+    plane.panels[0].curves = {{"L", {0.5}, {0.5}, {}, {}, false, {3.0}}};
+    const widgets::Figure along = inFrequencyUnit(plane, FrequencyUnit::RadiansPerSecond);
+    EXPECT_DOUBLE_EQ(along.panels[0].curves[0].parameter[0], 6.0 * std::numbers::pi);
+    EXPECT_EQ(along.panels[0].curves[0].x[0], 0.5);
+}
+
 } // namespace
 } // namespace halbench::app

@@ -44,6 +44,12 @@ TEST_F(TunePicturesTest, theNumbersHaveTheirUnits) {
     EXPECT_TRUE(number(radians, "band").proposed.endsWith(" rad"));
     EXPECT_EQ(number(radians, "Step of").name, "Step of 1.75 rad");
     EXPECT_EQ(panel.findChild<TuneNumbers*>()->rowCount(), static_cast<int>(numbers.size()));
+    EXPECT_TRUE(number(numbers, "Gain crossover").proposed.endsWith(" Hz"));
+    DisplayUnits angular;
+    angular.frequency = FrequencyUnit::RadiansPerSecond;
+    const double crossover_rad_s = *bench.design()->predicted.margins.gainCrossover_rad_s;
+    EXPECT_EQ(number(tuneNumbers(*bench.design(), std::nullopt, angular), "Gain crossover").proposed,
+              widgets::numberText(crossover_rad_s, 3) + " rad/s");
 }
 
 TEST_F(TunePicturesTest, marginsHaveTheIntervalOfTheIdentificationOrSayThatNoneIsKnown) {
@@ -138,6 +144,30 @@ TEST_F(TunePicturesTest, theFrequencyThatIsReadStaysFromViewToView) {
     EXPECT_EQ(view->probedAlong(), read_Hz);
 }
 
+TEST_F(TunePicturesTest, frequenciesAreInThePreferredUnitAndTheHandlesStayWhereTheyAre) {
+    prepare();
+    auto* view = const_cast<widgets::FigureView*>(figure("Open loop"));
+    view->probeAlong(3.0);
+    const double read_Hz = view->probedAlong().value();
+    const auto place = view->handlePlace(0);
+    const double crossover_Hz = view->handles().at(0).x;
+    DisplayUnits units = bench.displayUnits();
+    units.frequency = FrequencyUnit::RadiansPerSecond;
+    bench.setDisplayUnits(units);
+    EXPECT_EQ(view->figure().x.unit, "rad/s");
+    EXPECT_NEAR(view->probedAlong().value(), 2.0 * M_PI * read_Hz, 1e-9);
+    EXPECT_NEAR(view->handles().at(0).x, 2.0 * M_PI * crossover_Hz, 1e-9);
+    ASSERT_TRUE(place && view->handlePlace(0));
+    EXPECT_LE((*place - *view->handlePlace(0)).manhattanLength(), 3); // labels of other widths
+    view->setFocus();
+    QTest::keyClick(view, Qt::Key_Right, Qt::ControlModifier); // two percent up
+    EXPECT_TRUE(wait([&] {
+        return std::abs(view->handles().at(0).x - 2.0 * M_PI * 1.02 * crossover_Hz) < 0.02 * crossover_Hz;
+    }));
+    choose("View of the open loop", "Nyquist");
+    EXPECT_EQ(view->figure().parameter->unit, "rad/s");
+}
+
 TEST_F(TunePicturesTest, thePhaseIsDrawnWithinHalfATurnWhenWanted) {
     prepare();
     const auto lowest = [&] {
@@ -161,6 +191,9 @@ TEST_F(TunePicturesTest, thePhaseIsDrawnWithinHalfATurnWhenWanted) {
 
 TEST_F(TunePicturesTest, theNumbersOfAPictureAreSavedAsATable) {
     prepare();
+    DisplayUnits units = bench.displayUnits();
+    units.frequency = FrequencyUnit::RadiansPerSecond; // of what is drawn: files stay in Hz
+    bench.setDisplayUnits(units);
     const QString path = m_folder.filePath("loop.csv");
     QString kinds;
     panel.setFileChooser({[&](QWidget*, const FileQuestion& question) {
@@ -179,7 +212,9 @@ TEST_F(TunePicturesTest, theNumbersOfAPictureAreSavedAsATable) {
     const QString header = QString::fromUtf8(file.readLine());
     EXPECT_TRUE(header.contains("frequency [Hz]") && header.contains("magnitude [dB]"))
         << header.toStdString();
-    EXPECT_EQ(QString::fromUtf8(file.readLine()).count(','), header.count(','));
+    const QString first = QString::fromUtf8(file.readLine());
+    EXPECT_EQ(first.count(','), header.count(','));
+    EXPECT_NEAR(first.section(',', 0, 0).toDouble(), 0.01, 1e-9); // a loop of 100 Hz begins there
 }
 
 // Integral action takes the load over; with the published gains alone it moves farther.
