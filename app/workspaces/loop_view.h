@@ -2,6 +2,7 @@
 
 #include "app/report/tuning_figures.h"
 #include "app/workspaces/display_quantity.h"
+#include "control/analysis/locus_gain.h"
 #include "widgets/figure_handle.h"
 
 #include <QWidget>
@@ -61,6 +62,7 @@ private:
         control::StabilityMargins margins;
         double phase_deg = 0.0; ///< at the gain crossover, as the picture has it
         control::RootLocus locus;
+        control::LocusLoop loop;                 ///< of the locus
         std::vector<std::complex<double>> poles; ///< of the closed loop, those that are handles
     };
     void sayWords();

@@ -2,7 +2,6 @@
 #include "app/workspaces/figure_units.h"
 #include "app/workspaces/loop_phase.h"
 #include "app/workspaces/loop_view.h"
-#include "control/analysis/locus_gain.h"
 #include "control/base/units.h"
 #include "widgets/figure_view.h"
 
@@ -36,6 +35,14 @@ std::optional<double> phaseAt(const AnalysisResult::Bode& bode, double frequency
     return bode.phase_deg[i - 1] + share * (bode.phase_deg[i] - bode.phase_deg[i - 1]);
 }
 
+/// The pole that is farthest from z = 1, where open and closed loop have most of theirs: it says the loop's
+/// gain with most digits.
+std::complex<double> fastestOf(const std::vector<std::complex<double>>& poles) {
+    return *std::max_element(poles.begin(), poles.end(), [](const auto& one, const auto& other) {
+        return std::abs(one - 1.0) < std::abs(other - 1.0);
+    });
+}
+
 } // namespace
 
 void LoopView::connectHandles() {
@@ -53,7 +60,11 @@ LoopView::View LoopView::view() const {
 }
 
 void LoopView::findGrips(const AnalysisResult& predicted) {
-    m_grips = {predicted.margins, 0.0, predicted.roots.locus, {}};
+    const AnalysisResult::Roots& roots = predicted.roots;
+    m_grips = {predicted.margins, 0.0, roots.locus, {}, {}};
+    if (!roots.closedLoop.empty()) {
+        m_grips.loop = control::loopThrough(roots.zeros, roots.openLoop, fastestOf(roots.closedLoop));
+    }
     if (const auto& crossover_rad_s = m_grips.margins.gainCrossover_rad_s) {
         const auto phase_deg = phaseAt(predicted.bode, *crossover_rad_s / (2.0 * Pi));
         m_grips.phase_deg = phase_deg.value_or(0.0);
@@ -97,7 +108,7 @@ void LoopView::move(int handle, double x, double y) {
                                 ? control::branchAt(m_taken.locus, 1.0, m_taken.poles[at])
                                 : std::nullopt;
         if (branch) {
-            Q_EMIT gainMoved(control::gainNearest(m_taken.locus, *branch, {x, y}));
+            Q_EMIT gainMoved(control::solvedGainNearest(m_taken.locus, *branch, {x, y}, m_taken.loop));
         }
     } else if (handle == CrossoverHandle) {
         Q_EMIT crossoverMoved(2.0 * Pi * x / frequencyFactor(m_unit));

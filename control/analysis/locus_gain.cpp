@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace halbench::control {
 
@@ -11,6 +12,59 @@ namespace {
 
 std::complex<double> upper(std::complex<double> place) {
     return {place.real(), std::abs(place.imag())};
+}
+
+using Roots = std::vector<std::complex<double>>;
+
+struct Value {
+    std::complex<double> value{1.0, 0.0};
+    std::complex<double> slope{0.0, 0.0};
+};
+
+/// prod(x - roots) with its derivative.
+Value product(const Roots& roots, std::complex<double> x) {
+    Value result;
+    for (const std::complex<double>& root : roots) {
+        result.slope = result.slope * (x - root) + result.value;
+        result.value *= x - root;
+    }
+    return result;
+}
+
+/// Where the straight lines between the points of a branch are at this gain.
+std::complex<double> between(const RootLocus& locus, std::size_t branch, double gain) {
+    const auto after = std::upper_bound(locus.gain.begin(), locus.gain.end(), gain);
+    const auto& way = locus.branch[branch];
+    if (after == locus.gain.end()) {
+        return way.back();
+    }
+    const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - locus.gain.begin(), 1));
+    const double share = (gain - locus.gain[i - 1]) / (locus.gain[i] - locus.gain[i - 1]);
+    return way[i - 1] + share * (way[i] - way[i - 1]);
+}
+
+/// The closed-loop pole at a gain, from near it. Where Newton's method goes elsewhere, at a breakaway, the
+/// line has to do: it is a point of the locus there.
+std::complex<double> poleAt(const LocusLoop& loop, double gain, std::complex<double> start) {
+    constexpr int MostRounds = 60;
+    constexpr double Rounding = 1e-15;
+    constexpr double MostWay_ratio = 0.25; // of a line that is some hundredths long
+    std::complex<double> pole = start;
+    for (int round = 0; round < MostRounds; ++round) {
+        const Value poles = product(loop.poles, pole);
+        const Value zeros = product(loop.zeros, pole);
+        const double factor = gain * loop.gain;
+        const std::complex<double> slope = poles.slope + factor * zeros.slope;
+        if (slope == 0.0) {
+            break;
+        }
+        const std::complex<double> step = (poles.value + factor * zeros.value) / slope;
+        pole -= step;
+        if (std::abs(step) <= Rounding * (1.0 + std::abs(pole))) {
+            break;
+        }
+    }
+    return std::abs(pole - start) <= MostWay_ratio * (1.0 + std::abs(start)) ? pole : start;
 }
 
 } // namespace
@@ -48,6 +102,38 @@ double gainNearest(const RootLocus& locus, std::size_t branch, std::complex<doub
         }
     }
     return gain;
+}
+
+LocusLoop loopThrough(Roots zeros, Roots poles, std::complex<double> closedLoopPole) {
+    const std::complex<double> gain =
+        -product(poles, closedLoopPole).value / product(zeros, closedLoopPole).value;
+    return {std::move(zeros), std::move(poles), gain.real()};
+}
+
+double solvedGainNearest(const RootLocus& locus, std::size_t branch, std::complex<double> place,
+                         const LocusLoop& loop) {
+    constexpr double Golden_ratio = 0.6180339887498949;
+    constexpr int Rounds = 70; // 0.618^70 of the interval: rounding
+    const double near = gainNearest(locus, branch, place);
+    const auto& gains = locus.gain;
+    const auto at = std::lower_bound(gains.begin(), gains.end(), near) - gains.begin();
+    const auto last = static_cast<std::ptrdiff_t>(gains.size()) - 1;
+    const std::complex<double> aim = upper(place);
+    const auto away = [&](double gain) {
+        return std::abs(upper(poleAt(loop, gain, between(locus, branch, gain))) - aim);
+    };
+    double low = gains[static_cast<std::size_t>(std::max<std::ptrdiff_t>(at - 2, 0))];
+    double high = gains[static_cast<std::size_t>(std::min(at + 2, last))];
+    for (int round = 0; round < Rounds; ++round) {
+        const double inner = Golden_ratio * (high - low);
+        if (away(high - inner) <= away(low + inner)) {
+            high = low + inner;
+        } else {
+            low = high - inner;
+        }
+    }
+    const double found = 0.5 * (low + high);
+    return away(found) <= away(near) ? found : near;
 }
 
 } // namespace halbench::control
