@@ -105,8 +105,7 @@ public:
         }
     }
 
-    /// Drawn after the curves, where nothing else is drawn; else at least within the panel, on a patch of
-    /// background that keeps it readable.
+    /// Drawn after the curves, where nothing else is; else on a patch of background that keeps it readable.
     void drawReferenceLabel(const ReferenceLine& line, const Panel& panel) {
         const std::optional<double> at_px = placeOf(line);
         if (!at_px || line.label.empty()) {
@@ -116,15 +115,19 @@ public:
         const QSizeF size(QFontMetricsF(figureFont()).horizontalAdvance(label) + 4.0, 14.0);
         const std::vector<QRectF> places = labelPlaces(line, *at_px, size);
         const auto isInside = [&](const QRectF& place) { return m_canvas.contains(place); };
+        const auto isApart = [&](const QRectF& place) { return isInside(place) && !isTaken(place); };
         const auto isOffCurves = [&](const QRectF& place) {
-            return isInside(place) && !isTaken(place) && !isCrossed(place, panel.curves);
+            return isApart(place) && !isCrossed(place, panel.curves);
         };
-        const auto isFree = [&](const QRectF& place) {
+        auto found = std::find_if(places.begin(), places.end(), [&](const QRectF& place) {
             return isOffCurves(place) && !isCrossed(place, panel.lines);
-        };
-        auto found = std::find_if(places.begin(), places.end(), isFree);
+        });
         const bool needsPatch = found == places.end();
         found = needsPatch ? std::find_if(places.begin(), places.end(), isOffCurves) : found;
+        found = found == places.end() ? std::find_if(places.begin(), places.end(), isApart) : found;
+        if (found == places.end() && line.isFaint) {
+            return; // one label upon another is none
+        }
         found = found == places.end() ? std::find_if(places.begin(), places.end(), isInside) : found;
         const QRectF place = found != places.end() ? *found : places.front();
         if (needsPatch) {
@@ -190,16 +193,22 @@ private:
         return line.direction == ReferenceLine::Direction::Horizontal;
     }
 
-    /// Both sides of the line, at its far end first.
+    /// Both sides of the line, at its far end first; a vertical one may stand close to others: then row by
+    /// row.
     std::vector<QRectF> labelPlaces(const ReferenceLine& line, double at_px, const QSizeF& size) const {
         std::vector<QRectF> places;
         if (isHorizontal(line)) {
             for (const double x_px : {m_canvas.right() - size.width() - 3.0, m_canvas.left() + 3.0}) {
-                places.emplace_back(QPointF(x_px, at_px - size.height() - 1.0), size);
-                places.emplace_back(QPointF(x_px, at_px + 1.0), size);
+                places.emplace_back(x_px, at_px - size.height() - 1.0, size.width(), size.height());
+                places.emplace_back(x_px, at_px + 1.0, size.width(), size.height());
             }
         } else {
-            for (const double y_px : {m_canvas.top() + 2.0, m_canvas.bottom() - size.height() - 2.0}) {
+            std::vector<double> rows_px = {m_canvas.top() + 2.0, m_canvas.bottom() - size.height() - 2.0};
+            for (double y_px = rows_px[0] + size.height() + 1.0; y_px < rows_px[1];
+                 y_px += size.height() + 1.0) {
+                rows_px.push_back(y_px);
+            }
+            for (const double y_px : rows_px) {
                 places.emplace_back(QPointF(at_px + 2.0, y_px), size);
                 places.emplace_back(QPointF(at_px - size.width() - 2.0, y_px), size);
             }
@@ -366,8 +375,12 @@ void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& la
             PanelPainter& onAxis = panel.curves[k].isRight ? rightPainter : panelPainter;
             onAxis.drawCurve(panel.curves[k], colourOf(k));
         }
-        for (const ReferenceLine& line : panel.lines) {
-            panelPainter.drawReferenceLabel(line, panel);
+        for (const bool isFaint : {false, true}) { // what decides has the first choice of places
+            for (const ReferenceLine& line : panel.lines) {
+                if (line.isFaint == isFaint) {
+                    panelPainter.drawReferenceLabel(line, panel);
+                }
+            }
         }
         panelPainter.drawScale(QwtScaleDraw::LeftScale, true);
         panelPainter.drawScale(QwtScaleDraw::BottomScale, isLast);

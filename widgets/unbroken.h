@@ -8,4 +8,7 @@ namespace halbench::widgets {
 /// with its unit, and "r/min" in one piece.
 QString unbroken(QString text);
 
+/// A sentence that may be wrapped anywhere but between a number and its unit.
+QString withUnitsKept(QString sentence);
+
 } // namespace halbench::widgets

@@ -5,6 +5,7 @@
 #include "control/base/units.h"
 #include "widgets/display_units.h"
 #include "widgets/progress_row.h"
+#include "widgets/unbroken.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -119,7 +120,7 @@ QString frequencyOutlook(const FrequencyConfig& config, const FrequencyPlan& pla
         Words::tr("The board ends the motion at %1 rad/s. The gains on the board stay and are measured with; "
                   "all else is restored whatever happens.")
             .arg(number(config.speedLimit_rad_s, 0));
-    return text;
+    return widgets::withUnitsKept(text);
 }
 
 std::vector<widgets::EstimateRow> frequencyRows(const FrequencyResult& result) {

@@ -7,6 +7,7 @@
 #include "widgets/display_units.h"
 #include "widgets/phrasebook.h"
 #include "widgets/progress_row.h"
+#include "widgets/unbroken.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -251,7 +252,7 @@ QString provenanceText(const ResultHeader& header, double duration_s,
     if (highestTemperature_degC) {
         parts << Words::tr("coils up to %1 °C").arg(number(*highestTemperature_degC, 1));
     }
-    return parts.join(QStringLiteral(" \u00b7 "));
+    return widgets::withUnitsKept(parts.join(QStringLiteral(" \u00b7 ")));
 }
 
 QString projectModelText(const ResultHeader& header) {

@@ -4,6 +4,7 @@
 #include "control/base/units.h"
 #include "widgets/display_units.h"
 #include "widgets/progress_row.h"
+#include "widgets/unbroken.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -90,7 +91,7 @@ QString relayOutlook(const RelayConfig& config, const RelayPlan& plan, double wa
             "The board ends the motion at %1 rad/s at the latest. Its gains and limits are replaced for the "
             "experiment and restored whatever happens.")
             .arg(number(config.speedLimit_rad_s, 0));
-    return text;
+    return widgets::withUnitsKept(text);
 }
 
 std::vector<widgets::EstimateRow> relayRows(const RelayResult& result) {

@@ -3,6 +3,7 @@
 #include "widgets/offscreen_application.h"
 
 #include <QCoreApplication>
+#include <QPointF>
 #include <QRegularExpression>
 #include <QXmlStreamReader>
 
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 #include <vector>
 
@@ -125,6 +127,60 @@ TEST(OffscreenApplication, refusesToDrawBesideAnApplicationWithoutGraphics) {
     char* arguments[] = {name, nullptr};
     const QCoreApplication plain(count, arguments);
     EXPECT_EQ(OffscreenApplication::ensure().error().code, ErrorCode::Internal);
+}
+
+/// Where the texts of a picture begin: left end and baseline, in pixels.
+std::map<std::string, QPointF> placesOfTexts(const std::string& svg) {
+    std::map<std::string, QPointF> places;
+    QXmlStreamReader reader(QByteArray::fromStdString(svg));
+    std::vector<QPointF> shifts = {{0.0, 0.0}};
+    while (!reader.atEnd()) {
+        const auto token = reader.readNext();
+        if (token == QXmlStreamReader::StartElement) {
+            const auto matrix = reader.attributes().value("transform").toString();
+            const QStringList parts = matrix.mid(7).chopped(matrix.isEmpty() ? 0 : 1).split(',');
+            const QPointF shift =
+                parts.size() == 6 ? QPointF(parts[4].toDouble(), parts[5].toDouble()) : QPointF(0.0, 0.0);
+            shifts.push_back(shifts.back() + shift);
+            if (reader.name() == QLatin1String("text")) {
+                const QPointF at(reader.attributes().value("x").toDouble(),
+                                 reader.attributes().value("y").toDouble());
+                const QPointF from = shifts.back();
+                places[reader.readElementText().trimmed().toStdString()] = from + at;
+                shifts.pop_back();
+            }
+        } else if (token == QXmlStreamReader::EndElement) {
+            shifts.pop_back();
+        }
+    }
+    return places;
+}
+
+// Crossings of a sampled loop crowd below its Nyquist frequency: more than the four places of a line.
+TEST(FigureSvg, labelsOfLinesThatStandCloseTogetherDoNotOverlap) {
+    Figure figure = stepFigure(2);
+    figure.panels.resize(1);
+    figure.panels[0].curves = {{{}, {0.0, 3.0}, {0.0, 1.0}, CurveStyle::Line, {}}};
+    figure.panels[0].lines.clear();
+    std::vector<std::string> labels;
+    for (int i = 0; i < 9; ++i) {
+        labels.push_back("margin " + std::to_string(i));
+        figure.panels[0].lines.push_back(
+            {ReferenceLine::Direction::Vertical, 2.9 + 0.01 * i, labels.back(), i > 0});
+    }
+    const auto svg = draw(figure);
+    ASSERT_TRUE(svg);
+    const auto places = placesOfTexts(*svg);
+    for (const std::string& one : labels) {
+        ASSERT_TRUE(places.count(one)) << one;
+        for (const std::string& other : labels) {
+            if (one < other) {
+                const QPointF apart = places.at(one) - places.at(other);
+                // Ten characters of 12 px are some 60 px wide, a row is 14 px high.
+                EXPECT_TRUE(std::abs(apart.y()) >= 13.0 || std::abs(apart.x()) >= 50.0) << one << other;
+            }
+        }
+    }
 }
 
 } // namespace

@@ -34,6 +34,12 @@ TEST_F(UnbrokenTest, staysInOneLineWhereItsPlainWordsDoNot) {
     }
 }
 
+TEST_F(UnbrokenTest, aSentenceIsWrappedBetweenItsWordsButNotBeforeAUnit) {
+    const QString kept = withUnitsKept(QStringLiteral("coils up to 68.9 \u00b0C, 4 A at 3 s, 5 samples"));
+    EXPECT_TRUE(kept.contains(QStringLiteral("68.9\u00a0\u00b0C, 4\u00a0A at 3\u00a0s, 5 samples")));
+    EXPECT_EQ(lines(kept), 9); // coils - up - to - 68.9 C, - 4 A - at - 3 s, - 5 - samples
+}
+
 TEST_F(UnbrokenTest, readsAsItDid) {
     QString read = unbroken(QStringLiteral("382 1/min"));
     read.remove(QChar(0x2060));
