@@ -6190,6 +6190,34 @@
         <source>compare gains of one board</source>
         <translation>Reglerparameter eines einzigen Steuergeräts vergleichen</translation>
     </message>
+    <message>
+        <source>the gains were found for the {} &apos;{}&apos;, this device is the {} &apos;{}&apos;</source>
+        <translation>die Reglerparameter wurden für {} „{}“ gefunden, dieses Gerät ist {} „{}“</translation>
+    </message>
+    <message>
+        <source>the gains were found for &apos;{}&apos; with other overrides than this device has</source>
+        <translation>die Reglerparameter wurden für „{}“ mit anderen Abweichungen gefunden, als dieses Gerät sie hat</translation>
+    </message>
+    <message>
+        <source>the gains are for {} s with {} samples of delay, this device has {} s and {}: they are judged as they would run on it</source>
+        <translation>die Reglerparameter sind für {} s mit {} Abtastungen Totzeit, dieses Gerät hat {} s und {}: sie werden beurteilt, wie sie auf ihm liefen</translation>
+    </message>
+    <message>
+        <source>design them for the timing of this device</source>
+        <translation>entwerfen Sie sie für die Abtastung dieses Geräts</translation>
+    </message>
+    <message>
+        <source>{}; nothing was written</source>
+        <translation>{}; nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>these gains are refused; nothing was written</source>
+        <translation>diese Reglerparameter sind abgelehnt; nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>see their findings</source>
+        <translation>siehe ihre Befunde</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -13354,6 +13382,26 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>What a load that appears at once does to the angle</source>
         <translation>Was eine Last, die plötzlich auftritt, mit dem Winkel macht</translation>
+    </message>
+    <message>
+        <source>Open gains</source>
+        <translation>Reglerparameter öffnen</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>Gains of %1.</source>
+        <translation>Reglerparameter aus %1.</translation>
+    </message>
+    <message>
+        <source>Open gains…</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Gains of a file become the proposed ones; they are judged for this motor before they can be applied</source>
+        <translation>Die Reglerparameter einer Datei werden die vorgeschlagenen; sie werden für diesen Motor beurteilt, bevor sie angewendet werden können</translation>
     </message>
 </context>
 <context>

@@ -6190,6 +6190,34 @@
         <source>compare gains of one board</source>
         <translation>请比较同一控制板的增益</translation>
     </message>
+    <message>
+        <source>the gains were found for the {} &apos;{}&apos;, this device is the {} &apos;{}&apos;</source>
+        <translation>这些增益是为 {} “{}”求得的，而此设备是 {} “{}”</translation>
+    </message>
+    <message>
+        <source>the gains were found for &apos;{}&apos; with other overrides than this device has</source>
+        <translation>这些增益是为“{}”求得的，其覆盖参数与此设备不同</translation>
+    </message>
+    <message>
+        <source>the gains are for {} s with {} samples of delay, this device has {} s and {}: they are judged as they would run on it</source>
+        <translation>这些增益适用于 {} s 和 {} 个采样的时延，而此设备为 {} s 和 {}：按其在此设备上运行的情形评判</translation>
+    </message>
+    <message>
+        <source>design them for the timing of this device</source>
+        <translation>请按此设备的时序进行设计</translation>
+    </message>
+    <message>
+        <source>{}; nothing was written</source>
+        <translation>{}；未写入任何内容</translation>
+    </message>
+    <message>
+        <source>these gains are refused; nothing was written</source>
+        <translation>这些增益被拒绝；未写入任何内容</translation>
+    </message>
+    <message>
+        <source>see their findings</source>
+        <translation>请查看其结论</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -13342,6 +13370,26 @@ A real device has its own time.</source>
     <message>
         <source>What a load that appears at once does to the angle</source>
         <translation>突然出现的负载对角度的影响</translation>
+    </message>
+    <message>
+        <source>Open gains</source>
+        <translation>打开增益</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>打开 %1</translation>
+    </message>
+    <message>
+        <source>Gains of %1.</source>
+        <translation>来自 %1 的增益。</translation>
+    </message>
+    <message>
+        <source>Open gains…</source>
+        <translation>打开增益…</translation>
+    </message>
+    <message>
+        <source>Gains of a file become the proposed ones; they are judged for this motor before they can be applied</source>
+        <translation>文件中的增益成为建议的增益；应用之前会针对这台电机进行评判</translation>
     </message>
 </context>
 <context>

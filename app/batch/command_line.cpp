@@ -201,6 +201,8 @@ void addTuningCommands(CLI::App& app, CommandOptions& options) {
         ->type_name("DEG");
     tune->add_option("--relay", options.relayFile, "Ziegler-Nichols: ultimate gain and period as measured")
         ->type_name("RELAY.json");
+    tune->add_option("--gains", options.gainsFile, "Judge and apply these instead of designing some")
+        ->type_name("GAINS.json");
     addCalibration(tune, options);
     tune->add_option("--apply", options.applyDevice, "Write the gains to this device")->type_name("DEVICE");
     tune->add_flag("--live", options.isLive, "With --apply: in small steps, each proved by a move");

@@ -53,9 +53,13 @@ struct CommandOptions {
     std::string excitation, fromFrequency, toFrequency, base, amplitude, periods, coherence;
     std::string method;
     std::string zeta, omega, bandwidth, phaseMargin;
-    std::string maxSensitivity, currentLimit, limitedStep; ///< --max-sensitivity, --current-limit-a, --step-deg
-    std::string gainsFile;
-    std::string calibrationFile; ///< tune, analyse --calibration CAL.json
+    std::string maxSensitivity, currentLimit,
+        limitedStep;                   ///< --max-sensitivity, --current-limit-a, --step-deg
+    std::string gainsFile;             ///< analyse GAINS.json, tune --gains
+    std::string form;                  ///< tune --form
+    std::vector<std::string> pictures; ///< tune, analyse --picture VIEW=FILE
+    std::string load;                  ///< tune, analyse --disturbance A
+    std::string calibrationFile;       ///< tune, analyse --calibration CAL.json
     std::string bodeFile, stepFile, polesFile;
     std::string codeFile;              ///< tune, analyse --code
     std::vector<std::string> compared; ///< analyse --compare

@@ -1,88 +1,21 @@
 #include "app/batch/command_support.h"
-#include "app/batch/judgement_text.h"
+#include "app/batch/gains_judgement.h"
 #include "app/batch/law_code.h"
 #include "app/batch/loop_conditions.h"
-#include "app/batch/model_file.h"
 #include "app/batch/numbers.h"
 #include "app/batch/relay_document.h"
 #include "app/batch/result_documents.h"
-#include "control/base/units.h"
-#include "control/design/design_targets.h"
+#include "app/batch/tuning_apply.h"
+#include "app/batch/tuning_text.h"
 #include "devices/device_uri.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace halbench::app {
 
 namespace {
-
-/// What `tune` starts from: a model file, or a device that it identifies first and keeps open.
-struct TuningSource {
-    MotorEstimate estimate;
-    ResultHeader header;
-    LoopConditions conditions;
-    std::unique_ptr<devices::Device> device;
-};
-
-Result<TuningSource> sourceFromFile(const CommandContext& context, const std::string& path) {
-    Result<ModelFile> model = readModelFile(path);
-    if (!model) {
-        return failure(model.error());
-    }
-    TuningSource source;
-    source.estimate = std::move(model->estimate);
-    source.header = headerFor(context, "halbench.gains/1");
-    source.header.device = model->device;
-    source.header.seed = context.global.seed.value_or(model->seed);
-    const Result<LoopConditions> conditions = loopConditionsOf(model->device ? model->device->model : "");
-    if (!conditions) {
-        return failure(conditions.error());
-    }
-    source.conditions = *conditions;
-    return source;
-}
-
-/// A target that no motor can have, or not on this board, is refused before one is moved to be identified.
-Result<void> checkBeforeMotion(const TuneConfig& config, const LoopConditions& conditions) {
-    const auto& methods = control::designMethods();
-    const auto method = std::find_if(methods.begin(), methods.end(),
-                                     [&](const auto& known) { return known.name == config.method; });
-    const auto targets = targetsOnBoard(config.method, config.targets, conditions);
-    return targets ? control::checkTargets(*method, conditions.timing, *targets) : failure(targets.error());
-}
-
-Result<TuningSource> sourceFromDevice(CommandContext& context, const CommandOptions& options,
-                                      const TuneConfig& wanted) {
-    Result<IdentifyConfig> config = identifyConfigFrom(options);
-    if (!config) {
-        return failure(config.error());
-    }
-    Result<std::unique_ptr<devices::Device>> device = openToMove(context, options.device);
-    if (!device) {
-        return failure(device.error());
-    }
-    TuningSource source;
-    source.header = headerFor(context, "halbench.gains/1", **device);
-    config->seed = source.header.seed;
-    const Result<LoopConditions> conditions = loopConditionsOf(**device);
-    if (!conditions) {
-        return failure(conditions.error());
-    }
-    if (const Result<void> possible = checkBeforeMotion(wanted, *conditions); !possible) {
-        return failure(possible.error());
-    }
-    source.conditions = *conditions;
-    const Result<IdentifyResult> identified = runIdentify(**device, *config, observerFor(context));
-    if (!identified) {
-        return failure(identified.error());
-    }
-    source.estimate = motorEstimate(*identified);
-    source.device = *std::move(device);
-    return source;
-}
 
 Result<std::optional<double>> target(const std::string& option, const std::string& text) {
     const Result<std::optional<double>> value = optionalNumber(option, text);
@@ -118,136 +51,45 @@ Result<control::DesignTargets> targetsFrom(const CommandOptions& options) {
     return targets;
 }
 
-std::string boundLine(const char* name, const control::BoundUse& use, const char* unit) {
-    return fmt::format("{:<26} {:.4g}{} of {:.4g}{}: {}\n", name, use.value, unit, use.bound, unit,
-                       use.isActive() ? "at its bound" : "the bound is not reached");
-}
-
-/// Which of them keeps the error from being less.
-std::string boundLines(const control::LeastErrorBounds& bounds) {
-    std::string text = boundLine("bound on Ms", bounds.sensitivity, "");
-    if (bounds.current) {
-        const std::string name = fmt::format("step of {:.4g} deg", radiansToDegrees(bounds.step_rad));
-        text += boundLine(name.c_str(), *bounds.current, " A");
+/// What --gains holds is not designed. Nothing without it.
+Result<std::optional<GainsFile>> gainsOf(const CommandOptions& options) {
+    if (options.gainsFile.empty()) {
+        return std::optional<GainsFile>();
     }
-    return text;
-}
-
-std::string gainsText(const TuneResult& result) {
-    std::string text = fmt::format("method {}\n", result.method);
-    const JsonValue body = gainsBody(result);
-    for (const JsonMember& gain : body.find("gains")->members()) {
-        if (gain.value.isObject()) {
-            text += fmt::format("{:<26} {:.6g} {}\n", gain.key, gain.value.find("value")->number(),
-                                gain.value.find("unit")->text());
+    for (const std::string* designing :
+         {&options.method, &options.zeta, &options.omega, &options.bandwidth, &options.phaseMargin,
+          &options.maxSensitivity, &options.currentLimit, &options.limitedStep, &options.relayFile}) {
+        if (!designing->empty()) {
+            return failure(ErrorCode::Usage,
+                           "--gains holds the gains: --method, its targets and --relay would design others",
+                           "leave out one or the other");
         }
     }
-    const AnalysisResult& predicted = result.predicted;
-    text += fmt::format("{}, gain margin {:.3g}, phase margin {:.4g} deg\n",
-                        predicted.isStable ? "stable" : "UNSTABLE", predicted.margins.gainMargin_ratio,
-                        predicted.margins.phaseMargin_deg);
-    text += fmt::format("delay margin {:.3g} ms\n", 1e3 * predicted.margins.delayMargin_s);
-    text += proofLines(result);
-    text += result.bounds ? boundLines(*result.bounds) : std::string();
-    return text + cycleLines(result) + intervalLines(result.robust) + loopFindingLines(result.quality, true);
+    Result<GainsFile> gains = readGainsFile(options.gainsFile);
+    return gains ? Result<std::optional<GainsFile>>(*std::move(gains)) : failure(gains.error());
 }
 
-std::string agreementLine(const ApplyResult& applied) {
-    if (!applied.band || !applied.verification) {
-        return {};
+/// Designed, or as the file has them; those are judged in the loop that they were found for.
+Result<TuneResult> findGains(const CommandOptions& options, const TuningSource& source,
+                             const TuneConfig& config) {
+    if (!source.gains) {
+        return runTune(source.estimate, config);
     }
-    return fmt::format(
-        "at rest {:.3g} deg from the set-point (allowed {:.3g}, friction band {:.3g}), "
-        "at most {:.3g} deg off the prediction, at {:.3g} s\n",
-        radiansToDegrees(std::abs(applied.verification->measured.finalError_rad)),
-        radiansToDegrees(applied.band->allowed_rad), radiansToDegrees(applied.band->friction_rad),
-        radiansToDegrees(std::abs(applied.band->largestOff_rad)), applied.band->largestOffTime_s);
-}
-
-/// A real device does not get the gains of another motor without a word of its user; a simulated one cannot
-/// be harmed.
-Result<void> admitMotor(const CommandOptions& options, const std::optional<devices::DeviceInfo>& identified,
-                        const devices::DeviceInfo& device) {
-    const std::optional<Finding> foreign = foreignMotor(identified, device);
-    if (!foreign || device.isSimulated || options.takesForeignModel) {
-        return {};
+    LoopConditions conditions = source.conditions;
+    conditions.timing = source.device ? conditions.timing : source.gains->timing;
+    auto judged = judgeGains(*source.gains, source.estimate, conditions, config.seed);
+    if (!judged) {
+        return failure(judged.error().code, options.gainsFile + ": " + judged.error().message,
+                       judged.error().hint);
     }
-    return failure(ErrorCode::ConsentMissing, "--apply: " + foreign->message,
-                   foreign->hint + ", or repeat the command with --foreign-model");
-}
-
-/// The device of --apply. What it is not of this motor stands among the findings of the result.
-Result<void> openToApply(CommandContext& context, const CommandOptions& options, TuningSource& source,
-                         TuneResult& result) {
-    if (options.applyDevice.empty() || (source.device && options.applyDevice == options.device)) {
-        return {};
+    if (const auto timing = otherTiming(source.gains->timing, conditions.timing)) {
+        addFinding(*judged, *timing);
     }
-    Result<std::unique_ptr<devices::Device>> device =
-        openToMove(context, options.applyDevice, [&](const devices::DeviceInfo& opened) {
-            return admitMotor(options, source.header.device, opened);
-        });
-    if (!device) {
-        return failure(device.error());
+    const auto& motor = source.header.device;
+    if (const auto foreign = motor ? foreignGains(*source.gains, *motor) : std::nullopt) {
+        addFinding(*judged, *foreign);
     }
-    source.device = *std::move(device);
-    if (const std::optional<Finding> foreign = foreignMotor(source.header.device, source.device->info())) {
-        if (!options.out.empty()) { // else it stands among what is printed
-            context.console.log(LogLevel::Warning, foreign->message + "; " + foreign->hint);
-        }
-        result.quality.findings.push_back(*foreign);
-        result.warnings.push_back(*foreign);
-    }
-    return {};
-}
-
-/// An apply as it is printed and written.
-struct AppliedGains {
-    ApplyResult result;
-    JsonValue body;
-    std::string steps; ///< lines about them; empty: at once
-};
-
-Result<AppliedGains> applyInSteps(CommandContext& context, TuningSource& source, const TuneResult& result) {
-    if (const Result<void> kept = backUp(context, *source.device); !kept) {
-        return failure(kept.error());
-    }
-    const Result<LoopConditions> conditions = loopConditionsOf(*source.device); // its delay, its limit
-    if (!conditions) {
-        return failure(conditions.error());
-    }
-    LiveApplyConfig config;
-    config.target = result.law;
-    config.motor = source.estimate;
-    config.conditions = *conditions;
-    config.conditions.stray = source.conditions.stray; // with its calibration
-    config.draws.seed = source.header.seed;
-    Result<LiveApplyResult> applied = runLiveApply(*source.device, config, observerFor(context));
-    if (!applied) {
-        return failure(applied.error());
-    }
-    const auto within = std::count_if(applied->steps.begin(), applied->steps.end(),
-                                      [](const LiveStepResult& step) { return step.isWithin; });
-    return AppliedGains{
-        applied->apply, liveApplyBody(*applied),
-        fmt::format("{} of {} steps went within the predicted band\n", within, applied->plannedSteps)};
-}
-
-Result<AppliedGains> applyGains(CommandContext& context, TuningSource& source, const TuneResult& result) {
-    Result<std::vector<ParameterValue>> values = lawForDevice(result.law, source.device->catalogue());
-    if (!values) {
-        return failure(values.error());
-    }
-    if (const Result<void> kept = backUp(context, *source.device); !kept) {
-        return failure(kept.error());
-    }
-    ApplyConfig config;
-    config.values = *std::move(values);
-    config.verification = stepVerification(source.estimate);
-    Result<ApplyResult> applied = runApply(*source.device, config, observerFor(context));
-    if (!applied) {
-        return failure(applied.error());
-    }
-    return AppliedGains{*applied, applyBody(*applied), {}};
+    return judged;
 }
 
 /// Method and targets, judged before anything moves.
@@ -310,12 +152,17 @@ CommandResult runTuneCommand(CommandContext& context, const CommandOptions& opti
     if (!config) {
         return failure(config.error());
     }
+    Result<std::optional<GainsFile>> gains = gainsOf(options);
+    if (!gains) {
+        return failure(gains.error());
+    }
     const bool isDevice = devices::parseDeviceUri(options.device).has_value();
     Result<TuningSource> source =
         isDevice ? sourceFromDevice(context, options, *config) : sourceFromFile(context, options.device);
     if (!source) {
         return failure(source.error());
     }
+    source->gains = *std::move(gains);
     if (const Result<void> taken = takeCalibration(source->conditions, options.calibrationFile); !taken) {
         return failure(taken.error());
     }
@@ -325,19 +172,18 @@ CommandResult runTuneCommand(CommandContext& context, const CommandOptions& opti
     if (!foreign) {
         return failure(foreign.error());
     }
-    Result<TuneResult> result = runTune(source->estimate, *config);
+    Result<TuneResult> result = findGains(options, *source, *config);
     if (!result) {
         return failure(result.error());
     }
     if (*foreign) {
-        result->quality.findings.push_back(**foreign);
-        result->warnings.push_back(**foreign);
+        addFinding(*result, **foreign);
     }
     const Result<void> opened = openToApply(context, options, *source, *result);
     if (!opened) {
         return failure(opened.error());
     }
-    if (const auto coded = writeLaw(options.codeFile, result->law, source->conditions,
+    if (const auto coded = writeLaw(options.codeFile, result->law, result->conditions,
                                     {result->method, source->header.device});
         !coded) {
         return failure(coded.error());

@@ -240,6 +240,8 @@ Result<GainsFile> parseGains(const std::string& text, const std::string& origin)
     file.method = textIn(&*root, "method");
     file.targets = targetsOf(member(&*root, "targets"));
     file.started = textIn(&*root, "started");
+    const JsonValue* device = reader.find("device", false);
+    file.device = device != nullptr && device->isObject() ? readDevice(reader) : std::nullopt;
     if (reader.error()) {
         return failure(*reader.error());
     }

@@ -25,7 +25,8 @@ struct GainsFile {
     control::LoopTiming timing;
     std::string method; ///< how they were found; empty: not said
     control::DesignTargets targets;
-    std::string started; ///< when they were found, as the file says it
+    std::string started;                            ///< when they were found, as the file says it
+    std::optional<devices::DeviceInfo> device = {}; ///< for which; absent: not said
 };
 
 /// What tuning needs of CAL.json as `calibrate --out` wrote it.

@@ -92,6 +92,7 @@ void TunePanel::connectParts() {
     connect(m_keep, &QPushButton::clicked, this, &TunePanel::keep);
     connect(m_restore, &QPushButton::clicked, this, &TunePanel::restore);
     connect(m_save, &QPushButton::clicked, this, &TunePanel::saveGains);
+    connect(m_open, &QPushButton::clicked, this, &TunePanel::openGains);
     connect(m_measure, &QPushButton::clicked, this, &TunePanel::chooseMeasured);
     connectWhatIf();
     m_decision.setSingleShot(true);

@@ -142,6 +142,8 @@ private:
     void refreshHistory();
     void keepDesign();
     void takeUp(int kept);
+    void openGains();
+    void takeFromFile(const QString& path, const Result<GainsFile>& gains);
     void compareDesigns();
     void forgetJudgements();
     void showDesigns();
@@ -204,6 +206,7 @@ private:
     LatestTask m_sketching; ///< what can be drawn at once
     LatestTask m_judging;   ///< the rest
     LatestTask m_comparing; ///< the kept designs
+    LatestTask m_opening;   ///< a file of gains
     LatestTask m_spreading; ///< the band of the large step, which takes longest
     LatestTask m_recalling; ///< whether a verification move is explained
     LatestTask m_replaying; ///< the band of the same move with the proposed gains
@@ -255,6 +258,7 @@ private:
     QPushButton* m_keep = nullptr;
     QPushButton* m_restore = nullptr;
     QPushButton* m_save = nullptr;
+    QPushButton* m_open = nullptr;
     QPushButton* m_measure = nullptr;
     WhatIfPage* m_whatIfPage = nullptr;
     widgets::ProgressRow* m_progress = nullptr;

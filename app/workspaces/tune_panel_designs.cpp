@@ -1,4 +1,5 @@
 // The named designs of the Tune panel: kept, compared, drawn beside the proposed one.
+#include "app/batch/gains_judgement.h"
 #include "app/batch/result_documents.h"
 #include "app/report/disturbance_figure.h"
 #include "app/report/tuning_figures.h"
@@ -7,7 +8,10 @@
 #include "app/workspaces/tune_panel.h"
 #include "control/base/assert.h"
 #include "widgets/figure_view.h"
+#include "widgets/message_bar.h"
 #include "widgets/phrasebook.h"
+
+#include <QFileInfo>
 
 #include <utility>
 
@@ -74,6 +78,38 @@ void TunePanel::takeUp(int kept) {
     record(
         tr("Take up %1").arg(QString::fromStdString(m_designs.all()[static_cast<std::size_t>(kept)].name)));
     ask();
+}
+
+/// As `tune --gains` takes them: what is found of their device and timing is told, and the judgement of
+/// everything that is proposed decides whether they may be applied.
+void TunePanel::openGains() {
+    const QString path = m_chooser.open(this, {tr("Open gains"), {}, tr("Gains (*.json)")});
+    if (path.isEmpty()) {
+        return;
+    }
+    m_opening.run([path] { return readGainsFile(path.toStdString()); },
+                  [this, path](const Result<GainsFile>& gains) { takeFromFile(path, gains); });
+}
+
+void TunePanel::takeFromFile(const QString& path, const Result<GainsFile>& gains) {
+    if (!gains) {
+        showError(gains.error());
+        return;
+    }
+    m_shaping.reset();
+    useEdited(gains->law);
+    record(tr("Open %1").arg(QFileInfo(path).fileName()));
+    ask();
+    const DeviceSession& session = m_bench.session();
+    const bool isConnected = session.state() == SessionState::Connected;
+    const auto foreign = isConnected ? foreignGains(*gains, session.info()) : std::nullopt;
+    const auto timing = otherTiming(gains->timing, m_conditions.timing);
+    QStringList remarks;
+    for (const std::optional<Finding>& finding : {foreign, timing}) {
+        remarks += finding ? QStringList(widgets::inWords(finding->message)) : QStringList();
+    }
+    const auto severity = remarks.empty() ? widgets::Severity::Information : widgets::Severity::Warning;
+    m_message->showMessage({severity, tr("Gains of %1.").arg(path), remarks.join(QStringLiteral("; ")), {}});
 }
 
 /// Judges what was not judged for this motor in these surroundings yet.

@@ -96,15 +96,19 @@ QWidget* TunePanel::buildButtons() {
     m_keep = new QPushButton(bar);
     m_restore = new QPushButton(bar);
     m_save = new QPushButton(bar);
+    m_open = new QPushButton(bar);
     widgets::setRole(*m_apply, widgets::Role::Primary);
     m_restore->setIcon(widgets::themedIcon(QStringLiteral("revert")));
     m_save->setIcon(widgets::themedIcon(QStringLiteral("save")));
+    m_open->setIcon(widgets::themedIcon(QStringLiteral("open")));
     grid->addWidget(m_apply, 0, 0);
     grid->addWidget(m_save, 0, 1);
+    grid->addWidget(m_open, 0, 2);
     grid->addWidget(m_keep, 1, 0);
     grid->addWidget(m_restore, 1, 1);
-    grid->setColumnStretch(2, 1);
+    grid->setColumnStretch(3, 1);
     m_save->hide();
+    m_open->hide();
     return bar;
 }
 
@@ -180,6 +184,9 @@ void TunePanel::refreshWords() {
            "in the device, in the Parameters panel, keeps them longer"));
     say(*m_restore, tr("Restore"), tr("The gains from before run again"));
     say(*m_save, tr("Save gains\u2026"), tr("Write the file that the program's analyse reads"));
+    say(*m_open, tr("Open gains\u2026"),
+        tr("Gains of a file become the proposed ones; they are judged for this motor before they can be "
+           "applied"));
     refreshOutlook();
     refreshMeasuredWords();
     refreshHistory();

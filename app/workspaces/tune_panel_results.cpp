@@ -376,6 +376,7 @@ void TunePanel::saveGains() {
 void TunePanel::setFileChooser(FileChooser chooser) {
     m_chooser = std::move(chooser);
     m_save->setVisible(bool(m_chooser.save));
+    m_open->setVisible(bool(m_chooser.open));
     m_measure->setVisible(bool(m_chooser.open));
 }
 

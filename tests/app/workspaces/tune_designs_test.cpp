@@ -1,6 +1,7 @@
 #include "app/workspaces/design_table.h"
 #include "tests/app/workspaces/tune_panel_fixture.h"
 
+#include <QFile>
 #include <QLineEdit>
 #include <QTableWidget>
 
@@ -131,6 +132,37 @@ TEST_F(TuneDesignsTest, aDesignWithoutFiguresSaysWhy) {
     type("gain.kp", "0");
     EXPECT_TRUE(wait([&] { return cell(0, "Closed loop").startsWith("not judged: "); }))
         << cell(0, "Closed loop").toStdString();
+}
+
+// As tune --gains: the file's gains are proposed, judged like any others, and what is odd of them is said.
+TEST_F(TuneDesignsTest, gainsOfAFileBecomeTheProposedOnesAndTheirDeviceIsNamed) {
+    connectMotor("sim:htm?seed=4", 0.0);
+    const QString path = m_folder.filePath("other.json");
+    const auto writeGains = [&](const QByteArray& id, const QByteArray& proportional) {
+        QFile file(path);
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write("{\"schema\": \"halbench.gains/1\", \"form\": \"parallel\", \"sample_period_s\": 0.01, "
+                   "\"device\": {\"model\": \"htm\", \"id\": \"" +
+                   id +
+                   "\", \"firmware\": \"x\", \"simulated\": true, \"overrides\": {}}, "
+                   "\"gains\": {\"kp\": {\"value\": " +
+                   proportional + "}, \"ki\": {\"value\": 50}, \"kd\": {\"value\": 1.2}}}");
+    };
+    panel.setFileChooser({{}, [&](QWidget*, const FileQuestion&) { return path; }});
+    writeGains("B2", "35");
+    click(panel, "Open gains\u2026");
+    ASSERT_TRUE(wait([&] { return bench.design() && bench.design()->law.gains.proportional == 35.0; }));
+    EXPECT_EQ(bench.design()->law.gains.derivative, 1.2);
+    EXPECT_TRUE(message().contains("other.json")) << message().toStdString();
+    const auto& told = panel.findChild<widgets::MessageBar*>()->message();
+    EXPECT_EQ(told.severity, widgets::Severity::Warning);
+    EXPECT_TRUE(told.remedy.contains("B2")) << told.remedy.toStdString();
+    writeGains("B2", "1e999"); // is no number
+    click(panel, "Open gains\u2026");
+    ASSERT_TRUE(wait([&] {
+        return panel.findChild<widgets::MessageBar*>()->message().severity == widgets::Severity::Error;
+    }));
+    EXPECT_EQ(bench.design()->law.gains.proportional, 35.0);
 }
 
 } // namespace

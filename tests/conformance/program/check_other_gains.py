@@ -3,6 +3,7 @@
     python3 check_other_gains.py build/release/halbench [OtherGains[.case]]
 """
 import csv
+import json
 import sys
 import unittest
 
@@ -62,6 +63,40 @@ class OtherGains(ProgramCase):
         self.assertEqual(sorted(kp), kp)
         self.assertAlmostEqual(kp[-1], answer.json()["gains"]["kp"]["value"], delta=1e-4)  # single precision
         self.refuse(2, "--apply", "tune", "m.json", "--live")
+
+    def test_gains_of_a_file_are_judged_and_applied_like_designed_ones(self):
+        self.prepare()
+        designed = self.accept("tune", "m.json", "--apply", "sim:htm?seed=3", "--json")
+        from_file = self.accept("tune", "m.json", "--gains", "g.json", "--apply", "sim:htm?seed=3", "--json")
+        self.assertEqual(from_file.out, designed.out, "the same gains, the same proof, the same move")
+        walked = self.accept("tune", "m.json", "--gains", "g.json", "--apply", "sim:htm?seed=3", "--live", "--json")
+        self.assertEqual(walked.json()["applied"]["after"], designed.json()["applied"]["after"])
+
+    def test_gains_of_a_file_that_cannot_be_applied(self):
+        self.prepare()
+        with open(self.path("g.json"), encoding="utf-8") as file:
+            good = json.load(file)
+        bad = json.loads(json.dumps(good))
+        bad["gains"]["kp"]["value"] = 200.0    # no derivative action holds that: unstable
+        self.write("bad.json", json.dumps(bad))
+        answer = self.refuse(1, "unstable.*nothing was written", "tune", "m.json", "--gains", "bad.json", "--apply", "sim:htm?seed=3")
+        self.assertNotIn("Verif", answer.err)
+        shown = self.run_program("tune", "m.json", "--gains", "bad.json", "--json")
+        self.assertEqual((shown.code, shown.json()["data_quality"]["verdict"]), (1, "refused"), "shown, not applied")
+        for number in ("NaN", "1e999", "null", '"40"'):
+            text = json.dumps(good).replace(json.dumps(good["gains"]["kp"]["value"]), number, 1)
+            self.write("none.json", text)
+            self.refuse(2, r"none\.json", "tune", "m.json", "--gains", "none.json", "--apply", "sim:htm?seed=3")
+        self.refuse(2, "--gains.*--method", "tune", "m.json", "--gains", "g.json", "--method", "lqr")
+        self.refuse(2, r"lost\.json", "tune", "m.json", "--gains", "lost.json")
+        other = json.loads(json.dumps(good))
+        other["device"]["id"] = "sim-htm-9"
+        self.write("other.json", json.dumps(other))
+        told = self.accept("tune", "m.json", "--gains", "other.json", "--json").json()
+        self.assertIn("other_device", [warning["code"] for warning in told["warnings"]])
+        _, uri = self.serve()
+        self.accept("identify", "sim:htm?seed=1", "--out", "n.json", timeout=110)
+        self.refuse(2, "sim-htm-9.*--foreign-model", "tune", "n.json", "--gains", "other.json", "--apply", uri, "--arm")
 
     def test_a_motor_that_moves_otherwise_keeps_its_gains(self):
         self.prepare()

@@ -1,0 +1,155 @@
+#include "app/batch/gains_judgement.h"
+#include "app/batch/output_file.h"
+#include "app/batch/result_documents.h"
+#include "app/batch/tuning_apply.h"
+#include "app/batch/tuning_source.h"
+#include "app/batch/tuning_text.h"
+
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+
+namespace halbench::app {
+namespace {
+
+/// The published motor, known to about 2 %.
+MotorEstimate published() {
+    MotorEstimate estimate;
+    estimate.values = {{"J", 5.5e-4}, {"c", 1.23e-3}, {"Kf", 2.05e-2}, {"phi", 1.43e-2}};
+    estimate.covarianceNames = {"c", "phi"};
+    estimate.covariance = {{6e-10, 0.0}, {0.0, 2e-8}};
+    return estimate;
+}
+
+TuneResult designed(const std::string& method) {
+    TuneConfig config;
+    config.method = method;
+    return *runTune(published(), config);
+}
+
+/// As it would be read again.
+GainsFile asFile(const TuneResult& result) {
+    const auto text = toJsonText(gainsDocument({}, result));
+    EXPECT_TRUE(text);
+    const auto file = parseGains(*text, "g.json");
+    EXPECT_TRUE(file) << file.error().message;
+    return *file;
+}
+
+// A file of tune's own, judged in the loop it was found for, promises what was promised when it was written.
+TEST(GainsJudgement, gainsOfAFileAreJudgedAsWhenTheyWereDesigned) {
+    const TuneResult own = designed("recommended");
+    const auto judged = judgeGains(asFile(own), published(), own.conditions, 1);
+    ASSERT_TRUE(judged) << judged.error().message;
+    EXPECT_EQ(toJsonText(gainsBody(*judged)), toJsonText(gainsBody(own)));
+    EXPECT_TRUE(checkJudgement(*judged));
+}
+
+TEST(GainsJudgement, anUnstableLoopIsRefusedWhateverItsFileCallsIt) {
+    GainsFile file = asFile(designed("published"));
+    const LoopConditions conditions;
+    file.law.gains.proportional = 100.0; // the sampled limit is 17.27 A/rad
+    const auto judged = judgeGains(file, published(), conditions, 1);
+    ASSERT_TRUE(judged);
+    EXPECT_EQ(judged->quality.verdict, Verdict::Refused);
+    const auto allowed = checkJudgement(*judged);
+    ASSERT_FALSE(allowed);
+    EXPECT_EQ(allowed.error().code, ErrorCode::Refused);
+    EXPECT_NE(allowed.error().message.find("nothing was written"), std::string::npos);
+    // The preset itself, asked for by name, shows what the theory says of it: as tune --method does.
+    const auto preset = judgeGains(asFile(designed("published-degrees")), published(), conditions, 1);
+    ASSERT_TRUE(preset);
+    EXPECT_FALSE(preset->predicted.isStable);
+    EXPECT_EQ(preset->quality.verdict, Verdict::Doubtful);
+}
+
+TEST(GainsJudgement, theDeviceThatTheGainsAreForIsCompared) {
+    GainsFile file;
+    devices::DeviceInfo here;
+    here.model = "htm";
+    here.id = "A7";
+    EXPECT_FALSE(foreignGains(file, here)); // a file that names none
+    file.device = here;
+    EXPECT_FALSE(foreignGains(file, here));
+    file.device->id = "B2";
+    const auto found = foreignGains(file, here);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->code, "other_device");
+    EXPECT_EQ(found->message, "the gains were found for the htm 'B2', this device is the htm 'A7'");
+}
+
+TEST(GainsJudgement, anotherTimingIsTold) {
+    EXPECT_FALSE(otherTiming({0.01, 1}, {0.01, 1}));
+    const auto found = otherTiming({0.01, 0}, {0.01, 2});
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->code, "other_timing");
+    TuneResult result;
+    addFinding(result, *found);
+    EXPECT_EQ(result.warnings.size(), 1U);
+    EXPECT_EQ(result.quality.findings.size(), 1U);
+}
+
+TEST(GainsJudgement, aNumberThatIsNoneNeverBecomesAGain) {
+    const auto text = toJsonText(gainsDocument({}, designed("recommended")));
+    ASSERT_TRUE(text);
+    const std::size_t at = text->find("\"value\": ", text->find("\"kp\"")) + 9;
+    const std::size_t end = text->find_first_of(",}\n", at);
+    for (const char* number : {"NaN", "Infinity", "1e999", "null", "\"40\"", "-1e999"}) {
+        std::string wrong = *text;
+        wrong.replace(at, end - at, number);
+        const auto file = parseGains(wrong, "g.json");
+        ASSERT_FALSE(file) << number;
+        EXPECT_EQ(file.error().code, ErrorCode::InvalidInput) << number;
+        EXPECT_NE(file.error().message.find("g.json"), std::string::npos) << file.error().message;
+    }
+}
+
+TEST(TuningText, namesTheMethodTheGainsAndTheMargins) {
+    const std::string text = gainsText(designed("recommended"));
+    EXPECT_EQ(text.rfind("method recommended\nkp ", 0), 0U) << text;
+    EXPECT_NE(text.find("stable, gain margin"), std::string::npos);
+    EXPECT_EQ(agreementLine({}), ""); // nothing was verified
+}
+
+class TuningParts : public testing::Test {
+protected:
+    Console console{ConsoleStyle{}};
+    std::atomic<int> signal = 0;
+    CommandContext context{{}, console, signal};
+};
+
+TEST_F(TuningParts, theSourceIsAModelFileOrNothing) {
+    const auto source = sourceFromFile(context, "nowhere/m.json");
+    ASSERT_FALSE(source);
+    EXPECT_EQ(source.error().code, ErrorCode::FileSystem);
+}
+
+TEST_F(TuningParts, withoutApplyNoDeviceIsOpened) {
+    TuningSource source;
+    TuneResult result;
+    EXPECT_TRUE(openToApply(context, {}, source, result));
+    EXPECT_EQ(source.device, nullptr);
+}
+
+// A loop that waits two samples longer than the gains were designed for is another loop.
+TEST_F(TuningParts, whatIsDesignedForNoDelayIsJudgedWithThatOfTheDevice) {
+    TuningSource source;
+    source.estimate = published();
+    TuneResult result = designed("recommended");
+    CommandOptions options;
+    options.applyDevice = "sim:htm?delay_samples=2";
+    const auto opened = openToApply(context, options, source, result);
+    const auto has = [&](const char* code) {
+        return std::any_of(result.warnings.begin(), result.warnings.end(),
+                           [code](const Finding& finding) { return finding.code == code; });
+    };
+    EXPECT_TRUE(has("other_timing"));
+    EXPECT_EQ(result.conditions.timing.delay_samples, 2);
+    EXPECT_EQ(bool(opened), result.quality.verdict != Verdict::Refused);
+}
+
+} // namespace
+} // namespace halbench::app
