@@ -16,6 +16,17 @@ control::EstimateSource sourceNamed(const std::string& name) {
     return EstimateSource::NotIdentifiable;
 }
 
+Verdict verdictNamed(const std::string& name) {
+    for (const Verdict verdict : {Verdict::Good, Verdict::Refused}) {
+        if (name == verdictName(verdict)) {
+            return verdict;
+        }
+    }
+    return Verdict::Doubtful;
+}
+
+} // namespace
+
 std::optional<devices::DeviceInfo> deviceOf(const JsonValue* device) {
     if (device == nullptr || !device->isObject()) {
         return std::nullopt;
@@ -38,17 +49,6 @@ std::optional<devices::DeviceInfo> deviceOf(const JsonValue* device) {
     }
     return info;
 }
-
-Verdict verdictNamed(const std::string& name) {
-    for (const Verdict verdict : {Verdict::Good, Verdict::Refused}) {
-        if (name == verdictName(verdict)) {
-            return verdict;
-        }
-    }
-    return Verdict::Doubtful;
-}
-
-} // namespace
 
 const JsonValue* member(const JsonValue* object, const char* key) {
     return object == nullptr ? nullptr : object->find(key);

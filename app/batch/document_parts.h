@@ -21,6 +21,8 @@ const JsonValue::Array& itemsIn(const JsonValue* object, const char* key);
 control::Estimate estimateOf(const JsonValue* value);
 /// {verdict, findings}
 DataQuality qualityOf(const JsonValue* value);
+/// {model, id, firmware, simulated, overrides}; nothing where there is none.
+std::optional<devices::DeviceInfo> deviceOf(const JsonValue* device);
 /// What every result begins with, with the overrides of a simulated device.
 ResultHeader headerOf(const JsonValue& root);
 

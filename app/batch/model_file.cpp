@@ -160,6 +160,7 @@ std::optional<devices::DeviceInfo> readDevice(DocumentReader& reader) {
     info.firmware = reader.text("device.firmware");
     const JsonValue* simulated = reader.find("device.simulated", true);
     info.isSimulated = simulated != nullptr && simulated->isBoolean() && simulated->boolean();
+    info.overrides = deviceOf(device)->overrides; // else the same simulated motor would be another one
     return info;
 }
 
@@ -240,8 +241,7 @@ Result<GainsFile> parseGains(const std::string& text, const std::string& origin)
     file.method = textIn(&*root, "method");
     file.targets = targetsOf(member(&*root, "targets"));
     file.started = textIn(&*root, "started");
-    const JsonValue* device = reader.find("device", false);
-    file.device = device != nullptr && device->isObject() ? readDevice(reader) : std::nullopt;
+    file.device = deviceOf(member(&*root, "device"));
     if (reader.error()) {
         return failure(*reader.error());
     }
