@@ -41,7 +41,7 @@ TEST_F(FrequencyWordsTest, theOutlookTellsTimeAndTurnsOfThePlan) {
     const QString text = frequencyOutlook(config, *plan, 44.0);
     EXPECT_TRUE(text.contains("3:44 minutes")) << text.toStdString(); // 8 s and three times 9 periods of 8 s
     EXPECT_TRUE(text.contains("coils up to 44\u00a0\u00b0C")) << text.toStdString();
-    EXPECT_TRUE(text.contains("ends the motion at 40 rad/s"));
+    EXPECT_TRUE(text.contains("ends the motion at 40\u00a0rad/s"));
 }
 
 TEST_F(FrequencyWordsTest, bandsAreToldWithTheirAmplitude) {
