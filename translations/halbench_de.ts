@@ -13965,12 +13965,24 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Aus dem Diagramm entfernen</translation>
     </message>
     <message>
-        <source>Space hides or shows the chosen curve, R puts it on the other axis, Ctrl+Up and Ctrl+Down into another plot, Ctrl+Shift+Down into one of its own, Delete removes it from the plot.</source>
-        <translation>Die Leertaste zeigt oder verbirgt die gewählte Kurve, R legt sie auf die andere Achse, Strg+Hoch und Strg+Herunter in ein anderes Diagramm, Strg+Umschalt+Herunter in ein eigenes, Entf nimmt sie aus dem Diagramm.</translation>
-    </message>
-    <message>
         <source>Into a plot of its own</source>
         <translation>In ein eigenes Diagramm</translation>
+    </message>
+    <message>
+        <source>Space hides or shows the chosen curve, R puts it on the other axis, Ctrl and an arrow key into the plot on that side, Ctrl+Shift+Down into one of its own, Ctrl+Shift+Right into one beside, Delete removes it from the plot.</source>
+        <translation>Die Leertaste blendet die gewählte Kurve aus oder ein, R legt sie auf die andere Achse, Strg und eine Pfeiltaste ins Diagramm auf dieser Seite, Strg+Umschalt+Herunter in ein eigenes, Strg+Umschalt+Rechts in ein eigenes daneben, Entf nimmt sie aus dem Diagramm.</translation>
+    </message>
+    <message>
+        <source>To the plot at the left</source>
+        <translation>Ins Diagramm links</translation>
+    </message>
+    <message>
+        <source>To the plot at the right</source>
+        <translation>Ins Diagramm rechts</translation>
+    </message>
+    <message>
+        <source>Into a plot of its own at the right</source>
+        <translation>In ein eigenes Diagramm rechts</translation>
     </message>
 </context>
 <context>
@@ -14249,6 +14261,46 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Plots with their own time axis share the others&apos; again</source>
         <translation>Diagramme mit eigener Zeitachse teilen wieder die der anderen</translation>
+    </message>
+    <message>
+        <source>Time axis of column %1</source>
+        <translation>Zeitachse der Spalte %1</translation>
+    </message>
+    <message>
+        <source>Time axis</source>
+        <translation>Zeitachse</translation>
+    </message>
+    <message>
+        <source>Plot to the right</source>
+        <translation>Diagramm nach rechts</translation>
+    </message>
+    <message>
+        <source>The plot goes into the column at the right; beyond the last one into a new column</source>
+        <translation>Das Diagramm geht in die Spalte rechts, jenseits der letzten in eine neue</translation>
+    </message>
+    <message>
+        <source>Plot to the left</source>
+        <translation>Diagramm nach links</translation>
+    </message>
+    <message>
+        <source>The plot goes into the column at the left; beyond the first one into a new column</source>
+        <translation>Das Diagramm geht in die Spalte links, jenseits der ersten in eine neue</translation>
+    </message>
+    <message>
+        <source>New plot at the right</source>
+        <translation>Neues Diagramm rechts</translation>
+    </message>
+    <message>
+        <source>An empty plot in a column of its own</source>
+        <translation>Ein leeres Diagramm in einer eigenen Spalte</translation>
+    </message>
+    <message>
+        <source>Remove the plot</source>
+        <translation>Diagramm entfernen</translation>
+    </message>
+    <message>
+        <source>The plot goes with its curves; a column goes with its last plot</source>
+        <translation>Das Diagramm geht mit seinen Kurven, eine Spalte mit ihrem letzten Diagramm</translation>
     </message>
 </context>
 <context>

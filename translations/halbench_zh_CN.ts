@@ -13953,12 +13953,24 @@ A real device has its own time.</source>
         <translation>从曲线图中移除</translation>
     </message>
     <message>
-        <source>Space hides or shows the chosen curve, R puts it on the other axis, Ctrl+Up and Ctrl+Down into another plot, Ctrl+Shift+Down into one of its own, Delete removes it from the plot.</source>
-        <translation>空格键隐藏或显示选中的曲线，R 把它放到另一条轴，Ctrl+上和 Ctrl+下把它移到另一个曲线图，Ctrl+Shift+下移到它自己的曲线图，Delete 将其从曲线图中去掉。</translation>
-    </message>
-    <message>
         <source>Into a plot of its own</source>
         <translation>移到它自己的曲线图</translation>
+    </message>
+    <message>
+        <source>Space hides or shows the chosen curve, R puts it on the other axis, Ctrl and an arrow key into the plot on that side, Ctrl+Shift+Down into one of its own, Ctrl+Shift+Right into one beside, Delete removes it from the plot.</source>
+        <translation>空格键隐藏或显示选中的曲线，R 把它放到另一个轴，Ctrl 加方向键把它移到那一侧的曲线图，Ctrl+Shift+下移到它自己的曲线图，Ctrl+Shift+右移到旁边它自己的曲线图，Delete 把它从曲线图中移除。</translation>
+    </message>
+    <message>
+        <source>To the plot at the left</source>
+        <translation>移到左边的曲线图</translation>
+    </message>
+    <message>
+        <source>To the plot at the right</source>
+        <translation>移到右边的曲线图</translation>
+    </message>
+    <message>
+        <source>Into a plot of its own at the right</source>
+        <translation>移到右侧它自己的曲线图</translation>
     </message>
 </context>
 <context>
@@ -14237,6 +14249,46 @@ A real device has its own time.</source>
     <message>
         <source>Plots with their own time axis share the others&apos; again</source>
         <translation>有自己时间轴的曲线图重新共用其他曲线图的时间轴</translation>
+    </message>
+    <message>
+        <source>Time axis of column %1</source>
+        <translation>第 %1 列的时间轴</translation>
+    </message>
+    <message>
+        <source>Time axis</source>
+        <translation>时间轴</translation>
+    </message>
+    <message>
+        <source>Plot to the right</source>
+        <translation>曲线图移到右边</translation>
+    </message>
+    <message>
+        <source>The plot goes into the column at the right; beyond the last one into a new column</source>
+        <translation>该曲线图移到右边的一列；越过最后一列时移到新的一列</translation>
+    </message>
+    <message>
+        <source>Plot to the left</source>
+        <translation>曲线图移到左边</translation>
+    </message>
+    <message>
+        <source>The plot goes into the column at the left; beyond the first one into a new column</source>
+        <translation>该曲线图移到左边的一列；越过第一列时移到新的一列</translation>
+    </message>
+    <message>
+        <source>New plot at the right</source>
+        <translation>在右侧新建曲线图</translation>
+    </message>
+    <message>
+        <source>An empty plot in a column of its own</source>
+        <translation>在自己的一列中的空曲线图</translation>
+    </message>
+    <message>
+        <source>Remove the plot</source>
+        <translation>移除该曲线图</translation>
+    </message>
+    <message>
+        <source>The plot goes with its curves; a column goes with its last plot</source>
+        <translation>该曲线图及其曲线一并移除；一列随其最后一个曲线图消失</translation>
     </message>
 </context>
 <context>

@@ -38,10 +38,10 @@ LiveLegend::LiveLegend(QWidget* parent) : QTableView(parent) {
     horizontalHeader()->setTextElideMode(Qt::ElideRight); // a narrow name's column says so
     setCursorColumnsShown(false, false);
     setAccessibleName(tr("Legend with live values"));
-    setAccessibleDescription(
-        tr("Space hides or shows the chosen curve, R puts it on the other axis, Ctrl+Up and "
-           "Ctrl+Down into another plot, Ctrl+Shift+Down into one of its own, Delete removes it from the "
-           "plot."));
+    setAccessibleDescription(tr(
+        "Space hides or shows the chosen curve, R puts it on the other axis, Ctrl and an arrow key into the "
+        "plot on that side, Ctrl+Shift+Down into one of its own, Ctrl+Shift+Right into one beside, Delete "
+        "removes it from the plot."));
     setToolTip(accessibleDescription());
     connect(this, &QTableView::doubleClicked, this,
             [this](const QModelIndex& index) { Q_EMIT toggleRequested(index.row()); });
@@ -99,8 +99,14 @@ bool LiveLegend::run(const QKeySequence& keys) {
         Q_EMIT moveRequested(row, -1);
     } else if (keys == QKeySequence(QStringLiteral("Ctrl+Down"))) {
         Q_EMIT moveRequested(row, 1);
+    } else if (keys == QKeySequence(QStringLiteral("Ctrl+Left"))) {
+        Q_EMIT moveBesideRequested(row, -1);
+    } else if (keys == QKeySequence(QStringLiteral("Ctrl+Right"))) {
+        Q_EMIT moveBesideRequested(row, 1);
     } else if (keys == QKeySequence(QStringLiteral("Ctrl+Shift+Down"))) {
         Q_EMIT separateRequested(row);
+    } else if (keys == QKeySequence(QStringLiteral("Ctrl+Shift+Right"))) {
+        Q_EMIT separateBesideRequested(row);
     } else if (keys == QKeySequence(Qt::Key_Delete)) {
         Q_EMIT removeRequested(row);
     } else {
@@ -110,9 +116,14 @@ bool LiveLegend::run(const QKeySequence& keys) {
 }
 
 bool LiveLegend::event(QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride) { // Space is the stack's pause elsewhere
-        const int key = static_cast<QKeyEvent*>(event)->key();
-        if (currentIndex().isValid() && (key == Qt::Key_Space || key == Qt::Key_Delete || key == Qt::Key_R)) {
+    if (event->type() == QEvent::ShortcutOverride) { // they are the stack's elsewhere, as Space is its pause
+        const auto* press = static_cast<QKeyEvent*>(event);
+        const int key = press->key();
+        const auto modifiers = press->modifiers() & ~Qt::KeypadModifier;
+        const bool isPlain = modifiers == Qt::NoModifier &&
+                             (key == Qt::Key_Space || key == Qt::Key_Delete || key == Qt::Key_R);
+        const bool isBeside = modifiers == (Qt::ControlModifier | Qt::ShiftModifier) && key == Qt::Key_Right;
+        if (currentIndex().isValid() && (isPlain || isBeside)) {
             event->accept();
             return true;
         }
@@ -147,7 +158,10 @@ void LiveLegend::contextMenuEvent(QContextMenuEvent* event) {
     add(m_table.isRight(row) ? tr("To the left axis") : tr("To the right axis"), QKeySequence(Qt::Key_R));
     add(tr("To the plot above"), QKeySequence(QStringLiteral("Ctrl+Up")));
     add(tr("To the plot below"), QKeySequence(QStringLiteral("Ctrl+Down")));
+    add(tr("To the plot at the left"), QKeySequence(QStringLiteral("Ctrl+Left")));
+    add(tr("To the plot at the right"), QKeySequence(QStringLiteral("Ctrl+Right")));
     add(tr("Into a plot of its own"), QKeySequence(QStringLiteral("Ctrl+Shift+Down")));
+    add(tr("Into a plot of its own at the right"), QKeySequence(QStringLiteral("Ctrl+Shift+Right")));
     add(tr("Remove from the plot"), QKeySequence(Qt::Key_Delete));
     menu->popup(event->globalPos());
 }

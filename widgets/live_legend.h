@@ -9,8 +9,8 @@
 namespace halbench::widgets {
 
 /// The curves of one plot with their live values; keys and a menu are for the chosen one: Space hides or
-/// shows it, R puts it on the other axis, Ctrl+Up and Ctrl+Down into another plot, Ctrl+Shift+Down into one of
-/// its own, Delete takes it away.
+/// shows it, R puts it on the other axis, Ctrl and an arrow key into the plot on that side, Ctrl+Shift+Down
+/// and Ctrl+Shift+Right into one of its own below or beside, Delete takes it away.
 class LiveLegend : public QTableView {
     Q_OBJECT
 public:
@@ -30,9 +30,11 @@ public:
 Q_SIGNALS:
     void toggleRequested(int curve);
     void removeRequested(int curve);
-    void axisRequested(int curve);         ///< the other one
-    void moveRequested(int curve, int by); ///< into the plot so many below
-    void separateRequested(int curve);     ///< into a new plot below
+    void axisRequested(int curve);               ///< the other one
+    void moveRequested(int curve, int by);       ///< into the plot so many below
+    void moveBesideRequested(int curve, int by); ///< into the one so many columns to the right
+    void separateRequested(int curve);           ///< into a new plot below
+    void separateBesideRequested(int curve);     ///< into a new plot in a new column at the right
 
 protected:
     bool event(QEvent* event) override;

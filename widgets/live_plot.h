@@ -102,11 +102,14 @@ Q_SIGNALS:
     void pairPicked(int pair);     ///< before one of its cursors moves
     void levelMoved(double level); ///< in SI
     void signalsDropped(QStringList names);
+    void signalsDroppedBeside(QStringList names); ///< at its right edge
 
 protected:
     void drawCanvas(QPainter* painter) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragMoveEvent(QDragMoveEvent* event) override;
+    void dragLeaveEvent(QDragLeaveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
@@ -125,6 +128,8 @@ private:
     bool isLevelNear(double canvasY) const;
     const PlotCurve* levelCurve() const;
     void finishBox(const QPoint& end);
+    QRect besidePlace() const;
+    void showDropPlace(std::optional<QRectF> place);
     void panTo(const QPoint& place);
     void followData();
     std::optional<ValueRange> dataRange(bool isRight) const;

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double CursorReach_px = 5.0; ///< of a level too
 constexpr double ZoomPerStep = 1.25;
+constexpr int BesideShare = 6; ///< so large a part of the canvas, at its right edge
 constexpr int StepAngle = 120; ///< of a wheel's notch, in Qt's eighths of a degree
 
 double wheelSteps(const QWheelEvent& event) {
@@ -170,12 +171,43 @@ void LivePlot::dragEnterEvent(QDragEnterEvent* event) {
     }
 }
 
+/// Where a drop makes a plot beside this one, in coordinates of this widget: also beyond the canvas.
+QRect LivePlot::besidePlace() const {
+    const QRect canvas = canvasRect();
+    const int left = canvas.right() - canvas.width() / BesideShare;
+    return {left, 0, width() - left, height()};
+}
+
+/// On the canvas.
+void LivePlot::showDropPlace(std::optional<QRectF> place) {
+    m_overlay->setBox(place);
+    replot();
+}
+
+void LivePlot::dragMoveEvent(QDragMoveEvent* event) {
+    event->acceptProposedAction();
+    const bool isBeside = besidePlace().contains(event->pos());
+    showDropPlace(QRectF((isBeside ? besidePlace() : canvasRect())
+                             .intersected(canvasRect())
+                             .translated(-canvasRect().topLeft())));
+}
+
+void LivePlot::dragLeaveEvent(QDragLeaveEvent* event) {
+    QwtPlot::dragLeaveEvent(event);
+    showDropPlace(std::nullopt);
+}
+
 void LivePlot::dropEvent(QDropEvent* event) {
+    showDropPlace(std::nullopt);
     const QByteArray names = event->mimeData()->data(QLatin1String(SignalsMimeType));
     const QStringList list = QString::fromUtf8(names).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
     if (!list.isEmpty()) {
         event->acceptProposedAction();
-        Q_EMIT signalsDropped(list);
+        if (besidePlace().contains(event->pos())) {
+            Q_EMIT signalsDroppedBeside(list);
+        } else {
+            Q_EMIT signalsDropped(list);
+        }
     }
 }
 

@@ -63,4 +63,18 @@ void settleAxes(PlotSpec& plot) {
     }
 }
 
+void settleColumns(std::vector<PlotSpec>& plots) {
+    std::stable_sort(plots.begin(), plots.end(),
+                     [](const PlotSpec& left, const PlotSpec& right) { return left.column < right.column; });
+    int column = -1;
+    std::optional<int> before;
+    for (PlotSpec& plot : plots) {
+        if (plot.column != before) {
+            before = plot.column;
+            ++column;
+        }
+        plot.column = column;
+    }
+}
+
 } // namespace halbench::widgets

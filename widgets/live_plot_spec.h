@@ -51,6 +51,7 @@ struct PlotSpec {
     std::optional<ValueRange> fixedRange; ///< default: follows the data
     PlotAxis right = {};                  ///< of the curves that are on the right
     std::optional<OwnTime> ownTime = {};  ///< how its own time axis begins; default: the one of the stack
+    int column = 0;                       ///< of the stack, from the left
 
     bool operator==(const PlotSpec&) const = default;
 };
@@ -63,6 +64,9 @@ bool takes(const PlotSpec& plot, bool isRight, const QString& unit);
 bool putOnAxis(PlotSpec& plot, const std::string& signal, bool isRight);
 /// After curves went: an axis without curves forgets what it showed, and what is left is on the left one.
 void settleAxes(PlotSpec& plot);
+
+/// Plots in the order of their columns, those of one as they were; columns without plots are gone.
+void settleColumns(std::vector<PlotSpec>& plots);
 
 /// Where a trigger waits for a signal, in its SI unit.
 struct PlotLevel {

@@ -11,7 +11,6 @@
 #include <QSplitter>
 #include <QTimer>
 #include <QVBoxLayout>
-#include <QVector>
 
 #include <algorithm>
 #include <utility>
@@ -21,18 +20,16 @@ namespace {
 
 constexpr int FramePeriod_ms = 33; ///< 30 frames a second
 constexpr int HandleWidth = 4;
-constexpr int EvenShare = 1000; ///< the splitter makes heights of it
 
 } // namespace
 
 LivePlotStack::LivePlotStack(QWidget* parent)
-    : QWidget(parent), m_splitter(new QSplitter(Qt::Vertical, this)), m_timeAxis(new TimeAxisBar(this)),
-      m_cursorBar(new CursorBar(this)), m_timer(new QTimer(this)) {
+    : QWidget(parent), m_splitter(new QSplitter(Qt::Horizontal, this)), m_cursorBar(new CursorBar(this)),
+      m_timer(new QTimer(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_splitter, 1);
-    layout->addWidget(m_timeAxis);
     layout->addWidget(m_cursorBar);
     m_splitter->setHandleWidth(HandleWidth);
     m_splitter->setChildrenCollapsible(false);
@@ -68,9 +65,12 @@ void LivePlotStack::setPlots(std::vector<PlotSpec> plots) {
     if (m_specs.empty()) {
         m_specs.emplace_back();
     }
+    settleColumns(m_specs);
+    for (Column& column : m_columns) {
+        column.extent_px = 0;
+        column.rightExtent_px = 0;
+    }
     m_zoomHistory.clear();
-    m_extent_px = 0;
-    m_rightExtent_px = 0;
     matchRows();
 }
 
@@ -80,7 +80,7 @@ void LivePlotStack::addCurve(int plot, const PlotCurve& curve) {
         plot = isFirst ? 0 : static_cast<int>(m_specs.size());
     }
     if (plot == static_cast<int>(m_specs.size())) {
-        m_specs.emplace_back();
+        m_specs.emplace_back().column = m_columns.empty() ? 0 : columnCount() - 1;
     }
     PlotSpec& spec = m_specs[static_cast<std::size_t>(plot)];
     const bool isThere = std::any_of(spec.curves.begin(), spec.curves.end(),
@@ -104,16 +104,10 @@ void LivePlotStack::removeCurve(int plot, const std::string& signal) {
     std::erase_if(curves, [&](const PlotCurve& curve) { return curve.signal == signal; });
     settleAxes(m_specs[static_cast<std::size_t>(plot)]);
     if (curves.empty()) {
-        m_specs.erase(m_specs.begin() + plot);
-        for (std::size_t i = static_cast<std::size_t>(plot) + 1; i < m_rows.size(); ++i) {
-            m_rows[i - 1].time = m_rows[i].time; // goes up with its plot
-        }
+        removePlot(plot);
+    } else {
+        shapeChanged();
     }
-    if (m_specs.empty()) {
-        m_specs.emplace_back();
-    }
-    m_zoomHistory.clear(); // its entries belong to the plots as they were
-    matchRows();
 }
 
 void LivePlotStack::setTheme(const Theme& theme) {
@@ -127,14 +121,16 @@ void LivePlotStack::setTheme(const Theme& theme) {
         row.legend->setTheme(theme);
         row.timeAxis->setTheme(theme);
     }
-    m_timeAxis->setTheme(theme);
+    for (const Column& column : m_columns) {
+        column.timeAxis->setTheme(theme);
+    }
     m_cursorBar->setTheme(theme);
     m_isDirty = true;
 }
 
 LivePlotStack::Row LivePlotStack::makeRow() {
     Row row;
-    row.box = new QWidget;
+    row.box = new QWidget(this);
     auto* column = new QVBoxLayout(row.box);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -151,21 +147,18 @@ LivePlotStack::Row LivePlotStack::makeRow() {
     row.plot->setTheme(m_theme);
     row.legend->setTheme(m_theme);
     row.plot->canvas()->installEventFilter(this);
-    m_splitter->addWidget(row.box);
     return row;
 }
 
-void LivePlotStack::addRow() {
-    m_rows.push_back(makeRow());
-    connectPlot(static_cast<int>(m_rows.size()) - 1);
-    m_splitter->setSizes(evenShares());
+int LivePlotStack::indexOf(const LivePlot* plot) const {
+    const auto found =
+        std::find_if(m_rows.begin(), m_rows.end(), [plot](const Row& row) { return row.plot == plot; });
+    return static_cast<int>(found - m_rows.begin());
 }
 
-void LivePlotStack::connectPlot(int index) {
-    LivePlot* plot = m_rows[static_cast<std::size_t>(index)].plot;
-    connectLegend(index);
+void LivePlotStack::connectPlot(LivePlot* plot) {
     connect(plot, &LivePlot::zoomRequested, this,
-            [this, index](double factor, double at_s) { zoomTime(viewOf(index), factor, at_s); });
+            [this, plot](double factor, double at_s) { zoomTime(viewOf(indexOf(plot)), factor, at_s); });
     connect(plot, &LivePlot::viewAboutToChange, this, &LivePlotStack::remember);
     connect(plot, &LivePlot::fitRequested, this, &LivePlotStack::fitAll);
     connect(plot, &LivePlot::cursorMoved, this, &LivePlotStack::setCursor);
@@ -175,42 +168,32 @@ void LivePlotStack::connectPlot(int index) {
     });
     connect(plot, &LivePlot::levelMoved, this, &LivePlotStack::levelMoved);
     connect(plot, &LivePlot::valuesChanged, this, [this] { m_isDirty = true; });
-    connect(plot, &LivePlot::panRequested, this, [this, index](double by_s) {
+    connect(plot, &LivePlot::panRequested, this, [this, plot](double by_s) {
         const bool wasFollowing = isFollowing();
-        viewOf(index).pan(by_s);
+        viewOf(indexOf(plot)).pan(by_s);
         changed(wasFollowing, isPaused());
     });
-    connect(plot, &LivePlot::boxChosen, this,
-            [this, plot, index](control::TimeRange time, ValueRange values) {
-                const bool wasFollowing = isFollowing();
-                remember();
-                plot->zoomValues(values);
-                viewOf(index).show(time);
-                changed(wasFollowing, isPaused());
-            });
+    connect(plot, &LivePlot::boxChosen, this, [this, plot](control::TimeRange time, ValueRange values) {
+        const bool wasFollowing = isFollowing();
+        remember();
+        plot->zoomValues(values);
+        viewOf(indexOf(plot)).show(time);
+        changed(wasFollowing, isPaused());
+    });
     connect(plot, &LivePlot::signalsDropped, this,
-            [this, index](const QStringList& names) { Q_EMIT signalsDropped(index, names); });
-}
-
-/// Other plots are equally high at first, whatever room those had that went.
-QList<int> LivePlotStack::evenShares() const {
-    return QVector<int>(static_cast<int>(m_rows.size()), EvenShare).toList();
+            [this, plot](const QStringList& names) { Q_EMIT signalsDropped(indexOf(plot), names); });
+    connect(plot, &LivePlot::signalsDroppedBeside, this,
+            [this, plot](const QStringList& names) { Q_EMIT signalsDroppedBeside(indexOf(plot), names); });
 }
 
 void LivePlotStack::matchRows() {
-    const std::size_t before = m_rows.size();
     while (m_rows.size() < m_specs.size()) {
-        addRow();
+        addRow(m_rows.size());
     }
     while (m_rows.size() > m_specs.size()) {
-        m_rows.back().box->hide();
-        m_rows.back().box->setParent(this); // out of the splitter
-        m_rows.back().box->deleteLater();   // the request may come from one of its own signals
-        m_rows.pop_back();
+        removeRow(m_rows.size() - 1);
     }
-    if (m_rows.size() != before) {
-        m_splitter->setSizes(evenShares());
-    }
+    place();
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         configureRow(i);
     }
@@ -219,7 +202,9 @@ void LivePlotStack::matchRows() {
 
 void LivePlotStack::configureRow(std::size_t index) {
     Row& row = m_rows[index];
-    row.plot->setNamesShown(index == 0);
+    const bool isTopmost = index == 0 || m_specs[index - 1].column != m_specs[index].column;
+    row.plot->setNamesShown(isTopmost);
+    row.legend->setCursorColumnsShown(cursors().isVisible, isTopmost);
     row.plot->setMarkers(m_markers);
     row.plot->setCursors(m_pairs);
     row.plot->setEvent(m_event_s);
@@ -227,6 +212,7 @@ void LivePlotStack::configureRow(std::size_t index) {
     matchTime(index);
     PlotSpec wanted = m_specs[index];
     wanted.ownTime = row.plot->spec().ownTime; // is no matter of the plot
+    wanted.column = row.plot->spec().column;   // nor is this
     if (row.isConfigured && row.plot->spec() == wanted && row.plot->history() == m_history) {
         return; // keeps its zoom and its hidden curves
     }
@@ -235,7 +221,6 @@ void LivePlotStack::configureRow(std::size_t index) {
     row.plot->setReference(m_reference);
     row.plot->setSpec(m_specs[index], m_history);
     row.legend->table().setCurves(row.plot->curves());
-    row.legend->setCursorColumnsShown(cursors().isVisible, index == 0);
     row.legend->setAccessibleName(tr("Live values of %1").arg(row.plot->accessibleName()));
 }
 

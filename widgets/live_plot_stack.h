@@ -26,9 +26,9 @@ class LiveLegend;
 class LivePlot;
 class TimeAxisBar;
 
-/// Plots above each other over one time axis, fed from a history: what the Monitor shows. Lives in the
-/// window's thread. One timer draws all plots, 30 times a second at most and only when something changed; the
-/// owner brings new blocks into the history when frameStarting() is emitted.
+/// Plots above and beside each other over one time axis, fed from a history: what the Monitor shows. Lives in
+/// the window's thread. One timer draws all plots, 30 times a second at most and only when something changed;
+/// the owner brings new blocks into the history when frameStarting() is emitted.
 ///
 ///     wheel              zoom time at the pointer; with Ctrl the values
 ///     left drag          zoom into a box           Ctrl + left drag, middle drag   pan
@@ -41,13 +41,20 @@ class TimeAxisBar;
 ///     G, Shift+C         the view goes to the pair, the pair comes into the view
 ///     M                  marker                    Insert                          add signals
 ///     O, Shift+O         the plot has its own time axis or not, one time axis for all
+///     L, Shift+L         the plot goes into the column at the right, at the left
+///     Ctrl+Shift+Right   a new plot in a column of its own, at the right
+///     Shift+Delete       the plot goes
 ///     K, Shift+K         keep what is shown as faint reference, remove it
 ///
 /// Where a plot has its own time axis, keys act on that axis while the plot or its legend has the focus, and
 /// on the one of all other plots elsewhere; pause holds all of them.
 ///
-/// In a legend, by its menu too: R puts the chosen curve on the other axis, Ctrl+Up and Ctrl+Down into the
-/// plot above or below, on the axis that has its unit or is free, Ctrl+Shift+Down into a plot of its own.
+/// In a legend, by its menu too: R puts the chosen curve on the other axis, Ctrl and an arrow key into the
+/// plot on that side, on the axis that has its unit or is free, Ctrl+Shift+Down and Ctrl+Shift+Right into a
+/// plot of its own.
+///
+/// Columns stand beside each other, each with its own axis below that shows the same time. plots() has them
+/// from left to right, the plots of one from top to bottom. A column goes with its last plot.
 ///
 /// A list without plots becomes one empty plot, which says what it is for.
 class LivePlotStack : public QWidget {
@@ -78,6 +85,10 @@ public:
         RemoveReference,
         OwnTime,
         OneTimeAxis,
+        PlotRight,
+        PlotLeft,
+        NewBeside,
+        RemovePlot,
         AddSignals
     };
 
@@ -92,13 +103,22 @@ public:
     /// Adds to a plot, or as a new plot below when `plot` is none of them. A signal is shown once in a plot.
     void addCurve(int plot, const PlotCurve& curve);
     void removeCurve(int plot, const std::string& signal);
-    /// A new plot at that place, 0 to as many as there are; those from there on go down, with their time axes.
+    /// A new plot at that place, 0 to as many as there are, in the column of the one before it; those below
+    /// it go down.
     void openPlot(int at, PlotSpec plot);
     /// To the other side of its plot, or into another one. False: no axis there takes it.
     bool moveToAxis(int plot, const std::string& signal, bool isRight);
     bool moveCurve(int plot, const std::string& signal, int to);
     /// Into a new plot below its own. False: it is alone there already.
     bool separateCurve(int plot, const std::string& signal);
+    /// Into a new plot in a new column, right of its own. False: that is how it stands already.
+    bool separateBeside(int plot, const std::string& signal);
+    /// A plot in a new column, right of that plot's. Its index.
+    int openBeside(int plot, PlotSpec added);
+    /// Into the column beside its own, a new one beyond the outermost. False: it is alone in that.
+    bool movePlot(int plot, int by);
+    void removePlot(int plot);
+    int columnCount() const { return static_cast<int>(m_columns.size()); }
     /// Wears the application's theme from the start and when it changes; this is for another.
     void setTheme(const Theme& theme);
 
@@ -162,6 +182,7 @@ Q_SIGNALS:
     void frameStarting();
     /// `plot`: index into plots(), -1 for below the plots.
     void signalsDropped(int plot, QStringList names);
+    void signalsDroppedBeside(int plot, QStringList names); ///< at the right edge of that plot
     /// Insert was pressed.
     void addSignalsRequested(int plot);
     void plotsChanged(); ///< by the user, e.g. a curve was removed
@@ -186,6 +207,14 @@ private:
         std::optional<TimeView> time = {}; ///< where it has its own axis
         bool isConfigured = false;
     };
+    struct Column {
+        QWidget* box = nullptr;
+        QSplitter* rows = nullptr;
+        TimeAxisBar* timeAxis = nullptr; ///< of the plots that share the stack's
+        int count = 0;                   ///< of plots, when they were placed last
+        int extent_px = 0;               ///< what the labels of its axes needed so far
+        int rightExtent_px = 0;
+    };
     struct Snapshot { ///< an entry of the zoom history
         TimeView view;
         std::vector<std::pair<std::optional<ValueRange>, std::optional<ValueRange>>> values;
@@ -195,15 +224,28 @@ private:
     void addAction(Command command, const QString& text, const QString& shortcut, const QString& what);
     void run(Command command);
     Row makeRow();
-    void connectPlot(int index);
-    void connectLegend(int index);
+    Column makeColumn();
+    void connectPlot(LivePlot* plot);
+    void connectLegend(LivePlot* plot, LiveLegend* legend);
+    int indexOf(const LivePlot* plot) const;
     void choose(int plot, const std::string& signal);
     void matchRows();
-    void addRow();
-    QList<int> evenShares() const;
+    void addRow(std::size_t at);
+    void removeRow(std::size_t at);
+    void place();
+    void matchColumns(std::size_t count);
+    void put(int plot, int column, std::ptrdiff_t position);
+    void chainFocus() const;
+    void shapeChanged();
+    std::vector<const Row*> rowsOf(int column) const;
+    std::optional<int> plotBeside(int plot, int by) const;
+    std::optional<PlotSpec> ownPlotOf(int plot, const std::string& signal) const;
+    void moveAndChoose(int plot, const std::string& signal, std::optional<int> to);
+    void runOnPlots(Command command);
+    void createPlotActions();
     void configureRow(std::size_t index);
-    void fitTitles();
-    void align();
+    void fitTitles(int column);
+    void align(int column);
     void updateViews();
     void drawFrame();
     void showState();
@@ -233,8 +275,10 @@ private:
     void dropMarker();
     std::optional<int> focusedPlot() const;
     int activePlot() const { return focusedPlot().value_or(0); }
-    int deviceColumns() const;
-    double timeStep_s(const TimeView& view) const;
+    int deviceColumns(int column) const;
+    double timeStep_s(const TimeView& view, int column) const;
+    void drawColumn(int column);
+    QString stateWords() const;
     void showOwnState(const Row& row);
 
     const control::SampleHistory* m_history = nullptr;
@@ -250,8 +294,8 @@ private:
     std::vector<Snapshot> m_zoomHistory;
     bool m_isWheeling = false; ///< turns of the wheel in a row are one step of the zoom history
     std::map<Command, QAction*> m_actions;
-    QSplitter* m_splitter;
-    TimeAxisBar* m_timeAxis;
+    QSplitter* m_splitter; ///< of the columns
+    std::vector<Column> m_columns;
     CursorBar* m_cursorBar;
     QTimer* m_timer;
     std::optional<std::uint64_t> m_drawnRevision;
@@ -259,8 +303,6 @@ private:
     bool m_isDirty = true;
     int m_framesSinceNumbers = 0;
     bool m_areNumbersWhole = true;
-    int m_extent_px = 0;
-    int m_rightExtent_px = 0;
 };
 
 } // namespace halbench::widgets

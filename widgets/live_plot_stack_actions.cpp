@@ -38,6 +38,7 @@ void LivePlotStack::createActions() {
               tr("The faint curves go"));
     m_actions.at(Command::RemoveReference)->setEnabled(false);
     createTimeActions();
+    createPlotActions();
     addAction(Command::AddSignals, tr("Add signals"), QStringLiteral("Insert"), tr("Choose signals to show"));
     for (const Command command : {Command::Pause, Command::Follow, Command::Cursors}) {
         m_actions.at(command)->setCheckable(true);
@@ -77,6 +78,11 @@ void LivePlotStack::run(Command command) {
         return runOnTime(command);
     case Command::Marker:
         return dropMarker();
+    case Command::PlotRight:
+    case Command::PlotLeft:
+    case Command::NewBeside:
+    case Command::RemovePlot:
+        return runOnPlots(command);
     case Command::KeepReference:
         return keepReference();
     case Command::RemoveReference:

@@ -136,7 +136,12 @@ void LivePlotStack::placeCursors() {
     const bool areVisible = cursors().isVisible;
     for (const Row& row : m_rows) {
         row.plot->setCursors(m_pairs);
-        row.legend->setCursorColumnsShown(areVisible, &row == &m_rows.front());
+    }
+    for (int column = 0; column < columnCount(); ++column) {
+        const std::vector<const Row*> rows = rowsOf(column);
+        for (const Row* row : rows) { // the topmost legend says the names for those below it
+            row->legend->setCursorColumnsShown(areVisible, row == rows.front());
+        }
     }
     m_cursorBar->setPairs(m_pairs);
     m_cursorBar->setVisible(areVisible);
@@ -146,7 +151,8 @@ void LivePlotStack::placeCursors() {
 }
 
 void LivePlotStack::moveCursor(int columns) {
-    const double column_s = activeView().range().length_s() / deviceColumns();
+    const double column_s =
+        activeView().range().length_s() / deviceColumns(m_specs[static_cast<std::size_t>(axisPlot())].column);
     setCursor(cursors().active, cursors().at(cursors().active) + columns * column_s);
 }
 

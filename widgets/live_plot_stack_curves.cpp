@@ -11,36 +11,51 @@
 
 namespace halbench::widgets {
 
-void LivePlotStack::connectLegend(int index) {
-    LivePlot* plot = m_rows[static_cast<std::size_t>(index)].plot;
-    LiveLegend* legend = m_rows[static_cast<std::size_t>(index)].legend;
-    const auto curveAt = [this, index](int curve) -> const PlotCurve& {
-        return m_specs[static_cast<std::size_t>(index)].curves[static_cast<std::size_t>(curve)];
+void LivePlotStack::connectLegend(LivePlot* plot, LiveLegend* legend) {
+    const auto signalAt = [this, plot](int curve) { // a copy: what is asked for may end it
+        return m_specs[static_cast<std::size_t>(indexOf(plot))]
+            .curves[static_cast<std::size_t>(curve)]
+            .signal;
     };
-    connect(legend, &LiveLegend::removeRequested, this, [this, index, curveAt](int curve) {
-        removeCurve(index, std::string(curveAt(curve).signal));
+    connect(legend, &LiveLegend::removeRequested, this, [this, plot, signalAt](int curve) {
+        removeCurve(indexOf(plot), signalAt(curve));
         Q_EMIT plotsChanged();
     });
-    connect(legend, &LiveLegend::axisRequested, this, [this, index, curveAt](int curve) {
-        const std::string signal = curveAt(curve).signal;
-        if (moveToAxis(index, signal, !curveAt(curve).isRight)) {
+    connect(legend, &LiveLegend::axisRequested, this, [this, plot, signalAt](int curve) {
+        const std::string signal = signalAt(curve);
+        const int index = indexOf(plot);
+        const bool isRight = plot->spec().curves[static_cast<std::size_t>(curve)].isRight;
+        if (moveToAxis(index, signal, !isRight)) {
             choose(index, signal);
             Q_EMIT plotsChanged();
         }
     });
-    connect(legend, &LiveLegend::moveRequested, this, [this, index, curveAt](int curve, int by) {
-        const std::string signal = curveAt(curve).signal;
-        const auto before = static_cast<int>(m_specs.size());
-        if (moveCurve(index, signal, index + by)) {
-            const bool isGone = static_cast<int>(m_specs.size()) < before; // its plot had nothing else
-            choose(index + (isGone && by > 0 ? 0 : by), signal);
+    connect(legend, &LiveLegend::moveRequested, this, [this, plot, signalAt](int curve, int by) {
+        const int index = indexOf(plot);
+        const int to = index + by;
+        const bool isThere =
+            to >= 0 && to < static_cast<int>(m_specs.size()) &&
+            m_specs[static_cast<std::size_t>(to)].column == m_specs[static_cast<std::size_t>(index)].column;
+        moveAndChoose(index, signalAt(curve), isThere ? std::optional(to) : std::nullopt);
+    });
+    connect(legend, &LiveLegend::moveBesideRequested, this, [this, plot, signalAt](int curve, int by) {
+        moveAndChoose(indexOf(plot), signalAt(curve), plotBeside(indexOf(plot), by));
+    });
+    connect(legend, &LiveLegend::separateRequested, this, [this, plot, signalAt](int curve) {
+        const std::string signal = signalAt(curve);
+        const int index = indexOf(plot);
+        if (separateCurve(index, signal)) {
+            choose(index + 1, signal);
             Q_EMIT plotsChanged();
         }
     });
-    connect(legend, &LiveLegend::separateRequested, this, [this, index, curveAt](int curve) {
-        const std::string signal = curveAt(curve).signal;
-        if (separateCurve(index, signal)) {
-            choose(index + 1, signal);
+    connect(legend, &LiveLegend::separateBesideRequested, this, [this, plot, signalAt](int curve) {
+        const std::string signal = signalAt(curve);
+        const int column = m_specs[static_cast<std::size_t>(indexOf(plot))].column + 1;
+        if (separateBeside(indexOf(plot), signal)) {
+            const auto own = std::find_if(m_specs.begin(), m_specs.end(),
+                                          [column](const PlotSpec& spec) { return spec.column == column; });
+            choose(static_cast<int>(own - m_specs.begin()), signal);
             Q_EMIT plotsChanged();
         }
     });
@@ -50,6 +65,18 @@ void LivePlotStack::connectLegend(int index) {
         legend->setTheme(m_theme);
         m_isDirty = true;
     });
+}
+
+/// Where it went may have another place by then: its old plot goes when it had nothing else.
+void LivePlotStack::moveAndChoose(int plot, const std::string& signal, std::optional<int> to) {
+    if (!to) {
+        return;
+    }
+    const LivePlot* target = m_rows[static_cast<std::size_t>(*to)].plot;
+    if (moveCurve(plot, signal, *to)) {
+        choose(indexOf(target), signal);
+        Q_EMIT plotsChanged();
+    }
 }
 
 /// The curve that was moved stays the chosen one, so that keys go on with it.
@@ -105,36 +132,33 @@ bool LivePlotStack::moveCurve(int plot, const std::string& signal, int to) {
     return true;
 }
 
-bool LivePlotStack::separateCurve(int plot, const std::string& signal) {
+/// The curve in a plot that has nothing else; nothing where it is alone already.
+std::optional<PlotSpec> LivePlotStack::ownPlotOf(int plot, const std::string& signal) const {
     if (plot < 0 || plot >= static_cast<int>(m_specs.size())) {
-        return false;
+        return std::nullopt;
     }
     const PlotSpec& source = m_specs[static_cast<std::size_t>(plot)];
     const auto found = std::find_if(source.curves.begin(), source.curves.end(),
                                     [&](const PlotCurve& curve) { return curve.signal == signal; });
     if (found == source.curves.end() || source.curves.size() < 2) {
-        return false;
+        return std::nullopt;
     }
     PlotSpec own{source.quantity, source.unit, {*found}, source.bands, {}, {}, {}};
     if (found->isRight) { // bands are of the left axis
         own = {source.right.quantity, source.right.unit, {*found}, {}, {}, {}, {}};
         own.curves.front().isRight = false;
     }
-    openPlot(plot + 1, std::move(own));
-    removeCurve(plot, signal);
-    return true;
+    return own;
 }
 
-void LivePlotStack::openPlot(int at, PlotSpec plot) {
-    const auto place = static_cast<std::size_t>(at);
-    m_specs.insert(m_specs.begin() + at, std::move(plot));
-    addRow();
-    for (std::size_t i = m_rows.size() - 1; i > place; --i) {
-        m_rows[i].time = m_rows[i - 1].time;
+bool LivePlotStack::separateCurve(int plot, const std::string& signal) {
+    std::optional<PlotSpec> own = ownPlotOf(plot, signal);
+    if (!own) {
+        return false;
     }
-    m_rows[place].time.reset();
-    m_zoomHistory.clear(); // its entries belong to the plots as they were
-    matchRows();
+    openPlot(plot + 1, *std::move(own));
+    removeCurve(plot, signal);
+    return true;
 }
 
 void LivePlotStack::keepReference() {

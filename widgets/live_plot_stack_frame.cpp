@@ -56,70 +56,83 @@ void LivePlotStack::refresh() {
     m_isDirty = false;
 }
 
-int LivePlotStack::deviceColumns() const {
-    const QWidget* canvas = m_rows.front().plot->canvas();
+int LivePlotStack::deviceColumns(int column) const {
+    const QWidget* canvas = rowsOf(column).front()->plot->canvas();
     return std::max(1, static_cast<int>(std::lround((canvas->width() - 1) * canvas->devicePixelRatioF())));
 }
 
-double LivePlotStack::timeStep_s(const TimeView& view) const {
+double LivePlotStack::timeStep_s(const TimeView& view, int column) const {
     const int room = fontMetrics().averageCharWidth() * CharactersPerTick;
-    const int labels = std::max(1, m_rows.front().plot->canvas()->width() / std::max(1, room));
+    const int labels = std::max(1, rowsOf(column).front()->plot->canvas()->width() / std::max(1, room));
     return niceStep(view.range().length_s(), labels);
 }
 
 void LivePlotStack::updateViews() {
     const std::optional<control::TimeRange> held = m_history != nullptr ? m_history->range() : std::nullopt;
-    m_view.update(held, deviceColumns());
-    for (Row& row : m_rows) {
-        if (row.time) {
-            row.time->update(held, deviceColumns());
+    m_view.update(held, deviceColumns(0));
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        if (m_rows[i].time) {
+            m_rows[i].time->update(held, deviceColumns(m_specs[i].column));
         }
     }
 }
 
 void LivePlotStack::drawFrame() {
     updateViews();
-    for (const Row& row : m_rows) {
-        const TimeView& view = row.time ? *row.time : m_view;
-        row.plot->showFrame(view.range(), timeStep_s(view), view.drawn());
+    for (int column = 0; column < columnCount(); ++column) {
+        drawColumn(column);
+        if (m_isDirty) { // titles and the height of the plots do not change with the data
+            fitTitles(column);
+        }
+        align(column);
     }
-    if (m_isDirty) { // titles and the height of the plots do not change with the data
-        fitTitles();
-    }
-    align();
-    m_timeAxis->setRange(m_view.range(), timeStep_s(m_view), m_event_s);
-    for (const Row& row : m_rows) {
-        if (row.time) {
-            row.timeAxis->setRange(row.time->range(), timeStep_s(*row.time), m_event_s);
+}
+
+/// The time that all share; while it follows it moves by whole pixels of this column, as each does.
+void LivePlotStack::drawColumn(int column) {
+    TimeView shared = m_view;
+    shared.update(m_history != nullptr ? m_history->range() : std::nullopt, deviceColumns(column));
+    for (const Row* row : rowsOf(column)) {
+        const TimeView& view = row->time ? *row->time : shared;
+        row->plot->showFrame(view.range(), timeStep_s(view, column), view.drawn());
+        if (row->time) {
+            row->timeAxis->setRange(view.range(), timeStep_s(view, column), m_event_s);
         }
     }
+    m_columns[static_cast<std::size_t>(column)].timeAxis->setRange(shared.range(), timeStep_s(shared, column),
+                                                                   m_event_s);
 }
 
-void LivePlotStack::fitTitles() {
-    const auto isWhole = [this](const TitleForm& form) {
-        return std::all_of(m_rows.begin(), m_rows.end(),
-                           [&form](const Row& row) { return row.plot->isTitleWhole(form); });
+/// The same for all of a column, so that their axes align.
+void LivePlotStack::fitTitles(int column) {
+    const std::vector<const Row*> rows = rowsOf(column);
+    const auto isWhole = [&rows](const TitleForm& form) {
+        return std::all_of(rows.begin(), rows.end(),
+                           [&form](const Row* row) { return row->plot->isTitleWhole(form); });
     };
     const auto form = std::find_if(TitleForms.begin(), TitleForms.end(), isWhole);
-    for (const Row& row : m_rows) {
-        row.plot->setTitleForm(form != TitleForms.end() ? *form : TitleForms.back());
+    for (const Row* row : rows) {
+        row->plot->setTitleForm(form != TitleForms.end() ? *form : TitleForms.back());
     }
 }
 
-void LivePlotStack::align() {
-    const bool hasRight = std::any_of(m_specs.begin(), m_specs.end(), hasRightAxis);
+void LivePlotStack::align(int index) {
+    Column& here = m_columns[static_cast<std::size_t>(index)];
+    const std::vector<const Row*> rows = rowsOf(index);
+    const bool hasRight =
+        std::any_of(rows.begin(), rows.end(), [](const Row* row) { return hasRightAxis(row->plot->spec()); });
     LiveLegend::Widths widths{};
     int name_px = 0;
-    for (const Row& row : m_rows) {
-        m_extent_px = std::max(m_extent_px, row.plot->neededExtent()); // only grows: nothing jumps
-        m_rightExtent_px = std::max(m_rightExtent_px, row.plot->neededRightExtent());
-        const LiveLegend::Widths own = row.legend->neededWidths();
+    for (const Row* row : rows) {
+        here.extent_px = std::max(here.extent_px, row->plot->neededExtent()); // only grows: nothing jumps
+        here.rightExtent_px = std::max(here.rightExtent_px, row->plot->neededRightExtent());
+        const LiveLegend::Widths own = row->legend->neededWidths();
         for (std::size_t i = 0; i < widths.size(); ++i) {
             widths[i] = std::max(widths[i], own[i]);
         }
-        for (int curve = 0; curve < row.legend->table().rowCount(); ++curve) {
+        for (int curve = 0; curve < row->legend->table().rowCount(); ++curve) {
             const int longest_px = LongestName * fontMetrics().averageCharWidth();
-            const QString name = row.legend->table().widestText(curve, LegendTableModel::Name);
+            const QString name = row->legend->table().widestText(curve, LegendTableModel::Name);
             name_px = std::max(name_px, std::min(fontMetrics().horizontalAdvance(name), longest_px));
         }
     }
@@ -132,17 +145,18 @@ void LivePlotStack::align() {
         numbers_px += isShown ? widths[static_cast<std::size_t>(column)] : 0;
     }
     // Names give way to the plots; a number that is cut is another number.
-    total_px = std::max(numbers_px, std::min(total_px, static_cast<int>(WidestLegend_ratio * width())));
-    for (const Row& row : m_rows) {
-        row.plot->setExtent(m_extent_px);
-        row.plot->setRightExtent(hasRight ? std::optional(m_rightExtent_px) : std::nullopt);
-        row.legend->setWidths(widths, total_px);
+    total_px =
+        std::max(numbers_px, std::min(total_px, static_cast<int>(WidestLegend_ratio * here.box->width())));
+    for (const Row* row : rows) {
+        row->plot->setExtent(here.extent_px);
+        row->plot->setRightExtent(hasRight ? std::optional(here.rightExtent_px) : std::nullopt);
+        row->legend->setWidths(widths, total_px);
     }
-    const QRect canvas = m_rows.front().plot->canvasRect();
-    const QPoint left = m_rows.front().plot->mapTo(this, canvas.topLeft());
-    m_timeAxis->setCanvas(left.x() - m_timeAxis->x(), canvas.width());
-    for (const Row& row : m_rows) {
-        row.timeAxis->setCanvas(row.plot->x() + row.plot->canvasRect().x(), canvas.width());
+    const QRect canvas = rows.front()->plot->canvasRect();
+    const QPoint left = rows.front()->plot->mapTo(here.box, canvas.topLeft());
+    here.timeAxis->setCanvas(left.x() - here.timeAxis->x(), canvas.width());
+    for (const Row* row : rows) {
+        row->timeAxis->setCanvas(row->plot->x() + row->plot->canvasRect().x(), canvas.width());
     }
 }
 
@@ -192,17 +206,23 @@ void LivePlotStack::showState() {
             showOwnState(row);
         }
     }
-    if (isPaused()) {
-        m_timeAxis->setState(tr("Paused, data are kept (%1 s since)").arg(fixedText(m_view.behind_s(), 1)),
-                             true);
-    } else if (isFollowing() && !m_stale.isEmpty()) {
-        m_timeAxis->setState(m_stale, true);
-    } else if (isFollowing()) {
-        m_timeAxis->setState(tr("Following, %1 s").arg(numberText(m_view.range().length_s(), 4)), false);
-    } else {
-        m_timeAxis->setState(
-            m_event_s ? tr("At an event; press End to follow") : tr("Scrolled; press End to follow"), true);
+    // Once is enough: the others show the same time.
+    const auto first = std::find_if(m_columns.begin(), m_columns.end(),
+                                    [](const Column& column) { return !column.timeAxis->isHidden(); });
+    for (auto column = m_columns.begin(); column != m_columns.end(); ++column) {
+        const bool isWarning = isPaused() || !isFollowing() || !m_stale.isEmpty();
+        column->timeAxis->setState(column == first ? stateWords() : QString(), isWarning);
     }
+}
+
+QString LivePlotStack::stateWords() const {
+    if (isPaused()) {
+        return tr("Paused, data are kept (%1 s since)").arg(fixedText(m_view.behind_s(), 1));
+    }
+    if (!isFollowing()) {
+        return m_event_s ? tr("At an event; press End to follow") : tr("Scrolled; press End to follow");
+    }
+    return m_stale.isEmpty() ? tr("Following, %1 s").arg(numberText(m_view.range().length_s(), 4)) : m_stale;
 }
 
 void LivePlotStack::changeEvent(QEvent* event) {
@@ -211,8 +231,10 @@ void LivePlotStack::changeEvent(QEvent* event) {
         setTheme(currentTheme());
     }
     if (event->type() == QEvent::FontChange) {
-        m_extent_px = 0;
-        m_rightExtent_px = 0;
+        for (Column& column : m_columns) {
+            column.extent_px = 0;
+            column.rightExtent_px = 0;
+        }
         m_isDirty = true;
     }
 }

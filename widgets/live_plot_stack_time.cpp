@@ -82,8 +82,10 @@ void LivePlotStack::matchTime(std::size_t index) {
     }
     row.timeAxis->setVisible(own.has_value());
     row.timeAxis->setAccessibleName(tr("Time axis of %1").arg(m_specs[index].quantity));
-    m_timeAxis->setVisible(
-        std::any_of(m_rows.begin(), m_rows.end(), [](const Row& each) { return !each.time; }));
+    const int column = m_specs[index].column;
+    const std::vector<const Row*> rows = rowsOf(column);
+    m_columns[static_cast<std::size_t>(column)].timeAxis->setVisible(
+        std::any_of(rows.begin(), rows.end(), [](const Row* each) { return !each->time; }));
 }
 
 /// It begins where the plot stands.

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace halbench::app {
 
 namespace {
+
+constexpr int MostColumns = 100; ///< more than a screen has room for
 
 /// As files name them, in the order of the enumerations.
 constexpr std::array<const char*, 3> Modes{"auto", "normal", "single"};
@@ -108,6 +111,16 @@ struct HeldAxis {
     }
 };
 
+/// Counted from 1 in the file, as a reader does.
+int readColumn(ProjectReader& reader, const ConfigNode& node) {
+    const double column = reader.number(node, "column");
+    if (column < 1.0 || column > MostColumns || column != std::floor(column)) {
+        reader.refuse(node, fmt::format("'column' must be a whole number from 1 to {}", MostColumns));
+        return 0;
+    }
+    return static_cast<int>(column) - 1;
+}
+
 void readPlot(ProjectReader& reader, const ConfigNode& node, PlotChoice& plot) {
     HeldAxis left;
     HeldAxis right;
@@ -125,10 +138,12 @@ void readPlot(ProjectReader& reader, const ConfigNode& node, PlotChoice& plot) {
             plot.ownTime = widgets::OwnTime{reader.number(value, key), true};
         } else if (key == "own_follow") {
             follows = reader.flag(value, key);
+        } else if (key == "column") {
+            plot.column = readColumn(reader, value);
         } else {
             reader.refuse(value,
-                          fmt::format("unknown key '{}'; a [[plot]] has signals, min, max, unit, "
-                                      "right, right_min, right_max, right_unit, own_span_s, own_follow",
+                          fmt::format("unknown key '{}'; a [[plot]] has signals, min, max, unit, right, "
+                                      "right_min, right_max, right_unit, own_span_s, own_follow, column",
                                       key));
         }
     }
@@ -177,6 +192,9 @@ toml::array projectPlots(const std::vector<PlotChoice>& list) {
         }
         if (plot.ownTime && !plot.ownTime->isFollowing) {
             table.insert("own_follow", false);
+        }
+        if (plot.column > 0) {
+            table.insert("column", plot.column + 1);
         }
         array.push_back(table);
     }

@@ -143,6 +143,15 @@ void MonitorPanel::connectStack() {
                 forgetMissing();
                 onPlotsChanged();
             });
+    connect(m_stack, &widgets::LivePlotStack::signalsDroppedBeside, this,
+            [this](int plot, const QStringList& names) {
+                const int added = m_stack->openBeside(plot, {});
+                for (const QString& name : names) {
+                    addTo(added, name.toStdString());
+                }
+                forgetMissing();
+                onPlotsChanged();
+            });
     connect(m_stack, &widgets::LivePlotStack::plotsChanged, this, [this] {
         forgetMissing();
         onValues(); // a curve may have come onto another axis
@@ -259,7 +268,9 @@ void MonitorPanel::addHere(int plot, const widgets::PlotSpec& wanted) {
         std::any_of(here.curves.begin(), here.curves.end(),
                     [&](const widgets::PlotCurve& other) { return other.signal == curve.signal; });
     if (here.curves.empty()) {
+        const int column = here.column;
         here = wanted;
+        here.column = column;
         m_stack->setPlots(std::move(plots));
     } else if (isOfQuantity(here, wanted) || isShown) {
         m_stack->addCurve(plot, curve);

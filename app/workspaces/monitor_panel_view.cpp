@@ -79,6 +79,7 @@ MonitorView MonitorPanel::view() const {
         return view;
     }
     const std::vector<widgets::PlotSpec>& plots = m_stack->plots();
+    std::optional<int> column;
     for (std::size_t i = 0; i < plots.size(); ++i) {
         PlotChoice choice;
         for (const widgets::PlotCurve& curve : plots[i].curves) {
@@ -94,9 +95,16 @@ MonitorView MonitorPanel::view() const {
         if (choice.ownTime) {
             choice.ownTime->span_s = rounded(choice.ownTime->span_s);
         }
-        if (!choice.signalNames.empty()) {
-            view.plots.push_back(std::move(choice));
+        if (choice.signalNames.empty()) {
+            continue;
         }
+        if (!column || plots[i].column != *column) { // one with empty plots alone is not kept
+            choice.column = column ? view.plots.back().column + 1 : 0;
+            column = plots[i].column;
+        } else {
+            choice.column = view.plots.back().column;
+        }
+        view.plots.push_back(std::move(choice));
     }
     return view;
 }

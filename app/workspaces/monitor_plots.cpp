@@ -169,6 +169,7 @@ std::vector<widgets::PlotSpec> chosenPlots(const std::vector<PlotChoice>& choice
             plot.right.fixedRange =
                 choice.rightUnit == plot.right.unit.toStdString() ? choice.rightRange : std::nullopt;
             plot.ownTime = choice.ownTime;
+            plot.column = choice.column;
             widgets::settleAxes(plot);
             plots.push_back(std::move(plot));
         }

@@ -20,6 +20,7 @@ struct PlotChoice {
     std::optional<widgets::ValueRange> rightRange = {};
     std::string rightUnit = {};
     std::optional<widgets::OwnTime> ownTime = {}; ///< its own time axis; none: the one of all plots
+    int column = 0;                               ///< beside each other, from the left
 
     bool operator==(const PlotChoice&) const = default;
 };

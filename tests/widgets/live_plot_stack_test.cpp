@@ -33,7 +33,8 @@ TEST_F(LivePlotStackTest, followsTheNewestSampleAndPausesWithoutLosingData) {
 }
 
 TEST_F(LivePlotStackTest, plotsAreEquallyHighWhateverWasThereBefore) {
-    stack.findChild<QSplitter*>()->setSizes({600, 60, 60, 60, 60});
+    auto* rows = stack.findChild<QSplitter*>()->findChild<QSplitter*>(); // of the one column
+    rows->setSizes({600, 60, 60, 60, 60});
     std::vector<PlotSpec> fewer = stack.plots();
     fewer.resize(3);
     stack.setPlots(fewer);

@@ -57,6 +57,24 @@ TEST_F(MonitorDropTest, isAPlotBelowWhereBothAxesHaveOthers) {
     EXPECT_EQ(signalsOf(2).count("position"), 1U) << "the others went down";
 }
 
+TEST_F(MonitorDropTest, isAPlotBesideAtTheRightEdge) {
+    Q_EMIT stack().signalsDroppedBeside(2, {"truth.speed", "truth.position"});
+    ASSERT_EQ(stack().plots().size(), 6U);
+    EXPECT_EQ(signalsOf(5), (std::multiset<std::string>{"truth.speed", "truth.position"}));
+    EXPECT_EQ(stack().plots()[5].column, 1);
+    panel->plot("truth.current_command", true); // joins its unit or comes below the last
+    for (const widgets::PlotSpec& plot : stack().plots()) {
+        EXPECT_LE(plot.column, 1);
+    }
+}
+
+TEST_F(MonitorDropTest, isInTheEmptyPlotThatWasOpenedForIt) {
+    stack().openBeside(0, {});
+    panel->plot("truth.speed", true);
+    EXPECT_EQ(signalsOf(5), (std::multiset<std::string>{"truth.speed"}));
+    EXPECT_EQ(stack().plots()[5].column, 1) << "the plot stays where it was opened";
+}
+
 TEST_F(MonitorDropTest, isNothingNewForWhatIsThere) {
     drop(2, "speed");
     drop(0, "truth.speed");

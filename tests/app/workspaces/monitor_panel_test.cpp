@@ -357,6 +357,28 @@ TEST_F(MonitorPanelTest, aTimeAxisOfItsOwnIsPartOfTheView) {
     EXPECT_NEAR(panel->view().plots[1].ownTime->span_s, 1e-4, 1e-9) << "a project refuses nothing";
 }
 
+TEST_F(MonitorPanelTest, columnsArePartOfTheViewWithoutThoseThatShowNothing) {
+    connectTo("sim:htm", 5.0);
+    ASSERT_TRUE(stack().movePlot(3, 1));
+    stack().openBeside(0, {}); // an empty plot in a column between
+    ASSERT_TRUE(stack().separateBeside(0, "hall.a"));
+    const MonitorView kept = panel->view();
+    const auto columnsOf = [](const MonitorView& view) {
+        std::vector<int> columns;
+        for (const PlotChoice& plot : view.plots) {
+            columns.push_back(plot.column);
+        }
+        return columns;
+    };
+    EXPECT_EQ(columnsOf(kept), (std::vector<int>{0, 0, 0, 0, 1, 2}));
+    EXPECT_EQ(kept.plots[4].signalNames, std::vector<std::string>{"hall.a"});
+    panel->setView(MonitorView());
+    EXPECT_EQ(stack().columnCount(), 1);
+    panel->setView(kept);
+    EXPECT_EQ(panel->view(), kept);
+    EXPECT_EQ(stack().columnCount(), 3);
+}
+
 TEST_F(MonitorPanelTest, pairsOfCursorsArePartOfTheViewTheUnnamedOneIsNot) {
     connectTo("sim:htm", 5.0);
     const auto run = [&](widgets::LivePlotStack::Command command) { stack().action(command)->trigger(); };

@@ -63,6 +63,7 @@ private:
     widgets::LivePlotStack& plots();
     void takeCursors();
     void takeOwnAxis();
+    void takeColumns();
     bool takeTrigger();
     void take(const QString& scene) { take(scene, m_window); }
     void take(const QString& scene, QWidget& shown);

@@ -18,6 +18,7 @@ bool Photographer::takeMonitor() {
     QTest::qWait(DataTime_ms);
     takeCursors();
     takeOwnAxis();
+    takeColumns();
     takePanel("spectrum", "spectrum");
     QWidget& spectrum = *m_window.docks().panel("spectrum");
     trigger(spectrum, "O");
@@ -63,6 +64,21 @@ void Photographer::takeOwnAxis() {
     QTest::qWait(DataTime_ms / 5);
     take(QStringLiteral("monitor-own-axis"));
     plots().setOwnTime(1, std::nullopt);
+}
+
+/// Beside each other, while cursors measure and without them.
+void Photographer::takeColumns() {
+    widgets::LivePlotStack& stack = plots();
+    monitor().setView(MonitorView());
+    stack.movePlot(3, 1);
+    stack.movePlot(3, 1);
+    QTest::qWait(DataTime_ms / 5);
+    take(QStringLiteral("monitor-columns"));
+    stack.setCursorsVisible(true);
+    QTest::qWait(Settling_ms);
+    take(QStringLiteral("monitor-columns-cursors"));
+    stack.setCursorsVisible(false);
+    monitor().setView(MonitorView());
 }
 
 /// One event is caught and stands.
