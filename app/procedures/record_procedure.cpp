@@ -1,6 +1,7 @@
 #include "app/procedures/record_procedure.h"
 
 #include "app/procedures/procedure_steps.h"
+#include "devices/acquisition/stream_rate.h"
 
 #include <fmt/format.h>
 
@@ -21,7 +22,8 @@ std::vector<std::string> recordedSignals(const devices::Catalogue& catalogue, co
     return names;
 }
 
-Result<void> checkRecord(const devices::Catalogue& catalogue, const RecordConfig& config) {
+Result<void> checkRecord(const devices::DeviceInfo& info, const devices::Catalogue& catalogue,
+                         const RecordConfig& config) {
     if (!std::isfinite(config.duration_s) || config.duration_s <= 0.0) {
         return failure(ErrorCode::OutOfRange, "the duration must be more than zero seconds",
                        "Give e.g. --duration 10.");
@@ -46,7 +48,7 @@ Result<void> checkRecord(const devices::Catalogue& catalogue, const RecordConfig
                            "Name every signal once.");
         }
     }
-    return {};
+    return devices::checkStreamRate(info, catalogue, recordedSignals(catalogue, config), config.rate_Hz);
 }
 
 /// Takes the rows of one recording and counts them. Rows behind the end, waited for because others were lost
@@ -240,7 +242,7 @@ Result<RecordResult> runRecord(devices::Device& device, const RecordConfig& conf
         return failure(entered.error());
     }
     Recorded recorded(config, outlet);
-    Result<void> done = checkRecord(device.catalogue(), config);
+    Result<void> done = checkRecord(device.info(), device.catalogue(), config);
     done = done ? recorded.prepare() : done;
     if (!done) {
         return failure(done.error());
