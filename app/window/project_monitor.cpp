@@ -209,6 +209,9 @@ toml::table projectMonitor(const MonitorView& view) {
     if (view.span_s) {
         table.insert("span_s", *view.span_s);
     }
+    if (view.rate_Hz > 0.0) { // likewise
+        table.insert("rate_hz", view.rate_Hz);
+    }
     if (view.trigger != TriggerChoice{}) {
         table.insert("trigger", triggerTable(view.trigger));
     }
@@ -238,11 +241,17 @@ void readMonitor(ProjectReader& reader, const ConfigNode& node, MonitorView& vie
             view.span_s = reader.number(value, key);
         } else if (key == "cursors") {
             view.areCursorsShown = reader.flag(value, key);
+        } else if (key == "rate_hz") {
+            view.rate_Hz = reader.number(value, key);
         } else if (key == "trigger") {
             readTrigger(reader, value, view.trigger);
         } else {
-            reader.refuse(value, "[monitor] has follow and cursors (true or false), span_s and trigger");
+            reader.refuse(value,
+                          "[monitor] has follow and cursors (true or false), span_s, rate_hz and trigger");
         }
+    }
+    if (view.rate_Hz < 0.0) {
+        reader.refuse(node, "'rate_hz' must not be negative");
     }
     if (view.span_s && *view.span_s <= 0.0) {
         reader.refuse(node, "'span_s' must be more than 0");

@@ -1,5 +1,7 @@
 #include "app/workspaces/live_signals.h"
 
+#include "devices/acquisition/stream_rate.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -10,18 +12,28 @@ namespace halbench::app {
 
 namespace {
 
-constexpr double FastestRate_Hz = 1000.0;
+constexpr double UsualRate_Hz = 1000.0; ///< unless somebody needs more
 /// 15 signals of 4 octets at 115200 Bd leave room for 167 rows a second (resources/help/protocol.md 3.14).
 constexpr double SerialRate_Hz = 100.0;
 
 /// A whole part of the rate that all of them have.
-double rateFor(const devices::DeviceInfo& info, const std::vector<const SignalSpec*>& specs) {
-    const double most_Hz = info.transport == "serial" ? SerialRate_Hz : FastestRate_Hz;
+double usualRateOf(const devices::DeviceInfo& info, const std::vector<const SignalSpec*>& specs) {
+    const double most_Hz = info.transport == "serial" ? SerialRate_Hz : UsualRate_Hz;
     double common_Hz = specs.empty() ? most_Hz : specs.front()->maxRate_Hz;
     for (const SignalSpec* spec : specs) {
         common_Hz = std::min(common_Hz, spec->maxRate_Hz);
     }
     return common_Hz / std::max(1.0, std::ceil(common_Hz / most_Hz));
+}
+
+/// The slowest of these parts that is no slower than what is needed.
+double partFor_Hz(const std::vector<const SignalSpec*>& specs, double needed_Hz) {
+    constexpr double Rounding = 1e-9;
+    double common_Hz = specs.front()->maxRate_Hz;
+    for (const SignalSpec* spec : specs) {
+        common_Hz = std::min(common_Hz, spec->maxRate_Hz);
+    }
+    return common_Hz / std::max(1.0, std::floor(common_Hz / needed_Hz * (1.0 + Rounding)));
 }
 
 bool isSampledAt(const SignalSpec& spec, int event) {
@@ -79,16 +91,51 @@ LiveSignals::LiveSignals(DeviceSession& session, QObject* parent) : QObject(pare
 }
 
 void LiveSignals::want(const QObject* client, std::vector<std::string> names) {
-    if (m_wanted.count(client) == 0) {
-        connect(client, &QObject::destroyed, this, [this, client] {
-            m_wanted.erase(client);
-            // Later: who listens may be what is being destroyed just now.
-            QMetaObject::invokeMethod(
-                this, [this] { restart(); }, Qt::QueuedConnection);
-        });
-    }
+    know(client);
     m_wanted[client] = std::move(names);
     restart();
+}
+
+void LiveSignals::wantRate(const QObject* client, double rate_Hz) {
+    know(client);
+    m_rates_Hz[client] = rate_Hz;
+    restart();
+}
+
+void LiveSignals::know(const QObject* client) {
+    if (m_wanted.count(client) > 0 || m_rates_Hz.count(client) > 0) {
+        return;
+    }
+    connect(client, &QObject::destroyed, this, [this, client] {
+        m_wanted.erase(client);
+        m_rates_Hz.erase(client);
+        // Later: who listens may be what is being destroyed just now.
+        QMetaObject::invokeMethod(
+            this, [this] { restart(); }, Qt::QueuedConnection);
+    });
+}
+
+double LiveSignals::greatestRate_Hz(const std::vector<std::string>& more) const {
+    std::vector<std::string> names = m_streamed;
+    std::copy_if(more.begin(), more.end(), std::back_inserter(names), [this](const std::string& name) {
+        return std::find(m_streamed.begin(), m_streamed.end(), name) == m_streamed.end();
+    });
+    return devices::greatestRate_Hz(m_session.info(), m_session.catalogue(), names);
+}
+
+/// As usual, or as somebody needs it and it can be.
+double LiveSignals::rateFor(const std::vector<const SignalSpec*>& specs,
+                            const std::vector<std::string>& names) const {
+    const double usual_Hz = usualRateOf(m_session.info(), specs);
+    double needed_Hz = 0.0;
+    for (const auto& [client, rate_Hz] : m_rates_Hz) {
+        needed_Hz = std::max(needed_Hz, rate_Hz);
+    }
+    if (specs.empty() || needed_Hz <= usual_Hz) {
+        return usual_Hz;
+    }
+    const double most_Hz = devices::greatestRate_Hz(m_session.info(), m_session.catalogue(), names);
+    return std::max(usual_Hz, std::min(partFor_Hz(specs, needed_Hz), most_Hz));
 }
 
 bool LiveSignals::isWanted(const std::string& name) const {
@@ -109,6 +156,23 @@ void LiveSignals::setSources(std::map<std::string, std::vector<std::string>> sou
     restart();
 }
 
+void LiveSignals::setHeld(bool isHeld) {
+    if (std::exchange(m_isHeld, isHeld) && !isHeld) {
+        restart();
+    }
+}
+
+void LiveSignals::postpone(const std::vector<std::string>& names) {
+    std::vector<std::string> missing;
+    std::copy_if(names.begin(), names.end(), std::back_inserter(missing), [this](const std::string& name) {
+        return std::find(m_streamed.begin(), m_streamed.end(), name) == m_streamed.end();
+    });
+    if (missing != m_postponed) {
+        m_postponed = std::move(missing);
+        Q_EMIT changed();
+    }
+}
+
 void LiveSignals::restart() {
     if (m_session.state() != SessionState::Connected) {
         return;
@@ -119,14 +183,21 @@ void LiveSignals::restart() {
             specs.push_back(&spec);
         }
     }
-    const std::vector<std::string> leftOut = std::exchange(m_leftOut, takeOut(specs));
+    std::vector<std::string> apart = takeOut(specs);
     std::vector<std::string> names;
     for (const SignalSpec* spec : specs) {
         names.push_back(spec->name);
     }
-    const double rate_Hz = rateFor(m_session.info(), specs);
+    if (m_isHeld && !m_streamed.empty()) {
+        postpone(names);
+        return;
+    }
+    const bool wasWaiting = !std::exchange(m_postponed, {}).empty();
+    const bool isSaid = std::exchange(m_leftOut, std::move(apart)) != m_leftOut || wasWaiting;
+    m_usual_Hz = usualRateOf(m_session.info(), specs);
+    const double rate_Hz = rateFor(specs, names);
     if (names == m_streamed && rate_Hz == m_rate_Hz) {
-        if (leftOut != m_leftOut) {
+        if (isSaid) {
             Q_EMIT changed();
         }
         return;

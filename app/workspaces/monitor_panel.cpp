@@ -4,6 +4,7 @@
 #include "app/workspaces/monitor_forecast.h"
 #include "app/workspaces/monitor_picture.h"
 #include "app/workspaces/monitor_plots.h"
+#include "app/workspaces/monitor_rate.h"
 #include "app/workspaces/monitor_recording.h"
 #include "app/workspaces/monitor_reference.h"
 #include "app/workspaces/monitor_statistics.h"
@@ -37,6 +38,14 @@ bool isOfQuantity(const widgets::PlotSpec& plot, const widgets::PlotSpec& wanted
     return plot.unit == wanted.unit && plot.quantity == wanted.quantity;
 }
 
+QString listed(const std::vector<std::string>& names) {
+    QStringList list;
+    for (const std::string& name : names) {
+        list << QString::fromStdString(name);
+    }
+    return list.join(QStringLiteral(", "));
+}
+
 } // namespace
 
 MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(bench) {
@@ -56,6 +65,7 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     m_stack->addActions(
         {&m_data->copyAction(), &m_data->saveAction(), &m_picture->copyAction(), &m_picture->saveAction()});
     m_reference = new MonitorReference(*m_stack, *this);
+    m_rate = new MonitorRate(m_bench, *this);
     m_statistics = new MonitorStatistics(m_bench, *m_stack, *this);
     auto* column = new QVBoxLayout(plots);
     column->setContentsMargins(0, 0, 0, 0);
@@ -88,6 +98,7 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     });
     connect(&m_values, &QTimer::timeout, this, &MonitorPanel::refreshStream);
     connect(&m_bench.liveSignals(), &LiveSignals::changed, this, &MonitorPanel::sayLeftOut);
+    connect(m_rate, &MonitorRate::changed, this, &MonitorPanel::sayLeftOut);
     m_values.start(ValuesPeriod_ms);
     refreshWords();
     onDevice();
@@ -99,7 +110,7 @@ QWidget* MonitorPanel::buildTools() {
     bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"))->setToolTip(tr("More tools"));
     addPlotTools(*bar, *m_stack);
     for (QAction* action : {&m_reference->menuAction(), &m_trigger->action(), &m_statistics->action(),
-                            &m_picture->copyAction(), &m_picture->saveAction()}) {
+                            &m_picture->copyAction(), &m_picture->saveAction(), &m_rate->action()}) {
         addTool(*bar, *action, false);
     }
     auto* space = new QWidget(bar);
@@ -249,9 +260,12 @@ void MonitorPanel::addTo(int plot, const std::string& name) {
         addHere(plot, wanted);
         return;
     }
-    const auto found = std::find_if(plots.begin(), plots.end(), [&](const widgets::PlotSpec& each) {
-        return each.curves.empty() || isOfQuantity(each, wanted);
-    });
+    auto found = std::find_if(plots.begin(), plots.end(),
+                              [](const widgets::PlotSpec& each) { return each.curves.empty(); });
+    if (found == plots.end()) { // none was opened for it
+        found = std::find_if(plots.begin(), plots.end(),
+                             [&](const widgets::PlotSpec& each) { return isOfQuantity(each, wanted); });
+    }
     if (found == plots.end()) {
         m_stack->openPlot(static_cast<int>(plots.size()), wanted);
     } else {
@@ -298,20 +312,28 @@ void MonitorPanel::onPlotsChanged() {
 
 /// Plotted, but without samples.
 void MonitorPanel::sayLeftOut() {
-    QStringList names;
-    for (const std::string& name : m_bench.liveSignals().leftOut()) {
-        names << QString::fromStdString(name);
-    }
-    if (!names.isEmpty()) {
+    const QString leftOut = listed(m_bench.liveSignals().leftOut());
+    const QString postponed = listed(m_bench.liveSignals().postponed());
+    const QString lowered = m_rate->loweredWords();
+    if (!leftOut.isEmpty()) {
         m_message->showMessage({widgets::Severity::Warning,
-                                tr("Not shown: %1").arg(names.join(QStringLiteral(", "))),
+                                tr("Not shown: %1").arg(leftOut),
                                 tr("The device samples them at other moments than the rest, or at none that "
                                    "repeat. Plot signals of one event together."),
                                 {}});
+    } else if (!postponed.isEmpty()) {
+        m_message->showMessage(
+            {widgets::Severity::Information,
+             tr("Not in the running recording: %1").arg(postponed),
+             tr("They are added when the recording has ended; until then the stream stays as "
+                "it is, so that the recording has no gap."),
+             {}});
+    } else if (!lowered.isEmpty()) {
+        m_message->showMessage({widgets::Severity::Information, lowered, tr("Plot fewer signals."), {}});
     } else if (m_isLeftOutSaid) {
         m_message->clear();
     }
-    m_isLeftOutSaid = !names.isEmpty();
+    m_isLeftOutSaid = !leftOut.isEmpty() || !postponed.isEmpty() || !lowered.isEmpty();
 }
 
 /// A new marker goes into the recording too.

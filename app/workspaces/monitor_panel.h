@@ -25,6 +25,7 @@ namespace halbench::app {
 class MonitorData;
 class MonitorStatistics;
 class MonitorPicture;
+class MonitorRate;
 class MonitorRecording;
 class MonitorReference;
 class MonitorTrigger;
@@ -59,7 +60,7 @@ private:
     void onDevice();
     void onValues();
     void onDerived();
-    /// To the plot asked for; -1: to the first with that quantity, else to a new one below.
+    /// To the plot asked for; -1: to an empty one, to the first with that quantity, else to a new one below.
     void addTo(int plot, const std::string& name);
     void addHere(int plot, const widgets::PlotSpec& wanted);
     void onPlotsChanged();
@@ -78,6 +79,7 @@ private:
     MonitorPicture* m_picture = nullptr;
     MonitorData* m_data = nullptr;
     MonitorReference* m_reference = nullptr;
+    MonitorRate* m_rate = nullptr;
     MonitorRecording* m_recording = nullptr;
     MonitorStatistics* m_statistics = nullptr;
     QLabel* m_stream = nullptr;

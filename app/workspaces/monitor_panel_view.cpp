@@ -1,6 +1,7 @@
 // What the Monitor shows, taken from a project and given to it.
 #include "app/workspaces/monitor_panel.h"
 #include "app/workspaces/monitor_plots.h"
+#include "app/workspaces/monitor_rate.h"
 #include "app/workspaces/monitor_trigger.h"
 #include "widgets/live_plot_stack.h"
 #include "widgets/message_bar.h"
@@ -51,6 +52,7 @@ void MonitorPanel::showView() {
 void MonitorPanel::setView(const MonitorView& view) {
     m_view = view;
     m_bench.setDerivedSignals(view.derived);
+    m_rate->setRate_Hz(view.rate_Hz);
     m_trigger->setChoice(view.trigger);
     m_trigger->setLivePairs(cursorPairs(view));
     m_message->clear();
@@ -66,6 +68,7 @@ void MonitorPanel::setView(const MonitorView& view) {
 MonitorView MonitorPanel::view() const {
     MonitorView view = m_device.isEmpty() ? m_view : MonitorView{};
     view.derived = m_bench.derivedSignals();
+    view.rate_Hz = m_rate->rate_Hz();
     keepCursors(m_trigger->livePairs(), view);
     if (m_device.isEmpty()) {
         return view;

@@ -40,6 +40,7 @@ struct MonitorView {
     std::vector<PlotChoice> plots;
     bool isFollowing = true;
     std::optional<double> span_s; ///< time shown while following
+    double rate_Hz = 0.0;         ///< rows a second; 0: as usual
     TriggerChoice trigger;
     std::vector<devices::DerivedSignal> derived;
     std::vector<CursorChoice> cursors; ///< none: one pair that nobody named, which is not kept

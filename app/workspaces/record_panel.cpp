@@ -23,8 +23,8 @@ namespace halbench::app {
 
 namespace {
 
-/// All divide the board's 1 kHz.
-constexpr int Rates_Hz[] = {10, 20, 50, 100, 200, 500, 1000};
+/// Up to 1 kHz all divide that of the board; from there on what it has next.
+constexpr int Rates_Hz[] = {10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000};
 constexpr int DefaultRate = 3;
 constexpr int MomentLines = 2;
 
@@ -83,7 +83,7 @@ void RecordPanel::buildTarget(QVBoxLayout& column) {
     m_name->setAccessibleName(tr("Name of the recording"));
     m_rate = new QComboBox(this);
     m_rate->setAccessibleName(tr("Rows per second"));
-    m_rate->setToolTip(tr("At most as many as the device sends"));
+    m_rate->setToolTip(tr("At most as many as the device and its link carry"));
     for (const int rate_Hz : Rates_Hz) {
         m_rate->addItem(tr("%1 Hz").arg(rate_Hz), rate_Hz);
     }

@@ -1,6 +1,7 @@
 #include "app/workspaces/recording_control.h"
 
 #include "app/batch/name_reservation.h"
+#include "widgets/display_units.h"
 #include "widgets/phrasebook.h"
 
 #include <QDir>
@@ -16,6 +17,8 @@ namespace halbench::app {
 
 namespace {
 
+constexpr double UsualRate_Hz = 100.0; ///< is lowered to what the device has, unasked
+constexpr int RateDigits = 6;
 constexpr int LookPeriod_ms = 100;
 
 QString defaultFolder() {
@@ -93,6 +96,14 @@ void RecordingControl::hold() {
     })
                                      : devices::BlockSink());
     m_liveSignals.want(this, isHolding ? m_session.catalogue().defaultSignals : std::vector<std::string>());
+    m_liveSignals.wantRate(this, isHolding ? m_rate_Hz : 0.0);
+}
+
+void RecordingControl::setRate_Hz(double rate_Hz) {
+    m_rate_Hz = rate_Hz;
+    if (!isRecording() && (m_preTrigger_s > 0.0 || m_isWaiting)) {
+        m_liveSignals.wantRate(this, rate_Hz); // of the rows that are kept
+    }
 }
 
 void RecordingControl::setPreTrigger_s(double length_s) {
@@ -126,6 +137,15 @@ double RecordingControl::held_s() const {
 bool RecordingControl::isReady() {
     if (m_session.state() != SessionState::Connected) {
         Q_EMIT failed(tr("There is nothing to record."), tr("Connect a device first."));
+        return false;
+    }
+    const double most_Hz = m_liveSignals.greatestRate_Hz(m_session.catalogue().defaultSignals);
+    if (most_Hz > 0.0 && m_rate_Hz > std::max(most_Hz, UsualRate_Hz)) {
+        Q_EMIT failed(
+            tr("What is plotted cannot be recorded at %1 Hz.").arg(m_rate_Hz),
+            tr("The device and its link carry at most %1 Hz of it. Choose a lower rate, or plot fewer "
+               "signals.")
+                .arg(widgets::numberText(most_Hz, RateDigits)));
         return false;
     }
     const Result<QString> name = newName();
@@ -196,6 +216,8 @@ void RecordingControl::prepare() {
         new NameHold(*this, std::move(name->hold));
     }
     m_liveSignals.want(this, m_session.catalogue().defaultSignals);
+    m_liveSignals.wantRate(this, m_rate_Hz);
+    m_liveSignals.setHeld(true); // its columns are those of now, and a stream that begins anew has a gap
     RecorderConfig config;
     config.path = m_path.toStdString();
     config.disk = m_disk;
@@ -259,6 +281,7 @@ void RecordingControl::stop() {
         m_session.setBlockSink({});
     } else {
         hold();
+        m_liveSignals.setHeld(false);
     }
     Q_EMIT changed();
 }
@@ -315,6 +338,7 @@ void RecordingControl::leave() {
     m_recorder.reset();
     m_feed->leave();
     hold();
+    m_liveSignals.setHeld(false); // one that ended by itself
 }
 
 void RecordingControl::addMarker(double time_s, const QString& text) {

@@ -31,12 +31,14 @@ public:
     /// Completes the file.
     ~RecordingControl() override;
 
-    /// Where and how densely the next recording goes; the rate is lowered to what the stream has.
+    /// Where and how densely the next recording goes. More than the stream usually has makes it faster while
+    /// it is recorded, as far as board and link carry it (LiveSignals::wantRate()); beyond that start()
+    /// refuses.
     void setFolder(const QString& folder);
     const QString& folder() const { return m_folder; }
     /// Recordings of the folder came or went otherwise.
     void noteFilesChanged() { Q_EMIT folderChanged(); }
-    void setRate_Hz(double rate_Hz) { m_rate_Hz = rate_Hz; }
+    void setRate_Hz(double rate_Hz);
     double rate_Hz() const { return m_rate_Hz; }
     /// What the mask's {name} is; a mask without it: the whole name. Empty: the program names the recording
     /// by the mask. Without folder and ending.

@@ -73,6 +73,8 @@ TEST(ProjectFile, aPlotThatMakesNoSenseIsRefusedWithItsLine) {
                               "[[plot]]\nmin = nan\nmax = 1.0\n",
                               "[monitor]\nspan_s = 0.0\n",
                               "[monitor]\nfollow = 1\n",
+                              "[monitor]\nrate_hz = -1.0\n",
+                              "[monitor]\nrate_hz = \"fast\"\n",
                               "[monitor]\ntrigger = 1\n",
                               "[monitor.trigger]\nmode = \"always\"\n",
                               "[monitor.trigger]\nwindow_s = 0.0\n",
