@@ -5359,10 +5359,6 @@
         <translation>nur ein Paar von [[cursors]] misst (measuring)</translation>
     </message>
     <message>
-        <source>[monitor] has follow and cursors (true or false), span_s and trigger</source>
-        <translation>[monitor] hat follow und cursors (true oder false), span_s und trigger</translation>
-    </message>
-    <message>
         <source>a quoted cell does not end as it should</source>
         <translation>eine Zelle in Anführungszeichen endet nicht, wie sie sollte</translation>
     </message>
@@ -5601,10 +5597,6 @@
     <message>
         <source>the sidecar says where</source>
         <translation>die Begleitdatei sagt, wo</translation>
-    </message>
-    <message>
-        <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow</source>
-        <translation>unbekannter Schlüssel „{}“; ein [[plot]] hat signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow</translation>
     </message>
     <message>
         <source>a [[plot]] with its own time axis has own_span_s, which is more than 0</source>
@@ -6217,6 +6209,34 @@
     <message>
         <source>see their findings</source>
         <translation>siehe ihre Befunde</translation>
+    </message>
+    <message>
+        <source>{} signals cannot come at {} Hz: board and link carry at most {} Hz</source>
+        <translation>{} Signale können nicht mit {} Hz kommen: Steuergerät und Verbindung tragen höchstens {} Hz</translation>
+    </message>
+    <message>
+        <source>take a lower rate or fewer signals; a port that is USB all the way to the board is faster than its baud rate: say so in its address with ?baud=12000000</source>
+        <translation>nehmen Sie eine kleinere Rate oder weniger Signale; ein Anschluss, der bis ins Steuergerät USB ist, ist schneller als seine Baudrate: sagen Sie es in seiner Adresse mit ?baud=12000000</translation>
+    </message>
+    <message>
+        <source>take a lower rate or fewer signals</source>
+        <translation>nehmen Sie eine kleinere Rate oder weniger Signale</translation>
+    </message>
+    <message>
+        <source>&apos;column&apos; must be a whole number from 1 to {}</source>
+        <translation>„column“ muss eine ganze Zahl von 1 bis {} sein</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow, column</source>
+        <translation>unbekannter Schlüssel „{}“; ein [[plot]] hat signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow, column</translation>
+    </message>
+    <message>
+        <source>[monitor] has follow and cursors (true or false), span_s, rate_hz and trigger</source>
+        <translation>[monitor] hat follow und cursors (true oder false), span_s, rate_hz und trigger</translation>
+    </message>
+    <message>
+        <source>&apos;rate_hz&apos; must not be negative</source>
+        <translation>„rate_hz“ darf nicht negativ sein</translation>
     </message>
 </context>
 <context>
@@ -10029,6 +10049,18 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
         <source>The picture is of the plots that share the axis of the one with the focus.</source>
         <translation>Das Bild ist von den Diagrammen, die die Achse dessen mit dem Fokus teilen.</translation>
     </message>
+    <message>
+        <source>Not in the running recording: %1</source>
+        <translation>Nicht in der laufenden Aufzeichnung: %1</translation>
+    </message>
+    <message>
+        <source>They are added when the recording has ended; until then the stream stays as it is, so that the recording has no gap.</source>
+        <translation>Sie kommen dazu, wenn die Aufzeichnung beendet ist; bis dahin bleibt der Datenstrom, wie er ist, sodass die Aufzeichnung keine Lücke hat.</translation>
+    </message>
+    <message>
+        <source>Plot fewer signals.</source>
+        <translation>Zeichnen Sie weniger Signale.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MonitorPicture</name>
@@ -10075,6 +10107,37 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
     <message>
         <source>On another time axis and not in the picture: %1</source>
         <translation>Auf einer anderen Zeitachse und nicht im Bild: %1</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::MonitorRate</name>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>Live rate</source>
+        <translation>Live-Rate</translation>
+    </message>
+    <message>
+        <source>More rows per second for the plots, as many as the device and its link carry</source>
+        <translation>Mehr Zeilen je Sekunde für die Diagramme, so viele, wie Gerät und Verbindung tragen</translation>
+    </message>
+    <message>
+        <source>What is plotted cannot come at %1; it comes at %2, the most that the device and its link carry.</source>
+        <translation>Was gezeichnet wird, kann nicht mit %1 kommen; es kommt mit %2, dem Höchsten, das Gerät und Verbindung tragen.</translation>
+    </message>
+    <message>
+        <source>As usual, %1</source>
+        <translation>Wie gewöhnlich, %1</translation>
+    </message>
+    <message>
+        <source>As usual</source>
+        <translation>Wie gewöhnlich</translation>
+    </message>
+    <message>
+        <source>The device and its link carry no more</source>
+        <translation>Gerät und Verbindung tragen nicht mehr</translation>
     </message>
 </context>
 <context>
@@ -10859,10 +10922,6 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Zeilen je Sekunde</translation>
     </message>
     <message>
-        <source>At most as many as the device sends</source>
-        <translation>Höchstens so viele, wie das Gerät sendet</translation>
-    </message>
-    <message>
         <source>%1 Hz</source>
         <translation>%1 Hz</translation>
     </message>
@@ -11057,6 +11116,10 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>Without ending; empty: by the name mask %1 (File &gt; Preferences)</source>
         <translation>Ohne Endung; leer: nach der Namensmaske %1 (Datei &gt; Einstellungen)</translation>
     </message>
+    <message>
+        <source>At most as many as the device and its link carry</source>
+        <translation>Höchstens so viele, wie Gerät und Verbindung tragen</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::RecordingControl</name>
@@ -11079,6 +11142,14 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>%1. What was written until then is in %2.</source>
         <translation>%1. Was bis dahin geschrieben wurde, steht in %2.</translation>
+    </message>
+    <message>
+        <source>What is plotted cannot be recorded at %1 Hz.</source>
+        <translation>Was gezeichnet wird, kann nicht mit %1 Hz aufgezeichnet werden.</translation>
+    </message>
+    <message>
+        <source>The device and its link carry at most %1 Hz of it. Choose a lower rate, or plot fewer signals.</source>
+        <translation>Gerät und Verbindung tragen davon höchstens %1 Hz. Wählen Sie eine kleinere Rate, oder zeichnen Sie weniger Signale.</translation>
     </message>
 </context>
 <context>

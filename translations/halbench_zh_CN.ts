@@ -5359,10 +5359,6 @@
         <translation>只有一对 [[cursors]] 可以是 measuring</translation>
     </message>
     <message>
-        <source>[monitor] has follow and cursors (true or false), span_s and trigger</source>
-        <translation>[monitor] 有 follow 和 cursors（true 或 false）、span_s 和 trigger</translation>
-    </message>
-    <message>
         <source>a quoted cell does not end as it should</source>
         <translation>带引号的单元格没有正确结束</translation>
     </message>
@@ -5601,10 +5597,6 @@
     <message>
         <source>the sidecar says where</source>
         <translation>附属文件说明位置</translation>
-    </message>
-    <message>
-        <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow</source>
-        <translation>未知的键 “{}”；[[plot]] 有 signals、min、max、unit、right、right_min、right_max、right_unit、own_span_s、own_follow</translation>
     </message>
     <message>
         <source>a [[plot]] with its own time axis has own_span_s, which is more than 0</source>
@@ -6217,6 +6209,34 @@
     <message>
         <source>see their findings</source>
         <translation>请查看其结论</translation>
+    </message>
+    <message>
+        <source>{} signals cannot come at {} Hz: board and link carry at most {} Hz</source>
+        <translation>{} 个信号无法以 {} Hz 到来：控制板和链路至多承载 {} Hz</translation>
+    </message>
+    <message>
+        <source>take a lower rate or fewer signals; a port that is USB all the way to the board is faster than its baud rate: say so in its address with ?baud=12000000</source>
+        <translation>请采用较低的速率或较少的信号；一直到控制板都是 USB 的端口比其波特率更快：请在其地址中用 ?baud=12000000 说明</translation>
+    </message>
+    <message>
+        <source>take a lower rate or fewer signals</source>
+        <translation>请采用较低的速率或较少的信号</translation>
+    </message>
+    <message>
+        <source>&apos;column&apos; must be a whole number from 1 to {}</source>
+        <translation>“column”必须是 1 到 {} 的整数</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow, column</source>
+        <translation>未知的键“{}”；[[plot]] 有 signals、min、max、unit、right、right_min、right_max、right_unit、own_span_s、own_follow、column</translation>
+    </message>
+    <message>
+        <source>[monitor] has follow and cursors (true or false), span_s, rate_hz and trigger</source>
+        <translation>[monitor] 有 follow 和 cursors（true 或 false）、span_s、rate_hz 和 trigger</translation>
+    </message>
+    <message>
+        <source>&apos;rate_hz&apos; must not be negative</source>
+        <translation>“rate_hz”不能为负</translation>
     </message>
 </context>
 <context>
@@ -10023,6 +10043,18 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
         <source>The picture is of the plots that share the axis of the one with the focus.</source>
         <translation>图片包含与具有焦点的曲线图共用时间轴的曲线图。</translation>
     </message>
+    <message>
+        <source>Not in the running recording: %1</source>
+        <translation>不在正在进行的记录中：%1</translation>
+    </message>
+    <message>
+        <source>They are added when the recording has ended; until then the stream stays as it is, so that the recording has no gap.</source>
+        <translation>记录结束后会加入；在此之前数据流保持不变，使记录没有间断。</translation>
+    </message>
+    <message>
+        <source>Plot fewer signals.</source>
+        <translation>请减少所绘的信号。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MonitorPicture</name>
@@ -10069,6 +10101,37 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
     <message>
         <source>On another time axis and not in the picture: %1</source>
         <translation>位于其他时间轴，未包含在图片中：%1</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::MonitorRate</name>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>Live rate</source>
+        <translation>实时速率</translation>
+    </message>
+    <message>
+        <source>More rows per second for the plots, as many as the device and its link carry</source>
+        <translation>曲线图每秒得到更多的行，以设备及其链路所能承载为限</translation>
+    </message>
+    <message>
+        <source>What is plotted cannot come at %1; it comes at %2, the most that the device and its link carry.</source>
+        <translation>所绘信号无法以 %1 到来；现以 %2 到来，这是设备及其链路所能承载的最大值。</translation>
+    </message>
+    <message>
+        <source>As usual, %1</source>
+        <translation>照常，%1</translation>
+    </message>
+    <message>
+        <source>As usual</source>
+        <translation>照常</translation>
+    </message>
+    <message>
+        <source>The device and its link carry no more</source>
+        <translation>设备及其链路不能承载更多</translation>
     </message>
 </context>
 <context>
@@ -10851,10 +10914,6 @@ A real device has its own time.</source>
         <translation>每秒行数</translation>
     </message>
     <message>
-        <source>At most as many as the device sends</source>
-        <translation>最多与设备发送的一样多</translation>
-    </message>
-    <message>
         <source>%1 Hz</source>
         <translation>%1 Hz</translation>
     </message>
@@ -11048,6 +11107,10 @@ A real device has its own time.</source>
         <source>Without ending; empty: by the name mask %1 (File &gt; Preferences)</source>
         <translation>不含扩展名；留空：按名称模板 %1（文件 &gt; 首选项）</translation>
     </message>
+    <message>
+        <source>At most as many as the device and its link carry</source>
+        <translation>至多为设备及其链路所能承载的数目</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::RecordingControl</name>
@@ -11070,6 +11133,14 @@ A real device has its own time.</source>
     <message>
         <source>%1. What was written until then is in %2.</source>
         <translation>%1。此前写入的内容在 %2 中。</translation>
+    </message>
+    <message>
+        <source>What is plotted cannot be recorded at %1 Hz.</source>
+        <translation>所绘信号无法以 %1 Hz 记录。</translation>
+    </message>
+    <message>
+        <source>The device and its link carry at most %1 Hz of it. Choose a lower rate, or plot fewer signals.</source>
+        <translation>设备及其链路对此至多承载 %1 Hz。请选择较低的速率，或减少所绘的信号。</translation>
     </message>
 </context>
 <context>
