@@ -43,6 +43,7 @@ TEST(FrequencyScan, leavesOutFrequenciesWhereTheDenominatorHasNoDigits) {
     for (const double frequency : scanFrequencies(loop)) {
         const std::complex<double> z = std::polar(1.0, frequency * 0.01);
         const std::complex<double> exact = (z - 1.0) * (z - 1.0) * (z - 0.98);
+        // Three digits are what the scan asks of a denominator that cancels.
         ASSERT_LT(std::abs(evaluate(loop.denominator(), z) - exact), 1e-3 * std::abs(exact)) << frequency;
     }
 }

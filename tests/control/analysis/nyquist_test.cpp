@@ -66,7 +66,7 @@ TEST(Nyquist, theCurveStartsAndEndsOnTheRealAxisAndMarksItsArcs) {
     EXPECT_NEAR(result->curve.front().value.imag(), 0.0, 1e-9 * std::abs(result->curve.front().value));
     EXPECT_TRUE(result->curve.front().isIndented);
     EXPECT_FALSE(result->curve.back().isIndented);
-    EXPECT_LT(std::abs(result->curve.back().value), 1e-5);
+    EXPECT_LT(std::abs(result->curve.back().value), 1e-5); // 5/w^3 at 100 times the fastest pole
 }
 
 TEST(Nyquist, agreesWithTheRootsOfRandomClosedLoops) {

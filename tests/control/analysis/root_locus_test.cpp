@@ -82,6 +82,7 @@ TEST(RootLocus, branchesOfRandomLoopsAreContinuousAndComplete) {
         for (std::size_t i = 1; i < locus->gain.size(); ++i) {
             auto expected = roots(add(loop.denominator(), scale(loop.numerator(), locus->gain[i])));
             for (const auto& branch : locus->branch) {
+                // A hundredth of the picture, and three where branches meet and leave at right angles.
                 EXPECT_LT(std::abs(branch[i] - branch[i - 1]), 0.03 * extent) << round;
                 const auto nearest =
                     std::min_element(expected.begin(), expected.end(), [&](Complex a, Complex b) {

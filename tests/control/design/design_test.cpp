@@ -35,7 +35,7 @@ DesignTargets bandwidth(double bandwidth_Hz) {
 TEST(Design, theSourcesOwnTargetsGiveItsTrueGains) {
     const auto law = designLaw("designed", published(), NoDelay, {});
     ASSERT_TRUE(law.has_value());
-    EXPECT_NEAR(law->gains.proportional, 8.684, 0.5e-3);
+    EXPECT_NEAR(law->gains.proportional, 8.684, 0.5e-3); // half of the last printed digit
     EXPECT_NEAR(law->gains.integral, 3.776, 0.5e-3);
 }
 
@@ -108,7 +108,7 @@ TEST(Design, bandwidthIsMetByTheSampledLoop) {
 TEST(Design, bandwidthEndsWhereThePhaseMarginDoes) {
     const auto last = designLaw("bandwidth", published(), NoDelay, bandwidth(22.0));
     ASSERT_TRUE(last.has_value());
-    EXPECT_NEAR(marginsOf(published(), *last, NoDelay).phaseMargin_deg, 25.0, 1.0);
+    EXPECT_NEAR(marginsOf(published(), *last, NoDelay).phaseMargin_deg, 25.0, 1.0); // 0.4 Hz before the end
     EXPECT_EQ(designLaw("bandwidth", published(), NoDelay, bandwidth(23.0)).error().code,
               ErrorCode::OutOfRange);
 }
@@ -127,7 +127,7 @@ TEST(Design, phaseMarginIsMetByTheSampledLoopWithItsDelay) {
             const auto law = designLaw("phase-margin", published(), timing, phaseMargin(wanted_deg));
             ASSERT_TRUE(law.has_value()) << delay << " " << wanted_deg << " " << law.error().message;
             const StabilityMargins margins = marginsOf(published(), *law, timing);
-            EXPECT_NEAR(margins.phaseMargin_deg, wanted_deg, 0.01);
+            EXPECT_NEAR(margins.phaseMargin_deg, wanted_deg, 0.01); // what the method bisects to
             EXPECT_GE(margins.gainMargin_ratio, 2.0);
             EXPECT_LT(poleRadius(*sampledOpenLoop(published(), law->gains, timing)), 1.0);
         }
@@ -150,7 +150,7 @@ TEST(Design, aGivenCrossoverIsKeptOrRefused) {
     targets.omega_rad_s = 30.0;
     const auto law = designLaw("phase-margin", published(), NoDelay, targets);
     ASSERT_TRUE(law.has_value());
-    EXPECT_NEAR(marginsOf(published(), *law, NoDelay).gainCrossover_rad_s.value(), 30.0, 1e-6);
+    EXPECT_NEAR(marginsOf(published(), *law, NoDelay).gainCrossover_rad_s.value(), 30.0, 1e-6); // ten digits
     targets.omega_rad_s = 200.0;
     EXPECT_EQ(designLaw("phase-margin", published(), NoDelay, targets).error().code, ErrorCode::OutOfRange);
 }
@@ -163,7 +163,8 @@ TEST(Design, presetsAreTheNumbersOfTheTheory) {
     EXPECT_NEAR(designLaw("micro-step", published(), NoDelay, {})->gains.proportional, 5.0 * 180.0 / Pi,
                 1e-9);
     EXPECT_NEAR(designLaw("micro-step", published(), NoDelay, {})->gains.integral, 0.05 * 180.0 / Pi, 1e-9);
-    EXPECT_NEAR(designLaw("published-degrees", published(), NoDelay, {})->gains.proportional, 572.958, 1e-3);
+    EXPECT_NEAR(designLaw("published-degrees", published(), NoDelay, {})->gains.proportional, 572.958,
+                1e-3); // last digit
 }
 
 TEST(Design, refusesUnknownMethodsForeignTargetsAndNonsense) {

@@ -136,6 +136,7 @@ TEST(FrictionCycles, areThoseOfAnIndependentSimulation) {
         ASSERT_GE(cycles->size(), 2u) << each.pid.proportional;
         const LimitCycle& cycle = (*cycles)[1];
         const Swing swing = swingOf(simulated(plant, each.pid, timing, -1.7, 20.0), 0.01);
+        // 10 %: what the describing function is good for there (friction_cycles.h), and what is asked of it.
         EXPECT_NEAR(2.0 * cycle.amplitude / swing.peakToPeak_rad, 1.0, 0.1) << each.pid.proportional;
         EXPECT_NEAR(cycle.frequency_rad_s / swing.frequency_rad_s, 1.0, 0.1) << each.pid.proportional;
     }
@@ -194,6 +195,7 @@ TEST(FrictionBand, ofALawWithAssistIsTheLargestErrorThatRests) {
                 const double asked_A = kp * error_rad + (isAssisted ? law.stictionCurrent_A : 0.0);
                 largest_rad = asked_A <= breakaway_A ? error_rad : largest_rad;
             }
+            // Two strides of the walk.
             EXPECT_NEAR(frictionBand_rad(published(), law), largest_rad, 2.0 * Step_rad)
                 << kp << ' ' << share;
         }
@@ -204,6 +206,7 @@ TEST(FrictionBand, ofALawWithAssistIsTheLargestErrorThatRests) {
 // build up the breakaway current alone; K_P has 0.0559 A of the 1.4336 A already.
 TEST(BreakLoose, takesAsLongAsTheTheorySays) {
     const double error_rad = 0.32 * Pi / 180.0;
+    // One unit of the last digit shown.
     EXPECT_NEAR(breakLooseTime_s(published(), gains(0.0, 0.1), error_rad), 2567.0, 1.0);
     EXPECT_NEAR(breakLooseTime_s(published(), gains(0.0, 3.776), error_rad), 68.0, 0.1);
     EXPECT_NEAR(breakLooseTime_s(published(), gains(10.0, 0.1), error_rad), 2567.0 - 100.0, 1.0);

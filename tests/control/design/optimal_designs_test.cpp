@@ -79,6 +79,7 @@ TEST(DesignProof, ofTheRecommendedGainsSaysWhatTheTheorySays) {
     const auto proof = proveDesign(published(), gains(40.0, 60.0, 1.4), NoDelay, Limit_A);
     ASSERT_TRUE(proof.has_value());
     EXPECT_TRUE(proof->isStable);
+    // One unit of the last digit shown.
     EXPECT_NEAR(proof->margins.gainCrossover_rad_s.value(), 45.7, 0.1);
     EXPECT_NEAR(proof->margins.phaseMargin_deg, 37.9, 0.1);
     EXPECT_NEAR(proof->margins.gainMargin_ratio, 4.2, 0.1);
@@ -118,6 +119,7 @@ TEST(DesignProof, theNoiseGainIsThatOfASimulation) {
             squares += given * given;
             x = (motor.A * x + motor.B * given).eval();
         }
+        // Twice the counting error; to ten digits in PositionRoutes.
         EXPECT_NEAR(proof->noiseGain_A_per_rad / std::sqrt(squares / Samples), 1.0, 0.01) << delay;
     }
 }
@@ -173,6 +175,7 @@ TEST(Regulator, refusesWhatTheBoardsDelayMakesUnstable) {
 TEST(LoadError, ofACalmLoopIsTheInverseOfTheIntegralGain) {
     const auto iae = loadError(published(), gains(20.0, 10.0, 1.4), NoDelay, ErrorMeasure::Iae, 40.0);
     ASSERT_TRUE(iae.has_value());
+    // exp(-0.5 x 40) is left; the rest is the little that it swings over. Without a swing: PositionRoutes.
     EXPECT_NEAR(*iae, 0.1, 0.002);
 }
 

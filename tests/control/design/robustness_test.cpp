@@ -115,7 +115,8 @@ TEST(Robustness, isTheSameForTheSameSeedAndTightForAMotorKnownExactly) {
     EXPECT_EQ(first->phaseMargin_deg_p5, second->phaseMargin_deg_p5);
     const auto exact = assessRobustness(uncertain(0.0), proportional(10.0), NoDelay, 1000, Random(5));
     EXPECT_EQ(exact->unstable_fraction, 0.0);
-    EXPECT_NEAR(exact->gainMargin_ratio_p5, proportionalLimit_A_per_rad(published(), NoDelay) / 10.0, 1e-6);
+    EXPECT_NEAR(exact->gainMargin_ratio_p5, proportionalLimit_A_per_rad(published(), NoDelay) / 10.0,
+                1e-6); // bisected
 }
 
 // Far beyond its limit a loop may cross with margins that look fine; an unstable draw must not count with

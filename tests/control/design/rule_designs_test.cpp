@@ -71,6 +71,7 @@ TEST(ZieglerNichols, startsFromWhereTheSampledLoopSwings) {
         }
         const double period_s = 2.0 * Pi / (angle / 0.01);
         const PidGains pid = gainsOf("ziegler-nichols", {}, timing);
+        // Both are bisected; the period is that of a pole found on the circle to 1e-6.
         EXPECT_NEAR(pid.proportional, 0.6 * swinging.proportional, 1e-6);
         EXPECT_NEAR(pid.integral, 1.2 * swinging.proportional / period_s, 1e-4);
         EXPECT_NEAR(pid.derivative, 0.075 * swinging.proportional * period_s, 1e-6);
@@ -112,6 +113,7 @@ TEST(Lqr, hasTheAskedFrequencyWhereSamplingIsFast) {
     const LoopTiming fast{1e-4, 0};
     const auto law = designLaw("lqr", {0.0, k, 0.0}, fast, targets);
     ASSERT_TRUE(law.has_value());
+    // What a sample of 1e-4 s takes of 20 rad/s: w T = 0.002 of it.
     EXPECT_NEAR(std::sqrt(k * law->gains.proportional), 20.0, 0.05);
     EXPECT_NEAR(k * law->gains.derivative / 40.0, std::sqrt(0.5), 0.005); // damping
     EXPECT_EQ(law->gains.integral, 0.0);
@@ -138,16 +140,16 @@ TEST(Lead, hasTheAskedMarginAndNoIntegral) {
     targets.phaseMargin_deg = 50.0;
     const PidGains gains = gainsOf("lead", targets);
     EXPECT_EQ(gains.integral, 0.0);
-    EXPECT_NEAR(marginsOf(gains).phaseMargin_deg, 50.0, 0.01);
+    EXPECT_NEAR(marginsOf(gains).phaseMargin_deg, 50.0, 0.01); // what the method bisects to
     targets.omega_rad_s = 20.0;
-    EXPECT_NEAR(marginsOf(gainsOf("lead", targets)).gainCrossover_rad_s.value(), 20.0, 1e-6);
+    EXPECT_NEAR(marginsOf(gainsOf("lead", targets)).gainCrossover_rad_s.value(), 20.0, 1e-6); // ten digits
 }
 
 TEST(Lag, crossesWhereItWasAskedTo) {
     DesignTargets targets;
     targets.omega_rad_s = 6.0;
     const PidGains gains = gainsOf("lag", targets);
-    EXPECT_NEAR(marginsOf(gains).gainCrossover_rad_s.value(), 6.0, 1e-6);
+    EXPECT_NEAR(marginsOf(gains).gainCrossover_rad_s.value(), 6.0, 1e-6); // ten digits
     EXPECT_NEAR(gains.integral / gains.proportional, 0.6, 1e-12);
     EXPECT_EQ(gains.derivative, 0.0);
     targets.omega_rad_s = 60.0; // the motor's own damping is long past its phase there

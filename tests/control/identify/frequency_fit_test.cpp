@@ -56,7 +56,7 @@ TEST(FrequencyFit, exactPointsGiveTheRotorBack) {
     }
     const auto fit = fitHeldRotor(points, Period_s, 0.3e-3, 0.005);
     ASSERT_TRUE(fit) << fit.error().message;
-    EXPECT_NEAR(*fit->dampingRate.value, rotor.dampingRate_1_s, 1e-7);
+    EXPECT_NEAR(*fit->dampingRate.value, rotor.dampingRate_1_s, 1e-7); // where the iteration stops
     EXPECT_NEAR(*fit->accelerationGain.value, rotor.accelerationGain_rad_s2_A, 1e-7);
     EXPECT_NEAR(*fit->feedthrough.value, 5e-4, 1e-10);
     EXPECT_EQ(fit->points, 40);

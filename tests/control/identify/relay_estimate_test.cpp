@@ -75,7 +75,7 @@ TEST(UltimateGain, isTheSampledLimitOfThePublishedMotor) {
     for (int delay = 0; delay <= 2; ++delay) {
         const auto at = ultimateGain(Published, Period_s, delay);
         ASSERT_TRUE(at) << at.error().message;
-        EXPECT_NEAR(at->gain, expected[delay], 0.005) << delay;
+        EXPECT_NEAR(at->gain, expected[delay], 0.005) << delay; // the last printed digit
     }
     // w = sqrt(a/delay), the half sample of the held current being the delay, but for terms of (w T)^2/12
     EXPECT_NEAR(ultimateGain(Published, Period_s, 0)->frequency_rad_s,
@@ -107,9 +107,10 @@ TEST(LimitCycle, givesTheUltimateGainWithinItsInterval) {
             EXPECT_NEAR(ultimate->at.gain, expected[delay], 0.005 * expected[delay]) << delay << " " << times;
             EXPECT_LE(ultimate->gain95.first, 1.002 * expected[delay]);
             EXPECT_GE(ultimate->gain95.second, 0.998 * expected[delay]);
-            EXPECT_NEAR(ultimate->phase_deg, -180.0, 8.0);
-            EXPECT_NEAR(ultimate->rotor.dampingRate_1_s, Damping_1_s, 0.02 * Damping_1_s);
-            EXPECT_NEAR(cycle->growth_ratio, 1.0, 0.02);
+            EXPECT_NEAR(ultimate->phase_deg, -180.0, 8.0); // of the cycle itself, see above
+            EXPECT_NEAR(ultimate->rotor.dampingRate_1_s, Damping_1_s,
+                        0.02 * Damping_1_s);             // one gain, one phase
+            EXPECT_NEAR(cycle->growth_ratio, 1.0, 0.02); // a cycle, neither growing nor dying
         }
     }
 }

@@ -86,7 +86,7 @@ TEST(TransientFit, oneCoastDownIsAsPreciseAsTheTheorySays) {
     const Spread fast = spreadOfCoastDowns(28.0, 150);
     EXPECT_NEAR(fast.damping / 0.0033, 1.0, 0.22);
     EXPECT_NEAR(fast.friction / 0.0021, 1.0, 0.22);
-    EXPECT_NEAR(fast.correlation, -0.98, 0.02);
+    EXPECT_NEAR(fast.correlation, -0.98, 0.02); // (1 - r^2)/sqrt(150), and the last digit
     const Spread slow = spreadOfCoastDowns(10.0, 150);
     EXPECT_NEAR(slow.damping / 0.054, 1.0, 0.22);
     EXPECT_NEAR(slow.friction / 0.014, 1.0, 0.22);
@@ -109,7 +109,7 @@ TEST(TransientFit, runUpsAndACoastDownGiveAllRatiosToTwoParts) {
         EXPECT_LT(sigma, 4e-4);
         EXPECT_LT(std::fabs(value / truth - 1.0), 4.0 * sigma);
     }
-    EXPECT_NEAR(fit->angleNoise_rad / Noise_rad, 1.0, 0.08);
+    EXPECT_NEAR(fit->angleNoise_rad / Noise_rad, 1.0, 0.08); // 360 rows: two of 3.8 %
 }
 
 TEST(TransientFit, runUpsAtOneCurrentAreRefused) {

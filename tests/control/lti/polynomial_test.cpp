@@ -39,6 +39,7 @@ TEST(Polynomial, findsTheRootsItWasMadeFrom) {
     const auto found = roots(fromRoots(wanted));
     ASSERT_EQ(found.size(), wanted.size());
     for (const Complex& root : wanted) {
+        // Coefficients of 300 and of one in the same sum: some five digits of sixteen.
         EXPECT_LT(distanceToNearest(found, root), 1e-10 * (1.0 + std::abs(root)));
     }
 }
@@ -71,7 +72,7 @@ TEST(Polynomial, rootsAtZeroAreExactAndComplexRootsConjugate) {
 
 TEST(Polynomial, findsADoubleRootToTheSquareRootOfTheRounding) {
     for (const Complex& root : roots({1.0, -4.0, 4.0})) {
-        EXPECT_LT(std::abs(root - 2.0), 2e-7);
+        EXPECT_LT(std::abs(root - 2.0), 2e-7); // sqrt(2e-16 x 16)
     }
 }
 
@@ -86,7 +87,7 @@ TEST(Polynomial, findsManySampledIntegratorsExactly) {
 TEST(Polynomial, findsRootsTwelveDecadesApart) {
     const auto found = roots(fromRoots({{-1e-6, 0.0}, {-1.0, 0.0}, {-1e6, 0.0}}));
     for (const double root : {-1e-6, -1.0, -1e6}) {
-        EXPECT_LT(distanceToNearest(found, root), 1e-8 * std::abs(root));
+        EXPECT_LT(distanceToNearest(found, root), 1e-8 * std::abs(root)); // the middle one keeps fewer
     }
 }
 
