@@ -2,11 +2,13 @@
 
 #include "widgets/display_units.h"
 #include "widgets/theme_style.h"
+#include "widgets/time_decimals.h"
+#include "widgets/time_field.h"
+#include "widgets/value_range.h"
 
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -15,17 +17,15 @@
 #include <QToolButton>
 
 #include <cmath>
+#include <utility>
 
 namespace halbench::widgets {
 namespace {
 
-constexpr double Farthest_s = 1e7;
-constexpr int Decimals = 4; ///< 0.1 ms: finer than any stream's period
-constexpr double Step_s = 0.01;
+constexpr int StepsOfSpan = 1000;
+constexpr int ReciprocalDigits = 6;
 constexpr int NameCharacters = 9;
 constexpr int LongestName = 40;
-constexpr int TimeCharacters = 12; ///< "-1234.5678 s"
-constexpr int StepButtons_px = 32; ///< and the margins
 
 } // namespace
 
@@ -79,14 +79,7 @@ void CursorBar::fillMenu() {
 
 void CursorBar::addTimeField(int index) {
     const QString name = index == 0 ? QStringLiteral("A") : QStringLiteral("B");
-    auto* field = new QDoubleSpinBox(this);
-    field->setRange(-Farthest_s, Farthest_s);
-    field->setDecimals(Decimals);
-    field->setSingleStep(Step_s);
-    field->setSuffix(QStringLiteral(" s"));
-    field->setFixedWidth(TimeCharacters * fontMetrics().averageCharWidth() + StepButtons_px);
-    field->setKeyboardTracking(false);
-    field->setAlignment(Qt::AlignRight);
+    auto* field = new TimeField(this);
     field->setAccessibleName(tr("Time of cursor %1").arg(name));
     field->setToolTip(
         tr("Time of cursor %1: type it, drag the line, or press %1 and move it with the arrow keys")
@@ -136,8 +129,19 @@ void CursorBar::showTimes(const CursorPair& cursors) {
     }
     const double distance_s = cursors.b_s - cursors.a_s;
     const QString reciprocal =
-        distance_s == 0.0 ? QStringLiteral("–") : numberText(std::abs(1.0 / distance_s), 4);
-    m_distance->setText(tr("Δt %1 s    1/Δt %2 Hz").arg(fixedText(distance_s, Decimals), reciprocal));
+        distance_s == 0.0 ? QStringLiteral("–") : numberText(std::abs(1.0 / distance_s), ReciprocalDigits);
+    m_distance->setText(
+        tr("Δt %1 s    1/Δt %2 Hz").arg(timeDistanceText(distance_s, m_decimals), reciprocal));
+}
+
+void CursorBar::setResolution(double span_s, std::optional<double> period_s) {
+    const int decimals = timeDecimals(span_s, period_s);
+    for (TimeField* field : m_fields) {
+        field->setShown(decimals, niceStep(span_s, StepsOfSpan));
+    }
+    if (std::exchange(m_decimals, decimals) != decimals) {
+        showTimes(m_pairs.cursors());
+    }
 }
 
 void CursorBar::editName() {

@@ -6,14 +6,17 @@
 #include <QPointer>
 #include <QWidget>
 
+#include <optional>
+
 class QAction;
-class QDoubleSpinBox;
 class QLabel;
 class QLineEdit;
 class QMenu;
 class QToolButton;
 
 namespace halbench::widgets {
+
+class TimeField;
 
 /// The pair that measures: its name, under which a menu has the other pairs, its cursors' times, which can be
 /// typed, their distance and its reciprocal.
@@ -26,6 +29,8 @@ public:
     /// What can be done with pairs, for the menu.
     void setPairActions(const QList<QAction*>& actions);
     void setPairs(const CursorPairs& pairs);
+    /// The stretch that is shown and the samples' period: what decimals are worth showing.
+    void setResolution(double span_s, std::optional<double> period_s);
     /// The next keys are the name.
     void editName();
     /// Stays until something else is shown; beside the distance.
@@ -47,10 +52,11 @@ private:
 
     QToolButton* m_menu;
     QLineEdit* m_name;
-    QDoubleSpinBox* m_fields[2];
+    TimeField* m_fields[2];
     QLabel* m_distance;
     QLabel* m_refusal;
     CursorPairs m_pairs;
+    int m_decimals = 4;
     QList<QAction*> m_actions;
     QMenu* m_list;
     QPointer<QWidget> m_before; ///< had the focus before the name
