@@ -125,7 +125,8 @@ void LivePlot::setSpec(const PlotSpec& spec, const control::SampleHistory* histo
                           ? tr("Plot of %1, at the right %2").arg(m_spec.quantity, m_spec.right.quantity)
                           : tr("Plot of %1").arg(m_spec.quantity));
     setAccessibleDescription(
-        tr("Arrow keys move a cursor, plus and minus zoom, Space pauses, F fits, Insert adds signals."));
+        tr("Arrow keys move a cursor or scroll, plus and minus zoom the time, with Ctrl the values, Space "
+           "pauses, F fits, Insert adds signals."));
     updateTitle();
 }
 

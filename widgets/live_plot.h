@@ -57,7 +57,9 @@ public:
     void setReference(ReferencePtr reference);
     const std::vector<HistoryCurve*>& referenceCurves() const { return m_referenceCurves; }
     void setCursors(const CursorPairs& cursors);
-    void setMarkers(const std::vector<PlotMarker>& markers) { m_overlay->setMarkers(markers); }
+    void setMarkers(const std::vector<PlotMarker>& markers, std::optional<std::size_t> chosen) {
+        m_overlay->setMarkers(markers, chosen);
+    }
     void setNamesShown(bool areShown) { m_overlay->setNamesShown(areShown); }
 
     /// The range the user chose; nothing while the axis follows the data.
@@ -100,6 +102,7 @@ Q_SIGNALS:
     void fitRequested();
     void cursorMoved(int index, double time_s);
     void pairPicked(int pair);     ///< before one of its cursors moves
+    void markerPicked(int marker); ///< by a click on its note or its line
     void levelMoved(double level); ///< in SI
     void signalsDropped(QStringList names);
     void signalsDroppedBeside(QStringList names); ///< at its right edge

@@ -144,6 +144,9 @@ void LivePlot::finishBox(const QPoint& end) {
     m_overlay->setBox(std::nullopt);
     replot();
     if (box.width() < QApplication::startDragDistance() || box.height() < QApplication::startDragDistance()) {
+        if (const auto marker = m_overlay->markerAt(end, canvasMap(xBottom), CursorReach_px)) {
+            Q_EMIT markerPicked(static_cast<int>(*marker));
+        }
         return; // a click
     }
     const QwtScaleMap map = canvasMap(yLeft);

@@ -3,6 +3,7 @@
 #include "widgets/cursor_bar.h"
 #include "widgets/live_legend.h"
 #include "widgets/live_plot.h"
+#include "widgets/marker_bar.h"
 #include "widgets/theme_style.h"
 #include "widgets/time_axis_bar.h"
 
@@ -25,17 +26,19 @@ constexpr int HandleWidth = 4;
 
 LivePlotStack::LivePlotStack(QWidget* parent)
     : QWidget(parent), m_splitter(new QSplitter(Qt::Horizontal, this)), m_cursorBar(new CursorBar(this)),
-      m_timer(new QTimer(this)) {
+      m_markerBar(new MarkerBar(this)), m_timer(new QTimer(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_splitter, 1);
     layout->addWidget(m_cursorBar);
+    layout->addWidget(m_markerBar);
     m_splitter->setHandleWidth(HandleWidth);
     m_splitter->setChildrenCollapsible(false);
     m_cursorBar->hide();
     createActions();
     connectCursorBar();
+    connectMarkerBar();
     connect(m_timer, &QTimer::timeout, this, &LivePlotStack::refresh);
     setTheme(currentTheme());
     setPlots({});
@@ -125,6 +128,7 @@ void LivePlotStack::setTheme(const Theme& theme) {
         column.timeAxis->setTheme(theme);
     }
     m_cursorBar->setTheme(theme);
+    m_markerBar->setTheme(theme);
     m_isDirty = true;
 }
 
@@ -166,6 +170,8 @@ void LivePlotStack::connectPlot(LivePlot* plot) {
         m_pairs.choose(static_cast<std::size_t>(pair));
         placeCursors();
     });
+    connect(plot, &LivePlot::markerPicked, this,
+            [this](int marker) { chooseMarker(static_cast<std::size_t>(marker)); });
     connect(plot, &LivePlot::levelMoved, this, &LivePlotStack::levelMoved);
     connect(plot, &LivePlot::valuesChanged, this, [this] { m_isDirty = true; });
     connect(plot, &LivePlot::panRequested, this, [this, plot](double by_s) {
@@ -205,7 +211,7 @@ void LivePlotStack::configureRow(std::size_t index) {
     const bool isTopmost = index == 0 || m_specs[index - 1].column != m_specs[index].column;
     row.plot->setNamesShown(isTopmost);
     row.legend->setCursorColumnsShown(cursors().isVisible, isTopmost);
-    row.plot->setMarkers(m_markers);
+    row.plot->setMarkers(m_markers, m_chosenMarker);
     row.plot->setCursors(m_pairs);
     row.plot->setEvent(m_event_s);
     row.plot->setLevel(m_level);

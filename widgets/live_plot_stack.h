@@ -24,6 +24,7 @@ namespace halbench::widgets {
 class CursorBar;
 class LiveLegend;
 class LivePlot;
+class MarkerBar;
 class TimeAxisBar;
 
 /// Plots above and beside each other over one time axis, fed from a history: what the Monitor shows. Lives in
@@ -34,12 +35,15 @@ class TimeAxisBar;
 ///     left drag          zoom into a box           Ctrl + left drag, middle drag   pan
 ///     double click, F    fit: the values while following, else all of the history
 ///     Backspace          zoom back                 Home                            all of the history
+///     Ctrl + plus, minus zoom the values           Up, Down (Shift)                scroll them
+///     Shift+F            fit the values of the plot with the focus
 ///     Space              pause, data are kept      End                             follow the newest sample
 ///     C                  cursors; arrows move the active one, Shift coarsely, A and B choose it
 ///     N, Shift+N         another pair of cursors, removes the pair that measures
 ///     P, Shift+P         the next pair, the one before; F2 names it
 ///     G, Shift+C         the view goes to the pair, the pair comes into the view
-///     M                  marker                    Insert                          add signals
+///     M, Shift+M         marker, with a note       Insert                          add signals
+///     J, Shift+J         the next marker, the one before; Delete removes it, Ctrl+J lists all
 ///     O, Shift+O         the plot has its own time axis or not, one time axis for all
 ///     L, Shift+L         the plot goes into the column at the right, at the left
 ///     Ctrl+Shift+Right   a new plot in a column of its own, at the right
@@ -70,6 +74,9 @@ public:
         ZoomOut,
         ScrollBack,
         ScrollOn,
+        ZoomValuesIn,
+        ZoomValuesOut,
+        FitValues,
         Cursors,
         CursorA,
         CursorB,
@@ -81,6 +88,11 @@ public:
         ShowPair,
         PairHere,
         Marker,
+        MarkerNote,
+        NextMarker,
+        PreviousMarker,
+        RemoveMarker,
+        ListMarkers,
         KeepReference,
         RemoveReference,
         OwnTime,
@@ -103,8 +115,8 @@ public:
     /// Adds to a plot, or as a new plot below when `plot` is none of them. A signal is shown once in a plot.
     void addCurve(int plot, const PlotCurve& curve);
     void removeCurve(int plot, const std::string& signal);
-    /// A new plot at that place, 0 to as many as there are, in the column of the one before it; those below
-    /// it go down.
+    /// A new plot at that place, 0 to as many as there are, in the column of the one before it; those from
+    /// there on go down, with their time axes.
     void openPlot(int at, PlotSpec plot);
     /// To the other side of its plot, or into another one. False: no axis there takes it.
     bool moveToAxis(int plot, const std::string& signal, bool isRight);
@@ -164,6 +176,11 @@ public:
     const std::optional<PlotLevel>& level() const { return m_level; }
     void setMarkers(std::vector<PlotMarker> markers);
     const std::vector<PlotMarker>& markers() const { return m_markers; }
+    /// The one whose note is in the row below the plots; its place in the list.
+    std::optional<std::size_t> chosenMarker() const { return m_chosenMarker; }
+    void chooseMarker(std::optional<std::size_t> marker);
+    /// Whether markers can be dropped, noted and removed.
+    void setMarkersEditable(bool areEditable);
 
     /// What is in view of the curves that are shown becomes the reference.
     void keepReference();
@@ -272,7 +289,23 @@ private:
     void namePair(const QString& name);
     void placeCursors();
     void moveCursor(int columns);
-    void dropMarker();
+    void createValueActions();
+    void runOnValues(Command command);
+    void scrollValues(int sign, bool isCoarse);
+    void showValues(int plot, const ValueRange& left);
+    std::optional<double> samplePeriod_s() const;
+    void createMarkerActions();
+    void connectMarkerBar();
+    void runOnMarkers(Command command);
+    std::size_t dropMarker();
+    void noteMarker();
+    void goToMarker(std::optional<std::size_t> marker);
+    void setNote(const QString& note);
+    void removeMarker();
+    void changeMarkers(std::vector<PlotMarker> markers);
+    void cancelNote();
+    double markedTime_s() const;
+    void placeMarkers();
     std::optional<int> focusedPlot() const;
     int activePlot() const { return focusedPlot().value_or(0); }
     int deviceColumns(int column) const;
@@ -288,6 +321,9 @@ private:
     TimeView m_view;
     CursorPairs m_pairs;
     std::vector<PlotMarker> m_markers;
+    std::optional<std::size_t> m_chosenMarker;
+    bool m_isMarkerNew = false; ///< dropped for the note that is being typed
+    bool m_areMarkersEditable = true;
     std::optional<double> m_event_s;
     std::optional<PlotLevel> m_level;
     ReferencePtr m_reference;
@@ -297,6 +333,7 @@ private:
     QSplitter* m_splitter; ///< of the columns
     std::vector<Column> m_columns;
     CursorBar* m_cursorBar;
+    MarkerBar* m_markerBar;
     QTimer* m_timer;
     std::optional<std::uint64_t> m_drawnRevision;
     QString m_stale;

@@ -30,8 +30,9 @@ void LivePlotStack::createActions() {
     addAction(Command::ZoomOut, tr("Zoom out"), QStringLiteral("-"), tr("Show a longer stretch of time"));
     addAction(Command::ScrollBack, tr("Scroll back"), QStringLiteral("PgUp"), tr("Show what was before"));
     addAction(Command::ScrollOn, tr("Scroll on"), QStringLiteral("PgDown"), tr("Show what came after"));
+    createValueActions();
     createCursorActions();
-    addAction(Command::Marker, tr("Marker"), QStringLiteral("M"), tr("Mark this moment"));
+    createMarkerActions();
     addAction(Command::KeepReference, tr("Keep as reference"), QStringLiteral("K"),
               tr("What is shown stays as faint curves below the live ones"));
     addAction(Command::RemoveReference, tr("Remove the reference"), QStringLiteral("Shift+K"),
@@ -76,8 +77,17 @@ void LivePlotStack::run(Command command) {
     case Command::OwnTime:
     case Command::OneTimeAxis:
         return runOnTime(command);
+    case Command::ZoomValuesIn:
+    case Command::ZoomValuesOut:
+    case Command::FitValues:
+        return runOnValues(command);
     case Command::Marker:
-        return dropMarker();
+    case Command::MarkerNote:
+    case Command::NextMarker:
+    case Command::PreviousMarker:
+    case Command::RemoveMarker:
+    case Command::ListMarkers:
+        return runOnMarkers(command);
     case Command::PlotRight:
     case Command::PlotLeft:
     case Command::NewBeside:
@@ -103,13 +113,18 @@ std::optional<int> LivePlotStack::focusedPlot() const {
 }
 
 void LivePlotStack::keyPressEvent(QKeyEvent* event) {
-    const bool isArrow = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
-    if (!isArrow) {
+    const bool isValues = event->key() == Qt::Key_Up || event->key() == Qt::Key_Down;
+    const bool isTime = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
+    const bool isControl = (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) != 0;
+    if (!isTime && (!isValues || isControl)) {
         QWidget::keyPressEvent(event);
         return;
     }
-    const int sign = event->key() == Qt::Key_Right ? 1 : -1;
+    const int sign = event->key() == Qt::Key_Right || event->key() == Qt::Key_Up ? 1 : -1;
     const bool isCoarse = (event->modifiers() & Qt::ShiftModifier) != 0;
+    if (isValues) {
+        return scrollValues(sign, isCoarse);
+    }
     if (cursors().isVisible && (event->modifiers() & Qt::ControlModifier) == 0) {
         moveCursor(isCoarse ? sign * CoarseColumns : sign);
         return;
@@ -118,13 +133,6 @@ void LivePlotStack::keyPressEvent(QKeyEvent* event) {
     TimeView& view = activeView();
     view.pan(sign * (isCoarse ? 5.0 : 1.0) * Scroll_ratio * view.range().length_s());
     changed(wasFollowing, isPaused());
-}
-
-void LivePlotStack::dropMarker() {
-    std::vector<PlotMarker> markers = m_markers;
-    const double time_s = cursors().isVisible ? cursors().at(cursors().active) : m_view.now_s();
-    markers.push_back({time_s, QString::number(markers.size() + 1)});
-    setMarkers(std::move(markers));
 }
 
 void LivePlotStack::setEvent(std::optional<double> event_s) {
@@ -141,15 +149,6 @@ void LivePlotStack::setLevel(const std::optional<PlotLevel>& level) {
         row.plot->setLevel(m_level);
     }
     m_isDirty = true;
-}
-
-void LivePlotStack::setMarkers(std::vector<PlotMarker> markers) {
-    m_markers = std::move(markers);
-    for (const Row& row : m_rows) {
-        row.plot->setMarkers(m_markers);
-    }
-    m_isDirty = true;
-    Q_EMIT markersChanged();
 }
 
 } // namespace halbench::widgets

@@ -6,6 +6,7 @@
 
 #include <QAction>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -130,6 +131,26 @@ void LivePlotStack::setCursorPairs(CursorPairs pairs) {
 void LivePlotStack::setCursor(int index, double time_s) {
     m_pairs.move(index, time_s);
     placeCursors();
+}
+
+/// Of the densest signal in view; nothing while there are not two rows of one.
+std::optional<double> LivePlotStack::samplePeriod_s() const {
+    const control::TimeRange view = activeView().range();
+    std::optional<double> period_s;
+    for (const PlotSpec& plot : m_specs) {
+        for (const PlotCurve& curve : plot.curves) {
+            const auto held = m_history != nullptr ? m_history->range(curve.signal) : std::nullopt;
+            const control::TimeRange seen = held ? control::TimeRange{std::max(view.begin_s, held->begin_s),
+                                                                      std::min(view.end_s, held->end_s)}
+                                                 : control::TimeRange{};
+            const std::size_t rows = seen.length_s() > 0.0 ? m_history->rowsIn(curve.signal, seen) : 0;
+            if (rows > 1) {
+                const double own_s = seen.length_s() / static_cast<double>(rows);
+                period_s = std::min(period_s.value_or(own_s), own_s);
+            }
+        }
+    }
+    return period_s;
 }
 
 void LivePlotStack::placeCursors() {

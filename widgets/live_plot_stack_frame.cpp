@@ -201,6 +201,9 @@ void LivePlotStack::showOwnState(const Row& row) {
 
 void LivePlotStack::showState() {
     showChecks(); // the focus may have gone to another axis
+    if (cursors().isVisible) {
+        m_cursorBar->setResolution(activeView().range().length_s(), samplePeriod_s());
+    }
     for (const Row& row : m_rows) {
         if (row.time) {
             showOwnState(row);

@@ -97,7 +97,10 @@ void OverlayItem::draw(QPainter* painter, const QwtScaleMap& xMap, const QwtScal
                        const QRectF& canvas) const {
     painter->save();
     drawTrigger(painter, xMap, yMap, canvas);
-    drawMarkers(painter, xMap, canvas);
+    const bool hasNames = m_areNamesShown && (m_event_s || m_cursors.cursors().isVisible);
+    const double above_px = hasNames ? QFontMetricsF(painter->font()).height() + 1.0 : 0.0;
+    m_flags =
+        drawMarkers(*painter, xMap, canvas, m_markers, {m_theme, m_chosenMarker, m_areNamesShown, above_px});
     drawCursors(painter, xMap, canvas);
     if (m_box) {
         painter->setPen(QPen(m_theme.accent, 1.0));
@@ -126,20 +129,6 @@ void OverlayItem::drawFlag(QPainter* painter, double x, const QRectF& canvas, co
     painter->fillRect(flag, colour);
     painter->setPen(textColour);
     painter->drawText(flag, Qt::AlignCenter, text);
-}
-
-void OverlayItem::drawMarkers(QPainter* painter, const QwtScaleMap& xMap, const QRectF& canvas) const {
-    for (const PlotMarker& marker : m_markers) {
-        const double x = std::round(xMap.transform(marker.time_s));
-        if (x < canvas.left() || x > canvas.right()) {
-            continue;
-        }
-        painter->setPen(QPen(m_theme.muted, 1.0, Qt::DashLine));
-        painter->drawLine(QPointF(x, canvas.top()), QPointF(x, canvas.bottom()));
-        if (m_areNamesShown && !marker.text.isEmpty()) {
-            drawFlag(painter, x, canvas, marker.text, m_theme.raised, m_theme.text);
-        }
-    }
 }
 
 /// Lines of the event and of the level with their letter T; the hysteresis as dots on both sides.

@@ -2,6 +2,8 @@
 
 #include "widgets/cursor_pairs.h"
 #include "widgets/live_plot_spec.h"
+#include "widgets/marker_flags.h"
+#include "widgets/plot_marker.h"
 #include "widgets/theme.h"
 
 #include <QColor>
@@ -14,13 +16,6 @@
 #include <vector>
 
 namespace halbench::widgets {
-
-/// A moment with a note, dropped by key.
-struct PlotMarker {
-    double time_s = 0.0;
-    QString text;
-    bool operator==(const PlotMarker&) const = default;
-};
 
 /// Lines at the labelled ticks. Filled as rectangles: drawn as lines they would cost more than all curves.
 class GridItem : public QwtPlotItem {
@@ -59,7 +54,15 @@ public:
     void setTheme(const Theme& theme) { m_theme = theme; }
     /// The pair that measures is in full strength, the others are faint and have their names.
     void setCursors(const CursorPairs& cursors) { m_cursors = cursors; }
-    void setMarkers(std::vector<PlotMarker> markers) { m_markers = std::move(markers); }
+    void setMarkers(std::vector<PlotMarker> markers, std::optional<std::size_t> chosen) {
+        m_markers = std::move(markers);
+        m_chosenMarker = chosen;
+    }
+    /// As it was drawn last: the note there, or the line at most so far away.
+    std::optional<std::size_t> markerAt(const QPointF& place, const QwtScaleMap& xMap,
+                                        double reach_px) const {
+        return widgets::markerAt(place, m_flags, m_markers, xMap, reach_px);
+    }
     void setFocused(bool isFocused) { m_isFocused = isFocused; }
     void setBox(std::optional<QRectF> box) { m_box = box; }
     /// The moment of a trigger's event.
@@ -77,7 +80,6 @@ private:
     void drawFlag(QPainter* painter, double x, const QRectF& canvas, const QString& text,
                   const QColor& colour, const QColor& textColour, double side = 0.5) const;
     double flagSide(const NamedPair& pair, int index) const;
-    void drawMarkers(QPainter* painter, const QwtScaleMap& xMap, const QRectF& canvas) const;
     void drawCursors(QPainter* painter, const QwtScaleMap& xMap, const QRectF& canvas) const;
     void drawOtherCursors(QPainter* painter, const QwtScaleMap& xMap, const QRectF& canvas) const;
     QString cursorFlag(const NamedPair& pair, int index) const;
@@ -88,6 +90,8 @@ private:
     Theme m_theme;
     CursorPairs m_cursors;
     std::vector<PlotMarker> m_markers;
+    std::optional<std::size_t> m_chosenMarker;
+    mutable std::vector<MarkerFlag> m_flags; ///< where their notes were drawn
     std::optional<QRectF> m_box;
     std::optional<double> m_event_s;
     std::optional<double> m_level;

@@ -15,7 +15,6 @@ namespace halbench::app {
 
 namespace {
 
-using Command = widgets::LivePlotStack::Command;
 using State = LoopCapture::State;
 constexpr std::size_t Budget_bytes = std::size_t{1} << 23; ///< 4096 rows of four signals and their pyramids
 constexpr double MostBefore_ratio = 0.99;                  ///< one row at least lies behind the event
@@ -82,7 +81,7 @@ void MonitorCapture::stop() {
     if (!m_stack.isFollowing()) {
         m_stack.showTimeRange(m_liveView);
     }
-    m_stack.action(Command::Marker)->setEnabled(true);
+    m_stack.setMarkersEditable(true);
     const QSignalBlocker quiet(m_stack); // they are no new ones
     m_stack.setMarkers(std::exchange(m_liveMarkers, {}));
     m_stack.setEvent(std::nullopt);
@@ -163,7 +162,7 @@ void MonitorCapture::enter() {
         const QSignalBlocker quiet(m_stack);
         m_stack.setMarkers({});
     }
-    m_stack.action(Command::Marker)->setEnabled(false);
+    m_stack.setMarkersEditable(false);
     showHistory(m_stack, m_history);
     m_stack.setEvent(0.0);
     const control::TimeRange window = windowOf(m_choice);
