@@ -2,6 +2,7 @@
 
 #include "widgets/figure_painter.h"
 #include "widgets/figure_svg.h"
+#include "widgets/painting.h"
 
 #include <QBuffer>
 #include <QHash>
@@ -42,26 +43,25 @@ public:
     SameHashOrder& operator=(const SameHashOrder&) = delete;
 };
 
-QByteArray pdf(const Figure& figure, int width_px) {
+QByteArray pdf(const Painting& painting) {
     const SameHashOrder order;
-    const FigureLayout layout = layOut(figure, width_px);
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     QPdfWriter writer(&buffer);
     writer.setResolution(static_cast<int>(ScreenDots));
     writer.setPageSize(
-        QPageSize(QSizeF(layout.size) * PointsPerPixel, QPageSize::Point, {}, QPageSize::ExactMatch));
+        QPageSize(QSizeF(painting.size) * PointsPerPixel, QPageSize::Point, {}, QPageSize::ExactMatch));
     writer.setPageMargins({});
-    writer.setTitle(QString::fromStdString(figure.title));
+    writer.setTitle(QString::fromStdString(painting.title));
     QPainter painter(&writer);
-    paintFigure(painter, figure, layout, loadTheme("light").value());
+    painting.paint(painter, paperTheme());
     painter.end();
     return withoutDate(bytes);
 }
 
-QByteArray png(const Figure& figure, const Theme& theme, int width_px) {
-    QImage image = figureImage(figure, theme, PrintDots / ScreenDots, width_px);
+QByteArray png(const Painting& painting, const Theme& theme) {
+    QImage image = imageOf(painting, theme, PrintDots / ScreenDots);
     image.setDotsPerMeterX(static_cast<int>(std::round(PrintDots / MetresPerInch)));
     image.setDotsPerMeterY(image.dotsPerMeterX());
     QByteArray bytes;
@@ -69,6 +69,13 @@ QByteArray png(const Figure& figure, const Theme& theme, int width_px) {
     buffer.open(QIODevice::WriteOnly);
     image.save(&buffer, "PNG");
     return bytes;
+}
+
+Painting paintingOf(const Figure& figure, int width_px) {
+    const FigureLayout layout = layOut(figure, width_px);
+    return {figure.title, layout.size, [&figure, layout](QPainter& painter, const Theme& theme) {
+                paintFigure(painter, figure, layout, theme);
+            }};
 }
 
 } // namespace
@@ -84,28 +91,39 @@ std::optional<PictureFormat> pictureFormat(const QString& path) {
     return std::nullopt;
 }
 
-QImage figureImage(const Figure& figure, const Theme& theme, double fineness, int width_px) {
-    const FigureLayout layout = layOut(figure, width_px);
-    QImage image((QSizeF(layout.size) * fineness).toSize(), QImage::Format_ARGB32_Premultiplied);
+Theme paperTheme() {
+    return loadTheme("light").value();
+}
+
+QImage imageOf(const Painting& painting, const Theme& theme, double fineness) {
+    QImage image((QSizeF(painting.size) * fineness).toSize(), QImage::Format_ARGB32_Premultiplied);
     image.setDevicePixelRatio(fineness);
     image.fill(theme.panel);
     QPainter painter(&image);
-    paintFigure(painter, figure, layout, theme);
+    painting.paint(painter, theme);
     return image;
+}
+
+Result<QByteArray> fileOf(const Painting& painting, const Theme& theme, PictureFormat format) {
+    if (format == PictureFormat::Pdf) {
+        return pdf(painting);
+    }
+    if (format == PictureFormat::Png) {
+        return png(painting, theme);
+    }
+    const Result<std::string> svg = svgOf(painting, theme);
+    return svg ? Result<QByteArray>(QByteArray::fromStdString(*svg)) : failure(svg.error());
+}
+
+QImage figureImage(const Figure& figure, const Theme& theme, double fineness, int width_px) {
+    return imageOf(paintingOf(figure, width_px), theme, fineness);
 }
 
 Result<QByteArray> pictureFile(const Figure& figure, const Theme& theme, PictureFormat format, int width_px) {
     if (const Result<void> checked = checkFigure(figure); !checked) {
         return failure(checked.error());
     }
-    if (format == PictureFormat::Pdf) {
-        return pdf(figure, width_px);
-    }
-    if (format == PictureFormat::Png) {
-        return png(figure, theme, width_px);
-    }
-    const Result<std::string> svg = figureSvg(figure, theme, width_px);
-    return svg ? Result<QByteArray>(QByteArray::fromStdString(*svg)) : failure(svg.error());
+    return fileOf(paintingOf(figure, width_px), theme, format);
 }
 
 std::function<Result<void>()> pictureWriting(Result<QByteArray> content, const QString& path) {

@@ -1,6 +1,6 @@
 #include "widgets/figure_axis.h"
-#include "widgets/figure_painter.h"
 #include "widgets/figure_scales.h"
+#include "widgets/panel_layers.h"
 
 #include <QFontMetricsF>
 
@@ -60,11 +60,20 @@ QFont figureFont(bool isTitle) {
     return font;
 }
 
+FigureMargins marginsOf(const Figure& figure) {
+    return {leftMargin_px(figure), rightAxes_px(figure)};
+}
+
 FigureLayout layOut(const Figure& figure, int width_px) {
+    return layOut(figure, width_px, {});
+}
+
+FigureLayout layOut(const Figure& figure, int width_px, const FigureMargins& least) {
     FigureLayout layout;
     const QFontMetricsF metrics(figureFont());
-    const double left_px = leftMargin_px(figure);
-    const double right_px = width_px - RightEdge_px - rightAxes_px(figure);
+    const FigureMargins own = marginsOf(figure);
+    const double left_px = std::max(own.left_px, least.left_px);
+    const double right_px = width_px - RightEdge_px - std::max(own.right_px, least.right_px);
     double y_px = figure.title.empty() ? Edge_px : TitleRow_px;
     layout.titleBaseline = 16.0;
     std::set<std::tuple<std::string, int, CurveStyle>> alreadyNamed;

@@ -4,6 +4,7 @@
 #include "widgets/decimation.h"
 #include "widgets/figure_axis.h"
 #include "widgets/figure_scales.h"
+#include "widgets/panel_layers.h"
 
 #include <QFontMetricsF>
 #include <QPainter>
@@ -188,6 +189,16 @@ public:
         scale.draw(&m_painter, palette);
     }
 
+    void drawLayer(const PanelLayer& layer) {
+        if (layer) {
+            m_painter.save();
+            m_painter.setFont(figureFont());
+            m_painter.setClipRect(m_canvas, Qt::IntersectClip);
+            layer(m_painter, m_xMap, m_yMap, m_canvas, m_theme);
+            m_painter.restore();
+        }
+    }
+
 private:
     static bool isHorizontal(const ReferenceLine& line) {
         return line.direction == ReferenceLine::Direction::Horizontal;
@@ -346,6 +357,11 @@ void drawTitle(QPainter& painter, const Figure& figure, const FigureLayout& layo
 
 void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& layout, const Theme& theme,
                  QChar decimalPoint) {
+    paintFigure(painter, figure, layout, theme, decimalPoint, {});
+}
+
+void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& layout, const Theme& theme,
+                 QChar decimalPoint, const std::vector<PanelLayers>& layers) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.translate(0.5, 0.5); // one-pixel lines fill whole pixels
     painter.setFont(figureFont(true));
@@ -359,6 +375,8 @@ void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& la
         const FigureScale y = verticalScale(panel, place.canvas.height());
         PanelPainter panelPainter(painter, theme, place.canvas, x, y, decimalPoint);
         panelPainter.drawBackground();
+        const PanelLayers within = i < layers.size() ? layers[i] : PanelLayers{};
+        panelPainter.drawLayer(within.below);
         const auto colourOf = [&](std::size_t curve) {
             const int colour = panel.curves[curve].colour.value_or(static_cast<int>(curve)) % 8;
             return theme.curves[static_cast<std::size_t>(colour)];
@@ -382,6 +400,7 @@ void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& la
                 }
             }
         }
+        panelPainter.drawLayer(within.above);
         panelPainter.drawScale(QwtScaleDraw::LeftScale, true);
         panelPainter.drawScale(QwtScaleDraw::BottomScale, isLast);
         drawLegend(painter, place, theme, decimalPoint);

@@ -1,6 +1,7 @@
 #include "widgets/figure_svg.h"
 
 #include "widgets/figure_painter.h"
+#include "widgets/painting.h"
 
 #include <QBuffer>
 #include <QFontMetricsF>
@@ -64,8 +65,8 @@ QString withTextLengths(const QString& svg) {
 }
 
 /// Our own head in place of the generator's (which carries an XML declaration and sizes in millimetres).
-QString withOwnHead(const QString& svg, const Figure& figure, const QSize& size) {
-    const QString title = QString::fromStdString(figure.title).toHtmlEscaped();
+QString withOwnHead(const QString& svg, const std::string& name, const QSize& size) {
+    const QString title = QString::fromStdString(name).toHtmlEscaped();
     const QString head =
         QStringLiteral("<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"%1\" "
                        "viewBox=\"0 0 %2 %3\" width=\"%2\" height=\"%3\">\n<title>%1</title>\n")
@@ -78,25 +79,32 @@ QString withOwnHead(const QString& svg, const Figure& figure, const QSize& size)
 
 } // namespace
 
-Result<std::string> figureSvg(const Figure& figure, const Theme& theme, int width_px) {
-    if (const auto checked = checkFigure(figure); !checked) {
-        return failure(checked.error());
-    }
-    const FigureLayout layout = layOut(figure, width_px);
+Result<std::string> svgOf(const Painting& painting, const Theme& theme) {
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     QSvgGenerator generator;
     generator.setOutputDevice(&buffer);
     generator.setResolution(96);
-    generator.setSize(layout.size);
-    generator.setViewBox(QRect(QPoint(0, 0), layout.size));
+    generator.setSize(painting.size);
+    generator.setViewBox(QRect(QPoint(0, 0), painting.size));
     QPainter painter;
     if (!painter.begin(&generator)) {
-        return failure(ErrorCode::Internal, "The figure '" + figure.title + "' cannot be painted.");
+        return failure(ErrorCode::Internal, "The figure '" + painting.title + "' cannot be painted.");
     }
-    paintFigure(painter, figure, layout, theme);
+    painting.paint(painter, theme);
     painter.end();
-    return withOwnHead(withTextLengths(QString::fromUtf8(buffer.data())), figure, layout.size).toStdString();
+    return withOwnHead(withTextLengths(QString::fromUtf8(buffer.data())), painting.title, painting.size)
+        .toStdString();
+}
+
+Result<std::string> figureSvg(const Figure& figure, const Theme& theme, int width_px) {
+    if (const auto checked = checkFigure(figure); !checked) {
+        return failure(checked.error());
+    }
+    const FigureLayout layout = layOut(figure, width_px);
+    return svgOf({figure.title, layout.size,
+                  [&](QPainter& painter, const Theme& worn) { paintFigure(painter, figure, layout, worn); }},
+                 theme);
 }
 
 } // namespace halbench::widgets

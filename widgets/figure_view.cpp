@@ -3,6 +3,7 @@
 #include "widgets/figure_file.h"
 #include "widgets/figure_scales.h"
 #include "widgets/figure_table.h"
+#include "widgets/painting.h"
 #include "widgets/picture_actions.h"
 #include "widgets/theme_style.h"
 
@@ -42,10 +43,9 @@ struct Extent {
     double scale;
 };
 
-QImage drawn(const Figure& figure, const FigureLayout& layout, const Extent& extent) {
+QImage drawn(const Figure& figure, const FigureLayout& layout, const Extent& extent, const Theme& theme) {
     QImage image(extent.size * extent.pixelRatio, QImage::Format_ARGB32_Premultiplied);
     image.setDevicePixelRatio(extent.pixelRatio);
-    const Theme theme = currentTheme();
     image.fill(theme.panel);
     if (!figure.panels.empty()) {
         QPainter painter(&image);
@@ -131,7 +131,8 @@ Figure FigureView::stretched() const {
 
 QImage FigureView::image(double pixelRatio) const {
     const Figure figure = isEmpty() ? Figure{} : stretched();
-    return drawn(figure, layOut(figure, static_cast<int>(width() / scale())), {size(), pixelRatio, scale()});
+    return drawn(figure, layOut(figure, static_cast<int>(width() / scale())), {size(), pixelRatio, scale()},
+                 paperTheme());
 }
 
 std::function<Result<void>()> FigureView::saving(const QString& path) const {
@@ -149,8 +150,8 @@ std::function<Result<void>()> FigureView::saving(const QString& path) const {
 /// Of its own size, or as it stands where sizes mean something.
 Result<QByteArray> FigureView::picture(PictureFormat format) const {
     return m_figure.isEqualScale
-               ? pictureFile(stretched(), currentTheme(), format, static_cast<int>(width() / scale()))
-               : pictureFile(m_figure, currentTheme(), format);
+               ? pictureFile(stretched(), paperTheme(), format, static_cast<int>(width() / scale()))
+               : pictureFile(m_figure, paperTheme(), format);
 }
 
 QSize FigureView::sizeHint() const {
@@ -168,7 +169,8 @@ void FigureView::paintEvent(QPaintEvent*) {
     const Figure figure = isEmpty() ? Figure{} : stretched();
     const FigureLayout layout = layOut(figure, static_cast<int>(width() / scale()));
     if (m_drawn.isNull() || m_drawn.size() != size() * devicePixelRatioF()) {
-        m_drawn = QPixmap::fromImage(drawn(figure, layout, {size(), devicePixelRatioF(), scale()}));
+        m_drawn =
+            QPixmap::fromImage(drawn(figure, layout, {size(), devicePixelRatioF(), scale()}, currentTheme()));
     }
     QPainter painter(this);
     painter.drawPixmap(0, 0, m_drawn);
