@@ -18,6 +18,8 @@ constexpr double MaxDeviceSlice_s = 0.02;
 /// Device time that a host which was asleep does not catch up.
 constexpr double MaxDebt_s = 0.5;
 constexpr double ShortestSlice_s = 1e-3;
+/// The same of a time that runs slower than the wall clock's, so that it does not jump.
+constexpr double ShortestSlowSlice_s = 1e-4;
 constexpr double Rounding_s = 1e-9;
 constexpr auto ReportPeriod = std::chrono::milliseconds(100);
 
@@ -268,10 +270,12 @@ std::optional<double> Connection::dueTime_s(double now_s) {
         return m_wait ? std::optional(m_wait->duration_s) : std::nullopt;
     }
     double due_s = Slice_s;
+    double shortest_s = ShortestSlice_s;
     if (m_isPaced) {
         const double speed_ratio = m_speed_ratio;
-        m_debt_s = std::min(m_debt_s + passed_s * speed_ratio, MaxDebt_s * std::max(1.0, speed_ratio));
+        m_debt_s = std::min(m_debt_s + passed_s * speed_ratio, MaxDebt_s * speed_ratio);
         due_s = std::min(m_debt_s, MaxDeviceSlice_s);
+        shortest_s = std::clamp(Slice_s * speed_ratio, ShortestSlowSlice_s, ShortestSlice_s);
     }
     if (m_wait) {
         const double left_s = std::max(0.0, m_wait->end_s - now_s);
@@ -279,7 +283,7 @@ std::optional<double> Connection::dueTime_s(double now_s) {
             return left_s;
         }
     }
-    return due_s >= ShortestSlice_s ? std::optional(due_s) : std::nullopt;
+    return due_s >= shortest_s ? std::optional(due_s) : std::nullopt;
 }
 
 void Connection::idle(double duration_s) {

@@ -4,6 +4,7 @@
 
 #include <QLocale>
 
+#include <algorithm>
 #include <utility>
 
 namespace halbench::app {
@@ -11,6 +12,13 @@ namespace halbench::app {
 namespace {
 
 constexpr int Patience_ms = 1000; ///< the slowest stream of the panels sends many rows in it
+
+/// Of a time that runs slower than the wall clock's, rows come as much later.
+int patience_ms(double speed_ratio) {
+    constexpr double Longest_ms = 60000.0;
+    const bool isSlow = speed_ratio > 0.0 && speed_ratio < 1.0;
+    return isSlow ? static_cast<int>(std::min(Patience_ms / speed_ratio, Longest_ms)) : Patience_ms;
+}
 
 } // namespace
 
@@ -24,7 +32,7 @@ Freshness::Freshness(DeviceSession& session) : m_session(session) {
 void Freshness::samplesCame() {
     m_last = wallClock();
     if (m_session.state() == SessionState::Connected) { // what was still on its way is the last there is
-        m_patience.start();
+        m_patience.start(patience_ms(m_session.pace().speed_ratio));
         setStale(false);
     }
 }

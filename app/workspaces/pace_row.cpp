@@ -1,5 +1,6 @@
 #include "app/workspaces/pace_row.h"
 
+#include "app/workspaces/pace_steps.h"
 #include "widgets/say_words.h"
 #include "widgets/theme_style.h"
 
@@ -8,17 +9,7 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
-#include <algorithm>
-#include <iterator>
-
 namespace halbench::app {
-
-namespace {
-
-/// Device seconds per wall second; 0 is virtual time.
-constexpr double Speeds_ratio[] = {1.0, 5.0, 20.0, 100.0, 0.0};
-
-} // namespace
 
 PaceRow::PaceRow(Workbench& bench, Place place, QWidget* parent)
     : QWidget(parent), m_bench(bench), m_place(place), m_label(new QLabel(this)), m_box(new QComboBox(this)) {
@@ -30,7 +21,7 @@ PaceRow::PaceRow(Workbench& bench, Place place, QWidget* parent)
     m_label->setBuddy(m_box);
     widgets::sayWords(*this, [this] { sayWords(); });
     connect(m_box, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-            [this](int index) { m_bench.setPace({Speeds_ratio[index]}); });
+            [this](int index) { m_bench.setPace({m_box->itemData(index).toDouble()}); });
     connect(&m_bench, &Workbench::paceChanged, this, &PaceRow::refresh);
     connect(&m_bench.session(), &DeviceSession::stateChanged, this, &PaceRow::refresh);
     connect(&m_bench.session(), &DeviceSession::procedureChanged, this, &PaceRow::refresh);
@@ -39,15 +30,17 @@ PaceRow::PaceRow(Workbench& bench, Place place, QWidget* parent)
 
 void PaceRow::sayWords() {
     const QSignalBlocker quiet(m_box);
-    const int shown = m_box->currentIndex();
     m_box->clear();
-    m_box->addItems(
-        {tr("real time"), tr("5 times"), tr("20 times"), tr("100 times"), tr("as fast as possible")});
-    m_box->setCurrentIndex(shown);
+    for (const double speed_ratio : paceSteps()) {
+        m_box->addItem(paceWords(speed_ratio), speed_ratio);
+    }
+    showPace();
     m_label->setText(m_place == Place::Devices ? tr("Simulated &time") : tr("Simulated time"));
     m_box->setAccessibleName(tr("Speed of simulated time"));
-    m_box->setToolTip(tr("How fast the simulated motor lives: at 20 times a run of two minutes takes six "
-                         "seconds.\nA real device has its own time."));
+    m_box->setToolTip(
+        tr("How fast the simulated motor lives, or a recording is played: at 20 times a run of two "
+           "minutes takes six seconds, 100 times slower a step of 50 ms takes five.\nIn the Monitor "
+           "< and > change it. A real device has its own time."));
 }
 
 void PaceRow::refresh() {
@@ -57,10 +50,19 @@ void PaceRow::refresh() {
     setVisible(m_place == Place::Devices || (isSimulated && !isFree));
     m_box->setEnabled((isSimulated || isFree) && session.procedure().isEmpty());
     m_label->setEnabled(m_box->isEnabled());
-    const auto* now = std::find(std::begin(Speeds_ratio), std::end(Speeds_ratio), m_bench.pace().speed_ratio);
+    showPace();
+}
+
+/// A speed that is none of the choices is one from then on.
+void PaceRow::showPace() {
     const QSignalBlocker quiet(m_box);
-    m_box->setCurrentIndex(now == std::end(Speeds_ratio) ? 0
-                                                         : static_cast<int>(now - std::begin(Speeds_ratio)));
+    const double now_ratio = m_bench.pace().speed_ratio;
+    int index = m_box->findData(now_ratio);
+    if (index < 0) {
+        index = m_box->count();
+        m_box->addItem(paceWords(now_ratio), now_ratio);
+    }
+    m_box->setCurrentIndex(index);
 }
 
 } // namespace halbench::app

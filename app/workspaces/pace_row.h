@@ -20,6 +20,7 @@ public:
 private:
     void sayWords();
     void refresh();
+    void showPace();
 
     Workbench& m_bench;
     Place m_place;
