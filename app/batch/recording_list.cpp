@@ -1,5 +1,6 @@
 #include "app/batch/recording_list.h"
 
+#include "app/batch/sidecar_change.h"
 #include "devices/acquisition/convert_recording.h"
 #include "devices/acquisition/file_access.h"
 #include "devices/acquisition/recording_file.h"
@@ -166,37 +167,17 @@ QStringList tagsOf(const QString& text) {
 }
 
 Result<void> writeRecordingNotes(const QString& path, const QStringList& tags, const QString& notes) {
-    const std::string sidecar = devices::metaPathOf(path.toStdString());
-    QFile old(QString::fromStdString(sidecar));
-    if (!old.open(QIODevice::ReadOnly)) {
-        return failure(ErrorCode::FileSystem,
-                       fmt::format("cannot read '{}': {}", sidecar, devices::causeOf(old)),
-                       "only recordings with their sidecar can have tags and notes");
-    }
-    QJsonDocument document = QJsonDocument::fromJson(old.readAll());
-    QJsonObject root = document.object();
-    if (root.isEmpty()) {
-        return failure(ErrorCode::InvalidInput, fmt::format("'{}' is damaged", sidecar),
-                       "remove the sidecar to read the data without it");
-    }
-    root.remove(QStringLiteral("tags"));
-    root.remove(QStringLiteral("notes"));
-    if (!tags.isEmpty()) {
-        root.insert(QStringLiteral("tags"), QJsonArray::fromStringList(tags));
-    }
-    if (!notes.isEmpty()) {
-        root.insert(QStringLiteral("notes"), notes);
-    }
-    const std::string working = sidecar + ".new";
-    QFile file(QString::fromStdString(working));
-    const QByteArray text = QJsonDocument(root).toJson(QJsonDocument::Indented);
-    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.flush()) {
-        auto error = devices::cannotWrite(sidecar, file);
-        file.remove();
-        return error;
-    }
-    file.close();
-    return devices::moveInto(working, sidecar);
+    return changeSidecar(path, "only recordings with their sidecar can have tags and notes",
+                         [&](QJsonObject& root) {
+                             root.remove(QStringLiteral("tags"));
+                             root.remove(QStringLiteral("notes"));
+                             if (!tags.isEmpty()) {
+                                 root.insert(QStringLiteral("tags"), QJsonArray::fromStringList(tags));
+                             }
+                             if (!notes.isEmpty()) {
+                                 root.insert(QStringLiteral("notes"), notes);
+                             }
+                         });
 }
 
 Result<RecoveredRecording> recoverRecording(const QString& path) {

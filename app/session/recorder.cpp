@@ -11,6 +11,9 @@ namespace halbench::app {
 
 namespace {
 
+/// "Now" of somebody who marks a moment is as old as the last report of the device.
+constexpr double ReportAge_s = 0.5;
+
 /// A row that comes later than this many periods has a gap before it.
 constexpr double GapFactor = 1.5;
 /// Drops that follow each other so closely are told as one.
@@ -201,7 +204,9 @@ void Recorder::noteEvents(devices::RecordingWriter& writer) {
     const std::lock_guard lock(m_mutex);
     const double first_s = m_first_s.value_or(0.0);
     for (const auto& marker : m_markers) {
-        writer.addMarker(std::max(0.0, marker.time_s - first_s), marker.text);
+        if (marker.time_s >= first_s - ReportAge_s) { // else it is of a time before this recording
+            writer.addMarker(std::max(0.0, marker.time_s - first_s), marker.text);
+        }
     }
     for (const auto& change : m_changes) {
         writer.addChange(std::max(0.0, change.time_s - first_s), change.name, change.value);

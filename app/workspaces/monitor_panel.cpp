@@ -10,7 +10,9 @@
 #include "app/workspaces/monitor_statistics.h"
 #include "app/workspaces/monitor_tools.h"
 #include "app/workspaces/monitor_trigger.h"
+#include "app/workspaces/pace_steps.h"
 #include "app/workspaces/panel_parts.h"
+#include "app/workspaces/recorded_markers.h"
 #include "widgets/display_units.h"
 #include "widgets/empty_state.h"
 #include "widgets/live_plot_stack.h"
@@ -62,8 +64,8 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     m_picture = new MonitorPicture(m_bench, *m_stack, *this);
     m_data = new MonitorData(m_bench, *m_stack, *this);
     m_stack->setContextMenuPolicy(Qt::ActionsContextMenu);
-    m_stack->addActions(
-        {&m_data->copyAction(), &m_data->saveAction(), &m_picture->copyAction(), &m_picture->saveAction()});
+    m_stack->addActions({&m_data->copyAction(), &m_data->saveAction(), &m_picture->copyAction(),
+                         &m_picture->saveAction(), &m_picture->colourAction()});
     m_reference = new MonitorReference(*m_stack, *this);
     m_rate = new MonitorRate(m_bench, *this);
     m_statistics = new MonitorStatistics(m_bench, *m_stack, *this);
@@ -73,6 +75,7 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     column->addWidget(buildTools());
     column->addWidget(&m_trigger->bar());
     m_message = new widgets::MessageBar(plots);
+    m_recorded = new RecordedMarkers(m_bench, *m_stack, this);
     m_recording = new MonitorRecording(m_bench, *m_stack, *m_message, *this);
     column->addWidget(m_message);
     column->addWidget(m_stack, 1);
@@ -100,6 +103,7 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     connect(&m_bench.liveSignals(), &LiveSignals::changed, this, &MonitorPanel::sayLeftOut);
     connect(m_rate, &MonitorRate::changed, this, &MonitorPanel::sayLeftOut);
     m_values.start(ValuesPeriod_ms);
+    addPaceKeys(m_bench, *this);
     refreshWords();
     onDevice();
 }
@@ -134,14 +138,11 @@ void MonitorPanel::connectStack() {
         m_message->showMessage({widgets::Severity::Error, text, remedy, {}});
     };
     connect(m_picture, &MonitorPicture::failed, this, sayFailure);
-    connect(m_picture, &MonitorPicture::leftOut, this, [this](const QString& text) {
-        m_message->showMessage(
-            {widgets::Severity::Information,
-             text,
-             tr("The picture is of the plots that share the axis of the one with the focus."),
-             {}});
-    });
     connect(m_data, &MonitorData::failed, this, sayFailure);
+    connect(m_recorded, &RecordedMarkers::failed, this, [sayFailure](const Error& error) {
+        sayFailure(tr("The markers are not kept: %1").arg(widgets::inWords(error.message)),
+                   widgets::inWords(error.hint));
+    });
     connect(m_data, &MonitorData::done, this, [this](const QString& text) {
         m_message->showMessage({widgets::Severity::Success, text, {}, {}});
     });
@@ -336,14 +337,10 @@ void MonitorPanel::sayLeftOut() {
     m_isLeftOutSaid = !leftOut.isEmpty() || !postponed.isEmpty() || !lowered.isEmpty();
 }
 
-/// A new marker goes into the recording too.
+/// They go into the recording that runs, and into one that is shown.
 void MonitorPanel::onMarkers() {
-    const auto& markers = m_stack->markers();
-    for (std::size_t i = m_markers; i < markers.size(); ++i) {
-        m_bench.recording().addMarker(markers[i].time_s,
-                                      markers[i].text.isEmpty() ? tr("marker") : markers[i].text);
-    }
-    m_markers = markers.size();
+    m_recorded->refresh();
+    m_recording->keepMarkers();
 }
 
 void MonitorPanel::refreshWords() {

@@ -29,6 +29,7 @@ class MonitorRate;
 class MonitorRecording;
 class MonitorReference;
 class MonitorTrigger;
+class RecordedMarkers;
 
 /// What the device does, over time, in stacked plots (resources/help/monitor.md, "Plots").
 class MonitorPanel : public QWidget {
@@ -81,10 +82,10 @@ private:
     MonitorReference* m_reference = nullptr;
     MonitorRate* m_rate = nullptr;
     MonitorRecording* m_recording = nullptr;
+    RecordedMarkers* m_recorded = nullptr;
     MonitorStatistics* m_statistics = nullptr;
     QLabel* m_stream = nullptr;
-    QTimer m_values; ///< what is said of the stream
-    std::size_t m_markers = 0;
+    QTimer m_values;    ///< what is said of the stream
     QString m_device;   ///< whose plots are shown; empty: the view waits for a device
     MonitorView m_view; ///< as it was set
     bool m_isLeftOutSaid = false;

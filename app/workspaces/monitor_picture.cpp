@@ -5,6 +5,7 @@
 #include "widgets/legend_table_model.h"
 #include "widgets/live_plot_stack.h"
 #include "widgets/phrasebook.h"
+#include "widgets/plot_marks.h"
 #include "widgets/theme_style.h"
 
 #include <QAction>
@@ -12,7 +13,6 @@
 #include <QGuiApplication>
 #include <QWidget>
 
-#include <algorithm>
 #include <limits>
 
 namespace halbench::app {
@@ -64,10 +64,10 @@ widgets::Curve drawnCurve(const control::SampleHistory& history, const widgets::
 }
 
 /// Dotted, in the colours of the curves they are compared with.
-void addReference(widgets::Panel& panel, const widgets::LivePlotStack& stack, const widgets::PlotSpec& plot) {
+void addReference(widgets::Panel& panel, const widgets::LivePlotStack& stack, const widgets::PlotSpec& plot,
+                  control::TimeRange range) {
     const widgets::ReferencePtr& reference = stack.reference();
     const double shift_s = stack.referenceShift_s();
-    const control::TimeRange range = stack.timeRange(stack.plotsOfActiveAxis().front());
     for (std::size_t i = 0; reference != nullptr && i < plot.curves.size(); ++i) {
         const auto samples = reference->samples.find(plot.curves[i].signal);
         if (samples == reference->samples.end()) {
@@ -98,33 +98,84 @@ QAction* makeAction(QWidget& panel, const QString& text, const QString& what, co
 
 } // namespace
 
-widgets::Figure monitorFigure(const widgets::LivePlotStack& stack, const control::SampleHistory& history) {
-    widgets::Figure figure;
-    const std::vector<int> active = stack.plotsOfActiveAxis();
-    const control::TimeRange range = stack.timeRange(active.front());
-    figure.x = {MonitorPicture::tr("time").toStdString(), "s", false, range.begin_s, range.end_s, {}};
-    for (const int i : active) { // a picture has one time axis
-        const widgets::PlotSpec& plot = stack.plots()[static_cast<std::size_t>(i)];
-        const widgets::ValueRange values = stack.valueRange(i);
-        widgets::Panel panel;
-        panel.y = {plot.quantity.toStdString(), plot.unit.toStdString(), false, values.low, values.high, {}};
-        if (widgets::hasRightAxis(plot)) {
-            const widgets::ValueRange right = stack.valueRange(i, true);
-            panel.right = widgets::Axis{plot.right.quantity.toStdString(),
-                                        plot.right.unit.toStdString(),
-                                        false,
-                                        right.low,
-                                        right.high,
-                                        {}};
+namespace {
+
+/// Level of a trigger in the unit of the left axis; nothing where its signal is not on that axis.
+std::optional<double> levelOf(const widgets::LivePlotStack& stack, const widgets::PlotSpec& plot) {
+    for (const widgets::PlotCurve& curve : plot.curves) {
+        if (stack.level() && curve.signal == stack.level()->signal && !curve.isRight) {
+            return curve.factor * stack.level()->level;
         }
-        panel.height_px = PanelHeight_px;
-        for (const widgets::PlotCurve& curve : plot.curves) {
-            panel.curves.push_back(drawnCurve(history, curve, range));
-        }
-        addReference(panel, stack, plot);
-        figure.panels.push_back(std::move(panel));
     }
-    return figure;
+    return std::nullopt;
+}
+
+/// What is no curve, as it is now. `hasNames`: in the topmost plot of a time axis.
+widgets::PanelLayers layersOf(const widgets::LivePlotStack& stack, const widgets::PlotSpec& plot,
+                              bool hasNames) {
+    widgets::PanelLayers layers;
+    layers.below = [bands = plot.bands](QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y,
+                                        const QRectF& canvas, const widgets::Theme& theme) {
+        widgets::BandItem item;
+        item.set(bands, theme);
+        item.draw(&painter, x, y, canvas);
+    };
+    layers.above = [markers = stack.markers(), pairs = stack.cursorPairs(), event_s = stack.event_s(),
+                    level = levelOf(stack, plot), hasNames](QPainter& painter, const QwtScaleMap& x,
+                                                            const QwtScaleMap& y, const QRectF& canvas,
+                                                            const widgets::Theme& theme) {
+        widgets::OverlayItem item;
+        item.setTheme(theme);
+        item.setMarkers(markers, {});
+        item.setCursors(pairs);
+        item.setEvent(event_s);
+        item.setLevel(level, 0.0);
+        item.setNamesShown(hasNames);
+        item.draw(&painter, x, y, canvas);
+    };
+    return layers;
+}
+
+widgets::Panel panelOf(const widgets::LivePlotStack& stack, int plot, const control::SampleHistory& history) {
+    const widgets::PlotSpec& spec = stack.plots()[static_cast<std::size_t>(plot)];
+    const control::TimeRange range = stack.timeRange(plot);
+    const widgets::ValueRange values = stack.valueRange(plot);
+    widgets::Panel panel;
+    panel.y = {spec.quantity.toStdString(), spec.unit.toStdString(), false, values.low, values.high, {}};
+    if (widgets::hasRightAxis(spec)) {
+        const widgets::ValueRange right = stack.valueRange(plot, true);
+        panel.right = widgets::Axis{spec.right.quantity.toStdString(),
+                                    spec.right.unit.toStdString(),
+                                    false,
+                                    right.low,
+                                    right.high,
+                                    {}};
+    }
+    panel.height_px = PanelHeight_px;
+    for (const widgets::PlotCurve& curve : spec.curves) {
+        panel.curves.push_back(drawnCurve(history, curve, range));
+    }
+    addReference(panel, stack, spec, range);
+    return panel;
+}
+
+} // namespace
+
+std::vector<widgets::PictureSheet> monitorSheets(const widgets::LivePlotStack& stack,
+                                                 const control::SampleHistory& history) {
+    std::vector<widgets::PictureSheet> sheets;
+    for (int i = 0; i < static_cast<int>(stack.plots().size()); ++i) {
+        const bool isNew = i == 0 || stack.ownTime(i) || stack.ownTime(i - 1);
+        if (isNew) {
+            const control::TimeRange range = stack.timeRange(i);
+            sheets.emplace_back();
+            sheets.back().figure.x = {
+                MonitorPicture::tr("time").toStdString(), "s", false, range.begin_s, range.end_s, {}};
+        }
+        sheets.back().figure.panels.push_back(panelOf(stack, i, history));
+        sheets.back().layers.push_back(layersOf(stack, stack.plots()[static_cast<std::size_t>(i)], isNew));
+    }
+    return sheets;
 }
 
 MonitorPicture::MonitorPicture(Workbench& bench, widgets::LivePlotStack& stack, QWidget& panel)
@@ -133,34 +184,25 @@ MonitorPicture::MonitorPicture(Workbench& bench, widgets::LivePlotStack& stack, 
         makeAction(panel, tr("Copy picture"), tr("Copy the plots as a picture"), "copy", QKeySequence::Copy);
     m_save = makeAction(panel, tr("Save picture…"), tr("Save the plots as SVG, PDF or PNG"), "export",
                         QKeySequence(QStringLiteral("Ctrl+E")));
+    m_asOnScreen = new QAction(tr("Pictures in the window's colours"), &panel);
+    m_asOnScreen->setCheckable(true);
+    m_asOnScreen->setToolTip(tr("Otherwise they are light, for paper and documents"));
     connect(m_copy, &QAction::triggered, this, &MonitorPicture::copy);
     connect(m_save, &QAction::triggered, this, &MonitorPicture::save);
 }
 
-widgets::Figure MonitorPicture::figure() const {
-    widgets::Figure figure = monitorFigure(m_stack, *m_stack.history());
-    figure.title = tr("Plots of %1").arg(deviceKey(m_bench.session().info())).toStdString();
-    return figure;
+std::vector<widgets::PictureSheet> MonitorPicture::sheets() const {
+    std::vector<widgets::PictureSheet> sheets = monitorSheets(m_stack, *m_stack.history());
+    sheets.front().figure.title = tr("Plots of %1").arg(deviceKey(m_bench.session().info())).toStdString();
+    return sheets;
 }
 
-void MonitorPicture::sayLeftOut() {
-    const std::vector<int> active = m_stack.plotsOfActiveAxis();
-    QStringList names;
-    for (int i = 0; i < static_cast<int>(m_stack.plots().size()); ++i) {
-        if (std::find(active.begin(), active.end(), i) == active.end()) {
-            names << m_stack.plots()[static_cast<std::size_t>(i)].quantity;
-        }
-    }
-    if (!names.isEmpty()) {
-        Q_EMIT leftOut(
-            tr("On another time axis and not in the picture: %1").arg(names.join(QStringLiteral(", "))));
-    }
+widgets::Theme MonitorPicture::theme() const {
+    return m_asOnScreen->isChecked() ? widgets::currentTheme() : widgets::paperTheme();
 }
 
 void MonitorPicture::copy() {
-    QGuiApplication::clipboard()->setImage(
-        widgets::figureImage(figure(), widgets::currentTheme(), ClipboardFineness));
-    sayLeftOut();
+    QGuiApplication::clipboard()->setImage(widgets::sheetsImage(sheets(), theme(), ClipboardFineness));
 }
 
 void MonitorPicture::save() {
@@ -170,16 +212,14 @@ void MonitorPicture::save() {
     if (path.isEmpty()) {
         return;
     }
-    sayLeftOut();
     const auto format = widgets::pictureFormat(path).value_or(widgets::PictureFormat::Png);
-    m_files.run(
-        widgets::pictureWriting(widgets::pictureFile(figure(), widgets::currentTheme(), format), path),
-        [this](const Result<void>& written) {
-            if (!written) {
-                Q_EMIT failed(widgets::inWords(written.error().message),
-                              widgets::inWords(written.error().hint));
-            }
-        });
+    m_files.run(widgets::pictureWriting(widgets::sheetsFile(sheets(), theme(), format), path),
+                [this](const Result<void>& written) {
+                    if (!written) {
+                        Q_EMIT failed(widgets::inWords(written.error().message),
+                                      widgets::inWords(written.error().hint));
+                    }
+                });
 }
 
 } // namespace halbench::app

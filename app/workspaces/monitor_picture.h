@@ -3,7 +3,7 @@
 #include "app/workspaces/file_chooser.h"
 #include "app/workspaces/file_queue.h"
 #include "app/workspaces/workbench.h"
-#include "widgets/figure.h"
+#include "widgets/picture_sheets.h"
 
 #include <QObject>
 
@@ -15,13 +15,15 @@ class LivePlotStack;
 
 namespace halbench::app {
 
-/// The plots as they are in view as a figure for print: axes with quantity and unit, at most two points per
-/// column of it and curve, so that its size does not grow with the samples. Gaps and missing values
-/// interrupt the lines.
-widgets::Figure monitorFigure(const widgets::LivePlotStack& stack, const control::SampleHistory& history);
+/// The plots as they are in view for print: axes with quantity and unit, at most two points per column and
+/// curve, so that its size does not grow with the samples. Gaps and missing values interrupt the lines.
+/// Plots that follow each other on one time axis are a figure; limit bands, markers, cursors and trigger are
+/// drawn as on the screen.
+std::vector<widgets::PictureSheet> monitorSheets(const widgets::LivePlotStack& stack,
+                                                 const control::SampleHistory& history);
 
-/// Copies the Monitor's plots as a picture and saves them as SVG, PDF or PNG (resources/help/monitor.md,
-/// "Plots").
+/// Copies the Monitor's plots as a picture and saves them as SVG, PDF or PNG, in the light theme or, if asked
+/// for, in the window's (resources/help/monitor.md, "Pictures").
 class MonitorPicture : public QObject {
     Q_OBJECT
 
@@ -32,14 +34,14 @@ public:
     void setFileChooser(FileChooser chooser) { m_chooser = std::move(chooser); }
     QAction& copyAction() { return *m_copy; }
     QAction& saveAction() { return *m_save; }
+    QAction& colourAction() { return *m_asOnScreen; } ///< checkable: the window's colours
 
 Q_SIGNALS:
     void failed(const QString& text, const QString& remedy);
-    void leftOut(const QString& text); ///< plots on another time axis, in words
 
 private:
-    widgets::Figure figure() const;
-    void sayLeftOut();
+    std::vector<widgets::PictureSheet> sheets() const;
+    widgets::Theme theme() const;
     void copy();
     void save();
 
@@ -50,6 +52,7 @@ private:
     FileQueue m_files;
     QAction* m_copy = nullptr;
     QAction* m_save = nullptr;
+    QAction* m_asOnScreen = nullptr;
 };
 
 } // namespace halbench::app

@@ -1,13 +1,17 @@
 #include "app/workspaces/monitor_recording.h"
 
+#include "app/batch/sidecar_change.h"
+#include "app/workspaces/pace_steps.h"
 #include "app/workspaces/shown_recording.h"
 #include "widgets/display_units.h"
 #include "widgets/live_plot_stack.h"
 #include "widgets/message_bar.h"
+#include "widgets/phrasebook.h"
 #include "widgets/progress_row.h"
 
 #include <QFileInfo>
 
+#include <algorithm>
 #include <utility>
 
 namespace halbench::app {
@@ -41,18 +45,55 @@ void MonitorRecording::refresh() {
     m_row->setProgress(isKnown ? std::optional(shown.fraction()) : std::nullopt);
 }
 
+void MonitorRecording::showMarkers() {
+    const ShownRecording& shown = m_bench.shownRecording();
+    const double first_s = shown.file()->recording.time_s.front();
+    m_keptPath.clear(); // these are no news to it
+    std::vector<widgets::PlotMarker> markers;
+    for (const devices::RecordingMeta::Marker& marker : shown.file()->meta.markers) {
+        markers.push_back({marker.time_s - first_s, QString::fromStdString(marker.text)});
+    }
+    m_stack.setMarkers(std::move(markers));
+    m_kept = shown.file()->meta.markers;
+    m_keptPath = shown.path();
+}
+
+/// Those that were not moved keep their time to the last bit.
+void MonitorRecording::keepMarkers() {
+    const ShownRecording& shown = m_bench.shownRecording();
+    if (shown.file() == nullptr || m_keptPath.isEmpty() || m_keptPath != shown.path()) {
+        return;
+    }
+    const double first_s = shown.file()->recording.time_s.front();
+    std::vector<devices::RecordingMeta::Marker> markers;
+    for (const widgets::PlotMarker& marker : m_stack.markers()) {
+        const auto same = std::find_if(m_kept.begin(), m_kept.end(), [&](const auto& kept) {
+            return kept.time_s - first_s == marker.time_s;
+        });
+        markers.push_back(
+            {same != m_kept.end() ? same->time_s : marker.time_s + first_s, marker.text.toStdString()});
+    }
+    m_kept = markers;
+    m_files.run(
+        [path = m_keptPath, markers] { return writeRecordingMarkers(path, markers); },
+        [this](const Result<void>& written) {
+            if (!written) {
+                m_message.showMessage(
+                    {widgets::Severity::Warning,
+                     tr("The markers are not kept: %1").arg(widgets::inWords(written.error().message)),
+                     widgets::inWords(written.error().hint),
+                     {}});
+            }
+        });
+}
+
 /// The plots fill from the left.
 void MonitorRecording::onBegan() {
     const ShownRecording& shown = m_bench.shownRecording();
     if (!m_isAsked) {
         return;
     }
-    std::vector<widgets::PlotMarker> markers;
-    for (const devices::RecordingMeta::Marker& marker : shown.file()->meta.markers) {
-        markers.push_back(
-            {marker.time_s - shown.file()->recording.time_s.front(), QString::fromStdString(marker.text)});
-    }
-    m_stack.setMarkers(std::move(markers));
+    showMarkers();
     m_stack.setPaused(false);
     m_stack.setFollowing(true);
     m_stack.setTimeSpan(shown.length_s());
@@ -89,8 +130,13 @@ QString MonitorRecording::streamWords() const {
     if (isVirtual) {
         return tr("time passes only while a procedure runs");
     }
-    return tr("%n signal(s), %1 Hz, rows lost: %2", nullptr, static_cast<int>(live.streamed().size()))
-        .arg(widgets::fixedText(live.rate_Hz(), 0), widgets::countText(m_bench.history().lostRows()));
+    const QString words =
+        tr("%n signal(s), %1 Hz, rows lost: %2", nullptr, static_cast<int>(live.streamed().size()))
+            .arg(widgets::fixedText(live.rate_Hz(), 0), widgets::countText(m_bench.history().lostRows()));
+    const double pace_ratio = m_bench.pace().speed_ratio;
+    return canBePaced(m_bench) && pace_ratio != 1.0
+               ? QStringLiteral("%1, %2").arg(words, paceWords(pace_ratio))
+               : words;
 }
 
 } // namespace halbench::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/workspaces/file_queue.h"
 #include "app/workspaces/workbench.h"
 
 #include <QObject>
@@ -13,7 +14,7 @@ class ProgressRow;
 namespace halbench::app {
 
 /// The Monitor while a recording is opened: how far it is, Cancel; its plots show all of it, with its
-/// markers.
+/// markers, which can be noted, dropped and removed: its sidecar keeps them.
 class MonitorRecording : public QObject {
     Q_OBJECT
 
@@ -24,9 +25,12 @@ public:
 
     QWidget& row();
     QString streamWords() const; ///< what comes to the plots
+    /// The markers of the plots, into the sidecar of the recording that they show; else nothing.
+    void keepMarkers();
 
 private:
     void refresh();
+    void showMarkers();
     void onBegan();
     void onEnded();
 
@@ -34,6 +38,9 @@ private:
     widgets::LivePlotStack& m_stack;
     widgets::MessageBar& m_message;
     widgets::ProgressRow* m_row = nullptr;
+    FileQueue m_files;
+    std::vector<devices::RecordingMeta::Marker> m_kept; ///< of the recording that is shown, on its time axis
+    QString m_keptPath;                                 ///< whose they are; empty: none is shown
     bool m_isAsked = false; ///< to be shown whole: not when only derived signals were added to it
 };
 

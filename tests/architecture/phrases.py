@@ -19,7 +19,7 @@ TABLES = {
     "files": ("app/batch/config_node.cpp", "app/batch/frequency_file.cpp", "app/batch/gains_judgement.cpp", "app/batch/configuration_", "app/batch/identification_file.cpp", "app/batch/import_documents.cpp", "app/batch/json_parser.cpp",
               "app/batch/json_value.cpp", "app/batch/model_file.cpp", "app/batch/output_file.cpp",
               "app/batch/presets.cpp", "app/batch/recording_list.cpp", "app/batch/recording_name.cpp",
-              "app/batch/recording_retention.cpp", "app/batch/result_header.cpp", "app/batch/run_comparison.cpp",
+              "app/batch/recording_retention.cpp", "app/batch/sidecar_change.cpp", "app/batch/result_header.cpp", "app/batch/run_comparison.cpp",
               "app/batch/toml_reader.cpp", "app/batch/what_if_report.cpp", "app/window/project_", "app/workspaces/",
               "app/wizards/", "widgets/figure_file.cpp", "widgets/figure_view.cpp"),
 }

@@ -1,7 +1,10 @@
 #include "app/workspaces/monitor_picture.h"
 #include "tests/app/workspaces/monitor_fixture.h"
 #include "widgets/message_bar.h"
+#include "widgets/theme_style.h"
 
+#include <QAction>
+#include <QApplication>
 #include <QClipboard>
 #include <QFile>
 #include <QGuiApplication>
@@ -26,7 +29,7 @@ protected:
 TEST_F(MonitorPictureTest, hasEveryPlotWithItsUnitAndNoMorePointsThanColumns) {
     stack().setPaused(true);
     stack().refresh();
-    const widgets::Figure figure = monitorFigure(stack(), bench().history());
+    const widgets::Figure figure = monitorSheets(stack(), bench().history()).front().figure;
     ASSERT_EQ(figure.panels.size(), stack().plots().size());
     EXPECT_EQ(figure.panels[0].y.unit, "mT");
     EXPECT_EQ(figure.x.unit, "s");
@@ -45,7 +48,7 @@ TEST_F(MonitorPictureTest, aRightAxisIsInThePictureWithItsUnit) {
     stack().setPaused(true);
     ASSERT_TRUE(stack().moveCurve(2, "speed", 1));
     stack().refresh();
-    const widgets::Figure figure = monitorFigure(stack(), bench().history());
+    const widgets::Figure figure = monitorSheets(stack(), bench().history()).front().figure;
     const widgets::Panel& lower = figure.panels[1];
     ASSERT_TRUE(lower.right);
     EXPECT_EQ(lower.right->unit, "r/min");
@@ -59,7 +62,7 @@ TEST_F(MonitorPictureTest, theReferenceIsInThePictureDottedInItsCurvesColour) {
     stack().setPaused(true);
     stack().keepReference();
     stack().refresh();
-    const widgets::Figure figure = monitorFigure(stack(), bench().history());
+    const widgets::Figure figure = monitorSheets(stack(), bench().history()).front().figure;
     const std::vector<widgets::Curve>& curves = figure.panels[0].curves;
     ASSERT_EQ(curves.size(), 4U); // the two Hall sensors now and then
     EXPECT_EQ(curves[2].label, curves[0].label + ", reference");
@@ -86,6 +89,137 @@ TEST_F(MonitorPictureTest, aRecordingIsLaidUnderTheCurvesByKey) {
     auto* message = panel->findChild<widgets::MessageBar*>();
     ASSERT_TRUE(wait([&] { return message->message().severity == widgets::Severity::Error; }));
     EXPECT_TRUE(stack().reference()) << "what was there stays";
+}
+
+/// Where a place of a panel is in an image of the picture, and what colour it has there.
+class PictureProbe {
+public:
+    PictureProbe(const std::vector<widgets::PictureSheet>& sheets, const widgets::Theme& theme)
+        : m_layout(widgets::layOut(sheets, widgets::PictureWidth_px)),
+          m_image(widgets::sheetsImage(sheets, theme, 1.0)) {}
+    const QRectF canvas(std::size_t sheet, std::size_t panel) const {
+        return m_layout.figures[sheet].panels[panel].canvas.translated(0.0, m_layout.tops_px[sheet]);
+    }
+    QColor at(double x, double y) const {
+        return m_image.pixelColor(static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y)));
+    }
+    /// Pixels of this colour in the column, within the canvas.
+    int inColumn(const QRectF& canvas, double x, const QColor& colour) const {
+        int count = 0;
+        for (double y = canvas.top() + 1.0; y < canvas.bottom() - 1.0; y += 1.0) {
+            count += at(x, y) == colour ? 1 : 0;
+        }
+        return count;
+    }
+
+private:
+    widgets::PictureLayout m_layout;
+    QImage m_image;
+};
+
+double shareOf(double time_s, const control::TimeRange& range) {
+    return (time_s - range.begin_s) / range.length_s();
+}
+
+TEST_F(MonitorPictureTest, hasMarkersAndCursorsWhereTheyAreInEveryPlot) {
+    stack().setPaused(true);
+    stack().refresh();
+    const control::TimeRange range = stack().timeRange(0);
+    const auto timeAt = [&](double share) { return range.begin_s + share * range.length_s(); };
+    stack().setMarkers({{timeAt(0.2), "knock"}});
+    stack().setCursorsVisible(true);
+    stack().setCursor(0, timeAt(0.5));
+    stack().setCursor(1, timeAt(0.75));
+    const auto sheets = monitorSheets(stack(), bench().history());
+    const widgets::Theme light = widgets::paperTheme();
+    const PictureProbe probe(sheets, light);
+    for (std::size_t panel = 0; panel < sheets[0].figure.panels.size(); ++panel) {
+        const QRectF canvas = probe.canvas(0, panel);
+        const auto columnOf = [&](double share) { return canvas.left() + share * canvas.width(); };
+        const auto most = [&](double share, const QColor& colour) {
+            int count = 0;
+            for (int off = -1; off <= 1; ++off) { // rounded to a whole pixel
+                count = std::max(count, probe.inColumn(canvas, columnOf(share) + off, colour));
+            }
+            return count;
+        };
+        // A dashed line is two thirds of the height; cursors are whole, but for curves they pass over.
+        EXPECT_GT(most(0.2, light.muted), 0.4 * canvas.height()) << panel;
+        EXPECT_GT(most(0.5, light.text), 0.8 * canvas.height() - 20.0) << panel;
+        EXPECT_GT(most(0.75, light.accent), 0.8 * canvas.height() - 20.0) << panel;
+        EXPECT_EQ(most(0.6, light.accent), 0) << panel;
+    }
+    // The marker's note stands beside its line in the topmost plot, below the row of the cursors' names.
+    const QRectF top = probe.canvas(0, 0);
+    const double x = top.left() + shareOf(stack().markers()[0].time_s, range) * top.width();
+    int raised = 0;
+    for (double y = top.top(); y < top.top() + 40.0; y += 1.0) {
+        raised += probe.at(x + 3.0, y) == light.raised ? 1 : 0;
+    }
+    EXPECT_GT(raised, 8);
+}
+
+TEST_F(MonitorPictureTest, hasTheLimitBandsInTheirColours) {
+    stack().setPaused(true);
+    std::vector<widgets::PlotSpec> plots = stack().plots();
+    widgets::PlotSpec& coils = plots.back();
+    coils.bands = {{60.0, 70.0, widgets::LimitBand::Role::Warn}, {70.0, 80.0, widgets::LimitBand::Role::Bad}};
+    coils.fixedRange = widgets::ValueRange{0.0, 100.0};
+    stack().setPlots(plots);
+    stack().refresh();
+    const auto sheets = monitorSheets(stack(), bench().history());
+    const widgets::Theme light = widgets::paperTheme();
+    const PictureProbe probe(sheets, light);
+    const QRectF canvas = probe.canvas(0, plots.size() - 1);
+    const auto colourAt = [&](double value) {
+        return probe.at(canvas.left() + 13.0, canvas.bottom() - 0.01 * value * canvas.height());
+    };
+    EXPECT_EQ(colourAt(50.0 + 3.0), light.plotBackground);
+    // 30 of 255 of the role's colour over the background
+    const auto over = [&](const QColor& colour) {
+        return widgets::mixed(light.plotBackground, colour, 30.0 / 255.0);
+    };
+    const auto near = [](const QColor& one, const QColor& other) {
+        return std::abs(one.red() - other.red()) + std::abs(one.green() - other.green()) +
+               std::abs(one.blue() - other.blue());
+    };
+    EXPECT_LE(near(colourAt(65.0), over(light.warn)), 6); // roundings of three channels
+    EXPECT_LE(near(colourAt(75.0), over(light.bad)), 6);
+    EXPECT_GT(near(over(light.warn), over(light.bad)), 6);
+}
+
+TEST_F(MonitorPictureTest, aPlotWithItsOwnTimeAxisHasItInThePicture) {
+    stack().setPaused(true);
+    stack().setOwnTime(1, widgets::OwnTime{0.5, false});
+    stack().refresh();
+    const auto sheets = monitorSheets(stack(), bench().history());
+    ASSERT_EQ(sheets.size(), 3U); // the one above, this one, those below
+    EXPECT_EQ(sheets[0].figure.x.max, stack().timeRange(0).end_s);
+    EXPECT_EQ(sheets[1].figure.x.min, stack().timeRange(1).begin_s);
+    EXPECT_NE(sheets[1].figure.x.min, sheets[0].figure.x.min);
+    EXPECT_EQ(sheets[0].figure.panels.size() + sheets[1].figure.panels.size() +
+                  sheets[2].figure.panels.size(),
+              stack().plots().size());
+    const PictureProbe probe(sheets, widgets::paperTheme());
+    EXPECT_EQ(probe.canvas(0, 0).left(), probe.canvas(1, 0).left()); // in line
+    EXPECT_EQ(probe.canvas(0, 0).width(), probe.canvas(2, 0).width());
+    EXPECT_GT(probe.canvas(1, 0).top(), probe.canvas(0, 0).bottom() + 30.0); // its own time below each
+}
+
+TEST_F(MonitorPictureTest, isLightUnlessTheWindowsColoursAreAskedFor) {
+    widgets::applyTheme(*qApp, widgets::loadTheme("dark").value());
+    const auto corner = [&] {
+        press(Qt::Key_C, Qt::ControlModifier);
+        return QGuiApplication::clipboard()->image().pixelColor(1, 1);
+    };
+    EXPECT_EQ(corner(), widgets::loadTheme("light").value().panel);
+    for (QAction* action : stack().actions()) {
+        if (action->text() == "Pictures in the window's colours") {
+            action->setChecked(true);
+        }
+    }
+    EXPECT_EQ(corner(), widgets::loadTheme("dark").value().panel);
+    widgets::applyTheme(*qApp, widgets::loadTheme("light").value());
 }
 
 TEST_F(MonitorPictureTest, isCopiedAndSavedByKey) {

@@ -1,0 +1,117 @@
+#include "app/workspaces/recorded_markers.h"
+
+#include "app/batch/sidecar_change.h"
+#include "widgets/live_plot_stack.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace halbench::app {
+
+namespace {
+
+using Marker = devices::RecordingMeta::Marker;
+
+constexpr double Rounding_s = 1e-9;
+/// Rows that were not kept between the last one and a marker at the newest sample.
+constexpr double Beyond_s = 0.5;
+
+} // namespace
+
+std::vector<Marker> withMarkers(std::vector<Marker> kept, const std::vector<Marker>& given,
+                                const std::vector<Marker>& wanted, double length_s) {
+    std::optional<double> first_s; // of the recording, on the clock of the device
+    for (const Marker& marker : given) {
+        const auto found = std::find_if(kept.begin(), kept.end(),
+                                        [&](const Marker& other) { return other.text == marker.text; });
+        if (found != kept.end()) {
+            if (found->time_s > 0.0) { // else it may be cut to the first row
+                first_s = marker.time_s - found->time_s;
+            }
+            kept.erase(found);
+        }
+    }
+    for (const Marker& marker : wanted) {
+        const double time_s = first_s ? marker.time_s - *first_s : -1.0;
+        if (time_s >= -Rounding_s && time_s <= length_s + Beyond_s) {
+            kept.push_back({std::max(0.0, time_s), marker.text});
+        }
+    }
+    return kept;
+}
+
+RecordedMarkers::RecordedMarkers(Workbench& bench, widgets::LivePlotStack& stack, QObject* parent)
+    : QObject(parent), m_bench(bench), m_stack(stack) {
+    connect(&m_bench.recording(), &RecordingControl::changed, this, &RecordedMarkers::onChanged);
+    connect(&m_bench.recording(), &RecordingControl::finished, this, &RecordedMarkers::onFinished);
+}
+
+/// Of the plots' time from the device's. Exactly none unless the device's clock began again while it was
+/// watched; then as exact as the last report of the device is.
+double RecordedMarkers::shift_s() const {
+    constexpr double Report_s = 1.0; // older than any is
+    const auto held = m_bench.history().range();
+    const double apart_s = held ? held->end_s - m_bench.session().report().deviceTime_s : 0.0;
+    return apart_s > Report_s ? apart_s : 0.0;
+}
+
+void RecordedMarkers::refresh() {
+    if (m_isRunning) {
+        give();
+    }
+}
+
+/// From its first rows on: what was dropped before, in the time kept before its start, belongs to it too.
+void RecordedMarkers::onChanged() {
+    const bool hasRows = m_bench.recording().isRecording() && m_bench.recording().status().rows > 0;
+    if (std::exchange(m_isRunning, hasRows || (m_isRunning && m_bench.recording().isRecording())) ||
+        !m_isRunning) {
+        return;
+    }
+    m_given.clear();
+    m_plotTimes.clear();
+    give();
+}
+
+void RecordedMarkers::give() {
+    for (const widgets::PlotMarker& marker : m_stack.markers()) {
+        if (std::find(m_plotTimes.begin(), m_plotTimes.end(), marker.time_s) != m_plotTimes.end()) {
+            continue;
+        }
+        const QString note = marker.text.isEmpty() ? tr("marker") : marker.text;
+        m_plotTimes.push_back(marker.time_s);
+        m_given.push_back({marker.time_s - shift_s(), note.toStdString()});
+        m_bench.recording().addMarker(m_given.back().time_s, note);
+    }
+}
+
+void RecordedMarkers::onFinished(const QString& path, const RecorderStatus& status) {
+    m_isRunning = false;
+    if (m_given.empty()) {
+        return;
+    }
+    std::vector<Marker> wanted;
+    for (const widgets::PlotMarker& marker : m_stack.markers()) {
+        const auto at = std::find(m_plotTimes.begin(), m_plotTimes.end(), marker.time_s);
+        if (at != m_plotTimes.end()) {
+            const QString note = marker.text.isEmpty() ? tr("marker") : marker.text;
+            wanted.push_back(
+                {m_given[static_cast<std::size_t>(at - m_plotTimes.begin())].time_s, note.toStdString()});
+        }
+    }
+    m_files.run(
+        [path, given = std::exchange(m_given, {}), wanted = std::move(wanted),
+         length_s = status.elapsed_s]() -> Result<void> {
+            const Result<std::vector<Marker>> kept = recordingMarkers(path);
+            return kept ? writeRecordingMarkers(path, withMarkers(*kept, given, wanted, length_s))
+                        : failure(kept.error());
+        },
+        [this](const Result<void>& written) {
+            if (!written) {
+                Q_EMIT failed(written.error());
+            }
+        });
+}
+
+} // namespace halbench::app

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "app/workspaces/file_queue.h"
+#include "app/workspaces/workbench.h"
+
+#include <QObject>
+
+#include <vector>
+
+namespace halbench::widgets {
+class LivePlotStack;
+}
+
+namespace halbench::app {
+
+/// The markers of the plots in the recording that runs. Each goes into it when it is dropped, so that nothing
+/// can lose it; when the recording is complete, its sidecar gets them as they are then: with other notes,
+/// without those that were removed (resources/help/monitor.md, "Markers").
+class RecordedMarkers : public QObject {
+    Q_OBJECT
+
+public:
+    RecordedMarkers(Workbench& bench, widgets::LivePlotStack& stack, QObject* parent);
+
+    /// The plots have other ones.
+    void refresh();
+
+Q_SIGNALS:
+    void failed(const halbench::Error& error);
+
+private:
+    void onChanged();
+    void onFinished(const QString& path, const RecorderStatus& status);
+    void give();
+    double shift_s() const;
+
+    Workbench& m_bench;
+    widgets::LivePlotStack& m_stack;
+    /// What the recorder has, in the order in which it got it, at times of the device.
+    std::vector<devices::RecordingMeta::Marker> m_given;
+    std::vector<double> m_plotTimes; ///< of the same in the plots
+    bool m_isRunning = false;
+    FileQueue m_files;
+};
+
+/// The sidecar's markers `kept` with those of the plots instead of what the recorder was given. `given` and
+/// `wanted` at times of the device; those that do not lie in the recording, of `length_s`, are left out.
+std::vector<devices::RecordingMeta::Marker>
+withMarkers(std::vector<devices::RecordingMeta::Marker> kept,
+            const std::vector<devices::RecordingMeta::Marker>& given,
+            const std::vector<devices::RecordingMeta::Marker>& wanted, double length_s);
+
+} // namespace halbench::app
