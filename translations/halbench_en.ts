@@ -110,6 +110,16 @@
     </message>
 </context>
 <context>
+    <name>halbench::widgets::MarkerBar</name>
+    <message numerus="yes">
+        <source>%n marker(s)</source>
+        <translation>
+            <numerusform>%n marker</numerusform>
+            <numerusform>%n markers</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>halbench::widgets::RotorView</name>
     <message numerus="yes">
         <source>%n separate magnets</source>
