@@ -112,9 +112,11 @@ TEST_F(FigureViewTest, fillsItsHeightAndNeverNeedsMoreThanItsMinimum) {
     showFigure({500, 360});
     EXPECT_LE(view.minimumSizeHint().height(), 300);
     EXPECT_EQ(view.image(2.0).size(), QSize(1000, 720));
-    const QImage before = view.image(1.0);
+    const QImage picture = view.image(1.0);
+    const QImage shown = view.grab().toImage();
     dress("dark");
-    EXPECT_NE(view.image(1.0).pixel(1, 1), before.pixel(1, 1)); // in the colours of the new theme
+    EXPECT_NE(view.grab().toImage().pixel(1, 1), shown.pixel(1, 1)); // in the colours of the new theme
+    EXPECT_EQ(view.image(1.0), picture) << "what leaves the window is for paper";
 }
 
 TEST_F(FigureViewTest, copiesAndSavesThePicture) {

@@ -133,8 +133,8 @@ TEST_F(MonitorPictureTest, hasMarkersAndCursorsWhereTheyAreInEveryPlot) {
     const auto sheets = monitorSheets(stack(), bench().history());
     const widgets::Theme light = widgets::paperTheme();
     const PictureProbe probe(sheets, light);
-    for (std::size_t panel = 0; panel < sheets[0].figure.panels.size(); ++panel) {
-        const QRectF canvas = probe.canvas(0, panel);
+    for (std::size_t plot = 0; plot < sheets[0].figure.panels.size(); ++plot) {
+        const QRectF canvas = probe.canvas(0, plot);
         const auto columnOf = [&](double share) { return canvas.left() + share * canvas.width(); };
         const auto most = [&](double share, const QColor& colour) {
             int count = 0;
@@ -144,10 +144,10 @@ TEST_F(MonitorPictureTest, hasMarkersAndCursorsWhereTheyAreInEveryPlot) {
             return count;
         };
         // A dashed line is two thirds of the height; cursors are whole, but for curves they pass over.
-        EXPECT_GT(most(0.2, light.muted), 0.4 * canvas.height()) << panel;
-        EXPECT_GT(most(0.5, light.text), 0.8 * canvas.height() - 20.0) << panel;
-        EXPECT_GT(most(0.75, light.accent), 0.8 * canvas.height() - 20.0) << panel;
-        EXPECT_EQ(most(0.6, light.accent), 0) << panel;
+        EXPECT_GT(most(0.2, light.muted), 0.4 * canvas.height()) << plot;
+        EXPECT_GT(most(0.5, light.text), 0.8 * canvas.height() - 20.0) << plot;
+        EXPECT_GT(most(0.75, light.accent), 0.8 * canvas.height() - 20.0) << plot;
+        EXPECT_EQ(most(0.6, light.accent), 0) << plot;
     }
     // The marker's note stands beside its line in the topmost plot, below the row of the cursors' names.
     const QRectF top = probe.canvas(0, 0);

@@ -2,6 +2,7 @@
 #include "app/workspaces/pace_steps.h"
 #include "tests/app/workspaces/monitor_fixture.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QElapsedTimer>
 
@@ -34,12 +35,14 @@ TEST(PaceSteps, aSlowOneSaysHowMuchSlower) {
 class PaceKeysTest : public MonitorTest {};
 
 TEST_F(PaceKeysTest, lessAndGreaterStepTheSpeedAndTheChoiceFollows) {
+    QApplication::setActiveWindow(panel.get());
     PaceRow row(bench(), PaceRow::Place::Devices, nullptr);
     auto* box = row.findChild<QComboBox*>();
     press(Qt::Key_Less, Qt::ShiftModifier);
     EXPECT_EQ(bench().pace().speed_ratio, 1.0) << "nothing is connected that has a pace";
     connectTo("sim:htm", 1.0);
     bench().setPace({1.0});
+    QApplication::setActiveWindow(panel.get());
     press(Qt::Key_Less);
     EXPECT_EQ(bench().pace().speed_ratio, 0.5);
     EXPECT_EQ(box->currentText(), "2 times slower");
