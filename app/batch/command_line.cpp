@@ -180,6 +180,20 @@ void addCode(CLI::App* command, CommandOptions& options) {
     command->add_option("--code", options.codeFile, "The law for another controller")->type_name("LAW.c");
 }
 
+/// What tune and analyse have in common: how a judged loop is shown.
+void addLoopOutputs(CLI::App* command, CommandOptions& options) {
+    command
+        ->add_option("--picture", options.pictures,
+                     "bode, nyquist, nichols, sensitivity, root-locus, step, large-step or disturbance; "
+                     "repeatable")
+        ->take_all()
+        ->allow_extra_args(false)
+        ->type_name("VIEW=F.svg|.pdf|.png");
+    command->add_option("--disturbance", options.load, "Load that is looked at, as a current; default 0.5")
+        ->type_name("A");
+    addCode(command, options);
+}
+
 void addTuningCommands(CLI::App& app, CommandOptions& options) {
     CLI::App* tune = addCommand(app, "tune", "Design gains for an identified motor");
     tune->add_option("MODEL.json|DEVICE", options.device, "Identified model, or a device to identify")
@@ -213,7 +227,7 @@ void addTuningCommands(CLI::App& app, CommandOptions& options) {
         ->allow_extra_args(false)
         ->type_name("NAME=VALUE");
     tune->add_option("--out", options.out, "Gains")->type_name("GAINS.json");
-    addCode(tune, options);
+    addLoopOutputs(tune, options);
     CLI::App* analyse = addCommand(app, "analyse", "Margins and step response of a model with gains");
     analyse->add_option("MODEL.json", options.device, "Identified model")->required();
     analyse->add_option("GAINS.json", options.gainsFile, "Gains")->required();
@@ -232,7 +246,7 @@ void addTuningCommands(CLI::App& app, CommandOptions& options) {
         ->type_name("GAINS.json");
     analyse->add_option("--motion", options.whatIfFile, "Recorded and predicted motion of --what-if")
         ->type_name("F.csv");
-    addCode(analyse, options);
+    addLoopOutputs(analyse, options);
 }
 
 void addServe(CLI::App& app, CommandOptions& options) {

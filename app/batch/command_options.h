@@ -56,7 +56,6 @@ struct CommandOptions {
     std::string maxSensitivity, currentLimit,
         limitedStep;                   ///< --max-sensitivity, --current-limit-a, --step-deg
     std::string gainsFile;             ///< analyse GAINS.json, tune --gains
-    std::string form;                  ///< tune --form
     std::vector<std::string> pictures; ///< tune, analyse --picture VIEW=FILE
     std::string load;                  ///< tune, analyse --disturbance A
     std::string calibrationFile;       ///< tune, analyse --calibration CAL.json

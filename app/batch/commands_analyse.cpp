@@ -1,8 +1,10 @@
 #include "app/batch/command_support.h"
+#include "app/batch/gains_judgement.h"
 #include "app/batch/judgement_text.h"
 #include "app/batch/law_code.h"
 #include "app/batch/loop_comparison.h"
 #include "app/batch/loop_conditions.h"
+#include "app/batch/loop_pictures.h"
 #include "app/batch/model_file.h"
 #include "app/batch/numbers.h"
 #include "app/batch/output_file.h"
@@ -10,10 +12,14 @@
 #include "app/batch/what_if_report.h"
 #include "app/procedures/disturbance.h"
 #include "control/base/assert.h"
+#include "control/base/units.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
 #include <utility>
 
 namespace halbench::app {
@@ -28,7 +34,9 @@ Result<void> writeColumns(const std::string& path, const std::string& header,
     std::string text = header + "\n";
     for (std::size_t row = 0; row < columns.front()->size(); ++row) {
         for (std::size_t column = 0; column < columns.size(); ++column) {
-            text += (column == 0 ? "" : ",") + formatNumber((*columns[column])[row]);
+            const double value = (*columns[column])[row];
+            text += column == 0 ? "" : ",";
+            text += std::isfinite(value) ? formatNumber(value) : std::string(); // a band that is not known
         }
         text += '\n';
     }
@@ -76,15 +84,29 @@ std::string analysisText(const AnalysisResult& result) {
     return text;
 }
 
+/// The columns of a band; empty cells where nothing is known of it.
+control::Band columnsOf(const control::Band& band, std::size_t rows) {
+    const std::vector<double> unknown(rows, std::numeric_limits<double>::quiet_NaN());
+    const bool isKnown = band.p5.size() == rows;
+    return isKnown ? band : control::Band{unknown, unknown};
+}
+
+/// The motors that the uncertainty allows; none for a model without one.
+std::vector<control::PositionPlant> motorsOf(const ModelFile& model, std::uint64_t seed) {
+    const auto plants = drawnPlants(model.estimate, {TuneConfig().draws, seed});
+    return plants ? *plants : std::vector<control::PositionPlant>();
+}
+
 /// The same judgement as of gains that are designed. An analysis refuses none: what it is asked to show may
 /// be unstable.
 Result<TuneResult> judgeLoop(ComparedLoop& loop, const ModelFile& model, LoopConditions conditions,
-                             std::uint64_t seed) {
+                             const JudgedWith& with) {
     TuneConfig config;
+    config.load_A = with.load_A;
     config.method = loop.gains.method;
     config.conditions = std::move(conditions);
     config.conditions.timing = loop.gains.timing;
-    config.seed = seed;
+    config.seed = with.seed;
     Result<TuneResult> judged = judgeLaw(model.estimate, loop.gains.law, config);
     if (judged) {
         loop.result.warnings = judged->warnings;
@@ -126,21 +148,51 @@ Result<std::vector<ComparedLoop>> analyseAll(const CommandOptions& options, cons
     return loops;
 }
 
-/// A step of the reference, and beside it what a load does, on the same times; none of an unstable loop.
+/// The open loop with its bands.
+Result<void> writeBode(const std::string& path, const AnalysisResult::Bode& bode, const ComparedLoop& loop,
+                       const std::vector<control::PositionPlant>& motors) {
+    std::vector<double> frequency_rad_s;
+    for (const double frequency_Hz : bode.frequency_Hz) {
+        frequency_rad_s.push_back(2.0 * Pi * frequency_Hz);
+    }
+    const std::size_t rows = bode.frequency_Hz.size();
+    const auto bands = control::loopBands(motors, loop.gains.law.gains, loop.gains.timing, frequency_rad_s);
+    const auto magnitude = columnsOf(bands ? bands->magnitude_dB : control::Band{}, rows);
+    const auto phase = columnsOf(bands ? bands->phase_deg : control::Band{}, rows);
+    return writeColumns(path,
+                        "frequency_hz,magnitude_db,phase_deg,magnitude_p5_db,magnitude_p95_db,phase_p5_deg,"
+                        "phase_p95_deg",
+                        {&bode.frequency_Hz, &bode.magnitude_dB, &bode.phase_deg, &magnitude.p5,
+                         &magnitude.p95, &phase.p5, &phase.p95});
+}
+
+/// A step of the reference, and beside it what a load does, on the same times, with their bands; none of an
+/// unstable loop.
 Result<void> writeStep(const std::string& path, const AnalysisResult::Step& step,
-                       const control::LoadStep& loaded) {
+                       const control::LoadStep& loaded, double load_A, const ComparedLoop& loop,
+                       const std::vector<control::PositionPlant>& motors) {
+    constexpr int PointsPerSample = 10; // of linearStep and loadStep
     HB_ASSERT(loaded.time_s.size() == step.time_s.size());
-    return writeColumns(
-        path, "time_s,response_rad,current_A,load_angle_rad,load_current_A",
-        {&step.time_s, &step.response_rad, &step.current_A, &loaded.angle_rad, &loaded.current_A});
+    const std::size_t rows = step.time_s.size();
+    const double end_s = rows > 0 ? step.time_s.back() : 0.0;
+    const control::PidGains& gains = loop.gains.law.gains;
+    const auto answer = control::stepBand(motors, gains, loop.gains.timing, 1.0, end_s, PointsPerSample);
+    const auto under = control::loadBand(motors, gains, loop.gains.timing, load_A, end_s, PointsPerSample);
+    const auto response = columnsOf(answer ? answer->response_rad : control::Band{}, rows);
+    const auto angle = columnsOf(under ? under->angle_rad : control::Band{}, rows);
+    return writeColumns(path,
+                        "time_s,response_rad,current_A,load_angle_rad,load_current_A,response_p5_rad,"
+                        "response_p95_rad,load_angle_p5_rad,load_angle_p95_rad",
+                        {&step.time_s, &step.response_rad, &step.current_A, &loaded.angle_rad,
+                         &loaded.current_A, &response.p5, &response.p95, &angle.p5, &angle.p95});
 }
 
 /// Each as it is judged alone; the answer is that of the first.
 Result<TuneResult> judgeAll(std::vector<ComparedLoop>& loops, const ModelFile& model,
-                            const LoopConditions& conditions, std::uint64_t seed) {
-    auto first = judgeLoop(loops.front(), model, conditions, seed);
+                            const LoopConditions& conditions, const JudgedWith& with) {
+    auto first = judgeLoop(loops.front(), model, conditions, with);
     for (std::size_t i = 1; i < loops.size(); ++i) {
-        if (const auto valid = judgeLoop(loops[i], model, conditions, seed); !valid) {
+        if (const auto valid = judgeLoop(loops[i], model, conditions, with); !valid) {
             return failure(valid.error());
         }
     }
@@ -149,14 +201,18 @@ Result<TuneResult> judgeAll(std::vector<ComparedLoop>& loops, const ModelFile& m
 
 /// What the other programs and controllers draw and run: of the first gains.
 Result<void> writeFiles(const CommandOptions& options, const ModelFile& model, const ComparedLoop& loop,
-                        LoopConditions conditions) {
+                        LoopConditions conditions, const JudgedWith& with) {
     const AnalysisResult& result = loop.result;
     conditions.timing = loop.gains.timing;
+    const bool needsMotors = !options.bodeFile.empty() || !options.stepFile.empty();
+    const auto motors = needsMotors ? motorsOf(model, with.seed) : std::vector<control::PositionPlant>();
     Result<void> done =
-        writeColumns(options.bodeFile, "frequency_hz,magnitude_db,phase_deg",
-                     {&result.bode.frequency_Hz, &result.bode.magnitude_dB, &result.bode.phase_deg});
-    const auto loaded = disturbanceStep(model.estimate, loop.gains.law, conditions, result);
-    done = done ? writeStep(options.stepFile, result.stepCurve, loaded.value_or(control::LoadStep{})) : done;
+        options.bodeFile.empty() ? Result<void>() : writeBode(options.bodeFile, result.bode, loop, motors);
+    if (done && !options.stepFile.empty()) {
+        const auto loaded = disturbanceStep(model.estimate, loop.gains.law, conditions, result, with.load_A);
+        done = writeStep(options.stepFile, result.stepCurve, loaded.value_or(control::LoadStep{}),
+                         with.load_A, loop, motors);
+    }
     done = done ? writePoles(options.polesFile, result.roots) : done;
     return done ? writeLaw(options.codeFile, loop.gains.law, conditions, {loop.gains.method, model.device})
                 : done;
@@ -191,6 +247,30 @@ Result<std::optional<WhatIfReport>> askWhatIf(const CommandOptions& options, con
     return std::optional<WhatIfReport>(*std::move(report));
 }
 
+/// The judged loop with those it is compared with beside it.
+Result<void> drawPictures(const std::vector<LoopPicture>& pictures, const ModelFile& model,
+                          const TuneResult& judged, const std::vector<ComparedLoop>& loops,
+                          std::uint64_t seed) {
+    DrawnLoop drawn{&judged, &model.estimate, {}, {TuneConfig().draws, seed}};
+    for (std::size_t i = 1; i < loops.size(); ++i) {
+        drawn.others.push_back({std::filesystem::path(loops[i].path).filename().string(), &loops[i].result});
+    }
+    return writeLoopPictures(pictures, drawn);
+}
+
+/// --disturbance, and the seed of the drawn motors.
+Result<JudgedWith> judgedWith(const CommandOptions& options, std::uint64_t seed) {
+    const Result<std::optional<double>> load = optionalNumber("--disturbance", options.load);
+    if (!load) {
+        return failure(load.error());
+    }
+    if (load->value_or(1.0) <= 0.0) {
+        return failure(ErrorCode::OutOfRange, fmt::format("--disturbance: {} is not positive", options.load),
+                       "give a positive number");
+    }
+    return JudgedWith{seed, load->value_or(DisturbanceLoad_A)};
+}
+
 bool isAnyRefused(const std::vector<ComparedLoop>& loops) {
     return std::any_of(loops.begin(), loops.end(), [](const ComparedLoop& loop) {
         return loop.result.quality.verdict == Verdict::Refused;
@@ -219,14 +299,20 @@ CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& o
     ResultHeader header = headerFor(context, "halbench.analysis/1");
     header.device = model->device;
     header.seed = context.global.seed.value_or(model->seed);
-    const auto judged = judgeAll(*loops, *model, *conditions, header.seed);
+    const auto pictures = loopPicturesOf(options.pictures);
+    const auto with = judgedWith(options, header.seed);
+    if (!pictures || !with) {
+        return failure(pictures ? with.error() : pictures.error());
+    }
+    const auto judged = judgeAll(*loops, *model, *conditions, *with);
     if (!judged) {
         return failure(judged.error());
     }
     JsonValue document = analysisDocument(header, own.result);
     setJudgement(document, *judged);
     std::string text = analysisText(own.result) + proofLines(*judged) + cycleLines(*judged) +
-                       intervalLines(judged->robust) + loopFindingLines(own.result.quality, false);
+                       disturbanceLines(*judged) + intervalLines(judged->robust) +
+                       loopFindingLines(own.result.quality, false);
     if (loops->size() > 1) {
         document.set("compared", comparedLoops({loops->begin() + 1, loops->end()}));
         text += comparisonTable(*loops);
@@ -239,7 +325,8 @@ CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& o
         document.set("what_if", whatIfBody(**motion));
         text += whatIfText(**motion);
     }
-    Result<void> done = writeFiles(options, *model, own, *conditions);
+    Result<void> done = writeFiles(options, *model, own, *conditions, *with);
+    done = done ? drawPictures(*pictures, *model, *judged, *loops, header.seed) : done;
     done = done ? deliver(context, document, text, "") : done;
     if (!done) {
         return failure(done.error());

@@ -2,6 +2,7 @@
 #include "app/batch/gains_judgement.h"
 #include "app/batch/law_code.h"
 #include "app/batch/loop_conditions.h"
+#include "app/batch/loop_pictures.h"
 #include "app/batch/numbers.h"
 #include "app/batch/relay_document.h"
 #include "app/batch/result_documents.h"
@@ -77,7 +78,7 @@ Result<TuneResult> findGains(const CommandOptions& options, const TuningSource& 
     }
     LoopConditions conditions = source.conditions;
     conditions.timing = source.device ? conditions.timing : source.gains->timing;
-    auto judged = judgeGains(*source.gains, source.estimate, conditions, config.seed);
+    auto judged = judgeGains(*source.gains, source.estimate, conditions, {config.seed, config.load_A});
     if (!judged) {
         return failure(judged.error().code, options.gainsFile + ": " + judged.error().message,
                        judged.error().hint);
@@ -95,10 +96,13 @@ Result<TuneResult> findGains(const CommandOptions& options, const TuningSource& 
 /// Method and targets, judged before anything moves.
 Result<TuneConfig> tuneConfigFrom(const CommandOptions& options) {
     const Result<control::DesignTargets> targets = targetsFrom(options);
-    if (!targets) {
-        return failure(targets.error());
+    const Result<std::optional<double>> load = target("--disturbance", options.load);
+    const auto pictures = loopPicturesOf(options.pictures);
+    if (!targets || !load || !pictures) {
+        return failure(!targets ? targets.error() : !load ? load.error() : pictures.error());
     }
     TuneConfig config;
+    config.load_A = load->value_or(config.load_A);
     config.method = options.method.empty() ? config.method : options.method;
     if (options.isLive && options.applyDevice.empty()) {
         return failure(ErrorCode::Usage, "--live belongs to --apply",
@@ -187,6 +191,12 @@ CommandResult runTuneCommand(CommandContext& context, const CommandOptions& opti
                                     {result->method, source->header.device});
         !coded) {
         return failure(coded.error());
+    }
+    if (const auto drawn =
+            writeLoopPictures(*loopPicturesOf(options.pictures),
+                              {&*result, &source->estimate, {}, {config->draws, config->seed}});
+        !drawn) {
+        return failure(drawn.error());
     }
     JsonValue document = gainsDocument(source->header, *result);
     std::string text = gainsText(*result);

@@ -20,12 +20,13 @@ bool isPresetItself(const GainsFile& gains, const TuneResult& judged) {
 } // namespace
 
 Result<TuneResult> judgeGains(const GainsFile& gains, const MotorEstimate& estimate,
-                              const LoopConditions& conditions, std::uint64_t seed) {
+                              const LoopConditions& conditions, const JudgedWith& with) {
     TuneConfig config;
     config.method = gains.method.empty() ? UnnamedMethod : gains.method;
     config.targets = gains.targets;
     config.conditions = conditions;
-    config.seed = seed;
+    config.seed = with.seed;
+    config.load_A = with.load_A;
     auto judged = judgeLaw(estimate, gains.law, config);
     if (judged && !judged->predicted.isStable && !isPresetItself(gains, *judged)) {
         judged->quality.verdict = Verdict::Refused;

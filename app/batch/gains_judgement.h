@@ -7,11 +7,17 @@
 
 namespace halbench::app {
 
+/// What a judgement is made with.
+struct JudgedWith {
+    std::uint64_t seed = 1; ///< of the drawn motors
+    double load_A = DisturbanceLoad_A;
+};
+
 /// Gains of a file as designed ones are judged: the same proof, the same robustness, the same refusals. That
 /// a file names a preset lets it show an unstable loop only when it holds that preset's gains. Errors: of
 /// `judgeLaw`.
 Result<TuneResult> judgeGains(const GainsFile& gains, const MotorEstimate& estimate,
-                              const LoopConditions& conditions, std::uint64_t seed);
+                              const LoopConditions& conditions, const JudgedWith& with);
 
 /// Of gains that were found for another device than this one; a file that names none is not compared.
 std::optional<Finding> foreignGains(const GainsFile& gains, const devices::DeviceInfo& device);

@@ -49,6 +49,26 @@ std::string cycleLines(const TuneResult& result) {
     return text;
 }
 
+std::string disturbanceLines(const TuneResult& result) {
+    if (!result.disturbance) {
+        return {};
+    }
+    const control::LoadStep& step = result.disturbance->step;
+    const auto& band = result.disturbance->band;
+    std::string text = fmt::format("load worth {:.4g} A\n", result.disturbance->load_A);
+    const auto interval = [](const control::Robustness::Interval& spread, double factor) {
+        return fmt::format(", {:.4g} to {:.4g} of 5 % to 95 %", factor * spread.p5, factor * spread.p95);
+    };
+    text += fmt::format("{:<26} {:.4g} deg{}\n", "moves it by at most", radiansToDegrees(step.peak_rad),
+                        band ? interval(band->peak_rad, radiansToDegrees(1.0)) : std::string());
+    const bool isKnown = band && band->recoveryTime_s;
+    text += step.recoveryTime_s
+                ? fmt::format("{:<26} {:.4g} s{}\n", "back to a tenth after", *step.recoveryTime_s,
+                              isKnown ? interval(*band->recoveryTime_s, 1.0) : std::string())
+                : fmt::format("{:<26} not in the time that was looked at\n", "back to a tenth");
+    return text + fmt::format("{:<26} {:.4g} deg\n", "in the end", radiansToDegrees(step.final_rad));
+}
+
 std::string intervalLines(const control::Robustness& robust) {
     if (!robust.gainMargin_ratio) {
         return "margins: no interval is known, the model has no covariance\n";

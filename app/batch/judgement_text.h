@@ -12,6 +12,8 @@ namespace halbench::app {
 std::string proofLines(const TuneResult& result);
 /// What friction and the current limit make of the motion.
 std::string cycleLines(const TuneResult& result);
+/// What a load does; empty for an unstable loop.
+std::string disturbanceLines(const TuneResult& result);
 /// What the uncertainty of the motor makes of each margin.
 std::string intervalLines(const control::Robustness& robust);
 

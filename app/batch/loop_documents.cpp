@@ -175,12 +175,31 @@ JsonValue cyclesOf(const std::optional<std::vector<PredictedCycle>>& cycles) {
     return list;
 }
 
+/// Null for an unstable loop; its intervals null for a model without covariance.
+JsonValue disturbanceOf(const std::optional<Disturbance>& disturbance) {
+    if (!disturbance) {
+        return {};
+    }
+    const control::LoadStep& step = disturbance->step;
+    JsonValue body = JsonValue::object();
+    body.set("load_A", disturbance->load_A).set("peak_rad", finiteOrNull(step.peak_rad));
+    body.set("peak_time_s", finiteOrNull(step.peakTime_s)).set("recovery_time_s", step.recoveryTime_s);
+    body.set("final_rad", finiteOrNull(step.final_rad));
+    if (!disturbance->band) {
+        return body.set("intervals", JsonValue());
+    }
+    JsonValue intervals = JsonValue::object();
+    intervals.set("peak_rad", toJson(std::optional(disturbance->band->peak_rad)));
+    return body.set("intervals", intervals.set("recovery_time_s", toJson(disturbance->band->recoveryTime_s)));
+}
+
 } // namespace
 
 void setJudgement(JsonValue& body, const TuneResult& result) {
     body.set("proof", proofOf(result)).set("robust", robustOf(result.robust));
     body.set("limit_cycles", cyclesOf(result.cycles));
     body.set("friction_release_s", finiteOrNull(result.release_s));
+    body.set("disturbance", disturbanceOf(result.disturbance));
 }
 
 JsonValue analysisBody(const AnalysisResult& result) {

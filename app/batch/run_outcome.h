@@ -34,6 +34,7 @@ struct MoveOutcome {
 struct TuneOutcome {
     MotorEstimate motor;
     TuneResult result;
+    std::uint64_t seed = 1; ///< of the motors that were drawn
 };
 
 /// The procedure's own result, for later steps and the report.

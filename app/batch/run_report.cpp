@@ -111,16 +111,29 @@ LoopAtStart loopAtStart(const TuneOutcome& tuned, const std::vector<ParameterVal
 ReportSection tunedSection(const std::string& heading, const TuneOutcome& tuned,
                            const std::vector<ParameterValue>& parametersAtStart) {
     const LoopAtStart before = loopAtStart(tuned, parametersAtStart);
-    ReportSection section = tuningSection(heading, tuned.result, before.loop);
-    const auto loaded =
-        disturbanceStep(tuned.motor, tuned.result.law, tuned.result.conditions, tuned.result.predicted);
-    if (auto figure = disturbanceFigure(loaded, before.loaded)) {
+    const TuneResult& result = tuned.result;
+    std::optional<LoopUncertainty> uncertainty;
+    if (auto known = loopUncertainty(tuned.motor, result.law, result.conditions, result.predicted,
+                                     {TuneConfig().draws, tuned.seed})) {
+        uncertainty = *std::move(known);
+    }
+    ReportSection section = tuningSection(heading, result, before.loop, uncertainty);
+    if (const auto& disturbance = result.disturbance) {
+        const control::LoadStep& loaded = disturbance->step;
+        std::vector<ReportQuantity> rows = {
+            {"peak of the angle", loaded.peak_rad, "rad"},
+            {"recovered to a tenth of the peak after", loaded.recoveryTime_s, "s"},
+            {"angle in the end", loaded.final_rad, "rad"}};
+        if (const auto& band = disturbance->band) {
+            rows.insert(rows.begin() + 1, {{"its 5th percentile", band->peak_rad.p5, "rad"},
+                                           {"its 95th percentile", band->peak_rad.p95, "rad"}});
+        }
         section.blocks.emplace_back(
-            quantityTable(fmt::format("Load worth {} A of current", DisturbanceLoad_A),
-                          {{"peak of the angle", loaded->peak_rad, "rad"},
-                           {"recovered to a tenth of the peak after", loaded->recoveryTime_s, "s"},
-                           {"angle in the end", loaded->final_rad, "rad"}}));
-        section.blocks.emplace_back(ReportPlot{*std::move(figure), "Without friction and current limit."});
+            quantityTable(fmt::format("Load worth {} A of current", disturbance->load_A), rows));
+        section.blocks.emplace_back(
+            ReportPlot{*disturbanceFigure(loaded, before.loaded, widgets::AngleUnit::Radian,
+                                          disturbance->load_A, disturbance->band),
+                       "Without friction and current limit."});
     }
     return section;
 }

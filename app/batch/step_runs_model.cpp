@@ -154,7 +154,7 @@ Result<StepOutcome> runTuneStep(StepRun& run, const ExperimentStep& step) {
     StepOutcome outcome;
     outcome.quality = result->quality;
     outcome.body = gainsBody(*result);
-    outcome.detail = TuneOutcome{motor, *std::move(result)};
+    outcome.detail = TuneOutcome{motor, *std::move(result), run.seed};
     return outcome;
 }
 

@@ -55,10 +55,12 @@ Result<void> openOther(CommandContext& context, const CommandOptions& options, T
 /// As it is judged for this loop: designed before, or of --gains.
 Result<TuneResult> judgeFor(const TuningSource& source, const TuneResult& before,
                             const LoopConditions& conditions) {
+    const double load_A = before.disturbance ? before.disturbance->load_A : DisturbanceLoad_A;
     if (source.gains) {
-        return judgeGains(*source.gains, source.estimate, conditions, source.header.seed);
+        return judgeGains(*source.gains, source.estimate, conditions, {source.header.seed, load_A});
     }
     TuneConfig config;
+    config.load_A = load_A;
     config.method = before.method;
     config.targets = before.targets;
     config.conditions = conditions;

@@ -46,7 +46,7 @@ std::string gainsText(const TuneResult& result) {
     text += fmt::format("delay margin {:.3g} ms\n", 1e3 * predicted.margins.delayMargin_s);
     text += proofLines(result);
     text += result.bounds ? boundLines(*result.bounds) : std::string();
-    return text + cycleLines(result) + intervalLines(result.robust) + loopFindingLines(result.quality, true);
+    return text + cycleLines(result) + disturbanceLines(result) + intervalLines(result.robust) + loopFindingLines(result.quality, true);
 }
 
 std::string agreementLine(const ApplyResult& applied) {

@@ -7,14 +7,34 @@ namespace halbench::app {
 std::optional<control::LoadStep> disturbanceStep(const MotorEstimate& estimate,
                                                  const control::PositionLaw& law,
                                                  const LoopConditions& conditions,
-                                                 const AnalysisResult& analysed) {
+                                                 const AnalysisResult& analysed, double load_A) {
     const auto plant = plantFromEstimate(estimate);
     if (!plant || !analysed.isStable || analysed.stepCurve.time_s.size() < 2) {
         return std::nullopt;
     }
-    auto step = control::loadStep(*plant, law.gains, conditions.timing, DisturbanceLoad_A,
-                                  analysed.stepCurve.time_s.back());
+    auto step =
+        control::loadStep(*plant, law.gains, conditions.timing, load_A, analysed.stepCurve.time_s.back());
     return step ? std::optional(*std::move(step)) : std::nullopt;
+}
+
+std::optional<Disturbance> disturbanceOf(const MotorEstimate& estimate, const control::PositionLaw& law,
+                                         const LoopConditions& conditions, const AnalysisResult& analysed,
+                                         double load_A, const std::vector<control::PositionPlant>& plants) {
+    constexpr int PointsPerSample = 5;
+    constexpr std::size_t ShownPoints = 90; // of a band: one in five pixels of a picture of usual size
+    auto step = disturbanceStep(estimate, law, conditions, analysed, load_A);
+    if (!step) {
+        return std::nullopt;
+    }
+    Disturbance disturbance{load_A, *std::move(step), {}};
+    auto band = plants.empty()
+                    ? Result<control::LoadBand>(failure(ErrorCode::Refused, ""))
+                    : control::loadBand(plants, law.gains, conditions.timing, load_A,
+                                        analysed.stepCurve.time_s.back(), PointsPerSample, ShownPoints);
+    if (band) {
+        disturbance.band = *std::move(band);
+    }
+    return disturbance;
 }
 
 } // namespace halbench::app

@@ -1,7 +1,11 @@
 #pragma once
 
 #include "app/procedures/analyse.h"
+#include "control/design/load_band.h"
 #include "control/design/load_step.h"
+
+#include <optional>
+#include <vector>
 
 namespace halbench::app {
 
@@ -13,6 +17,19 @@ constexpr double DisturbanceLoad_A = 0.5;
 std::optional<control::LoadStep> disturbanceStep(const MotorEstimate& estimate,
                                                  const control::PositionLaw& law,
                                                  const LoopConditions& conditions,
-                                                 const AnalysisResult& analysed);
+                                                 const AnalysisResult& analysed,
+                                                 double load_A = DisturbanceLoad_A);
+
+/// A load with what it does, and what the uncertainty of the motor makes of that.
+struct Disturbance {
+    double load_A = DisturbanceLoad_A;
+    control::LoadStep step;
+    std::optional<control::LoadBand> band; ///< nothing: the motor's uncertainty is not known
+};
+/// The same with the motors of `plants`, none of them for a motor without covariance. Nothing for an unstable
+/// loop.
+std::optional<Disturbance> disturbanceOf(const MotorEstimate& estimate, const control::PositionLaw& law,
+                                         const LoopConditions& conditions, const AnalysisResult& analysed,
+                                         double load_A, const std::vector<control::PositionPlant>& plants);
 
 } // namespace halbench::app

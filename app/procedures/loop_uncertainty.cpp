@@ -12,17 +12,6 @@ namespace halbench::app {
 
 namespace {
 
-Result<std::vector<control::PositionPlant>> drawnPlants(const MotorEstimate& estimate,
-                                                        const UncertaintyDraws& draws) {
-    if (estimate.covarianceNames.empty()) {
-        return failure(ErrorCode::Refused, "the model has no covariance: how uncertain it is is not known",
-                       "identify the motor to get its uncertainty");
-    }
-    const auto uncertain = uncertainPlantFromEstimate(estimate);
-    return uncertain ? control::drawPlants(*uncertain, draws.count, Random(draws.seed))
-                     : Result<std::vector<control::PositionPlant>>(failure(uncertain.error()));
-}
-
 /// Some of the frequencies of the picture, closer together where a delay turns the phase, and all of them
 /// where that of a sampled loop turns last: between them a band runs straight to a fraction of a pixel.
 std::vector<double> bandFrequencies_rad_s(const AnalysisResult::Bode& bode) {
@@ -42,6 +31,17 @@ std::vector<double> bandFrequencies_rad_s(const AnalysisResult::Bode& bode) {
 constexpr std::size_t StepPoints = 90; ///< of a band: one in five pixels of a picture of usual size
 
 } // namespace
+
+Result<std::vector<control::PositionPlant>> drawnPlants(const MotorEstimate& estimate,
+                                                        const UncertaintyDraws& draws) {
+    if (estimate.covarianceNames.empty()) {
+        return failure(ErrorCode::Refused, "the model has no covariance: how uncertain it is is not known",
+                       "identify the motor to get its uncertainty");
+    }
+    const auto uncertain = uncertainPlantFromEstimate(estimate);
+    return uncertain ? control::drawPlants(*uncertain, draws.count, Random(draws.seed))
+                     : Result<std::vector<control::PositionPlant>>(failure(uncertain.error()));
+}
 
 Result<LoopUncertainty> loopUncertainty(const MotorEstimate& estimate, const control::PositionLaw& law,
                                         const LoopConditions& conditions, const AnalysisResult& predicted,

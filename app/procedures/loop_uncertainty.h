@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace halbench::app {
 
@@ -13,6 +14,10 @@ struct UncertaintyDraws {
     int count = 1000;
     std::uint64_t seed = 1;
 };
+
+/// Errors: Refused (a motor without covariance: nothing is known of it); of plantFromEstimate.
+Result<std::vector<control::PositionPlant>> drawnPlants(const MotorEstimate& estimate,
+                                                        const UncertaintyDraws& draws);
 
 /// What the uncertainty of the identified motor makes of the curves: nine tenths of the drawn motors lie
 /// between, point by point.

@@ -1,5 +1,6 @@
 #include "app/procedures/tune.h"
 
+#include "app/procedures/loop_uncertainty.h"
 #include "control/base/random.h"
 #include "control/design/board_gains.h"
 
@@ -151,6 +152,10 @@ Result<TuneResult> judged(TuneResult result, const MotorEstimate& estimate, cons
                                           config.conditions.currentLimit_A)) {
         result.proof = *std::move(proof);
     }
+    const auto plants = drawnPlants(estimate, {config.draws, config.seed});
+    result.disturbance =
+        disturbanceOf(estimate, result.law, config.conditions, result.predicted, config.load_A,
+                      plants ? *plants : std::vector<control::PositionPlant>());
     result.bounds = boundsOf(result);
     result.cycles = predictCycles(result.plant, result.law, config.conditions);
     result.release_s = releaseTime_s(result.plant, result.law, result.predicted.frictionBand_rad);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/procedures/analyse.h"
+#include "app/procedures/disturbance.h"
 #include "app/procedures/loop_cycles.h"
 #include "control/design/design_methods.h"
 #include "control/design/optimal_designs.h"
@@ -21,6 +22,7 @@ struct TuneConfig {
     LoopConditions conditions;
     int draws = 1000;
     std::uint64_t seed = 1;
+    double load_A = DisturbanceLoad_A; ///< of the disturbance
 };
 
 /// A proposed set of gains with what it promises.
@@ -35,6 +37,7 @@ struct TuneResult {
     std::optional<control::DesignProof> proof;         ///< nothing: the loop grows beyond all numbers
     std::optional<control::LeastErrorBounds> bounds;   ///< of the methods that keep some, as the proof has it
     std::optional<std::vector<PredictedCycle>> cycles; ///< nothing: not predicted for such a law or motor
+    std::optional<Disturbance> disturbance = {};       ///< nothing for an unstable loop
     double release_s = 0.0; ///< until the integral moves a rotor that rests at half of the friction band
     std::vector<Finding> warnings; ///< of design, prediction and robustness
     DataQuality quality;

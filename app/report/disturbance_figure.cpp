@@ -1,6 +1,6 @@
 #include "app/report/disturbance_figure.h"
 
-#include "app/procedures/disturbance.h"
+#include "app/report/loop_curves.h"
 #include "widgets/display_units.h"
 
 #include <QtCore/QCoreApplication>
@@ -48,15 +48,15 @@ void add(widgets::Figure& figure, const control::LoadStep& step, double factor, 
 
 std::optional<widgets::Figure> disturbanceFigure(const std::optional<control::LoadStep>& proposed,
                                                  const std::optional<control::LoadStep>& present,
-                                                 widgets::AngleUnit unit) {
+                                                 widgets::AngleUnit unit, double load_A,
+                                                 const std::optional<control::LoadBand>& band) {
     if (!proposed) {
         return std::nullopt;
     }
     const bool isDegree = unit == widgets::AngleUnit::Degree;
     const double factor = widgets::displayUnit("rad", unit).factor;
     widgets::Figure figure;
-    figure.title =
-        utf8(Words::tr("Load worth %1 A, linear loop").arg(widgets::numberText(DisturbanceLoad_A, 2)));
+    figure.title = utf8(Words::tr("Load worth %1 A, linear loop").arg(widgets::numberText(load_A, 2)));
     figure.x = {utf8(Words::tr("time")), "s", false, {}, {}, {}};
     figure.isLinked = true;
     figure.panels.resize(2);
@@ -69,6 +69,9 @@ std::optional<widgets::Figure> disturbanceFigure(const std::optional<control::Lo
     }
     add(figure, *proposed, factor,
         {present ? utf8(Words::tr("proposed")) : std::string(), {}, {}, CurveStyle::Line, 0});
+    if (band) {
+        figure.panels[0].curves.push_back(bandCurve(band->time_s, band->angle_rad, 1.0, factor));
+    }
     figure.panels[0].lines = {{Direction::Horizontal, factor * proposed->peak_rad,
                                fmt::format("{} {:.3g}{}", utf8(Words::tr("peak")),
                                            factor * proposed->peak_rad, isDegree ? "\u00b0" : " rad")}};

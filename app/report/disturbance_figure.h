@@ -1,6 +1,6 @@
 #pragma once
 
-#include "control/design/load_step.h"
+#include "app/procedures/disturbance.h"
 #include "widgets/display_units.h"
 #include "widgets/figure.h"
 
@@ -9,9 +9,12 @@
 namespace halbench::app {
 
 /// Angle and current after the load of app/procedures/disturbance.h, `present` beside it, with peak and
-/// recovery of the proposed loop; nothing for one that is unstable.
+/// recovery of the proposed loop, and the band of the motors that the data allow when it is known; nothing
+/// for one that is unstable.
 std::optional<widgets::Figure> disturbanceFigure(const std::optional<control::LoadStep>& proposed,
                                                  const std::optional<control::LoadStep>& present,
-                                                 widgets::AngleUnit unit = widgets::AngleUnit::Radian);
+                                                 widgets::AngleUnit unit = widgets::AngleUnit::Radian,
+                                                 double load_A = DisturbanceLoad_A,
+                                                 const std::optional<control::LoadBand>& band = {});
 
 } // namespace halbench::app

@@ -1,5 +1,6 @@
 #include "app/report/recording_picture.h"
 
+#include "app/report/picture_file.h"
 #include "control/base/units.h"
 #include "widgets/figure_file.h"
 #include "widgets/offscreen_application.h"
@@ -122,16 +123,7 @@ Result<std::string> recordingPicture(const Recording& recording, const std::stri
     if (!panels) {
         return failure(panels.error());
     }
-    const auto application = widgets::OffscreenApplication::ensure();
-    const Result<widgets::Theme> theme = widgets::loadTheme("light");
-    if (!application || !theme) {
-        return failure(application ? theme.error() : application.error());
-    }
-    const auto format =
-        widgets::pictureFormat(QString::fromStdString(path)).value_or(widgets::PictureFormat::Png);
-    const Result<QByteArray> picture =
-        widgets::pictureFile(figureOf(recording, title, *panels), *theme, format);
-    return picture ? Result<std::string>(picture->toStdString()) : failure(picture.error());
+    return figurePicture(figureOf(recording, title, *panels), path);
 }
 
 } // namespace halbench::app

@@ -4,6 +4,7 @@
 #include "app/procedures/calibrate_procedure.h"
 #include "app/procedures/frequency_procedure.h"
 #include "app/procedures/identify_procedure.h"
+#include "app/procedures/loop_uncertainty.h"
 #include "app/procedures/motor_analysis.h"
 #include "app/procedures/move_repetition.h"
 #include "app/procedures/relay_procedure.h"
@@ -34,9 +35,10 @@ ReportSection relaySection(const std::string& heading, const RelayResult& result
 ReportSection calibrationSection(const std::string& heading, const CalibrateResult& result);
 
 /// Gains, margins with their robust bounds, open loop and predicted step; `present` is the loop of the gains
-/// that ran before, drawn beside it.
+/// that ran before, drawn beside it; `uncertainty` the band of the motors that the data allow.
 ReportSection tuningSection(const std::string& heading, const TuneResult& result,
-                            const std::optional<AnalysisResult>& present = std::nullopt);
+                            const std::optional<AnalysisResult>& present = std::nullopt,
+                            const std::optional<LoopUncertainty>& uncertainty = std::nullopt);
 
 /// Margins, open loop and predicted step of one loop.
 ReportSection analysisSection(const std::string& heading, const AnalysisResult& result);

@@ -96,8 +96,9 @@ ReportFacts robustFacts(const control::Robustness& robust) {
 }
 
 void appendPredictedStep(ReportSection& section, const AnalysisResult& predicted,
-                         const std::optional<AnalysisResult>& present) {
-    if (auto figure = linearStepFigure(predicted, present)) {
+                         const std::optional<AnalysisResult>& present,
+                         const std::optional<LoopUncertainty>& uncertainty = std::nullopt) {
+    if (auto figure = linearStepFigure(predicted, present, widgets::AngleUnit::Radian, {}, uncertainty)) {
         section.blocks.emplace_back(
             ReportPlot{*std::move(figure),
                        "Without friction and current limit: a measured step differs where these act."});
@@ -118,17 +119,20 @@ ReportSection analysisSection(const std::string& heading, const AnalysisResult& 
 }
 
 ReportSection tuningSection(const std::string& heading, const TuneResult& result,
-                            const std::optional<AnalysisResult>& present) {
+                            const std::optional<AnalysisResult>& present,
+                            const std::optional<LoopUncertainty>& uncertainty) {
     ReportSection section{heading, {}};
     section.blocks.emplace_back(ReportParagraph{"Method: " + result.method + "."});
     section.blocks.emplace_back(ReportQuality{result.quality});
     section.blocks.emplace_back(gainTable(result.law));
     section.blocks.emplace_back(marginTable(result.predicted, present));
     section.blocks.emplace_back(robustFacts(result.robust));
-    section.blocks.emplace_back(ReportPlot{openLoopFigure(result.predicted, present), {}});
+    section.blocks.emplace_back(
+        ReportPlot{openLoopFigure(result.predicted, present, {}, {}, uncertainty),
+                   uncertainty ? "Shaded: nine tenths of the motors that the data allow." : ""});
     section.blocks.emplace_back(ReportPlot{nyquistFigure(result.predicted, present), {}});
     section.blocks.emplace_back(ReportPlot{rootLocusFigure(result.predicted, present), {}});
-    appendPredictedStep(section, result.predicted, present);
+    appendPredictedStep(section, result.predicted, present, uncertainty);
     return section;
 }
 

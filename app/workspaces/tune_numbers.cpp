@@ -146,6 +146,29 @@ void appendProof(std::vector<TuneNumber>& numbers, const control::DesignProof& p
         Words::tr("Whether the loop bears a current that comes one sample later"));
 }
 
+/// What a load does, with its interval.
+void appendDisturbance(std::vector<TuneNumber>& numbers, const Disturbance& disturbance,
+                       const DisplayUnits& units) {
+    const control::LoadStep& step = disturbance.step;
+    const auto& band = disturbance.band;
+    const QString load = widgets::numberText(disturbance.load_A, 2);
+    numbers.push_back(
+        {Words::tr("Peak under a load worth %1 A").arg(load),
+         angleText(step.peak_rad, units),
+         band ? Words::tr("%1 to %2")
+                    .arg(angleText(band->peak_rad.p5, units), angleText(band->peak_rad.p95, units))
+              : Words::tr("not known"),
+         {},
+         Words::tr("How far the load moves the linear loop from its reference")});
+    numbers.push_back({Words::tr("Recovered from it"),
+                       step.recoveryTime_s ? Words::tr("after %1 s").arg(amount(*step.recoveryTime_s, {}))
+                                           : Words::tr("not in the time that is shown"),
+                       intervalWords(band ? band->recoveryTime_s : std::nullopt),
+                       {},
+                       Words::tr("From then on the angle stays within a tenth of the peak around where it "
+                                 "ends")});
+}
+
 QString cycleWords(const PredictedCycle& cycle, const DisplayUnits& units) {
     return Words::tr("%1 at %2 Hz, to %3 %")
         .arg(QStringLiteral("\u00b1") + angleText(cycle.amplitude_rad, units, 2),
@@ -232,6 +255,9 @@ std::vector<TuneNumber> tuneNumbers(const TuneResult& proposed, const std::optio
         appendProof(numbers, *proposed.proof, units);
     }
     appendMotion(row, units);
+    if (proposed.disturbance) {
+        appendDisturbance(numbers, *proposed.disturbance, units);
+    }
     appendCycles(numbers, proposed, units);
     return numbers;
 }

@@ -161,6 +161,7 @@ private:
     std::optional<MeasuredLoop> drawnMeasurement() const;
     void refreshMeasuredWords();
     void drawPredictions();
+    void drawLoaded();
     void refreshWords();
     void refreshOutlook();
     void growVerification();

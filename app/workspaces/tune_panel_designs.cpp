@@ -200,6 +200,16 @@ std::vector<NamedLoop> TunePanel::drawnLoops() const {
     return loops;
 }
 
+/// Its band belongs to the judgement, which comes after the curve.
+void TunePanel::drawLoaded() {
+    const bool isJudged = m_shown && m_shown->disturbance && isSameLaw(m_shown->law, m_sketch->law);
+    m_loaded->setFigure(
+        disturbanceFigure(m_sketch->loaded, m_sketch->presentLoaded, m_bench.displayUnits().angle,
+                          DisturbanceLoad_A,
+                          isJudged ? m_shown->disturbance->band : std::optional<control::LoadBand>())
+            .value_or(widgets::Figure{}));
+}
+
 void TunePanel::drawPredictions() {
     if (!m_sketch) {
         return;
@@ -211,8 +221,7 @@ void TunePanel::drawPredictions() {
     m_loop->setLoops(predicted, m_present, others, drawnMeasurement(), uncertainty);
     m_linear->setFigure(
         linearStepFigure(predicted, m_present, unit, others, uncertainty).value_or(widgets::Figure{}));
-    m_loaded->setFigure(
-        disturbanceFigure(m_sketch->loaded, m_sketch->presentLoaded, unit).value_or(widgets::Figure{}));
+    drawLoaded();
     m_large->setFigure(
         largeStepFigure(predicted, m_present, unit, others, uncertainty).value_or(widgets::Figure{}));
 }

@@ -126,6 +126,9 @@ void TunePanel::showAnswer(const Result<TuneResult>& answer, std::optional<doubl
     m_problem.reset();
     m_bandwidth_rad_s = bandwidth_rad_s;
     m_numbers->setNumbers(tuneNumbers(proposed, m_present, m_bench.displayUnits()));
+    if (m_sketch) {
+        drawLoaded();
+    }
     const DeviceSession& session = m_bench.session();
     showVerdict(*m_verdict, proposed,
                 session.state() == SessionState::Connected

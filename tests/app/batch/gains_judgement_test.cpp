@@ -48,7 +48,7 @@ GainsFile asFile(const TuneResult& result) {
 // A file of tune's own, judged in the loop it was found for, promises what was promised when it was written.
 TEST(GainsJudgement, gainsOfAFileAreJudgedAsWhenTheyWereDesigned) {
     const TuneResult own = designed("recommended");
-    const auto judged = judgeGains(asFile(own), published(), own.conditions, 1);
+    const auto judged = judgeGains(asFile(own), published(), own.conditions, {});
     ASSERT_TRUE(judged) << judged.error().message;
     EXPECT_EQ(*toJsonText(gainsBody(*judged)), *toJsonText(gainsBody(own)));
     EXPECT_TRUE(checkJudgement(*judged));
@@ -58,7 +58,7 @@ TEST(GainsJudgement, anUnstableLoopIsRefusedWhateverItsFileCallsIt) {
     GainsFile file = asFile(designed("published"));
     const LoopConditions conditions;
     file.law.gains.proportional = 100.0; // the sampled limit is 17.27 A/rad
-    const auto judged = judgeGains(file, published(), conditions, 1);
+    const auto judged = judgeGains(file, published(), conditions, {});
     ASSERT_TRUE(judged);
     EXPECT_EQ(judged->quality.verdict, Verdict::Refused);
     const auto allowed = checkJudgement(*judged);
@@ -66,7 +66,7 @@ TEST(GainsJudgement, anUnstableLoopIsRefusedWhateverItsFileCallsIt) {
     EXPECT_EQ(allowed.error().code, ErrorCode::Refused);
     EXPECT_NE(allowed.error().message.find("nothing was written"), std::string::npos);
     // The preset itself, asked for by name, shows what the theory says of it: as tune --method does.
-    const auto preset = judgeGains(asFile(designed("published-degrees")), published(), conditions, 1);
+    const auto preset = judgeGains(asFile(designed("published-degrees")), published(), conditions, {});
     ASSERT_TRUE(preset);
     EXPECT_FALSE(preset->predicted.isStable);
     EXPECT_EQ(preset->quality.verdict, Verdict::Doubtful);

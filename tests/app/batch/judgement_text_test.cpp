@@ -47,6 +47,23 @@ TEST(JudgementText, namesTheThresholdAndTheCycleBehindIt) {
         << text;
 }
 
+TEST(JudgementText, saysWhatALoadDoesAndOfHowManyMotors) {
+    TuneResult result;
+    EXPECT_EQ(disturbanceLines(result), ""); // unstable
+    result.disturbance.emplace();
+    result.disturbance->step.peak_rad = 0.1;
+    EXPECT_TRUE(contains(disturbanceLines(result), "load worth 0.5 A\n"));
+    EXPECT_TRUE(contains(disturbanceLines(result), "5.73 deg\n"));
+    EXPECT_TRUE(contains(disturbanceLines(result), "not in the time"));
+    result.disturbance->step.recoveryTime_s = 0.25;
+    result.disturbance->band.emplace();
+    result.disturbance->band->peak_rad = {0.09, 0.11};
+    result.disturbance->band->recoveryTime_s = {0.2, 0.3};
+    const std::string text = disturbanceLines(result);
+    EXPECT_TRUE(contains(text, "5.73 deg, 5.157 to 6.303 of 5 % to 95 %")) << text;
+    EXPECT_TRUE(contains(text, "0.25 s, 0.2 to 0.3 of 5 % to 95 %")) << text;
+}
+
 TEST(JudgementText, saysThatNoIntervalIsKnown) {
     EXPECT_TRUE(contains(intervalLines(control::Robustness()), "no interval is known"));
 }

@@ -73,6 +73,24 @@ TEST_F(TunePicturesTest, marginsHaveTheIntervalOfTheIdentificationOrSayThatNoneI
     }
 }
 
+TEST_F(TunePicturesTest, whatALoadDoesStandsAmongTheNumbersWithItsIntervalAndItsBand) {
+    bench.setIdentification(publishedMotor());
+    ASSERT_TRUE(wait([&] { return bench.design().has_value(); }));
+    const auto& disturbance = bench.design()->disturbance;
+    ASSERT_TRUE(disturbance && disturbance->band && disturbance->step.recoveryTime_s);
+    const auto numbers = tuneNumbers(*bench.design(), std::nullopt, {});
+    EXPECT_TRUE(number(numbers, "Peak under a load worth 0.5 A").proposed.endsWith("\u00b0"));
+    EXPECT_TRUE(number(numbers, "Peak under a load worth 0.5 A").interval.contains(" to "));
+    EXPECT_TRUE(number(numbers, "Recovered").proposed.startsWith("after "));
+    TuneResult unknown = *bench.design();
+    unknown.disturbance->band.reset();
+    EXPECT_EQ(number(tuneNumbers(unknown, std::nullopt, {}), "Recovered").interval, "not known");
+    click(panel, "Disturbance");
+    const auto& curves = figure("Load worth 0.5 A")->figure().panels.at(0).curves;
+    EXPECT_TRUE(std::any_of(curves.begin(), curves.end(),
+                            [](const auto& each) { return each.style == widgets::CurveStyle::Band; }));
+}
+
 TEST_F(TunePicturesTest, figuresAndGainsFollowThePreferredAngle) {
     prepare();
     click(panel, "Apply and verify");

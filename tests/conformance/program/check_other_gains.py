@@ -99,6 +99,29 @@ class OtherGains(ProgramCase):
         self.accept("identify", "sim:htm?seed=1", "--out", "n.json", timeout=110)
         self.refuse(2, "sim-htm-9.*--foreign-model", "tune", "n.json", "--gains", "other.json", "--apply", uri, "--arm")
 
+    def test_bands_and_pictures_of_a_loop(self):
+        self.prepare()
+        answer = self.accept("analyse", "m.json", "g.json", "--bode", "b.csv", "--step", "s.csv", "--disturbance", "1",
+                             "--picture", "bode=b.svg", "--picture", "nyquist=n.pdf", "--picture", "disturbance=d.png", "--json")
+        load = answer.json()["disturbance"]
+        self.assertEqual(load["load_A"], 1)
+        half = self.accept("tune", "m.json", "--picture", "root-locus=r.svg", "--json").json()["disturbance"]
+        self.assertAlmostEqual(load["peak_rad"], 2 * half["peak_rad"], delta=1e-9)    # linear
+        self.assertLess(load["intervals"]["peak_rad"]["p5"], load["peak_rad"])
+        self.assertGreater(load["intervals"]["peak_rad"]["p95"], load["peak_rad"])
+        for name, value, low, high in (("b.csv", "magnitude_db", "magnitude_p5_db", "magnitude_p95_db"),
+                                       ("s.csv", "load_angle_rad", "load_angle_p5_rad", "load_angle_p95_rad")):
+            with open(self.path(name), encoding="utf-8") as file:
+                rows = [{key: float(text) for key, text in row.items()} for row in csv.DictReader(file)]
+            # The estimate lies within nine tenths of the motors that its covariance allows.
+            inside = [row[low] - 1e-12 <= row[value] <= row[high] + 1e-12 for row in rows]
+            self.assertGreater(sum(inside), 0.95 * len(inside), name)
+        for name, begin in (("b.svg", b"<"), ("n.pdf", b"%PDF"), ("d.png", b"\x89PNG"), ("r.svg", b"<")):
+            with open(self.path(name), "rb") as file:
+                self.assertTrue(file.read(8).startswith(begin), name)
+        self.refuse(2, "smith", "analyse", "m.json", "g.json", "--picture", "smith=a.svg")
+        self.refuse(2, "--disturbance", "tune", "m.json", "--disturbance", "0")
+
     def test_a_motor_that_moves_otherwise_keeps_its_gains(self):
         self.prepare()
         answer = self.run_program("tune", "m.json", "--apply", "sim:htm?seed=3&J=1.65e-3", "--live")

@@ -1,0 +1,112 @@
+#include "control/design/load_band.h"
+
+#include "control/design/lane_motion.h"
+#include "control/design/percentiles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace halbench::control {
+
+namespace {
+
+constexpr double Never_s = std::numeric_limits<double>::infinity();
+
+/// One motor's figures, as `loadStep` measures them.
+struct Figures {
+    std::vector<double> peak_rad;
+    std::vector<double> recovery_s;
+};
+
+void measureLane(const Eigen::Ref<const Eigen::Array<double, 1, Eigen::Dynamic>>& angle, double final_rad,
+                 double interval_s, Figures& figures) {
+    constexpr double Recovered_ratio = 0.1;
+    Eigen::Index at = 0;
+    angle.abs().maxCoeff(&at);
+    const double band_rad = Recovered_ratio * std::abs(angle[at]);
+    Eigen::Index within = angle.size();
+    while (within > 0 && std::abs(angle[within - 1] - final_rad) <= band_rad) {
+        --within;
+    }
+    figures.peak_rad.push_back(angle[at]);
+    figures.recovery_s.push_back(within < angle.size() ? static_cast<double>(within) * interval_s : Never_s);
+}
+
+Robustness::Interval intervalOf(const std::vector<double>& values) {
+    Eigen::ArrayXd sorted =
+        Eigen::Map<const Eigen::ArrayXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+    const MiddleNineTenths middle = middleNineTenths(sorted);
+    return {middle.p5, middle.p95};
+}
+
+Result<void> checkExtent(double load_A, double points, int pointsPerSample) {
+    constexpr double MostPoints = 1e7;
+    const bool isPossible =
+        std::isfinite(load_A) && load_A != 0.0 && pointsPerSample >= 1 && points > 0.0 && points < MostPoints;
+    return isPossible ? Result<void>()
+                      : failure(ErrorCode::OutOfRange,
+                                fmt::format("a band under a load of {} A is not possible", load_A));
+}
+
+LaneRun everyPoint(double load_A, int pointsPerSample, std::size_t points) {
+    return {0.0, load_A, pointsPerSample, keptPoints(points, points)};
+}
+
+} // namespace
+
+Result<LoadBand> loadBand(const std::vector<PositionPlant>& plants, const PidGains& gains,
+                          const LoopTiming& timing, double load_A, double duration_s, int pointsPerSample,
+                          std::size_t mostPoints) {
+    const auto batch = LoopBatch::make(plants, gains, timing);
+    if (!batch) {
+        return failure(batch.error());
+    }
+    const double interval_s = timing.period_s / pointsPerSample;
+    if (const auto valid = checkExtent(load_A, duration_s / interval_s, pointsPerSample); !valid) {
+        return failure(valid.error());
+    }
+    const auto points = static_cast<std::size_t>(std::floor(duration_s / interval_s + 1e-6)) + 1;
+    const LaneRun run = everyPoint(load_A, pointsPerSample, points);
+    const std::vector<std::size_t> kept = keptPoints(points, mostPoints);
+    const PidGains& board = batch->gains();
+    const double final_rad = board.integral > 0.0 ? 0.0 : load_A / board.proportional;
+    Figures figures;
+    std::vector<std::vector<double>> angles(kept.size()); // by point, of all motors that stay within numbers
+    LaneCurves group(LaneWidth, static_cast<Eigen::Index>(points));
+    for (std::size_t first = 0; first < batch->size(); first += LaneWidth) {
+        runLanes(*batch, first, run, group, 0);
+        const std::size_t lanes = std::min<std::size_t>(LaneWidth, batch->size() - first);
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            const auto row = group.row(static_cast<Eigen::Index>(lane));
+            if (!std::isfinite(row[row.size() - 1])) {
+                continue; // what once is none stays so
+            }
+            measureLane(row, final_rad, interval_s, figures);
+            for (std::size_t i = 0; i < kept.size(); ++i) {
+                angles[i].push_back(row[static_cast<Eigen::Index>(kept[i])]);
+            }
+        }
+    }
+    if (figures.peak_rad.empty()) {
+        return failure(ErrorCode::Refused, "none of the drawn plants is a motor",
+                       "identify the motor again, or correct the model file");
+    }
+    LoadBand band;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        const Robustness::Interval middle = intervalOf(angles[i]);
+        band.time_s.push_back(static_cast<double>(kept[i]) * interval_s);
+        band.angle_rad.p5.push_back(middle.p5);
+        band.angle_rad.p95.push_back(middle.p95);
+    }
+    band.peak_rad = intervalOf(figures.peak_rad);
+    const Robustness::Interval recovery = intervalOf(figures.recovery_s);
+    if (std::isfinite(recovery.p95)) {
+        band.recoveryTime_s = recovery;
+    }
+    return band;
+}
+
+} // namespace halbench::control

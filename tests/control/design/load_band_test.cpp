@@ -1,0 +1,117 @@
+#include "control/design/lane_motion.h"
+#include "control/design/load_band.h"
+#include "control/design/load_step.h"
+#include "control/design/percentiles.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace halbench::control {
+namespace {
+
+constexpr LoopTiming OneLate{0.01, 1};
+
+PidGains recommended() {
+    PidGains gains;
+    gains.proportional = 40.0;
+    gains.integral = 60.0;
+    gains.derivative = 1.4;
+    return gains;
+}
+
+std::vector<PositionPlant> motors(double deviation_ratio, int count = 1000) {
+    UncertainPlant uncertain;
+    uncertain.mean = Eigen::Vector3d(1.23e-3 / 5.5e-4, 26.0, 1.434);
+    uncertain.covariance = Eigen::Vector3d(0.01, std::pow(26.0 * deviation_ratio, 2), 0.0).asDiagonal();
+    uncertain.toPlant = [](const Eigen::VectorXd& p) { return PositionPlant{p(0), p(1), p(2)}; };
+    return *drawPlants(uncertain, count, Random(1));
+}
+
+MiddleNineTenths middle(const std::vector<double>& values) {
+    Eigen::ArrayXd sorted =
+        Eigen::Map<const Eigen::ArrayXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+    return middleNineTenths(sorted);
+}
+
+// Second route: every motor under load on its own. Both are exact, so that only rounding is left.
+TEST(LoadBand, holdsNineTenthsOfTheMotorsAndOfTheirPeaksAndRecoveries) {
+    constexpr double Load_A = 0.5;
+    constexpr double Rounding = 1e-9;
+    for (const LoopTiming timing : {LoopTiming{0.01, 0}, OneLate}) {
+        const auto drawn = motors(0.1);
+        const auto band = loadBand(drawn, recommended(), timing, Load_A, 1.0, 5);
+        ASSERT_TRUE(band) << band.error().message;
+        ASSERT_EQ(band->time_s.size(), 501U);
+        std::vector<double> peaks, recoveries;
+        std::vector<std::vector<double>> angles(501);
+        for (const PositionPlant& plant : drawn) {
+            const auto step = loadStep(plant, recommended(), timing, Load_A, 1.0, 5);
+            ASSERT_TRUE(step);
+            peaks.push_back(step->peak_rad);
+            recoveries.push_back(step->recoveryTime_s.value_or(std::numeric_limits<double>::infinity()));
+            for (std::size_t i = 0; i < angles.size(); ++i) {
+                angles[i].push_back(step->angle_rad[i]);
+            }
+        }
+        for (const std::size_t i : {0U, 7U, 50U, 133U, 500U}) {
+            EXPECT_NEAR(band->angle_rad.p5[i], middle(angles[i]).p5, Rounding);
+            EXPECT_NEAR(band->angle_rad.p95[i], middle(angles[i]).p95, Rounding);
+        }
+        EXPECT_NEAR(band->peak_rad.p5, middle(peaks).p5, Rounding);
+        EXPECT_NEAR(band->peak_rad.p95, middle(peaks).p95, Rounding);
+        ASSERT_TRUE(band->recoveryTime_s);
+        EXPECT_NEAR(band->recoveryTime_s->p95, middle(recoveries).p95, Rounding);
+        EXPECT_LT(band->peak_rad.p5, band->peak_rad.p95);
+    }
+}
+
+// Without integral action the load stays: load/K_P, whatever the motor.
+TEST(LoadBand, aStiffnessAloneHoldsEveryMotorAtTheSameAngleInTheEnd) {
+    PidGains gains = recommended();
+    gains.integral = 0.0;
+    const auto band = loadBand(motors(0.1), gains, OneLate, 0.5, 3.0, 1);
+    ASSERT_TRUE(band);
+    EXPECT_NEAR(band->angle_rad.p5.back(), 0.5 / 40.0, 1e-9);
+    EXPECT_NEAR(band->angle_rad.p95.back(), 0.5 / 40.0, 1e-9);
+}
+
+TEST(LoadBand, aRecoveryThatIsNotSeenIsNotKnown) {
+    const auto band = loadBand(motors(0.1), recommended(), OneLate, 0.5, 0.05, 1);
+    ASSERT_TRUE(band);
+    EXPECT_FALSE(band->recoveryTime_s);
+}
+
+TEST(LoadBand, someOfThePointsAreTheSamePoints) {
+    const auto all = loadBand(motors(0.1), recommended(), OneLate, 0.5, 1.0, 5);
+    const auto some = loadBand(motors(0.1), recommended(), OneLate, 0.5, 1.0, 5, 90);
+    ASSERT_TRUE(all && some);
+    EXPECT_LE(some->time_s.size(), 90U);
+    EXPECT_EQ(some->time_s.back(), all->time_s.back());
+    for (std::size_t i = 0; i < some->time_s.size(); ++i) {
+        const auto at = std::find(all->time_s.begin(), all->time_s.end(), some->time_s[i]);
+        ASSERT_NE(at, all->time_s.end());
+        EXPECT_EQ(some->angle_rad.p5[i],
+                  all->angle_rad.p5[static_cast<std::size_t>(at - all->time_s.begin())]);
+    }
+    EXPECT_EQ(some->peak_rad.p95, all->peak_rad.p95);
+}
+
+TEST(LoadBand, whatIsImpossibleIsRefused) {
+    EXPECT_EQ(loadBand(motors(0.1), recommended(), OneLate, 0.0, 1.0).error().code, ErrorCode::OutOfRange);
+    EXPECT_EQ(loadBand(motors(0.1), recommended(), OneLate, 0.5, -1.0).error().code, ErrorCode::OutOfRange);
+    EXPECT_EQ(loadBand({}, recommended(), OneLate, 0.5, 1.0).error().code, ErrorCode::Refused);
+}
+
+TEST(LaneMotion, ofMorePointsSoManyAreKeptAndTheFirstAndLastAmongThem) {
+    EXPECT_EQ(keptPoints(4, 90), (std::vector<std::size_t>{0, 1, 2, 3}));
+    const auto kept = keptPoints(1000, 10);
+    EXPECT_LE(kept.size(), 10U);
+    EXPECT_EQ(kept.front(), 0U);
+    EXPECT_EQ(kept.back(), 999U);
+}
+
+} // namespace
+} // namespace halbench::control
