@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace halbench::app {
 
@@ -164,6 +165,36 @@ std::optional<devices::DeviceInfo> readDevice(DocumentReader& reader) {
     return info;
 }
 
+std::optional<control::PidForm> formNamed(const std::string& name) {
+    for (const control::PidForm form :
+         {control::PidForm::Parallel, control::PidForm::Standard, control::PidForm::Series}) {
+        if (name == control::pidFormName(form)) {
+            return form;
+        }
+    }
+    return std::nullopt;
+}
+
+/// The three numbers in the form that the file is written in.
+control::PidGains readGains(DocumentReader& reader) {
+    control::PidGains gains;
+    const auto form = formNamed(reader.text("form"));
+    if (!form) {
+        reader.fail("form", "must be \"parallel\", \"standard\" or \"series\"");
+    }
+    gains.form = form.value_or(control::PidForm::Parallel);
+    const bool isParallel = gains.form == control::PidForm::Parallel;
+    gains.proportional = reader.number(isParallel ? "gains.kp.value" : "gains.k.value");
+    gains.derivative = reader.number(isParallel ? "gains.kd.value" : "gains.td.value");
+    // Without integral action its time is infinite, which JSON cannot say: null.
+    gains.integral =
+        isParallel
+            ? reader.number("gains.ki.value")
+            : reader.optionalNumber("gains.ti.value").value_or(std::numeric_limits<double>::infinity());
+    gains.filter_s = reader.optionalNumber("gains.filter_s.value");
+    return gains;
+}
+
 control::DesignTargets targetsOf(const JsonValue* targets) {
     return {numberIn(targets, "zeta"),
             numberIn(targets, "omega_rad_s"),
@@ -214,15 +245,9 @@ Result<GainsFile> parseGains(const std::string& text, const std::string& origin)
     }
     DocumentReader reader(*root, origin, "tune");
     reader.requireSchema("halbench.gains", 1);
-    if (reader.text("form") != "parallel") {
-        reader.fail("form", "must be \"parallel\"");
-    }
     GainsFile file;
     control::PositionLaw& law = file.law;
-    law.gains.proportional = reader.number("gains.kp.value");
-    law.gains.integral = reader.number("gains.ki.value");
-    law.gains.derivative = reader.number("gains.kd.value");
-    law.gains.filter_s = reader.optionalNumber("gains.filter_s.value");
+    law.gains = readGains(reader);
     const control::PositionLaw none;
     const auto optional = [&](const char* key, double otherwise) {
         return reader.optionalNumber(fmt::format("gains.{}.value", key)).value_or(otherwise);
@@ -245,10 +270,14 @@ Result<GainsFile> parseGains(const std::string& text, const std::string& origin)
     if (reader.error()) {
         return failure(*reader.error());
     }
-    if (const Result<control::PidGains> board = control::boardGains(law.gains); !board) {
-        return failure(board.error().code, origin + ": gains.filter_s: " + board.error().message,
+    const bool isFiltered = law.gains.filter_s.value_or(0.0) != 0.0;
+    const Result<control::PidGains> board = control::boardGains(law.gains);
+    if (!board) {
+        return failure(board.error().code,
+                       origin + (isFiltered ? ": gains.filter_s: " : ": gains: ") + board.error().message,
                        board.error().hint);
     }
+    law.gains = *board;
     if (const Result<void> valid = control::checkTiming(file.timing); !valid) {
         return failure(ErrorCode::InvalidInput, origin + ": " + valid.error().message, valid.error().hint);
     }

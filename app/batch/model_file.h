@@ -19,9 +19,9 @@ struct ModelFile {
     std::uint64_t seed = 1;
 };
 
-/// GAINS.json as `tune --out` wrote it.
+/// GAINS.json as `tune --out` wrote it, or with K, T_i and T_d of the standard or series form.
 struct GainsFile {
-    control::PositionLaw law;
+    control::PositionLaw law; ///< of the board: parallel form
     control::LoopTiming timing;
     std::string method; ///< how they were found; empty: not said
     control::DesignTargets targets;

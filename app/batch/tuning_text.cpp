@@ -28,6 +28,18 @@ std::string boundLines(const control::LeastErrorBounds& bounds) {
     return text;
 }
 
+/// The same controller as times; a form that it has not says why.
+std::string formLine(const char* name, const control::PidGains& gains, control::PidForm form) {
+    const auto timed = control::convert(gains, form, control::GainUnit::PerRadian);
+    if (!timed) {
+        return fmt::format("{:<26} none: {}\n", name, timed.error().message);
+    }
+    const std::string integral = std::isfinite(timed->integral) ? fmt::format("T_i {:.6g} s", timed->integral)
+                                                                : std::string("no integral action");
+    return fmt::format("{:<26} K {:.6g} A/rad, {}, T_d {:.6g} s\n", name, timed->proportional, integral,
+                       timed->derivative);
+}
+
 } // namespace
 
 std::string gainsText(const TuneResult& result) {
@@ -39,6 +51,8 @@ std::string gainsText(const TuneResult& result) {
                                 gain.value.find("unit")->text());
         }
     }
+    text += formLine("in standard form", result.law.gains, control::PidForm::Standard);
+    text += formLine("in series form", result.law.gains, control::PidForm::Series);
     const AnalysisResult& predicted = result.predicted;
     text += fmt::format("{}, gain margin {:.3g}, phase margin {:.4g} deg\n",
                         predicted.isStable ? "stable" : "UNSTABLE", predicted.margins.gainMargin_ratio,
@@ -46,7 +60,8 @@ std::string gainsText(const TuneResult& result) {
     text += fmt::format("delay margin {:.3g} ms\n", 1e3 * predicted.margins.delayMargin_s);
     text += proofLines(result);
     text += result.bounds ? boundLines(*result.bounds) : std::string();
-    return text + cycleLines(result) + disturbanceLines(result) + intervalLines(result.robust) + loopFindingLines(result.quality, true);
+    return text + cycleLines(result) + disturbanceLines(result) + intervalLines(result.robust) +
+           loopFindingLines(result.quality, true);
 }
 
 std::string agreementLine(const ApplyResult& applied) {

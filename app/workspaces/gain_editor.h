@@ -5,6 +5,7 @@
 
 #include <QWidget>
 
+#include <optional>
 #include <vector>
 
 class QComboBox;
@@ -18,8 +19,8 @@ class OptionalNumberEdit;
 
 namespace halbench::app {
 
-/// The gains of the position law (parallel form) in A/rad or A/deg, the feed-forward and the friction assist
-/// behind a button. What is no number never leaves it.
+/// The gains of the position law in A/rad or A/deg, in parallel, standard or series form, the feed-forward
+/// and the friction assist behind a button. What is no number never leaves it; what leaves it is parallel.
 class GainEditor : public QWidget {
     Q_OBJECT
 public:
@@ -48,12 +49,20 @@ private:
     void addRow(const ParameterValue& value, bool isExtra);
     void refreshWords();
     void refreshNumbers();
+    void refreshForm();
+    bool showTimes(control::PidForm form);
+    void takeTimes();
+    void sayNames();
+    control::PidForm form() const;
+    control::PidGains parallelGains() const;
     void showExtras(bool isShown);
     widgets::DisplayUnit unitOf(const Row& row) const;
 
     std::vector<Row> m_rows;
     QGridLayout* m_grid = nullptr;
-    QLabel* m_form = nullptr;
+    QComboBox* m_form = nullptr;
+    QLabel* m_note = nullptr;       ///< why a form is not shown
+    std::optional<Error> m_noGains; ///< what is written as times is no controller
     QComboBox* m_unit = nullptr;
     QToolButton* m_extras = nullptr;
 };

@@ -117,7 +117,14 @@ TEST(TuningText, namesTheMethodTheGainsAndTheMargins) {
     const std::string text = gainsText(designed("recommended"));
     EXPECT_EQ(text.rfind("method recommended\nkp ", 0), 0U) << text;
     EXPECT_NE(text.find("stable, gain margin"), std::string::npos);
+    EXPECT_NE(text.find("in standard form           K "), std::string::npos) << text;
     EXPECT_EQ(agreementLine({}), ""); // nothing was verified
+    TuneResult complex;
+    complex.law.gains.proportional = 40.0;
+    complex.law.gains.integral = 400.0; // T_i = 0.1 s < 4 T_d = 0.2 s
+    complex.law.gains.derivative = 2.0;
+    EXPECT_NE(gainsText(complex).find("in series form             none: the series form has real zeros"),
+              std::string::npos);
 }
 
 class TuningParts : public testing::Test {

@@ -79,14 +79,42 @@ TEST(GainsFile, isReadWithDefaultsForWhatIsAbsent) {
 TEST(GainsFile, mistakesAreRefused) {
     for (const auto& [what, with] :
          {std::pair("\"kp\": {\"value\": 40}", "\"kp\": {}"), std::pair("\"value\": 60", "\"value\": null"),
-          std::pair("parallel", "series"), std::pair("0.01", "-0.01"), std::pair("0.01", "0"),
-          std::pair("\"delay_samples\": 1", "\"delay_samples\": -1"),
+          std::pair("parallel", "ideal"), std::pair("parallel", "series"), std::pair("0.01", "-0.01"),
+          std::pair("0.01", "0"), std::pair("\"delay_samples\": 1", "\"delay_samples\": -1"),
           std::pair("\"delay_samples\": 1", "\"delay_samples\": 1e99")}) {
         const Result<GainsFile> gains = parseGains(replaced(Gains, what, with), "g.json");
         ASSERT_FALSE(gains.has_value()) << with;
         EXPECT_EQ(gains.error().code, ErrorCode::InvalidInput);
         EXPECT_NE(gains.error().message.find("g.json"), std::string::npos);
     }
+}
+
+/// K = 40, T_i = 0.5 s, T_d = 0.05 s: in standard form K_I = 80, K_D = 2; in series form K_P = 40 (1 + 0.1),
+/// K_I = 80, K_D = 2.
+TEST(GainsFile, timesOfTheStandardAndTheSeriesFormAreTheSameControllerInThatNotation) {
+    const std::string timed =
+        replaced(replaced(replaced(Gains, "\"kp\": {\"value\": 40}", "\"k\": {\"value\": 40}"),
+                          "\"ki\": {\"value\": 60}", "\"ti\": {\"value\": 0.5}"),
+                 "\"kd\": {\"value\": 1.4}", "\"td\": {\"value\": 0.05}");
+    const auto standard = parseGains(replaced(timed, "parallel", "standard"), "g.json");
+    ASSERT_TRUE(standard) << standard.error().message;
+    EXPECT_EQ(standard->law.gains.form, control::PidForm::Parallel);
+    EXPECT_DOUBLE_EQ(standard->law.gains.proportional, 40.0);
+    EXPECT_DOUBLE_EQ(standard->law.gains.integral, 80.0);
+    EXPECT_DOUBLE_EQ(standard->law.gains.derivative, 2.0);
+    const auto series = parseGains(replaced(timed, "parallel", "series"), "g.json");
+    ASSERT_TRUE(series) << series.error().message;
+    EXPECT_DOUBLE_EQ(series->law.gains.proportional, 44.0);
+    EXPECT_DOUBLE_EQ(series->law.gains.integral, 80.0);
+    EXPECT_DOUBLE_EQ(series->law.gains.derivative, 2.0);
+    const auto without = parseGains(
+        replaced(replaced(timed, "parallel", "standard"), "{\"value\": 0.5}", "{\"value\": null}"), "g.json");
+    ASSERT_TRUE(without) << without.error().message;
+    EXPECT_EQ(without->law.gains.integral, 0.0);
+    const auto zero = parseGains(
+        replaced(replaced(timed, "parallel", "standard"), "{\"value\": 0.5}", "{\"value\": 0}"), "g.json");
+    ASSERT_FALSE(zero); // an integral time of zero
+    EXPECT_NE(zero.error().message.find("g.json: gains"), std::string::npos) << zero.error().message;
 }
 
 TEST(GainsFile, aFilterThatTheBoardHasNotIsRefusedAndNotLeftOut) {

@@ -5,6 +5,8 @@
 #include "tests/widgets/gui_fixture.h"
 #include "widgets/optional_number_edit.h"
 
+#include <QComboBox>
+#include <QLabel>
 #include <QTemporaryDir>
 #include <QtTest/QTest>
 
@@ -15,6 +17,23 @@ namespace {
 
 class GainEditorTest : public widgets::GuiTest {
 protected:
+    widgets::OptionalNumberEdit* edit(const char* name) {
+        return editor.findChild<widgets::OptionalNumberEdit*>(name);
+    }
+    QComboBox* box(const QString& name) {
+        for (auto* each : editor.findChildren<QComboBox*>()) {
+            if (each->accessibleName() == name) {
+                return each;
+            }
+        }
+        return nullptr;
+    }
+    void type(const char* name, const char* text) {
+        edit(name)->setFocus();
+        QTest::keyClick(edit(name), Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClick(edit(name), Qt::Key_Delete);
+        QTest::keyClicks(edit(name), text);
+    }
     GainEditor editor;
 };
 
@@ -38,6 +57,58 @@ TEST_F(GainEditorTest, theUnitIsThatOfTheOwnerAndTheLawStays) {
     editor.setAngleUnit(widgets::AngleUnit::Degree);
     EXPECT_NEAR(*editor.findChild<widgets::OptionalNumberEdit*>("gain.kp")->value(), 40.0 / 57.29578, 1e-5);
     EXPECT_EQ(editor.law()->gains.proportional, 40.0);
+}
+
+// K = 40, T_i = 60/40 the other way round, T_d = 1.4/40: K_I = K/T_i, K_D = K T_d.
+TEST_F(GainEditorTest, theSameGainsAreShownAndTypedAsTimes) {
+    control::PositionLaw law;
+    law.gains.proportional = 40.0;
+    law.gains.integral = 60.0;
+    law.gains.derivative = 1.4;
+    editor.setLaw(law);
+    auto* form = box("Form of the gains");
+    form->setCurrentIndex(1); // standard
+    EXPECT_DOUBLE_EQ(*edit("gain.ki")->value(), 40.0 / 60.0);
+    EXPECT_DOUBLE_EQ(*edit("gain.kd")->value(), 1.4 / 40.0);
+    EXPECT_EQ(edit("gain.ki")->accessibleName(), "Integral time T_i");
+    EXPECT_EQ(editor.law()->gains, law.gains); // to the last digit: nothing was edited
+    type("gain.ki", "0.5");
+    EXPECT_NEAR(editor.law()->gains.integral, 80.0, 1e-9);
+    EXPECT_NEAR(editor.law()->gains.derivative, 1.4, 1e-12);
+    type("gain.ki", "");
+    EXPECT_EQ(editor.law()->gains.integral, 0.0); // no integral action
+    type("gain.ki", "0");
+    ASSERT_FALSE(editor.law()); // an infinite gain
+    type("gain.ki", "0.5");
+    form->setCurrentIndex(
+        2); // series: K (1 + T_d/T_i) = 40 and so on; T_i T_d = K_D/K_I, T_i + T_d = K_P/K_I
+    const double Ti = *edit("gain.ki")->value();
+    const double Td = *edit("gain.kd")->value();
+    EXPECT_NEAR(Ti * Td, 1.4 / 80.0, 1e-9);
+    EXPECT_NEAR(Ti + Td, 40.0 / 80.0, 1e-9);
+    form->setCurrentIndex(0);
+    EXPECT_NEAR(*edit("gain.ki")->value(), 80.0, 1e-9);
+}
+
+TEST_F(GainEditorTest, complexZerosHaveNoSeriesFormAndThatIsSaid) {
+    control::PositionLaw law;
+    law.gains.proportional = 40.0;
+    law.gains.integral = 400.0; // T_i = 0.1 s is less than 4 T_d = 0.2 s
+    law.gains.derivative = 2.0;
+    editor.setLaw(law);
+    box("Form of the gains")->setCurrentIndex(2);
+    EXPECT_EQ(box("Form of the gains")->currentIndex(), 0); // parallel, which every law has
+    EXPECT_EQ(edit("gain.ki")->accessibleName(), "Integral K_I");
+    bool isSaid = false;
+    for (const auto* label : editor.findChildren<QLabel*>()) {
+        isSaid |= label->text().contains("complex") && !label->isHidden();
+    }
+    EXPECT_TRUE(isSaid);
+    EXPECT_EQ(editor.law()->gains, law.gains);
+    box("Form of the gains")->setCurrentIndex(1);
+    for (const auto* label : editor.findChildren<QLabel*>()) {
+        EXPECT_FALSE(label->text().contains("complex"));
+    }
 }
 
 TEST_F(GainEditorTest, aMissingNumberIsNamed) {
