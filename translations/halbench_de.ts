@@ -2455,10 +2455,6 @@
         <translation>lesen Sie die Befunde, dann identifizieren Sie neu</translation>
     </message>
     <message>
-        <source>must be &quot;parallel&quot;</source>
-        <translation>muss „parallel“ sein</translation>
-    </message>
-    <message>
         <source>needs a value and the two ends of its interval</source>
         <translation>braucht einen Wert und die beiden Enden seines Intervalls</translation>
     </message>
@@ -4735,10 +4731,6 @@
         <translation>verlangen Sie eine niedrigere Durchtrittsfrequenz, oder verwenden Sie das Verfahren lead oder phase-margin</translation>
     </message>
     <message>
-        <source>{}: gains.filter_s: {}</source>
-        <translation>{}: gains.filter_s: {}</translation>
-    </message>
-    <message>
         <source>a design needs a name</source>
         <translation>ein Entwurf braucht einen Namen</translation>
     </message>
@@ -6237,6 +6229,18 @@
     <message>
         <source>&apos;rate_hz&apos; must not be negative</source>
         <translation>„rate_hz“ darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>must be &quot;parallel&quot;, &quot;standard&quot; or &quot;series&quot;</source>
+        <translation>muss „parallel“, „standard“ oder „series“ sein</translation>
+    </message>
+    <message>
+        <source>{}: gains.filter_s: {}</source>
+        <translation>{}: gains.filter_s: {}</translation>
+    </message>
+    <message>
+        <source>{}: gains: {}</source>
+        <translation>{}: gains: {}</translation>
     </message>
 </context>
 <context>
@@ -8337,10 +8341,6 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
         <translation>%1 des Steuergeräts</translation>
     </message>
     <message>
-        <source>Parallel form, per</source>
-        <translation>Parallele Form, je</translation>
-    </message>
-    <message>
         <source>Unit of the gains</source>
         <translation>Einheit der Reglerparameter</translation>
     </message>
@@ -8355,6 +8355,42 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
     <message>
         <source>Show the gains that act on the reference</source>
         <translation>Die Parameter zeigen, die auf die Führungsgröße wirken</translation>
+    </message>
+    <message>
+        <source>Gain K</source>
+        <translation>Verstärkung K</translation>
+    </message>
+    <message>
+        <source>Integral time T_i</source>
+        <translation>Nachstellzeit T_i</translation>
+    </message>
+    <message>
+        <source>Derivative time T_d</source>
+        <translation>Vorhaltezeit T_d</translation>
+    </message>
+    <message>
+        <source>Empty: no integral action</source>
+        <translation>Leer: kein Integralanteil</translation>
+    </message>
+    <message>
+        <source>Parallel form</source>
+        <translation>Parallele Form</translation>
+    </message>
+    <message>
+        <source>Standard form</source>
+        <translation>Standardform</translation>
+    </message>
+    <message>
+        <source>Series form</source>
+        <translation>Serielle Form</translation>
+    </message>
+    <message>
+        <source>Form of the gains</source>
+        <translation>Form der Reglerparameter</translation>
+    </message>
+    <message>
+        <source>Parallel: K_P + K_I/s + K_D s. Standard: K (1 + 1/(T_i s) + T_d s). Series: K (1 + 1/(T_i s))(1 + T_d s). The board and files have the parallel form</source>
+        <translation>Parallel: K_P + K_I/s + K_D s. Standard: K (1 + 1/(T_i s) + T_d s). Seriell: K (1 + 1/(T_i s))(1 + T_d s). Steuergerät und Dateien haben die parallele Form</translation>
     </message>
 </context>
 <context>

@@ -2455,10 +2455,6 @@
         <translation>请查看其评估说明，然后重新辨识</translation>
     </message>
     <message>
-        <source>must be &quot;parallel&quot;</source>
-        <translation>必须是“parallel”</translation>
-    </message>
-    <message>
         <source>needs a value and the two ends of its interval</source>
         <translation>需要一个值及其区间的两端</translation>
     </message>
@@ -4735,10 +4731,6 @@
         <translation>请要求较低的穿越频率，或使用方法 lead 或 phase-margin</translation>
     </message>
     <message>
-        <source>{}: gains.filter_s: {}</source>
-        <translation>{}: gains.filter_s: {}</translation>
-    </message>
-    <message>
         <source>a design needs a name</source>
         <translation>设计需要一个名称</translation>
     </message>
@@ -6237,6 +6229,18 @@
     <message>
         <source>&apos;rate_hz&apos; must not be negative</source>
         <translation>“rate_hz”不能为负</translation>
+    </message>
+    <message>
+        <source>must be &quot;parallel&quot;, &quot;standard&quot; or &quot;series&quot;</source>
+        <translation>必须是“parallel”、“standard”或“series”</translation>
+    </message>
+    <message>
+        <source>{}: gains.filter_s: {}</source>
+        <translation>{}: gains.filter_s: {}</translation>
+    </message>
+    <message>
+        <source>{}: gains: {}</source>
+        <translation>{}: gains: {}</translation>
     </message>
 </context>
 <context>
@@ -8332,10 +8336,6 @@ its way to the one before (Ctrl+Shift+R)</source>
         <translation>控制板的 %1</translation>
     </message>
     <message>
-        <source>Parallel form, per</source>
-        <translation>并联形式，单位</translation>
-    </message>
-    <message>
         <source>Unit of the gains</source>
         <translation>增益的单位</translation>
     </message>
@@ -8350,6 +8350,42 @@ its way to the one before (Ctrl+Shift+R)</source>
     <message>
         <source>Show the gains that act on the reference</source>
         <translation>显示作用于参考值的增益</translation>
+    </message>
+    <message>
+        <source>Gain K</source>
+        <translation>增益 K</translation>
+    </message>
+    <message>
+        <source>Integral time T_i</source>
+        <translation>积分时间 T_i</translation>
+    </message>
+    <message>
+        <source>Derivative time T_d</source>
+        <translation>微分时间 T_d</translation>
+    </message>
+    <message>
+        <source>Empty: no integral action</source>
+        <translation>留空：无积分作用</translation>
+    </message>
+    <message>
+        <source>Parallel form</source>
+        <translation>并联形式</translation>
+    </message>
+    <message>
+        <source>Standard form</source>
+        <translation>标准形式</translation>
+    </message>
+    <message>
+        <source>Series form</source>
+        <translation>串联形式</translation>
+    </message>
+    <message>
+        <source>Form of the gains</source>
+        <translation>增益的形式</translation>
+    </message>
+    <message>
+        <source>Parallel: K_P + K_I/s + K_D s. Standard: K (1 + 1/(T_i s) + T_d s). Series: K (1 + 1/(T_i s))(1 + T_d s). The board and files have the parallel form</source>
+        <translation>并联：K_P + K_I/s + K_D s。标准：K (1 + 1/(T_i s) + T_d s)。串联：K (1 + 1/(T_i s))(1 + T_d s)。控制板和文件使用并联形式</translation>
     </message>
 </context>
 <context>

@@ -273,8 +273,10 @@ Result<GainsFile> parseGains(const std::string& text, const std::string& origin)
     const bool isFiltered = law.gains.filter_s.value_or(0.0) != 0.0;
     const Result<control::PidGains> board = control::boardGains(law.gains);
     if (!board) {
+        const std::string& why = board.error().message;
         return failure(board.error().code,
-                       origin + (isFiltered ? ": gains.filter_s: " : ": gains: ") + board.error().message,
+                       isFiltered ? fmt::format("{}: gains.filter_s: {}", origin, why)
+                                  : fmt::format("{}: gains: {}", origin, why),
                        board.error().hint);
     }
     law.gains = *board;
