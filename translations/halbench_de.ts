@@ -6242,6 +6242,10 @@
         <source>{}: gains: {}</source>
         <translation>{}: gains: {}</translation>
     </message>
+    <message>
+        <source>is nothing that the board&apos;s law has</source>
+        <translation>gibt es im Regelgesetz des Steuergeräts nicht</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -6242,6 +6242,10 @@
         <source>{}: gains: {}</source>
         <translation>{}: gains: {}</translation>
     </message>
+    <message>
+        <source>is nothing that the board&apos;s law has</source>
+        <translation>不属于控制板控制律的内容</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

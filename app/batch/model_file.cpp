@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -175,6 +176,36 @@ std::optional<control::PidForm> formNamed(const std::string& name) {
     return std::nullopt;
 }
 
+/// What a file asks for beyond the board's law, a set-point weight or a notch, is not left out: the loop
+/// would be another one than it says.
+void refuseUnknown(DocumentReader& reader) {
+    static constexpr std::array Known = {"kp",
+                                         "ki",
+                                         "kd",
+                                         "k",
+                                         "ti",
+                                         "td",
+                                         "filter_s",
+                                         "feedforward_inertia",
+                                         "feedforward_viscous",
+                                         "feedforward_coulomb",
+                                         "feedforward_coulomb_speed",
+                                         "stiction_current",
+                                         "stiction_threshold",
+                                         "stiction_speed"};
+    const JsonValue* gains = reader.find("gains", true);
+    if (gains == nullptr || !gains->isObject()) {
+        return;
+    }
+    for (const JsonMember& gain : gains->members()) {
+        const bool isKnown =
+            std::any_of(Known.begin(), Known.end(), [&gain](const char* name) { return gain.key == name; });
+        if (!isKnown && !gain.value.isNull()) {
+            reader.fail("gains." + gain.key, "is nothing that the board's law has");
+        }
+    }
+}
+
 /// The three numbers in the form that the file is written in.
 control::PidGains readGains(DocumentReader& reader) {
     control::PidGains gains;
@@ -248,6 +279,7 @@ Result<GainsFile> parseGains(const std::string& text, const std::string& origin)
     GainsFile file;
     control::PositionLaw& law = file.law;
     law.gains = readGains(reader);
+    refuseUnknown(reader);
     const control::PositionLaw none;
     const auto optional = [&](const char* key, double otherwise) {
         return reader.optionalNumber(fmt::format("gains.{}.value", key)).value_or(otherwise);

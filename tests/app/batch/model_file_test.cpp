@@ -117,6 +117,15 @@ TEST(GainsFile, timesOfTheStandardAndTheSeriesFormAreTheSameControllerInThatNota
     EXPECT_NE(zero.error().message.find("g.json: gains"), std::string::npos) << zero.error().message;
 }
 
+TEST(GainsFile, whatTheBoardsLawHasNotIsRefusedAndNotLeftOut) {
+    const auto weighted =
+        parseGains(replaced(Gains, "\"filter_s\": null", "\"setpoint_b\": {\"value\": 0.5}"), "g.json");
+    ASSERT_FALSE(weighted);
+    EXPECT_EQ(weighted.error().code, ErrorCode::InvalidInput);
+    EXPECT_NE(weighted.error().message.find("gains.setpoint_b"), std::string::npos);
+    EXPECT_TRUE(parseGains(replaced(Gains, "\"filter_s\": null", "\"setpoint_b\": null"), "g.json"));
+}
+
 TEST(GainsFile, aFilterThatTheBoardHasNotIsRefusedAndNotLeftOut) {
     const Result<GainsFile> gains =
         parseGains(replaced(Gains, "\"filter_s\": null", "\"filter_s\": {\"value\": 0.02}"), "g.json");

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace halbench::app {
 namespace {
@@ -39,6 +40,29 @@ TEST(DisturbanceFigure, hasBothLoopsWithPeakAndRecoveryOfTheProposedOne) {
     EXPECT_NEAR(lines[0].at, proposed->peak_rad * 180.0 / M_PI, 1e-12);
     EXPECT_EQ(lines[1].at, *proposed->recoveryTime_s);
     EXPECT_NEAR(figure->panels[1].curves[1].y.back(), -DisturbanceLoad_A, 0.05); // it holds the load
+}
+
+// Twice the load moves a linear loop twice as far; the band is of the motors that are given, none of none.
+TEST(DisturbanceFigure, theBandOfTheMotorsAndAnotherLoadAreDrawn) {
+    const auto loop = runAnalysis(Published, recommended(1.0), {});
+    ASSERT_TRUE(loop);
+    const auto plant = plantFromEstimate(Published);
+    ASSERT_TRUE(plant);
+    std::vector<control::PositionPlant> motors(100, *plant);
+    for (std::size_t i = 0; i < motors.size(); ++i) {
+        motors[i].accelerationGain_rad_s2_A *= 0.9 + 0.002 * static_cast<double>(i);
+    }
+    const auto one = disturbanceOf(Published, recommended(1.0), {}, *loop, 0.5, {});
+    const auto two = disturbanceOf(Published, recommended(1.0), {}, *loop, 1.0, motors);
+    ASSERT_TRUE(one && two && two->band);
+    EXPECT_FALSE(one->band);
+    EXPECT_NEAR(two->step.peak_rad, 2.0 * one->step.peak_rad, 1e-12);
+    EXPECT_LT(two->band->peak_rad.p5, two->step.peak_rad);
+    EXPECT_GT(two->band->peak_rad.p95, two->step.peak_rad);
+    const auto figure = disturbanceFigure(two->step, {}, widgets::AngleUnit::Radian, two->load_A, two->band);
+    ASSERT_TRUE(figure);
+    EXPECT_EQ(figure->title.rfind("Load worth 1 A", 0), 0U) << figure->title;
+    EXPECT_EQ(figure->panels.at(0).curves.back().style, widgets::CurveStyle::Band);
 }
 
 TEST(DisturbanceFigure, anUnstableLoopHasNone) {

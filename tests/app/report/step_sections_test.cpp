@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -141,6 +142,19 @@ TEST(TuningSection, namesInfiniteMarginsAndInstabilityInWords) {
     EXPECT_NE(html.find(">stable<"), std::string::npos);
     EXPECT_NE(html.find(">unstable<"), std::string::npos);
     EXPECT_EQ(blocks<ReportPlot>(section).at(0)->figure.panels[0].curves.size(), 2U);
+}
+
+TEST(TuningSection, drawsTheBandOfTheMotorsThatTheDataAllow) {
+    TuneResult result;
+    result.predicted.isStable = true;
+    result.predicted.bode = {{1.0, 10.0}, {20.0, -20.0}, {-100.0, -200.0}};
+    LoopUncertainty uncertainty;
+    uncertainty.loop = {{6.28, 62.8}, {{19.0, -21.0}, {21.0, -19.0}}, {{-101.0, -201.0}, {-99.0, -199.0}}};
+    const ReportSection section = tuningSection("Tuning", result, std::nullopt, uncertainty);
+    const auto& curves = blocks<ReportPlot>(section).at(0)->figure.panels[0].curves;
+    EXPECT_TRUE(std::any_of(curves.begin(), curves.end(),
+                            [](const auto& curve) { return curve.style == widgets::CurveStyle::Band; }));
+    EXPECT_NE(textOf(section).find("nine tenths of the motors"), std::string::npos);
 }
 
 TEST(MoveSection, showsAnglesInDegreesFromTheStart) {
