@@ -6246,6 +6246,18 @@
         <source>is nothing that the board&apos;s law has</source>
         <translation>gibt es im Regelgesetz des Steuergeräts nicht</translation>
     </message>
+    <message>
+        <source>a band under a load of {} A is not possible</source>
+        <translation>ein Band unter einer Last von {} A ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>another program changes &apos;{}&apos;</source>
+        <translation>ein anderes Programm ändert „{}“</translation>
+    </message>
+    <message>
+        <source>only recordings with their sidecar keep markers that are changed later</source>
+        <translation>nur Aufzeichnungen mit ihrer Begleitdatei behalten später geänderte Marken</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -10054,10 +10066,6 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
         <translation>Was das Gerät an die Diagramme sendet</translation>
     </message>
     <message>
-        <source>marker</source>
-        <translation>Marke</translation>
-    </message>
-    <message>
         <source>Signals of the project that this device does not have: %1</source>
         <translation>Signale aus dem Projekt, die dieses Gerät nicht hat: %1</translation>
     </message>
@@ -10086,10 +10094,6 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
         <translation>Das Gerät tastet sie zu anderen Zeitpunkten ab als die übrigen oder zu keinen, die sich wiederholen. Signale eines Ereignisses gemeinsam zeichnen.</translation>
     </message>
     <message>
-        <source>The picture is of the plots that share the axis of the one with the focus.</source>
-        <translation>Das Bild ist von den Diagrammen, die die Achse dessen mit dem Fokus teilen.</translation>
-    </message>
-    <message>
         <source>Not in the running recording: %1</source>
         <translation>Nicht in der laufenden Aufzeichnung: %1</translation>
     </message>
@@ -10100,6 +10104,10 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
     <message>
         <source>Plot fewer signals.</source>
         <translation>Zeichnen Sie weniger Signale.</translation>
+    </message>
+    <message>
+        <source>The markers are not kept: %1</source>
+        <translation>Die Marken werden nicht behalten: %1</translation>
     </message>
 </context>
 <context>
@@ -10145,8 +10153,12 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
         <translation>%1, Referenz</translation>
     </message>
     <message>
-        <source>On another time axis and not in the picture: %1</source>
-        <translation>Auf einer anderen Zeitachse und nicht im Bild: %1</translation>
+        <source>Pictures in the window&apos;s colours</source>
+        <translation>Bilder in den Farben des Fensters</translation>
+    </message>
+    <message>
+        <source>Otherwise they are light, for paper and documents</source>
+        <translation>Sonst sind sie hell, für Papier und Dokumente</translation>
     </message>
 </context>
 <context>
@@ -10212,6 +10224,10 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
             <numerusform>%n Signal, %1 Hz, Zeilen verloren: %2</numerusform>
             <numerusform>%n Signale, %1 Hz, Zeilen verloren: %2</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The markers are not kept: %1</source>
+        <translation>Die Marken werden nicht behalten: %1</translation>
     </message>
 </context>
 <context>
@@ -10371,26 +10387,6 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
 <context>
     <name>halbench::app::PaceRow</name>
     <message>
-        <source>real time</source>
-        <translation>Echtzeit</translation>
-    </message>
-    <message>
-        <source>5 times</source>
-        <translation>5-fach</translation>
-    </message>
-    <message>
-        <source>20 times</source>
-        <translation>20-fach</translation>
-    </message>
-    <message>
-        <source>100 times</source>
-        <translation>100-fach</translation>
-    </message>
-    <message>
-        <source>as fast as possible</source>
-        <translation>so schnell wie möglich</translation>
-    </message>
-    <message>
         <source>Simulated &amp;time</source>
         <translation>Simulierte &amp;Zeit</translation>
     </message>
@@ -10403,10 +10399,45 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
         <translation>Geschwindigkeit der simulierten Zeit</translation>
     </message>
     <message>
-        <source>How fast the simulated motor lives: at 20 times a run of two minutes takes six seconds.
-A real device has its own time.</source>
-        <translation>Wie schnell der simulierte Motor lebt: bei 20-fach dauert ein Lauf von zwei Minuten sechs Sekunden.
-Ein echtes Gerät hat seine eigene Zeit.</translation>
+        <source>How fast the simulated motor lives, or a recording is played: at 20 times a run of two minutes takes six seconds, 100 times slower a step of 50 ms takes five.
+In the Monitor &lt; and &gt; change it. A real device has its own time.</source>
+        <translation>Wie schnell der simulierte Motor lebt oder eine Aufzeichnung abgespielt wird: Bei 20-fach dauert ein Lauf von zwei Minuten sechs Sekunden, 100-mal langsamer ein Sprung von 50 ms fünf.
+Im Monitor ändern &lt; und &gt; sie. Ein wirkliches Gerät hat seine eigene Zeit.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::PaceSteps</name>
+    <message>
+        <source>as fast as possible</source>
+        <translation>so schnell wie möglich</translation>
+    </message>
+    <message>
+        <source>real time</source>
+        <translation>Echtzeit</translation>
+    </message>
+    <message>
+        <source>%1 times slower</source>
+        <translation>%1-mal langsamer</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1-fach</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Langsamer</translation>
+    </message>
+    <message>
+        <source>Simulated or replayed time runs slower</source>
+        <translation>Simulierte oder abgespielte Zeit läuft langsamer</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Schneller</translation>
+    </message>
+    <message>
+        <source>Simulated or replayed time runs faster</source>
+        <translation>Simulierte oder abgespielte Zeit läuft schneller</translation>
     </message>
 </context>
 <context>
@@ -11159,6 +11190,13 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>At most as many as the device and its link carry</source>
         <translation>Höchstens so viele, wie Gerät und Verbindung tragen</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RecordedMarkers</name>
+    <message>
+        <source>marker</source>
+        <translation>Marke</translation>
     </message>
 </context>
 <context>
@@ -13084,6 +13122,26 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>After each step the rotor will turn by %1, to and fro, in %2; the board ends it at %3 or %4.</source>
         <translation>Nach jedem Schritt dreht der Rotor um %1, hin und her, in %2; das Steuergerät beendet es bei %3 oder %4.</translation>
     </message>
+    <message>
+        <source>Peak under a load worth %1 A</source>
+        <translation>Spitze unter einer Last von %1 A</translation>
+    </message>
+    <message>
+        <source>How far the load moves the linear loop from its reference</source>
+        <translation>Wie weit die Last den linearen Kreis von seiner Führungsgröße entfernt</translation>
+    </message>
+    <message>
+        <source>Recovered from it</source>
+        <translation>Davon erholt</translation>
+    </message>
+    <message>
+        <source>not in the time that is shown</source>
+        <translation>nicht in der gezeigten Zeit</translation>
+    </message>
+    <message>
+        <source>From then on the angle stays within a tenth of the peak around where it ends</source>
+        <translation>Von da an bleibt der Winkel innerhalb eines Zehntels der Spitze um sein Ende</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuneNumbers</name>
@@ -14111,12 +14169,12 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <translation>Diagramm: %1</translation>
     </message>
     <message>
-        <source>Arrow keys move a cursor, plus and minus zoom, Space pauses, F fits, Insert adds signals.</source>
-        <translation>Pfeiltasten bewegen eine Messmarke, Plus und Minus zoomen, die Leertaste hält an, F passt ein, Einfg fügt Signale hinzu.</translation>
-    </message>
-    <message>
         <source>Plot of %1, at the right %2</source>
         <translation>Diagramm: %1, rechts %2</translation>
+    </message>
+    <message>
+        <source>Arrow keys move a cursor or scroll, plus and minus zoom the time, with Ctrl the values, Space pauses, F fits, Insert adds signals.</source>
+        <translation>Die Pfeiltasten bewegen eine Messmarke oder verschieben, Plus und Minus zoomen die Zeit, mit Strg die Werte, die Leertaste hält an, F passt ein, Einfg fügt Signale hinzu.</translation>
     </message>
 </context>
 <context>
@@ -14413,6 +14471,70 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
         <source>The plot goes with its curves; a column goes with its last plot</source>
         <translation>Das Diagramm geht mit seinen Kurven, eine Spalte mit ihrem letzten Diagramm</translation>
     </message>
+    <message>
+        <source>Marker with a note</source>
+        <translation>Marke mit Notiz</translation>
+    </message>
+    <message>
+        <source>Type the note of the chosen marker, of the one at this moment, or of a new one</source>
+        <translation>Die Notiz der gewählten Marke schreiben, der in diesem Augenblick oder einer neuen</translation>
+    </message>
+    <message>
+        <source>Next marker</source>
+        <translation>Nächste Marke</translation>
+    </message>
+    <message>
+        <source>Choose the next marker and bring it into view</source>
+        <translation>Die nächste Marke wählen und ins Bild bringen</translation>
+    </message>
+    <message>
+        <source>Previous marker</source>
+        <translation>Vorige Marke</translation>
+    </message>
+    <message>
+        <source>Choose the marker before and bring it into view</source>
+        <translation>Die vorige Marke wählen und ins Bild bringen</translation>
+    </message>
+    <message>
+        <source>Remove the marker</source>
+        <translation>Marke entfernen</translation>
+    </message>
+    <message>
+        <source>The chosen marker goes</source>
+        <translation>Die gewählte Marke geht</translation>
+    </message>
+    <message>
+        <source>List of markers</source>
+        <translation>Liste der Marken</translation>
+    </message>
+    <message>
+        <source>All markers with their notes; choose one</source>
+        <translation>Alle Marken mit ihren Notizen; eine wählen</translation>
+    </message>
+    <message>
+        <source>Zoom the values in</source>
+        <translation>Werte vergrößern</translation>
+    </message>
+    <message>
+        <source>Show fewer values of the plot with the focus, around the middle</source>
+        <translation>Weniger Werte des Diagramms mit dem Fokus zeigen, um die Mitte</translation>
+    </message>
+    <message>
+        <source>Zoom the values out</source>
+        <translation>Werte verkleinern</translation>
+    </message>
+    <message>
+        <source>Show more values of the plot with the focus</source>
+        <translation>Mehr Werte des Diagramms mit dem Fokus zeigen</translation>
+    </message>
+    <message>
+        <source>Fit the values</source>
+        <translation>Werte einpassen</translation>
+    </message>
+    <message>
+        <source>The value axes of the plot with the focus follow its data again</source>
+        <translation>Die Wertachsen des Diagramms mit dem Fokus folgen wieder seinen Daten</translation>
+    </message>
 </context>
 <context>
     <name>halbench::widgets::LogTableModel</name>
@@ -14518,6 +14640,48 @@ Ein echtes Gerät hat seine eigene Zeit.</translation>
     <message>
         <source>Log</source>
         <translation>Protokoll</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::MarkerBar</name>
+    <message>
+        <source>List of markers</source>
+        <translation>Liste der Marken</translation>
+    </message>
+    <message>
+        <source>Time of the chosen marker</source>
+        <translation>Zeit der gewählten Marke</translation>
+    </message>
+    <message>
+        <source>Note of the chosen marker</source>
+        <translation>Notiz der gewählten Marke</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>What is written at the marker; Enter keeps it, Esc leaves it as it was</source>
+        <translation>Was an der Marke steht; die Eingabetaste behält es, Esc lässt es, wie es war</translation>
+    </message>
+    <message>
+        <source>Close the marker&apos;s row</source>
+        <translation>Zeile der Marke schließen</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen any more; the marker stays</source>
+        <translation>Keine ist mehr gewählt; die Marke bleibt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marker(s)</source>
+        <translation>
+            <numerusform>%n Marke</numerusform>
+            <numerusform>%n Marken</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All markers by time (Ctrl+J); J chooses the next one</source>
+        <translation>Alle Marken nach der Zeit (Strg+J); J wählt die nächste</translation>
     </message>
 </context>
 <context>

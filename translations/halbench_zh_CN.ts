@@ -6246,6 +6246,18 @@
         <source>is nothing that the board&apos;s law has</source>
         <translation>不属于控制板控制律的内容</translation>
     </message>
+    <message>
+        <source>a band under a load of {} A is not possible</source>
+        <translation>负载为 {} A 的范围带是不可能的</translation>
+    </message>
+    <message>
+        <source>another program changes &apos;{}&apos;</source>
+        <translation>另一个程序正在更改“{}”</translation>
+    </message>
+    <message>
+        <source>only recordings with their sidecar keep markers that are changed later</source>
+        <translation>只有带附属文件的记录才能保存之后更改的标记</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -10048,10 +10060,6 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
         <translation>设备发送到曲线图的内容</translation>
     </message>
     <message>
-        <source>marker</source>
-        <translation>标记</translation>
-    </message>
-    <message>
         <source>Signals of the project that this device does not have: %1</source>
         <translation>项目中该设备没有的信号：%1</translation>
     </message>
@@ -10080,10 +10088,6 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
         <translation>设备对它们的采样时刻与其余信号不同，或没有周期性采样。请一起绘制同一事件的信号。</translation>
     </message>
     <message>
-        <source>The picture is of the plots that share the axis of the one with the focus.</source>
-        <translation>图片包含与具有焦点的曲线图共用时间轴的曲线图。</translation>
-    </message>
-    <message>
         <source>Not in the running recording: %1</source>
         <translation>不在正在进行的记录中：%1</translation>
     </message>
@@ -10094,6 +10098,10 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
     <message>
         <source>Plot fewer signals.</source>
         <translation>请减少所绘的信号。</translation>
+    </message>
+    <message>
+        <source>The markers are not kept: %1</source>
+        <translation>标记未被保存：%1</translation>
     </message>
 </context>
 <context>
@@ -10139,8 +10147,12 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
         <translation>%1，参考</translation>
     </message>
     <message>
-        <source>On another time axis and not in the picture: %1</source>
-        <translation>位于其他时间轴，未包含在图片中：%1</translation>
+        <source>Pictures in the window&apos;s colours</source>
+        <translation>图片采用窗口的颜色</translation>
+    </message>
+    <message>
+        <source>Otherwise they are light, for paper and documents</source>
+        <translation>否则为浅色，适合纸张和文档</translation>
     </message>
 </context>
 <context>
@@ -10205,6 +10217,10 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
         <translation>
             <numerusform>%n 个信号，%1 Hz，丢失 %2 行</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The markers are not kept: %1</source>
+        <translation>标记未被保存：%1</translation>
     </message>
 </context>
 <context>
@@ -10364,26 +10380,6 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
 <context>
     <name>halbench::app::PaceRow</name>
     <message>
-        <source>real time</source>
-        <translation>实时</translation>
-    </message>
-    <message>
-        <source>5 times</source>
-        <translation>5 倍</translation>
-    </message>
-    <message>
-        <source>20 times</source>
-        <translation>20 倍</translation>
-    </message>
-    <message>
-        <source>100 times</source>
-        <translation>100 倍</translation>
-    </message>
-    <message>
-        <source>as fast as possible</source>
-        <translation>尽可能快</translation>
-    </message>
-    <message>
         <source>Simulated &amp;time</source>
         <translation>仿真时间(&amp;T)</translation>
     </message>
@@ -10396,10 +10392,45 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
         <translation>仿真时间的快慢</translation>
     </message>
     <message>
-        <source>How fast the simulated motor lives: at 20 times a run of two minutes takes six seconds.
-A real device has its own time.</source>
-        <translation>仿真电机的时间流逝速度：20 倍时两分钟的运行只需六秒。
-真实设备有自己的时间。</translation>
+        <source>How fast the simulated motor lives, or a recording is played: at 20 times a run of two minutes takes six seconds, 100 times slower a step of 50 ms takes five.
+In the Monitor &lt; and &gt; change it. A real device has its own time.</source>
+        <translation>仿真电机运行或播放记录的快慢：20 倍时两分钟的运行需要六秒，慢 100 倍时 50 ms 的阶跃需要五秒。
+在监视中用 &lt; 和 &gt; 更改。真实设备有自己的时间。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::PaceSteps</name>
+    <message>
+        <source>as fast as possible</source>
+        <translation>尽可能快</translation>
+    </message>
+    <message>
+        <source>real time</source>
+        <translation>实时</translation>
+    </message>
+    <message>
+        <source>%1 times slower</source>
+        <translation>慢 %1 倍</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1 倍</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>变慢</translation>
+    </message>
+    <message>
+        <source>Simulated or replayed time runs slower</source>
+        <translation>仿真或播放的时间变慢</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>变快</translation>
+    </message>
+    <message>
+        <source>Simulated or replayed time runs faster</source>
+        <translation>仿真或播放的时间变快</translation>
     </message>
 </context>
 <context>
@@ -11150,6 +11181,13 @@ A real device has its own time.</source>
     <message>
         <source>At most as many as the device and its link carry</source>
         <translation>至多为设备及其链路所能承载的数目</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RecordedMarkers</name>
+    <message>
+        <source>marker</source>
+        <translation>标记</translation>
     </message>
 </context>
 <context>
@@ -13072,6 +13110,26 @@ A real device has its own time.</source>
         <source>After each step the rotor will turn by %1, to and fro, in %2; the board ends it at %3 or %4.</source>
         <translation>每一步之后，转子将来回转动 %1，用时 %2；控制板在 %3 或 %4 处结束运动。</translation>
     </message>
+    <message>
+        <source>Peak under a load worth %1 A</source>
+        <translation>相当于 %1 A 的负载下的峰值</translation>
+    </message>
+    <message>
+        <source>How far the load moves the linear loop from its reference</source>
+        <translation>负载使线性回路偏离参考值的最大距离</translation>
+    </message>
+    <message>
+        <source>Recovered from it</source>
+        <translation>从中恢复</translation>
+    </message>
+    <message>
+        <source>not in the time that is shown</source>
+        <translation>未在所示时间内</translation>
+    </message>
+    <message>
+        <source>From then on the angle stays within a tenth of the peak around where it ends</source>
+        <translation>此后角度一直保持在终值附近峰值十分之一以内</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuneNumbers</name>
@@ -14099,12 +14157,12 @@ A real device has its own time.</source>
         <translation>%1的曲线图</translation>
     </message>
     <message>
-        <source>Arrow keys move a cursor, plus and minus zoom, Space pauses, F fits, Insert adds signals.</source>
-        <translation>方向键移动光标，加号和减号缩放，空格键暂停，F 键适应，Insert 键添加信号。</translation>
-    </message>
-    <message>
         <source>Plot of %1, at the right %2</source>
         <translation>%1 的曲线图，右轴为 %2</translation>
+    </message>
+    <message>
+        <source>Arrow keys move a cursor or scroll, plus and minus zoom the time, with Ctrl the values, Space pauses, F fits, Insert adds signals.</source>
+        <translation>方向键移动光标或滚动，加号和减号缩放时间，按住 Ctrl 则缩放数值，空格键暂停，F 使其适应，Insert 添加信号。</translation>
     </message>
 </context>
 <context>
@@ -14401,6 +14459,70 @@ A real device has its own time.</source>
         <source>The plot goes with its curves; a column goes with its last plot</source>
         <translation>该曲线图及其曲线一并移除；一列随其最后一个曲线图消失</translation>
     </message>
+    <message>
+        <source>Marker with a note</source>
+        <translation>带备注的标记</translation>
+    </message>
+    <message>
+        <source>Type the note of the chosen marker, of the one at this moment, or of a new one</source>
+        <translation>输入选中标记、此刻的标记或新标记的备注</translation>
+    </message>
+    <message>
+        <source>Next marker</source>
+        <translation>下一个标记</translation>
+    </message>
+    <message>
+        <source>Choose the next marker and bring it into view</source>
+        <translation>选择下一个标记并移入视图</translation>
+    </message>
+    <message>
+        <source>Previous marker</source>
+        <translation>上一个标记</translation>
+    </message>
+    <message>
+        <source>Choose the marker before and bring it into view</source>
+        <translation>选择上一个标记并移入视图</translation>
+    </message>
+    <message>
+        <source>Remove the marker</source>
+        <translation>移除标记</translation>
+    </message>
+    <message>
+        <source>The chosen marker goes</source>
+        <translation>选中的标记被移除</translation>
+    </message>
+    <message>
+        <source>List of markers</source>
+        <translation>标记列表</translation>
+    </message>
+    <message>
+        <source>All markers with their notes; choose one</source>
+        <translation>全部标记及其备注；选择一个</translation>
+    </message>
+    <message>
+        <source>Zoom the values in</source>
+        <translation>放大数值</translation>
+    </message>
+    <message>
+        <source>Show fewer values of the plot with the focus, around the middle</source>
+        <translation>显示具有焦点的曲线图的较小数值范围，围绕中间</translation>
+    </message>
+    <message>
+        <source>Zoom the values out</source>
+        <translation>缩小数值</translation>
+    </message>
+    <message>
+        <source>Show more values of the plot with the focus</source>
+        <translation>显示具有焦点的曲线图的较大数值范围</translation>
+    </message>
+    <message>
+        <source>Fit the values</source>
+        <translation>适应数值</translation>
+    </message>
+    <message>
+        <source>The value axes of the plot with the focus follow its data again</source>
+        <translation>具有焦点的曲线图的数值轴重新跟随其数据</translation>
+    </message>
 </context>
 <context>
     <name>halbench::widgets::LogTableModel</name>
@@ -14506,6 +14628,47 @@ A real device has its own time.</source>
     <message>
         <source>Log</source>
         <translation>日志</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::MarkerBar</name>
+    <message>
+        <source>List of markers</source>
+        <translation>标记列表</translation>
+    </message>
+    <message>
+        <source>Time of the chosen marker</source>
+        <translation>选中标记的时间</translation>
+    </message>
+    <message>
+        <source>Note of the chosen marker</source>
+        <translation>选中标记的备注</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>What is written at the marker; Enter keeps it, Esc leaves it as it was</source>
+        <translation>标记处所写的内容；回车键保留，Esc 保持原样</translation>
+    </message>
+    <message>
+        <source>Close the marker&apos;s row</source>
+        <translation>关闭标记行</translation>
+    </message>
+    <message>
+        <source>Nothing is chosen any more; the marker stays</source>
+        <translation>不再选中；标记保留</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marker(s)</source>
+        <translation>
+            <numerusform>%n 个标记</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All markers by time (Ctrl+J); J chooses the next one</source>
+        <translation>按时间列出全部标记（Ctrl+J）；J 选择下一个</translation>
     </message>
 </context>
 <context>
