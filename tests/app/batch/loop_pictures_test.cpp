@@ -82,7 +82,10 @@ TEST(PictureFile, equalFiguresGiveEqualFiles) {
     widgets::Figure figure;
     figure.x = {"x", "s", false, {}, {}, {}};
     figure.panels.resize(1);
-    figure.panels[0].curves = {{"y", {0.0, 1.0}, {0.0, 1.0}}};
+    widgets::Curve& curve = figure.panels[0].curves.emplace_back();
+    curve.label = "y";
+    curve.x = {0.0, 1.0};
+    curve.y = {0.0, 1.0};
     for (const char* name : {"a.svg", "a.pdf", "a.png"}) {
         const auto one = figurePicture(figure, name);
         ASSERT_TRUE(one) << name;
