@@ -2,12 +2,42 @@
 
 #include <gtest/gtest.h>
 
+#include <clocale>
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
 namespace halbench::widgets {
 namespace {
+
+constexpr const char* ScaleVariable = "HALBENCH_TEST_SCALE";
+
+/// A screen of the scale that the variable says, for all tests of the process: what they would make is at 1,
+/// whatever the desktop has.
+class ScaledScreen : public testing::Environment {
+public:
+    void SetUp() override {
+        if (!qEnvironmentVariableIsSet(ScaleVariable)) {
+            return;
+        }
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+        qputenv("QT_FONT_DPI", "96");
+        qputenv("QT_SCALE_FACTOR", qgetenv(ScaleVariable));
+        m_application = std::make_unique<QApplication>(m_argumentCount, m_arguments);
+        std::setlocale(LC_ALL, "C"); // the constructor took over the environment's
+        QLocale::setDefault(QLocale::c());
+    }
+    void TearDown() override { m_application.reset(); }
+
+private:
+    int m_argumentCount = 1;
+    char m_name[5] = "test";
+    char* m_arguments[2] = {m_name, nullptr};
+    std::unique_ptr<QApplication> m_application;
+};
+
+const testing::Environment* const scaledScreen = testing::AddGlobalTestEnvironment(new ScaledScreen);
 
 /// Run at 1, 1.5 and 2 device pixels to a pixel (tests/widgets/CMakeLists.txt): there a canvas may stand
 /// between two device pixels, which no number of the layout shows.
@@ -48,8 +78,10 @@ protected:
 
 TEST_F(AxesAtScaleTest, theScaleIsTheOneThatWasAskedFor) {
     bool isNumber = false;
-    const double asked = qEnvironmentVariable("QT_SCALE_FACTOR").toDouble(&isNumber);
+    const double asked = qEnvironmentVariable(ScaleVariable).toDouble(&isNumber);
+    ASSERT_NE(scaledScreen, nullptr);
     EXPECT_DOUBLE_EQ(stack.devicePixelRatioF(), isNumber ? asked : 1.0);
+    EXPECT_DOUBLE_EQ(stack.grab().devicePixelRatio(), isNumber ? asked : 1.0);
 }
 
 TEST_F(AxesAtScaleTest, noCanvasMovesByADevicePixelWhileLabelsGrowWithinTheirRoom) {
