@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,33 +16,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
-/// Householder vector that turns `x` onto its first axis; empty when it lies there already.
-VectorXd mirrorOntoFirst(const VectorXd& x) {
-    if (x.tail(x.size() - 1).cwiseAbs().maxCoeff() == 0.0) {
-        return {};
-    }
-    VectorXd mirror = x;
-    mirror(0) += (x(0) < 0.0 ? -1.0 : 1.0) * x.norm();
-    return mirror.normalized();
-}
-
-/// A column by column to Hessenberg form.
-void turnToHessenberg(StateSpace& system) {
-    const Index n = system.states();
-    for (Index k = 1; k + 1 < n; ++k) {
-        const Index rest = n - k;
-        const VectorXd mirror = mirrorOntoFirst(system.A.col(k - 1).tail(rest));
-        if (mirror.size() == 0) {
-            continue;
-        }
-        system.A.bottomRows(rest) -= 2.0 * mirror * (mirror.transpose() * system.A.bottomRows(rest)).eval();
-        system.A.rightCols(rest) -= 2.0 * (system.A.rightCols(rest) * mirror).eval() * mirror.transpose();
-        system.B.bottomRows(rest) -= 2.0 * mirror * (mirror.transpose() * system.B.bottomRows(rest)).eval();
-        system.C.rightCols(rest) -= 2.0 * (system.C.rightCols(rest) * mirror).eval() * mirror.transpose();
-    }
-}
 
 bool isHessenberg(const MatrixXd& A) {
     for (Index column = 0; column + 2 < A.cols(); ++column) {
@@ -52,10 +26,39 @@ bool isHessenberg(const MatrixXd& A) {
     return true;
 }
 
+/// Blocks of one or two states on the diagonal, nothing below them.
+bool isTriangle(const MatrixXd& A) {
+    for (Index row = 2; row < A.rows(); ++row) {
+        if (A(row, row - 1) != 0.0 && A(row - 1, row - 2) != 0.0) {
+            return false;
+        }
+    }
+    return isHessenberg(A);
+}
+
+/// Orthogonally, to a triangle of blocks; should the iteration not end, to Hessenberg form.
+void turn(StateSpace& system) {
+    MatrixXd Q;
+    const Eigen::RealSchur<MatrixXd> schur(system.A);
+    if (schur.info() == Eigen::Success) {
+        system.A = schur.matrixT();
+        Q = schur.matrixU();
+    } else {
+        const Eigen::HessenbergDecomposition<MatrixXd> hessenberg(system.A);
+        system.A = hessenberg.matrixH();
+        Q = hessenberg.matrixQ();
+    }
+    system.B = (Q.transpose() * system.B).eval();
+    system.C = (system.C * Q).eval();
+}
+
 StateSpace backwards(const StateSpace& system) {
     return {system.A.reverse(), system.B.colwise().reverse(), system.C.rowwise().reverse(), system.D,
             system.timeBase};
 }
+
+/// States of a system whose room is on the stack.
+constexpr std::size_t SmallSize = 12;
 
 /// Not set to zero: the room for a small system is larger than what most of them use, at each frequency.
 struct Value {
@@ -121,23 +124,22 @@ StatePath::StatePath(const StateSpace& system, Index output, Index input)
       m_direct(system.D(output, input)) {
     StateSpace path = prescaled(
         {system.A, system.B.col(input), system.C.row(output), MatrixXd::Zero(1, 1), system.timeBase});
-    if (!isHessenberg(path.A)) {
-        path = backwards(path);
+    const StateSpace turned = backwards(path);
+    if (isTriangle(turned.A) || (!isTriangle(path.A) && !isHessenberg(path.A) && isHessenberg(turned.A))) {
+        path = turned;
+    } else if (!isHessenberg(path.A)) {
+        turn(path);
     }
-    if (!isHessenberg(path.A)) {
-        turnToHessenberg(path);
-    }
-    for (Index i = 0; i < path.A.rows(); ++i) {
-        for (Index j = 0; j < path.A.cols(); ++j) {
-            m_rows.push_back(j + 1 < i ? 0.0 : path.A(i, j));
-        }
-    }
+    m_isTriangle = isTriangle(path.A);
+    m_matrix.resize(m_size * m_size);
+    Eigen::Map<MatrixXd>(m_matrix.data(), path.A.rows(), path.A.cols()) =
+        m_isTriangle ? path.A : path.A.transpose();
     m_input.assign(path.B.data(), path.B.data() + m_size);
     m_output.assign(path.C.data(), path.C.data() + m_size);
 }
 
-std::complex<double> StatePath::at(std::complex<double> point) const {
-    constexpr std::size_t SmallSize = 12;
+/// Of companion forms: the rows of [s - A, B] are copied and brought to a triangle.
+void StatePath::eliminated(std::complex<double> point, double* re, double* im) const {
     const std::size_t n = m_size;
     std::array<Value, SmallSize*(SmallSize + 1)> small;
     std::vector<Value> large(n > SmallSize ? n * (n + 1) : 0);
@@ -145,7 +147,7 @@ std::complex<double> StatePath::at(std::complex<double> point) const {
     for (std::size_t i = 0; i < n; ++i) {
         Value* row = rows + i * (n + 1);
         for (std::size_t j = i == 0 ? 0 : i - 1; j < n; ++j) {
-            row[j] = {-m_rows[i * n + j], 0.0};
+            row[j] = {-m_matrix[i * n + j], 0.0};
         }
         row[i].re += point.real();
         row[i].im += point.imag();
@@ -153,12 +155,64 @@ std::complex<double> StatePath::at(std::complex<double> point) const {
     }
     eliminate(rows, n);
     substitute(rows, n);
-    std::complex<double> value = m_direct;
     for (std::size_t i = 0; i < n; ++i) {
-        const Value x = rows[i * (n + 1) + n];
-        value += std::complex<double>(m_output[i] * x.re, m_output[i] * x.im);
+        re[i] = rows[i * (n + 1) + n].re;
+        im[i] = rows[i * (n + 1) + n].im;
     }
-    return value;
+}
+
+/// Of a triangle: from the last block up, what is known of x goes to the right side of the rows above.
+void StatePath::substituted(std::complex<double> point, double* re, double* im) const {
+    const std::size_t n = m_size;
+    const Value s{point.real(), point.imag()};
+    std::copy(m_input.begin(), m_input.end(), re);
+    std::fill(im, im + n, 0.0);
+    const auto put = [&](std::size_t k, Value x, std::size_t above) {
+        const double* column = m_matrix.data() + k * n;
+        for (std::size_t i = 0; i < above; ++i) {
+            re[i] += column[i] * x.re;
+            im[i] += column[i] * x.im;
+        }
+        re[k] = x.re;
+        im[k] = x.im;
+    };
+    for (std::size_t k = n; k-- > 0;) {
+        const double* column = m_matrix.data() + k * n;
+        const double* left = k > 0 ? column - n : column;
+        const Value last{s.re - column[k], s.im};
+        const double coupling = k > 0 ? left[k] : 0.0;
+        if (coupling == 0.0) {
+            put(k, times({re[k], im[k]}, inverse(last)), k);
+            continue;
+        }
+        // [first, -up; -coupling, last] (x, y) = right side, by Cramer's rule
+        const double up = column[k - 1];
+        const Value first{s.re - left[k - 1], s.im};
+        const Value product = times(first, last);
+        const Value scale = inverse({product.re - up * coupling, product.im});
+        const Value a{re[k - 1], im[k - 1]};
+        const Value b{re[k], im[k]};
+        const Value x = times(last, a);
+        const Value y = times(first, b);
+        put(k, times({y.re + coupling * a.re, y.im + coupling * a.im}, scale), k - 1);
+        put(k - 1, times({x.re + up * b.re, x.im + up * b.im}, scale), k - 1);
+        --k;
+    }
+}
+
+std::complex<double> StatePath::at(std::complex<double> point) const {
+    std::array<double, 2 * SmallSize> small;
+    std::vector<double> large(m_size > SmallSize ? 2 * m_size : 0);
+    double* re = m_size > SmallSize ? large.data() : small.data();
+    double* im = re + m_size;
+    m_isTriangle ? substituted(point, re, im) : eliminated(point, re, im);
+    double real = m_direct;
+    double imaginary = 0.0;
+    for (std::size_t i = 0; i < m_size; ++i) {
+        real += m_output[i] * re[i];
+        imaginary += m_output[i] * im[i];
+    }
+    return {real, imaginary};
 }
 
 std::complex<double> StatePath::atFrequency(double frequency_rad_s) const {

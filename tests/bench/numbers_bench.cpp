@@ -6,11 +6,15 @@
 #include "control/lti/frequency_response.h"
 #include "control/lti/responses.h"
 #include "control/lti/state_response.h"
+#include "control/lti/zero_pole_gain.h"
 #include "tests/bench/goal.h"
 
 #include <benchmark/benchmark.h>
 
+#include <Eigen/QR>
 #include <cmath>
+#include <iterator>
+#include <string>
 
 namespace halbench::bench {
 namespace {
@@ -83,6 +87,87 @@ void benchContinuousResponse(Goals& goals) {
                 "x");
 }
 
+/// Plain Horner at the same order: the cost of a rational form, whatever its accuracy is there.
+double hornerTime_s(int order, const std::vector<double>& frequencies) {
+    Random random(3);
+    std::vector<double> numerator(static_cast<std::size_t>(order));
+    std::vector<double> denominator(static_cast<std::size_t>(order) + 1);
+    for (std::vector<double>* polynomial : {&numerator, &denominator}) {
+        for (double& coefficient : *polynomial) {
+            coefficient = 1.0 + random.uniform();
+        }
+    }
+    return processorTime_s(
+        [&] {
+            std::vector<std::complex<double>> values;
+            for (const double frequency : frequencies) {
+                const std::complex<double> s(0.0, 1e-3 * frequency);
+                values.push_back(plainHorner(numerator, s) / plainHorner(denominator, s));
+            }
+            benchmark::DoNotOptimize(values.data());
+        },
+        15);
+}
+
+/// Rates from 1e-3 to 1e5 1/s, lightly damped pairs.
+control::ZeroPoleGain spread(int order) {
+    control::ZeroPoleGain::Roots poles;
+    for (int i = 0; i < order / 2; ++i) {
+        const double w = 1e-3 * std::pow(1e8, (i + 0.5) * 2.0 / order);
+        poles.emplace_back(-0.1 * w, w * std::sqrt(0.99));
+        poles.push_back(std::conj(poles.back()));
+    }
+    return *control::ZeroPoleGain::make({}, poles, 1.0, control::TimeBase::continuous());
+}
+
+/// The same system in states that are mixed by a random orthogonal matrix: no zero is left in A.
+control::StateSpace mixed(control::StateSpace system) {
+    Random random(5);
+    Eigen::MatrixXd matrix(system.states(), system.states());
+    for (double& value : matrix.reshaped()) {
+        value = random.gaussian();
+    }
+    const Eigen::MatrixXd Q = Eigen::HouseholderQR<Eigen::MatrixXd>(matrix).householderQ();
+    return {Q * system.A * Q.transpose(), Q * system.B, system.C * Q.transpose(), system.D, system.timeBase};
+}
+
+/// The same in states of units that are up to 1e12 apart.
+control::StateSpace badlyScaled(control::StateSpace system) {
+    Random random(7);
+    for (Eigen::Index i = 0; i < system.states(); ++i) {
+        const double scale = std::pow(10.0, 12.0 * random.uniform() - 6.0);
+        system.A.row(i) *= scale;
+        system.B.row(i) *= scale;
+        system.A.col(i) /= scale;
+        system.C.col(i) /= scale;
+    }
+    return system;
+}
+
+/// Every shape that states come in, against Horner at the same order.
+void benchStateShapes(Goals& goals) {
+    const auto frequencies = control::logarithmicFrequencies(0.01, 1e4, 5000);
+    for (const int order : {6, 10, 20, 40}) {
+        const double plain_s = hornerTime_s(order, frequencies);
+        const control::StateSpace sections = control::toStateSpace(spread(order));
+        const control::StateSpace shapes[] = {sections, badlyScaled(sections), mixed(sections),
+                                              badlyScaled(mixed(sections))};
+        const char* names[] = {"sections over 8 decades", "badly scaled sections", "a full matrix",
+                               "a badly scaled full matrix"};
+        for (std::size_t i = 0; i < std::size(shapes); ++i) {
+            const double states_s = processorTime_s(
+                [&] {
+                    benchmark::DoNotOptimize(
+                        control::frequencyResponse(shapes[i], frequencies)->value.data());
+                },
+                7);
+            goals.below("frequency response of order " + std::to_string(order) + " from " + names[i] +
+                            " against plain complex Horner",
+                        states_s / plain_s, 10.0, "x");
+        }
+    }
+}
+
 void benchHeldResponse(Goals& goals) {
     constexpr std::size_t Samples = 100000;
     std::vector<double> input(Samples);
@@ -148,6 +233,7 @@ int main() {
     halbench::bench::Goals goals;
     halbench::bench::benchFrequencyResponse(goals);
     halbench::bench::benchContinuousResponse(goals);
+    halbench::bench::benchStateShapes(goals);
     halbench::bench::benchHeldResponse(goals);
     halbench::bench::benchRobustness(goals);
     return goals.exitCode();

@@ -48,7 +48,7 @@ TEST(DescriptionRoutes, polynomialsCombineAsTheMatricesDo) {
                                                                  {*feedback(a, b), *feedback(A, B)}};
         for (const double w : {0.5, 3.0, 20.0}) {
             for (const auto& [rational, states] : pairs) {
-                const Complex expected = StatePath(states).atFrequency(w);
+                const Complex expected = valueAt(states, boundaryPoint(states.timeBase, w));
                 EXPECT_LT(std::abs(rational.atFrequency(w) - expected),
                           (1e-9 + 100.0 * roundingOf(rational, w)) * std::abs(expected))
                     << round << " at " << w;
