@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace halbench::app {
 namespace {
 
@@ -21,7 +23,9 @@ MotorEstimate published() {
 TuneResult judged(const std::string& method) {
     TuneConfig config;
     config.method = method;
-    return *runTune(published(), config);
+    auto result = runTune(published(), config);
+    EXPECT_TRUE(result) << (result ? "" : result.error().message);
+    return result ? *std::move(result) : TuneResult();
 }
 
 TEST(LoopPictures, aViewAndAFileAreAskedFor) {
@@ -40,7 +44,7 @@ TEST(LoopPictures, aViewAndAFileAreAskedFor) {
 TEST(LoopPictures, everyViewIsWrittenInEveryFormat) {
     const QTemporaryDir folder;
     const TuneResult result = judged("recommended");
-    const TuneResult slower = judged("bandwidth");
+    const TuneResult slower = judged("lqr");
     const MotorEstimate motor = published();
     const auto path = [&](const std::string& name) { return folder.filePath(name.c_str()).toStdString(); };
     std::vector<LoopPicture> pictures;
@@ -82,10 +86,7 @@ TEST(PictureFile, equalFiguresGiveEqualFiles) {
     widgets::Figure figure;
     figure.x = {"x", "s", false, {}, {}, {}};
     figure.panels.resize(1);
-    widgets::Curve& curve = figure.panels[0].curves.emplace_back();
-    curve.label = "y";
-    curve.x = {0.0, 1.0};
-    curve.y = {0.0, 1.0};
+    figure.panels[0].curves = {{"y", {0.0, 1.0}, {0.0, 1.0}, widgets::CurveStyle::Line, {}}};
     for (const char* name : {"a.svg", "a.pdf", "a.png"}) {
         const auto one = figurePicture(figure, name);
         ASSERT_TRUE(one) << name;
