@@ -16,6 +16,8 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <functional>
+#include <vector>
 
 namespace halbench::bench {
 namespace {
@@ -53,9 +55,9 @@ struct Pictures {
         loop.picture().resize(screen.size());
         step.resize(screen.size());
     }
-    void draw(const TuneSketch& sketch) {
-        loop.setLoops(sketch.predicted, sketch.present, {}, std::nullopt, sketch.uncertainty);
-        step.setFigure(*linearStepFigure(sketch.predicted, sketch.present, widgets::AngleUnit::Degree, {},
+    void draw(const TuneSketch& sketch, const std::vector<NamedLoop>& others = {}) {
+        loop.setLoops(sketch.predicted, sketch.present, others, std::nullopt, sketch.uncertainty);
+        step.setFigure(*linearStepFigure(sketch.predicted, sketch.present, widgets::AngleUnit::Degree, others,
                                          sketch.uncertainty));
         loop.picture().render(&screen);
         step.render(&screen);
@@ -118,6 +120,28 @@ void benchRecorded(Goals& goals, const TuneQuestion& question, const TuneSketch&
                 1e3 * (predict_s + recording_s), 16.0, "ms");
 }
 
+/// Three kept designs and the gains of the device drawn beside what is in the hand. The kept ones were judged
+/// when they were kept; the device's are predicted with each move.
+void benchCompared(Goals& goals, TuneQuestion& question, const std::function<void()>& predict,
+                   const TuneSketch& sketch) {
+    std::vector<JudgedLoop> judged;
+    for (const char* method : {"lqr", "simc", "lead"}) {
+        const auto law = control::designLaw(method, *plantFromEstimate(question.motor), {}, {});
+        judged.push_back(*judgeLoop(question.motor, *law, question.config.conditions));
+    }
+    const std::vector<NamedLoop> others = {
+        {"lqr", &judged[0].predicted}, {"simc", &judged[1].predicted}, {"lead", &judged[2].predicted}};
+    question.present = *control::designLaw("published", *plantFromEstimate(question.motor), {}, {});
+    const double predict_s = processorTime_s(predict, 25);
+    if (!sketch.present) {
+        goals.failed("the gains of the device beside those in the hand", "they are not predicted");
+    }
+    Pictures pictures;
+    const double draw_s = processorTime_s([&] { pictures.draw(sketch, others); }, 25);
+    goals.below("full refresh while dragging, three kept designs and the device's gains beside, one core",
+                1e3 * (predict_s + draw_s), 16.0, "ms");
+}
+
 void benchRefresh(Goals& goals) {
     TuneQuestion question;
     question.motor = motor();
@@ -147,6 +171,7 @@ void benchRefresh(Goals& goals) {
     goals.below("full refresh while dragging: four panels, 1000 motors, one core", 1e3 * (predict_s + draw_s),
                 16.0, "ms");
     benchRecorded(goals, question, sketch, predict_s);
+    benchCompared(goals, question, predict, sketch);
 }
 
 } // namespace
