@@ -14,6 +14,7 @@ namespace halbench::widgets {
 namespace {
 
 constexpr int CellPadding = 8;
+constexpr int MostRowsBelow = 4; ///< of a legend below its plot; further ones are scrolled to
 
 } // namespace
 
@@ -82,7 +83,17 @@ void LiveLegend::setWidths(const Widths& widths, int total_px) {
         rest -= isColumnHidden(column) ? 0 : widths[static_cast<std::size_t>(column)];
     }
     setColumnWidth(LegendTableModel::Name, std::max(rest, 0));
-    setFixedWidth(total_px);
+    setMinimumWidth(m_isBelow ? 0 : total_px);
+    setMaximumWidth(m_isBelow ? QWIDGETSIZE_MAX : total_px);
+}
+
+void LiveLegend::setBelow(bool isBelow) {
+    m_isBelow = isBelow;
+    const int header_px = horizontalHeader()->isHidden() ? 0 : horizontalHeader()->sizeHint().height();
+    const int rows = std::clamp(m_table.rowCount(), 1, MostRowsBelow);
+    const int height_px = header_px + rows * verticalHeader()->defaultSectionSize() + 2 * frameWidth();
+    setMinimumHeight(isBelow ? height_px : 0);
+    setMaximumHeight(isBelow ? height_px : QWIDGETSIZE_MAX);
 }
 
 /// What a key does with the chosen curve; false: nothing.

@@ -26,6 +26,8 @@ public:
     /// What this legend's numbers and units need; the name gets what remains.
     Widths neededWidths() const;
     void setWidths(const Widths& widths, int total_px);
+    /// Below its plot it is as wide as that and as high as its curves need; beside it as high as the plot.
+    void setBelow(bool isBelow);
 
 Q_SIGNALS:
     void toggleRequested(int curve);
@@ -45,6 +47,7 @@ private:
     bool run(const QKeySequence& keys);
 
     LegendTableModel m_table;
+    bool m_isBelow = false;
 };
 
 } // namespace halbench::widgets

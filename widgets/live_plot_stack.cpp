@@ -140,6 +140,7 @@ LivePlotStack::Row LivePlotStack::makeRow() {
     column->setSpacing(0);
     auto* layout = new QHBoxLayout;
     column->addLayout(layout, 1);
+    row.parts = layout;
     row.plot = new LivePlot(row.box);
     row.legend = new LiveLegend(row.box);
     row.timeAxis = new TimeAxisBar(row.box);

@@ -16,6 +16,7 @@
 #include <vector>
 
 class QAction;
+class QBoxLayout;
 class QSplitter;
 class QTimer;
 
@@ -220,6 +221,7 @@ private:
         QWidget* box = nullptr;
         LivePlot* plot = nullptr;
         LiveLegend* legend = nullptr;
+        QBoxLayout* parts = nullptr; ///< plot and legend: beside each other, in a narrow column above
         TimeAxisBar* timeAxis = nullptr;
         std::optional<TimeView> time = {}; ///< where it has its own axis
         bool isConfigured = false;
@@ -263,6 +265,7 @@ private:
     void configureRow(std::size_t index);
     void fitTitles(int column);
     void align(int column);
+    bool placeLegends(int column, int wanted_px);
     void updateViews();
     void drawFrame();
     void showState();

@@ -8,6 +8,7 @@
 #include "widgets/theme_style.h"
 #include "widgets/time_axis_bar.h"
 
+#include <QBoxLayout>
 #include <QEvent>
 
 #include <algorithm>
@@ -22,6 +23,7 @@ constexpr int CharactersPerTick = 9; ///< room of a label of the time axis
 constexpr int LongestName = 22;      ///< characters of a curve's name before it is shortened
 constexpr int LineSampleRoom = 40;   ///< beside the name
 constexpr double WidestLegend_ratio = 0.45;
+constexpr double WidestBeside_ratio = 0.3; ///< of one of several columns; wider ones stand below their plots
 
 /// Axis titles from the best to read to the shortest.
 constexpr std::array<TitleForm, 6> TitleForms{
@@ -116,6 +118,17 @@ void LivePlotStack::fitTitles(int column) {
     }
 }
 
+/// Where columns share the width and a legend would take the plot's, it stands below. Whether it does.
+bool LivePlotStack::placeLegends(int column, int wanted_px) {
+    const int width_px = m_columns[static_cast<std::size_t>(column)].box->width();
+    const bool areBelow = columnCount() > 1 && wanted_px > WidestBeside_ratio * width_px;
+    for (const Row* row : rowsOf(column)) {
+        row->parts->setDirection(areBelow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+        row->legend->setBelow(areBelow);
+    }
+    return areBelow;
+}
+
 void LivePlotStack::align(int index) {
     Column& here = m_columns[static_cast<std::size_t>(index)];
     const std::vector<const Row*> rows = rowsOf(index);
@@ -144,9 +157,12 @@ void LivePlotStack::align(int index) {
         total_px += isShown ? widths[static_cast<std::size_t>(column)] : 0;
         numbers_px += isShown ? widths[static_cast<std::size_t>(column)] : 0;
     }
-    // Names give way to the plots; a number that is cut is another number.
-    total_px =
-        std::max(numbers_px, std::min(total_px, static_cast<int>(WidestLegend_ratio * here.box->width())));
+    if (placeLegends(index, total_px)) {
+        total_px = here.box->width();
+    } else { // Names give way to the plots; a number that is cut is another number.
+        total_px = std::max(numbers_px,
+                            std::min(total_px, static_cast<int>(WidestLegend_ratio * here.box->width())));
+    }
     for (const Row* row : rows) {
         row->plot->setExtent(here.extent_px);
         row->plot->setRightExtent(hasRight ? std::optional(here.rightExtent_px) : std::nullopt);

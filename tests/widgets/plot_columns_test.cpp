@@ -105,6 +105,30 @@ TEST_F(PlotColumnsTest, axesOfAColumnAlignAndAllShowTheSameTime) {
     EXPECT_EQ(std::count_if(axes.begin(), axes.end(), says), 1) << "once is enough";
 }
 
+TEST_F(PlotColumnsTest, aLegendThatWouldTakeThePlotsWidthStandsBelowIt) {
+    ASSERT_TRUE(stack.movePlot(1, 1));
+    stack.resize(700, 900); // what a window of 1440 leaves for two columns
+    for (int i = 0; i < 3; ++i) {
+        frame();
+    }
+    const LivePlot* moved = shown(spec(4).quantity);
+    EXPECT_GT(moved->canvasRect().width(), 0.6 * moved->width()) << "the data have the room";
+    EXPECT_GE(legendOf(shown(spec(4).quantity))->y(), moved->height());
+    const int name_px = legendOf(shown(spec(4).quantity))->columnWidth(LegendTableModel::Name);
+    EXPECT_GT(name_px, 100) << "names are whole";
+    stack.setCursorsVisible(true);
+    for (int i = 0; i < 3; ++i) {
+        frame();
+    }
+    EXPECT_GT(moved->canvasRect().width(), 0.6 * moved->width());
+    stack.setCursorsVisible(false);
+    stack.resize(1900, 900);
+    for (int i = 0; i < 3; ++i) {
+        frame();
+    }
+    EXPECT_GE(legendOf(shown(spec(4).quantity))->x(), moved->width()) << "beside it where there is room";
+}
+
 TEST_F(PlotColumnsTest, whatTheUserDidToAPlotGoesAlong) {
     wheel(plots()[1], {100, 20}, 2, Qt::ControlModifier);
     Q_EMIT legends()[0]->toggleRequested(1);
