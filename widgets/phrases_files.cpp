@@ -166,7 +166,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "only one pair of [[cursors]] is measuring"),
     QT_TRANSLATE_NOOP("Phrases", "'given' must be a table"),
     QT_TRANSLATE_NOOP("Phrases", "given: {}"),
-    QT_TRANSLATE_NOOP("Phrases", "unknown key '{}'; known are schema, device, notes, perspective, layout, monitor, recording, plot, cursors, derived, given, model, design, calibration"),
+    QT_TRANSLATE_NOOP("Phrases", "unknown key '{}'; known are schema, device, notes, perspective, layout, monitor, monitor2, monitor3, recording, plot, cursors, derived, given, model, design, calibration"),
     QT_TRANSLATE_NOOP("Phrases", "{}: is a '{}', made by a newer version"),
     QT_TRANSLATE_NOOP("Phrases", "this version reads {}; the file is left as it is"),
     QT_TRANSLATE_NOOP("Phrases", "{}: is not a Halbench project"),

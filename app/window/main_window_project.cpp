@@ -1,6 +1,7 @@
 // The project of the window: what its panels show, opened, collected, kept.
 #include "app/window/dock_layout.h"
 #include "app/window/main_window.h"
+#include "app/window/panels.h"
 #include "app/window/project_menu.h"
 #include "app/window/project_work.h"
 #include "app/workspaces/device_panel.h"
@@ -74,6 +75,13 @@ Project MainWindow::shownProject() const {
         }
     }
     project.monitor = static_cast<MonitorPanel*>(m_docks->panel("monitor"))->view();
+    project.furtherMonitors.clear();
+    for (const char* id : FurtherMonitors) {
+        MonitorView view = static_cast<MonitorPanel*>(m_docks->panel(QString::fromLatin1(id)))->view();
+        if (!view.plots.empty()) {
+            project.furtherMonitors[id] = std::move(view);
+        }
+    }
     m_work->fill(project);
     return project;
 }
@@ -111,6 +119,11 @@ void MainWindow::takeOverProject() {
     }
     m_docks->setArrangements(arrangements, perspectiveOf(QString::fromStdString(project.perspective)));
     static_cast<MonitorPanel*>(m_docks->panel("monitor"))->setView(project.monitor);
+    for (const char* id : FurtherMonitors) {
+        const auto kept = project.furtherMonitors.find(id);
+        static_cast<MonitorPanel*>(m_docks->panel(QString::fromLatin1(id)))
+            ->setView(kept != project.furtherMonitors.end() ? kept->second : MonitorView());
+    }
     if (const QStringList lost = m_work->restore(project); !lost.isEmpty()) {
         onMessage(widgets::Severity::Warning,
                   tr("Not everything of the project could be read: %1").arg(lost.join("; ")),

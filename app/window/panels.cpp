@@ -35,11 +35,16 @@ QWidget* make(Workbench& bench) {
     return new Panel(bench);
 }
 
+QWidget* makeFurther(Workbench& bench) {
+    return new MonitorPanel(bench, nullptr, MonitorPanel::Rank::Further);
+}
+
 constexpr unsigned in(Perspective perspective) {
     return 1U << static_cast<unsigned>(perspective);
 }
 
 constexpr unsigned Everywhere = ~0U;
+constexpr unsigned Nowhere = 0; ///< until the user opens it
 
 struct Row {
     const char* id;
@@ -59,6 +64,10 @@ constexpr Row Rows[] = {
      "monitor.md#recordings", make<RecordingsPanel>},
     {"monitor", QT_TRANSLATE_NOOP("Panels", "Monitor"), PanelArea::Centre,
      in(Perspective::Monitor) | in(Perspective::Record), "monitor.md#plots", make<MonitorPanel>},
+    {"monitor2", QT_TRANSLATE_NOOP("Panels", "Monitor 2"), PanelArea::Centre, Nowhere,
+     "monitor.md#further-monitors", makeFurther},
+    {"monitor3", QT_TRANSLATE_NOOP("Panels", "Monitor 3"), PanelArea::Centre, Nowhere,
+     "monitor.md#further-monitors", makeFurther},
     {"spectrum", QT_TRANSLATE_NOOP("Panels", "Spectrum"), PanelArea::Centre, in(Perspective::Monitor),
      "monitor.md#spectrum", make<SpectrumPanel>},
     {"xy", QT_TRANSLATE_NOOP("Panels", "XY"), PanelArea::Centre, in(Perspective::Monitor), "monitor.md#xy",

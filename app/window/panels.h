@@ -36,6 +36,9 @@ struct PanelSpec {
     std::function<QWidget*(Workbench&)> make;
 };
 
+/// Monitors beside the first one, closed until the user opens them; a project keeps their plots by this.
+inline constexpr const char* FurtherMonitors[] = {"monitor2", "monitor3"};
+
 /// Every panel there is, in the order in which they are docked.
 std::vector<PanelSpec> panelSpecs();
 

@@ -3,6 +3,7 @@
 #include "app/batch/config_node.h"
 #include "app/batch/output_file.h"
 #include "app/procedures/identify_procedure.h"
+#include "app/window/panels.h"
 #include "app/window/project_monitor.h"
 #include "app/window/project_reader.h"
 #include "app/window/project_recording.h"
@@ -10,7 +11,9 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <sstream>
 
@@ -45,6 +48,11 @@ void readGiven(Reader& reader, const ConfigNode& node, std::map<std::string, dou
     }
 }
 
+bool isFurtherMonitor(const std::string& key) {
+    return std::find(std::begin(FurtherMonitors), std::end(FurtherMonitors), key) !=
+           std::end(FurtherMonitors);
+}
+
 void readKey(Reader& reader, const std::string& key, const ConfigNode& node, Project& project) {
     if (key == "device") {
         reader.text(node, key, project.device);
@@ -64,6 +72,8 @@ void readKey(Reader& reader, const std::string& key, const ConfigNode& node, Pro
         readGiven(reader, node, project.given);
     } else if (key == "monitor") {
         readMonitor(reader, node, project.monitor);
+    } else if (isFurtherMonitor(key)) {
+        readFurtherMonitor(reader, node, project.furtherMonitors[key]);
     } else if (key == "recording") {
         readRecording(reader, node, project.recording);
     } else if (key == "plot") {
@@ -75,8 +85,8 @@ void readKey(Reader& reader, const std::string& key, const ConfigNode& node, Pro
     } else if (key != "schema") {
         reader.refuse(node,
                       fmt::format("unknown key '{}'; known are schema, device, notes, perspective, layout, "
-                                  "monitor, recording, plot, cursors, derived, given, model, design, "
-                                  "calibration",
+                                  "monitor, monitor2, monitor3, recording, plot, cursors, derived, given, "
+                                  "model, design, calibration",
                                   key));
     }
 }
@@ -125,6 +135,9 @@ std::string projectText(const Project& project) {
                       {"model", documents(project.models)},
                       {"design", documents(project.designs)},
                       {"calibration", documents(project.calibrations)}};
+    for (const auto& [panel, view] : project.furtherMonitors) { // likewise
+        table.insert(panel, projectFurtherMonitor(view));
+    }
     if (!project.monitor.derived.empty()) { // an older version does not know the key
         table.insert("derived", projectDerived(project.monitor.derived));
     }

@@ -30,6 +30,7 @@ struct Project {
     std::vector<NamedDocument> calibrations;
     std::map<std::string, double> given; ///< constants of the motor known beforehand: J, c, Kf, phi in SI
     MonitorView monitor;
+    std::map<std::string, MonitorView> furtherMonitors; ///< by panel; those that have plots
     RecordingChoice recording;
 
     bool operator==(const Project&) const = default;

@@ -258,6 +258,21 @@ void readMonitor(ProjectReader& reader, const ConfigNode& node, MonitorView& vie
     }
 }
 
+toml::table projectFurtherMonitor(const MonitorView& view) {
+    toml::table table = projectMonitor(view);
+    table.insert("plot", projectPlots(view.plots));
+    return table;
+}
+
+void readFurtherMonitor(ProjectReader& reader, const ConfigNode& node, MonitorView& view) {
+    ConfigNode rest = node;
+    std::erase_if(rest.members, [](const ConfigNode::Member& member) { return member.first == "plot"; });
+    readMonitor(reader, rest, view);
+    if (const ConfigNode* plots = node.find("plot")) {
+        readPlots(reader, *plots, view.plots);
+    }
+}
+
 toml::array projectDerived(const std::vector<devices::DerivedSignal>& list) {
     toml::array array;
     for (const devices::DerivedSignal& derived : list) {

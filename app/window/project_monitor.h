@@ -13,6 +13,10 @@ namespace halbench::app {
 toml::table projectMonitor(const MonitorView& view);
 void readMonitor(ProjectReader& reader, const ConfigNode& node, MonitorView& view);
 
+/// `[monitor2]` and the like, with their plots.
+toml::table projectFurtherMonitor(const MonitorView& view);
+void readFurtherMonitor(ProjectReader& reader, const ConfigNode& node, MonitorView& view);
+
 /// `[[derived]]`.
 toml::array projectDerived(const std::vector<devices::DerivedSignal>& list);
 void readDerived(ProjectReader& reader, const ConfigNode& node, std::vector<devices::DerivedSignal>& list);

@@ -2,6 +2,7 @@
 
 #include "app/window/dock_layout.h"
 #include "app/window/file_dialogs.h"
+#include "app/window/panels.h"
 #include "app/wizards/calibrate_panel.h"
 #include "app/wizards/frequency_panel.h"
 #include "app/wizards/identify_panel.h"
@@ -27,6 +28,14 @@ Panel* panelOf(DockLayout& docks, const char* id) {
     return qobject_cast<Panel*>(docks.panel(QString::fromLatin1(id)));
 }
 
+/// A moment is the same in every Monitor.
+void shareMarkers(MonitorPanel& first, MonitorPanel& further) {
+    QObject::connect(&first, &MonitorPanel::markersChanged, &further,
+                     [&first, &further] { further.setMarkers(first.markers()); });
+    QObject::connect(&further, &MonitorPanel::markersChanged, &first,
+                     [&first, &further] { first.setMarkers(further.markers()); });
+}
+
 /// The signals at the left and the plots in the middle are of one mind.
 void connectMonitor(DockLayout& docks) {
     auto* monitor = panelOf<MonitorPanel>(docks, "monitor");
@@ -44,6 +53,14 @@ void connectMonitor(DockLayout& docks) {
         devices->connectAddress();
     };
     QObject::connect(monitor, &MonitorPanel::connectRequested, devices, connectMotor);
+    for (const char* id : FurtherMonitors) {
+        auto* further = panelOf<MonitorPanel>(docks, id);
+        ads::CDockWidget* dock = docks.docks().value(QString::fromLatin1(id));
+        QObject::connect(further, &MonitorPanel::connectRequested, devices, connectMotor);
+        QObject::connect(dock, &ads::CDockWidget::viewToggled, further, &MonitorPanel::setInUse);
+        further->setInUse(!dock->isClosed());
+        shareMarkers(*monitor, *further);
+    }
     QObject::connect(panelOf<SpectrumPanel>(docks, "spectrum"), &SpectrumPanel::connectRequested, devices,
                      connectMotor);
     QObject::connect(panelOf<XyPanel>(docks, "xy"), &XyPanel::connectRequested, devices, connectMotor);
@@ -84,6 +101,9 @@ void connectTaskFlow(DockLayout& docks, Workbench& bench) {
     tune->setFileChooser(fileDialogs(bench));
     configuration->setFileChooser(fileDialogs(bench));
     panelOf<MonitorPanel>(docks, "monitor")->setFileChooser(fileDialogs(bench));
+    for (const char* id : FurtherMonitors) {
+        panelOf<MonitorPanel>(docks, id)->setFileChooser(fileDialogs(bench));
+    }
     panelOf<SpectrumPanel>(docks, "spectrum")->setFileChooser(fileDialogs(bench));
     panelOf<XyPanel>(docks, "xy")->setFileChooser(fileDialogs(bench));
     auto* recordings = panelOf<RecordingsPanel>(docks, "recordings");

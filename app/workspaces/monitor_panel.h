@@ -3,6 +3,7 @@
 #include "app/workspaces/file_chooser.h"
 #include "app/workspaces/monitor_view.h"
 #include "app/workspaces/workbench.h"
+#include "widgets/plot_marker.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -12,6 +13,7 @@
 
 class QLabel;
 class QStackedWidget;
+class QToolBar;
 
 namespace halbench::widgets {
 class EmptyState;
@@ -30,13 +32,18 @@ class MonitorRecording;
 class MonitorReference;
 class MonitorTrigger;
 class RecordedMarkers;
+class SignalBox;
 
-/// What the device does, over time, in stacked plots (resources/help/monitor.md, "Plots").
+/// What the device does, over time, in stacked plots (resources/help/monitor.md, "Plots"). A further one
+/// beside the first has plots and a time axis of its own on the same samples; the trigger, the live rate,
+/// derived signals and cursors of a project are the first one's. All have the same markers, once they are
+/// connected to each other; the first one keeps them in recordings.
 class MonitorPanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit MonitorPanel(Workbench& bench, QWidget* parent = nullptr);
+    enum class Rank { First, Further };
+    explicit MonitorPanel(Workbench& bench, QWidget* parent = nullptr, Rank rank = Rank::First);
 
     void setFileChooser(FileChooser chooser);
     MonitorView view() const;
@@ -46,8 +53,13 @@ public:
 
     /// Into the plot of its kind, or out of all plots.
     void plot(const QString& name, bool isPlotted);
+    /// One that is closed asks the device for nothing. The first one always does.
+    void setInUse(bool isInUse);
+    const std::vector<widgets::PlotMarker>& markers() const;
+    void setMarkers(const std::vector<widgets::PlotMarker>& markers);
 
 Q_SIGNALS:
+    void markersChanged();
     void plottedChanged(const std::set<std::string>& names);
     void addSignalsRequested();
     void connectRequested(); ///< of the simulated motor, while there is nothing to watch
@@ -56,7 +68,10 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    bool isFirst() const { return m_rank == Rank::First; }
+    void connectBench();
     QWidget* buildTools();
+    void addBox(QToolBar& bar);
     void connectStack();
     void onDevice();
     void onValues();
@@ -73,16 +88,20 @@ private:
     void refreshWords();
 
     Workbench& m_bench;
+    const Rank m_rank;
+    bool m_isInUse = true;
+    SignalBox* m_box = nullptr; ///< of a further one: the tree is the first one's
+    int m_addTo = -1;           ///< the plot that its choice is for
     QStackedWidget* m_pages = nullptr;
     widgets::EmptyState* m_empty = nullptr;
     widgets::LivePlotStack* m_stack = nullptr;
-    MonitorTrigger* m_trigger = nullptr;
+    MonitorTrigger* m_trigger = nullptr; ///< null in a further one, as the rate
     MonitorPicture* m_picture = nullptr;
     MonitorData* m_data = nullptr;
     MonitorReference* m_reference = nullptr;
     MonitorRate* m_rate = nullptr;
     MonitorRecording* m_recording = nullptr;
-    RecordedMarkers* m_recorded = nullptr;
+    RecordedMarkers* m_recorded = nullptr; ///< null in a further one
     MonitorStatistics* m_statistics = nullptr;
     QLabel* m_stream = nullptr;
     QTimer m_values;    ///< what is said of the stream

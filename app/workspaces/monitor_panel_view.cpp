@@ -31,8 +31,8 @@ void MonitorPanel::showView() {
     const TemperatureBands bands = temperatureBands(catalogue, m_bench.deviceValue("limit.temperature"));
     QStringList missing;
     auto plots = chosenPlots(m_view.plots, catalogue, bands, m_bench.displayUnits(), missing);
-    m_stack->setPlots(plots.empty() ? defaultPlots(catalogue, bands, m_bench.displayUnits())
-                                    : std::move(plots));
+    m_stack->setPlots(plots.empty() && isFirst() ? defaultPlots(catalogue, bands, m_bench.displayUnits())
+                                                 : std::move(plots));
     m_stack->setTimeSpan(m_view.span_s.value_or(DefaultSpan_s));
     m_stack->setFollowing(m_view.isFollowing);
     for (int i = 0; i < static_cast<int>(m_stack->plots().size()); ++i) {
@@ -51,10 +51,12 @@ void MonitorPanel::showView() {
 
 void MonitorPanel::setView(const MonitorView& view) {
     m_view = view;
-    m_bench.setDerivedSignals(view.derived);
-    m_rate->setRate_Hz(view.rate_Hz);
-    m_trigger->setChoice(view.trigger);
-    m_trigger->setLivePairs(cursorPairs(view));
+    if (isFirst()) {
+        m_bench.setDerivedSignals(view.derived);
+        m_rate->setRate_Hz(view.rate_Hz);
+        m_trigger->setChoice(view.trigger);
+        m_trigger->setLivePairs(cursorPairs(view));
+    }
     m_message->clear();
     m_isIncomplete = false;
     if (m_bench.session().state() == SessionState::Connected && !m_device.isEmpty()) {
@@ -67,14 +69,19 @@ void MonitorPanel::setView(const MonitorView& view) {
 
 MonitorView MonitorPanel::view() const {
     MonitorView view = m_device.isEmpty() ? m_view : MonitorView{};
-    view.derived = m_bench.derivedSignals();
-    view.rate_Hz = m_rate->rate_Hz();
-    keepCursors(m_trigger->livePairs(), view);
+    if (isFirst()) {
+        view.derived = m_bench.derivedSignals();
+        view.rate_Hz = m_rate->rate_Hz();
+        keepCursors(m_trigger->livePairs(), view);
+    }
     if (m_device.isEmpty()) {
         return view;
     }
-    view.trigger = m_trigger->choice();
-    view.isFollowing = m_trigger->isOn() ? m_trigger->isFollowingOtherwise() : m_stack->isFollowing();
+    view.isFollowing = m_stack->isFollowing();
+    if (isFirst()) {
+        view.trigger = m_trigger->choice();
+        view.isFollowing = m_trigger->isOn() ? m_trigger->isFollowingOtherwise() : view.isFollowing;
+    }
     view.span_s =
         m_stack->isFollowing() ? std::optional(rounded(m_stack->timeRange().length_s())) : m_view.span_s;
     if (m_isIncomplete) {

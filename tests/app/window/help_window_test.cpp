@@ -60,6 +60,8 @@ constexpr PanelPlace Places[] = {{"devices", "monitor.md", "Devices"},
                                  {"tune", "tuning.md", "In the window"},
                                  {"log", "monitor.md", "Stop, faults, a device that fails"},
                                  {"derived", "monitor.md", "Derived signals"},
+                                 {"monitor2", "monitor.md", "Further monitors"},
+                                 {"monitor3", "monitor.md", "Further monitors"},
                                  {"notes", "projects.md", ""}};
 
 TEST_F(HelpWindowTest, everyPanelsHelpIsTheSameSectionInEveryLanguage) {

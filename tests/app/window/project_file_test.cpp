@@ -22,6 +22,12 @@ Project sample() {
                              {{"speed"}, {}, {}, {}, {}, {}, widgets::OwnTime{2.5, true}},
                              {{"torque"}, {}, {}, {}, {}, {}, widgets::OwnTime{0.1, false}},
                              {{"position"}, {}, {}, {"speed"}, widgets::ValueRange{-2.0, 50.5}, "r/min"}};
+    project.monitor.plots[3].column = 1;
+    project.monitor.rate_Hz = 5000.0;
+    MonitorView& further = project.furtherMonitors["monitor2"];
+    further.plots = {{{"hall.a"}, {}, {}}, {{"speed"}, {}, {}}};
+    further.plots[1].column = 1;
+    further.span_s = 4.0;
     project.monitor.isFollowing = false;
     project.monitor.span_s = 2.5;
     project.monitor.trigger = {
@@ -94,6 +100,9 @@ TEST(ProjectFile, aPlotThatMakesNoSenseIsRefusedWithItsLine) {
                               "[[plot]]\nright_min = 1.0\n",
                               "[[derived]]\nformula = \"x\"\n",
                               "monitor = 3\n",
+                              "monitor2 = 3\n",
+                              "[monitor3]\nedge = 1\n",
+                              "[monitor2]\nplot = 3\n",
                               "plot = [3]\n",
                               "recording = 1\n",
                               "[recording]\nbefore_s = 301\n",

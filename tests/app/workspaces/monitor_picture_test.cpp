@@ -58,6 +58,18 @@ TEST_F(MonitorPictureTest, aRightAxisIsInThePictureWithItsUnit) {
     EXPECT_FALSE(figure.panels[0].right);
 }
 
+TEST_F(MonitorPictureTest, plotsOfAllColumnsAreInThePictureOverOneTimeAxis) {
+    stack().setPaused(true);
+    ASSERT_TRUE(stack().movePlot(1, 1));
+    ASSERT_TRUE(stack().movePlot(1, 1));
+    stack().refresh();
+    const widgets::Figure figure = monitorFigure(stack(), bench().history());
+    ASSERT_EQ(figure.panels.size(), stack().plots().size());
+    for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+        EXPECT_EQ(figure.panels[i].y.quantity, stack().plots()[i].quantity.toStdString());
+    }
+}
+
 TEST_F(MonitorPictureTest, theReferenceIsInThePictureDottedInItsCurvesColour) {
     stack().setPaused(true);
     stack().keepReference();
