@@ -11336,6 +11336,17 @@ Im Monitor ändern &lt; und &gt; sie. Ein wirkliches Gerät hat seine eigene Zei
     </message>
 </context>
 <context>
+    <name>halbench::app::RecordingPlace</name>
+    <message>
+        <source>recordings</source>
+        <translation>Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>The folder of the last recording, %1, is not there; recordings go to %2.</source>
+        <translation>Der Ordner der letzten Aufzeichnung, %1, ist nicht da; Aufzeichnungen gehen nach %2.</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::RecordingTidying</name>
     <message>
         <source>recordings</source>

@@ -11325,6 +11325,17 @@ In the Monitor &lt; and &gt; change it. A real device has its own time.</source>
     </message>
 </context>
 <context>
+    <name>halbench::app::RecordingPlace</name>
+    <message>
+        <source>recordings</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>The folder of the last recording, %1, is not there; recordings go to %2.</source>
+        <translation>上次记录的文件夹 %1 不存在；记录将保存到 %2。</translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::RecordingTidying</name>
     <message>
         <source>recordings</source>

@@ -8,6 +8,7 @@
 #include "app/window/preferences_dialog.h"
 #include "app/window/project_menu.h"
 #include "app/window/project_work.h"
+#include "app/window/recording_place.h"
 #include "app/window/recording_tidying.h"
 #include "app/window/return_key.h"
 #include "app/window/stop_guard.h"
@@ -73,6 +74,8 @@ std::shared_ptr<devices::PageFile> historyPagesOf(int limit_GB) {
 MainWindow::MainWindow(Preferences preferences)
     : m_preferences(std::move(preferences)), m_historyPages(historyPagesOf(m_preferences.historyLimit_GB)) {
     m_bench.setHistoryPages(m_historyPages);
+    auto* place = new RecordingPlace(m_bench, this); // before the panels, which show it
+    connect(this, &MainWindow::furnished, place, &RecordingPlace::tell);
     new widgets::WheelGuard(this); // before the fields
     buildCentre();
     createMenus();

@@ -18,6 +18,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace halbench::app {
 
@@ -87,7 +88,9 @@ void RecordPanel::buildTarget(QVBoxLayout& column) {
     for (const int rate_Hz : Rates_Hz) {
         m_rate->addItem(tr("%1 Hz").arg(rate_Hz), rate_Hz);
     }
-    m_rate->setCurrentIndex(DefaultRate);
+    const int kept = m_rate->findData(static_cast<int>(std::lround(m_bench.recording().rate_Hz())));
+    m_rate->setCurrentIndex(kept >= 0 ? kept : DefaultRate);
+    m_bench.recording().setRate_Hz(m_rate->currentData().toDouble()); // what is shown is what is recorded
     rows->addRow(tr("Folder"), m_folder);
     rows->addRow(tr("Name"), m_name);
     rows->addRow(tr("Rows"), m_rate);

@@ -1,13 +1,13 @@
 #include "app/workspaces/recording_control.h"
 
 #include "app/batch/name_reservation.h"
+#include "app/workspaces/recording_folders.h"
 #include "widgets/display_units.h"
 #include "widgets/phrasebook.h"
 
 #include <QDir>
 #include <QFileInfo>
 #include <QPointer>
-#include <QStandardPaths>
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +20,6 @@ namespace {
 constexpr double UsualRate_Hz = 100.0; ///< is lowered to what the device has, unasked
 constexpr int RateDigits = 6;
 constexpr int LookPeriod_ms = 100;
-
-QString defaultFolder() {
-    return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + QStringLiteral("/Halbench");
-}
 
 /// Rows as wished, or as dense as the stream can: a whole number of its rows apart.
 double periodFor(double rate_Hz, double stream_Hz) {
@@ -62,7 +58,7 @@ private:
 } // namespace
 
 RecordingControl::RecordingControl(DeviceSession& session, LiveSignals& liveSignals, QObject* parent)
-    : QObject(parent), m_session(session), m_liveSignals(liveSignals), m_folder(defaultFolder()) {
+    : QObject(parent), m_session(session), m_liveSignals(liveSignals), m_folder(defaultRecordingFolder()) {
     m_look.setInterval(LookPeriod_ms);
     connect(&m_look, &QTimer::timeout, this, &RecordingControl::look);
     connect(&m_session, &DeviceSession::stateChanged, this, &RecordingControl::onSession);

@@ -65,6 +65,7 @@ private:
     void refresh();
     void take(Folder folder);
     void recoverAll();
+    void recoverElsewhere();
     void recover(const QString& path);
     void onSelection();
     void refreshActions();

@@ -1,5 +1,6 @@
 // Files in the panel of the recordings: tables of other programs, and what an interrupted program left.
 #include "app/workspaces/import_view.h"
+#include "app/workspaces/recording_folders.h"
 #include "app/workspaces/recordings_panel.h"
 #include "app/workspaces/shown_recording.h"
 #include "app/workspaces/table_import.h"
@@ -74,6 +75,21 @@ void RecordingsPanel::recoverAll() {
             recover(m_model.entry(row).path);
         }
     }
+    recoverElsewhere();
+}
+
+/// The recordings of before may lie where they go as long as nobody chooses, of an earlier start.
+void RecordingsPanel::recoverElsewhere() {
+    const QString folder = defaultRecordingFolder();
+    if (QDir(folder).absolutePath() == QDir(m_bench.recording().folder()).absolutePath()) {
+        return;
+    }
+    m_files.run([folder] { return Result<QStringList>(interruptedIn(folder)); },
+                [this](const Result<QStringList>& found) {
+                    for (const QString& path : *found) {
+                        recover(path);
+                    }
+                });
 }
 
 void RecordingsPanel::recover(const QString& path) {

@@ -1,4 +1,5 @@
 #include "app/workspaces/drive_control.h"
+#include "app/workspaces/recording_folders.h"
 #include "app/workspaces/recordings_panel.h"
 #include "app/workspaces/recordings_table_model.h"
 #include "app/workspaces/run_overlay.h"
@@ -12,6 +13,7 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QDir>
 #include <QFile>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -72,6 +74,31 @@ protected:
     QTemporaryDir folder;
     std::unique_ptr<RecordingsPanel> panel;
 };
+
+TEST_F(RecordingsPanelTest, whatWasInterruptedIsFoundInTheDefaultFolderTooAndItIsSaidWhere) {
+    const QByteArray before = qgetenv("HOME");
+    QTemporaryDir home;
+    qputenv("HOME", home.path().toUtf8());
+    ASSERT_TRUE(defaultRecordingFolder().startsWith(home.path())) << defaultRecordingFolder().toStdString();
+    const QString elsewhere = QDir(defaultRecordingFolder()).filePath("lost.csv");
+    ASSERT_TRUE(QDir().mkpath(defaultRecordingFolder()));
+    for (const QString& path : {elsewhere, folder.filePath("here.csv")}) {
+        const auto layout = std::make_shared<const StreamLayout>(StreamLayout{{{"position", "rad"}}, 0.01});
+        auto writer = devices::RecordingWriter::create(path.toStdString(), *layout, {});
+        ASSERT_TRUE(writer);
+        ASSERT_TRUE((*writer)->append({layout, {0.0, 0.01, 0.02}, {1.0, 2.0, 3.0}, 0.0, 0}));
+    } // as a killed program leaves it
+    QStringList said;
+    QObject::connect(&session(), &DeviceSession::message, &session(),
+                     [&](MessageLevel, const QString&, const QString& text) { said << text; });
+    open();
+    ASSERT_TRUE(wait([&] { return said.size() == 2; }));
+    EXPECT_TRUE(QFile::exists(elsewhere));
+    EXPECT_TRUE(QFile::exists(folder.filePath("here.csv")));
+    EXPECT_EQ(said.filter(QDir(elsewhere).path()).size(), 1) << "it is said from where";
+    EXPECT_TRUE(interruptedIn(defaultRecordingFolder()).isEmpty());
+    qputenv("HOME", before);
+}
 
 TEST_F(RecordingsPanelTest, findsARecordingByItsWords) {
     write("cold", 1.0);
