@@ -72,6 +72,18 @@ TEST_F(FurtherMonitorsTest, areInTheProjectWithTheirPlaceAndPlots) {
     EXPECT_EQ(monitor("monitor3").view().plots, view.plots);
 }
 
+TEST_F(FurtherMonitorsTest, haveTheMarkersOfEachOther) {
+    open();
+    connectMotor(1.0);
+    dock("monitor2").toggleView(true);
+    plots("monitor").setMarkers({{0.25, QStringLiteral("here")}});
+    EXPECT_EQ(plots("monitor2").markers(), plots("monitor").markers());
+    plots("monitor2").setMarkers({{0.25, QStringLiteral("here")}, {0.5, QStringLiteral("there")}});
+    EXPECT_EQ(plots("monitor").markers(), plots("monitor2").markers());
+    EXPECT_EQ(plots("monitor3").markers(), plots("monitor2").markers()) << "also while it is closed";
+    EXPECT_EQ(plots("monitor").markers().size(), 2U);
+}
+
 TEST_F(FurtherMonitorsTest, resetOfTheArrangementClosesThem) {
     open();
     dock("monitor2").toggleView(true);
