@@ -83,6 +83,14 @@
         <source>Relay experiment</source>
         <translation>Relaisversuch</translation>
     </message>
+    <message>
+        <source>Monitor 2</source>
+        <translation>Monitor 2</translation>
+    </message>
+    <message>
+        <source>Monitor 3</source>
+        <translation>Monitor 3</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -5883,10 +5891,6 @@
         <translation>länger warten (--wait; wait_s eines Schritts) oder einen anderen Trigger wählen</translation>
     </message>
     <message>
-        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, recording, plot, cursors, derived, given, model, design, calibration</source>
-        <translation>unbekannter Schlüssel &apos;{}&apos;; bekannt sind schema, device, notes, perspective, layout, monitor, recording, plot, cursors, derived, given, model, design, calibration</translation>
-    </message>
-    <message>
         <source>holds its position</source>
         <translation>hält die Lage</translation>
     </message>
@@ -6257,6 +6261,10 @@
     <message>
         <source>only recordings with their sidecar keep markers that are changed later</source>
         <translation>nur Aufzeichnungen mit ihrer Begleitdatei behalten später geänderte Marken</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, monitor2, monitor3, recording, plot, cursors, derived, given, model, design, calibration</source>
+        <translation>unbekannter Schlüssel „{}“; bekannt sind schema, device, notes, perspective, layout, monitor, monitor2, monitor3, recording, plot, cursors, derived, given, model, design, calibration</translation>
     </message>
 </context>
 <context>
@@ -10108,6 +10116,14 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
     <message>
         <source>The markers are not kept: %1</source>
         <translation>Die Marken werden nicht behalten: %1</translation>
+    </message>
+    <message>
+        <source>Signal to plot</source>
+        <translation>Zu zeichnendes Signal</translation>
+    </message>
+    <message>
+        <source>Plots the signal that is chosen (Insert)</source>
+        <translation>Zeichnet das gewählte Signal (Einfg)</translation>
     </message>
 </context>
 <context>

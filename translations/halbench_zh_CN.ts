@@ -83,6 +83,14 @@
         <source>Relay experiment</source>
         <translation>继电实验</translation>
     </message>
+    <message>
+        <source>Monitor 2</source>
+        <translation>监视 2</translation>
+    </message>
+    <message>
+        <source>Monitor 3</source>
+        <translation>监视 3</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -5883,10 +5891,6 @@
         <translation>等待更久（--wait；步骤的 wait_s），或选择其他触发</translation>
     </message>
     <message>
-        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, recording, plot, cursors, derived, given, model, design, calibration</source>
-        <translation>未知的键 &apos;{}&apos;；已知的有 schema、device、notes、perspective、layout、monitor、recording、plot、cursors、derived、given、model、design、calibration</translation>
-    </message>
-    <message>
         <source>holds its position</source>
         <translation>保持位置</translation>
     </message>
@@ -6257,6 +6261,10 @@
     <message>
         <source>only recordings with their sidecar keep markers that are changed later</source>
         <translation>只有带附属文件的记录才能保存之后更改的标记</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, monitor2, monitor3, recording, plot, cursors, derived, given, model, design, calibration</source>
+        <translation>未知的键“{}”；已知的有 schema、device、notes、perspective、layout、monitor、monitor2、monitor3、recording、plot、cursors、derived、given、model、design、calibration</translation>
     </message>
 </context>
 <context>
@@ -10102,6 +10110,14 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
     <message>
         <source>The markers are not kept: %1</source>
         <translation>标记未被保存：%1</translation>
+    </message>
+    <message>
+        <source>Signal to plot</source>
+        <translation>要绘出的信号</translation>
+    </message>
+    <message>
+        <source>Plots the signal that is chosen (Insert)</source>
+        <translation>绘出所选的信号（Insert）</translation>
     </message>
 </context>
 <context>
