@@ -63,7 +63,9 @@ TEST_F(MonitorPictureTest, plotsOfAllColumnsAreInThePictureOverOneTimeAxis) {
     ASSERT_TRUE(stack().movePlot(1, 1));
     ASSERT_TRUE(stack().movePlot(1, 1));
     stack().refresh();
-    const widgets::Figure figure = monitorFigure(stack(), bench().history());
+    const std::vector<widgets::PictureSheet> sheets = monitorSheets(stack(), bench().history());
+    ASSERT_EQ(sheets.size(), 1U);
+    const widgets::Figure& figure = sheets.front().figure;
     ASSERT_EQ(figure.panels.size(), stack().plots().size());
     for (std::size_t i = 0; i < figure.panels.size(); ++i) {
         EXPECT_EQ(figure.panels[i].y.quantity, stack().plots()[i].quantity.toStdString());
