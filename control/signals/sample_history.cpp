@@ -70,10 +70,21 @@ void SampleHistory::append(const SampleBlock& block) {
 }
 
 SampleHistory::Stream& SampleHistory::streamFor(const SampleBlock& block, bool& isRestart) {
+    // Where another stream had its signals in between, rows that go on in an older one would stand before
+    // those.
+    const auto isNewest = [this](std::size_t number, const StreamLayout& layout) {
+        return std::all_of(layout.columns.begin(), layout.columns.end(), [&](const auto& column) {
+            const auto places = m_places.find(column.name);
+            return places == m_places.end() || places->second.empty() ||
+                   places->second.back().stream == number;
+        });
+    };
     for (auto it = m_streams.rbegin(); it != m_streams.rend(); ++it) {
         Stream& stream = it->second;
         const bool isLast = it == m_streams.rbegin();
-        if (stream.layout == block.layout || (isLast && isSameStream(*stream.layout, *block.layout))) {
+        const bool isSame =
+            stream.layout == block.layout || (isLast && isSameStream(*stream.layout, *block.layout));
+        if (isSame && isNewest(it->first, *stream.layout)) {
             const double newest_s = stream.track.time_s(stream.track.endRow() - 1) - stream.offset_s;
             isRestart = stream.layout != block.layout || block.time_s.front() <= newest_s;
             stream.layout = block.layout;

@@ -11,6 +11,7 @@ namespace {
 
 const double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t Large = std::size_t{1} << 30;
+constexpr double Period_s = 1e-3;
 
 double ramp(std::size_t row, std::size_t column) {
     return static_cast<double>(row) + 1000.0 * static_cast<double>(column);
@@ -169,6 +170,41 @@ TEST(SampleHistory, aSignalGoesOnInAStreamWithOtherSignalsAndAnotherRate) {
         gaps += column.isAfterGap ? 1 : 0;
     }
     EXPECT_EQ(gaps, 2);
+}
+
+// As when a derived signal comes and goes: the device keeps its layout, another one was there in between.
+TEST(SampleHistory, aSignalStaysInOrderWhenItsFirstStreamComesBack) {
+    SampleHistory history(Large);
+    const auto alone = layoutOf({"a"}, Period_s);
+    const auto together = layoutOf({"a", "b"}, Period_s);
+    const auto row = [](std::size_t r, std::size_t) { return static_cast<double>(r); };
+    history.append(blockOf(alone, 0, 100, row));
+    history.append(blockOf(together, 100, 100, row));
+    history.append(blockOf(alone, 200, 100, row));
+    history.append(blockOf(alone, 300, 100, row));
+    EXPECT_EQ(history.latest("a")->value, 399.0);
+    EXPECT_EQ(history.range("a")->end_s, 399.0 * Period_s);
+    std::vector<TimedValue> samples;
+    history.samples("a", {0.0, 1e3}, samples);
+    ASSERT_EQ(samples.size(), 400U);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        ASSERT_EQ(samples[i].value, static_cast<double>(i));
+    }
+}
+
+// Two events that take turns are two streams and stay two.
+TEST(SampleHistory, streamsOfOtherSignalsTakeTurns) {
+    SampleHistory history(Large);
+    const auto fast = layoutOf({"a"}, Period_s);
+    const auto slow = layoutOf({"b"}, 10.0 * Period_s);
+    const auto one = [](std::size_t, std::size_t) { return 1.0; };
+    for (std::size_t turn = 0; turn < 10; ++turn) {
+        history.append(blockOf(fast, 100 * turn, 100, one));
+        history.append(blockOf(slow, 10 * turn, 10, one));
+    }
+    const SampleStatistics statistics = history.statistics("a", {0.0, 1e3});
+    EXPECT_EQ(statistics.moments.count(), 1000U);
+    EXPECT_EQ(statistics.gaps, 0U);
 }
 
 TEST(SampleHistory, memoryIsFlatOnceTheBudgetIsFull) {
