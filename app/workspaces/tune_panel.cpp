@@ -23,6 +23,7 @@
 #include <QScrollArea>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace halbench::app {
@@ -91,8 +92,8 @@ void TunePanel::connectParts() {
     connect(m_inSteps, &QCheckBox::toggled, this, &TunePanel::refreshOutlook);
     connect(m_keep, &QPushButton::clicked, this, &TunePanel::keep);
     connect(m_restore, &QPushButton::clicked, this, &TunePanel::restore);
-    connect(m_save, &QPushButton::clicked, this, &TunePanel::saveGains);
-    connect(m_open, &QPushButton::clicked, this, &TunePanel::openGains);
+    connect(m_save, &QToolButton::clicked, this, &TunePanel::saveGains);
+    connect(m_open, &QToolButton::clicked, this, &TunePanel::openGains);
     connect(m_measure, &QPushButton::clicked, this, &TunePanel::chooseMeasured);
     connectWhatIf();
     m_decision.setSingleShot(true);

@@ -29,6 +29,7 @@ class QPushButton;
 class QScrollArea;
 class QSplitter;
 class QStackedWidget;
+class QToolButton;
 
 namespace halbench::widgets {
 struct Figure;
@@ -258,8 +259,8 @@ private:
     QPushButton* m_apply = nullptr;
     QPushButton* m_keep = nullptr;
     QPushButton* m_restore = nullptr;
-    QPushButton* m_save = nullptr;
-    QPushButton* m_open = nullptr;
+    QToolButton* m_save = nullptr;
+    QToolButton* m_open = nullptr;
     QPushButton* m_measure = nullptr;
     WhatIfPage* m_whatIfPage = nullptr;
     widgets::ProgressRow* m_progress = nullptr;

@@ -24,6 +24,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -40,7 +41,7 @@ QScrollArea* scrolled(QWidget* page) {
     return scroll;
 }
 
-void say(QPushButton& button, const QString& text, const QString& help) {
+void say(QAbstractButton& button, const QString& text, const QString& help) {
     button.setText(text);
     button.setToolTip(help);
     button.setAccessibleName(text);
@@ -95,8 +96,8 @@ QWidget* TunePanel::buildButtons() {
     m_apply = new QPushButton(bar);
     m_keep = new QPushButton(bar);
     m_restore = new QPushButton(bar);
-    m_save = new QPushButton(bar);
-    m_open = new QPushButton(bar);
+    m_save = new QToolButton(bar); // icons: the words of three do not fit the settings' width
+    m_open = new QToolButton(bar);
     widgets::setRole(*m_apply, widgets::Role::Primary);
     m_restore->setIcon(widgets::themedIcon(QStringLiteral("revert")));
     m_save->setIcon(widgets::themedIcon(QStringLiteral("save")));
@@ -105,7 +106,7 @@ QWidget* TunePanel::buildButtons() {
     grid->addWidget(m_save, 0, 1);
     grid->addWidget(m_open, 0, 2);
     grid->addWidget(m_keep, 1, 0);
-    grid->addWidget(m_restore, 1, 1);
+    grid->addWidget(m_restore, 1, 1, 1, 3, Qt::AlignLeft);
     grid->setColumnStretch(3, 1);
     m_save->hide();
     m_open->hide();

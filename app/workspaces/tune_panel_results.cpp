@@ -23,6 +23,7 @@
 
 #include <QPointer>
 #include <QPushButton>
+#include <QToolButton>
 
 #include <algorithm>
 #include <utility>
