@@ -14,6 +14,7 @@ namespace halbench::widgets {
 namespace {
 
 constexpr int CellPadding = 8;
+constexpr int NameLetters = 9;   ///< of a name at least, where the live value can make room for it
 constexpr int MostRowsBelow = 4; ///< of a legend below its plot; further ones are scrolled to
 
 } // namespace
@@ -79,9 +80,15 @@ void LiveLegend::setWidths(const Widths& widths, int total_px) {
     int rest = total_px - 2 * frameWidth();
     rest -= verticalScrollBar()->isVisible() ? verticalScrollBar()->width() : 0;
     for (int column = LegendTableModel::Value; column < LegendTableModel::Columns; ++column) {
+        const bool isCounted = column == LegendTableModel::Value || !isColumnHidden(column);
         setColumnWidth(column, widths[static_cast<std::size_t>(column)]);
-        rest -= isColumnHidden(column) ? 0 : widths[static_cast<std::size_t>(column)];
+        rest -= isCounted ? widths[static_cast<std::size_t>(column)] : 0;
     }
+    // Beside the values at both cursors in a narrow column, the live one goes before the names do.
+    const bool isNowHidden = m_isBelow && !isColumnHidden(LegendTableModel::AtA) &&
+                             rest < NameLetters * fontMetrics().averageCharWidth();
+    rest += isNowHidden ? widths[LegendTableModel::Value] : 0;
+    setColumnHidden(LegendTableModel::Value, isNowHidden);
     setColumnWidth(LegendTableModel::Name, std::max(rest, 0));
     setMinimumWidth(m_isBelow ? 0 : total_px);
     setMaximumWidth(m_isBelow ? QWIDGETSIZE_MAX : total_px);

@@ -18,10 +18,10 @@ struct Tool {
     const char* icon;
     bool hasText = false;
 };
-constexpr Tool Tools[] = {{Command::Pause, "pause", true}, {Command::Follow, "follow", true},
-                          {Command::Fit, "fit"},           {Command::ShowAll, "zoom"},
-                          {Command::ZoomBack, "undo"},     {Command::Cursors, "cursor"},
-                          {Command::Marker, "note"},       {Command::AddSignals, "add"}};
+constexpr Tool Tools[] = {{Command::Pause, "pause"},   {Command::Follow, "follow", true},
+                          {Command::Fit, "fit"},       {Command::ShowAll, "zoom"},
+                          {Command::ZoomBack, "undo"}, {Command::Cursors, "cursor"},
+                          {Command::Marker, "note"},   {Command::AddSignals, "add"}};
 
 } // namespace
 

@@ -117,11 +117,17 @@ TEST_F(PlotColumnsTest, aLegendThatWouldTakeThePlotsWidthStandsBelowIt) {
     const int name_px = legendOf(shown(spec(4).quantity))->columnWidth(LegendTableModel::Name);
     EXPECT_GT(name_px, 100) << "names are whole";
     stack.setCursorsVisible(true);
+    stack.resize(560, 900); // with the cursors' columns there is no room for a name
     for (int i = 0; i < 3; ++i) {
         frame();
     }
     EXPECT_GT(moved->canvasRect().width(), 0.6 * moved->width());
+    const LiveLegend* narrow = legendOf(shown(spec(4).quantity));
+    EXPECT_TRUE(narrow->isColumnHidden(LegendTableModel::Value)) << "the values at the cursors are asked for";
+    EXPECT_GT(narrow->columnWidth(LegendTableModel::Name), 40) << "names can be told apart";
     stack.setCursorsVisible(false);
+    frame();
+    EXPECT_FALSE(narrow->isColumnHidden(LegendTableModel::Value));
     stack.resize(1900, 900);
     for (int i = 0; i < 3; ++i) {
         frame();
