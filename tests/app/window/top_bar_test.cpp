@@ -286,10 +286,11 @@ TEST_F(TopBarTest, theSpeedOfSimulatedTimeIsBesideTheStartOfAProcedureToo) {
     EXPECT_TRUE(beside->isHidden()); // a real device has its own time
     connectMotor(1.0);
     EXPECT_FALSE(beside->isHidden());
-    beside->findChild<QComboBox*>()->setCurrentIndex(2);
+    auto* speeds = beside->findChild<QComboBox*>();
+    speeds->setCurrentIndex(speeds->findData(20.0));
     EXPECT_EQ(session().pace().speed_ratio, 20.0);
     auto* devices = window->docks().panel("devices")->findChild<PaceRow*>()->findChild<QComboBox*>();
-    EXPECT_EQ(devices->currentIndex(), 2);
+    EXPECT_EQ(devices->currentIndex(), speeds->currentIndex());
 }
 
 } // namespace
