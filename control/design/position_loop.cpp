@@ -2,6 +2,7 @@
 
 #include "control/base/assert.h"
 #include "control/design/board_gains.h"
+#include "control/design/gain_limit.h"
 #include "control/design/held_rotor.h"
 
 #include <fmt/format.h>
@@ -155,15 +156,8 @@ double poleRadius(const TransferFunction& openLoop) {
     return radius;
 }
 
-double proportionalLimit_A_per_rad(const PositionPlant& plant, const LoopTiming& timing,
-                                   double derivative_A_s_per_rad) {
-    const auto isStableAt = [&](double proportional) {
-        PidGains gains;
-        gains.proportional = proportional;
-        gains.derivative = derivative_A_s_per_rad;
-        const auto loop = sampledOpenLoop(plant, gains, timing);
-        return loop.has_value() && poleRadius(*loop) < 1.0;
-    };
+double largestStableGain(const PositionPlant& plant, const LoopTiming& timing,
+                         const std::function<bool(double)>& isStableAt) {
     // 1/(k T^2) turns the rotor by one radian per sample and radian: far beyond any stable gain.
     const double scale = 1.0 / (plant.accelerationGain_rad_s2_A * timing.period_s * timing.period_s);
     double stable = 1e-6 * scale;
@@ -180,6 +174,18 @@ double proportionalLimit_A_per_rad(const PositionPlant& plant, const LoopTiming&
         (isStableAt(middle) ? stable : unstable) = middle;
     }
     return stable;
+}
+
+double proportionalLimit_A_per_rad(const PositionPlant& plant, const LoopTiming& timing,
+                                   double derivative_A_s_per_rad) {
+    const auto isStableAt = [&](double proportional) {
+        PidGains gains;
+        gains.proportional = proportional;
+        gains.derivative = derivative_A_s_per_rad;
+        const auto loop = sampledOpenLoop(plant, gains, timing);
+        return loop.has_value() && poleRadius(*loop) < 1.0;
+    };
+    return largestStableGain(plant, timing, isStableAt);
 }
 
 double frictionBand_rad(double breakaway_A, double proportional_A_per_rad, double assist_A,

@@ -1,6 +1,7 @@
 #include "control/design/robustness.h"
 
 #include "control/base/assert.h"
+#include "control/design/drawn_verdicts.h"
 #include "control/design/loop_batch.h"
 #include "control/design/percentiles.h"
 
@@ -53,12 +54,6 @@ Result<void> check(const UncertainPlant& plant, int draws) {
     return {};
 }
 
-struct Draw {
-    bool isStable = false;
-    StabilityMargins margins;
-};
-
-/// What a loop beyond the limit must not count with: it may cross with margins that look fine.
 StabilityMargins ofUnstable(StabilityMargins margins) {
     margins.gainMargin_ratio = std::min(margins.gainMargin_ratio, 1.0);
     margins.phaseMargin_deg = std::min(margins.phaseMargin_deg, 0.0);
@@ -68,9 +63,9 @@ StabilityMargins ofUnstable(StabilityMargins margins) {
 }
 
 /// Each draw on its own loop, all of them together. One that is no motor, or a law that is none, has nothing.
-std::vector<Draw> judge(const std::vector<PositionPlant>& plants, const PidGains& gains,
-                        const LoopTiming& timing) {
-    std::vector<Draw> judged(plants.size(), {false, ofUnstable({0.0, 0.0, {}, {}, 0.0, 0.0})});
+std::vector<DrawnVerdict> judge(const std::vector<PositionPlant>& plants, const PidGains& gains,
+                                const LoopTiming& timing) {
+    std::vector<DrawnVerdict> judged(plants.size(), noMotor());
     const auto batch = LoopBatch::make(plants, gains, timing);
     if (!batch) {
         return judged;
@@ -78,14 +73,13 @@ std::vector<Draw> judge(const std::vector<PositionPlant>& plants, const PidGains
     const std::vector<BatchVerdict> verdicts = judgeBatch(*batch);
     for (std::size_t lane = 0; lane < verdicts.size(); ++lane) {
         const BatchVerdict& verdict = verdicts[lane];
-        judged[batch->plantOfLane()[lane]] = {
-            verdict.isStable, verdict.isStable ? verdict.margins : ofUnstable(verdict.margins)};
+        judged[batch->plantOfLane()[lane]] = drawnVerdict(verdict.isStable, verdict.margins);
     }
     return judged;
 }
 
 template <typename Figure>
-Robustness::Interval spreadOfDraws(const std::vector<Draw>& draws, Figure figure) {
+Robustness::Interval spreadOfDraws(const std::vector<DrawnVerdict>& draws, Figure figure) {
     Eigen::ArrayXd values(static_cast<Eigen::Index>(draws.size()));
     for (std::size_t i = 0; i < draws.size(); ++i) {
         values[static_cast<Eigen::Index>(i)] = figure(draws[i]);
@@ -95,21 +89,35 @@ Robustness::Interval spreadOfDraws(const std::vector<Draw>& draws, Figure figure
 }
 
 template <typename Figure>
-Robustness::Interval spread(const std::vector<Draw>& draws, Figure figure) {
-    return spreadOfDraws(draws, [&figure](const Draw& draw) { return figure(draw.margins); });
+Robustness::Interval spread(const std::vector<DrawnVerdict>& draws, Figure figure) {
+    return spreadOfDraws(draws, [&figure](const DrawnVerdict& draw) { return figure(draw.margins); });
 }
 
-double eitherWay_ratio(const Draw& draw) {
+double eitherWay_ratio(const DrawnVerdict& draw) {
     const double ratio = draw.margins.gainMargin_ratio;
     return draw.isStable && ratio > 0.0 ? std::max(ratio, 1.0 / ratio) : std::min(ratio, 1.0);
 }
 
-Robustness summary(const std::vector<Draw>& draws, bool isUncertain) {
+} // namespace
+
+DrawnVerdict drawnVerdict(bool isStable, const StabilityMargins& margins) {
+    return {isStable, isStable ? margins : ofUnstable(margins)};
+}
+
+DrawnVerdict noMotor() {
+    return {false, ofUnstable({0.0, 0.0, {}, {}, 0.0, 0.0})};
+}
+
+bool isUncertain(const UncertainPlant& plant) {
+    return plant.covariance.size() > 0 && plant.covariance.diagonal().maxCoeff() > 0.0;
+}
+
+Robustness robustnessOf(const std::vector<DrawnVerdict>& draws, bool isUncertain) {
     const auto gain = spread(draws, [](const StabilityMargins& m) { return m.gainMargin_ratio; });
     const auto phase = spread(draws, [](const StabilityMargins& m) { return m.phaseMargin_deg; });
     const auto count = static_cast<double>(draws.size());
     const auto unstable =
-        std::count_if(draws.begin(), draws.end(), [](const Draw& draw) { return !draw.isStable; });
+        std::count_if(draws.begin(), draws.end(), [](const DrawnVerdict& draw) { return !draw.isStable; });
     Robustness robust{static_cast<int>(draws.size()), gain.p5, phase.p5,
                       static_cast<double>(unstable) / count};
     robust.gainMarginEitherWay_ratio_p5 = spreadOfDraws(draws, eitherWay_ratio).p5;
@@ -121,14 +129,12 @@ Robustness summary(const std::vector<Draw>& draws, bool isUncertain) {
     robust.delayMargin_s = spread(draws, [](const StabilityMargins& m) { return m.delayMargin_s; });
     robust.modulusMargin = spread(draws, [](const StabilityMargins& m) { return m.modulusMargin; });
     if (std::all_of(draws.begin(), draws.end(),
-                    [](const Draw& draw) { return draw.margins.gainCrossover_rad_s.has_value(); })) {
+                    [](const DrawnVerdict& draw) { return draw.margins.gainCrossover_rad_s.has_value(); })) {
         robust.gainCrossover_rad_s =
             spread(draws, [](const StabilityMargins& m) { return *m.gainCrossover_rad_s; });
     }
     return robust;
 }
-
-} // namespace
 
 Result<std::vector<PositionPlant>> drawPlants(const UncertainPlant& plant, int draws, Random random) {
     HB_ASSERT(plant.toPlant != nullptr);
@@ -162,8 +168,7 @@ Result<Robustness> assessRobustness(const UncertainPlant& plant, const PidGains&
     if (!plants) {
         return failure(plants.error());
     }
-    return summary(judge(*plants, gains, timing),
-                   plant.covariance.size() > 0 && plant.covariance.diagonal().maxCoeff() > 0.0);
+    return robustnessOf(judge(*plants, gains, timing), isUncertain(plant));
 }
 
 } // namespace halbench::control

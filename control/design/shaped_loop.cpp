@@ -1,0 +1,160 @@
+#include "control/design/shaped_loop.h"
+
+#include "control/design/drawn_verdicts.h"
+#include "control/design/gain_limit.h"
+#include "control/design/riccati.h"
+#include "control/lti/state_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace halbench::control {
+
+namespace {
+
+/// The law's parts as states of their own: one polynomial would put all slow roots into one row.
+Result<StateSpace> controllerStates(const ShapedLaw& law, const LoopTiming& timing) {
+    ShapedLaw bare = law;
+    bare.filters.clear();
+    const auto controller = shapedController(bare, timing.period_s);
+    if (!controller) {
+        return failure(controller.error());
+    }
+    const auto delayed = series(*controller, TransferFunction::delay(timing.delay_samples, timing.period_s));
+    if (!delayed) {
+        return failure(delayed.error());
+    }
+    Result<StateSpace> states = toStateSpace(*delayed);
+    for (const LoopFilter& filter : law.filters) {
+        const auto sampled = sampledFilter(filter, timing.period_s);
+        if (!sampled) {
+            return failure(sampled.error());
+        }
+        states = states ? series(*states, toStateSpace(*sampled)) : states;
+    }
+    return states;
+}
+
+/// H2 norm of C F z^-d/(1 + L), from the measured angle to the current, of a stable loop.
+Result<double> noiseGain(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing) {
+    const auto controller = controllerStates(law, timing);
+    if (!controller) {
+        return failure(controller.error());
+    }
+    const auto noise = feedback(*controller, toStateSpace(sampledPlant(plant, timing.period_s)));
+    if (!noise) {
+        return failure(noise.error());
+    }
+    const Eigen::MatrixXd X = solveLyapunov(noise->A, noise->B * noise->B.transpose());
+    return std::sqrt((noise->C * X * noise->C.transpose() + noise->D * noise->D.transpose()).value());
+}
+
+/// Largest answer to an error of 1 rad in one sample. The integral's part stays for ever and is no fast one.
+double fastGain(const ShapedLaw& law, const LoopTiming& timing) {
+    ShapedLaw fast = law;
+    fast.gains.integral = 0.0;
+    fast.proportionalWeight = 1.0; // the angle's path has no weights
+    auto controller = ShapedController::make(fast, timing.period_s);
+    if (!controller) {
+        return std::numeric_limits<double>::infinity();
+    }
+    constexpr int Samples = 200; // the answer of a slow low-pass is largest within its first samples
+    double largest = std::abs(controller->step(0.0, -1.0));
+    for (int i = 1; i < Samples; ++i) {
+        largest = std::max(largest, std::abs(controller->step(0.0, 0.0)));
+    }
+    return largest;
+}
+
+bool isStableWith(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing) {
+    const auto loop = shapedOpenLoop(plant, law, timing);
+    return loop.has_value() && poleRadius(*loop) < 1.0;
+}
+
+double proportionalLimit(const PositionPlant& plant, ShapedLaw law, const LoopTiming& timing) {
+    law.gains.integral = 0.0;
+    law.proportionalWeight = 1.0;
+    return largestStableGain(plant, timing, [&](double proportional) {
+        law.gains.proportional = proportional;
+        return isStableWith(plant, law, timing);
+    });
+}
+
+/// In the parallel form, so that single gains may be changed.
+Result<ShapedLaw> inParallelForm(ShapedLaw law, double period_s) {
+    const auto gains = checkedGains(law, period_s);
+    if (!gains) {
+        return failure(gains.error());
+    }
+    law.gains = *gains;
+    return law;
+}
+
+DrawnVerdict verdictOf(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing) {
+    const auto loop = shapedOpenLoop(plant, law, timing);
+    return loop ? drawnVerdict(poleRadius(*loop) < 1.0, smallestMargins(*loop)) : noMotor();
+}
+
+} // namespace
+
+Result<DesignProof> proveShaped(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing,
+                                double currentLimit_A, double duration_s) {
+    if (!(std::isfinite(currentLimit_A) && currentLimit_A > 0.0)) {
+        return failure(ErrorCode::OutOfRange, "the current limit must be positive");
+    }
+    const auto loop = shapedOpenLoop(plant, law, timing);
+    const auto later = shapedOpenLoop(plant, law, {timing.period_s, timing.delay_samples + 1});
+    const auto plain = inParallelForm(law, timing.period_s);
+    if (!loop || !later || !plain) {
+        return failure(!loop ? loop.error() : !later ? later.error() : plain.error());
+    }
+    auto step = shapedStep(plant, law, timing, 1.0, duration_s);
+    if (!step) {
+        return failure(step.error());
+    }
+    DesignProof proof;
+    proof.poleRadius = poleRadius(*loop);
+    proof.isStable = proof.poleRadius < 1.0;
+    proof.margins = smallestMargins(*loop);
+    proof.peaks = sensitivityPeaks(*loop);
+    for (const double current_A : step->current_A) {
+        proof.peakCurrent_A = std::max(proof.peakCurrent_A, std::abs(current_A));
+    }
+    proof.step = *std::move(step);
+    proof.largestStep_rad = currentLimit_A / proof.peakCurrent_A;
+    proof.noiseGain_A_per_rad = std::numeric_limits<double>::infinity();
+    if (proof.isStable) {
+        const auto noise = noiseGain(plant, law, timing);
+        if (!noise) {
+            return failure(noise.error());
+        }
+        proof.noiseGain_A_per_rad = *noise;
+    }
+    proof.fastGain_A_per_rad = fastGain(*plain, timing);
+    proof.proportionalLimit_A_per_rad = proportionalLimit(plant, *plain, timing);
+    proof.poleRadiusOneSampleLater = poleRadius(*later);
+    return proof;
+}
+
+Result<Robustness> assessShaped(const UncertainPlant& plant, const ShapedLaw& law, const LoopTiming& timing,
+                                int draws, Random random) {
+    if (const auto valid = checkTiming(timing); !valid) {
+        return failure(valid.error());
+    }
+    if (const auto gains = checkedGains(law, timing.period_s); !gains) {
+        return failure(gains.error());
+    }
+    const auto plants = drawPlants(plant, draws, random);
+    if (!plants) {
+        return failure(plants.error());
+    }
+    std::vector<DrawnVerdict> verdicts;
+    verdicts.reserve(plants->size());
+    for (const PositionPlant& drawn : *plants) {
+        verdicts.push_back(verdictOf(drawn, law, timing));
+    }
+    return robustnessOf(verdicts, isUncertain(plant));
+}
+
+} // namespace halbench::control
