@@ -6266,6 +6266,26 @@
         <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, monitor2, monitor3, recording, plot, cursors, derived, given, model, design, calibration</source>
         <translation>unbekannter Schlüssel „{}“; bekannt sind schema, device, notes, perspective, layout, monitor, monitor2, monitor3, recording, plot, cursors, derived, given, model, design, calibration</translation>
     </message>
+    <message>
+        <source>a set-point weight is not a finite number</source>
+        <translation>ein Sollwertgewicht ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the set-point weight {} = {} is not between 0 and 1</source>
+        <translation>das Sollwertgewicht {} = {} liegt nicht zwischen 0 und 1</translation>
+    </message>
+    <message>
+        <source>without integral action the set-point weight b = {} leaves the motor at {} times its reference</source>
+        <translation>ohne Integralanteil bleibt der Motor mit dem Sollwertgewicht b = {} beim {}-Fachen des Sollwerts stehen</translation>
+    </message>
+    <message>
+        <source>add integral action, or leave b at 1</source>
+        <translation>Integralanteil hinzunehmen oder b bei 1 lassen</translation>
+    </message>
+    <message>
+        <source>{} filters are more than {}</source>
+        <translation>{} Filter sind mehr als {}</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -6266,6 +6266,26 @@
         <source>unknown key &apos;{}&apos;; known are schema, device, notes, perspective, layout, monitor, monitor2, monitor3, recording, plot, cursors, derived, given, model, design, calibration</source>
         <translation>未知的键“{}”；已知的有 schema、device、notes、perspective、layout、monitor、monitor2、monitor3、recording、plot、cursors、derived、given、model、design、calibration</translation>
     </message>
+    <message>
+        <source>a set-point weight is not a finite number</source>
+        <translation>设定值权重不是有限数</translation>
+    </message>
+    <message>
+        <source>the set-point weight {} = {} is not between 0 and 1</source>
+        <translation>设定值权重 {} = {} 不在 0 到 1 之间</translation>
+    </message>
+    <message>
+        <source>without integral action the set-point weight b = {} leaves the motor at {} times its reference</source>
+        <translation>没有积分作用时，设定值权重 b = {} 会使电机停在设定值的 {} 倍处</translation>
+    </message>
+    <message>
+        <source>add integral action, or leave b at 1</source>
+        <translation>加入积分作用，或将 b 保持为 1</translation>
+    </message>
+    <message>
+        <source>{} filters are more than {}</source>
+        <translation>{} 个滤波器多于 {} 个</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
