@@ -38,6 +38,7 @@ public:
     /// The widest text a column can be expected to show, for its width.
     QString widestText(int row, Column column) const;
     bool isShown(int row) const { return m_curves[static_cast<std::size_t>(row)]->isVisible(); }
+    const PlotCurve& curve(int row) const { return m_curves[static_cast<std::size_t>(row)]->curve(); }
     bool isRight(int row) const { return m_curves[static_cast<std::size_t>(row)]->curve().isRight; }
 
     int rowCount(const QModelIndex& parent = {}) const override;

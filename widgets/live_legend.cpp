@@ -1,5 +1,7 @@
 #include "widgets/live_legend.h"
 
+#include "widgets/unit_menu.h"
+
 #include <QAction>
 #include <QContextMenuEvent>
 #include <QHeaderView>
@@ -41,9 +43,9 @@ LiveLegend::LiveLegend(QWidget* parent) : QTableView(parent) {
     setCursorColumnsShown(false, false);
     setAccessibleName(tr("Legend with live values"));
     setAccessibleDescription(tr(
-        "Space hides or shows the chosen curve, R puts it on the other axis, Ctrl and an arrow key into the "
-        "plot on that side, Ctrl+Shift+Down into one of its own, Ctrl+Shift+Right into one beside, Delete "
-        "removes it from the plot."));
+        "Space hides or shows the chosen curve, R puts it on the other axis, U offers its units, Ctrl and an "
+        "arrow key puts it into the plot on that side, Ctrl+Shift+Down into one of its own, Ctrl+Shift+Right "
+        "into one beside, Delete removes it from the plot."));
     setToolTip(accessibleDescription());
     connect(this, &QTableView::doubleClicked, this,
             [this](const QModelIndex& index) { Q_EMIT toggleRequested(index.row()); });
@@ -113,6 +115,8 @@ bool LiveLegend::run(const QKeySequence& keys) {
         Q_EMIT toggleRequested(row);
     } else if (keys == QKeySequence(Qt::Key_R)) {
         Q_EMIT axisRequested(row);
+    } else if (keys == QKeySequence(Qt::Key_U)) {
+        showUnits(row);
     } else if (keys == QKeySequence(QStringLiteral("Ctrl+Up"))) {
         Q_EMIT moveRequested(row, -1);
     } else if (keys == QKeySequence(QStringLiteral("Ctrl+Down"))) {
@@ -138,8 +142,8 @@ bool LiveLegend::event(QEvent* event) {
         const auto* press = static_cast<QKeyEvent*>(event);
         const int key = press->key();
         const auto modifiers = press->modifiers() & ~Qt::KeypadModifier;
-        const bool isPlain = modifiers == Qt::NoModifier &&
-                             (key == Qt::Key_Space || key == Qt::Key_Delete || key == Qt::Key_R);
+        const bool isPlain = modifiers == Qt::NoModifier && (key == Qt::Key_Space || key == Qt::Key_Delete ||
+                                                             key == Qt::Key_R || key == Qt::Key_U);
         const bool isBeside = modifiers == (Qt::ControlModifier | Qt::ShiftModifier) && key == Qt::Key_Right;
         if (currentIndex().isValid() && (isPlain || isBeside)) {
             event->accept();
@@ -153,6 +157,20 @@ void LiveLegend::keyPressEvent(QKeyEvent* event) {
     const int modifiers = static_cast<int>(event->modifiers() & ~Qt::KeypadModifier);
     if (!run(QKeySequence(event->key() | modifiers))) {
         QTableView::keyPressEvent(event);
+    }
+}
+
+/// Null where there is nothing to choose.
+QMenu* LiveLegend::makeUnitMenu(int row) {
+    return unitMenu(m_table.curve(row), *this,
+                    [this, row](const std::string& unit) { Q_EMIT unitRequested(row, unit); });
+}
+
+/// Below the chosen curve, from its unit on.
+void LiveLegend::showUnits(int row) {
+    if (QMenu* units = makeUnitMenu(row)) {
+        units->setAttribute(Qt::WA_DeleteOnClose);
+        units->popup(viewport()->mapToGlobal(visualRect(currentIndex()).bottomLeft()));
     }
 }
 
@@ -174,6 +192,9 @@ void LiveLegend::contextMenuEvent(QContextMenuEvent* event) {
     };
     add(m_table.isShown(row) ? tr("Hide") : tr("Show"), QKeySequence(Qt::Key_Space));
     add(m_table.isRight(row) ? tr("To the left axis") : tr("To the right axis"), QKeySequence(Qt::Key_R));
+    if (QMenu* units = makeUnitMenu(row)) {
+        menu->addMenu(units)->setText(tr("Unit") + QStringLiteral("\tU"));
+    }
     add(tr("To the plot above"), QKeySequence(QStringLiteral("Ctrl+Up")));
     add(tr("To the plot below"), QKeySequence(QStringLiteral("Ctrl+Down")));
     add(tr("To the plot at the left"), QKeySequence(QStringLiteral("Ctrl+Left")));

@@ -5,12 +5,15 @@
 #include <QTableView>
 
 #include <array>
+#include <string>
+
+class QMenu;
 
 namespace halbench::widgets {
 
 /// The curves of one plot with their live values; keys and a menu are for the chosen one: Space hides or
-/// shows it, R puts it on the other axis, Ctrl and an arrow key into the plot on that side, Ctrl+Shift+Down
-/// and Ctrl+Shift+Right into one of its own below or beside, Delete takes it away.
+/// shows it, R puts it on the other axis, U offers its units, Ctrl and an arrow key puts it into the plot on
+/// that side, Ctrl+Shift+Down and Ctrl+Shift+Right into one of its own below or beside, Delete takes it away.
 class LiveLegend : public QTableView {
     Q_OBJECT
 public:
@@ -37,6 +40,7 @@ Q_SIGNALS:
     void moveBesideRequested(int curve, int by); ///< into the one so many columns to the right
     void separateRequested(int curve);           ///< into a new plot below
     void separateBesideRequested(int curve);     ///< into a new plot in a new column at the right
+    void unitRequested(int curve, const std::string& key);
 
 protected:
     bool event(QEvent* event) override;
@@ -45,6 +49,8 @@ protected:
 
 private:
     bool run(const QKeySequence& keys);
+    QMenu* makeUnitMenu(int row);
+    void showUnits(int row);
 
     LegendTableModel m_table;
     bool m_isBelow = false;

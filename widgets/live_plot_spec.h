@@ -11,14 +11,26 @@
 
 namespace halbench::widgets {
 
+/// A unit that a signal can be shown in.
+struct UnitChoice {
+    std::string key;     ///< its name in files, e.g. "mrad"; empty: the one of the preferences
+    QString text;        ///< as shown
+    double factor = 1.0; ///< shown value = factor x SI value
+    int decimals = 3;
+
+    bool operator==(const UnitChoice&) const = default;
+};
+
 /// One signal as a plot shows it.
 struct PlotCurve {
-    std::string signal;   ///< its name in the history
-    QString label;        ///< in words, translated
-    QString unit;         ///< shown, e.g. "°"
-    double factor = 1.0;  ///< shown value = factor x SI value, e.g. 180/pi
-    int decimals = 3;     ///< of the live value
-    bool isRight = false; ///< its values are on the right axis
+    std::string signal;                       ///< its name in the history
+    QString label;                            ///< in words, translated
+    QString unit;                             ///< shown, e.g. "°"
+    double factor = 1.0;                      ///< shown value = factor x SI value, e.g. 180/pi
+    int decimals = 3;                         ///< of the live value
+    bool isRight = false;                     ///< its values are on the right axis
+    std::string ownUnit = {};                 ///< the key of the one that was chosen for it; empty: none was
+    std::vector<UnitChoice> unitChoices = {}; ///< none: it has one unit only
 
     bool operator==(const PlotCurve&) const = default;
 };

@@ -54,9 +54,9 @@ class TimeAxisBar;
 /// Where a plot has its own time axis, keys act on that axis while the plot or its legend has the focus, and
 /// on the one of all other plots elsewhere; pause holds all of them.
 ///
-/// In a legend, by its menu too: R puts the chosen curve on the other axis, Ctrl and an arrow key into the
-/// plot on that side, on the axis that has its unit or is free, Ctrl+Shift+Down and Ctrl+Shift+Right into a
-/// plot of its own.
+/// In a legend, by its menu too: R puts the chosen curve on the other axis, U offers its units, Ctrl and an
+/// arrow key puts it into the plot on that side, on the axis that has its unit or is free, Ctrl+Shift+Down
+/// and Ctrl+Shift+Right into a plot of its own.
 ///
 /// Columns stand beside each other, each with its own axis below that shows the same time. plots() has them
 /// from left to right, the plots of one from top to bottom. A column goes with its last plot.
@@ -126,6 +126,8 @@ public:
     bool separateCurve(int plot, const std::string& signal);
     /// Into a new plot in a new column, right of its own. False: that is how it stands already.
     bool separateBeside(int plot, const std::string& signal);
+    /// In one of its units, by key (curve_units.h says where it is seen then). False: nothing changed.
+    bool showInUnit(int plot, const std::string& signal, const std::string& unit);
     /// A plot in a new column, right of that plot's. Its index.
     int openBeside(int plot, PlotSpec added);
     /// Into the column beside its own, a new one beyond the outermost. False: it is alone in that.
@@ -246,6 +248,7 @@ private:
     Column makeColumn();
     void connectPlot(LivePlot* plot);
     void connectLegend(LivePlot* plot, LiveLegend* legend);
+    void connectUnits(LivePlot* plot, LiveLegend* legend);
     int indexOf(const LivePlot* plot) const;
     void choose(int plot, const std::string& signal);
     void matchRows();

@@ -59,6 +59,7 @@ void LivePlotStack::connectLegend(LivePlot* plot, LiveLegend* legend) {
             Q_EMIT plotsChanged();
         }
     });
+    connectUnits(plot, legend);
     connect(legend, &LiveLegend::toggleRequested, this, [this, plot, legend](int curve) {
         HistoryCurve* item = plot->curves()[static_cast<std::size_t>(curve)];
         item->setVisible(!item->isVisible());
