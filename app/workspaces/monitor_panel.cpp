@@ -14,6 +14,7 @@
 #include "app/workspaces/panel_parts.h"
 #include "app/workspaces/recorded_markers.h"
 #include "app/workspaces/signal_box.h"
+#include "widgets/curve_units.h"
 #include "widgets/display_units.h"
 #include "widgets/empty_state.h"
 #include "widgets/live_plot_stack.h"
@@ -235,12 +236,20 @@ void MonitorPanel::onValues() {
         temperatureBands(m_bench.catalogue(), m_bench.deviceValue("limit.temperature"));
     std::vector<widgets::PlotSpec> plots =
         inUnits(m_stack->plots(), m_bench.catalogue(), bands, m_bench.displayUnits());
-    if (plots != m_stack->plots()) {
-        for (std::size_t i = 0; i < plots.size(); ++i) {
-            const bool isSameUnit = plots[i].unit == m_stack->plots()[i].unit;
-            plots[i].fixedRange = isSameUnit ? m_stack->heldRange(static_cast<int>(i)) : std::nullopt;
+    if (plots == m_stack->plots()) {
+        return;
+    }
+    std::vector<std::vector<widgets::PlotSpec>> below;
+    for (std::size_t i = 0; i < plots.size(); ++i) {
+        plots[i].fixedRange = m_stack->heldRange(static_cast<int>(i));
+        plots[i].right.fixedRange = m_stack->heldRange(static_cast<int>(i), true);
+        below.push_back(widgets::settleUnits(plots[i]));
+    }
+    m_stack->setPlots(std::move(plots));
+    for (std::size_t i = below.size(); i-- > 0;) {
+        for (widgets::PlotSpec& plot : below[i]) {
+            m_stack->openPlot(static_cast<int>(i) + 1, std::move(plot));
         }
-        m_stack->setPlots(std::move(plots));
     }
 }
 

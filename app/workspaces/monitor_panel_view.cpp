@@ -24,6 +24,25 @@ double rounded(double time_s) {
     return std::max(1.0, std::round(time_s * grains_Hz)) / grains_Hz;
 }
 
+/// What of a project is not shown as it says.
+widgets::Message notAsKept(const QStringList& missing, const QStringList& unfit) {
+    QStringList texts;
+    QStringList remedies;
+    if (!missing.isEmpty()) {
+        texts << MonitorPanel::tr("Signals of the project that this device does not have: %1")
+                     .arg(missing.join(", "));
+        remedies << MonitorPanel::tr("They are left out; the project keeps them until you change the plots.");
+    }
+    if (!unfit.isEmpty()) {
+        texts << MonitorPanel::tr("Units of the project that do not fit their signals: %1")
+                     .arg(unfit.join(", "));
+        remedies << MonitorPanel::tr("They are shown as in the preferences; choose others in the legend (U). "
+                                     "The project keeps them until you change the plots.");
+    }
+    return {
+        widgets::Severity::Warning, texts.join(QStringLiteral("; ")), remedies.join(QLatin1Char(' ')), {}};
+}
+
 } // namespace
 
 void MonitorPanel::showView() {
@@ -38,14 +57,11 @@ void MonitorPanel::showView() {
     for (int i = 0; i < static_cast<int>(m_stack->plots().size()); ++i) {
         m_stack->setOwnTime(i, m_stack->plots()[static_cast<std::size_t>(i)].ownTime);
     }
-    m_isIncomplete = !missing.isEmpty();
+    const QStringList unfit = unfitUnits(m_view.plots, catalogue);
+    m_isIncomplete = !missing.isEmpty() || !unfit.isEmpty();
     m_message->clear();
     if (m_isIncomplete) {
-        m_message->showMessage(
-            {widgets::Severity::Warning,
-             tr("Signals of the project that this device does not have: %1").arg(missing.join(", ")),
-             tr("They are left out; the project keeps them until you change the plots."),
-             {}});
+        m_message->showMessage(notAsKept(missing, unfit));
     }
 }
 
@@ -94,6 +110,9 @@ MonitorView MonitorPanel::view() const {
         PlotChoice choice;
         for (const widgets::PlotCurve& curve : plots[i].curves) {
             (curve.isRight ? choice.rightNames : choice.signalNames).push_back(curve.signal);
+            if (!curve.ownUnit.empty()) {
+                choice.units[curve.signal] = curve.ownUnit;
+            }
         }
         choice.range = m_stack->heldRange(static_cast<int>(i));
         choice.unit = choice.range ? plots[i].unit.toStdString() : std::string();

@@ -1,5 +1,8 @@
 #include "app/workspaces/monitor_plots.h"
 
+#include "app/workspaces/signal_units.h"
+#include "widgets/curve_units.h"
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -51,15 +54,28 @@ struct Shown {
     const DisplayUnits& units;
 };
 
+/// A unit that does not fit the signal is as none.
+void takeOwnUnit(widgets::PlotSpec& own, const std::string& unit) {
+    if (!unit.empty()) {
+        widgets::showIn(own, own.curves.front().signal, unit);
+    }
+}
+
+std::string ownUnitOf(const PlotChoice& choice, const std::string& name) {
+    const auto found = choice.units.find(name);
+    return found == choice.units.end() ? std::string() : found->second;
+}
+
 /// On the axis that was chosen; the first one says what the axis shows.
-void addChosen(widgets::PlotSpec& plot, const std::string& name, bool isRight, const Shown& shown,
-               QStringList& missing) {
+void addChosen(widgets::PlotSpec& plot, const PlotChoice& choice, const std::string& name, bool isRight,
+               const Shown& shown, QStringList& missing) {
     const SignalSpec* spec = shown.catalogue.findSignal(name);
     if (spec == nullptr) {
         missing << QString::fromStdString(name);
         return;
     }
     widgets::PlotSpec own = plotFor(*spec, shown.bands, shown.units);
+    takeOwnUnit(own, ownUnitOf(choice, name));
     own.curves.front().isRight = isRight;
     if (isRight && !widgets::hasRightAxis(plot)) {
         plot.right = {own.quantity, own.unit, {}};
@@ -80,7 +96,9 @@ TemperatureBands temperatureBands(const devices::Catalogue& catalogue, std::opti
 
 widgets::PlotCurve curveFor(const SignalSpec& spec, const DisplayUnits& units) {
     const DisplayQuantity shown = displayQuantity(spec.unit, units);
-    return {spec.name, signalWords(spec.name), shown.unit, shown.factor, shown.decimals};
+    widgets::PlotCurve curve{spec.name, signalWords(spec.name), shown.unit, shown.factor, shown.decimals};
+    curve.unitChoices = unitChoices(spec.unit, units);
+    return curve;
 }
 
 widgets::PlotSpec plotFor(const SignalSpec& spec, const TemperatureBands& bands, const DisplayUnits& units) {
@@ -135,12 +153,8 @@ std::vector<widgets::PlotSpec> inUnits(std::vector<widgets::PlotSpec> plots,
             if (spec == nullptr) {
                 continue; // of another device: it keeps what it says
             }
-            const widgets::PlotSpec fresh = plotFor(*spec, bands, units);
-            QString& unit = curve.isRight ? plot.right.unit : plot.unit;
-            if (unit != fresh.unit) { // a held axis means another unit
-                (curve.isRight ? plot.right.fixedRange : plot.fixedRange) = std::nullopt;
-            }
-            unit = fresh.unit;
+            widgets::PlotSpec fresh = plotFor(*spec, bands, units);
+            takeOwnUnit(fresh, curve.ownUnit);
             if (!curve.isRight) {
                 plot.bands = fresh.bands;
             }
@@ -159,10 +173,10 @@ std::vector<widgets::PlotSpec> chosenPlots(const std::vector<PlotChoice>& choice
     for (const PlotChoice& choice : choices) {
         widgets::PlotSpec plot;
         for (const std::string& name : choice.signalNames) {
-            addChosen(plot, name, false, {catalogue, bands, units}, missing);
+            addChosen(plot, choice, name, false, {catalogue, bands, units}, missing);
         }
         for (const std::string& name : choice.rightNames) {
-            addChosen(plot, name, true, {catalogue, bands, units}, missing);
+            addChosen(plot, choice, name, true, {catalogue, bands, units}, missing);
         }
         if (!plot.curves.empty()) {
             plot.fixedRange = choice.unit == plot.unit.toStdString() ? choice.range : std::nullopt;
@@ -174,8 +188,25 @@ std::vector<widgets::PlotSpec> chosenPlots(const std::vector<PlotChoice>& choice
             plots.push_back(std::move(plot));
         }
     }
+    widgets::settleUnits(plots);
     missing.removeDuplicates();
     return plots;
+}
+
+QStringList unfitUnits(const std::vector<PlotChoice>& choices, const devices::Catalogue& catalogue) {
+    QStringList unfit;
+    for (const PlotChoice& choice : choices) {
+        for (const auto& [name, unit] : choice.units) {
+            const SignalSpec* spec = catalogue.findSignal(name);
+            const bool isFit = spec == nullptr || widgets::findChoice(curveFor(*spec, {}), unit) != nullptr;
+            if (!isFit) {
+                unfit << QStringLiteral("%1 [%2]").arg(QString::fromStdString(name),
+                                                       QString::fromStdString(unit));
+            }
+        }
+    }
+    unfit.removeDuplicates();
+    return unfit;
 }
 
 widgets::CursorPairs cursorPairs(const MonitorView& view) {

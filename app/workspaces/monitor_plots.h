@@ -33,16 +33,21 @@ std::vector<widgets::PlotSpec> defaultPlots(const devices::Catalogue& catalogue,
 /// A plot for one more signal.
 widgets::PlotSpec plotFor(const SignalSpec& spec, const TemperatureBands& bands, const DisplayUnits& units);
 
-/// The same curves, as the device and the user's units show them now.
+/// The same curves, as the device and the user's units show them now. Axes are as they were: curves that do
+/// not fit them any more are for widgets::settleUnits.
 std::vector<widgets::PlotSpec> inUnits(std::vector<widgets::PlotSpec> plots,
                                        const devices::Catalogue& catalogue, const TemperatureBands& bands,
                                        const DisplayUnits& units);
 
 /// Plots as they were chosen; signals that the device does not have are left out and named in `missing`. An
-/// axis held in another unit than the plot has now is let go.
+/// axis held in another unit than the plot has now is let go. What units of single signals part is parted.
 std::vector<widgets::PlotSpec> chosenPlots(const std::vector<PlotChoice>& choices,
                                            const devices::Catalogue& catalogue, const TemperatureBands& bands,
                                            const DisplayUnits& units, QStringList& missing);
+
+/// Units of single signals that were chosen and do not fit what this device sends, in words; chosenPlots
+/// shows these signals as the user prefers.
+QStringList unfitUnits(const std::vector<PlotChoice>& choices, const devices::Catalogue& catalogue);
 
 /// Pairs of cursors as they were chosen, and back.
 widgets::CursorPairs cursorPairs(const MonitorView& view);

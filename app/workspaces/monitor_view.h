@@ -5,6 +5,7 @@
 #include "widgets/time_view.h"
 #include "widgets/value_range.h"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,8 +20,9 @@ struct PlotChoice {
     std::vector<std::string> rightNames = {}; ///< of those on the right axis, and the same of that
     std::optional<widgets::ValueRange> rightRange = {};
     std::string rightUnit = {};
-    std::optional<widgets::OwnTime> ownTime = {}; ///< its own time axis; none: the one of all plots
-    int column = 0;                               ///< beside each other, from the left
+    std::optional<widgets::OwnTime> ownTime = {};  ///< its own time axis; none: the one of all plots
+    int column = 0;                                ///< beside each other, from the left
+    std::map<std::string, std::string> units = {}; ///< of signals that have their own: its name in files
 
     bool operator==(const PlotChoice&) const = default;
 };
