@@ -1,5 +1,7 @@
 #include "app/window/project_monitor.h"
 
+#include "app/window/project_units.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -140,12 +142,15 @@ void readPlot(ProjectReader& reader, const ConfigNode& node, PlotChoice& plot) {
             follows = reader.flag(value, key);
         } else if (key == "column") {
             plot.column = readColumn(reader, value);
-        } else {
-            reader.refuse(value,
-                          fmt::format("unknown key '{}'; a [[plot]] has signals, min, max, unit, right, "
-                                      "right_min, right_max, right_unit, own_span_s, own_follow, column",
-                                      key));
+        } else if (key != "units") {
+            reader.refuse(
+                value, fmt::format("unknown key '{}'; a [[plot]] has signals, min, max, unit, right, "
+                                   "right_min, right_max, right_unit, own_span_s, own_follow, column, units",
+                                   key));
         }
+    }
+    if (const ConfigNode* units = node.find("units")) {
+        readUnits(reader, *units, plot);
     }
     if (left.isWrong() || right.isWrong()) {
         reader.refuse(node, "a [[plot]] has both min and max, or neither; min is less than max");
@@ -195,6 +200,9 @@ toml::array projectPlots(const std::vector<PlotChoice>& list) {
         }
         if (plot.column > 0) {
             table.insert("column", plot.column + 1);
+        }
+        if (!plot.units.empty()) {
+            table.insert("units", projectUnits(plot));
         }
         array.push_back(table);
     }

@@ -23,10 +23,13 @@ Project sample() {
                              {{"torque"}, {}, {}, {}, {}, {}, widgets::OwnTime{0.1, false}},
                              {{"position"}, {}, {}, {"speed"}, widgets::ValueRange{-2.0, 50.5}, "r/min"}};
     project.monitor.plots[3].column = 1;
+    project.monitor.plots[3].units = {{"position", "mrad"}, {"speed", "r/min"}};
+    project.monitor.plots[0].units = {{"hall.a", "uT"}};
     project.monitor.rate_Hz = 5000.0;
     MonitorView& further = project.furtherMonitors["monitor2"];
     further.plots = {{{"hall.a"}, {}, {}}, {{"speed"}, {}, {}}};
     further.plots[1].column = 1;
+    further.plots[1].units = {{"speed", "deg/s"}};
     further.span_s = 4.0;
     project.monitor.isFollowing = false;
     project.monitor.span_s = 2.5;
@@ -94,6 +97,10 @@ TEST(ProjectFile, aPlotThatMakesNoSenseIsRefusedWithItsLine) {
                               "[[plot]]\nown_span_s = \"1\"\n",
                               "[[plot]]\nown_span_s = 1.0\nown_follow = 3\n",
                               "[[plot]]\nright = 7\n",
+                              "[[plot]]\nunits = 3\n",
+                              "[[plot]]\nsignals = [\"x\"]\nunits = { x = 3 }\n",
+                              "[[plot]]\nsignals = [\"x\"]\nunits = { x = \"furlong\" }\n",
+                              "[[plot]]\nsignals = [\"x\"]\nunits = { y = \"mrad\" }\n",
                               "[[plot]]\ncolumn = 0\n",
                               "[[plot]]\ncolumn = 1.5\n",
                               "[[plot]]\ncolumn = 1e9\n",
@@ -124,6 +131,17 @@ TEST(ProjectFile, twoDerivedSignalsOfOneNameAreRefusedWithTheSecondsLine) {
     ASSERT_FALSE(read);
     EXPECT_NE(read.error().message.find("motor.toml:5:"), std::string::npos) << read.error().message;
     EXPECT_NE(read.error().message.find("'x'"), std::string::npos) << read.error().message;
+}
+
+TEST(ProjectFile, aUnitThatIsNoneIsRefusedWithItsLineAndThoseThereAre) {
+    const auto read = parseProject("schema = \"halbench.project/1\"\n"
+                                   "[[plot]]\nunits = { position = \"gon\" }\nsignals = [\"position\"]\n",
+                                   "motor.toml");
+    ASSERT_FALSE(read);
+    EXPECT_NE(read.error().message.find("motor.toml:3:"), std::string::npos) << read.error().message;
+    EXPECT_NE(read.error().message.find("'gon'"), std::string::npos) << read.error().message;
+    EXPECT_NE(read.error().message.find("mrad"), std::string::npos) << "what can be written instead";
+    EXPECT_FALSE(read.error().hint.empty());
 }
 
 TEST(ProjectFile, pairsOfCursorsThatMakeNoSenseAreRefusedWithTheirLine) {
