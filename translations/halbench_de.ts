@@ -6223,10 +6223,6 @@
         <translation>„column“ muss eine ganze Zahl von 1 bis {} sein</translation>
     </message>
     <message>
-        <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow, column</source>
-        <translation>unbekannter Schlüssel „{}“; ein [[plot]] hat signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow, column</translation>
-    </message>
-    <message>
         <source>[monitor] has follow and cursors (true or false), span_s, rate_hz and trigger</source>
         <translation>[monitor] hat follow und cursors (true oder false), span_s, rate_hz und trigger</translation>
     </message>
@@ -6285,6 +6281,22 @@
     <message>
         <source>{} filters are more than {}</source>
         <translation>{} Filter sind mehr als {}</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow, column, units</source>
+        <translation>unbekannter Schlüssel „{}“; ein [[plot]] hat signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow, column, units</translation>
+    </message>
+    <message>
+        <source>&apos;units&apos; must be a table of signals with their units, units.position = &quot;mrad&quot;</source>
+        <translation>„units“ muss eine Tabelle von Signalen mit ihren Einheiten sein, units.position = &quot;mrad&quot;</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no unit that a signal is shown in; there are {}</source>
+        <translation>„{}“ ist keine Einheit, in der ein Signal gezeigt wird; es gibt {}</translation>
+    </message>
+    <message>
+        <source>&apos;units&apos; names &apos;{}&apos;, which this [[plot]] does not show</source>
+        <translation>„units“ nennt „{}“, was dieses [[plot]] nicht zeigt</translation>
     </message>
 </context>
 <context>
@@ -7391,6 +7403,14 @@ Firmware %2</translation>
     <message>
         <source>ratio</source>
         <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>rev</source>
+        <translation>U</translation>
+    </message>
+    <message>
+        <source>rev/s</source>
+        <translation>U/s</translation>
     </message>
 </context>
 <context>
@@ -10144,6 +10164,14 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
     <message>
         <source>Plots the signal that is chosen (Insert)</source>
         <translation>Zeichnet das gewählte Signal (Einfg)</translation>
+    </message>
+    <message>
+        <source>Units of the project that do not fit their signals: %1</source>
+        <translation>Einheiten des Projekts, die nicht zu ihren Signalen passen: %1</translation>
+    </message>
+    <message>
+        <source>They are shown as in the preferences; choose others in the legend (U). The project keeps them until you change the plots.</source>
+        <translation>Sie werden wie in den Einstellungen gezeigt; wählen Sie andere in der Legende (U). Das Projekt behält sie, bis Sie die Diagramme ändern.</translation>
     </message>
 </context>
 <context>
@@ -14185,10 +14213,6 @@ Im Monitor ändern &lt; und &gt; sie. Ein wirkliches Gerät hat seine eigene Zei
         <translation>In ein eigenes Diagramm</translation>
     </message>
     <message>
-        <source>Space hides or shows the chosen curve, R puts it on the other axis, Ctrl and an arrow key into the plot on that side, Ctrl+Shift+Down into one of its own, Ctrl+Shift+Right into one beside, Delete removes it from the plot.</source>
-        <translation>Die Leertaste blendet die gewählte Kurve aus oder ein, R legt sie auf die andere Achse, Strg und eine Pfeiltaste ins Diagramm auf dieser Seite, Strg+Umschalt+Herunter in ein eigenes, Strg+Umschalt+Rechts in ein eigenes daneben, Entf nimmt sie aus dem Diagramm.</translation>
-    </message>
-    <message>
         <source>To the plot at the left</source>
         <translation>Ins Diagramm links</translation>
     </message>
@@ -14199,6 +14223,14 @@ Im Monitor ändern &lt; und &gt; sie. Ein wirkliches Gerät hat seine eigene Zei
     <message>
         <source>Into a plot of its own at the right</source>
         <translation>In ein eigenes Diagramm rechts</translation>
+    </message>
+    <message>
+        <source>Space hides or shows the chosen curve, R puts it on the other axis, U offers its units, Ctrl and an arrow key puts it into the plot on that side, Ctrl+Shift+Down into one of its own, Ctrl+Shift+Right into one beside, Delete removes it from the plot.</source>
+        <translation>Die Leertaste blendet die gewählte Kurve aus oder ein, R legt sie auf die andere Achse, U bietet ihre Einheiten an, Strg und eine Pfeiltaste legt sie ins Diagramm auf dieser Seite, Strg+Umschalt+Herunter in ein eigenes, Strg+Umschalt+Rechts in ein eigenes daneben, Entf nimmt sie aus dem Diagramm.</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
     </message>
 </context>
 <context>
@@ -15384,6 +15416,17 @@ Hall B
     <message>
         <source>time from the event [s]</source>
         <translation>Zeit ab dem Ereignis [s]</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::UnitMenu</name>
+    <message>
+        <source>As in the preferences (%1)</source>
+        <translation>Wie in den Einstellungen (%1)</translation>
+    </message>
+    <message>
+        <source>Unit of %1</source>
+        <translation>Einheit von %1</translation>
     </message>
 </context>
 <context>

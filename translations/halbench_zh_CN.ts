@@ -6223,10 +6223,6 @@
         <translation>“column”必须是 1 到 {} 的整数</translation>
     </message>
     <message>
-        <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow, column</source>
-        <translation>未知的键“{}”；[[plot]] 有 signals、min、max、unit、right、right_min、right_max、right_unit、own_span_s、own_follow、column</translation>
-    </message>
-    <message>
         <source>[monitor] has follow and cursors (true or false), span_s, rate_hz and trigger</source>
         <translation>[monitor] 有 follow 和 cursors（true 或 false）、span_s、rate_hz 和 trigger</translation>
     </message>
@@ -6285,6 +6281,22 @@
     <message>
         <source>{} filters are more than {}</source>
         <translation>{} 个滤波器多于 {} 个</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow, column, units</source>
+        <translation>未知的键“{}”；[[plot]] 有 signals、min、max、unit、right、right_min、right_max、right_unit、own_span_s、own_follow、column、units</translation>
+    </message>
+    <message>
+        <source>&apos;units&apos; must be a table of signals with their units, units.position = &quot;mrad&quot;</source>
+        <translation>“units”必须是由信号及其单位组成的表，如 units.position = &quot;mrad&quot;</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is no unit that a signal is shown in; there are {}</source>
+        <translation>“{}”不是信号可以用来显示的单位；可用的有 {}</translation>
+    </message>
+    <message>
+        <source>&apos;units&apos; names &apos;{}&apos;, which this [[plot]] does not show</source>
+        <translation>“units”中的“{}”不是这个 [[plot]] 所显示的信号</translation>
     </message>
 </context>
 <context>
@@ -7386,6 +7398,14 @@ Firmware %2</source>
     <message>
         <source>ratio</source>
         <translation>比值</translation>
+    </message>
+    <message>
+        <source>rev</source>
+        <translation>r</translation>
+    </message>
+    <message>
+        <source>rev/s</source>
+        <translation>r/s</translation>
     </message>
 </context>
 <context>
@@ -10138,6 +10158,14 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
     <message>
         <source>Plots the signal that is chosen (Insert)</source>
         <translation>绘出所选的信号（Insert）</translation>
+    </message>
+    <message>
+        <source>Units of the project that do not fit their signals: %1</source>
+        <translation>项目中与其信号不符的单位：%1</translation>
+    </message>
+    <message>
+        <source>They are shown as in the preferences; choose others in the legend (U). The project keeps them until you change the plots.</source>
+        <translation>它们按首选项显示；请在图例中另选单位（U）。项目会保留它们，直到您改变曲线图。</translation>
     </message>
 </context>
 <context>
@@ -14173,10 +14201,6 @@ In the Monitor &lt; and &gt; change it. A real device has its own time.</source>
         <translation>移到它自己的曲线图</translation>
     </message>
     <message>
-        <source>Space hides or shows the chosen curve, R puts it on the other axis, Ctrl and an arrow key into the plot on that side, Ctrl+Shift+Down into one of its own, Ctrl+Shift+Right into one beside, Delete removes it from the plot.</source>
-        <translation>空格键隐藏或显示选中的曲线，R 把它放到另一个轴，Ctrl 加方向键把它移到那一侧的曲线图，Ctrl+Shift+下移到它自己的曲线图，Ctrl+Shift+右移到旁边它自己的曲线图，Delete 把它从曲线图中移除。</translation>
-    </message>
-    <message>
         <source>To the plot at the left</source>
         <translation>移到左边的曲线图</translation>
     </message>
@@ -14187,6 +14211,14 @@ In the Monitor &lt; and &gt; change it. A real device has its own time.</source>
     <message>
         <source>Into a plot of its own at the right</source>
         <translation>移到右侧它自己的曲线图</translation>
+    </message>
+    <message>
+        <source>Space hides or shows the chosen curve, R puts it on the other axis, U offers its units, Ctrl and an arrow key puts it into the plot on that side, Ctrl+Shift+Down into one of its own, Ctrl+Shift+Right into one beside, Delete removes it from the plot.</source>
+        <translation>空格键隐藏或显示选中的曲线，R 把它放到另一个轴，U 给出它可用的单位，Ctrl 加方向键把它移到那一侧的曲线图，Ctrl+Shift+下移到它自己的曲线图，Ctrl+Shift+右移到旁边它自己的曲线图，Delete 把它从曲线图中移除。</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
     </message>
 </context>
 <context>
@@ -15370,6 +15402,17 @@ Hall B
     <message>
         <source>time from the event [s]</source>
         <translation>距事件的时间 [s]</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::UnitMenu</name>
+    <message>
+        <source>As in the preferences (%1)</source>
+        <translation>按首选项（%1）</translation>
+    </message>
+    <message>
+        <source>Unit of %1</source>
+        <translation>%1 的单位</translation>
     </message>
 </context>
 <context>
