@@ -1,5 +1,6 @@
 #include "app/procedures/tune.h"
 
+#include "app/procedures/loop_prediction.h"
 #include "app/procedures/loop_uncertainty.h"
 #include "control/base/random.h"
 #include "control/design/board_gains.h"
@@ -91,22 +92,6 @@ void addDesignWarnings(TuneResult& result) {
     }
 }
 
-void addRobustnessWarnings(TuneResult& result, const MotorEstimate& estimate) {
-    if (estimate.covarianceNames.empty()) {
-        result.warnings.push_back(
-            {"model_without_covariance",
-             "the model has no covariance: robustness is that of an exactly known motor",
-             "identify the motor to get its uncertainty"});
-    }
-    if (result.predicted.isStable && result.robust.unstable_fraction > 0.0) {
-        result.warnings.push_back(
-            {"not_robust",
-             fmt::format("{:.3g} % of the motors that the data allow make this loop unstable",
-                         100.0 * result.robust.unstable_fraction),
-             "identify more precisely, or choose a slower loop"});
-    }
-}
-
 void judge(TuneResult& result) {
     const auto has = [&result](std::string_view code) {
         return std::any_of(result.warnings.begin(), result.warnings.end(),
@@ -164,7 +149,8 @@ Result<TuneResult> judged(TuneResult result, const MotorEstimate& estimate, cons
         result.warnings.push_back(*std::move(warning));
     }
     addDesignWarnings(result);
-    addRobustnessWarnings(result, estimate);
+    addRobustnessWarnings(result.warnings, result.robust, result.predicted.isStable,
+                          !estimate.covarianceNames.empty());
     judge(result);
     return result;
 }

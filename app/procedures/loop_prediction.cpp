@@ -1,0 +1,230 @@
+#include "app/procedures/loop_prediction.h"
+
+#include "control/base/units.h"
+#include "control/lti/frequency_response.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::app {
+
+namespace {
+
+using control::TransferFunction;
+
+/// The least damped oscillation of the closed loop below the Nyquist frequency.
+void takeDominantPair(AnalysisResult& result, const TransferFunction& closedLoop) {
+    for (const control::Damping& mode : control::damping(closedLoop)) {
+        const bool isPair = mode.pole.imag() > 0.0;
+        if (isPair && (!result.dominantDamping_ratio || mode.damping_ratio < *result.dominantDamping_ratio)) {
+            result.dominantDamping_ratio = mode.damping_ratio;
+            result.dominantFrequency_rad_s = mode.naturalFrequency_rad_s;
+        }
+    }
+}
+
+Result<AnalysisResult::Bode> bodeOf(const TransferFunction& openLoop) {
+    constexpr int Points = 400;
+    constexpr double Decades_ratio = 5000.0; // 0.01 Hz for a loop of 100 Hz
+    // The held rotor has a zero just inside z = -1: nearly all of the 90 degrees by which it turns the phase
+    // lie in the last percent, because at the Nyquist frequency every sampled response is real. That says
+    // nothing about the loop and would be read as a resonance; up to here it is 13 degrees for the published
+    // motor.
+    constexpr double End_ratio = 0.99;
+    const double nyquist_rad_s = Pi / openLoop.timeBase().period_s();
+    const auto response = control::frequencyResponse(
+        openLoop,
+        control::logarithmicFrequencies(nyquist_rad_s / Decades_ratio, End_ratio * nyquist_rad_s, Points));
+    if (!response) {
+        return failure(response.error());
+    }
+    AnalysisResult::Bode bode;
+    for (const double frequency_rad_s : response->frequency_rad_s) {
+        bode.frequency_Hz.push_back(frequency_rad_s / (2.0 * Pi));
+    }
+    bode.magnitude_dB = control::magnitude_dB(*response);
+    bode.phase_deg = control::phase_deg(*response);
+    return bode;
+}
+
+Result<AnalysisResult::Roots> rootsOf(const TransferFunction& openLoop) {
+    auto locus = control::rootLocus(openLoop, RootLocusMost_ratio);
+    if (!locus) {
+        return failure(locus.error());
+    }
+    return AnalysisResult::Roots{control::poles(openLoop), control::zeros(openLoop),
+                                 control::closedLoopPoles(openLoop), *std::move(locus),
+                                 openLoop.timeBase().period_s()};
+}
+
+} // namespace
+
+Result<void> takeOpenLoop(AnalysisResult& result, const TransferFunction& openLoop) {
+    result.poleRadius = control::poleRadius(openLoop);
+    result.isStable = result.poleRadius < 1.0;
+    result.margins = control::smallestMargins(openLoop);
+    result.crossings = control::allCrossings(openLoop);
+    const auto closedLoop = control::feedback(openLoop, TransferFunction::gain(1.0, openLoop.timeBase()));
+    auto bode = bodeOf(openLoop);
+    auto roots = rootsOf(openLoop);
+    if (!closedLoop || !bode || !roots) {
+        return failure(!closedLoop ? closedLoop.error() : !bode ? bode.error() : roots.error());
+    }
+    takeDominantPair(result, *closedLoop);
+    result.bode = *std::move(bode);
+    result.roots = *std::move(roots);
+    return {};
+}
+
+void takeStep(AnalysisResult& result, control::LoopStep step) {
+    result.step = step.metrics;
+    result.stepCurve = {std::move(step.time_s), std::move(step.response_rad), std::move(step.current_A)};
+}
+
+double stepDuration_s(const AnalysisResult& result, double period_s) {
+    constexpr double TimeConstants = 6.0;
+    const double samples = -TimeConstants / std::log(std::min(result.poleRadius, 1.0 - 1e-9));
+    return std::clamp(samples, 100.0, 2000.0) * period_s;
+}
+
+Result<void> checkConditions(const LoopConditions& conditions) {
+    if (!std::isfinite(conditions.currentLimit_A) || conditions.currentLimit_A <= 0.0) {
+        return failure(ErrorCode::OutOfRange,
+                       fmt::format("a current limit of {} A is not possible", conditions.currentLimit_A));
+    }
+    const auto& stray = conditions.stray;
+    if (stray && (!std::isfinite(stray->amplitude_T) || !std::isfinite(stray->coefficient_T_per_A) ||
+                  stray->amplitude_T <= 0.0 || !std::isfinite(stray->error_T_per_A.value_or(0.0)))) {
+        return failure(ErrorCode::OutOfRange,
+                       "the stray field of the coils is not described by finite numbers");
+    }
+    return control::checkTiming(conditions.timing);
+}
+
+Result<void> checkPositionGains(const control::PidGains& parallel) {
+    if (parallel.proportional <= 0.0 || parallel.integral < 0.0 || parallel.derivative < 0.0) {
+        return failure(ErrorCode::OutOfRange,
+                       fmt::format("K_P = {:.4g}, K_I = {:.4g}, K_D = {:.4g} is no position loop",
+                                   parallel.proportional, parallel.integral, parallel.derivative),
+                       "K_P must be positive, K_I and K_D not negative");
+    }
+    return {};
+}
+
+void addStabilityWarnings(AnalysisResult& result, double proportional_A_per_rad) {
+    if (!result.isStable) {
+        result.warnings.push_back(
+            {"unstable", fmt::format("the sampled loop is unstable: pole radius {:.4f}", result.poleRadius),
+             "only friction and the current limit bound it; lower K_P or use method recommended"});
+    }
+    if (proportional_A_per_rad > result.proportionalLimit_A_per_rad) {
+        result.warnings.push_back(
+            {"above_sampled_limit",
+             fmt::format(
+                 "K_P = {:.4g} A/rad is {:.3g} times the limit of {:.4g} A/rad at this sampling and delay",
+                 proportional_A_per_rad, proportional_A_per_rad / result.proportionalLimit_A_per_rad,
+                 result.proportionalLimit_A_per_rad),
+             "the rotor rests and makes small steps at best; large steps end in a limit cycle"});
+    }
+    constexpr double LittleDamping_ratio = 0.15;
+    if (result.isStable && result.dominantDamping_ratio.value_or(1.0) < LittleDamping_ratio) {
+        result.warnings.push_back(
+            {"little_damping",
+             fmt::format(
+                 "the loop is nearly undamped (zeta = {:.3g} at {:.4g} rad/s): only friction damps it",
+                 *result.dominantDamping_ratio, *result.dominantFrequency_rad_s),
+             "a PI loop cannot do better on this motor; derivative action can: method recommended"});
+    }
+    constexpr double LeastPhaseMargin_deg = 20.0;
+    constexpr double LeastGainMargin_ratio = 1.5;
+    if (result.isStable &&
+        (result.margins.phaseMargin_deg < LeastPhaseMargin_deg ||
+         std::abs(std::log(result.margins.gainMargin_ratio)) < std::log(LeastGainMargin_ratio))) {
+        result.warnings.push_back(
+            {"small_margin",
+             fmt::format("small margins: {:.3g} deg of phase, a factor {:.3g} of gain",
+                         result.margins.phaseMargin_deg, result.margins.gainMargin_ratio),
+             "the usual least are 30 deg and a factor 2"});
+    }
+}
+
+void addDelayWarning(AnalysisResult& result, double poleRadiusOneSampleLater) {
+    if (result.isStable && poleRadiusOneSampleLater >= 1.0) {
+        result.warnings.push_back(
+            {"delay_sensitive",
+             fmt::format("one more sample of delay makes this loop unstable: its delay margin is {:.3g} ms",
+                         1e3 * result.margins.delayMargin_s),
+             "make sure that the delay is known (delay.samples), or choose a slower loop"});
+    }
+}
+
+void addFrictionWarning(AnalysisResult& result, bool hasIntegral) {
+    const double band_deg = radiansToDegrees(result.frictionBand_rad);
+    constexpr double NotableBand_deg =
+        0.64; // the accuracy that the published loop claims (htm-theory.md 6.7)
+    if (band_deg > NotableBand_deg) {
+        result.warnings.push_back(
+            {"friction_band",
+             fmt::format("friction holds the rotor within +-{:.3g} deg of the reference", band_deg),
+             hasIntegral
+                 ? "only the integral removes the rest, slowly; the micro-step assist or a larger K_P "
+                   "narrows the band"
+                 : "the micro-step assist or a larger K_P narrows the band"});
+    }
+}
+
+void addStrayWarning(AnalysisResult& result, const std::optional<StrayField>& stray) {
+    if (!stray || stray->coefficient_T_per_A == 0.0) {
+        return;
+    }
+    constexpr double WarnFrom_ratio = 0.20 / 0.35;
+    const double perTesla = result.highFrequencyGain_A_per_rad / stray->amplitude_T;
+    const double coefficient_T_per_A = std::abs(stray->coefficient_T_per_A);
+    const double allowed_percent = 100.0 / (perTesla * coefficient_T_per_A);
+    if (!stray->isCompensated) {
+        if (perTesla * coefficient_T_per_A >= WarnFrom_ratio) {
+            result.warnings.push_back(
+                {"stray_field_not_compensated",
+                 "the stray field of the coils is not compensated and feeds the current back "
+                 "into the angle: this gain can make it alternate every sample",
+                 "switch the compensation on (stray.enabled)"});
+        }
+        return;
+    }
+    if (!stray->error_T_per_A) {
+        if (allowed_percent < 100.0) {
+            result.warnings.push_back({"stray_field_not_calibrated",
+                                       fmt::format("this gain needs the stray coefficient to better than "
+                                                   "{:.0f} %, and its error is not known",
+                                                   allowed_percent),
+                                       "calibrate the stray field first"});
+        }
+        return;
+    }
+    if (perTesla * std::abs(*stray->error_T_per_A) >= WarnFrom_ratio) {
+        result.warnings.push_back(
+            {"stray_field_error",
+             fmt::format("the stray coefficient is known to {:.0f} %, this gain needs better than {:.0f} %",
+                         100.0 * std::abs(*stray->error_T_per_A) / coefficient_T_per_A, allowed_percent),
+             "calibrate the stray field again, or lower the gains"});
+    }
+}
+
+void addRobustnessWarnings(std::vector<Finding>& warnings, const control::Robustness& robust, bool isStable,
+                           bool hasCovariance) {
+    if (!hasCovariance) {
+        warnings.push_back({"model_without_covariance",
+                            "the model has no covariance: robustness is that of an exactly known motor",
+                            "identify the motor to get its uncertainty"});
+    }
+    if (isStable && robust.unstable_fraction > 0.0) {
+        warnings.push_back({"not_robust",
+                            fmt::format("{:.3g} % of the motors that the data allow make this loop unstable",
+                                        100.0 * robust.unstable_fraction),
+                            "identify more precisely, or choose a slower loop"});
+    }
+}
+
+} // namespace halbench::app
