@@ -9,8 +9,10 @@
 #include "app/batch/numbers.h"
 #include "app/batch/output_file.h"
 #include "app/batch/result_documents.h"
+#include "app/batch/shaped_gains.h"
 #include "app/batch/what_if_report.h"
 #include "app/procedures/disturbance.h"
+#include "app/procedures/judge_shaped.h"
 #include "control/base/assert.h"
 #include "control/base/units.h"
 
@@ -107,7 +109,12 @@ Result<TuneResult> judgeLoop(ComparedLoop& loop, const ModelFile& model, LoopCon
     config.conditions = std::move(conditions);
     config.conditions.timing = loop.gains.timing;
     config.seed = with.seed;
-    Result<TuneResult> judged = judgeLaw(model.estimate, loop.gains.law, config);
+    Result<TuneResult> judged = loop.shaped
+                                    ? judgeShaped(model.estimate, *loop.shaped, loop.gains.law, config)
+                                    : judgeLaw(model.estimate, loop.gains.law, config);
+    if (judged && loop.shaped) {
+        loop.result = judged->predicted;
+    }
     if (judged) {
         loop.result.warnings = judged->warnings;
         loop.result.quality.findings = judged->warnings;
@@ -121,16 +128,19 @@ Result<TuneResult> judgeLoop(ComparedLoop& loop, const ModelFile& model, LoopCon
 /// What runs on the board takes its timing with it: each loop is the one its gains were designed for.
 Result<ComparedLoop> analyseGains(const std::string& path, const ModelFile& model,
                                   LoopConditions conditions) {
-    const Result<GainsFile> gains = readGainsFile(path);
-    if (!gains) {
-        return failure(gains.error());
+    const Result<ShapedGainsFile> file = readShapedGains(path);
+    if (!file) {
+        return failure(file.error());
     }
-    conditions.timing = gains->timing;
-    Result<AnalysisResult> result = runAnalysis(model.estimate, gains->law, conditions);
+    if (file->shaped) {
+        return ComparedLoop{path, file->gains, {}, file->shaped}; // `judgeLoop` analyses it
+    }
+    conditions.timing = file->gains.timing;
+    Result<AnalysisResult> result = runAnalysis(model.estimate, file->gains.law, conditions);
     if (!result) {
         return failure(result.error().code, path + ": " + result.error().message, result.error().hint);
     }
-    return ComparedLoop{path, *gains, *std::move(result)};
+    return ComparedLoop{path, file->gains, *std::move(result)};
 }
 
 Result<std::vector<ComparedLoop>> analyseAll(const CommandOptions& options, const ModelFile& model,
@@ -146,6 +156,22 @@ Result<std::vector<ComparedLoop>> analyseAll(const CommandOptions& options, cons
         loops.push_back(*std::move(loop));
     }
     return loops;
+}
+
+/// What shows or runs the board's law only.
+Result<void> checkShown(const CommandOptions& options, const std::vector<ComparedLoop>& loops) {
+    const bool isAnyShaped =
+        std::any_of(loops.begin(), loops.end(), [](const ComparedLoop& loop) { return loop.shaped; });
+    if (!isAnyShaped) {
+        return {};
+    }
+    if (!options.codeFile.empty()) {
+        return notOnBoard("--code");
+    }
+    if (!options.whatIfRecording.empty()) {
+        return notOnBoard("--what-if");
+    }
+    return options.pictures.empty() ? Result<void>() : notOnBoard("--picture");
 }
 
 /// The open loop with its bands.
@@ -187,6 +213,15 @@ Result<void> writeStep(const std::string& path, const AnalysisResult::Step& step
                          &loaded.current_A, &response.p5, &response.p95, &angle.p5, &angle.p95});
 }
 
+/// Empty cells on the times of the step.
+control::LoadStep unknownLoad(const AnalysisResult::Step& step) {
+    control::LoadStep unknown;
+    unknown.time_s = step.time_s;
+    unknown.angle_rad.assign(step.time_s.size(), std::numeric_limits<double>::quiet_NaN());
+    unknown.current_A = unknown.angle_rad;
+    return unknown;
+}
+
 /// Each as it is judged alone; the answer is that of the first.
 Result<TuneResult> judgeAll(std::vector<ComparedLoop>& loops, const ModelFile& model,
                             const LoopConditions& conditions, const JudgedWith& with) {
@@ -205,13 +240,17 @@ Result<void> writeFiles(const CommandOptions& options, const ModelFile& model, c
     const AnalysisResult& result = loop.result;
     conditions.timing = loop.gains.timing;
     const bool needsMotors = !options.bodeFile.empty() || !options.stepFile.empty();
-    const auto motors = needsMotors ? motorsOf(model, with.seed) : std::vector<control::PositionPlant>();
+    // The bands are of the board's law: of a shaped one they are not known.
+    const auto motors =
+        needsMotors && !loop.shaped ? motorsOf(model, with.seed) : std::vector<control::PositionPlant>();
     Result<void> done =
         options.bodeFile.empty() ? Result<void>() : writeBode(options.bodeFile, result.bode, loop, motors);
     if (done && !options.stepFile.empty()) {
-        const auto loaded = disturbanceStep(model.estimate, loop.gains.law, conditions, result, with.load_A);
-        done = writeStep(options.stepFile, result.stepCurve, loaded.value_or(control::LoadStep{}),
-                         with.load_A, loop, motors);
+        const auto loaded =
+            loop.shaped ? unknownLoad(result.stepCurve)
+                        : disturbanceStep(model.estimate, loop.gains.law, conditions, result, with.load_A)
+                              .value_or(control::LoadStep{});
+        done = writeStep(options.stepFile, result.stepCurve, loaded, with.load_A, loop, motors);
     }
     done = done ? writePoles(options.polesFile, result.roots) : done;
     return done ? writeLaw(options.codeFile, loop.gains.law, conditions, {loop.gains.method, model.device})
@@ -295,6 +334,9 @@ CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& o
     if (!loops) {
         return failure(loops.error());
     }
+    if (const Result<void> shown = checkShown(options, *loops); !shown) {
+        return failure(shown.error());
+    }
     const ComparedLoop& own = loops->front();
     ResultHeader header = headerFor(context, "halbench.analysis/1");
     header.device = model->device;
@@ -313,6 +355,7 @@ CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& o
     std::string text = analysisText(own.result) + proofLines(*judged) + cycleLines(*judged) +
                        disturbanceLines(*judged) + intervalLines(judged->robust) +
                        loopFindingLines(own.result.quality, false);
+    text += own.shaped ? shapingLines(*own.shaped) : std::string();
     if (loops->size() > 1) {
         document.set("compared", comparedLoops({loops->begin() + 1, loops->end()}));
         text += comparisonTable(*loops);

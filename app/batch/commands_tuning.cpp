@@ -6,8 +6,10 @@
 #include "app/batch/numbers.h"
 #include "app/batch/relay_document.h"
 #include "app/batch/result_documents.h"
+#include "app/batch/shaped_gains.h"
 #include "app/batch/tuning_apply.h"
 #include "app/batch/tuning_text.h"
+#include "app/procedures/judge_shaped.h"
 #include "devices/device_uri.h"
 
 #include <fmt/format.h>
@@ -53,9 +55,9 @@ Result<control::DesignTargets> targetsFrom(const CommandOptions& options) {
 }
 
 /// What --gains holds is not designed. Nothing without it.
-Result<std::optional<GainsFile>> gainsOf(const CommandOptions& options) {
+Result<std::optional<ShapedGainsFile>> gainsOf(const CommandOptions& options) {
     if (options.gainsFile.empty()) {
-        return std::optional<GainsFile>();
+        return std::optional<ShapedGainsFile>();
     }
     for (const std::string* designing :
          {&options.method, &options.zeta, &options.omega, &options.bandwidth, &options.phaseMargin,
@@ -66,8 +68,34 @@ Result<std::optional<GainsFile>> gainsOf(const CommandOptions& options) {
                            "leave out one or the other");
         }
     }
-    Result<GainsFile> gains = readGainsFile(options.gainsFile);
-    return gains ? Result<std::optional<GainsFile>>(*std::move(gains)) : failure(gains.error());
+    Result<ShapedGainsFile> gains = readShapedGains(options.gainsFile);
+    return gains ? Result<std::optional<ShapedGainsFile>>(*std::move(gains)) : failure(gains.error());
+}
+
+/// What the board cannot run is told before anything moves.
+Result<void> checkRunnable(const CommandOptions& options, const std::optional<ShapedGainsFile>& gains) {
+    if (!gains || !gains->shaped) {
+        return {};
+    }
+    if (!options.applyDevice.empty()) {
+        return notOnBoard("--apply");
+    }
+    if (!options.codeFile.empty()) {
+        return notOnBoard("--code");
+    }
+    return options.pictures.empty() ? Result<void>() : notOnBoard("--picture");
+}
+
+Result<TuneResult> judgeFile(const TuningSource& source, const TuneConfig& config,
+                             const LoopConditions& conditions) {
+    if (!source.shaped) {
+        return judgeGains(*source.gains, source.estimate, conditions, {config.seed, config.load_A});
+    }
+    TuneConfig shaped = config;
+    shaped.method = source.gains->method.empty() ? "file" : source.gains->method;
+    shaped.targets = source.gains->targets;
+    shaped.conditions = conditions;
+    return judgeShaped(source.estimate, *source.shaped, source.gains->law, shaped);
 }
 
 /// Designed, or as the file has them; those are judged in the loop that they were found for.
@@ -78,7 +106,7 @@ Result<TuneResult> findGains(const CommandOptions& options, const TuningSource& 
     }
     LoopConditions conditions = source.conditions;
     conditions.timing = source.device ? conditions.timing : source.gains->timing;
-    auto judged = judgeGains(*source.gains, source.estimate, conditions, {config.seed, config.load_A});
+    auto judged = judgeFile(source, config, conditions);
     if (!judged) {
         return failure(judged.error().code, options.gainsFile + ": " + judged.error().message,
                        judged.error().hint);
@@ -156,9 +184,10 @@ CommandResult runTuneCommand(CommandContext& context, const CommandOptions& opti
     if (!config) {
         return failure(config.error());
     }
-    Result<std::optional<GainsFile>> gains = gainsOf(options);
-    if (!gains) {
-        return failure(gains.error());
+    Result<std::optional<ShapedGainsFile>> gains = gainsOf(options);
+    const Result<void> runnable = gains ? checkRunnable(options, *gains) : failure(gains.error());
+    if (!runnable) {
+        return failure(runnable.error());
     }
     const bool isDevice = devices::parseDeviceUri(options.device).has_value();
     Result<TuningSource> source =
@@ -166,7 +195,10 @@ CommandResult runTuneCommand(CommandContext& context, const CommandOptions& opti
     if (!source) {
         return failure(source.error());
     }
-    source->gains = *std::move(gains);
+    if (*gains) {
+        source->gains = (*gains)->gains;
+        source->shaped = (*gains)->shaped;
+    }
     if (const Result<void> taken = takeCalibration(source->conditions, options.calibrationFile); !taken) {
         return failure(taken.error());
     }
@@ -200,6 +232,10 @@ CommandResult runTuneCommand(CommandContext& context, const CommandOptions& opti
     }
     JsonValue document = gainsDocument(source->header, *result);
     std::string text = gainsText(*result);
+    if (source->shaped) {
+        setShaping(document, *source->shaped);
+        text += shapingLines(*source->shaped);
+    }
     bool isKept = true;
     if (!options.applyDevice.empty()) {
         const Result<AppliedGains> applied =

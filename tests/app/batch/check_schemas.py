@@ -89,6 +89,14 @@ class Schemas(unittest.TestCase):
         self.accept(self.run_json("tune", "m.json", "--method", "pole-placement", "--out", "p.json"))
         both = self.accept(self.run_json("analyse", "m.json", "p.json", "--compare", "g.json"))
         self.assertEqual(set(both["compared"][0]) - set(alone), {"gains_file", "method"})
+        with open(os.path.join(self.folder.name, "g.json"), encoding="utf-8") as file:
+            shaped = json.load(file)
+        shaped["gains"] |= {"setpoint_weights": {"b": 0.6}, "filter_s": {"value": 0.002},
+                            "filters": [{"kind": "low-pass", "corner_rad_s": 250, "order": 1}]}
+        with open(os.path.join(self.folder.name, "s.json"), "w", encoding="utf-8") as file:
+            json.dump(shaped, file)
+        self.accept(self.run_json("tune", "m.json", "--gains", "s.json"))
+        self.accept(self.run_json("analyse", "m.json", "s.json"))
         self.run_json("move", "sim:htm?seed=4", "--reference", "step,amplitude_deg=30", "--duration", "1", "--out", "v.csv")
         what_if = self.accept(self.run_json("analyse", "m.json", "g.json", "--what-if", "v.csv"))["what_if"]
         self.assertTrue(what_if["explained"] and what_if["predicted"]["widest_band_rad"] > 0)
