@@ -6298,6 +6298,14 @@
         <source>&apos;units&apos; names &apos;{}&apos;, which this [[plot]] does not show</source>
         <translation>„units“ nennt „{}“, was dieses [[plot]] nicht zeigt</translation>
     </message>
+    <message>
+        <source>the board&apos;s law has no set-point weights and no filters: this loop is judged and cannot be applied</source>
+        <translation>das Regelgesetz des Steuergeräts hat keine Sollwertgewichte und keine Filter: Dieser Kreis wird beurteilt und kann nicht übernommen werden</translation>
+    </message>
+    <message>
+        <source>limit cycles, large steps and loads are not predicted for it</source>
+        <translation>Grenzzyklen, große Sprünge und Lasten werden für ihn nicht vorhergesagt</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -6298,6 +6298,14 @@
         <source>&apos;units&apos; names &apos;{}&apos;, which this [[plot]] does not show</source>
         <translation>“units”中的“{}”不是这个 [[plot]] 所显示的信号</translation>
     </message>
+    <message>
+        <source>the board&apos;s law has no set-point weights and no filters: this loop is judged and cannot be applied</source>
+        <translation>控制板的控制律没有设定值权重和滤波器：该回路只作评判，不能应用</translation>
+    </message>
+    <message>
+        <source>limit cycles, large steps and loads are not predicted for it</source>
+        <translation>不为其预测极限环、大阶跃和负载</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
