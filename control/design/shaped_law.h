@@ -59,9 +59,9 @@ struct ShapedLaw {
 bool isBoardLaw(const ShapedLaw& law);
 
 /// The gains of a checked law: parallel form, per radian, with their filter. Errors: NotFinite; OutOfRange (a
-/// weight outside 0 ... 1, a filter that is not possible or not below Nyquist, more than eight); InvalidInput
-/// (a form that cannot be expressed; b < 1 without integral action, which would leave the motor at b times
-/// the reference).
+/// weight outside 0 ... 1, a filter that is not possible or not below Nyquist or too slow, more than four);
+/// InvalidInput (a form that cannot be expressed; b < 1 without integral action, which would leave the motor
+/// at b times the reference).
 Result<PidGains> checkedGains(const ShapedLaw& law, double period_s);
 
 Result<TransferFunction> sampledFilter(const LoopFilter& filter, double period_s);

@@ -139,8 +139,14 @@ TEST(ShapedLaw, whatIsNotPossibleIsRefused) {
     law = recommendedLaw();
     law.filters = {NotchFilter{315.0, 0.1, 0.5}}; // Nyquist lies at 314.16 rad/s
     EXPECT_EQ(codeOf(law), ErrorCode::OutOfRange);
-    law.filters.assign(9, LowPassFilter{100.0, 1});
+    law.filters.assign(4, LowPassFilter{100.0, 1});
+    EXPECT_EQ(codeOf(law), std::nullopt);
+    law.filters.assign(5, LowPassFilter{100.0, 1});
     EXPECT_EQ(codeOf(law), ErrorCode::OutOfRange);
+    for (const LagFilter& slow : {LagFilter{1e-300, 2.0}, LagFilter{1e-3, 1e8}}) {
+        law.filters = {slow};
+        EXPECT_EQ(codeOf(law), ErrorCode::OutOfRange);
+    }
     law = recommendedLaw();
     law.gains.filter_s = -0.01;
     EXPECT_EQ(codeOf(law), ErrorCode::NotFinite);
