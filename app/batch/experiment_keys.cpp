@@ -9,7 +9,8 @@ namespace halbench::app {
 namespace {
 
 constexpr double Any = std::numeric_limits<double>::max();
-constexpr std::string_view Kinds = "identify|frequency|relay|calibrate|tune|apply|move|record|set|wait|analyse";
+constexpr std::string_view Kinds =
+    "identify|frequency|relay|calibrate|tune|apply|move|record|set|wait|analyse";
 constexpr std::string_view Presets = "published|designed|micro-step|published-in-degrees|recommended";
 constexpr std::string_view Methods =
     "recommended|pole-placement|bandwidth|phase-margin|simc|lambda|ziegler-nichols|ziegler-nichols-pi|"

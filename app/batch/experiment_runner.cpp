@@ -15,16 +15,11 @@ struct StepKind {
 };
 
 constexpr std::array Kinds = {
-    StepKind{"identify", runIdentifyStep},
-    StepKind{"frequency", runFrequencyStep},
-    StepKind{"relay", runRelayStep},
-    StepKind{"calibrate", runCalibrateStep},
-    StepKind{"tune", runTuneStep},
-    StepKind{"analyse", runAnalyseStep},
-    StepKind{"apply", runApplyStep},
-    StepKind{"move", runMoveStep},
-    StepKind{"record", runRecordStep},
-    StepKind{"set", runSetStep},
+    StepKind{"identify", runIdentifyStep}, StepKind{"frequency", runFrequencyStep},
+    StepKind{"relay", runRelayStep},       StepKind{"calibrate", runCalibrateStep},
+    StepKind{"tune", runTuneStep},         StepKind{"analyse", runAnalyseStep},
+    StepKind{"apply", runApplyStep},       StepKind{"move", runMoveStep},
+    StepKind{"record", runRecordStep},     StepKind{"set", runSetStep},
     StepKind{"wait", runWaitStep},
 };
 

@@ -6,12 +6,12 @@
 #include "app/procedures/apply_procedure.h"
 #include "app/procedures/calibrate_procedure.h"
 #include "app/procedures/frequency_procedure.h"
-#include "app/procedures/relay_procedure.h"
 #include "app/procedures/identify_procedure.h"
 #include "app/procedures/motor_analysis.h"
 #include "app/procedures/move_procedure.h"
 #include "app/procedures/move_repetition.h"
 #include "app/procedures/record_procedure.h"
+#include "app/procedures/relay_procedure.h"
 #include "app/procedures/tune.h"
 #include "devices/acquisition/recording_meta.h"
 
@@ -38,8 +38,9 @@ struct TuneOutcome {
 };
 
 /// The procedure's own result, for later steps and the report.
-using StepDetail = std::variant<std::monostate, IdentifyResult, FrequencyResult, RelayResult, CalibrateResult, TuneOutcome, AnalysisResult,
-                                AmplifierAnalysis, MotorAnalysis, ApplyResult, MoveOutcome, RecordResult>;
+using StepDetail =
+    std::variant<std::monostate, IdentifyResult, FrequencyResult, RelayResult, CalibrateResult, TuneOutcome,
+                 AnalysisResult, AmplifierAnalysis, MotorAnalysis, ApplyResult, MoveOutcome, RecordResult>;
 
 struct StepOutcome {
     std::string kind;

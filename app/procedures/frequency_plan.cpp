@@ -37,7 +37,8 @@ Result<void> checkConfig(const FrequencyConfig& config, double period_s) {
     constexpr double HighestShare = 0.45; // of the sampling rate; beyond it the held rotor tells little
     const double highest_Hz = HighestShare / period_s;
     Result<void> valid = checkRange("lowest frequency in Hz", config.from_Hz, LowestFrequency_Hz, highest_Hz);
-    valid = valid ? checkRange("highest frequency in Hz", config.to_Hz, 1.5 * config.from_Hz, highest_Hz) : valid;
+    valid =
+        valid ? checkRange("highest frequency in Hz", config.to_Hz, 1.5 * config.from_Hz, highest_Hz) : valid;
     valid = valid ? checkRange("number of periods", config.periods, 4, 64) : valid;
     valid = valid ? checkRange("least coherence", config.leastCoherence, 0.5, 0.999) : valid;
     valid = valid ? checkRange("amplitude in rad", config.amplitude_rad.value_or(0.01), 1e-5, 1.0) : valid;

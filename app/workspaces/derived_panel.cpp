@@ -49,7 +49,8 @@ DerivedPanel::DerivedPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     connect(m_list, &QTableWidget::itemSelectionChanged, this,
             [this] { m_remove->setEnabled(m_list->currentRow() >= 0); });
     connect(&m_bench, &Workbench::derivedSignalsChanged, this, &DerivedPanel::showList);
-    connect(&m_bench, &Workbench::deviceChanged, this, &DerivedPanel::showList); // what waited is computed now
+    connect(&m_bench, &Workbench::deviceChanged, this,
+            &DerivedPanel::showList); // what waited is computed now
     showList();
 }
 

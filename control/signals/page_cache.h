@@ -32,8 +32,8 @@ public:
     bool isGlancing() const { return m_isGlancing; }
     /// Whether everything that was needed since beginGlance() was at hand.
     bool isGlanceWhole() const { return m_isGlanceWhole; }
-    /// Takes over what was asked for and has come. Whether there was anything. Ends a round: of one frame, all of
-    /// whose questions must be answered from the cache together.
+    /// Takes over what was asked for and has come. Whether there was anything. Ends a round: of one frame,
+    /// all of whose questions must be answered from the cache together.
     bool collect();
 
     std::size_t bytes() const { return m_bytes; }
@@ -75,8 +75,8 @@ private:
     Entries m_entries;
     std::unordered_map<Key, Entries::iterator, Hash> m_index;
     std::unordered_set<Key, Hash> m_asked; ///< on their way
-    std::uint64_t m_round = 0;     ///< number of collect()
-    std::size_t m_round_bytes = 0; ///< needed in it so far
+    std::uint64_t m_round = 0;             ///< number of collect()
+    std::size_t m_round_bytes = 0;         ///< needed in it so far
     bool m_isGlancing = false;
     bool m_isGlanceWhole = true;
     /// What was asked for last: a curve asks for the same few parts many times in a row.

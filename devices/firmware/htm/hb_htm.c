@@ -88,7 +88,8 @@ static void startOrStopCapture(hb_htm* board) {
         hb_capture_start(&board->capture, &board->live.capture);
     }
     board->live.capture_start = isCapturing(board);
-    publishCapture(board); /* whoever asks before the next tick asks for this capture, not for the one before */
+    publishCapture(
+        board); /* whoever asks before the next tick asks for this capture, not for the one before */
 }
 #endif
 

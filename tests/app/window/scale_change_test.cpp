@@ -3,7 +3,6 @@
 #include "tests/app/window/window_test.h"
 #include "widgets/stop_button.h"
 
-
 namespace halbench::app {
 namespace {
 
