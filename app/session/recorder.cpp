@@ -130,6 +130,7 @@ Result<void> Recorder::writeAll(devices::RecordingWriter& writer) {
                 return written;
             }
         }
+        keepEvents(writer);
     }
 }
 
@@ -200,22 +201,50 @@ Result<void> Recorder::write(devices::RecordingWriter& writer, const SampleBlock
     return {};
 }
 
-void Recorder::noteEvents(devices::RecordingWriter& writer) {
+/// On the recording's axis, as far as they belong to it.
+devices::RecordingEvents Recorder::events() const {
     const std::lock_guard lock(m_mutex);
     const double first_s = m_first_s.value_or(0.0);
+    devices::RecordingEvents events;
     for (const auto& marker : m_markers) {
         if (marker.time_s >= first_s - ReportAge_s) { // else it is of a time before this recording
-            writer.addMarker(std::max(0.0, marker.time_s - first_s), marker.text);
+            events.markers.push_back({std::max(0.0, marker.time_s - first_s), marker.text});
         }
     }
     for (const auto& change : m_changes) {
-        writer.addChange(std::max(0.0, change.time_s - first_s), change.name, change.value);
+        events.changes.push_back({std::max(0.0, change.time_s - first_s), change.name, change.value});
     }
     for (const Drop& drop : m_drops) {
-        writer.addMarker(std::max(0.0, drop.begin_s - first_s),
-                         fmt::format("{} rows dropped: the disk did not keep up", drop.rows));
+        events.markers.push_back({std::max(0.0, drop.begin_s - first_s),
+                                  fmt::format("{} rows dropped: the disk did not keep up", drop.rows)});
     }
-    writer.setDroppedRows(m_status.droppedRows);
+    events.droppedRows = m_status.droppedRows;
+    return events;
+}
+
+void Recorder::noteEvents(devices::RecordingWriter& writer) const {
+    const devices::RecordingEvents all = events();
+    for (const auto& marker : all.markers) {
+        writer.addMarker(marker.time_s, marker.text);
+    }
+    for (const auto& change : all.changes) {
+        writer.addChange(change.time_s, change.name, change.value);
+    }
+    writer.setDroppedRows(all.droppedRows);
+}
+
+/// What is new of them is with the disk as soon as the rows around it are. A sidecar that cannot be kept
+/// costs no row: the one before serves a recovery, and the end of the recording writes its own.
+void Recorder::keepEvents(devices::RecordingWriter& writer) {
+    const devices::RecordingEvents all = events();
+    const std::size_t count = all.markers.size() + all.changes.size();
+    const bool isDue = !m_eventsKept_s || m_last_s - *m_eventsKept_s >= m_config.flushInterval_s ||
+                       m_last_s < *m_eventsKept_s;
+    if (m_first_s && count != m_keptEvents && isDue) {
+        m_eventsKept_s = m_last_s;
+        m_keptEvents = count;
+        (void)writer.keepEvents(all);
+    }
 }
 
 void Recorder::end(const Result<void>& result) {

@@ -75,7 +75,9 @@ private:
     std::vector<SampleBlock> keptRows(const SampleBlock& block);
     Result<void> write(devices::RecordingWriter& writer, const SampleBlock& block);
     Result<void> writeAll(devices::RecordingWriter& writer);
-    void noteEvents(devices::RecordingWriter& writer);
+    devices::RecordingEvents events() const;
+    void noteEvents(devices::RecordingWriter& writer) const;
+    void keepEvents(devices::RecordingWriter& writer);
     void noteDrop(const SampleBlock& block);
     void followLayout(const SampleBlock& block);
     void appendRow(SampleBlock& rows, const SampleBlock& block, std::size_t row) const;
@@ -101,6 +103,8 @@ private:
     std::uint64_t m_sourceRow = 0;
     std::optional<double> m_first_s;
     double m_last_s = 0.0;
+    std::size_t m_keptEvents = 0;         ///< with the sidecar that a recovery would find
+    std::optional<double> m_eventsKept_s; ///< when, on the clock of the blocks
 
     std::thread m_thread; ///< last: starts when everything else is there
 };

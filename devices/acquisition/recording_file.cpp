@@ -292,6 +292,7 @@ std::string retirePartialRecording(const std::string& path, bool isDamaged) {
         std::remove(path.c_str());
     }
     std::remove(metaPartialOf(path).c_str());
+    std::remove(nextMetaPathOf(finalPathOf(path)).c_str());
     std::remove(journalPathOf(finalPathOf(path)).c_str());
     return kept;
 }

@@ -121,6 +121,10 @@ std::string completeMetaPathOf(const std::string& path) {
     return partialPathOf(metaPathOf(path)) + ".new";
 }
 
+std::string nextMetaPathOf(const std::string& path) {
+    return partialPathOf(metaPathOf(path)) + ".next";
+}
+
 RecordingWriter::RecordingWriter(const std::string& path, WriterOptions options, RecordingMeta meta)
     : m_options(std::move(options)), m_path(path), m_partial(path + m_options.suffix),
       m_metaPartial(metaPathOf(path) + m_options.suffix), m_meta(std::move(meta)), m_file(pathOf(m_partial)),
@@ -225,6 +229,18 @@ void RecordingWriter::addChange(double time_s, const std::string& parameter, dou
     m_meta.changes.push_back({time_s, parameter, value});
 }
 
+Result<void> RecordingWriter::keepEvents(const RecordingEvents& events) {
+    RecordingMeta meta = m_meta;
+    meta.markers.insert(meta.markers.end(), events.markers.begin(), events.markers.end());
+    meta.changes.insert(meta.changes.end(), events.changes.begin(), events.changes.end());
+    meta.droppedRows = events.droppedRows;
+    meta.rows = 0; // a recovery counts them and finds the gaps
+    meta.gaps.clear();
+    const std::string next = nextMetaPathOf(m_path);
+    const Result<void> written = writeText(next, toMetaJson(meta));
+    return written ? moveInto(next, m_metaPartial) : written;
+}
+
 Result<void> RecordingWriter::finish() {
     if (m_error) {
         return failure(*m_error);
@@ -254,6 +270,7 @@ Result<void> RecordingWriter::finish() {
 void RecordingWriter::removeWorkingFiles() {
     std::remove(m_partial.c_str());
     std::remove(m_metaPartial.c_str());
+    std::remove(nextMetaPathOf(m_path).c_str());
     if (m_options.flushInterval_s) {
         std::remove(journalPathOf(m_path).c_str());
     }

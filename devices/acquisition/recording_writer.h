@@ -21,6 +21,8 @@ std::string partialPathOf(const std::string& path);
 std::string journalPathOf(const std::string& path);
 /// The whole sidecar until the data beside it have their name: "dir/run.meta.json.partial.new".
 std::string completeMetaPathOf(const std::string& path);
+/// A sidecar for a recovery until it has replaced the one before: "dir/run.meta.json.partial.next".
+std::string nextMetaPathOf(const std::string& path);
 
 /// What a power loss may take of a recording that goes on.
 constexpr double FlushInterval_s = 1.0;
@@ -31,6 +33,13 @@ struct WriterOptions {
     DiskAccess disk = realDisk();
     /// A replayed recording is written exactly whatever this says: its numbers were read, not measured.
     CsvNumbers numbers = CsvNumbers::BoardFloats;
+};
+
+/// What happened while rows came; times on the recording's axis.
+struct RecordingEvents {
+    std::vector<RecordingMeta::Marker> markers;
+    std::vector<RecordingMeta::ParameterChange> changes;
+    std::uint64_t droppedRows = 0;
 };
 
 /// Writes a recording as it comes, as `path.partial`; every block is with the system when append() returns,
@@ -49,6 +58,9 @@ public:
     /// For the sidecar; times on the recording's axis.
     void addMarker(double time_s, const std::string& text);
     void addChange(double time_s, const std::string& parameter, double value);
+    /// For a recovery, while the recording goes on: its sidecar with these beside what was added. The one
+    /// before stays until this one is whole. Errors: FileSystem; the recording itself goes on.
+    Result<void> keepEvents(const RecordingEvents& events);
     /// Rows that never came here because the disk did not keep up.
     void setDroppedRows(std::uint64_t rows) { m_meta.droppedRows = rows; }
     Result<void> finish();

@@ -1,6 +1,7 @@
 #include "app/session/recorder.h"
 #include "devices/acquisition/recording_file.h"
 
+#include <QtCore/QDir>
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
 
@@ -90,6 +91,39 @@ TEST_F(RecorderTest, writesWhatComesAndCountsTimeFromTheFirstRow) {
     ASSERT_EQ(file->meta.changes.size(), 1U);
     EXPECT_EQ(file->meta.changes[0].name, "gain.kp");
     EXPECT_FALSE(fs::exists(path() + ".partial"));
+}
+
+// What is on the disk while it records is what a killed program leaves.
+TEST_F(RecorderTest, markersAndChangesSurviveAKill) {
+    const auto layout = layoutOf({"a"}, 0.01);
+    Recorder recorder(config(layout));
+    recorder.push(block(layout, 5.0, 10));
+    recorder.addMarker(5.05, "here");
+    recorder.addChange(5.1, "gain.kp", 12.0);
+    const auto left = [this] { return devices::readPartialRecording(path() + ".partial"); };
+    double at_s = 5.1;
+    const auto isKept = [&](std::size_t markers) {
+        recorder.push(block(layout, at_s, 200)); // two flush intervals
+        at_s += 2.0;
+        const auto partial = left(); // and the marker of the interruption
+        return partial && partial->file.meta.markers.size() == markers + 1;
+    };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return isKept(1); }, 20000));
+    recorder.addMarker(7.0, "there");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return isKept(2); }, 20000));
+    const auto partial = left();
+    EXPECT_EQ(partial->file.meta.markers[0].text, "here");
+    EXPECT_NEAR(partial->file.meta.markers[0].time_s, 0.05, 1e-9);
+    EXPECT_EQ(partial->file.meta.markers[1].text, "there");
+    ASSERT_EQ(partial->file.meta.changes.size(), 1U);
+    EXPECT_EQ(partial->file.meta.changes[0].value, 12.0);
+    recorder.finish();
+    ASSERT_TRUE(ended(recorder));
+    const auto file = devices::readRecordingFile(path());
+    ASSERT_TRUE(file);
+    EXPECT_EQ(file->meta.markers.size(), 2U) << "each once";
+    EXPECT_EQ(file->meta.changes.size(), 1U);
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 2) << "data and sidecar, no working file";
 }
 
 TEST_F(RecorderTest, keepsEveryTenthRowOfAStreamTenTimesAsDense) {
