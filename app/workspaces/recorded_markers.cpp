@@ -22,18 +22,24 @@ constexpr double Beyond_s = 0.5;
 std::vector<Marker> withMarkers(std::vector<Marker> kept, const std::vector<Marker>& given,
                                 const std::vector<Marker>& wanted, double length_s) {
     std::optional<double> first_s; // of the recording, on the clock of the device
+    std::vector<Marker> atStart;   // dropped when its first row was on its way
     for (const Marker& marker : given) {
         const auto found = std::find_if(kept.begin(), kept.end(),
                                         [&](const Marker& other) { return other.text == marker.text; });
         if (found != kept.end()) {
-            if (found->time_s > 0.0) { // else it may be cut to the first row
+            if (found->time_s > 0.0) {
                 first_s = marker.time_s - found->time_s;
+            } else { // it may be cut to the first row
+                atStart.push_back(marker);
             }
             kept.erase(found);
         }
     }
     for (const Marker& marker : wanted) {
-        const double time_s = first_s ? marker.time_s - *first_s : -1.0;
+        const bool isAtStart = std::any_of(atStart.begin(), atStart.end(), [&](const Marker& other) {
+            return other.time_s == marker.time_s;
+        });
+        const double time_s = isAtStart ? 0.0 : (first_s ? marker.time_s - *first_s : -1.0);
         if (time_s >= -Rounding_s && time_s <= length_s + Beyond_s) {
             kept.push_back({std::max(0.0, time_s), marker.text});
         }
