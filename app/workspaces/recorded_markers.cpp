@@ -39,7 +39,7 @@ std::vector<Marker> withMarkers(std::vector<Marker> kept, const std::vector<Mark
         const bool isAtStart = std::any_of(atStart.begin(), atStart.end(), [&](const Marker& other) {
             return other.time_s == marker.time_s;
         });
-        const double time_s = isAtStart ? 0.0 : (first_s ? marker.time_s - *first_s : -1.0);
+        const double time_s = first_s ? marker.time_s - *first_s : (isAtStart ? 0.0 : -1.0);
         if (time_s >= -Rounding_s && time_s <= length_s + Beyond_s) {
             kept.push_back({std::max(0.0, time_s), marker.text});
         }
@@ -54,15 +54,19 @@ RecordedMarkers::RecordedMarkers(Workbench& bench, widgets::LivePlotStack& stack
 }
 
 /// Of the plots' time from the device's. Exactly none unless the device's clock began again while it was
-/// watched; then as exact as the last report of the device is.
+/// watched; then as exact as the last report of the device is. Virtual time is too fast to be compared with a
+/// report.
 double RecordedMarkers::shift_s() const {
-    constexpr double Report_s = 1.0; // older than any is
+    constexpr double Report_s = 1.0; // older than any is, on the wall clock
+    const double speed_ratio = m_bench.session().pace().speed_ratio;
     const auto held = m_bench.history().range();
     const double apart_s = held ? held->end_s - m_bench.session().report().deviceTime_s : 0.0;
-    return apart_s > Report_s ? apart_s : 0.0;
+    const bool isRestarted = speed_ratio > 0.0 && apart_s > Report_s * std::max(1.0, speed_ratio);
+    return isRestarted ? apart_s : 0.0;
 }
 
 void RecordedMarkers::refresh() {
+    onChanged(); // its first rows may have come since it was said
     if (m_isRunning) {
         give();
     }

@@ -44,8 +44,9 @@ private:
 };
 
 /// The sidecar's markers `kept` with those of the plots instead of what the recorder was given. `given` and
-/// `wanted` at times of the device; those that do not lie in the recording, of `length_s`, are left out; one
-/// that the recorder cut to its first row stays there.
+/// `wanted` at times of the device; those that do not lie in the recording, of `length_s`, are left out.
+/// Where no marker tells on the device's clock when it began, those that the recorder cut to its first row
+/// stay there.
 std::vector<devices::RecordingMeta::Marker>
 withMarkers(std::vector<devices::RecordingMeta::Marker> kept,
             const std::vector<devices::RecordingMeta::Marker>& given,

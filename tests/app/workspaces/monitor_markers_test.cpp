@@ -108,7 +108,14 @@ TEST_F(MonitorMarkersTest, aRecordingHasThemWithTheirLastNoteAtTheDevicesTime) {
     const auto file = [&] { return metaOf(path); };
     bench().recording().stop();
     ASSERT_TRUE(wait([&] { return !path.isEmpty(); }));
-    ASSERT_TRUE(wait([&] { return file().markers.size() == 1; }));
+    const auto listed = [&] {
+        std::string text;
+        for (const auto& marker : file().markers) {
+            text += marker.text + " at " + std::to_string(marker.time_s) + "; ";
+        }
+        return text;
+    };
+    ASSERT_TRUE(wait([&] { return file().markers.size() == 1; })) << listed();
     const devices::RecordingMeta meta = file();
     EXPECT_EQ(meta.markers[0].text, "knock on the table");
     EXPECT_GT(meta.markers[0].time_s, 0.0);
