@@ -1,12 +1,14 @@
 #include "control/design/proof.h"
 
 #include "control/design/board_gains.h"
+#include "control/design/loop_proof.h"
 #include "control/design/riccati.h"
 #include "control/lti/state_space.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace halbench::control {
 
@@ -35,6 +37,22 @@ Result<StateSpace> noiseToCurrent(const PositionPlant& plant, const PidGains& ga
 
 } // namespace
 
+DesignProof loopProof(const TransferFunction& openLoop, const TransferFunction& oneSampleLater, LoopStep step,
+                      double currentLimit_A) {
+    DesignProof proof;
+    proof.poleRadius = poleRadius(openLoop);
+    proof.isStable = proof.poleRadius < 1.0;
+    proof.margins = smallestMargins(openLoop);
+    proof.peaks = sensitivityPeaks(openLoop);
+    for (const double current_A : step.current_A) {
+        proof.peakCurrent_A = std::max(proof.peakCurrent_A, std::abs(current_A));
+    }
+    proof.step = std::move(step);
+    proof.largestStep_rad = currentLimit_A / proof.peakCurrent_A;
+    proof.poleRadiusOneSampleLater = poleRadius(oneSampleLater);
+    return proof;
+}
+
 Result<DesignProof> proveDesign(const PositionPlant& plant, const PidGains& gains, const LoopTiming& timing,
                                 double currentLimit_A, double duration_s) {
     if (!(std::isfinite(currentLimit_A) && currentLimit_A > 0.0)) {
@@ -51,21 +69,11 @@ Result<DesignProof> proveDesign(const PositionPlant& plant, const PidGains& gain
         return failure(step.error());
     }
     const PidGains board = *boardGains(gains);
-    DesignProof proof;
-    proof.poleRadius = poleRadius(*loop);
-    proof.isStable = proof.poleRadius < 1.0;
-    proof.margins = smallestMargins(*loop);
-    proof.peaks = sensitivityPeaks(*loop);
-    for (const double current_A : step->current_A) {
-        proof.peakCurrent_A = std::max(proof.peakCurrent_A, std::abs(current_A));
-    }
-    proof.step = std::move(*step);
-    proof.largestStep_rad = currentLimit_A / proof.peakCurrent_A;
+    DesignProof proof = loopProof(*loop, *later, *std::move(step), currentLimit_A);
     proof.noiseGain_A_per_rad =
         proof.isStable ? impulseNorm(*noise) : std::numeric_limits<double>::infinity();
     proof.fastGain_A_per_rad = board.proportional + board.derivative / timing.period_s;
     proof.proportionalLimit_A_per_rad = proportionalLimit_A_per_rad(plant, timing, board.derivative);
-    proof.poleRadiusOneSampleLater = poleRadius(*later);
     return proof;
 }
 

@@ -2,6 +2,7 @@
 
 #include "control/design/drawn_verdicts.h"
 #include "control/design/gain_limit.h"
+#include "control/design/loop_proof.h"
 #include "control/design/riccati.h"
 #include "control/lti/state_space.h"
 
@@ -113,16 +114,7 @@ Result<DesignProof> proveShaped(const PositionPlant& plant, const ShapedLaw& law
     if (!step) {
         return failure(step.error());
     }
-    DesignProof proof;
-    proof.poleRadius = poleRadius(*loop);
-    proof.isStable = proof.poleRadius < 1.0;
-    proof.margins = smallestMargins(*loop);
-    proof.peaks = sensitivityPeaks(*loop);
-    for (const double current_A : step->current_A) {
-        proof.peakCurrent_A = std::max(proof.peakCurrent_A, std::abs(current_A));
-    }
-    proof.step = *std::move(step);
-    proof.largestStep_rad = currentLimit_A / proof.peakCurrent_A;
+    DesignProof proof = loopProof(*loop, *later, *std::move(step), currentLimit_A);
     proof.noiseGain_A_per_rad = std::numeric_limits<double>::infinity();
     if (proof.isStable) {
         const auto noise = noiseGain(plant, law, timing);
@@ -133,7 +125,6 @@ Result<DesignProof> proveShaped(const PositionPlant& plant, const ShapedLaw& law
     }
     proof.fastGain_A_per_rad = fastGain(*plain, timing);
     proof.proportionalLimit_A_per_rad = proportionalLimit(plant, *plain, timing);
-    proof.poleRadiusOneSampleLater = poleRadius(*later);
     return proof;
 }
 

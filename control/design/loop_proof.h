@@ -1,0 +1,13 @@
+#pragma once
+
+#include "control/design/proof.h"
+
+namespace halbench::control {
+
+/// What a proof says of the loop alone, whatever its controller is made of: stability, margins, peaks, the
+/// step of 1 rad and its use of the current, and the same loop one sample later. Noise and gains are left at
+/// 0.
+DesignProof loopProof(const TransferFunction& openLoop, const TransferFunction& oneSampleLater, LoopStep step,
+                      double currentLimit_A);
+
+} // namespace halbench::control
