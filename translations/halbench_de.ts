@@ -6306,6 +6306,10 @@
         <source>limit cycles, large steps and loads are not predicted for it</source>
         <translation>Grenzzyklen, große Sprünge und Lasten werden für ihn nicht vorhergesagt</translation>
     </message>
+    <message>
+        <source>leave it out to use these gains; weights and filters are judged by &apos;halbench analyse&apos; and &apos;halbench tune --gains&apos;</source>
+        <translation>lassen Sie es weg, um diese Verstärkungen zu verwenden; Gewichte und Filter beurteilen &apos;halbench analyse&apos; und &apos;halbench tune --gains&apos;</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

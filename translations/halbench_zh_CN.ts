@@ -6306,6 +6306,10 @@
         <source>limit cycles, large steps and loads are not predicted for it</source>
         <translation>不为其预测极限环、大阶跃和负载</translation>
     </message>
+    <message>
+        <source>leave it out to use these gains; weights and filters are judged by &apos;halbench analyse&apos; and &apos;halbench tune --gains&apos;</source>
+        <translation>要使用这些增益，请将其去掉；权重和滤波器由 &apos;halbench analyse&apos; 和 &apos;halbench tune --gains&apos; 评判</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

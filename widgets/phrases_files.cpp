@@ -86,6 +86,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "needs as many rows as names"),
     QT_TRANSLATE_NOOP("Phrases", "must be square"),
     QT_TRANSLATE_NOOP("Phrases", "is nothing that the board's law has"),
+    QT_TRANSLATE_NOOP("Phrases", "leave it out to use these gains; weights and filters are judged by 'halbench analyse' and 'halbench tune --gains'"),
     QT_TRANSLATE_NOOP("Phrases", "must be \"parallel\", \"standard\" or \"series\""),
     QT_TRANSLATE_NOOP("Phrases", "{}: this estimate was refused"),
     QT_TRANSLATE_NOOP("Phrases", "see its findings, then identify again"),

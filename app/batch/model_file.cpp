@@ -88,9 +88,12 @@ public:
     }
 
     void fail(const std::string& key, const std::string& what) {
+        fail(key, what, fmt::format("write the file again with 'halbench {} --out'", m_command));
+    }
+
+    void fail(const std::string& key, const std::string& what, const std::string& hint) {
         if (!m_error) {
-            m_error = Error{ErrorCode::InvalidInput, fmt::format("{}: \"{}\" {}", m_origin, key, what),
-                            fmt::format("write the file again with 'halbench {} --out'", m_command)};
+            m_error = Error{ErrorCode::InvalidInput, fmt::format("{}: \"{}\" {}", m_origin, key, what), hint};
         }
     }
 
@@ -201,7 +204,9 @@ void refuseUnknown(DocumentReader& reader) {
         const bool isKnown =
             std::any_of(Known.begin(), Known.end(), [&gain](const char* name) { return gain.key == name; });
         if (!isKnown && !gain.value.isNull()) {
-            reader.fail("gains." + gain.key, "is nothing that the board's law has");
+            reader.fail("gains." + gain.key, "is nothing that the board's law has",
+                        "leave it out to use these gains; weights and filters are judged by 'halbench "
+                        "analyse' and 'halbench tune --gains'");
         }
     }
 }

@@ -104,6 +104,10 @@ TEST(ShapedGains, areRefusedWhereOnlyTheBoardsLawIsKnown) {
                                 R"("filters": [{"kind": "lag", "frequency_rad_s": 2, "ratio": 2}])"}) {
         EXPECT_FALSE(parseGains(gainsWith(shaping), "g.json")) << shaping;
     }
+    // Written again by tune, the file would ask for the same.
+    const Error weights = parseGains(gainsWith(R"("setpoint_weights": {"b": 0.6})"), "g.json").error();
+    EXPECT_NE(weights.hint.find("halbench analyse"), std::string::npos) << weights.hint;
+    EXPECT_EQ(weights.hint.find("--out"), std::string::npos) << weights.hint;
     const auto refused = notOnBoard("--apply");
     EXPECT_NE(refused.value().message.find("--apply"), std::string::npos);
     EXPECT_FALSE(refused.value().hint.empty());
