@@ -16,7 +16,6 @@ namespace halbench::widgets {
 namespace {
 
 constexpr int CellPadding = 8;
-constexpr int NameLetters = 9;   ///< of a name at least, where the live value can make room for it
 constexpr int MostRowsBelow = 4; ///< of a legend below its plot; further ones are scrolled to
 
 } // namespace
@@ -87,8 +86,8 @@ void LiveLegend::setWidths(const Widths& widths, int total_px) {
         rest -= isCounted ? widths[static_cast<std::size_t>(column)] : 0;
     }
     // Beside the values at both cursors in a narrow column, the live one goes before the names do.
-    const bool isNowHidden = m_isBelow && !isColumnHidden(LegendTableModel::AtA) &&
-                             rest < NameLetters * fontMetrics().averageCharWidth();
+    const bool isNowHidden =
+        m_isBelow && !isColumnHidden(LegendTableModel::AtA) && rest < widths[LegendTableModel::Name];
     rest += isNowHidden ? widths[LegendTableModel::Value] : 0;
     setColumnHidden(LegendTableModel::Value, isNowHidden);
     setColumnWidth(LegendTableModel::Name, std::max(rest, 0));

@@ -17,7 +17,8 @@ namespace halbench::widgets {
 class LiveLegend : public QTableView {
     Q_OBJECT
 public:
-    /// Widths of the columns, shared by all legends of a stack so that their plots align.
+    /// Widths of the columns, shared by all legends of a stack so that their plots align; that of the name is
+    /// what it would like to have.
     using Widths = std::array<int, LegendTableModel::Columns>;
 
     explicit LiveLegend(QWidget* parent = nullptr);

@@ -150,6 +150,7 @@ void LivePlotStack::align(int index) {
         }
     }
     int total_px = name_px > 0 ? name_px + LineSampleRoom : 0;
+    widths[LegendTableModel::Name] = total_px;
     int numbers_px = name_px > 0 ? LineSampleRoom : 0;
     for (int column = LegendTableModel::Value; column < LegendTableModel::Columns; ++column) {
         const bool isShown =
