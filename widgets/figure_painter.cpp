@@ -4,6 +4,7 @@
 #include "widgets/decimation.h"
 #include "widgets/figure_axis.h"
 #include "widgets/figure_scales.h"
+#include "widgets/label_places.h"
 #include "widgets/panel_layers.h"
 
 #include <QFontMetricsF>
@@ -114,7 +115,8 @@ public:
         }
         const QString label = withPoint(line.label, m_decimalPoint);
         const QSizeF size(QFontMetricsF(figureFont()).horizontalAdvance(label) + 4.0, 14.0);
-        const std::vector<QRectF> places = labelPlaces(line, *at_px, size);
+        const std::vector<QRectF> places =
+            isHorizontal(line) ? placesAtRow(m_canvas, *at_px, size) : placesAtColumn(m_canvas, *at_px, size);
         const auto isInside = [&](const QRectF& place) { return m_canvas.contains(place); };
         const auto isApart = [&](const QRectF& place) { return isInside(place) && !isTaken(place); };
         const auto isOffCurves = [&](const QRectF& place) {
@@ -202,29 +204,6 @@ public:
 private:
     static bool isHorizontal(const ReferenceLine& line) {
         return line.direction == ReferenceLine::Direction::Horizontal;
-    }
-
-    /// Both sides of the line, at its far end first; a vertical one may stand close to others: then row by
-    /// row.
-    std::vector<QRectF> labelPlaces(const ReferenceLine& line, double at_px, const QSizeF& size) const {
-        std::vector<QRectF> places;
-        if (isHorizontal(line)) {
-            for (const double x_px : {m_canvas.right() - size.width() - 3.0, m_canvas.left() + 3.0}) {
-                places.emplace_back(x_px, at_px - size.height() - 1.0, size.width(), size.height());
-                places.emplace_back(x_px, at_px + 1.0, size.width(), size.height());
-            }
-        } else {
-            std::vector<double> rows_px = {m_canvas.top() + 2.0, m_canvas.bottom() - size.height() - 2.0};
-            for (double y_px = rows_px[0] + size.height() + 1.0; y_px < rows_px[1];
-                 y_px += size.height() + 1.0) {
-                rows_px.push_back(y_px);
-            }
-            for (const double y_px : rows_px) {
-                places.emplace_back(QPointF(at_px + 2.0, y_px), size);
-                places.emplace_back(QPointF(at_px - size.width() - 2.0, y_px), size);
-            }
-        }
-        return places;
     }
 
     /// Whether a curve's segment comes into the rectangle; judged by the box around each segment.
