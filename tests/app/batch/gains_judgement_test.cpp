@@ -4,6 +4,7 @@
 #include "app/batch/tuning_apply.h"
 #include "app/batch/tuning_source.h"
 #include "app/batch/tuning_text.h"
+#include "tests/app/batch/published_estimate.h"
 
 #include <QTemporaryDir>
 
@@ -14,15 +15,6 @@
 
 namespace halbench::app {
 namespace {
-
-/// The published motor, known to about 2 %.
-MotorEstimate published() {
-    MotorEstimate estimate;
-    estimate.values = {{"J", 5.5e-4}, {"c", 1.23e-3}, {"Kf", 2.05e-2}, {"phi", 1.43e-2}};
-    estimate.covarianceNames = {"c", "phi"};
-    estimate.covariance = {{6e-10, 0.0}, {0.0, 2e-8}};
-    return estimate;
-}
 
 TuneResult designed(const std::string& method) {
     TuneConfig config;

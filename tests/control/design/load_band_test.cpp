@@ -2,6 +2,7 @@
 #include "control/design/load_band.h"
 #include "control/design/load_step.h"
 #include "control/design/percentiles.h"
+#include "tests/control/design/published_motor.h"
 
 #include <gtest/gtest.h>
 
@@ -13,14 +14,6 @@ namespace halbench::control {
 namespace {
 
 constexpr LoopTiming OneLate{0.01, 1};
-
-PidGains recommended() {
-    PidGains gains;
-    gains.proportional = 40.0;
-    gains.integral = 60.0;
-    gains.derivative = 1.4;
-    return gains;
-}
 
 std::vector<PositionPlant> motors(double deviation_ratio, int count = 1000) {
     UncertainPlant uncertain;

@@ -11,4 +11,13 @@ inline PositionPlant published() {
     return {1.23e-3 / 5.5e-4, 1.43e-2 / 5.5e-4, 2.05e-2 / 1.43e-2};
 }
 
+/// About what is recommended for it, per radian.
+inline PidGains recommended() {
+    PidGains gains;
+    gains.proportional = 40.0;
+    gains.integral = 60.0;
+    gains.derivative = 1.4;
+    return gains;
+}
+
 } // namespace halbench::control

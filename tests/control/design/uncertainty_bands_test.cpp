@@ -2,6 +2,7 @@
 #include "control/design/robustness.h"
 #include "control/design/uncertainty_bands.h"
 #include "control/lti/frequency_response.h"
+#include "tests/control/design/published_motor.h"
 
 #include <gtest/gtest.h>
 
@@ -10,16 +11,6 @@
 
 namespace halbench::control {
 namespace {
-
-constexpr LoopTiming NoDelay{0.01, 0};
-
-PidGains recommended() {
-    PidGains gains;
-    gains.proportional = 40.0;
-    gains.integral = 60.0;
-    gains.derivative = 1.4;
-    return gains;
-}
 
 /// The published motor with its gain k known to 10 %.
 std::vector<PositionPlant> plants(double deviation_ratio) {
