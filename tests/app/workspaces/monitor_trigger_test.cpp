@@ -33,6 +33,13 @@ protected:
         type(found, text);
         QTest::keyClick(found, Qt::Key_Return);
     }
+    /// Armed: an edge that comes before the part before the trigger is there is none.
+    void waitForPartBefore() {
+        ASSERT_TRUE(wait([&] { return bench().history().range().has_value(); }));
+        const TriggerChoice choice = bar().choice();
+        const double armed_s = bench().history().range()->end_s + choice.preTrigger_ratio * choice.window_s;
+        ASSERT_TRUE(wait([&] { return bench().history().range()->end_s > armed_s; }));
+    }
     /// Current into the coils, by which the set-point changes.
     void command(double current_A) {
         DriveControl& drive = bench().drive();
@@ -70,7 +77,7 @@ TEST_F(MonitorTriggerTest, isOneLineInWhichTheStateIsWholeUntilMoreIsAskedFor) {
     panel->resize(700, 560); // what 1440 x 900 leaves for it
     press(Qt::Key_T);
     choose("Mode", "Single");
-    ASSERT_TRUE(wait([&] { return bench().history().range().has_value(); }));
+    waitForPartBefore();
     EXPECT_EQ(stateLabel().text(), "Waiting");
     EXPECT_LT(bar().height(), 2 * find<QComboBox>(*panel, "Mode")->height());
     command(0.5);
@@ -88,9 +95,7 @@ TEST_F(MonitorTriggerTest, aSetPointChangeStandsInTheViewUntilTheNextAndEndFollo
     choose("Mode", "Single");
     enter("Window", "0.4");
     enter("Before", "25");
-    ASSERT_TRUE(wait([&] { return bench().history().range().has_value(); }));
-    const double before_s = bench().history().range()->end_s;
-    ASSERT_TRUE(wait([&] { return bench().history().range()->end_s > before_s + 0.5; })); // the part before
+    waitForPartBefore();
     command(0.5);
     ASSERT_TRUE(wait([&] { return state().startsWith("Stopped after the event"); })) << state().toStdString();
     EXPECT_FALSE(stack().isFollowing());
