@@ -12483,6 +12483,10 @@ Im Monitor ändern &lt; und &gt; sie. Ein wirkliches Gerät hat seine eigene Zei
 <context>
     <name>halbench::app::SpectrumPanel</name>
     <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
         <source>Rectangular</source>
         <translation>Rechteck</translation>
     </message>

@@ -12471,6 +12471,10 @@ In the Monitor &lt; and &gt; change it. A real device has its own time.</source>
 <context>
     <name>halbench::app::SpectrumPanel</name>
     <message>
+        <source>automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
         <source>Rectangular</source>
         <translation>矩形</translation>
     </message>

@@ -58,7 +58,14 @@ QString QuantityEdit::typedOf(const QString& text) const {
     return text.endsWith(suffix()) ? text.left(text.size() - suffix().size()) : text;
 }
 
+bool QuantityEdit::isWordForLeast(const QString& text) const {
+    return !specialValueText().isEmpty() && text == specialValueText();
+}
+
 QString QuantityEdit::problemOf(const QString& text) const {
+    if (isWordForLeast(text)) {
+        return {};
+    }
     const QString typed = typedOf(text);
     if (const auto value = parseNumber(typed, m_format.unit)) {
         return *value >= minimum() && *value <= maximum() ? QString() : allowedText();
@@ -67,7 +74,7 @@ QString QuantityEdit::problemOf(const QString& text) const {
 }
 
 double QuantityEdit::valueFromText(const QString& text) const {
-    return parseNumber(typedOf(text), m_format.unit).value_or(value());
+    return isWordForLeast(text) ? minimum() : parseNumber(typedOf(text), m_format.unit).value_or(value());
 }
 
 QString QuantityEdit::textFromValue(double value) const {
@@ -92,7 +99,8 @@ bool QuantityEdit::isTooFar(const QString& typed) const {
 /// A number that is half typed is none yet; what cannot become one is said while it is typed.
 void QuantityEdit::judgeTyped(const QString& text) {
     const QString typed = typedOf(text);
-    const bool isWrong = !typingProblem(typed, m_format.unit).isEmpty() || isTooFar(typed);
+    const bool isWrong =
+        !isWordForLeast(text) && (!typingProblem(typed, m_format.unit).isEmpty() || isTooFar(typed));
     showProblem(lineEdit()->hasFocus() && isWrong ? problemOf(text) : QString());
 }
 

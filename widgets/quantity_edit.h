@@ -16,7 +16,8 @@ struct QuantityFormat {
 
 /// A number with its unit. It is always finite and inside its limits; it can be typed in the user's notation
 /// or the programmers', with or without the unit; Page Up and Page Down make ten steps. A text that is no
-/// such number stays to be seen, turns red and says why in place; it has no value.
+/// such number stays to be seen, turns red and says why in place; it has no value. The word for the least
+/// value (specialValueText) may stand instead of it.
 class QuantityEdit : public QDoubleSpinBox {
     Q_OBJECT
 public:
@@ -57,6 +58,7 @@ protected:
 private:
     void describe();
     QString typedOf(const QString& text) const;
+    bool isWordForLeast(const QString& text) const;
     bool isTooFar(const QString& typed) const;
     void judgeTyped(const QString& text);
     void showProblem(const QString& problem);

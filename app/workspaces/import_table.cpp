@@ -189,7 +189,7 @@ QTableWidgetItem& ImportTable::showCell(int row, int column, const QString& text
         setItem(row, column, cell);
     }
     cell->setText(text);
-    cell->setTextAlignment(alignment | Qt::AlignVCenter);
+    cell->setTextAlignment(static_cast<int>(alignment | Qt::AlignVCenter));
     return *cell;
 }
 

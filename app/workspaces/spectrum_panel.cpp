@@ -130,6 +130,7 @@ void SpectrumPanel::buildNumbers(FieldGrid& grid) {
                                 tr("Longer segments part lines that are closer, more of them average noise. "
                                    "0: the whole stretch for amplitudes, at least eight for densities"),
                                 QStringLiteral("s"), 3, 0.0, 3600.0, 0.1});
+    m_segment->setSpecialValueText(tr("automatic"));
     m_overlap = grid.addNumber(
         {tr("Overlap"), tr("Of neighbouring segments"), QStringLiteral("%"), 0, 0.0, 95.0, 5.0});
     m_overlap->setQuantity(50.0);

@@ -63,6 +63,31 @@ TEST_F(QuantityEditTest, theDecimalSignOfAnotherLanguageIsNamedAsTheCause) {
     EXPECT_TRUE(edit->problem().contains(QStringLiteral("write ','"))) << edit->problem().toStdString();
 }
 
+TEST_F(QuantityEditTest, aWordMayStandForTheLeastValue) {
+    edit->setFormat({QStringLiteral("s"), 0.0, 10.0, 0.5, 1});
+    edit->setSpecialValueText(QStringLiteral("automatic"));
+    edit->setQuantity(0.0);
+    const auto* line = edit->findChild<QLineEdit*>();
+    EXPECT_EQ(line->text(), QStringLiteral("automatic"));
+    EXPECT_TRUE(edit->problem().isEmpty());
+    const QSignalSpy edited(edit, &QuantityEdit::edited);
+    const QSignalSpy refused(edit, &QuantityEdit::refused);
+    QTest::keyClick(edit, Qt::Key_Return);
+    EXPECT_EQ(edited.count(), 0);
+    type(QStringLiteral("2.5"));
+    QTest::keyClick(edit, Qt::Key_Return);
+    EXPECT_EQ(edit->value(), 2.5);
+    type(QStringLiteral("0"));
+    QTest::keyClick(edit, Qt::Key_Return);
+    EXPECT_EQ(line->text(), QStringLiteral("automatic"));
+    EXPECT_EQ(edited.count(), 2);
+    EXPECT_EQ(refused.count(), 0);
+    type(QStringLiteral("auto"));
+    QTest::keyClick(edit, Qt::Key_Return);
+    EXPECT_EQ(refused.count(), 1) << "half a word is no number";
+    EXPECT_FALSE(edit->problem().isEmpty());
+}
+
 TEST_F(QuantityEditTest, whatIsHalfTypedIsNoMistakeYet) {
     for (const char* text : {"", "-", "1e", "1e-", "12.", "12 d", "12 de", "12 deg", "12 °"}) {
         type(QString::fromUtf8(text));
