@@ -25,10 +25,34 @@ PidGains times(PidGains gains, double factor) {
     return gains;
 }
 
-bool isStable(const PositionPlant& plant, const LoopTiming& timing, const PidGains& gains) {
-    const auto loop = sampledOpenLoop(plant, gains, timing);
+bool isPlain(const ShapedLaw& around) {
+    return around.filters.empty() && around.gains.filter_s.value_or(0.0) == 0.0;
+}
+
+Result<TransferFunction> openLoop(const PositionPlant& plant, const LoopTiming& timing, const PidGains& gains,
+                                  const ShapedLaw& around) {
+    if (isPlain(around)) {
+        return sampledOpenLoop(plant, gains, timing);
+    }
+    ShapedLaw law;
+    law.gains = gains;
+    law.gains.filter_s = around.gains.filter_s;
+    law.filters = around.filters;
+    return shapedOpenLoop(plant, law, timing);
+}
+
+bool isStable(const PositionPlant& plant, const LoopTiming& timing, const PidGains& gains,
+              const ShapedLaw& around) {
+    const auto loop = openLoop(plant, timing, gains, around);
     return loop && poleRadius(*loop) < 1.0;
 }
+
+/// A motor in its loop, with what stands around the gains.
+struct Surroundings {
+    const PositionPlant& plant;
+    const LoopTiming& timing;
+    const ShapedLaw& around;
+};
 
 /// Two equations leave K_D of a PI loop at some rounding of zero.
 PidGains withoutRounding(PidGains gains, double period_s) {
@@ -42,24 +66,24 @@ PidGains withoutRounding(PidGains gains, double period_s) {
 /// One crossover of one motor: which margins it can have.
 class AtCrossover {
 public:
-    AtCrossover(const PositionPlant& plant, const LoopTiming& timing, const CrossoverAim& aim)
-        : m_plant(plant), m_timing(timing), m_aim(aim) {}
+    AtCrossover(const Surroundings& loop, const CrossoverAim& aim) : m_loop(loop), m_aim(aim) {}
 
     PidGains gains(double phaseMargin_deg) const {
         CrossoverAim aim = m_aim;
         aim.phaseMargin_deg = phaseMargin_deg;
-        return withoutRounding(gainsAtCrossover(m_plant, m_timing, aim), m_timing.period_s);
+        return withoutRounding(gainsAtCrossover(m_loop.plant, m_loop.timing, aim, m_loop.around),
+                               m_loop.timing.period_s);
     }
 
     CrossoverLimit limit(double phaseMargin_deg) const {
-        const bool isInRange = m_aim.crossover_rad_s >= slowestCrossover_rad_s(m_timing) &&
-                               m_aim.crossover_rad_s <= fastestCrossover_rad_s(m_timing) &&
+        const bool isInRange = m_aim.crossover_rad_s >= slowestCrossover_rad_s(m_loop.timing) &&
+                               m_aim.crossover_rad_s <= fastestCrossover_rad_s(m_loop.timing) &&
                                phaseMargin_deg >= LeastMargin_deg && phaseMargin_deg <= MostMargin_deg;
         if (!isInRange) {
             return CrossoverLimit::Range;
         }
         const PidGains asked = gains(phaseMargin_deg);
-        const double stiffness_ratio = asked.proportional * m_plant.accelerationGain_rad_s2_A /
+        const double stiffness_ratio = asked.proportional * m_loop.plant.accelerationGain_rad_s2_A /
                                        (m_aim.crossover_rad_s * m_aim.crossover_rad_s);
         if (!isFinite(asked) || !(stiffness_ratio >= LeastStiffness_ratio)) {
             return CrossoverLimit::Stiffness;
@@ -67,8 +91,9 @@ public:
         if (asked.derivative < 0.0) {
             return CrossoverLimit::Derivative;
         }
-        const bool isSafe = isStable(m_plant, m_timing, asked) &&
-                            isStable(m_plant, m_timing, times(asked, LeastGainMargin_ratio));
+        const auto& [plant, timing, around] = m_loop;
+        const bool isSafe = isStable(plant, timing, asked, around) &&
+                            isStable(plant, timing, times(asked, LeastGainMargin_ratio), around);
         return isSafe ? CrossoverLimit::None : CrossoverLimit::Stability;
     }
 
@@ -101,24 +126,23 @@ private:
         return possible_deg;
     }
 
-    const PositionPlant& m_plant;
-    const LoopTiming& m_timing;
+    Surroundings m_loop;
     CrossoverAim m_aim;
 };
 
 /// An aim that is possible, searched from one that is not.
 class Search {
 public:
-    Search(const PositionPlant& plant, const LoopTiming& timing, const CrossoverAim& wanted, bool mayFall)
-        : m_plant(plant), m_timing(timing), m_wanted(wanted), m_mayFall(mayFall) {}
+    Search(const Surroundings& loop, const CrossoverAim& wanted, bool mayFall)
+        : m_loop(loop), m_wanted(wanted), m_mayFall(mayFall) {}
 
     std::optional<CrossoverAim> nearest() const {
         if (const auto here = at(m_wanted.crossover_rad_s)) {
             return here;
         }
         constexpr double Step_ratio = 1.05;
-        const double slowest_rad_s = slowestCrossover_rad_s(m_timing);
-        const double fastest_rad_s = fastestCrossover_rad_s(m_timing);
+        const double slowest_rad_s = slowestCrossover_rad_s(m_loop.timing);
+        const double fastest_rad_s = fastestCrossover_rad_s(m_loop.timing);
         const double start_rad_s = std::clamp(m_wanted.crossover_rad_s, slowest_rad_s, fastest_rad_s);
         for (double ratio = 1.0; ratio <= fastest_rad_s / slowest_rad_s; ratio *= Step_ratio) {
             for (const double beside_rad_s : {start_rad_s / ratio, start_rad_s * ratio}) {
@@ -136,8 +160,7 @@ private:
     std::optional<CrossoverAim> at(double crossover_rad_s) const {
         CrossoverAim aim = m_wanted;
         aim.crossover_rad_s = crossover_rad_s;
-        const auto margin_deg =
-            AtCrossover(m_plant, m_timing, aim).nearest(m_wanted.phaseMargin_deg, m_mayFall);
+        const auto margin_deg = AtCrossover(m_loop, aim).nearest(m_wanted.phaseMargin_deg, m_mayFall);
         if (!margin_deg) {
             return std::nullopt;
         }
@@ -157,8 +180,7 @@ private:
         return possible;
     }
 
-    const PositionPlant& m_plant;
-    const LoopTiming& m_timing;
+    Surroundings m_loop;
     CrossoverAim m_wanted;
     bool m_mayFall;
 };
@@ -173,16 +195,22 @@ double fastestCrossover_rad_s(const LoopTiming& timing) {
     return 0.9 * Pi / timing.period_s;
 }
 
-PidGains gainsAtCrossover(const PositionPlant& plant, const LoopTiming& timing, const CrossoverAim& aim) {
+PidGains gainsAtCrossover(const PositionPlant& plant, const LoopTiming& timing, const CrossoverAim& aim,
+                          const ShapedLaw& around) {
     using Complex = std::complex<double>;
     const double T = timing.period_s;
     const Complex z = std::polar(1.0, aim.crossover_rad_s * T);
-    const Complex withoutController = sampledPlant(plant, T).at(z) * std::pow(z, -timing.delay_samples);
+    const double filter_s = around.gains.filter_s.value_or(0.0);
+    Complex withoutController = sampledPlant(plant, T).at(z) * std::pow(z, -timing.delay_samples);
+    for (const LoopFilter& filter : around.filters) {
+        const auto sampled = sampledFilter(filter, T);
+        withoutController *= sampled ? sampled->at(z) : Complex(1.0);
+    }
     const Complex wanted =
         std::polar(1.0, degreesToRadians(aim.phaseMargin_deg - 180.0)) / withoutController; // C(z) asked for
     const double integralRate_1_s = aim.integralRate_ratio * aim.crossover_rad_s;
     const Complex perProportional = 1.0 + T * integralRate_1_s / (z - 1.0);
-    const Complex perDerivative = (z - 1.0) / (T * z);
+    const Complex perDerivative = (z - 1.0) / ((T + filter_s) * z - filter_s);
     const double determinant =
         perProportional.real() * perDerivative.imag() - perProportional.imag() * perDerivative.real();
     PidGains gains;
@@ -195,8 +223,8 @@ PidGains gainsAtCrossover(const PositionPlant& plant, const LoopTiming& timing, 
 }
 
 std::optional<CrossoverAim> crossoverAimOf(const PositionPlant& plant, const LoopTiming& timing,
-                                           const PidGains& gains) {
-    const auto loop = sampledOpenLoop(plant, gains, timing);
+                                           const PidGains& gains, const ShapedLaw& around) {
+    const auto loop = openLoop(plant, timing, gains, around);
     if (!loop || !(gains.proportional > 0.0)) {
         return std::nullopt;
     }
@@ -209,8 +237,11 @@ std::optional<CrossoverAim> crossoverAimOf(const PositionPlant& plant, const Loo
 }
 
 Result<CrossoverDesign> designCrossover(const PositionPlant& plant, const LoopTiming& timing,
-                                        const CrossoverAim& wanted, CrossoverPriority priority) {
-    for (const auto& valid : {checkPlant(plant), checkTiming(timing)}) {
+                                        const CrossoverAim& wanted, CrossoverPriority priority,
+                                        const ShapedLaw& around) {
+    const auto filters = filtersInSeries(around.filters, timing.period_s);
+    const Result<void> shaped = filters ? Result<void>() : failure(filters.error());
+    for (const auto& valid : {checkPlant(plant), checkTiming(timing), shaped}) {
         if (!valid) {
             return failure(valid.error());
         }
@@ -219,33 +250,33 @@ Result<CrossoverDesign> designCrossover(const PositionPlant& plant, const LoopTi
         !std::isfinite(wanted.integralRate_ratio)) {
         return failure(ErrorCode::NotFinite, "the crossover or margin asked for is not a finite number");
     }
+    const Surroundings loop{plant, timing, around};
     CrossoverAim aim = wanted;
     aim.integralRate_ratio = std::max(0.0, aim.integralRate_ratio);
-    const CrossoverLimit limit = AtCrossover(plant, timing, aim).limit(aim.phaseMargin_deg);
+    const CrossoverLimit limit = AtCrossover(loop, aim).limit(aim.phaseMargin_deg);
     if (limit == CrossoverLimit::None) {
-        return CrossoverDesign{AtCrossover(plant, timing, aim).gains(aim.phaseMargin_deg), aim, limit};
+        return CrossoverDesign{AtCrossover(loop, aim).gains(aim.phaseMargin_deg), aim, limit};
     }
-    auto reached = Search(plant, timing, aim, priority == CrossoverPriority::Crossover).nearest();
+    auto reached = Search(loop, aim, priority == CrossoverPriority::Crossover).nearest();
     if (!reached) { // the margin is nowhere to be had
-        reached = Search(plant, timing, aim, true).nearest();
+        reached = Search(loop, aim, true).nearest();
     }
     if (!reached) {
         return failure(ErrorCode::Refused, "no crossover makes a stable position loop of this motor",
                        "identify the motor again, or choose a design method");
     }
-    return CrossoverDesign{AtCrossover(plant, timing, *reached).gains(reached->phaseMargin_deg), *reached,
-                           limit};
+    return CrossoverDesign{AtCrossover(loop, *reached).gains(reached->phaseMargin_deg), *reached, limit};
 }
 
 double stableFactor(const PositionPlant& plant, const LoopTiming& timing, const PidGains& gains,
-                    double factor) {
-    if (isStable(plant, timing, times(gains, factor)) || !isStable(plant, timing, gains)) {
+                    double factor, const ShapedLaw& around) {
+    if (isStable(plant, timing, times(gains, factor), around) || !isStable(plant, timing, gains, around)) {
         return factor;
     }
     double stable = 1.0;
     for (int i = 0; i < 30; ++i) {
         const double middle = std::sqrt(stable * factor);
-        (isStable(plant, timing, times(gains, middle)) ? stable : factor) = middle;
+        (isStable(plant, timing, times(gains, middle), around) ? stable : factor) = middle;
     }
     return stable;
 }

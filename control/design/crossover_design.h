@@ -2,6 +2,7 @@
 
 #include "control/base/result.h"
 #include "control/design/position_loop.h"
+#include "control/design/shaped_law.h"
 
 #include <optional>
 
@@ -16,13 +17,17 @@ struct CrossoverAim {
     double integralRate_ratio = 0.0;
 };
 
+// `around` of all: the filters, and the derivative's, that the gains have around them; its own gains do not
+// count. Without it the board's law, which has none. The weights change no loop.
+
 /// Gains that put the sampled, delayed loop on the unit circle at the crossover with that margin, whatever
 /// comes of it: they may be negative, and the loop unstable. Two real equations for K_P and K_D.
-PidGains gainsAtCrossover(const PositionPlant& plant, const LoopTiming& timing, const CrossoverAim& aim);
+PidGains gainsAtCrossover(const PositionPlant& plant, const LoopTiming& timing, const CrossoverAim& aim,
+                          const ShapedLaw& around = {});
 
 /// The aim that leads back to these gains. Nothing for a loop that does not cross, or without K_P.
 std::optional<CrossoverAim> crossoverAimOf(const PositionPlant& plant, const LoopTiming& timing,
-                                           const PidGains& gains);
+                                           const PidGains& gains, const ShapedLaw& around = {});
 
 /// Why an aim is not taken as it is.
 enum class CrossoverLimit {
@@ -61,13 +66,14 @@ double fastestCrossover_rad_s(const LoopTiming& timing);
 /// The gains that were asked for or, where this motor and sampling do not allow them, the nearest that they
 /// do; every gain is finite and none negative, the loop is stable. For who moves a crossover or a margin by
 /// hand: some milliseconds at most. Errors: of plant and timing; NotFinite (the aim); Refused (no crossover
-/// at all is possible).
+/// at all is possible); of `around`.
 Result<CrossoverDesign> designCrossover(const PositionPlant& plant, const LoopTiming& timing,
-                                        const CrossoverAim& wanted, CrossoverPriority priority);
+                                        const CrossoverAim& wanted, CrossoverPriority priority,
+                                        const ShapedLaw& around = {});
 
 /// The factor on all gains nearest to `factor` that keeps the loop stable, towards 1. Gains of a loop that is
 /// unstable now are not bounded.
 double stableFactor(const PositionPlant& plant, const LoopTiming& timing, const PidGains& gains,
-                    double factor);
+                    double factor, const ShapedLaw& around = {});
 
 } // namespace halbench::control

@@ -82,6 +82,16 @@ double breakLooseTime_s(const PositionPlant& plant, const PidGains& gains, doubl
 
 Result<std::vector<LimitCycle>> frictionCycles(const PositionPlant& plant, const PidGains& gains,
                                                const LoopTiming& timing, double currentLimit_A) {
+    if (const auto valid = checkTiming(timing); !valid) {
+        return failure(valid.error());
+    }
+    const auto controller = sampledController(gains, timing.period_s);
+    return controller ? frictionCycles(plant, *controller, timing, currentLimit_A)
+                      : Result<std::vector<LimitCycle>>(failure(controller.error()));
+}
+
+Result<std::vector<LimitCycle>> frictionCycles(const PositionPlant& plant, const TransferFunction& controller,
+                                               const LoopTiming& timing, double currentLimit_A) {
     for (const auto& valid : {checkPlant(plant), checkTiming(timing)}) {
         if (!valid) {
             return failure(valid.error());
@@ -92,11 +102,7 @@ Result<std::vector<LimitCycle>> frictionCycles(const PositionPlant& plant, const
             ErrorCode::OutOfRange,
             "the limit or level of a nonlinear element must be positive, its hysteresis not negative");
     }
-    const auto controller = sampledController(gains, timing.period_s);
-    if (!controller) {
-        return failure(controller.error());
-    }
-    const Balance balance(plant, *controller, timing, currentLimit_A);
+    const Balance balance(plant, controller, timing, currentLimit_A);
     const double nyquist_rad_s = Pi / timing.period_s;
     std::vector<LimitCycle> cycles;
     std::optional<Trial> before;

@@ -25,5 +25,8 @@ double breakLooseTime_s(const PositionPlant& plant, const PidGains& gains, doubl
 /// up to a third. Errors: of the inputs; OutOfRange (current limit).
 Result<std::vector<LimitCycle>> frictionCycles(const PositionPlant& plant, const PidGains& gains,
                                                const LoopTiming& timing, double currentLimit_A);
+/// The same with any controller before the limit, at the sampling of `timing`.
+Result<std::vector<LimitCycle>> frictionCycles(const PositionPlant& plant, const TransferFunction& controller,
+                                               const LoopTiming& timing, double currentLimit_A);
 
 } // namespace halbench::control

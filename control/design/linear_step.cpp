@@ -103,8 +103,9 @@ Result<Motion> checkedMotion(const PositionPlant& plant, const PidGains& gains, 
                  pointsPerSample);
 }
 
-/// Peak and recovery of what has its curves and its end.
-void measure(LoadStep& step) {
+} // namespace
+
+void measureLoad(LoadStep& step) {
     constexpr double Recovered_ratio = 0.1;
     for (std::size_t i = 0; i < step.time_s.size(); ++i) {
         if (std::abs(step.angle_rad[i]) > std::abs(step.peak_rad)) {
@@ -121,8 +122,6 @@ void measure(LoadStep& step) {
         step.recoveryTime_s = step.time_s[within];
     }
 }
-
-} // namespace
 
 Result<LoopStep> linearStep(const PositionPlant& plant, const PidGains& gains, const LoopTiming& timing,
                             double amplitude_rad, double duration_s, int pointsPerSample) {
@@ -149,7 +148,7 @@ Result<LoadStep> loadStep(const PositionPlant& plant, const PidGains& gains, con
     step.angle_rad = motion->angle_rad;
     step.current_A = motion->current_A;
     step.final_rad = gains.integral > 0.0 ? 0.0 : load_A / gains.proportional;
-    measure(step);
+    measureLoad(step);
     return step;
 }
 

@@ -1,6 +1,6 @@
 #include "control/design/load_band.h"
 
-#include "control/design/lane_motion.h"
+#include "control/design/moved_motors.h"
 #include "control/design/percentiles.h"
 
 #include <fmt/format.h>
@@ -57,28 +57,21 @@ LaneRun everyPoint(double load_A, int pointsPerSample, std::size_t points) {
 
 } // namespace
 
-Result<LoadBand> loadBand(const std::vector<PositionPlant>& plants, const PidGains& gains,
-                          const LoopTiming& timing, double load_A, double duration_s, int pointsPerSample,
-                          std::size_t mostPoints) {
-    const auto batch = LoopBatch::make(plants, gains, timing);
-    if (!batch) {
-        return failure(batch.error());
-    }
-    const double interval_s = timing.period_s / pointsPerSample;
+Result<LoadBand> loadBandOf(const MovedMotors& motors, double final_rad, double load_A, double duration_s,
+                            int pointsPerSample, std::size_t mostPoints) {
+    const double interval_s = motors.period_s / pointsPerSample;
     if (const auto valid = checkExtent(load_A, duration_s / interval_s, pointsPerSample); !valid) {
         return failure(valid.error());
     }
     const auto points = static_cast<std::size_t>(std::floor(duration_s / interval_s + 1e-6)) + 1;
     const LaneRun run = everyPoint(load_A, pointsPerSample, points);
     const std::vector<std::size_t> kept = keptPoints(points, mostPoints);
-    const PidGains& board = batch->gains();
-    const double final_rad = board.integral > 0.0 ? 0.0 : load_A / board.proportional;
     Figures figures;
     std::vector<std::vector<double>> angles(kept.size()); // by point, of all motors that stay within numbers
     LaneCurves group(LaneWidth, static_cast<Eigen::Index>(points));
-    for (std::size_t first = 0; first < batch->size(); first += LaneWidth) {
-        runLanes(*batch, first, run, group, 0);
-        const std::size_t lanes = std::min<std::size_t>(LaneWidth, batch->size() - first);
+    for (std::size_t first = 0; first < motors.count; first += LaneWidth) {
+        motors.run(first, run, group, 0);
+        const std::size_t lanes = std::min<std::size_t>(LaneWidth, motors.count - first);
         for (std::size_t lane = 0; lane < lanes; ++lane) {
             const auto row = group.row(static_cast<Eigen::Index>(lane));
             if (!std::isfinite(row[row.size() - 1])) {
@@ -107,6 +100,21 @@ Result<LoadBand> loadBand(const std::vector<PositionPlant>& plants, const PidGai
         band.recoveryTime_s = recovery;
     }
     return band;
+}
+
+Result<LoadBand> loadBand(const std::vector<PositionPlant>& plants, const PidGains& gains,
+                          const LoopTiming& timing, double load_A, double duration_s, int pointsPerSample,
+                          std::size_t mostPoints) {
+    const auto batch = LoopBatch::make(plants, gains, timing);
+    if (!batch) {
+        return failure(batch.error());
+    }
+    const PidGains& board = batch->gains();
+    const double final_rad = board.integral > 0.0 ? 0.0 : load_A / board.proportional;
+    const MovedMotors motors{batch->size(), timing.period_s,
+                             [&batch](std::size_t first, const LaneRun& run, LaneCurves& curves,
+                                      std::size_t row) { runLanes(*batch, first, run, curves, row); }};
+    return loadBandOf(motors, final_rad, load_A, duration_s, pointsPerSample, mostPoints);
 }
 
 } // namespace halbench::control

@@ -51,35 +51,9 @@ Result<double> noiseGain(const PositionPlant& plant, const ShapedLaw& law, const
     return std::sqrt((noise->C * X * noise->C.transpose() + noise->D * noise->D.transpose()).value());
 }
 
-/// Largest answer to an error of 1 rad in one sample. The integral's part stays for ever and is no fast one.
-double fastGain(const ShapedLaw& law, const LoopTiming& timing) {
-    ShapedLaw fast = law;
-    fast.gains.integral = 0.0;
-    fast.proportionalWeight = 1.0; // the angle's path has no weights
-    auto controller = ShapedController::make(fast, timing.period_s);
-    if (!controller) {
-        return std::numeric_limits<double>::infinity();
-    }
-    constexpr int Samples = 200; // the answer of a slow low-pass is largest within its first samples
-    double largest = std::abs(controller->step(0.0, -1.0));
-    for (int i = 1; i < Samples; ++i) {
-        largest = std::max(largest, std::abs(controller->step(0.0, 0.0)));
-    }
-    return largest;
-}
-
 bool isStableWith(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing) {
     const auto loop = shapedOpenLoop(plant, law, timing);
     return loop.has_value() && poleRadius(*loop) < 1.0;
-}
-
-double proportionalLimit(const PositionPlant& plant, ShapedLaw law, const LoopTiming& timing) {
-    law.gains.integral = 0.0;
-    law.proportionalWeight = 1.0;
-    return largestStableGain(plant, timing, [&](double proportional) {
-        law.gains.proportional = proportional;
-        return isStableWith(plant, law, timing);
-    });
 }
 
 /// In the parallel form, so that single gains may be changed.
@@ -99,6 +73,40 @@ DrawnVerdict verdictOf(const PositionPlant& plant, const ShapedLaw& law, const L
 
 } // namespace
 
+// The integral's part stays for ever and is no fast one.
+Result<double> shapedFastGain_A_per_rad(const ShapedLaw& law, double period_s) {
+    auto fast = inParallelForm(law, period_s);
+    if (!fast) {
+        return failure(fast.error());
+    }
+    fast->gains.integral = 0.0;
+    fast->proportionalWeight = 1.0; // the angle's path has no weights
+    auto controller = ShapedController::make(*fast, period_s);
+    if (!controller) {
+        return failure(controller.error());
+    }
+    constexpr int Samples = 200; // the answer of a slow low-pass is largest within its first samples
+    double largest = std::abs(controller->step(0.0, -1.0));
+    for (int i = 1; i < Samples; ++i) {
+        largest = std::max(largest, std::abs(controller->step(0.0, 0.0)));
+    }
+    return largest;
+}
+
+Result<double> shapedProportionalLimit_A_per_rad(const PositionPlant& plant, const ShapedLaw& law,
+                                                 const LoopTiming& timing) {
+    auto plain = inParallelForm(law, timing.period_s);
+    if (!plain) {
+        return failure(plain.error());
+    }
+    plain->gains.integral = 0.0;
+    plain->proportionalWeight = 1.0;
+    return largestStableGain(plant, timing, [&](double proportional) {
+        plain->gains.proportional = proportional;
+        return isStableWith(plant, *plain, timing);
+    });
+}
+
 Result<DesignProof> proveShaped(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing,
                                 double currentLimit_A, double duration_s) {
     if (!(std::isfinite(currentLimit_A) && currentLimit_A > 0.0)) {
@@ -106,9 +114,13 @@ Result<DesignProof> proveShaped(const PositionPlant& plant, const ShapedLaw& law
     }
     const auto loop = shapedOpenLoop(plant, law, timing);
     const auto later = shapedOpenLoop(plant, law, {timing.period_s, timing.delay_samples + 1});
-    const auto plain = inParallelForm(law, timing.period_s);
-    if (!loop || !later || !plain) {
-        return failure(!loop ? loop.error() : !later ? later.error() : plain.error());
+    const auto fast_A = shapedFastGain_A_per_rad(law, timing.period_s);
+    const auto limit_A = shapedProportionalLimit_A_per_rad(plant, law, timing);
+    if (!loop || !later || !fast_A || !limit_A) {
+        return failure(!loop     ? loop.error()
+                       : !later  ? later.error()
+                       : !fast_A ? fast_A.error()
+                                 : limit_A.error());
     }
     auto step = shapedStep(plant, law, timing, 1.0, duration_s);
     if (!step) {
@@ -123,8 +135,8 @@ Result<DesignProof> proveShaped(const PositionPlant& plant, const ShapedLaw& law
         }
         proof.noiseGain_A_per_rad = *noise;
     }
-    proof.fastGain_A_per_rad = fastGain(*plain, timing);
-    proof.proportionalLimit_A_per_rad = proportionalLimit(plant, *plain, timing);
+    proof.fastGain_A_per_rad = *fast_A;
+    proof.proportionalLimit_A_per_rad = *limit_A;
     return proof;
 }
 

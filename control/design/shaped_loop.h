@@ -1,5 +1,6 @@
 #pragma once
 
+#include "control/design/load_step.h"
 #include "control/design/proof.h"
 #include "control/design/robustness.h"
 #include "control/design/shaped_law.h"
@@ -15,26 +16,30 @@ public:
     /// Errors: of `checkedGains`.
     static Result<ShapedController> make(const ShapedLaw& law, double period_s);
 
-    /// The current in A.
+    /// The current in A, without a limit.
     double step(double reference_rad, double angle_rad);
 
+    /// The two halves of a step: whoever limits the current decides between them whether the integral goes
+    /// on.
+    double demand_A(double reference_rad, double angle_rad);
+    void integrate(double error_rad);
+
 private:
-    /// One filter, b0 + b1/z + b2/z^2 over 1 + a1/z + a2/z^2, in the transposed direct form.
-    struct Section {
-        double b0, b1, b2, a1, a2;
+    /// In the transposed direct form: its two numbers stay small where the filter is slow.
+    struct Memory {
         double first = 0.0;
         double second = 0.0;
-
-        double step(double input);
     };
 
-    ShapedController(const ShapedLaw& law, const PidGains& gains, double period_s);
+    ShapedController(const ShapedLaw& law, const PidGains& gains, std::vector<FilterSection> sections,
+                     double period_s);
 
     PidGains m_gains;
     double m_proportionalWeight;
     double m_derivativeWeight;
     double m_period_s;
-    std::vector<Section> m_sections;
+    std::vector<FilterSection> m_sections;
+    std::vector<Memory> m_memories; ///< of each section
     double m_integral_A = 0.0;
     double m_rate_rad_s = 0.0;
     double m_lastWeighted_rad = 0.0;
@@ -44,10 +49,22 @@ private:
 Result<LoopStep> shapedStep(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing,
                             double amplitude_rad, double duration_s, int pointsPerSample = 10);
 
-/// `proveDesign` of a shaped law; the same numbers for the board's own. The gain towards fast errors is the
-/// largest current that an error of 1 rad in a single sample makes, at once or after filters: K_P + K_D/T on
-/// the board. The limit of K_P is that with this K_D, these filters and K_I = 0. Errors: of the inputs;
-/// OutOfRange; Refused, as of `proveDesign`.
+/// Where a load that stays leaves the angle of a stable loop: 0 with integral action, else what K_P and the
+/// filters' gain for a constant make of it. Errors: of `checkedGains`.
+Result<double> shapedRest_rad(const ShapedLaw& law, double period_s, double load_A);
+/// `loadStep` of a shaped law, whose weights a load does not see; the same numbers for the board's own.
+Result<LoadStep> shapedLoad(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing,
+                            double load_A, double duration_s, int pointsPerSample = 10);
+
+/// The gain towards fast errors: the largest current that an error of 1 rad in a single sample makes, at once
+/// or after filters; K_P + K_D/T on the board. Errors: of `checkedGains`.
+Result<double> shapedFastGain_A_per_rad(const ShapedLaw& law, double period_s);
+/// The limit of K_P with this K_D, these filters and K_I = 0. Errors: of the inputs.
+Result<double> shapedProportionalLimit_A_per_rad(const PositionPlant& plant, const ShapedLaw& law,
+                                                 const LoopTiming& timing);
+
+/// `proveDesign` of a shaped law; the same numbers for the board's own. Errors: of the inputs; OutOfRange;
+/// Refused, as of `proveDesign`.
 Result<DesignProof> proveShaped(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing,
                                 double currentLimit_A, double duration_s = 2.0);
 

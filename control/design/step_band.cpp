@@ -1,4 +1,4 @@
-#include "control/design/lane_motion.h"
+#include "control/design/moved_motors.h"
 #include "control/design/percentiles.h"
 #include "control/design/uncertainty_bands.h"
 
@@ -33,22 +33,17 @@ Result<void> checkExtent(double amplitude_rad, double points, int pointsPerSampl
 
 } // namespace
 
-Result<StepBand> stepBand(const std::vector<PositionPlant>& plants, const PidGains& gains,
-                          const LoopTiming& timing, double amplitude_rad, double duration_s,
-                          int pointsPerSample, std::size_t mostPoints) {
-    const auto batch = LoopBatch::make(plants, gains, timing);
-    if (!batch) {
-        return failure(batch.error());
-    }
-    const double interval_s = timing.period_s / pointsPerSample;
+Result<StepBand> stepBandOf(const MovedMotors& motors, double amplitude_rad, double duration_s,
+                            int pointsPerSample, std::size_t mostPoints) {
+    const double interval_s = motors.period_s / pointsPerSample;
     if (const auto valid = checkExtent(amplitude_rad, duration_s / interval_s, pointsPerSample); !valid) {
         return failure(valid.error());
     }
     const auto points = static_cast<std::size_t>(std::floor(duration_s / interval_s + 1e-6)) + 1;
     const LaneRun run{amplitude_rad, 0.0, pointsPerSample, keptPoints(points, mostPoints)};
-    LaneCurves curves(static_cast<Eigen::Index>(batch->size()), static_cast<Eigen::Index>(run.kept.size()));
-    for (std::size_t first = 0; first < batch->size(); first += LaneWidth) {
-        runLanes(*batch, first, run, curves, first);
+    LaneCurves curves(static_cast<Eigen::Index>(motors.count), static_cast<Eigen::Index>(run.kept.size()));
+    for (std::size_t first = 0; first < motors.count; first += LaneWidth) {
+        motors.run(first, run, curves, first);
     }
     const std::vector<Eigen::Index> lanes = finiteLanes(curves);
     if (lanes.empty()) {
@@ -67,6 +62,19 @@ Result<StepBand> stepBand(const std::vector<PositionPlant>& plants, const PidGai
         band.response_rad.p95.push_back(middle.p95);
     }
     return band;
+}
+
+Result<StepBand> stepBand(const std::vector<PositionPlant>& plants, const PidGains& gains,
+                          const LoopTiming& timing, double amplitude_rad, double duration_s,
+                          int pointsPerSample, std::size_t mostPoints) {
+    const auto batch = LoopBatch::make(plants, gains, timing);
+    if (!batch) {
+        return failure(batch.error());
+    }
+    const MovedMotors motors{batch->size(), timing.period_s,
+                             [&batch](std::size_t first, const LaneRun& run, LaneCurves& curves,
+                                      std::size_t row) { runLanes(*batch, first, run, curves, row); }};
+    return stepBandOf(motors, amplitude_rad, duration_s, pointsPerSample, mostPoints);
 }
 
 } // namespace halbench::control

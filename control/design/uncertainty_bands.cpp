@@ -28,15 +28,12 @@ void turnFromFirst(Eigen::ArrayXd& real, Eigen::ArrayXd& imaginary, Eigen::Array
     turn = real / imaginary; // its tangent grows with the angle within a quarter turn
 }
 
-} // namespace
-
-Result<LoopBands> loopBands(const std::vector<PositionPlant>& plants, const PidGains& gains,
-                            const LoopTiming& timing, const std::vector<double>& frequency_rad_s) {
-    const auto batch = LoopBatch::make(plants, gains, timing);
-    if (!batch) {
-        return failure(batch.error());
-    }
-    const auto valid = frequencyResponse(sampledPlant(batch->plant(0), timing.period_s), frequency_rad_s);
+/// `commonAt`: what all lanes have in common at a frequency.
+template <typename Common>
+Result<LoopBands> bandsOf(const LoopBatch& batch, const Common& commonAt,
+                          const std::vector<double>& frequency_rad_s) {
+    const auto valid =
+        frequencyResponse(sampledPlant(batch.plant(0), batch.timing().period_s), frequency_rad_s);
     if (!valid) {
         return failure(valid.error());
     }
@@ -46,8 +43,8 @@ Result<LoopBands> loopBands(const std::vector<PositionPlant>& plants, const PidG
     Eigen::ArrayXd imaginary;
     Eigen::ArrayXd sorted;
     for (const double frequency : frequency_rad_s) {
-        const std::complex<double> common = batch->common(frequency);
-        batch->rest(frequency, real, imaginary);
+        const std::complex<double> common = commonAt(frequency);
+        batch.rest(frequency, real, imaginary);
         first.value.push_back(common * std::complex<double>(real[0], imaginary[0]));
         sorted = real * real + imaginary * imaginary;
         const MiddleNineTenths square = middleNineTenths(sorted); // grows with the decibels
@@ -71,6 +68,36 @@ Result<LoopBands> loopBands(const std::vector<PositionPlant>& plants, const PidG
         bands.phase_deg.p95[i] += phases[i];
     }
     return bands;
+}
+
+} // namespace
+
+Result<LoopBands> loopBands(const std::vector<PositionPlant>& plants, const PidGains& gains,
+                            const LoopTiming& timing, const std::vector<double>& frequency_rad_s) {
+    const auto batch = LoopBatch::make(plants, gains, timing);
+    if (!batch) {
+        return failure(batch.error());
+    }
+    return bandsOf(
+        *batch, [&batch](double frequency) { return batch->common(frequency); }, frequency_rad_s);
+}
+
+Result<LoopBands> loopBands(const std::vector<PositionPlant>& plants, const TransferFunction& controller,
+                            const LoopTiming& timing, const std::vector<double>& frequency_rad_s) {
+    PidGains one; // of which delay and integrator are left
+    one.proportional = 1.0;
+    const auto batch = LoopBatch::make(plants, one, timing);
+    if (!batch) {
+        return failure(batch.error());
+    }
+    const auto valid = frequencyResponse(controller, frequency_rad_s);
+    if (!valid) {
+        return failure(valid.error());
+    }
+    return bandsOf(
+        *batch,
+        [&](double frequency) { return controller.atFrequency(frequency) * batch->common(frequency); },
+        frequency_rad_s);
 }
 
 } // namespace halbench::control

@@ -27,6 +27,10 @@ struct LoopBands {
 Result<LoopBands> loopBands(const std::vector<PositionPlant>& plants, const PidGains& gains,
                             const LoopTiming& timing, const std::vector<double>& frequency_rad_s);
 
+/// The same with any controller in the place of the board's, at the sampling of `timing`.
+Result<LoopBands> loopBands(const std::vector<PositionPlant>& plants, const TransferFunction& controller,
+                            const LoopTiming& timing, const std::vector<double>& frequency_rad_s);
+
 /// Of the linear closed loop after a step of the reference. Plants whose loop grows beyond all numbers leave.
 struct StepBand {
     std::vector<double> time_s;

@@ -97,7 +97,9 @@ IdealTrace runIdealLoop(const IdealLoopConfig& config) {
         const ReferencePoint reference =
             evaluateReference(config.reference, static_cast<double>(tick) / 1000.0);
         if (tick % loopTicks == 0) {
-            current_A = law.step(reference, rotor.angle_rad - config.initialAngle_rad);
+            const double angle_rad = rotor.angle_rad - config.initialAngle_rad;
+            current_A =
+                config.controller ? config.controller(reference, angle_rad) : law.step(reference, angle_rad);
         }
         appendRow(trace, tick, rotor, config.initialAngle_rad, reference.value_rad, current_A);
         for (int i = 0; i < config.subStepsPerMillisecond; ++i) {

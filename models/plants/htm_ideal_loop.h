@@ -3,6 +3,7 @@
 #include "models/plants/htm_rotor.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace halbench::models {
@@ -66,6 +67,9 @@ struct IdealLoopConfig {
     double initialAngle_rad = 0.0;
     double duration_s = 3.0;
     int subStepsPerMillisecond = 1;
+    /// In the place of `law`, of which the period stays: called once a period, it answers the current that
+    /// flows from there on. Angles are relative to the initial one.
+    std::function<double(const ReferencePoint& reference, double angle_rad)> controller = {};
 };
 
 /// Rows at t = 0, 1 ms, 2 ms ... duration: angles relative to the start, the current held after that instant.

@@ -171,5 +171,39 @@ TEST(CrossoverDesign, aFactorStopsAtTheLimitOfStability) {
     EXPECT_DOUBLE_EQ(stableFactor(published(), NoDelay, gains, 1.2), 1.2);
 }
 
+// What stands around the gains is in the loop that crosses there: read off that loop.
+TEST(CrossoverDesign, throughFiltersTheLoopHasTheCrossoverAndTheMarginToo) {
+    ShapedLaw around;
+    around.gains.filter_s = 0.003;
+    around.filters = {NotchFilter{200.0, 0.3, 0.4}, LowPassFilter{280.0, 1}};
+    const CrossoverAim aim{35.0, 35.0, 0.04};
+    for (const int delay : {0, 1}) {
+        const LoopTiming timing{0.01, delay};
+        const auto design = designCrossover(published(), timing, {35.0, delay == 0 ? 35.0 : 20.0, 0.02},
+                                            CrossoverPriority::Margin, around);
+        ASSERT_TRUE(design);
+        ShapedLaw law = around;
+        law.gains = design->gains;
+        law.gains.filter_s = around.gains.filter_s;
+        const auto loop = shapedOpenLoop(published(), law, timing);
+        ASSERT_TRUE(loop);
+        EXPECT_LT(poleRadius(*loop), 1.0);
+        const StabilityMargins margins = smallestMargins(*loop);
+        EXPECT_NEAR(*margins.gainCrossover_rad_s, design->reached.crossover_rad_s, 1e-6);
+        EXPECT_NEAR(margins.phaseMargin_deg, design->reached.phaseMargin_deg, 1e-6);
+        const auto back = crossoverAimOf(published(), timing, design->gains, around);
+        ASSERT_TRUE(back);
+        EXPECT_NEAR(back->crossover_rad_s, design->reached.crossover_rad_s, 1e-6);
+        // The factor that it bears ends where the loop does.
+        const double factor = stableFactor(published(), timing, design->gains, 50.0, around);
+        law.gains.proportional *= 1.001 * factor;
+        law.gains.integral *= 1.001 * factor;
+        law.gains.derivative *= 1.001 * factor;
+        EXPECT_GT(poleRadius(*shapedOpenLoop(published(), law, timing)), 1.0);
+    }
+    around.filters = {LowPassFilter{1e6, 1}};
+    EXPECT_FALSE(designCrossover(published(), NoDelay, aim, CrossoverPriority::Margin, around));
+}
+
 } // namespace
 } // namespace halbench::control

@@ -349,5 +349,23 @@ TEST(HtmReference, rampHoldsAtItsAmplitude) {
     EXPECT_EQ(evaluateReference(reference, 2.0).speed_rad_s, 0.0);
 }
 
+// The same law from outside, called once a period with what the law would have seen.
+TEST(HtmIdealLoop, aControllerInThePlaceOfTheLawMovesTheSameMotor) {
+    IdealLoopConfig config = loop(step(20.0), 2.0);
+    config.initialAngle_rad = 0.7;
+    config.law.ki_A_per_rad_s = 0.0;
+    const IdealTrace own = runIdealLoop(config);
+    int calls = 0;
+    config.controller = [&](const ReferencePoint& reference, double angle_rad) {
+        ++calls;
+        return std::clamp(config.law.kp_A_per_rad * (reference.value_rad - angle_rad), -config.law.limit_A,
+                          config.law.limit_A);
+    };
+    const IdealTrace other = runIdealLoop(config);
+    EXPECT_EQ(other.angle_rad, own.angle_rad);
+    EXPECT_EQ(other.current_A, own.current_A);
+    EXPECT_EQ(calls, 201); // 2 s at 100 Hz, both ends
+}
+
 } // namespace
 } // namespace halbench::models

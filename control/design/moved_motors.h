@@ -1,0 +1,27 @@
+#pragma once
+
+#include "control/design/lane_motion.h"
+#include "control/design/load_band.h"
+#include "control/design/uncertainty_bands.h"
+
+#include <cstddef>
+#include <functional>
+
+namespace halbench::control {
+
+// What the bands over drawn motors are made of, whatever law moves the motors.
+
+struct MovedMotors {
+    std::size_t count = 0;
+    double period_s = 0.0;
+    /// As `runLanes`: up to `LaneWidth` motors from the first on, into the rows from `row` on.
+    std::function<void(std::size_t first, const LaneRun& run, LaneCurves& curves, std::size_t row)> run;
+};
+
+/// `stepBand` and `loadBand` of them; `final_rad` is where the load leaves a motor in the end.
+Result<StepBand> stepBandOf(const MovedMotors& motors, double amplitude_rad, double duration_s,
+                            int pointsPerSample, std::size_t mostPoints);
+Result<LoadBand> loadBandOf(const MovedMotors& motors, double final_rad, double load_A, double duration_s,
+                            int pointsPerSample, std::size_t mostPoints);
+
+} // namespace halbench::control
