@@ -12,7 +12,7 @@
 #include "app/batch/shaped_gains.h"
 #include "app/batch/what_if_report.h"
 #include "app/procedures/disturbance.h"
-#include "app/procedures/judge_shaped.h"
+#include "app/procedures/loop_uncertainty.h"
 #include "control/base/assert.h"
 #include "control/base/units.h"
 
@@ -109,12 +109,7 @@ Result<TuneResult> judgeLoop(ComparedLoop& loop, const ModelFile& model, LoopCon
     config.conditions = std::move(conditions);
     config.conditions.timing = loop.gains.timing;
     config.seed = with.seed;
-    Result<TuneResult> judged = loop.shaped
-                                    ? judgeShaped(model.estimate, *loop.shaped, loop.gains.law, config)
-                                    : judgeLaw(model.estimate, loop.gains.law, config);
-    if (judged && loop.shaped) {
-        loop.result = judged->predicted;
-    }
+    Result<TuneResult> judged = judgeLaw(model.estimate, loop.gains.loopLaw(), config);
     if (judged) {
         loop.result.warnings = judged->warnings;
         loop.result.quality.findings = judged->warnings;
@@ -128,19 +123,16 @@ Result<TuneResult> judgeLoop(ComparedLoop& loop, const ModelFile& model, LoopCon
 /// What runs on the board takes its timing with it: each loop is the one its gains were designed for.
 Result<ComparedLoop> analyseGains(const std::string& path, const ModelFile& model,
                                   LoopConditions conditions) {
-    const Result<ShapedGainsFile> file = readShapedGains(path);
+    const Result<GainsFile> file = readShapedGains(path);
     if (!file) {
         return failure(file.error());
     }
-    if (file->shaped) {
-        return ComparedLoop{path, file->gains, {}, file->shaped}; // `judgeLoop` analyses it
-    }
-    conditions.timing = file->gains.timing;
-    Result<AnalysisResult> result = runAnalysis(model.estimate, file->gains.law, conditions);
+    conditions.timing = file->timing;
+    Result<AnalysisResult> result = runAnalysis(model.estimate, file->loopLaw(), conditions);
     if (!result) {
         return failure(result.error().code, path + ": " + result.error().message, result.error().hint);
     }
-    return ComparedLoop{path, file->gains, *std::move(result)};
+    return ComparedLoop{path, *file, *std::move(result)};
 }
 
 Result<std::vector<ComparedLoop>> analyseAll(const CommandOptions& options, const ModelFile& model,
@@ -158,20 +150,10 @@ Result<std::vector<ComparedLoop>> analyseAll(const CommandOptions& options, cons
     return loops;
 }
 
-/// What shows or runs the board's law only.
+/// A record was made by a board: through a law that none has it cannot be replayed.
 Result<void> checkShown(const CommandOptions& options, const std::vector<ComparedLoop>& loops) {
-    const bool isAnyShaped =
-        std::any_of(loops.begin(), loops.end(), [](const ComparedLoop& loop) { return loop.shaped; });
-    if (!isAnyShaped) {
-        return {};
-    }
-    if (!options.codeFile.empty()) {
-        return notOnBoard("--code");
-    }
-    if (!options.whatIfRecording.empty()) {
-        return notOnBoard("--what-if");
-    }
-    return options.pictures.empty() ? Result<void>() : notOnBoard("--picture");
+    const bool isReplayed = !options.whatIfRecording.empty() && loops.front().gains.shaped;
+    return isReplayed ? notOnBoard("--what-if") : Result<void>();
 }
 
 /// The open loop with its bands.
@@ -182,7 +164,7 @@ Result<void> writeBode(const std::string& path, const AnalysisResult::Bode& bode
         frequency_rad_s.push_back(2.0 * Pi * frequency_Hz);
     }
     const std::size_t rows = bode.frequency_Hz.size();
-    const auto bands = control::loopBands(motors, loop.gains.law.gains, loop.gains.timing, frequency_rad_s);
+    const auto bands = loopBandsOf(motors, loop.gains.loopLaw(), loop.gains.timing, frequency_rad_s);
     const auto magnitude = columnsOf(bands ? bands->magnitude_dB : control::Band{}, rows);
     const auto phase = columnsOf(bands ? bands->phase_deg : control::Band{}, rows);
     return writeColumns(path,
@@ -201,9 +183,9 @@ Result<void> writeStep(const std::string& path, const AnalysisResult::Step& step
     HB_ASSERT(loaded.time_s.size() == step.time_s.size());
     const std::size_t rows = step.time_s.size();
     const double end_s = rows > 0 ? step.time_s.back() : 0.0;
-    const control::PidGains& gains = loop.gains.law.gains;
-    const auto answer = control::stepBand(motors, gains, loop.gains.timing, 1.0, end_s, PointsPerSample);
-    const auto under = control::loadBand(motors, gains, loop.gains.timing, load_A, end_s, PointsPerSample);
+    const LoopLaw law = loop.gains.loopLaw();
+    const auto answer = stepBandOf(motors, law, loop.gains.timing, 1.0, {end_s, PointsPerSample});
+    const auto under = loadBandOf(motors, law, loop.gains.timing, load_A, {end_s, PointsPerSample});
     const auto response = columnsOf(answer ? answer->response_rad : control::Band{}, rows);
     const auto angle = columnsOf(under ? under->angle_rad : control::Band{}, rows);
     return writeColumns(path,
@@ -211,15 +193,6 @@ Result<void> writeStep(const std::string& path, const AnalysisResult::Step& step
                         "response_p95_rad,load_angle_p5_rad,load_angle_p95_rad",
                         {&step.time_s, &step.response_rad, &step.current_A, &loaded.angle_rad,
                          &loaded.current_A, &response.p5, &response.p95, &angle.p5, &angle.p95});
-}
-
-/// Empty cells on the times of the step.
-control::LoadStep unknownLoad(const AnalysisResult::Step& step) {
-    control::LoadStep unknown;
-    unknown.time_s = step.time_s;
-    unknown.angle_rad.assign(step.time_s.size(), std::numeric_limits<double>::quiet_NaN());
-    unknown.current_A = unknown.angle_rad;
-    return unknown;
 }
 
 /// Each as it is judged alone; the answer is that of the first.
@@ -240,20 +213,18 @@ Result<void> writeFiles(const CommandOptions& options, const ModelFile& model, c
     const AnalysisResult& result = loop.result;
     conditions.timing = loop.gains.timing;
     const bool needsMotors = !options.bodeFile.empty() || !options.stepFile.empty();
-    // The bands are of the board's law: of a shaped one they are not known.
-    const auto motors =
-        needsMotors && !loop.shaped ? motorsOf(model, with.seed) : std::vector<control::PositionPlant>();
+    const auto motors = needsMotors ? motorsOf(model, with.seed) : std::vector<control::PositionPlant>();
     Result<void> done =
         options.bodeFile.empty() ? Result<void>() : writeBode(options.bodeFile, result.bode, loop, motors);
     if (done && !options.stepFile.empty()) {
         const auto loaded =
-            loop.shaped ? unknownLoad(result.stepCurve)
-                        : disturbanceStep(model.estimate, loop.gains.law, conditions, result, with.load_A)
-                              .value_or(control::LoadStep{});
+            disturbanceStep(model.estimate, loop.gains.loopLaw(), conditions, result, with.load_A)
+                .value_or(control::LoadStep{});
         done = writeStep(options.stepFile, result.stepCurve, loaded, with.load_A, loop, motors);
     }
     done = done ? writePoles(options.polesFile, result.roots) : done;
-    return done ? writeLaw(options.codeFile, loop.gains.law, conditions, {loop.gains.method, model.device})
+    return done ? writeLaw(options.codeFile, loop.gains.loopLaw(), conditions,
+                           {loop.gains.method, model.device})
                 : done;
 }
 
@@ -355,7 +326,7 @@ CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& o
     std::string text = analysisText(own.result) + proofLines(*judged) + cycleLines(*judged) +
                        disturbanceLines(*judged) + intervalLines(judged->robust) +
                        loopFindingLines(own.result.quality, false);
-    text += own.shaped ? shapingLines(*own.shaped) : std::string();
+    text += own.gains.shaped ? shapingLines(*own.gains.shaped) : std::string();
     if (loops->size() > 1) {
         document.set("compared", comparedLoops({loops->begin() + 1, loops->end()}));
         text += comparisonTable(*loops);

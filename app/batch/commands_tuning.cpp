@@ -9,7 +9,6 @@
 #include "app/batch/shaped_gains.h"
 #include "app/batch/tuning_apply.h"
 #include "app/batch/tuning_text.h"
-#include "app/procedures/judge_shaped.h"
 #include "devices/device_uri.h"
 
 #include <fmt/format.h>
@@ -55,9 +54,9 @@ Result<control::DesignTargets> targetsFrom(const CommandOptions& options) {
 }
 
 /// What --gains holds is not designed. Nothing without it.
-Result<std::optional<ShapedGainsFile>> gainsOf(const CommandOptions& options) {
+Result<std::optional<GainsFile>> gainsOf(const CommandOptions& options) {
     if (options.gainsFile.empty()) {
-        return std::optional<ShapedGainsFile>();
+        return std::optional<GainsFile>();
     }
     for (const std::string* designing :
          {&options.method, &options.zeta, &options.omega, &options.bandwidth, &options.phaseMargin,
@@ -68,34 +67,14 @@ Result<std::optional<ShapedGainsFile>> gainsOf(const CommandOptions& options) {
                            "leave out one or the other");
         }
     }
-    Result<ShapedGainsFile> gains = readShapedGains(options.gainsFile);
-    return gains ? Result<std::optional<ShapedGainsFile>>(*std::move(gains)) : failure(gains.error());
+    Result<GainsFile> gains = readShapedGains(options.gainsFile);
+    return gains ? Result<std::optional<GainsFile>>(*std::move(gains)) : failure(gains.error());
 }
 
 /// What the board cannot run is told before anything moves.
-Result<void> checkRunnable(const CommandOptions& options, const std::optional<ShapedGainsFile>& gains) {
-    if (!gains || !gains->shaped) {
-        return {};
-    }
-    if (!options.applyDevice.empty()) {
-        return notOnBoard("--apply");
-    }
-    if (!options.codeFile.empty()) {
-        return notOnBoard("--code");
-    }
-    return options.pictures.empty() ? Result<void>() : notOnBoard("--picture");
-}
-
-Result<TuneResult> judgeFile(const TuningSource& source, const TuneConfig& config,
-                             const LoopConditions& conditions) {
-    if (!source.shaped) {
-        return judgeGains(*source.gains, source.estimate, conditions, {config.seed, config.load_A});
-    }
-    TuneConfig shaped = config;
-    shaped.method = source.gains->method.empty() ? "file" : source.gains->method;
-    shaped.targets = source.gains->targets;
-    shaped.conditions = conditions;
-    return judgeShaped(source.estimate, *source.shaped, source.gains->law, shaped);
+Result<void> checkRunnable(const CommandOptions& options, const std::optional<GainsFile>& gains) {
+    const bool isApplied = gains && gains->shaped && !options.applyDevice.empty();
+    return isApplied ? notOnBoard("--apply") : Result<void>();
 }
 
 /// Designed, or as the file has them; those are judged in the loop that they were found for.
@@ -106,7 +85,7 @@ Result<TuneResult> findGains(const CommandOptions& options, const TuningSource& 
     }
     LoopConditions conditions = source.conditions;
     conditions.timing = source.device ? conditions.timing : source.gains->timing;
-    auto judged = judgeFile(source, config, conditions);
+    auto judged = judgeGains(*source.gains, source.estimate, conditions, {config.seed, config.load_A});
     if (!judged) {
         return failure(judged.error().code, options.gainsFile + ": " + judged.error().message,
                        judged.error().hint);
@@ -184,7 +163,7 @@ CommandResult runTuneCommand(CommandContext& context, const CommandOptions& opti
     if (!config) {
         return failure(config.error());
     }
-    Result<std::optional<ShapedGainsFile>> gains = gainsOf(options);
+    Result<std::optional<GainsFile>> gains = gainsOf(options);
     const Result<void> runnable = gains ? checkRunnable(options, *gains) : failure(gains.error());
     if (!runnable) {
         return failure(runnable.error());
@@ -195,10 +174,7 @@ CommandResult runTuneCommand(CommandContext& context, const CommandOptions& opti
     if (!source) {
         return failure(source.error());
     }
-    if (*gains) {
-        source->gains = (*gains)->gains;
-        source->shaped = (*gains)->shaped;
-    }
+    source->gains = *gains;
     if (const Result<void> taken = takeCalibration(source->conditions, options.calibrationFile); !taken) {
         return failure(taken.error());
     }
@@ -219,7 +195,7 @@ CommandResult runTuneCommand(CommandContext& context, const CommandOptions& opti
     if (!opened) {
         return failure(opened.error());
     }
-    if (const auto coded = writeLaw(options.codeFile, result->law, result->conditions,
+    if (const auto coded = writeLaw(options.codeFile, {result->law, result->shaped}, result->conditions,
                                     {result->method, source->header.device});
         !coded) {
         return failure(coded.error());
@@ -232,10 +208,6 @@ CommandResult runTuneCommand(CommandContext& context, const CommandOptions& opti
     }
     JsonValue document = gainsDocument(source->header, *result);
     std::string text = gainsText(*result);
-    if (source->shaped) {
-        setShaping(document, *source->shaped);
-        text += shapingLines(*source->shaped);
-    }
     bool isKept = true;
     if (!options.applyDevice.empty()) {
         const Result<AppliedGains> applied =

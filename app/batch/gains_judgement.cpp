@@ -1,6 +1,7 @@
 #include "app/batch/gains_judgement.h"
 
 #include "app/batch/result_header.h"
+#include "app/batch/shaped_gains.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +15,7 @@ constexpr const char* UnnamedMethod = "file"; // of gains that do not say how th
 
 bool isPresetItself(const GainsFile& gains, const TuneResult& judged) {
     const auto law = control::designLaw(gains.method, judged.plant, judged.conditions.timing, {});
-    return law && isSameLaw(*law, gains.law);
+    return law && !gains.shaped && isSameLaw(*law, gains.law);
 }
 
 } // namespace
@@ -27,7 +28,7 @@ Result<TuneResult> judgeGains(const GainsFile& gains, const MotorEstimate& estim
     config.conditions = conditions;
     config.seed = with.seed;
     config.load_A = with.load_A;
-    auto judged = judgeLaw(estimate, gains.law, config);
+    auto judged = judgeLaw(estimate, gains.loopLaw(), config);
     if (judged && !judged->predicted.isStable && !isPresetItself(gains, *judged)) {
         judged->quality.verdict = Verdict::Refused;
     }
@@ -66,6 +67,9 @@ void addFinding(TuneResult& result, const Finding& finding) {
 }
 
 Result<void> checkJudgement(const TuneResult& result) {
+    if (result.shaped) {
+        return notOnBoard("--apply");
+    }
     if (result.quality.verdict != Verdict::Refused) {
         return {};
     }

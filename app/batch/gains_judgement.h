@@ -28,7 +28,8 @@ std::optional<Finding> otherTiming(const control::LoopTiming& designed, const co
 /// A finding that is told with the gains and with what is thought of them.
 void addFinding(TuneResult& result, const Finding& finding);
 
-/// What is refused is not written. Error: Refused, with the first finding.
+/// What is refused is not written, nor what no board runs. Errors: Refused, with the first finding;
+/// InvalidInput.
 Result<void> checkJudgement(const TuneResult& result);
 
 } // namespace halbench::app

@@ -3,9 +3,7 @@
 #include "app/batch/json_value.h"
 #include "app/batch/model_file.h"
 #include "app/procedures/tune.h"
-#include "control/design/shaped_law.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +14,6 @@ struct ComparedLoop {
     std::string path; ///< of the gains
     GainsFile gains;
     AnalysisResult result;
-    std::optional<control::ShapedLaw> shaped = {}; ///< what they ask for beyond the board's law
 };
 
 /// `compared` of halbench.analysis/1: for each its file, its method and what analysisBody() tells.

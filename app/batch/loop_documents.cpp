@@ -1,4 +1,5 @@
 #include "app/batch/result_documents.h"
+#include "app/batch/shaped_gains.h"
 #include "control/base/units.h"
 #include "control/design/proof.h"
 
@@ -251,6 +252,9 @@ JsonValue gainsBody(const TuneResult& result) {
     body.set("sample_period_s", result.conditions.timing.period_s);
     body.set("delay_samples", result.conditions.timing.delay_samples);
     body.set("gains", gainsOf(result.law)).set("forms", formsOf(result.law.gains));
+    if (result.shaped) {
+        setShaping(body, *result.shaped);
+    }
     body.set("predicted", analysisBody(result.predicted));
     setJudgement(body, result);
     return body.set("warnings", toJson(result.warnings));

@@ -22,7 +22,7 @@ void addLargeStep(LoopUncertainty& uncertainty, const DrawnLoop& loop) {
     if (!result.predicted.largeStep) {
         return;
     }
-    auto band = largeStepBand(*loop.motor, result.law, result.conditions,
+    auto band = largeStepBand(*loop.motor, {result.law, result.shaped}, result.conditions,
                               result.predicted.largeStep->amplitude_rad, loop.draws);
     if (band) {
         uncertainty.largeStep = *std::move(band);
@@ -94,8 +94,8 @@ Result<void> writeLoopPictures(const std::vector<LoopPicture>& pictures, const D
         return {};
     }
     std::optional<LoopUncertainty> uncertainty;
-    if (auto known = loopUncertainty(*loop.motor, loop.result->law, loop.result->conditions,
-                                     loop.result->predicted, loop.draws)) {
+    if (auto known = loopUncertainty(*loop.motor, {loop.result->law, loop.result->shaped},
+                                     loop.result->conditions, loop.result->predicted, loop.draws)) {
         uncertainty = *std::move(known);
     }
     for (const LoopPicture& picture : pictures) {

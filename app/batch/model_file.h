@@ -27,6 +27,11 @@ struct GainsFile {
     control::DesignTargets targets;
     std::string started;                            ///< when they were found, as the file says it
     std::optional<devices::DeviceInfo> device = {}; ///< for which; absent: not said
+    /// What they ask for beyond the board's law: only of `parseShapedGains` and `readShapedGains`
+    /// (shaped_gains.h). Then no board runs them.
+    std::optional<control::ShapedLaw> shaped = {};
+
+    LoopLaw loopLaw() const { return {law, shaped}; }
 };
 
 /// What tuning needs of CAL.json as `calibrate --out` wrote it.

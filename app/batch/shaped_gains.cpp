@@ -2,6 +2,7 @@
 
 #include "app/batch/document_parts.h"
 #include "app/batch/output_file.h"
+#include "control/base/assert.h"
 
 #include <fmt/format.h>
 
@@ -73,23 +74,14 @@ const std::vector<FilterKind>& filterKinds() {
     return kinds;
 }
 
-/// The figures of a filter in the order of its kind.
-std::vector<double> figuresOf(const control::LoopFilter& filter) {
-    struct Kinds {
-        std::vector<double> operator()(const control::LeadFilter& f) const {
-            return {f.frequency_rad_s, f.phase_deg};
-        }
-        std::vector<double> operator()(const control::LagFilter& f) const {
-            return {f.frequency_rad_s, f.ratio};
-        }
-        std::vector<double> operator()(const control::NotchFilter& f) const {
-            return {f.frequency_rad_s, f.depth_ratio, f.damping_ratio};
-        }
-        std::vector<double> operator()(const control::LowPassFilter& f) const {
-            return {f.corner_rad_s, static_cast<double>(f.order)};
-        }
-    };
-    return std::visit(Kinds{}, filter);
+std::string figureWords(const control::LoopFilter& filter) {
+    const FilterKind& kind = filterKinds()[filter.index()];
+    const std::vector<double> figures = figuresOf(filter);
+    std::string line;
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        line += fmt::format("{}{} {:.4g}", i == 0 ? "" : ", ", kind.figures[i], figures[i]);
+    }
+    return line;
 }
 
 Result<control::LoopFilter> readFilter(const JsonValue& entry, const std::string& origin,
@@ -192,7 +184,7 @@ JsonValue withoutShaping(JsonValue root) {
 
 } // namespace
 
-Result<ShapedGainsFile> parseShapedGains(const std::string& text, const std::string& origin) {
+Result<GainsFile> parseShapedGains(const std::string& text, const std::string& origin) {
     const Result<JsonValue> root = parseJson(text, origin);
     if (!root) {
         return failure(root.error());
@@ -218,11 +210,13 @@ Result<ShapedGainsFile> parseShapedGains(const std::string& text, const std::str
     shaped->gains = *checked;
     board->law.gains = *checked; // a filter counts in the series form
     board->law.gains.filter_s.reset();
-    const bool isBoard = control::isBoardLaw(*shaped);
-    return ShapedGainsFile{*std::move(board), isBoard ? std::nullopt : std::optional(*std::move(shaped))};
+    if (!control::isBoardLaw(*shaped)) {
+        board->shaped = *std::move(shaped);
+    }
+    return board;
 }
 
-Result<ShapedGainsFile> readShapedGains(const std::string& path) {
+Result<GainsFile> readShapedGains(const std::string& path) {
     const Result<std::string> text = readFile(path);
     return text ? parseShapedGains(*text, path) : failure(text.error());
 }
@@ -242,7 +236,39 @@ void setShaping(JsonValue& document, const control::ShapedLaw& shaped) {
         filters.push(entry);
     }
     JsonValue gains = *document.find("gains");
+    if (shaped.gains.filter_s) {
+        JsonValue filter = JsonValue::object();
+        gains.set("filter_s", filter.set("value", *shaped.gains.filter_s).set("unit", "s"));
+    }
     document.set("gains", gains.set("setpoint_weights", weights).set("filters", filters));
+}
+
+std::vector<double> figuresOf(const control::LoopFilter& filter) {
+    struct Kinds {
+        std::vector<double> operator()(const control::LeadFilter& f) const {
+            return {f.frequency_rad_s, f.phase_deg};
+        }
+        std::vector<double> operator()(const control::LagFilter& f) const {
+            return {f.frequency_rad_s, f.ratio};
+        }
+        std::vector<double> operator()(const control::NotchFilter& f) const {
+            return {f.frequency_rad_s, f.depth_ratio, f.damping_ratio};
+        }
+        std::vector<double> operator()(const control::LowPassFilter& f) const {
+            return {f.corner_rad_s, static_cast<double>(f.order)};
+        }
+    };
+    return std::visit(Kinds{}, filter);
+}
+
+control::LoopFilter filterOf(std::size_t kind, const std::vector<double>& figures) {
+    HB_ASSERT(kind < filterKinds().size() && figures.size() == filterKinds()[kind].figures.size());
+    return filterKinds()[kind].make(figures);
+}
+
+std::string filterWords(const control::LoopFilter& filter) {
+    const FilterKind& kind = filterKinds()[filter.index()];
+    return fmt::format("{}: {}", kind.name, figureWords(filter));
 }
 
 std::string shapingLines(const control::ShapedLaw& shaped) {
@@ -252,13 +278,7 @@ std::string shapingLines(const control::ShapedLaw& shaped) {
         text += fmt::format("{:<26} {:.4g} s\n", "filter on the derivative", *shaped.gains.filter_s);
     }
     for (const control::LoopFilter& filter : shaped.filters) {
-        const FilterKind& kind = filterKinds()[filter.index()];
-        const std::vector<double> figures = figuresOf(filter);
-        std::string line;
-        for (std::size_t i = 0; i < figures.size(); ++i) {
-            line += fmt::format("{}{} {:.4g}", i == 0 ? "" : ", ", kind.figures[i], figures[i]);
-        }
-        text += fmt::format("{:<26} {}\n", kind.name, line);
+        text += fmt::format("{:<26} {}\n", filterKinds()[filter.index()].name, figureWords(filter));
     }
     return text;
 }

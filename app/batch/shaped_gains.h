@@ -4,25 +4,26 @@
 #include "app/batch/model_file.h"
 #include "control/design/shaped_law.h"
 
-#include <optional>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace halbench::app {
 
 /// GAINS.json that may ask for more than the board's law has: `gains.filter_s`, `gains.setpoint_weights`
 /// {b, c}, `gains.filters` [{kind, ...}]. They stand among the gains, because there a reader that does not
-/// know them refuses.
-struct ShapedGainsFile {
-    GainsFile gains;                          ///< without them
-    std::optional<control::ShapedLaw> shaped; ///< with them; nothing when the board's law is all of it
-};
-
-/// Errors: as of `parseGains`; of `checkedGains`.
-Result<ShapedGainsFile> parseShapedGains(const std::string& text, const std::string& origin);
-Result<ShapedGainsFile> readShapedGains(const std::string& path);
+/// know them refuses. Errors: as of `parseGains`; of `checkedGains`.
+Result<GainsFile> parseShapedGains(const std::string& text, const std::string& origin);
+Result<GainsFile> readShapedGains(const std::string& path);
 
 /// Of a document of gains the same keys, so that it reads back.
 void setShaping(JsonValue& document, const control::ShapedLaw& shaped);
+/// The figures of a filter in the order of its kind's struct, and back: `kind` as LoopFilter counts them. An
+/// order of a low-pass that is not whole is one that no filter has.
+std::vector<double> figuresOf(const control::LoopFilter& filter);
+control::LoopFilter filterOf(std::size_t kind, const std::vector<double>& figures);
+/// For reading: "notch: frequency_rad_s 180, ...".
+std::string filterWords(const control::LoopFilter& filter);
 /// For reading: a line each.
 std::string shapingLines(const control::ShapedLaw& shaped);
 

@@ -5,7 +5,6 @@
 #include "app/batch/model_file.h"
 #include "app/batch/result_header.h"
 #include "app/procedures/tune.h"
-#include "control/design/shaped_law.h"
 
 #include <memory>
 #include <optional>
@@ -18,8 +17,7 @@ struct TuningSource {
     MotorEstimate estimate;
     ResultHeader header;
     LoopConditions conditions;
-    std::optional<GainsFile> gains;           ///< of --gains: judged instead of designed
-    std::optional<control::ShapedLaw> shaped; ///< of --gains that ask for more than the board's law has
+    std::optional<GainsFile> gains; ///< of --gains: judged instead of designed
     std::unique_ptr<devices::Device> device;
 };
 

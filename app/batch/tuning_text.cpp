@@ -3,6 +3,7 @@
 #include "app/batch/command_support.h"
 #include "app/batch/judgement_text.h"
 #include "app/batch/result_documents.h"
+#include "app/batch/shaped_gains.h"
 #include "control/base/units.h"
 
 #include <fmt/format.h>
@@ -46,11 +47,12 @@ std::string gainsText(const TuneResult& result) {
     std::string text = fmt::format("method {}\n", result.method);
     const JsonValue body = gainsBody(result);
     for (const JsonMember& gain : body.find("gains")->members()) {
-        if (gain.value.isObject()) {
+        if (gain.value.isObject() && gain.value.find("value") != nullptr) { // else the weights: below
             text += fmt::format("{:<26} {:.6g} {}\n", gain.key, gain.value.find("value")->number(),
                                 gain.value.find("unit")->text());
         }
     }
+    text += result.shaped ? shapingLines(*result.shaped) : std::string();
     text += formLine("in standard form", result.law.gains, control::PidForm::Standard);
     text += formLine("in series form", result.law.gains, control::PidForm::Series);
     const AnalysisResult& predicted = result.predicted;

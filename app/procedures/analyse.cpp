@@ -2,30 +2,13 @@
 
 #include "app/procedures/large_step.h"
 #include "app/procedures/loop_prediction.h"
-#include "control/base/units.h"
-#include "control/design/board_gains.h"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
+#include "app/procedures/shaped_analysis.h"
 
 namespace halbench::app {
 
 namespace {
 
-constexpr double LargeStep_deg = 100.0;
-
 using control::PidGains;
-
-Result<PidGains> checkedGains(const control::PositionLaw& law) {
-    auto gains = control::boardGains(law.gains);
-    if (!gains) {
-        return gains;
-    }
-    const auto valid = checkPositionGains(*gains);
-    return valid ? gains : failure(valid.error());
-}
 
 Result<void> stepLoop(AnalysisResult& result, const control::PositionPlant& plant, const PidGains& gains,
                       const control::LoopTiming& timing) {
@@ -35,22 +18,6 @@ Result<void> stepLoop(AnalysisResult& result, const control::PositionPlant& plan
     }
     takeStep(result, *std::move(step));
     return {};
-}
-
-void addSaturationNote(AnalysisResult& result, const PidGains& gains, double currentLimit_A) {
-    const double largest_deg = radiansToDegrees(currentLimit_A / gains.proportional);
-    constexpr double NotableOvershoot_percent = 15.0;
-    if (result.isStable && result.largeStep->metrics.overshoot_percent > NotableOvershoot_percent &&
-        largest_deg < LargeStep_deg) {
-        result.warnings.push_back(
-            {"large_steps_overshoot",
-             fmt::format("steps above {:.3g} deg reach the current limit of {:.3g} A; with it and with "
-                         "friction a step "
-                         "of {:.0f} deg overshoots by {:.3g} %",
-                         largest_deg, currentLimit_A, LargeStep_deg,
-                         result.largeStep->metrics.overshoot_percent),
-             "lead large moves along a ramp, or choose a slower loop"});
-    }
 }
 
 /// Everything that the open loop tells.
@@ -70,44 +37,50 @@ Result<AnalysisResult> predictLoop(const control::PositionPlant& plant, const Pi
     return result;
 }
 
+Result<AnalysisResult> analyseBoard(const control::PositionPlant& plant, const control::PositionLaw& given,
+                                    const LoopConditions& conditions) {
+    const auto checked = checkedLaw(given, conditions.timing.period_s);
+    if (!checked) {
+        return failure(checked.error());
+    }
+    if (const auto valid = checkConditions(conditions); !valid) {
+        return failure(valid.error());
+    }
+    const PidGains& gains = checked->law.gains;
+    auto result = predictLoop(plant, gains, conditions.timing);
+    if (!result) {
+        return result;
+    }
+    const auto stepped =
+        result->isStable ? stepLoop(*result, plant, gains, conditions.timing) : Result<void>{};
+    const auto largeStep = predictLargeStep(plant, given, conditions, LargeStepHeight_rad);
+    if (!stepped || !largeStep) {
+        return failure(stepped ? largeStep.error() : stepped.error());
+    }
+    result->largeStep = *largeStep;
+    result->frictionBand_rad = control::frictionBand_rad(plant, given);
+    addStabilityWarnings(*result, gains.proportional);
+    const control::LoopTiming oneLater{conditions.timing.period_s, conditions.timing.delay_samples + 1};
+    if (const auto later = control::sampledOpenLoop(plant, gains, oneLater)) {
+        addDelayWarning(*result, control::poleRadius(*later));
+    }
+    addFrictionWarning(*result, gains.integral > 0.0);
+    addStrayWarning(*result, conditions.stray);
+    addSaturationNote(*result, gains.proportional, conditions.currentLimit_A);
+    result->quality.verdict = result->isStable ? Verdict::Good : Verdict::Doubtful;
+    result->quality.findings = result->warnings;
+    return result;
+}
+
 } // namespace
 
-Result<AnalysisResult> runAnalysis(const MotorEstimate& estimate, const control::PositionLaw& law,
+Result<AnalysisResult> runAnalysis(const MotorEstimate& estimate, const LoopLaw& law,
                                    const LoopConditions& conditions) {
     const auto plant = plantFromEstimate(estimate);
     if (!plant) {
         return failure(plant.error());
     }
-    const auto gains = checkedGains(law);
-    if (!gains) {
-        return failure(gains.error());
-    }
-    if (const auto valid = checkConditions(conditions); !valid) {
-        return failure(valid.error());
-    }
-    auto result = predictLoop(*plant, *gains, conditions.timing);
-    if (!result) {
-        return result;
-    }
-    const auto stepped =
-        result->isStable ? stepLoop(*result, *plant, *gains, conditions.timing) : Result<void>{};
-    const auto largeStep = predictLargeStep(*plant, law, conditions, degreesToRadians(LargeStep_deg));
-    if (!stepped || !largeStep) {
-        return failure(stepped ? largeStep.error() : stepped.error());
-    }
-    result->largeStep = *largeStep;
-    result->frictionBand_rad = control::frictionBand_rad(*plant, law);
-    addStabilityWarnings(*result, gains->proportional);
-    const control::LoopTiming oneLater{conditions.timing.period_s, conditions.timing.delay_samples + 1};
-    if (const auto later = control::sampledOpenLoop(*plant, *gains, oneLater)) {
-        addDelayWarning(*result, control::poleRadius(*later));
-    }
-    addFrictionWarning(*result, gains->integral > 0.0);
-    addStrayWarning(*result, conditions.stray);
-    addSaturationNote(*result, *gains, conditions.currentLimit_A);
-    result->quality.verdict = result->isStable ? Verdict::Good : Verdict::Doubtful;
-    result->quality.findings = result->warnings;
-    return result;
+    return law.shaped ? analyseShaped(*plant, law, conditions) : analyseBoard(*plant, law.law, conditions);
 }
 
 } // namespace halbench::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/procedures/loop_law.h"
 #include "app/procedures/procedure.h"
 #include "control/analysis/margins.h"
 #include "control/analysis/root_locus.h"
@@ -52,6 +53,7 @@ struct LargeStep {
     models::IdealTrace trace = {}; ///< 5 s of it
 };
 
+constexpr double LargeStepHeight_rad = 1.7453292519943295; ///< 100 degrees
 constexpr double RootLocusMost_ratio = 4.0;
 
 /// Everything predicted for one motor and one law, always on the sampled loop with the device's delay.
@@ -66,7 +68,7 @@ struct AnalysisResult {
     std::optional<LargeStep> largeStep;       ///< of 100 degrees, with friction and current limit
     double proportionalLimit_A_per_rad = 0.0;
     double frictionBand_rad = 0.0;            ///< predicted rest band of the law, with its assist
-    double highFrequencyGain_A_per_rad = 0.0; ///< K_P + K_D/T_s
+    double highFrequencyGain_A_per_rad = 0.0; ///< K_P + K_D/T_s on the board
     struct Bode {                             ///< open loop, phase unwrapped
         std::vector<double> frequency_Hz;
         std::vector<double> magnitude_dB;
@@ -96,7 +98,7 @@ Result<control::PositionPlant> plantFromEstimate(const MotorEstimate& estimate);
 Result<control::UncertainPlant> uncertainPlantFromEstimate(const MotorEstimate& estimate);
 
 /// Pure function: no device, no clock. Errors: as above, and of the law's gains.
-Result<AnalysisResult> runAnalysis(const MotorEstimate& estimate, const control::PositionLaw& law,
+Result<AnalysisResult> runAnalysis(const MotorEstimate& estimate, const LoopLaw& law,
                                    const LoopConditions& conditions);
 
 } // namespace halbench::app

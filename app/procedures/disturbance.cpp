@@ -1,23 +1,26 @@
 #include "app/procedures/disturbance.h"
 
+#include "app/procedures/loop_uncertainty.h"
+#include "control/design/shaped_loop.h"
+
 #include <utility>
 
 namespace halbench::app {
 
-std::optional<control::LoadStep> disturbanceStep(const MotorEstimate& estimate,
-                                                 const control::PositionLaw& law,
+std::optional<control::LoadStep> disturbanceStep(const MotorEstimate& estimate, const LoopLaw& law,
                                                  const LoopConditions& conditions,
                                                  const AnalysisResult& analysed, double load_A) {
     const auto plant = plantFromEstimate(estimate);
     if (!plant || !analysed.isStable || analysed.stepCurve.time_s.size() < 2) {
         return std::nullopt;
     }
-    auto step =
-        control::loadStep(*plant, law.gains, conditions.timing, load_A, analysed.stepCurve.time_s.back());
+    const double end_s = analysed.stepCurve.time_s.back();
+    auto step = law.shaped ? control::shapedLoad(*plant, *law.shaped, conditions.timing, load_A, end_s)
+                           : control::loadStep(*plant, law.law.gains, conditions.timing, load_A, end_s);
     return step ? std::optional(*std::move(step)) : std::nullopt;
 }
 
-std::optional<Disturbance> disturbanceOf(const MotorEstimate& estimate, const control::PositionLaw& law,
+std::optional<Disturbance> disturbanceOf(const MotorEstimate& estimate, const LoopLaw& law,
                                          const LoopConditions& conditions, const AnalysisResult& analysed,
                                          double load_A, const std::vector<control::PositionPlant>& plants) {
     constexpr int PointsPerSample = 5;
@@ -27,10 +30,9 @@ std::optional<Disturbance> disturbanceOf(const MotorEstimate& estimate, const co
         return std::nullopt;
     }
     Disturbance disturbance{load_A, *std::move(step), {}};
-    auto band = plants.empty()
-                    ? Result<control::LoadBand>(failure(ErrorCode::Refused, ""))
-                    : control::loadBand(plants, law.gains, conditions.timing, load_A,
-                                        analysed.stepCurve.time_s.back(), PointsPerSample, ShownPoints);
+    auto band = plants.empty() ? Result<control::LoadBand>(failure(ErrorCode::Refused, ""))
+                               : loadBandOf(plants, law, conditions.timing, load_A,
+                                            {analysed.stepCurve.time_s.back(), PointsPerSample, ShownPoints});
     if (band) {
         disturbance.band = *std::move(band);
     }

@@ -14,8 +14,7 @@ constexpr double DisturbanceLoad_A = 0.5;
 
 /// What the load does to a loop that was analysed, as long as its step is shown; nothing for an unstable one
 /// (resources/help/tuning.md, "Disturbance").
-std::optional<control::LoadStep> disturbanceStep(const MotorEstimate& estimate,
-                                                 const control::PositionLaw& law,
+std::optional<control::LoadStep> disturbanceStep(const MotorEstimate& estimate, const LoopLaw& law,
                                                  const LoopConditions& conditions,
                                                  const AnalysisResult& analysed,
                                                  double load_A = DisturbanceLoad_A);
@@ -28,7 +27,7 @@ struct Disturbance {
 };
 /// The same with the motors of `plants`, none of them for a motor without covariance. Nothing for an unstable
 /// loop.
-std::optional<Disturbance> disturbanceOf(const MotorEstimate& estimate, const control::PositionLaw& law,
+std::optional<Disturbance> disturbanceOf(const MotorEstimate& estimate, const LoopLaw& law,
                                          const LoopConditions& conditions, const AnalysisResult& analysed,
                                          double load_A, const std::vector<control::PositionPlant>& plants);
 

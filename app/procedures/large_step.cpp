@@ -1,7 +1,10 @@
 #include "app/procedures/large_step.h"
 
 #include "control/design/board_gains.h"
+#include "control/design/shaped_position_law.h"
 
+#include <deque>
+#include <functional>
 #include <utility>
 
 namespace halbench::app {
@@ -26,6 +29,26 @@ models::PositionLaw boardLaw(const control::PositionLaw& law, const LoopConditio
     return result;
 }
 
+using Controller = std::function<double(const models::ReferencePoint&, double)>;
+
+/// What computes a shaped law in the place of the simulated board, with its delay.
+Result<Controller> shapedController(const LoopLaw& law, const LoopConditions& conditions) {
+    const auto made = control::ShapedPositionLaw::make(*law.shaped, law.law, conditions.timing.period_s,
+                                                       conditions.currentLimit_A);
+    if (!made) {
+        return failure(made.error());
+    }
+    std::deque<double> pending_A(static_cast<std::size_t>(conditions.timing.delay_samples), 0.0);
+    return Controller(
+        [running = *made, pending_A](const models::ReferencePoint& reference, double angle_rad) mutable {
+            pending_A.push_back(running.step(
+                {reference.value_rad, reference.speed_rad_s, reference.acceleration_rad_s2}, angle_rad));
+            const double current_A = pending_A.front();
+            pending_A.pop_front();
+            return current_A;
+        });
+}
+
 } // namespace
 
 Result<models::PositionLaw> simulatedLaw(const control::PositionLaw& law, const LoopConditions& conditions) {
@@ -38,11 +61,12 @@ Result<models::PositionLaw> simulatedLaw(const control::PositionLaw& law, const 
     return boardLaw(converted, conditions);
 }
 
-Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const control::PositionLaw& law,
+Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const LoopLaw& law,
                                    const LoopConditions& conditions, double amplitude_rad) {
-    const auto simulated = simulatedLaw(law, conditions);
-    if (!simulated) {
-        return failure(simulated.error());
+    const auto simulated = simulatedLaw(law.law, conditions);
+    const auto controller = law.shaped ? shapedController(law, conditions) : Result<Controller>(Controller());
+    if (!simulated || !controller) {
+        return failure(simulated ? controller.error() : simulated.error());
     }
     // Motion depends on the ratios alone, so the motor may as well have an inertia of 1.
     models::IdealLoopConfig config;
@@ -51,6 +75,7 @@ Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const co
     config.rotor.coulombFriction_Nm = plant.breakawayCurrent_A * plant.accelerationGain_rad_s2_A;
     config.torqueConstant_Nm_per_A = plant.accelerationGain_rad_s2_A;
     config.law = *simulated;
+    config.controller = *controller;
     config.reference.amplitude_rad = amplitude_rad;
     config.duration_s = 5.0;
     models::IdealTrace trace = models::runIdealLoop(config);

@@ -8,8 +8,8 @@ namespace halbench::app {
 Result<models::PositionLaw> simulatedLaw(const control::PositionLaw& law, const LoopConditions& conditions);
 
 /// Event-exact simulation of the ideal loop (help: htm-theory.md 8, level A) over 5 s. The law must have
-/// passed runAnalysis. Errors: of the inputs.
-Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const control::PositionLaw& law,
+/// passed runAnalysis; a shaped one runs as `ShapedPositionLaw` has it. Errors: of the inputs.
+Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const LoopLaw& law,
                                    const LoopConditions& conditions, double amplitude_rad);
 
 } // namespace halbench::app

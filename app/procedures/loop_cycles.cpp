@@ -26,16 +26,20 @@ double accuracyOf(const control::LimitCycle& cycle, const control::TransferFunct
 
 } // namespace
 
-std::optional<std::vector<PredictedCycle>> predictCycles(const control::PositionPlant& plant,
-                                                         const control::PositionLaw& law,
-                                                         const LoopConditions& conditions) {
-    if (law.stictionCurrent_A > 0.0 || plant.breakawayCurrent_A <= 0.0) {
+std::optional<std::vector<PredictedCycle>>
+predictCycles(const control::PositionPlant& plant, const LoopLaw& law, const LoopConditions& conditions) {
+    if (law.law.stictionCurrent_A > 0.0 || plant.breakawayCurrent_A <= 0.0) {
+        return std::nullopt;
+    }
+    const double period_s = conditions.timing.period_s;
+    const auto controller = law.shaped ? control::shapedController(*law.shaped, period_s)
+                                       : control::sampledController(law.law.gains, period_s);
+    if (!controller) {
         return std::nullopt;
     }
     const auto cycles =
-        control::frictionCycles(plant, law.gains, conditions.timing, conditions.currentLimit_A);
-    const auto controller = control::sampledController(law.gains, conditions.timing.period_s);
-    if (!cycles || !controller) {
+        control::frictionCycles(plant, *controller, conditions.timing, conditions.currentLimit_A);
+    if (!cycles) {
         return std::nullopt;
     }
     std::vector<PredictedCycle> result;

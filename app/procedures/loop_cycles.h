@@ -21,9 +21,8 @@ struct PredictedCycle {
 
 /// In ascending amplitude; empty: none. Nothing for a law with the micro-step assist, a second relay that the
 /// balance does not know, and for a motor without friction.
-std::optional<std::vector<PredictedCycle>> predictCycles(const control::PositionPlant& plant,
-                                                         const control::PositionLaw& law,
-                                                         const LoopConditions& conditions);
+std::optional<std::vector<PredictedCycle>>
+predictCycles(const control::PositionPlant& plant, const LoopLaw& law, const LoopConditions& conditions);
 
 /// The threshold and the swing that a law falls into, for a warning; nothing when it comes to rest.
 std::optional<Finding> cycleWarning(const std::vector<PredictedCycle>& cycles);

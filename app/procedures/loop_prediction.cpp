@@ -212,6 +212,23 @@ void addStrayWarning(AnalysisResult& result, const std::optional<StrayField>& st
     }
 }
 
+void addSaturationNote(AnalysisResult& result, double perRadian_A, double currentLimit_A) {
+    const double largest_deg = radiansToDegrees(currentLimit_A / perRadian_A);
+    const double height_deg = radiansToDegrees(LargeStepHeight_rad);
+    constexpr double NotableOvershoot_percent = 15.0;
+    if (result.isStable && result.largeStep->metrics.overshoot_percent > NotableOvershoot_percent &&
+        largest_deg < height_deg) {
+        result.warnings.push_back(
+            {"large_steps_overshoot",
+             fmt::format("steps above {:.3g} deg reach the current limit of {:.3g} A; with it and with "
+                         "friction a step "
+                         "of {:.0f} deg overshoots by {:.3g} %",
+                         largest_deg, currentLimit_A, height_deg,
+                         result.largeStep->metrics.overshoot_percent),
+             "lead large moves along a ramp, or choose a slower loop"});
+    }
+}
+
 void addRobustnessWarnings(std::vector<Finding>& warnings, const control::Robustness& robust, bool isStable,
                            bool hasCovariance) {
     if (!hasCovariance) {

@@ -24,6 +24,8 @@ void addFrictionWarning(AnalysisResult& result, bool hasIntegral);
 /// (K_P + K_D/T_s) |error of k_s| / B_0 < 1 (help: htm-theory.md 8.4); the warning begins where the
 /// recommended preset's does, at 20 % of its 35 %.
 void addStrayWarning(AnalysisResult& result, const std::optional<StrayField>& stray);
+/// `perRadian_A`: the largest current of the linear loop for each radian of a step.
+void addSaturationNote(AnalysisResult& result, double perRadian_A, double currentLimit_A);
 void addRobustnessWarnings(std::vector<Finding>& warnings, const control::Robustness& robust, bool isStable,
                            bool hasCovariance);
 

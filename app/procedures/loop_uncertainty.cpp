@@ -3,6 +3,7 @@
 #include "app/procedures/large_step.h"
 #include "control/base/units.h"
 #include "control/design/percentiles.h"
+#include "control/design/shaped_bands.h"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -43,22 +44,48 @@ Result<std::vector<control::PositionPlant>> drawnPlants(const MotorEstimate& est
                      : Result<std::vector<control::PositionPlant>>(failure(uncertain.error()));
 }
 
-Result<LoopUncertainty> loopUncertainty(const MotorEstimate& estimate, const control::PositionLaw& law,
+Result<control::LoopBands> loopBandsOf(const std::vector<control::PositionPlant>& plants, const LoopLaw& law,
+                                       const control::LoopTiming& timing,
+                                       const std::vector<double>& frequency_rad_s) {
+    return law.shaped ? control::shapedLoopBands(plants, *law.shaped, timing, frequency_rad_s)
+                      : control::loopBands(plants, law.law.gains, timing, frequency_rad_s);
+}
+
+Result<control::StepBand> stepBandOf(const std::vector<control::PositionPlant>& plants, const LoopLaw& law,
+                                     const control::LoopTiming& timing, double amplitude_rad,
+                                     const BandExtent& extent) {
+    const auto& [duration_s, pointsPerSample, most] = extent;
+    return law.shaped ? control::shapedStepBand(plants, *law.shaped, timing, amplitude_rad, duration_s,
+                                                pointsPerSample, most)
+                      : control::stepBand(plants, law.law.gains, timing, amplitude_rad, duration_s,
+                                          pointsPerSample, most);
+}
+
+Result<control::LoadBand> loadBandOf(const std::vector<control::PositionPlant>& plants, const LoopLaw& law,
+                                     const control::LoopTiming& timing, double load_A,
+                                     const BandExtent& extent) {
+    const auto& [duration_s, pointsPerSample, most] = extent;
+    return law.shaped
+               ? control::shapedLoadBand(plants, *law.shaped, timing, load_A, duration_s, pointsPerSample,
+                                         most)
+               : control::loadBand(plants, law.law.gains, timing, load_A, duration_s, pointsPerSample, most);
+}
+
+Result<LoopUncertainty> loopUncertainty(const MotorEstimate& estimate, const LoopLaw& law,
                                         const LoopConditions& conditions, const AnalysisResult& predicted,
                                         const UncertaintyDraws& draws) {
     const auto plants = drawnPlants(estimate, draws);
     if (!plants) {
         return failure(plants.error());
     }
-    auto loop =
-        control::loopBands(*plants, law.gains, conditions.timing, bandFrequencies_rad_s(predicted.bode));
+    auto loop = loopBandsOf(*plants, law, conditions.timing, bandFrequencies_rad_s(predicted.bode));
     if (!loop) {
         return failure(loop.error());
     }
     LoopUncertainty uncertainty{*std::move(loop), {}, {}};
     if (!predicted.stepCurve.time_s.empty()) {
-        auto step = control::stepBand(*plants, law.gains, conditions.timing, 1.0,
-                                      predicted.stepCurve.time_s.back(), 1, StepPoints);
+        auto step = stepBandOf(*plants, law, conditions.timing, 1.0,
+                               {predicted.stepCurve.time_s.back(), 1, StepPoints});
         if (!step) {
             return failure(step.error());
         }
@@ -67,7 +94,7 @@ Result<LoopUncertainty> loopUncertainty(const MotorEstimate& estimate, const con
     return uncertainty;
 }
 
-Result<control::StepBand> largeStepBand(const MotorEstimate& estimate, const control::PositionLaw& law,
+Result<control::StepBand> largeStepBand(const MotorEstimate& estimate, const LoopLaw& law,
                                         const LoopConditions& conditions, double amplitude_rad,
                                         const UncertaintyDraws& draws) {
     const auto plants = drawnPlants(estimate, draws);

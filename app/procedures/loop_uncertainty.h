@@ -1,9 +1,12 @@
 #pragma once
 
 #include "app/procedures/analyse.h"
+#include "control/design/load_band.h"
 #include "control/design/uncertainty_bands.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -27,14 +30,32 @@ struct LoopUncertainty {
     std::optional<control::StepBand> largeStep; ///< with friction and current limit; takes longer
 };
 
-/// Open loop and linear step of `predicted`, some milliseconds; without the large step. Errors: Refused (a
+/// How far and how finely the bands of a motion are computed, and how many points are kept of them.
+struct BandExtent {
+    double duration_s = 0.0;
+    int pointsPerSample = 1;
+    std::size_t mostPoints = std::numeric_limits<std::size_t>::max();
+};
+/// The bands of control/design of whichever law it is. Errors: of theirs.
+Result<control::LoopBands> loopBandsOf(const std::vector<control::PositionPlant>& plants, const LoopLaw& law,
+                                       const control::LoopTiming& timing,
+                                       const std::vector<double>& frequency_rad_s);
+Result<control::StepBand> stepBandOf(const std::vector<control::PositionPlant>& plants, const LoopLaw& law,
+                                     const control::LoopTiming& timing, double amplitude_rad,
+                                     const BandExtent& extent);
+Result<control::LoadBand> loadBandOf(const std::vector<control::PositionPlant>& plants, const LoopLaw& law,
+                                     const control::LoopTiming& timing, double load_A,
+                                     const BandExtent& extent);
+
+/// Open loop and linear step of `predicted`, some milliseconds (of a shaped law some tenths of a second);
+/// without the large step. Errors: Refused (a
 /// motor without covariance: nothing is known of it); of plantFromEstimate and the law.
-Result<LoopUncertainty> loopUncertainty(const MotorEstimate& estimate, const control::PositionLaw& law,
+Result<LoopUncertainty> loopUncertainty(const MotorEstimate& estimate, const LoopLaw& law,
                                         const LoopConditions& conditions, const AnalysisResult& predicted,
                                         const UncertaintyDraws& draws);
 
 /// The large step of every motor: some tenths of a second. Errors: likewise.
-Result<control::StepBand> largeStepBand(const MotorEstimate& estimate, const control::PositionLaw& law,
+Result<control::StepBand> largeStepBand(const MotorEstimate& estimate, const LoopLaw& law,
                                         const LoopConditions& conditions, double amplitude_rad,
                                         const UncertaintyDraws& draws);
 

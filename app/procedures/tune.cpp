@@ -4,6 +4,7 @@
 #include "app/procedures/loop_uncertainty.h"
 #include "control/base/random.h"
 #include "control/design/board_gains.h"
+#include "control/design/shaped_loop.h"
 
 #include <fmt/format.h>
 
@@ -99,7 +100,8 @@ void judge(TuneResult& result) {
     };
     if (!result.predicted.isStable) {
         // A preset was asked for by name and shows what the theory says of it; a design must be stable.
-        result.quality.verdict = isPreset(result.method) ? Verdict::Doubtful : Verdict::Refused;
+        const bool isShown = isPreset(result.method) && !result.shaped;
+        result.quality.verdict = isShown ? Verdict::Doubtful : Verdict::Refused;
     } else if (has("not_robust") || has("small_margin") || has("stray_field_error") ||
                has("stray_field_not_compensated")) {
         result.quality.verdict = Verdict::Doubtful;
@@ -121,29 +123,34 @@ std::optional<control::LeastErrorBounds> boundsOf(const TuneResult& result) {
 /// The law is there; prediction, robustness and verdict follow.
 Result<TuneResult> judged(TuneResult result, const MotorEstimate& estimate, const TuneConfig& config,
                           const control::UncertainPlant& uncertain) {
-    auto predicted = runAnalysis(estimate, result.law, config.conditions);
+    const LoopLaw law(result.law, result.shaped);
+    auto predicted = runAnalysis(estimate, law, config.conditions);
     if (!predicted) {
         return failure(predicted.error());
     }
     result.predicted = std::move(*predicted);
-    const auto robust = control::assessRobustness(uncertain, result.law.gains, config.conditions.timing,
-                                                  config.draws, Random(config.seed));
+    const control::LoopTiming& timing = config.conditions.timing;
+    const Random random(config.seed);
+    const auto robust =
+        law.shaped ? control::assessShaped(uncertain, *law.shaped, timing, config.draws, random)
+                   : control::assessRobustness(uncertain, law.law.gains, timing, config.draws, random);
     if (!robust) {
         return failure(robust.error());
     }
     result.robust = *robust;
     // Here, on the worker that judges: whoever writes or compares results must not compute.
-    if (auto proof = control::proveDesign(result.plant, result.law.gains, config.conditions.timing,
-                                          config.conditions.currentLimit_A)) {
+    const double limit_A = config.conditions.currentLimit_A;
+    if (auto proof = law.shaped ? control::proveShaped(result.plant, *law.shaped, timing, limit_A)
+                                : control::proveDesign(result.plant, law.law.gains, timing, limit_A)) {
         result.proof = *std::move(proof);
     }
     const auto plants = drawnPlants(estimate, {config.draws, config.seed});
-    result.disturbance =
-        disturbanceOf(estimate, result.law, config.conditions, result.predicted, config.load_A,
-                      plants ? *plants : std::vector<control::PositionPlant>());
+    result.disturbance = disturbanceOf(estimate, law, config.conditions, result.predicted, config.load_A,
+                                       plants ? *plants : std::vector<control::PositionPlant>());
     result.bounds = boundsOf(result);
-    result.cycles = predictCycles(result.plant, result.law, config.conditions);
-    result.release_s = releaseTime_s(result.plant, result.law, result.predicted.frictionBand_rad);
+    result.cycles = predictCycles(result.plant, law, config.conditions);
+    result.release_s =
+        releaseTime_s(result.plant, lawAtRest(law, timing.period_s), result.predicted.frictionBand_rad);
     result.warnings = result.predicted.warnings;
     if (auto warning = cycleWarning(result.cycles.value_or(std::vector<PredictedCycle>()))) {
         result.warnings.push_back(*std::move(warning));
@@ -183,18 +190,19 @@ Result<control::DesignTargets> targetsOnBoard(const std::string& method, control
     return targets;
 }
 
-Result<TuneResult> judgeLaw(const MotorEstimate& estimate, const control::PositionLaw& law,
-                            const TuneConfig& config) {
+Result<TuneResult> judgeLaw(const MotorEstimate& estimate, const LoopLaw& law, const TuneConfig& config) {
     const auto uncertain = uncertainPlantFromEstimate(estimate);
     if (!uncertain) {
         return failure(uncertain.error());
     }
-    const auto board = onBoard(law);
+    const auto shaped = law.shaped ? checkedLaw(law, config.conditions.timing.period_s) : law;
+    const auto board = shaped ? onBoard(shaped->law) : failure(shaped.error());
     if (!board) {
         return failure(board.error());
     }
     TuneResult result = undesigned(estimate, config);
     result.law = *board;
+    result.shaped = shaped->shaped;
     return judged(std::move(result), estimate, config, *uncertain);
 }
 

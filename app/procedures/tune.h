@@ -32,6 +32,8 @@ struct TuneResult {
     LoopConditions conditions;
     control::PositionPlant plant;
     control::PositionLaw law; ///< parallel form, A/rad
+    /// What the loop was judged with where no board's law is all of it: then it is never applied.
+    std::optional<control::ShapedLaw> shaped;
     AnalysisResult predicted;
     control::Robustness robust;
     std::optional<control::DesignProof> proof;         ///< nothing: the loop grows beyond all numbers
@@ -52,10 +54,10 @@ Result<control::DesignTargets> targetsOnBoard(const std::string& method, control
 /// when a design produced something that is no number.
 Result<TuneResult> runTune(const MotorEstimate& estimate, const TuneConfig& config);
 
-/// The same judgement of gains that came from elsewhere: edited by hand, a preset, the device. The method of
-/// `config` names them; its targets are not read. Errors: of plantFromEstimate and of the gains.
-Result<TuneResult> judgeLaw(const MotorEstimate& estimate, const control::PositionLaw& law,
-                            const TuneConfig& config);
+/// The same judgement of gains that came from elsewhere: edited by hand, a preset, the device, a file. The
+/// method of `config` names them; its targets are not read. An unstable shaped loop is refused: no preset has
+/// one. Errors: of plantFromEstimate and of the gains.
+Result<TuneResult> judgeLaw(const MotorEstimate& estimate, const LoopLaw& law, const TuneConfig& config);
 
 /// The law as the board's parameters (gain.kp ... stiction.speed), in the order of its table, and back.
 /// `lawFromParameters` takes any map of parameter values; what is missing keeps the default of PositionLaw

@@ -85,7 +85,15 @@ void judgeRecord(WhatIfBasis& basis, const models::PositionLaw& ran) {
                        "choose a record of this motor with these gains"});
 }
 
-Result<models::PositionLaw> admitted(const WhatIfBasis& basis, const control::PositionLaw& law) {
+Result<models::PositionLaw> admitted(const WhatIfBasis& basis, const LoopLaw& proposed) {
+    if (proposed.shaped) {
+        return failure(
+            ErrorCode::Refused,
+            "a recorded move is replayed through the board's law, which has no set-point weights and "
+            "no filters",
+            "leave them out of the gains to ask what if");
+    }
+    const control::PositionLaw& law = proposed.law;
     if (basis.quality.verdict == Verdict::Refused) {
         const Finding& finding = basis.quality.findings.back();
         return failure(ErrorCode::Refused, finding.message, finding.hint);
@@ -173,12 +181,12 @@ Result<WhatIfBasis> prepareWhatIf(WhatIfConfig config) {
     return basis;
 }
 
-Result<WhatIf> whatIf(const WhatIfBasis& basis, const control::PositionLaw& law) {
+Result<WhatIf> whatIf(const WhatIfBasis& basis, const LoopLaw& law) {
     const auto board = admitted(basis, law);
     return board ? Result<WhatIf>(nominal(basis, *board)) : Result<WhatIf>(failure(board.error()));
 }
 
-Result<WhatIf> whatIfWithBand(const WhatIfBasis& basis, const control::PositionLaw& law) {
+Result<WhatIf> whatIfWithBand(const WhatIfBasis& basis, const LoopLaw& law) {
     const auto board = admitted(basis, law);
     if (!board) {
         return failure(board.error());
@@ -187,7 +195,7 @@ Result<WhatIf> whatIfWithBand(const WhatIfBasis& basis, const control::PositionL
     const MotionBand disturbed =
         motionBand(basis.motors, basis.config.move.rows(),
                    [&](const RunMotor& motor) { return replayed(basis, motor, *board).angle_rad; });
-    result.amplification_ratio = amplification(basis, law);
+    result.amplification_ratio = amplification(basis, law.law);
     result.band =
         widened(hullOf(disturbed, identifiedBand(basis, *board)),
                 std::max(1.0, basis.widening_ratio) * result.amplification_ratio, basis.resolution_rad());

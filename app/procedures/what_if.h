@@ -60,11 +60,11 @@ Result<WhatIfBasis> prepareWhatIf(WhatIfConfig config);
 /// The recorded error through new gains on the identified loop: the same reference and, as a current, what
 /// the identified loop does not explain of the recorded motion; thus the gains that ran give the record
 /// again. Half a millisecond, without a band. Errors: Refused (the record is not explained; the new loop is
-/// unstable); of the gains.
-Result<WhatIf> whatIf(const WhatIfBasis& basis, const control::PositionLaw& law);
+/// unstable; a shaped law, through which no board made a record); of the gains.
+Result<WhatIf> whatIf(const WhatIfBasis& basis, const LoopLaw& law);
 
 /// The same with its band: what holds three hundred motors with the friction of another run, both with what
 /// each does not explain of the record, as if that came again, and without it. Some tenths of a second.
-Result<WhatIf> whatIfWithBand(const WhatIfBasis& basis, const control::PositionLaw& law);
+Result<WhatIf> whatIfWithBand(const WhatIfBasis& basis, const LoopLaw& law);
 
 } // namespace halbench::app

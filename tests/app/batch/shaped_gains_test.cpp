@@ -33,9 +33,9 @@ TEST(ShapedGains, readWhatTheFileAsksFor) {
         control::NotchFilter{180.0, 0.1, 0.5}, control::LowPassFilter{250.0, 2},
         control::LeadFilter{40.0, 15.0}, control::LagFilter{2.0, 1.5}};
     EXPECT_EQ(file->shaped->filters, expected);
-    EXPECT_EQ(file->gains.law.gains.proportional, 12.0);
-    EXPECT_FALSE(file->gains.law.gains.filter_s);
-    EXPECT_EQ(file->gains.timing.delay_samples, 1);
+    EXPECT_EQ(file->law.gains.proportional, 12.0);
+    EXPECT_FALSE(file->law.gains.filter_s);
+    EXPECT_EQ(file->timing.delay_samples, 1);
 }
 
 TEST(ShapedGains, whatTheyWriteReadsBack) {
@@ -59,7 +59,7 @@ TEST(ShapedGains, theBoardsLawIsNotShaped) {
         const auto file = parseShapedGains(gainsWith(shaping), "g.json");
         ASSERT_TRUE(file) << shaping;
         EXPECT_FALSE(file->shaped) << shaping;
-        EXPECT_EQ(file->gains.law.gains, parseGains(gainsWith(""), "g.json")->law.gains);
+        EXPECT_EQ(file->law.gains, parseGains(gainsWith(""), "g.json")->law.gains);
     }
 }
 
@@ -71,7 +71,7 @@ TEST(ShapedGains, inTheSeriesFormTheFilterReachesIntoTheGains) {
                          "g.json");
     ASSERT_TRUE(file && file->shaped);
     EXPECT_NEAR(file->shaped->gains.derivative, 10.0 * 0.06 * (1.0 - 0.1 / 0.5), 1e-12);
-    EXPECT_NEAR(file->gains.law.gains.derivative, file->shaped->gains.derivative, 1e-15);
+    EXPECT_NEAR(file->law.gains.derivative, file->shaped->gains.derivative, 1e-15);
 }
 
 TEST(ShapedGains, mistakesNameFileAndKey) {

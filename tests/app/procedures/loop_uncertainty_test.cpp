@@ -1,3 +1,4 @@
+#include "app/procedures/large_step.h"
 #include "app/procedures/loop_uncertainty.h"
 #include "control/lti/frequency_response.h"
 
@@ -110,6 +111,43 @@ TEST(LoopUncertainty, anUnstableLoopHasABandOverFrequencyAndNoStep) {
     const auto uncertainty = loopUncertainty(uncertainMotor(), law, {}, *predicted, {1000, 1});
     ASSERT_TRUE(uncertainty.has_value());
     EXPECT_FALSE(uncertainty->step.has_value());
+}
+
+// With nothing shaped the shaped law has the bands of the board's, with a filter others around its own curve.
+TEST(LoopUncertainty, isThatOfTheLawWhicheverItIs) {
+    const LoopConditions conditions{{0.01, 0}, 4.0, {}};
+    control::ShapedLaw shaped;
+    shaped.gains = recommended().gains;
+    const LoopLaw same{recommended(), shaped};
+    shaped.filters = {control::LowPassFilter{200.0, 1}};
+    const LoopLaw filtered{recommended(), shaped};
+    const auto predicted = runAnalysis(uncertainMotor(), filtered, conditions);
+    const auto board = runAnalysis(uncertainMotor(), recommended(), conditions);
+    ASSERT_TRUE(predicted && board);
+    const UncertaintyDraws draws{1000, 1};
+    const auto own = loopUncertainty(uncertainMotor(), same, conditions, *board, draws);
+    const auto expected = loopUncertainty(uncertainMotor(), recommended(), conditions, *board, draws);
+    const auto other = loopUncertainty(uncertainMotor(), filtered, conditions, *predicted, draws);
+    ASSERT_TRUE(own && expected && other && own->step && expected->step && other->step);
+    EXPECT_NEAR(own->loop.magnitude_dB.p5[30], expected->loop.magnitude_dB.p5[30], 1e-9);
+    EXPECT_NEAR(own->step->response_rad.p95[20], expected->step->response_rad.p95[20], 1e-10);
+    const auto& bands = other->loop;
+    for (std::size_t i = 0; i < bands.frequency_rad_s.size(); ++i) {
+        const auto at = std::min_element(predicted->bode.frequency_Hz.begin(),
+                                         predicted->bode.frequency_Hz.end(), [&](double a, double b) {
+                                             const double here_Hz = bands.frequency_rad_s[i] / (2.0 * M_PI);
+                                             return std::abs(a - here_Hz) < std::abs(b - here_Hz);
+                                         });
+        const double curve_dB =
+            predicted->bode.magnitude_dB[static_cast<std::size_t>(at - predicted->bode.frequency_Hz.begin())];
+        EXPECT_LT(bands.magnitude_dB.p5[i], curve_dB) << i;
+        EXPECT_GT(bands.magnitude_dB.p95[i], curve_dB) << i;
+    }
+    const auto large = largeStepBand(uncertainMotor(), filtered, conditions, 1.0, draws);
+    const auto step = predictLargeStep(*plantFromEstimate(uncertainMotor()), filtered, conditions, 1.0);
+    ASSERT_TRUE(large && step);
+    EXPECT_LT(large->response_rad.p5[30], step->trace.angle_rad[300]);
+    EXPECT_GT(large->response_rad.p95[30], step->trace.angle_rad[300]);
 }
 
 } // namespace

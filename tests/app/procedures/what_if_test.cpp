@@ -169,6 +169,19 @@ TEST(WhatIf, unstableGainsHaveNoMotion) {
     EXPECT_NE(withheld.error().message.find("unstable"), std::string::npos);
 }
 
+TEST(WhatIf, aLawThatNoBoardRunsHasNone) {
+    const control::PositionLaw ran = lawOf("recommended");
+    const WhatIfBasis basis = basisOf(record("seed=2", ran), ran);
+    control::ShapedLaw shaped;
+    shaped.gains = ran.gains;
+    shaped.filters = {control::LowPassFilter{250.0, 1}};
+    const auto withheld = whatIf(basis, {ran, shaped});
+    ASSERT_FALSE(withheld);
+    EXPECT_EQ(withheld.error().code, ErrorCode::Refused);
+    EXPECT_NE(withheld.error().message.find("no filters"), std::string::npos);
+    EXPECT_FALSE(whatIfWithBand(basis, {ran, shaped}));
+}
+
 TEST(WhatIf, aMotorWithoutCovarianceHasNone) {
     MotorEstimate exact = uncertainMotor(0.02);
     exact.covarianceNames.clear();
