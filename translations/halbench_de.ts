@@ -6303,12 +6303,20 @@
         <translation>das Regelgesetz des Steuergeräts hat keine Sollwertgewichte und keine Filter: Dieser Kreis wird beurteilt und kann nicht übernommen werden</translation>
     </message>
     <message>
-        <source>limit cycles, large steps and loads are not predicted for it</source>
-        <translation>Grenzzyklen, große Sprünge und Lasten werden für ihn nicht vorhergesagt</translation>
-    </message>
-    <message>
         <source>leave it out to use these gains; weights and filters are judged by &apos;halbench analyse&apos; and &apos;halbench tune --gains&apos;</source>
         <translation>lassen Sie es weg, um diese Verstärkungen zu verwenden; Gewichte und Filter beurteilen &apos;halbench analyse&apos; und &apos;halbench tune --gains&apos;</translation>
+    </message>
+    <message>
+        <source>write its law as C code for a controller that has them, or leave them out</source>
+        <translation>schreiben Sie sein Gesetz als C für einen Regler, der sie hat, oder lassen Sie sie weg</translation>
+    </message>
+    <message>
+        <source>a recorded move is replayed through the board&apos;s law, which has no set-point weights and no filters</source>
+        <translation>eine aufgezeichnete Bewegung wird durch das Gesetz des Steuergeräts abgespielt, das keine Sollwertgewichte und keine Filter hat</translation>
+    </message>
+    <message>
+        <source>leave them out of the gains to ask what if</source>
+        <translation>lassen Sie sie aus den Reglerparametern weg, um zu fragen, was wäre wenn</translation>
     </message>
 </context>
 <context>
@@ -7142,6 +7150,10 @@
         <source>What was taken back is done again (Ctrl+Shift+Z)</source>
         <translation>Was zurückgenommen wurde, geschieht wieder (Strg+Umschalt+Z)</translation>
     </message>
+    <message>
+        <source>%1, with filters: not on the board</source>
+        <translation>%1, mit Filtern: nicht auf dem Steuergerät</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DevicePanel</name>
@@ -7967,6 +7979,137 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
     <message>
         <source>Shows the rotor of a connected motor with Hall sensors.</source>
         <translation>Zeigt den Rotor eines verbundenen Motors mit Hall-Sensoren.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::FilterEditor</name>
+    <message>
+        <source>Edit %1</source>
+        <translation>%1 bearbeiten</translation>
+    </message>
+    <message>
+        <source>Add a filter</source>
+        <translation>Filter hinzufügen</translation>
+    </message>
+    <message>
+        <source>Choose the kind of filter %1</source>
+        <translation>Art von Filter %1 wählen</translation>
+    </message>
+    <message>
+        <source>Remove a filter</source>
+        <translation>Filter entfernen</translation>
+    </message>
+    <message>
+        <source>a number is missing</source>
+        <translation>eine Zahl fehlt</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Write a number within its range</source>
+        <translation>Schreiben Sie eine Zahl in ihrem Bereich</translation>
+    </message>
+    <message>
+        <source>Lead</source>
+        <translation>Lead</translation>
+    </message>
+    <message>
+        <source>Lag</source>
+        <translation>Lag</translation>
+    </message>
+    <message>
+        <source>Notch</source>
+        <translation>Notch</translation>
+    </message>
+    <message>
+        <source>Low-pass</source>
+        <translation>Tiefpass</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>Gain at rest</source>
+        <translation>Verstärkung in Ruhe</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Eckfrequenz</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordnung</translation>
+    </message>
+    <message>
+        <source>Filter %1</source>
+        <translation>Filter %1</translation>
+    </message>
+    <message>
+        <source>%1: kind</source>
+        <translation>%1: Art</translation>
+    </message>
+    <message>
+        <source>Lead: phase at a frequency. Lag: more gain at rest. Notch: little gain at a frequency. Low-pass: little gain above a frequency</source>
+        <translation>Lead: Phase bei einer Frequenz. Lag: mehr Verstärkung in Ruhe. Notch: wenig Verstärkung bei einer Frequenz. Tiefpass: wenig Verstärkung über einer Frequenz</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Weights and filters</source>
+        <translation>Gewichte und Filter</translation>
+    </message>
+    <message>
+        <source>Show what other controllers have and the board has not</source>
+        <translation>Zeigen, was andere Regler haben und das Steuergerät nicht</translation>
+    </message>
+    <message>
+        <source>Judged, compared and written; the board has none of it and cannot run it.</source>
+        <translation>Wird beurteilt, verglichen und geschrieben; das Steuergerät hat nichts davon und kann es nicht ausführen.</translation>
+    </message>
+    <message>
+        <source>In series with the others, four at most; a low-pass at first</source>
+        <translation>In Reihe mit den anderen, höchstens vier; zuerst ein Tiefpass</translation>
+    </message>
+    <message>
+        <source>Weight b of the set-point</source>
+        <translation>Gewicht b des Sollwerts</translation>
+    </message>
+    <message>
+        <source>Of K_P: below 1 a step is answered more gently</source>
+        <translation>Von K_P: unter 1 wird ein Sprung sanfter beantwortet</translation>
+    </message>
+    <message>
+        <source>Weight c of the set-point</source>
+        <translation>Gewicht c des Sollwerts</translation>
+    </message>
+    <message>
+        <source>Of K_D: 0 is what the board does at a step</source>
+        <translation>Von K_D: 0 ist, was das Steuergerät bei einem Sprung tut</translation>
+    </message>
+    <message>
+        <source>Filter on the derivative</source>
+        <translation>Filter am D-Anteil</translation>
+    </message>
+    <message>
+        <source>Time constant; 0 is the board&apos;s difference</source>
+        <translation>Zeitkonstante; 0 ist die Differenz des Steuergeräts</translation>
     </message>
 </context>
 <context>
@@ -13662,6 +13805,18 @@ Im Monitor ändern &lt; und &gt; sie. Ein wirkliches Gerät hat seine eigene Zei
     <message>
         <source>Gains of a file become the proposed ones; they are judged for this motor before they can be applied</source>
         <translation>Die Reglerparameter einer Datei werden die vorgeschlagenen; sie werden für diesen Motor beurteilt, bevor sie angewendet werden können</translation>
+    </message>
+    <message>
+        <source>The board has no set-point weights and no filters: this law is judged, compared and written, and cannot be applied</source>
+        <translation>Das Steuergerät hat keine Sollwertgewichte und keine Filter: dieses Gesetz wird beurteilt, verglichen und geschrieben und kann nicht übernommen werden</translation>
+    </message>
+    <message>
+        <source>The board&apos;s law has no set-point weights and no filters</source>
+        <translation>Das Gesetz des Steuergeräts hat keine Sollwertgewichte und keine Filter</translation>
+    </message>
+    <message>
+        <source>These gains cannot be applied: no board has their weights and filters. Take them out, or save the law as C for another controller.</source>
+        <translation>Diese Reglerparameter können nicht übernommen werden: kein Steuergerät hat ihre Gewichte und Filter. Nehmen Sie sie heraus, oder speichern Sie das Gesetz als C für einen anderen Regler.</translation>
     </message>
 </context>
 <context>

@@ -6303,12 +6303,20 @@
         <translation>控制板的控制律没有设定值权重和滤波器：该回路只作评判，不能应用</translation>
     </message>
     <message>
-        <source>limit cycles, large steps and loads are not predicted for it</source>
-        <translation>不为其预测极限环、大阶跃和负载</translation>
-    </message>
-    <message>
         <source>leave it out to use these gains; weights and filters are judged by &apos;halbench analyse&apos; and &apos;halbench tune --gains&apos;</source>
         <translation>要使用这些增益，请将其去掉；权重和滤波器由 &apos;halbench analyse&apos; 和 &apos;halbench tune --gains&apos; 评判</translation>
+    </message>
+    <message>
+        <source>write its law as C code for a controller that has them, or leave them out</source>
+        <translation>请把它的控制律写成 C 代码供具备它们的控制器使用，或去掉它们</translation>
+    </message>
+    <message>
+        <source>a recorded move is replayed through the board&apos;s law, which has no set-point weights and no filters</source>
+        <translation>记录的运动通过控制板的控制律重放，而它没有设定值权重和滤波器</translation>
+    </message>
+    <message>
+        <source>leave them out of the gains to ask what if</source>
+        <translation>要进行假如分析，请从增益中去掉它们</translation>
     </message>
 </context>
 <context>
@@ -7138,6 +7146,10 @@
         <source>What was taken back is done again (Ctrl+Shift+Z)</source>
         <translation>重新执行已撤回的操作（Ctrl+Shift+Z）</translation>
     </message>
+    <message>
+        <source>%1, with filters: not on the board</source>
+        <translation>%1，带滤波：控制板不支持</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DevicePanel</name>
@@ -7962,6 +7974,137 @@ its way to the one before (Ctrl+Shift+R)</source>
     <message>
         <source>Shows the rotor of a connected motor with Hall sensors.</source>
         <translation>显示已连接的带霍尔传感器电机的转子。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::FilterEditor</name>
+    <message>
+        <source>Edit %1</source>
+        <translation>编辑 %1</translation>
+    </message>
+    <message>
+        <source>Add a filter</source>
+        <translation>添加滤波器</translation>
+    </message>
+    <message>
+        <source>Choose the kind of filter %1</source>
+        <translation>选择滤波器 %1 的类型</translation>
+    </message>
+    <message>
+        <source>Remove a filter</source>
+        <translation>移除滤波器</translation>
+    </message>
+    <message>
+        <source>a number is missing</source>
+        <translation>缺少数值</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Write a number within its range</source>
+        <translation>请写一个在其范围内的数</translation>
+    </message>
+    <message>
+        <source>Lead</source>
+        <translation>超前</translation>
+    </message>
+    <message>
+        <source>Lag</source>
+        <translation>滞后</translation>
+    </message>
+    <message>
+        <source>Notch</source>
+        <translation>陷波</translation>
+    </message>
+    <message>
+        <source>Low-pass</source>
+        <translation>低通</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>频率</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>相位</translation>
+    </message>
+    <message>
+        <source>Gain at rest</source>
+        <translation>静态增益</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>阻尼</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>转折频率</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>阶数</translation>
+    </message>
+    <message>
+        <source>Filter %1</source>
+        <translation>滤波器 %1</translation>
+    </message>
+    <message>
+        <source>%1: kind</source>
+        <translation>%1：类型</translation>
+    </message>
+    <message>
+        <source>Lead: phase at a frequency. Lag: more gain at rest. Notch: little gain at a frequency. Low-pass: little gain above a frequency</source>
+        <translation>超前：在某一频率处增加相位。滞后：静态增益更大。陷波：在某一频率处增益很小。低通：在某一频率以上增益很小</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>移除%1</translation>
+    </message>
+    <message>
+        <source>Weights and filters</source>
+        <translation>权重与滤波器</translation>
+    </message>
+    <message>
+        <source>Show what other controllers have and the board has not</source>
+        <translation>显示其他控制器有而控制板没有的部分</translation>
+    </message>
+    <message>
+        <source>Judged, compared and written; the board has none of it and cannot run it.</source>
+        <translation>可评判、比较和写出；控制板没有这些，无法运行。</translation>
+    </message>
+    <message>
+        <source>In series with the others, four at most; a low-pass at first</source>
+        <translation>与其他滤波器串联，最多四个；起初为低通</translation>
+    </message>
+    <message>
+        <source>Weight b of the set-point</source>
+        <translation>设定值权重 b</translation>
+    </message>
+    <message>
+        <source>Of K_P: below 1 a step is answered more gently</source>
+        <translation>作用于 K_P：小于 1 时对阶跃的响应更柔和</translation>
+    </message>
+    <message>
+        <source>Weight c of the set-point</source>
+        <translation>设定值权重 c</translation>
+    </message>
+    <message>
+        <source>Of K_D: 0 is what the board does at a step</source>
+        <translation>作用于 K_D：0 就是控制板在阶跃时的做法</translation>
+    </message>
+    <message>
+        <source>Filter on the derivative</source>
+        <translation>微分滤波</translation>
+    </message>
+    <message>
+        <source>Time constant; 0 is the board&apos;s difference</source>
+        <translation>时间常数；0 就是控制板的差分</translation>
     </message>
 </context>
 <context>
@@ -13650,6 +13793,18 @@ In the Monitor &lt; and &gt; change it. A real device has its own time.</source>
     <message>
         <source>Gains of a file become the proposed ones; they are judged for this motor before they can be applied</source>
         <translation>文件中的增益成为建议的增益；应用之前会针对这台电机进行评判</translation>
+    </message>
+    <message>
+        <source>The board has no set-point weights and no filters: this law is judged, compared and written, and cannot be applied</source>
+        <translation>控制板没有设定值权重和滤波器：这个控制律可以评判、比较和写出，但不能应用</translation>
+    </message>
+    <message>
+        <source>The board&apos;s law has no set-point weights and no filters</source>
+        <translation>控制板的控制律没有设定值权重和滤波器</translation>
+    </message>
+    <message>
+        <source>These gains cannot be applied: no board has their weights and filters. Take them out, or save the law as C for another controller.</source>
+        <translation>这些增益不能应用：没有控制板具有其权重和滤波器。请去掉它们，或把控制律保存为 C 代码供其他控制器使用。</translation>
     </message>
 </context>
 <context>

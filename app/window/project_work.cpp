@@ -2,6 +2,7 @@
 
 #include "app/batch/identification_file.h"
 #include "app/batch/result_documents.h"
+#include "app/batch/shaped_gains.h"
 #include "app/wizards/calibrate_panel.h"
 #include "app/wizards/identify_panel.h"
 #include "app/workspaces/tune_panel.h"
@@ -168,7 +169,7 @@ QString ProjectWork::restoreDesign(const std::vector<NamedDocument>& designs) {
         m_panels.tune.restoreDesign(std::nullopt);
         return {};
     }
-    Result<GainsFile> gains = parseGains(m_designInUse->document, m_designInUse->name);
+    Result<GainsFile> gains = parseShapedGains(m_designInUse->document, m_designInUse->name);
     if (!gains) {
         // Beside what is designed in its place, which would be written over it.
         m_panels.tune.adoptDesign(m_designInUse->name, m_designInUse->document);

@@ -22,7 +22,8 @@ struct ComparedDesign {
     std::optional<AnalysisResult> predicted; ///< nothing: not yet, or not with this motor
     std::optional<double> bandwidth_rad_s;   ///< of the closed loop
     bool isDrawn = false;
-    QString reason; ///< why nothing is predicted
+    QString reason;        ///< why nothing is predicted
+    bool isShaped = false; ///< with weights or filters: no board runs it
 };
 
 /// Designs side by side: gains, margins, bandwidth, overshoot. The first row is the one that is worked on;

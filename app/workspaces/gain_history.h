@@ -15,7 +15,7 @@ namespace halbench::app {
 struct GainChoice {
     std::string origin; ///< id of TuneForm: a method, a preset, "edited"
     control::DesignTargets targets = {};
-    control::PositionLaw law = {};          ///< of gains that were edited
+    LoopLaw law = {};                       ///< of gains that were edited
     std::optional<GainsFile> restored = {}; ///< of the project, shown as they are
 
     bool isSameAs(const GainChoice& other) const;

@@ -1,5 +1,6 @@
 #include "app/workspaces/kept_designs.h"
 
+#include "app/batch/shaped_gains.h"
 #include "control/base/assert.h"
 
 #include <fmt/format.h>
@@ -19,7 +20,7 @@ bool hasName(const std::vector<KeptDesign>& designs, const std::string& name) {
 } // namespace
 
 KeptDesign keptDesign(std::string name, std::string document) {
-    auto gains = parseGains(document, name);
+    auto gains = parseShapedGains(document, name);
     return {std::move(name), std::move(document), gains ? std::optional(*std::move(gains)) : std::nullopt,
             true};
 }

@@ -2,6 +2,7 @@
 
 #include "app/batch/loop_conditions.h"
 #include "app/workspaces/design_names.h"
+#include "app/workspaces/filter_editor.h"
 #include "app/workspaces/foreign_motor_notice.h"
 #include "app/workspaces/gain_editor.h"
 #include "app/workspaces/page_chooser.h"
@@ -217,6 +218,17 @@ std::map<std::string, double> TunePanel::valuesBefore() const {
     return values;
 }
 
+/// Where no method designs it.
+Result<LoopLaw> TunePanel::chosenLaw() const {
+    if (m_form->origin() == TuneForm::Origin::Edited) {
+        return editedLaw();
+    }
+    const auto law = m_form->origin() == TuneForm::Origin::Preset
+                         ? presetLaw(modelOf(m_bench.session()), m_form->method())
+                         : lawFromParameters(m_bench.deviceValues());
+    return law ? Result<LoopLaw>(*law) : failure(law.error());
+}
+
 std::optional<TuneQuestion> TunePanel::question() {
     TuneQuestion question;
     question.motor = motorEstimate(*m_bench.identification());
@@ -228,7 +240,7 @@ std::optional<TuneQuestion> TunePanel::question() {
     if (m_restored) {
         question.config.method = m_restored->method;
         question.config.targets = m_restored->targets;
-        question.law = m_restored->law;
+        question.law = m_restored->loopLaw();
         return question;
     }
     const auto targets = m_form->targets();
@@ -237,20 +249,10 @@ std::optional<TuneQuestion> TunePanel::question() {
         return std::nullopt;
     }
     question.config.targets = *targets;
-    Result<control::PositionLaw> law = failure(ErrorCode::InvalidInput, "", "");
-    switch (m_form->origin()) {
-    case TuneForm::Origin::Method:
+    if (m_form->origin() == TuneForm::Origin::Method) {
         return question;
-    case TuneForm::Origin::Preset:
-        law = presetLaw(modelOf(m_bench.session()), question.config.method);
-        break;
-    case TuneForm::Origin::Device:
-        law = lawFromParameters(m_bench.deviceValues());
-        break;
-    case TuneForm::Origin::Edited:
-        law = m_gains->law();
-        break;
     }
+    const auto law = chosenLaw();
     if (!law) {
         showProblem(law.error());
         return std::nullopt;
@@ -300,6 +302,7 @@ void TunePanel::restoreDesign(std::optional<GainsFile> gains) {
     m_form->showChoice(m_restored ? shown.method : TuneConfig().method, shown.targets);
     if (m_restored) {
         m_gains->setLaw(shown.law);
+        m_filters->setShaping(shown.shaped);
         m_message->showMessage({widgets::Severity::Information,
                                 tr("Gains from the project: %1.").arg(designTitle(shown.method)),
                                 tr("Choose a method to design anew for the motor as it is now."),

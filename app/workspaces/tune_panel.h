@@ -45,6 +45,7 @@ class VerdictView;
 namespace halbench::app {
 
 class DesignTable;
+class FilterEditor;
 class ForeignMotorNotice;
 class GainEditor;
 class LoopSliders;
@@ -109,7 +110,7 @@ private:
 
     /// Gains in the hand of who moves a crossover, a margin or a pole.
     struct Shaping {
-        control::PositionLaw law;                 ///< when it was taken
+        LoopLaw law;                              ///< when it was taken
         std::optional<control::CrossoverAim> aim; ///< what is wanted now; nothing: the loop does not cross
         double factor = 1.0;                      ///< wanted on all gains of `law`
         QString what;                             ///< is moved
@@ -130,14 +131,18 @@ private:
     void shape(Shaping::Kind kind, double value);
     void takeShape();
     void endShaping();
-    Result<control::PositionLaw> shapedLaw();
-    void useEdited(const control::PositionLaw& law);
+    Result<LoopLaw> shapedLaw();
+    Result<LoopLaw> editedLaw() const;
+    Result<LoopLaw> chosenLaw() const;
+    void useEdited(const LoopLaw& law);
     void showShape();
     void createHistory();
     GainChoice choiceNow() const;
     void record(const QString& what, const QString& key = {});
     void recordChoice();
     void recordEdit();
+    void connectFilters();
+    bool isShaped() const { return m_sketch && m_sketch->shaped; }
     void restartHistory();
     void goTo(const GainChoice& choice);
     void refreshHistory();
@@ -236,6 +241,7 @@ private:
     std::optional<ApplyResult> m_verified;       ///< the last apply that moved
     std::shared_ptr<const WhatIfBasis> m_record; ///< of its move; nothing: none, or not judged yet
     std::optional<WhatIf> m_whatIfSpread;        ///< its band with the proposed gains, when the hand rests
+    bool m_isShapedSaid = false;                 ///< that what is drawn cannot be applied
     bool m_isUndone = false;                     ///< the gains that were verified were taken back
     QTimer m_decision;                           ///< runs until Keep can be meant
     bool m_isApplying = false;
@@ -251,6 +257,7 @@ private:
     QLabel* m_model = nullptr;
     TuneForm* m_form = nullptr;
     GainEditor* m_gains = nullptr;
+    FilterEditor* m_filters = nullptr; ///< of the same gains
     LoopSliders* m_sliders = nullptr;
     Preflight* m_preflight = nullptr;
     ForeignMotorNotice* m_foreign = nullptr;

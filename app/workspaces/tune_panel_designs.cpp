@@ -1,5 +1,4 @@
 // The named designs of the Tune panel: kept, compared, drawn beside the proposed one.
-#include "app/batch/gains_judgement.h"
 #include "app/batch/result_documents.h"
 #include "app/report/disturbance_figure.h"
 #include "app/report/tuning_figures.h"
@@ -8,10 +7,7 @@
 #include "app/workspaces/tune_panel.h"
 #include "control/base/assert.h"
 #include "widgets/figure_view.h"
-#include "widgets/message_bar.h"
 #include "widgets/phrasebook.h"
-
-#include <QFileInfo>
 
 #include <utility>
 
@@ -74,51 +70,19 @@ void TunePanel::takeUp(int kept) {
     if (!gains) {
         return;
     }
-    useEdited(gains->law);
+    useEdited(gains->loopLaw());
     record(
         tr("Take up %1").arg(QString::fromStdString(m_designs.all()[static_cast<std::size_t>(kept)].name)));
     ask();
 }
 
-/// As `tune --gains` takes them: what is found of their device and timing is told, and the judgement of
-/// everything that is proposed decides whether they may be applied.
-void TunePanel::openGains() {
-    const QString path = m_chooser.open(this, {tr("Open gains"), {}, tr("Gains (*.json)")});
-    if (path.isEmpty()) {
-        return;
-    }
-    m_opening.run([path] { return readGainsFile(path.toStdString()); },
-                  [this, path](const Result<GainsFile>& gains) { takeFromFile(path, gains); });
-}
-
-void TunePanel::takeFromFile(const QString& path, const Result<GainsFile>& gains) {
-    if (!gains) {
-        showError(gains.error());
-        return;
-    }
-    m_shaping.reset();
-    useEdited(gains->law);
-    record(tr("Open %1").arg(QFileInfo(path).fileName()));
-    ask();
-    const DeviceSession& session = m_bench.session();
-    const bool isConnected = session.state() == SessionState::Connected;
-    const auto foreign = isConnected ? foreignGains(*gains, session.info()) : std::nullopt;
-    const auto timing = otherTiming(gains->timing, m_conditions.timing);
-    QStringList remarks;
-    for (const std::optional<Finding>& finding : {foreign, timing}) {
-        remarks += finding ? QStringList(widgets::inWords(finding->message)) : QStringList();
-    }
-    const auto severity = remarks.empty() ? widgets::Severity::Information : widgets::Severity::Warning;
-    m_message->showMessage({severity, tr("Gains of %1.").arg(path), remarks.join(QStringLiteral("; ")), {}});
-}
-
 /// Judges what was not judged for this motor in these surroundings yet.
 void TunePanel::compareDesigns() {
     showDesigns();
-    std::vector<std::pair<std::string, control::PositionLaw>> asked;
+    std::vector<std::pair<std::string, LoopLaw>> asked;
     for (const KeptDesign& design : m_designs.all()) {
         if (design.gains && m_judged.count(design.document) + m_unjudged.count(design.document) == 0) {
-            asked.emplace_back(design.document, design.gains->law);
+            asked.emplace_back(design.document, design.gains->loopLaw());
         }
     }
     if (asked.empty() || !m_bench.identification()) {
@@ -166,7 +130,14 @@ QString TunePanel::reasonOf(const KeptDesign& design) const {
 void TunePanel::showDesigns() {
     std::optional<ComparedDesign> proposed;
     if (m_shown) {
-        proposed = {{}, m_shown->method, m_shown->law.gains, m_shown->predicted, m_bandwidth_rad_s, true, {}};
+        proposed = {{},
+                    m_shown->method,
+                    m_shown->law.gains,
+                    m_shown->predicted,
+                    m_bandwidth_rad_s,
+                    true,
+                    {},
+                    m_shown->shaped.has_value()};
     } else if (m_problem) {
         proposed.emplace();
         proposed->reason = tr("not judged: %1").arg(widgets::inWords(m_problem->message));
@@ -177,6 +148,7 @@ void TunePanel::showDesigns() {
         if (design.gains) {
             row.method = design.gains->method;
             row.gains = design.gains->law.gains;
+            row.isShaped = design.gains->shaped.has_value();
         }
         if (const auto found = m_judged.find(design.document); found != m_judged.end()) {
             row.predicted = found->second.predicted;
@@ -202,7 +174,8 @@ std::vector<NamedLoop> TunePanel::drawnLoops() const {
 
 /// Its band belongs to the judgement, which comes after the curve.
 void TunePanel::drawLoaded() {
-    const bool isJudged = m_shown && m_shown->disturbance && isSameLaw(m_shown->law, m_sketch->law);
+    const bool isJudged = m_shown && m_shown->disturbance && isSameLaw(m_shown->law, m_sketch->law) &&
+                          m_shown->shaped == m_sketch->shaped;
     m_loaded->setFigure(
         disturbanceFigure(m_sketch->loaded, m_sketch->presentLoaded, m_bench.displayUnits().angle,
                           DisturbanceLoad_A,

@@ -1,5 +1,6 @@
 // What was done to the proposed gains in the Tune panel, taken back and done again.
 #include "app/workspaces/design_names.h"
+#include "app/workspaces/filter_editor.h"
 #include "app/workspaces/gain_editor.h"
 #include "app/workspaces/loop_sliders.h"
 #include "app/workspaces/tune_form.h"
@@ -28,7 +29,23 @@ void TunePanel::createHistory() {
     for (auto* field : findChildren<widgets::OptionalNumberEdit*>()) {
         field->installEventFilter(this);
     }
+    connectFilters();
     restartHistory();
+}
+
+void TunePanel::connectFilters() {
+    connect(m_filters, &FilterEditor::fieldAdded, this,
+            [this](QWidget* field) { field->installEventFilter(this); });
+    connect(m_filters, &FilterEditor::edited, this, [this](const QString& what, bool isTyped) {
+        m_shaping.reset();
+        forgetRestored();
+        m_form->setEdited();
+        if (editedLaw()) {
+            m_sliders->sayProblem({});
+            record(what, isTyped ? what : QString());
+        }
+        ask();
+    });
 }
 
 /// A method is run again where the same gains come from it; those of a device may not be the same any more.
@@ -40,8 +57,9 @@ GainChoice TunePanel::choiceNow() const {
     choice.targets = m_form->targets().value_or(control::DesignTargets{});
     const bool isOfDevice = m_form->origin() == TuneForm::Origin::Device;
     if (isOfDevice || m_form->origin() == TuneForm::Origin::Edited) {
-        const auto law = isOfDevice ? lawFromParameters(m_bench.deviceValues()) : m_gains->law();
-        choice.law = law.value_or(control::PositionLaw{});
+        choice.law = isOfDevice
+                         ? LoopLaw(lawFromParameters(m_bench.deviceValues()).value_or(control::PositionLaw{}))
+                         : editedLaw().value_or(LoopLaw{});
     }
     return choice;
 }
@@ -65,7 +83,7 @@ void TunePanel::recordChoice() {
 /// What is typed into one field is one step.
 void TunePanel::recordEdit() {
     const auto* field = qobject_cast<widgets::OptionalNumberEdit*>(QApplication::focusWidget());
-    if (m_gains->law()) {
+    if (editedLaw()) {
         m_sliders->sayProblem({});
         const QString name = field == nullptr ? QString() : field->accessibleName();
         record(name.isEmpty() ? tr("Edit the gains") : tr("Edit %1").arg(name), name);
@@ -86,10 +104,10 @@ void TunePanel::goTo(const GainChoice& choice) {
     if (m_form->origin() == TuneForm::Origin::Device) {
         m_form->setEdited();
     }
-    if (m_restored) {
-        m_gains->setLaw(m_restored->law);
-    } else if (m_form->origin() == TuneForm::Origin::Edited) {
-        m_gains->setLaw(choice.law);
+    const LoopLaw law = m_restored ? m_restored->loopLaw() : choice.law;
+    if (m_restored || m_form->origin() == TuneForm::Origin::Edited) {
+        m_gains->setLaw(law.law);
+        m_filters->setShaping(law.shaped);
     }
     refreshHistory();
     ask();

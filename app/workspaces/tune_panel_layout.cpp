@@ -2,6 +2,7 @@
 #include "app/procedures/live_apply_procedure.h"
 #include "app/workspaces/design_table.h"
 #include "app/workspaces/document_files.h"
+#include "app/workspaces/filter_editor.h"
 #include "app/workspaces/foreign_motor_notice.h"
 #include "app/workspaces/gain_editor.h"
 #include "app/workspaces/loop_sliders.h"
@@ -58,6 +59,7 @@ QWidget* TunePanel::buildSettings() {
     m_model->setWordWrap(true);
     m_form = new TuneForm(page);
     m_gains = new GainEditor(page);
+    m_filters = new FilterEditor(page);
     m_sliders = new LoopSliders(page);
     m_verdict = new widgets::VerdictView(page);
     m_verdict->setObjectName(QStringLiteral("design"));
@@ -68,7 +70,7 @@ QWidget* TunePanel::buildSettings() {
     m_inSteps = new QCheckBox;
     m_outlook = new QLabel(page);
     m_outlook->setWordWrap(true);
-    for (QWidget* part : std::initializer_list<QWidget*>{m_model, m_sliders, m_form, m_gains}) {
+    for (QWidget* part : std::initializer_list<QWidget*>{m_model, m_sliders, m_form, m_gains, m_filters}) {
         column->addWidget(part);
     }
     m_verdict->moveRemarks(*column); // its title stays in sight
@@ -216,6 +218,13 @@ void TunePanel::growVerification() {
 
 /// From what the procedure is given: how far and how long is said before it is pressed, not in a tooltip.
 void TunePanel::refreshOutlook() {
+    if (isShaped()) {
+        m_outlook->setToolTip(tr("The board's law has no set-point weights and no filters"));
+        m_outlook->setText(
+            tr("These gains cannot be applied: no board has their weights and filters. Take them "
+               "out, or save the law as C for another controller."));
+        return;
+    }
     m_outlook->setToolTip(tr("Counted from where the rotor is when it starts"));
     const devices::Catalogue& catalogue = m_bench.session().catalogue();
     const DisplayUnits& units = m_bench.displayUnits();
@@ -227,6 +236,7 @@ void TunePanel::refreshOutlook() {
 void TunePanel::onUnits() {
     m_gains->setAngleUnit(m_bench.displayUnits().angle);
     m_loop->setFrequencyUnit(m_bench.displayUnits().frequency);
+    m_filters->setFrequencyUnit(m_bench.displayUnits().frequency);
     refreshWords(); // and every picture with them
 }
 

@@ -32,7 +32,8 @@ void TunePanel::keep() {
 QString TunePanel::keptDesignOf(const AppliedGains& gains, const QString& stem) {
     const auto& all = m_designs.all();
     const auto same = std::find_if(all.begin(), all.end(), [&](const KeptDesign& design) {
-        return design.document == gains.document || (design.gains && design.gains->law == gains.law);
+        return design.document == gains.document ||
+               (design.gains && design.gains->loopLaw() == LoopLaw(gains.law));
     });
     if (same != all.end()) {
         return QString::fromStdString(same->name);

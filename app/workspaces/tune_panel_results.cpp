@@ -1,10 +1,9 @@
 // What the Tune panel shows of an answer and does with it.
-#include "app/batch/law_code.h"
 #include "app/batch/result_documents.h"
 #include "app/procedures/loop_verdict.h"
 #include "app/report/tuning_figures.h"
 #include "app/workspaces/departure_words.h"
-#include "app/workspaces/document_files.h"
+#include "app/workspaces/filter_editor.h"
 #include "app/workspaces/foreign_motor_notice.h"
 #include "app/workspaces/gain_editor.h"
 #include "app/workspaces/loop_view.h"
@@ -92,6 +91,7 @@ void TunePanel::showSketch(const Result<TuneSketch>& sketch) {
     }
     if (m_form->origin() != TuneForm::Origin::Edited) {
         m_gains->setLaw(sketch->law);
+        m_filters->setShaping(sketch->shaped);
     }
     m_present = sketch->present;
     m_sketch = *sketch;
@@ -158,9 +158,13 @@ void TunePanel::showProblem(const Error& error) {
 }
 
 void TunePanel::refreshButtons() {
-    const bool isUsable = m_shown && m_shown->quality.verdict != Verdict::Refused;
+    const bool isUsable = m_shown && m_shown->quality.verdict != Verdict::Refused && !m_shown->shaped;
     m_apply->setEnabled(isUsable && m_preflight->isPassed() && m_foreign->isAllowed() && !m_isApplying);
     m_save->setEnabled(m_shown.has_value());
+    if (isShaped() != m_isShapedSaid) {
+        m_isShapedSaid = isShaped();
+        refreshOutlook();
+    }
     m_numbers->setUndecided(!m_before.empty());
     m_keep->setVisible(!m_before.empty());
     m_restore->setVisible(!m_before.empty());
@@ -181,6 +185,7 @@ void TunePanel::focusNext() {
 }
 
 void TunePanel::apply() {
+    HB_ASSERT(!m_shown->shaped); // no board runs it
     const auto values = lawForDevice(m_shown->law, m_bench.session().catalogue());
     if (!values) {
         showError(values.error());
@@ -315,7 +320,8 @@ void TunePanel::drawShownVerification() {
 /// A green verdict beside gains that it is not of would be taken for theirs.
 void TunePanel::showAgreement(const std::vector<widgets::Remark>& remarks) {
     const bool isWithin = m_verified->quality.verdict != Verdict::Refused;
-    const bool isOfShown = m_applying && m_sketch && !m_problem && isSameLaw(m_sketch->law, m_applying->law);
+    const bool isOfShown = m_applying && m_sketch && !m_problem && !m_sketch->shaped &&
+                           isSameLaw(m_sketch->law, m_applying->law);
     if (isWithin && (m_isUndone || !isOfShown)) {
         m_agreement->setVerdict(
             widgets::VerdictLevel::Doubtful,
@@ -352,29 +358,6 @@ void TunePanel::restore() {
         self->refreshButtons();
         self->focusNext();
     });
-}
-
-void TunePanel::saveGains() {
-    if (!m_shown) {
-        return;
-    }
-    saveText(
-        this, m_chooser,
-        {tr("Save gains"), QStringLiteral("gains.json"), tr("Gains (*.json);;The law as C (*.c)")}, m_files,
-        [header = m_bench.designHeader(), result = *m_shown,
-         conditions = m_conditions](const std::string& path) {
-            const bool isCode = path.ends_with(".c");
-            return isCode
-                       ? Result<std::string>(lawCode(result.law, conditions, {result.method, header.device}))
-                       : toJsonText(gainsDocument(header, result));
-        },
-        [this](const QString& path, const Result<void>& written) {
-            if (written) {
-                m_message->showMessage({widgets::Severity::Success, tr("Saved as %1").arg(path), {}, {}});
-            } else {
-                showError(written.error());
-            }
-        });
 }
 
 void TunePanel::setFileChooser(FileChooser chooser) {

@@ -1,4 +1,5 @@
 // Gains by hand in the Tune panel: the crossover, the margin and the poles are moved, the gains follow.
+#include "app/workspaces/filter_editor.h"
 #include "app/workspaces/gain_editor.h"
 #include "app/workspaces/loop_sliders.h"
 #include "app/workspaces/loop_view.h"
@@ -37,9 +38,10 @@ bool TunePanel::startShaping(bool isHeld) {
     }
     m_sliders->sayProblem({});
     m_shaping.emplace();
-    const auto edited = m_form->origin() == TuneForm::Origin::Edited ? m_gains->law() : m_sketch->law;
-    m_shaping->law = edited.value_or(m_sketch->law);
-    m_shaping->aim = control::crossoverAimOf(*plant, m_conditions.timing, m_shaping->law.gains);
+    const LoopLaw drawn = m_sketch->loopLaw();
+    m_shaping->law = m_form->origin() == TuneForm::Origin::Edited ? editedLaw().value_or(drawn) : drawn;
+    m_shaping->aim = control::crossoverAimOf(*plant, m_conditions.timing, m_shaping->law.law.gains,
+                                             m_shaping->law.shaped.value_or(control::ShapedLaw{}));
     m_shaping->isHeld = isHeld;
     return true;
 }
@@ -70,41 +72,49 @@ void TunePanel::shape(Shaping::Kind kind, double value) {
     }
 }
 
-/// Gains for what is wanted, as near as this motor allows. Nothing goes to the device.
-Result<control::PositionLaw> TunePanel::shapedLaw() {
+/// Gains for what is wanted, as near as this motor allows; weights and filters stay. Nothing goes to the
+/// device.
+Result<LoopLaw> TunePanel::shapedLaw() {
     const auto plant = plantFromEstimate(motorEstimate(*m_bench.identification()));
     if (!plant) {
         return failure(plant.error());
     }
     const control::LoopTiming& timing = m_conditions.timing;
-    control::PositionLaw law = m_shaping->law;
+    LoopLaw law = m_shaping->law;
+    const control::ShapedLaw around = law.shaped.value_or(control::ShapedLaw{});
+    control::PidGains& gains = law.law.gains;
     if (m_shaping->kind == Shaping::Kind::Gain) {
         constexpr double Least_ratio = 1e-3; // a loop of zero has no way back
         const double wanted = std::max(Least_ratio, m_shaping->factor);
-        const double factor = control::stableFactor(*plant, timing, law.gains, wanted);
-        law.gains.proportional *= factor;
-        law.gains.integral *= factor;
-        law.gains.derivative *= factor;
+        const double factor = control::stableFactor(*plant, timing, gains, wanted, around);
+        gains.proportional *= factor;
+        gains.integral *= factor;
+        gains.derivative *= factor;
         m_sliders->sayProblem(factor == wanted ? QString()
                                                : tr("More gain would be unstable: it stays below."));
-        return law;
+    } else {
+        const auto priority = m_shaping->kind == Shaping::Kind::Margin ? control::CrossoverPriority::Crossover
+                                                                       : control::CrossoverPriority::Margin;
+        const auto design = control::designCrossover(*plant, timing, *m_shaping->aim, priority, around);
+        if (!design) {
+            return failure(design.error());
+        }
+        m_sliders->sayLimit(*m_shaping->aim, *design);
+        gains = design->gains;
     }
-    const auto priority = m_shaping->kind == Shaping::Kind::Margin ? control::CrossoverPriority::Crossover
-                                                                   : control::CrossoverPriority::Margin;
-    const auto design = control::designCrossover(*plant, timing, *m_shaping->aim, priority);
-    if (!design) {
-        return failure(design.error());
+    if (law.shaped) {
+        law.shaped->gains = gains;
+        law.shaped->gains.filter_s = around.gains.filter_s;
     }
-    m_sliders->sayLimit(*m_shaping->aim, *design);
-    law.gains = design->gains;
     return law;
 }
 
 void TunePanel::takeShape() {
     m_shaping->isWaiting = false;
     const auto law = shapedLaw();
-    const bool isNumber = law && std::isfinite(law->gains.proportional) &&
-                          std::isfinite(law->gains.integral) && std::isfinite(law->gains.derivative);
+    const control::PidGains gains = law.value_or(LoopLaw{}).law.gains;
+    const bool isNumber = law && std::isfinite(gains.proportional) && std::isfinite(gains.integral) &&
+                          std::isfinite(gains.derivative);
     if (!isNumber) {
         m_sliders->sayProblem(law ? QString() : widgets::inWords(law.error().message));
         return;
@@ -140,10 +150,21 @@ void TunePanel::endShaping() {
     }
 }
 
-void TunePanel::useEdited(const control::PositionLaw& law) {
+void TunePanel::useEdited(const LoopLaw& law) {
     forgetRestored();
     m_form->setEdited();
-    m_gains->setLaw(law);
+    m_gains->setLaw(law.law);
+    m_filters->setShaping(law.shaped);
+}
+
+/// What stands in the fields.
+Result<LoopLaw> TunePanel::editedLaw() const {
+    const auto law = m_gains->law();
+    if (!law) {
+        return failure(law.error());
+    }
+    auto shaped = m_filters->shaped(law->gains);
+    return shaped ? Result<LoopLaw>(LoopLaw(*law, *std::move(shaped))) : failure(shaped.error());
 }
 
 /// The sliders are where the loop is. What was said of a move stands until something else is done.
@@ -170,7 +191,7 @@ void TunePanel::spreadLargeStep(const TuneResult& proposed) {
     }
     const TuneConfig defaults;
     m_spreading.run(
-        [motor = motorEstimate(*m_bench.identification()), law = proposed.law,
+        [motor = motorEstimate(*m_bench.identification()), law = LoopLaw(proposed.law, proposed.shaped),
          conditions = proposed.conditions, amplitude_rad = m_sketch->predicted.largeStep->amplitude_rad,
          draws = UncertaintyDraws{defaults.draws, defaults.seed}] {
             return largeStepBand(motor, law, conditions, amplitude_rad, draws);

@@ -58,7 +58,7 @@ void TunePanel::forgetRecord() {
 /// The gains that ran have the record itself.
 bool TunePanel::isWhatIfDrawn() const {
     return m_record && m_sketch && m_sketch->whatIf && !m_problem &&
-           !isSameLaw(m_sketch->law, m_record->config.ran);
+           (m_sketch->shaped || !isSameLaw(m_sketch->law, m_record->config.ran));
 }
 
 /// Its band, when nobody moves the gains any more.
@@ -156,7 +156,7 @@ void TunePanel::forgetRecording() {
 
 void TunePanel::proposeToWhatIf() {
     const bool hasLaw = m_sketch && !m_problem;
-    m_whatIfPage->propose(hasLaw ? std::optional(m_sketch->law) : std::nullopt,
+    m_whatIfPage->propose(hasLaw ? std::optional(m_sketch->loopLaw()) : std::nullopt,
                           m_shaping && m_shaping->isHeld);
 }
 

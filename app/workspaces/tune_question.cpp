@@ -9,9 +9,10 @@ namespace halbench::app {
 
 namespace {
 
-Result<control::PositionLaw> lawOf(const TuneQuestion& question) {
+Result<LoopLaw> lawOf(const TuneQuestion& question) {
     if (question.law) {
-        return *question.law;
+        return question.law->shaped ? checkedLaw(*question.law, question.config.conditions.timing.period_s)
+                                    : *question.law;
     }
     const auto plant = plantFromEstimate(question.motor);
     if (!plant) {
@@ -31,7 +32,8 @@ Result<control::PositionLaw> lawOf(const TuneQuestion& question) {
     for (const ParameterValue& value : lawParameters(*law)) {
         values[value.name] = value.value;
     }
-    return lawFromParameters(values);
+    const auto board = lawFromParameters(values);
+    return board ? Result<LoopLaw>(*board) : failure(board.error());
 }
 
 } // namespace
@@ -45,13 +47,13 @@ Result<TuneSketch> sketchTuning(const TuneQuestion& question) {
     if (!predicted) {
         return failure(predicted.error());
     }
-    TuneSketch sketch{*law, std::move(*predicted), {}, {}, {}};
-    auto uncertainty = loopUncertainty(question.motor, sketch.law, question.config.conditions,
-                                       sketch.predicted, {question.config.draws, question.config.seed});
+    TuneSketch sketch{law->law, law->shaped, std::move(*predicted), {}, {}, {}};
+    auto uncertainty = loopUncertainty(question.motor, *law, question.config.conditions, sketch.predicted,
+                                       {question.config.draws, question.config.seed});
     if (uncertainty) {
         sketch.uncertainty = *std::move(uncertainty);
     }
-    sketch.loaded = disturbanceStep(question.motor, sketch.law, question.config.conditions, sketch.predicted);
+    sketch.loaded = disturbanceStep(question.motor, *law, question.config.conditions, sketch.predicted);
     if (question.present) {
         auto present = runAnalysis(question.motor, *question.present, question.config.conditions);
         if (present) {
@@ -61,7 +63,7 @@ Result<TuneSketch> sketchTuning(const TuneQuestion& question) {
         }
     }
     if (question.record) {
-        sketch.whatIf = whatIf(*question.record, sketch.law);
+        sketch.whatIf = whatIf(*question.record, *law);
     }
     return sketch;
 }
@@ -71,15 +73,16 @@ Result<TuneResult> answerTuning(const TuneQuestion& question) {
                         : runTune(question.motor, question.config);
 }
 
-Result<JudgedLoop> judgeLoop(const MotorEstimate& motor, const control::PositionLaw& law,
+Result<JudgedLoop> judgeLoop(const MotorEstimate& motor, const LoopLaw& law,
                              const LoopConditions& conditions) {
     auto predicted = runAnalysis(motor, law, conditions);
     if (!predicted) {
         return failure(predicted.error());
     }
     const auto plant = plantFromEstimate(motor);
-    const auto open =
-        control::sampledOpenLoop(*plant, law.gains, conditions.timing); // as the analysis had it
+    const auto open = // as the analysis had it
+        law.shaped ? control::shapedOpenLoop(*plant, *law.shaped, conditions.timing)
+                   : control::sampledOpenLoop(*plant, law.law.gains, conditions.timing);
     const auto closed = control::feedback(*open, control::TransferFunction::gain(1.0, open->timeBase()));
     return JudgedLoop{*std::move(predicted), closed ? control::bandwidth_rad_s(*closed) : std::nullopt};
 }

@@ -14,21 +14,24 @@ namespace halbench::app {
 struct TuneQuestion {
     MotorEstimate motor;
     TuneConfig config;                           ///< its method names the gains when `law` is given
-    std::optional<control::PositionLaw> law;     ///< gains to judge; none: the method designs them
+    std::optional<LoopLaw> law;                  ///< gains to judge; none: the method designs them
     std::optional<control::PositionLaw> present; ///< gains on the device, drawn beside them
     std::shared_ptr<const WhatIfBasis> record;   ///< a measured move, to be replayed through the gains
 };
 
 /// What can be drawn at once: some milliseconds.
 struct TuneSketch {
-    control::PositionLaw law; ///< parallel form, A/rad
+    control::PositionLaw law;                 ///< parallel form, A/rad
+    std::optional<control::ShapedLaw> shaped; ///< what no board runs of it
     AnalysisResult predicted;
     std::optional<AnalysisResult> present;
     std::optional<LoopUncertainty> uncertainty; ///< nothing: not known of this motor
-    std::optional<Result<WhatIf>> whatIf;       ///< of the question's record
+    std::optional<Result<WhatIf>> whatIf;       ///< of the question's record; refused for a shaped law
     /// Under load; nothing for a loop that is unstable.
     std::optional<control::LoadStep> loaded = {};
     std::optional<control::LoadStep> presentLoaded = {};
+
+    LoopLaw loopLaw() const { return {law, shaped}; }
 };
 /// A pure function. What the device's present gains make unjudgeable is left out. Errors: as of
 /// answerTuning.
@@ -44,7 +47,7 @@ struct JudgedLoop {
     std::optional<double> bandwidth_rad_s;
 };
 /// A pure function. Errors: of runAnalysis.
-Result<JudgedLoop> judgeLoop(const MotorEstimate& motor, const control::PositionLaw& law,
+Result<JudgedLoop> judgeLoop(const MotorEstimate& motor, const LoopLaw& law,
                              const LoopConditions& conditions);
 
 } // namespace halbench::app

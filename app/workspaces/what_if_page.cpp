@@ -141,7 +141,7 @@ void WhatIfPage::judge() {
     predict();
 }
 
-void WhatIfPage::propose(const std::optional<control::PositionLaw>& law, bool isMoving) {
+void WhatIfPage::propose(const std::optional<LoopLaw>& law, bool isMoving) {
     m_law = law;
     m_isMoving = isMoving;
     predict();
@@ -149,7 +149,7 @@ void WhatIfPage::propose(const std::optional<control::PositionLaw>& law, bool is
 
 /// The gains that ran have the record itself.
 bool WhatIfPage::isOfRan() const {
-    return m_law && m_record && isSameLaw(*m_law, m_record->config.ran);
+    return m_law && m_record && !m_law->shaped && isSameLaw(m_law->law, m_record->config.ran);
 }
 
 /// Each answer is seen before the next is asked for, so that the curve follows however long its move is.

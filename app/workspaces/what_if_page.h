@@ -40,7 +40,7 @@ public:
 
     /// The gains that are proposed; nothing: none. While a hand moves them the curve follows, its band comes
     /// when it rests.
-    void propose(const std::optional<control::PositionLaw>& law, bool isMoving);
+    void propose(const std::optional<LoopLaw>& law, bool isMoving);
 
     widgets::FigureView& picture() { return *m_picture; }
 
@@ -77,7 +77,7 @@ private:
     std::optional<RanMove> m_ran;
     std::optional<Error> m_unjudged;             ///< why nothing can be judged
     std::shared_ptr<const WhatIfBasis> m_record; ///< nothing: not judged yet
-    std::optional<control::PositionLaw> m_law;
+    std::optional<LoopLaw> m_law;
     std::optional<Result<WhatIf>> m_predicted; ///< with that law
     std::optional<WhatIf> m_spread;            ///< likewise, with its band
     bool m_isMoving = false;

@@ -7,12 +7,12 @@ namespace {
 
 GainChoice edited(double proportional) {
     GainChoice choice{"edited"};
-    choice.law.gains.proportional = proportional;
+    choice.law.law.gains.proportional = proportional;
     return choice;
 }
 
 double gain(const GainChoice& choice) {
-    return choice.law.gains.proportional;
+    return choice.law.law.gains.proportional;
 }
 
 TEST(GainHistory, whatWasDoneIsTakenBackAndDoneAgainInOrder) {
