@@ -91,7 +91,7 @@ void addMovingCommands(CLI::App& app, CommandOptions& options) {
     record->add_option("--wait", options.wait, "Longest wait for the trigger, default 10")->type_name("S");
     record->add_flag("--reconnect", options.isReconnecting,
                      "Wait for a device that is lost and record on, with the gap marked; not with --capture");
-    record->add_option("--out", options.out, "Recording")->type_name("FILE.csv");
+    addRecordingOut(record, "--out", options.out, "Recording");
     record
         ->add_option("--out-mask", options.outMask,
                      "Instead of --out: a name of its own with {device}, {date}, {time} and {number}")
@@ -102,7 +102,7 @@ void addMovingCommands(CLI::App& app, CommandOptions& options) {
         ->required()
         ->type_name("SHAPE,KEY=VALUE...");
     move->add_option("--duration", options.duration, "Seconds")->required()->type_name("S");
-    move->add_option("--out", options.out, "Recording")->type_name("FILE.csv");
+    addRecordingOut(move, "--out", options.out, "Recording");
 }
 
 void addCalibration(CLI::App* command, CommandOptions& options) {
@@ -166,7 +166,7 @@ void addIdentifyingCommands(CLI::App& app, CommandOptions& options) {
     identify->add_option("--currents", options.currents, "Sweep in ampere, default 1.6:4:0.2")
         ->type_name("FROM:TO:STEP");
     identify->add_option("--directions", options.directions, "both, forward or reverse");
-    identify->add_option("--record", options.recordFile, "Recording of the sweep")->type_name("F.csv");
+    addRecordingOut(identify, "--record", options.recordFile, "Recording of the sweep");
     identify->add_option("--bare", options.bare, "Result of the same motor without the added inertia")
         ->type_name("MODEL.json");
     identify->add_option("--added-inertia", options.addedInertia, "Inertia added since --bare, kg*m^2")

@@ -105,10 +105,6 @@ Result<void> checkOut(const CommandOptions& options) {
         return failure(ErrorCode::Usage, "--out is missing",
                        "give --out FILE.csv, or --preview to look only");
     }
-    if (out.extension() != ".csv") {
-        return failure(ErrorCode::Usage, "'" + options.out + "' is of no format that can be written",
-                       "this version writes .csv");
-    }
     std::error_code ignored;
     if (std::filesystem::equivalent(options.input, out, ignored)) {
         return failure(ErrorCode::Usage, "--out would overwrite '" + options.input + "'",

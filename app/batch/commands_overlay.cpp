@@ -178,14 +178,6 @@ std::string summaryText(const ResultHeader& header, const Overlay& overlay) {
     return text + findingLines(header.quality);
 }
 
-Result<void> checkOutput(const CommandOptions& options) {
-    if (!QString::fromStdString(options.out).endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
-        return failure(ErrorCode::Usage, fmt::format("--out {} is no .csv file", options.out),
-                       "an overlay is written as CSV; halbench convert makes .mf4 or .mat of it");
-    }
-    return checkIsNoInput(options.out, options.names);
-}
-
 /// A run that shares no time with the first one cannot be compared with it.
 DataQuality qualityOf(const Overlay& overlay) {
     DataQuality quality;
@@ -207,7 +199,7 @@ DataQuality qualityOf(const Overlay& overlay) {
 } // namespace
 
 CommandResult runOverlayCommand(CommandContext& context, const CommandOptions& options) {
-    if (const Result<void> possible = checkOutput(options); !possible) {
+    if (const Result<void> possible = checkIsNoInput(options.out, options.names); !possible) {
         return failure(possible.error());
     }
     const Result<OverlayRequest> request = requestFrom(options);

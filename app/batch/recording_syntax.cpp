@@ -1,8 +1,27 @@
 #include "app/batch/command_syntax.h"
 
+#include <fmt/format.h>
+
+#include <filesystem>
+
 namespace halbench::app {
 
 namespace {
+
+/// In words; empty when a recording can have this name. Whoever has recorded for an hour does not want to
+/// hear it then.
+std::string problemOfRecordingName(const std::string& path) {
+    if (!std::string_view(path).ends_with(".csv")) {
+        return fmt::format("'{}' is no .csv file: a recording is written as CSV, of which halbench convert "
+                           "makes .mf4 or .mat",
+                           path);
+    }
+    std::error_code ignored; // what cannot be looked at is said when it is written
+    if (std::filesystem::is_other(path, ignored) || std::filesystem::is_directory(path, ignored)) {
+        return fmt::format("'{}' is a folder, device or pipe: name a file", path);
+    }
+    return {};
+}
 
 void addSpectrum(CLI::App& app, CommandOptions& options) {
     CLI::App* spectrum = addCommand(app, "spectrum", "Spectrum or power density of a recorded signal");
@@ -22,7 +41,7 @@ void addSpectrum(CLI::App& app, CommandOptions& options) {
 void addImport(CLI::App& app, CommandOptions& options) {
     CLI::App* import = addCommand(app, "import", "Make a recording of another program's table");
     import->add_option("FILE", options.input, "Text with columns of numbers")->required();
-    import->add_option("--out", options.out, "Recording")->type_name("FILE.csv");
+    addRecordingOut(import, "--out", options.out, "Recording");
     import->add_option("--separator", options.separator, "',', ';', tab, space, or none for one column")
         ->type_name("SIGN");
     import->add_option("--decimal", options.decimal, "Decimal sign: . or ,")->type_name("SIGN");
@@ -87,7 +106,7 @@ void addComparing(CLI::App& app, CommandOptions& options) {
     overlay->add_option("--align", options.align, "start (default), trigger or marker:TEXT");
     overlay->add_option("--from", options.from, "First time, since that moment")->type_name("S");
     overlay->add_option("--to", options.to, "Last time, since that moment")->type_name("S");
-    overlay->add_option("--out", options.out, "Recording of all of them")->required()->type_name("FILE.csv");
+    addRecordingOut(overlay, "--out", options.out, "Recording of all of them")->required();
 }
 
 void addConvert(CLI::App& app, CommandOptions& options) {
@@ -106,6 +125,13 @@ CLI::App* addCommand(CLI::App& app, const char* name, const char* help) {
     CLI::App* command = app.add_subcommand(name, help);
     command->fallthrough();
     return command;
+}
+
+CLI::Option* addRecordingOut(CLI::App* command, const char* name, std::string& path, const char* help) {
+    CLI::Option* option = command->add_option(name, path, help)->type_name("FILE.csv");
+    return option->check([](const std::string& given) {
+        return given.empty() ? std::string() : problemOfRecordingName(given);
+    });
 }
 
 void addRecordingCommands(CLI::App& app, CommandOptions& options) {

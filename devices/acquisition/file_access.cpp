@@ -49,6 +49,10 @@ Result<void> createFolderOf(const std::string& path) {
         return failure(ErrorCode::FileSystem, fmt::format("'{}' is a folder", path),
                        "give the name of a file");
     }
+    if (info.exists() && !info.isFile()) { // /dev/null would become a file
+        return failure(ErrorCode::FileSystem, fmt::format("'{}' is a device or pipe", path),
+                       "give the name of a file");
+    }
     return {};
 }
 

@@ -39,6 +39,28 @@ TEST(CommandLineTest, withoutArgumentsItIsHelp) {
     }
 }
 
+TEST(CommandLineTest, whatIsNoNameOfARecordingIsRefusedBeforeAnythingMoves) {
+    using Words = std::vector<std::string>;
+    for (const Words& begin : {Words{"record", "sim:htm", "--duration", "1", "--out"},
+                               Words{"move", "sim:htm", "--duration", "1", "--reference", "step", "--out"},
+                               Words{"identify", "sim:htm", "--record"}, Words{"import", "a.txt", "--out"},
+                               Words{"overlay", "a.csv", "b.csv", "--out"}}) {
+        const auto given = [&](const std::string& name) {
+            Words words = begin;
+            words.push_back(name);
+            return parseCommandLine(words);
+        };
+        EXPECT_TRUE(given("run.csv")) << begin.front();
+        for (const char* name : {"run.mf4", "run.mat", "run", "run.CSV", "/dev/null"}) {
+            const Result<CommandLine> line = given(name);
+            ASSERT_FALSE(line) << begin.front() << ' ' << name;
+            EXPECT_EQ(line.error().code, ErrorCode::Usage);
+            EXPECT_THAT(line.error().message, testing::HasSubstr(name));
+            EXPECT_THAT(line.error().message, testing::HasSubstr(begin.back()));
+        }
+    }
+}
+
 TEST(CommandLineTest, jsonIsKnownBeforeAnythingIsUnderstood) {
     EXPECT_TRUE(styleFromArguments({"nonsense", "--json"}).isJson);
     EXPECT_FALSE(parseCommandLine({"nonsense", "--json"}));

@@ -28,6 +28,13 @@ TEST(FileAccess, refusesAFolderWhereAFileIsDue) {
     EXPECT_FALSE(createFolderOf(folder.filePath("file/run.csv").toStdString()));
 }
 
+TEST(FileAccess, refusesADeviceThatWouldBecomeAFile) {
+    const auto done = createFolderOf("/dev/null");
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().code, ErrorCode::FileSystem);
+    EXPECT_EQ(done.error().message, "'/dev/null' is a device or pipe");
+}
+
 TEST(FileAccess, theCauseIsNamedInWords) {
     const QTemporaryDir folder;
     QFile file(folder.filePath("none/run.csv"));
