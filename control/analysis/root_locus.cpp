@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace halbench::control {
@@ -86,10 +87,27 @@ std::vector<RootLocus::Breakaway> breakaways(const TransferFunction& loop) {
     return result;
 }
 
-/// Gains that bring the loop onto -1, from its own crossings of the real axis, and at rest.
+/// Whether a polynomial at rest is more than what rounding leaves of a root there. Each coefficient is known
+/// to a few roundings, products of factors as it mostly is, and Horner's rule adds two for each order
+/// (Higham, "Accuracy and Stability of Numerical Algorithms", 5.1).
+bool isClearAtRest(const Polynomial& polynomial, const TimeBase& base) {
+    const double rest = base.isSampled() ? 1.0 : 0.0;
+    double terms = 0.0;
+    for (const double coefficient : polynomial) {
+        terms = terms * rest + std::abs(coefficient);
+    }
+    const double roundings = 4.0 + 2.0 * degree(polynomial);
+    return std::abs(evaluate(polynomial, Complex(rest, 0.0))) >
+           roundings * std::numeric_limits<double>::epsilon() * terms;
+}
+
+/// Gains that bring the loop onto -1, from its own crossings of the real axis, and at rest. Integrators that
+/// went into one polynomial leave 1e-16 at z = 1, of either sign: no gain, but the root that it is.
 std::vector<RootLocus::AxisCrossing> axisCrossings(const TransferFunction& loop) {
     std::vector<RootLocus::AxisCrossing> result;
-    if (const double rest = loop.dcGain(); std::isfinite(rest) && rest < 0.0) {
+    const bool isClear = isClearAtRest(loop.numerator(), loop.timeBase()) &&
+                         isClearAtRest(loop.denominator(), loop.timeBase());
+    if (const double rest = loop.dcGain(); isClear && std::isfinite(rest) && rest < 0.0) {
         result.push_back({-1.0 / rest, 0.0});
     }
     for (const Crossing& crossing : allCrossings(loop)) {

@@ -2,6 +2,7 @@
 #include "control/analysis/locus_gain.h"
 #include "control/analysis/nyquist.h"
 #include "control/analysis/root_locus.h"
+#include "tests/control/routes/own_loop.h"
 #include "tests/control/routes/random_loops.h"
 #include "tests/control/routes/state_routes.h"
 
@@ -91,7 +92,7 @@ TEST(LocusRoutes, stabilityChangesAtTheAxisCrossingsOnly) {
         const auto [loop, states] = randomLoop(random, round);
         const auto locus = rootLocus(loop);
         ASSERT_TRUE(locus.has_value()) << round;
-        // Integrators begin on the limit: below 1e-6 rounding says on which side.
+        // Integrators begin on the limit: below 1e-6 rounding of the eigenvalues says on which side.
         for (const auto& crossing : locus->axisCrossings) {
             const double before = crossing.gain * (1.0 - 1e-6);
             const double after = crossing.gain * (1.0 + 1e-6);
@@ -116,6 +117,47 @@ TEST(LocusRoutes, stabilityChangesAtTheAxisCrossingsOnly) {
         }
     }
     EXPECT_GT(crossings, 30);
+}
+
+// The poles of a loop with integrators leave z = 1 where they begin: at rest nothing is crossed, whatever the
+// rounding of their polynomial says there (a gain of 1e-13 to 1e-8, of either sign).
+TEST(LocusRoutes, integratorsCrossNothingAtRest) {
+    Random random(114);
+    int deceiving = 0;
+    for (int round = 0; round < 300; ++round) {
+        const OwnLoop own = randomStableLoop(random);
+        const auto position = sampledOpenLoop(own.plant, own.gains, own.timing);
+        const auto [rational, states] = randomLoop(random, 6 * round); // sampled, with an integrator or two
+        for (const TransferFunction& loop : {*position, rational}) {
+            const double rest = loop.dcGain();
+            deceiving += std::isfinite(rest) && rest < 0.0 ? 1 : 0;
+            const auto locus = rootLocus(loop, 4.0);
+            ASSERT_TRUE(locus.has_value()) << round;
+            for (const auto& crossing : locus->axisCrossings) {
+                EXPECT_GT(crossing.frequency_rad_s, 0.0) << round << ": gain " << crossing.gain;
+            }
+        }
+    }
+    EXPECT_GT(deceiving, 100);
+}
+
+// An unstable pole beside a large gain: 1e9/(s - 1), stable above 1e-9, and the same sampled; two such poles
+// and a zero. The crossing is at rest, and true.
+TEST(LocusRoutes, aTrueCrossingAtAVerySmallGainIsKept) {
+    const auto continuous = *TransferFunction::make({1e9}, {1.0, -1.0}, TimeBase::continuous());
+    const auto sampled = *discretize(continuous, 0.05, Hold::Zoh{});
+    const auto slow = *TransferFunction::make({1e9}, {1.0, -1.0 - 1e-6}, TimeBase::sampled(0.05));
+    for (const auto& [loop, gain] :
+         {std::pair(continuous, 1e-9), std::pair(sampled, 1e-9), std::pair(slow, 1e-15)}) {
+        const auto locus = rootLocus(loop, 1.0);
+        ASSERT_TRUE(locus.has_value());
+        ASSERT_FALSE(locus->axisCrossings.empty()) << gain;
+        EXPECT_EQ(locus->axisCrossings.front().frequency_rad_s, 0.0);
+        // 1 + 1e-6 less 1 has ten digits.
+        EXPECT_NEAR(locus->axisCrossings.front().gain / gain, 1.0, 1e-9);
+        EXPECT_EQ(unstableCount(sectionsOf(loop), 0.9 * gain), 1);
+        EXPECT_EQ(unstableCount(sectionsOf(loop), 1.1 * gain), 0);
+    }
 }
 
 // Two eigenvalues meet there: apart by the root of what the gain is uncertain.
