@@ -2,6 +2,7 @@
 
 #include "control/base/assert.h"
 #include "control/design/held_rotor.h"
+#include "control/design/percentiles.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +12,7 @@ namespace halbench::control {
 
 namespace {
 
-using Lanes = Eigen::Array<double, LaneWidth, 1>;
+using Lanes = LaneState::Lanes;
 
 /// Exact motion of a few rotors over an interval of constant current, as `advance` has it.
 struct Rotors {
@@ -33,6 +34,19 @@ struct Rotors {
     }
 };
 
+void addMiddle(Band& band, const LaneCurves& curves, Eigen::Index columns,
+               const std::vector<Eigen::Index>& lanes) {
+    Eigen::ArrayXd values(static_cast<Eigen::Index>(lanes.size()));
+    for (Eigen::Index column = 0; column < columns; ++column) {
+        for (std::size_t i = 0; i < lanes.size(); ++i) {
+            values[static_cast<Eigen::Index>(i)] = curves(lanes[i], column);
+        }
+        const MiddleNineTenths middle = middleNineTenths(values);
+        band.p5.push_back(middle.p5);
+        band.p95.push_back(middle.p95);
+    }
+}
+
 } // namespace
 
 std::vector<std::size_t> keptPoints(std::size_t points, std::size_t most) {
@@ -52,38 +66,83 @@ std::vector<std::size_t> keptPoints(std::size_t points, std::size_t most) {
 
 void runLanes(const LoopBatch& batch, std::size_t first, const LaneRun& run, LaneCurves& curves,
               std::size_t row) {
-    constexpr std::size_t MostPending = 16;
+    LaneState state;
+    runLanes(batch, first, run, state, run.kept.size(), curves, row);
+}
+
+void runLanes(const LoopBatch& batch, std::size_t first, const LaneRun& run, LaneState& state,
+              std::size_t until, LaneCurves& curves, std::size_t row) {
     const double T = batch.timing().period_s;
     const PidGains& gains = batch.gains();
     const Rotors rotors(batch, first, T / run.pointsPerSample);
     const auto delay = static_cast<std::size_t>(batch.timing().delay_samples);
-    HB_ASSERT(delay < MostPending);
-    std::array<Lanes, MostPending> pending;
-    pending.fill(Lanes::Zero());
-    Lanes angle = Lanes::Zero();
-    Lanes speed = Lanes::Zero();
-    Lanes integral = Lanes::Zero();
-    Lanes last = Lanes::Zero();
-    Lanes current = Lanes::Zero();
-    std::size_t sample = 0;
-    std::size_t next = 0;
+    HB_ASSERT(delay < LaneState::MostPending && until <= run.kept.size());
+    LaneState now = state; // its own, so that it stays in the nearest memory
+    const std::size_t begin = now.next;
     const auto lanes = static_cast<Eigen::Index>(std::min<std::size_t>(LaneWidth, batch.size() - first));
-    for (std::size_t i = 0; next < run.kept.size(); ++i) {
-        if (i % static_cast<std::size_t>(run.pointsPerSample) == 0) {
-            const Lanes error = run.reference_rad - angle;
-            pending[(sample + delay) % MostPending] =
-                gains.proportional * error + integral - gains.derivative / T * (angle - last);
-            integral += T * gains.integral * error;
-            last = angle;
-            current = pending[sample++ % MostPending];
+    for (; now.next < until; ++now.point) {
+        if (now.point % static_cast<std::size_t>(run.pointsPerSample) == 0) {
+            const Lanes error = run.reference_rad - now.angle;
+            now.pending[(now.sample + delay) % LaneState::MostPending] =
+                gains.proportional * error + now.integral - gains.derivative / T * (now.angle - now.last);
+            now.integral += T * gains.integral * error;
+            now.last = now.angle;
+            now.current = now.pending[now.sample++ % LaneState::MostPending];
         }
-        if (i == run.kept[next]) {
-            curves.col(static_cast<Eigen::Index>(next++)).segment(static_cast<Eigen::Index>(row), lanes) =
-                angle.head(lanes);
+        if (now.point == run.kept[now.next]) {
+            curves.col(static_cast<Eigen::Index>(now.next++ - begin))
+                .segment(static_cast<Eigen::Index>(row), lanes) = now.angle.head(lanes);
         }
-        angle += speed * rotors.coast_s + rotors.push * (current + run.load_A);
-        speed = speed * rotors.decay + rotors.drive * (current + run.load_A);
+        now.angle += now.speed * rotors.coast_s + rotors.push * (now.current + run.load_A);
+        now.speed = now.speed * rotors.decay + rotors.drive * (now.current + run.load_A);
     }
+    state = now;
+}
+
+std::vector<Eigen::Index> finiteLanes(const LaneCurves& curves) {
+    std::vector<Eigen::Index> lanes;
+    for (Eigen::Index lane = 0; lane < curves.rows(); ++lane) {
+        if (std::isfinite(curves(lane, curves.cols() - 1))) {
+            lanes.push_back(lane);
+        }
+    }
+    return lanes;
+}
+
+Band middleOfLanes(const LaneCurves& curves, const std::vector<Eigen::Index>& lanes) {
+    Band band;
+    addMiddle(band, curves, curves.cols(), lanes);
+    return band;
+}
+
+std::optional<Band> middleOfLanes(const LoopBatch& batch, const LaneRun& run, std::size_t mostValues) {
+    const std::size_t points = run.kept.size();
+    const std::size_t part = std::clamp<std::size_t>(mostValues / batch.size(), 1, points);
+    const bool fits = part == points;
+    const auto rows = static_cast<Eigen::Index>(batch.size());
+    LaneCurves curves(rows, static_cast<Eigen::Index>(part));
+    LaneRun end = run;
+    end.kept = {run.kept.back()};
+    for (std::size_t first = 0; first < batch.size(); first += LaneWidth) {
+        runLanes(batch, first, fits ? run : end, curves, first);
+    }
+    const std::vector<Eigen::Index> lanes = finiteLanes(fits ? curves : LaneCurves(curves.leftCols(1)));
+    if (lanes.empty()) {
+        return std::nullopt;
+    }
+    if (fits) {
+        return middleOfLanes(curves, lanes);
+    }
+    Band band;
+    std::vector<LaneState> states((batch.size() + LaneWidth - 1) / LaneWidth);
+    for (std::size_t begin = 0; begin < points; begin += part) {
+        const std::size_t until = std::min(begin + part, points);
+        for (std::size_t group = 0; group < states.size(); ++group) {
+            runLanes(batch, group * LaneWidth, run, states[group], until, curves, group * LaneWidth);
+        }
+        addMiddle(band, curves, static_cast<Eigen::Index>(until - begin), lanes);
+    }
+    return band;
 }
 
 } // namespace halbench::control

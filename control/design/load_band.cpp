@@ -67,19 +67,23 @@ Result<LoadBand> loadBandOf(const MovedMotors& motors, double final_rad, double 
     const LaneRun run = everyPoint(load_A, pointsPerSample, points);
     const std::vector<std::size_t> kept = keptPoints(points, mostPoints);
     Figures figures;
-    std::vector<std::vector<double>> angles(kept.size()); // by point, of all motors that stay within numbers
+    const bool fits = kept.size() * motors.count <= MostLaneValues;
+    LaneCurves curves(fits ? static_cast<Eigen::Index>(motors.count) : 0,
+                      static_cast<Eigen::Index>(kept.size())); // of all motors
+    std::vector<Eigen::Index> lanes;                           // that stay within numbers
     LaneCurves group(LaneWidth, static_cast<Eigen::Index>(points));
     for (std::size_t first = 0; first < motors.count; first += LaneWidth) {
         motors.run(first, run, group, 0);
-        const std::size_t lanes = std::min<std::size_t>(LaneWidth, motors.count - first);
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const std::size_t count = std::min<std::size_t>(LaneWidth, motors.count - first);
+        for (std::size_t lane = 0; lane < count; ++lane) {
             const auto row = group.row(static_cast<Eigen::Index>(lane));
             if (!std::isfinite(row[row.size() - 1])) {
                 continue; // what once is none stays so
             }
             measureLane(row, final_rad, interval_s, figures);
-            for (std::size_t i = 0; i < kept.size(); ++i) {
-                angles[i].push_back(row[static_cast<Eigen::Index>(kept[i])]);
+            lanes.push_back(static_cast<Eigen::Index>(first + lane));
+            for (std::size_t i = 0; fits && i < kept.size(); ++i) {
+                curves(lanes.back(), static_cast<Eigen::Index>(i)) = row[static_cast<Eigen::Index>(kept[i])];
             }
         }
     }
@@ -88,12 +92,11 @@ Result<LoadBand> loadBandOf(const MovedMotors& motors, double final_rad, double 
                        "identify the motor again, or correct the model file");
     }
     LoadBand band;
-    for (std::size_t i = 0; i < kept.size(); ++i) {
-        const Robustness::Interval middle = intervalOf(angles[i]);
-        band.time_s.push_back(static_cast<double>(kept[i]) * interval_s);
-        band.angle_rad.p5.push_back(middle.p5);
-        band.angle_rad.p95.push_back(middle.p95);
+    for (const std::size_t point : kept) {
+        band.time_s.push_back(static_cast<double>(point) * interval_s);
     }
+    band.angle_rad = fits ? middleOfLanes(curves, lanes)
+                          : motors.middle({0.0, load_A, pointsPerSample, kept}).value_or(Band{});
     band.peak_rad = intervalOf(figures.peak_rad);
     const Robustness::Interval recovery = intervalOf(figures.recovery_s);
     if (std::isfinite(recovery.p95)) {
@@ -111,10 +114,7 @@ Result<LoadBand> loadBand(const std::vector<PositionPlant>& plants, const PidGai
     }
     const PidGains& board = batch->gains();
     const double final_rad = board.integral > 0.0 ? 0.0 : load_A / board.proportional;
-    const MovedMotors motors{batch->size(), timing.period_s,
-                             [&batch](std::size_t first, const LaneRun& run, LaneCurves& curves,
-                                      std::size_t row) { runLanes(*batch, first, run, curves, row); }};
-    return loadBandOf(motors, final_rad, load_A, duration_s, pointsPerSample, mostPoints);
+    return loadBandOf(movedMotors(*batch), final_rad, load_A, duration_s, pointsPerSample, mostPoints);
 }
 
 } // namespace halbench::control

@@ -65,17 +65,21 @@ std::vector<PositionPlant> motorsAmong(const std::vector<PositionPlant>& plants)
 }
 
 /// The plants and the controller must live as long as what is returned.
-MovedMotors movedMotors(const std::vector<PositionPlant>& motors, const ShapedController& controller,
-                        const LoopTiming& timing) {
-    return {motors.size(), timing.period_s,
-            [&motors, &controller, timing](std::size_t first, const LaneRun& run, LaneCurves& curves,
-                                           std::size_t row) {
-                const std::size_t count = std::min<std::size_t>(LaneWidth, motors.size() - first);
-                for (std::size_t i = 0; i < count; ++i) {
-                    runMotor(motors[first + i], controller, timing, run, curves,
-                             static_cast<Eigen::Index>(row + i));
-                }
-            }};
+MovedMotors shapedMotors(const std::vector<PositionPlant>& plants, const ShapedController& controller,
+                         const LoopTiming& timing) {
+    MovedMotors motors{plants.size(),
+                       timing.period_s,
+                       [&plants, &controller, timing](std::size_t first, const LaneRun& run,
+                                                      LaneCurves& curves, std::size_t row) {
+                           const std::size_t count = std::min<std::size_t>(LaneWidth, plants.size() - first);
+                           for (std::size_t i = 0; i < count; ++i) {
+                               runMotor(plants[first + i], controller, timing, run, curves,
+                                        static_cast<Eigen::Index>(row + i));
+                           }
+                       },
+                       {}};
+    motors.middle = [motors](const LaneRun& run) { return middleByParts(motors, run); };
+    return motors;
 }
 
 Result<ShapedController> checkedController(const std::vector<PositionPlant>& motors, const ShapedLaw& law,
@@ -104,7 +108,7 @@ Result<StepBand> shapedStepBand(const std::vector<PositionPlant>& plants, const 
                                 int pointsPerSample, std::size_t mostPoints) {
     const std::vector<PositionPlant> motors = motorsAmong(plants);
     const auto controller = checkedController(motors, law, timing);
-    return controller ? stepBandOf(movedMotors(motors, *controller, timing), amplitude_rad, duration_s,
+    return controller ? stepBandOf(shapedMotors(motors, *controller, timing), amplitude_rad, duration_s,
                                    pointsPerSample, mostPoints)
                       : Result<StepBand>(failure(controller.error()));
 }
@@ -118,7 +122,7 @@ Result<LoadBand> shapedLoadBand(const std::vector<PositionPlant>& plants, const 
     if (!controller || !final_rad) {
         return failure(controller ? final_rad.error() : controller.error());
     }
-    return loadBandOf(movedMotors(motors, *controller, timing), *final_rad, load_A, duration_s,
+    return loadBandOf(shapedMotors(motors, *controller, timing), *final_rad, load_A, duration_s,
                       pointsPerSample, mostPoints);
 }
 

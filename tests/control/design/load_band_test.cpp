@@ -106,5 +106,48 @@ TEST(LaneMotion, ofMorePointsSoManyAreKeptAndTheFirstAndLastAmongThem) {
     EXPECT_EQ(kept.back(), 999U);
 }
 
+// However few values may be held at once: the same steps, the same motors, the same numbers. Every third
+// motor is so strong that its loop leaves all numbers on the way; none of its angles counts, from the first
+// on.
+TEST(LaneMotion, computedInPartsABandIsTheSameToItsLastBit) {
+    const auto limit = proportionalLimit_A_per_rad(published(), OneLate, 0.0);
+    PidGains gains;
+    gains.proportional = 0.4 * limit;
+    std::vector<PositionPlant> plants = motors(0.1);
+    for (std::size_t i = 0; i < plants.size(); i += 3) {
+        plants[i].accelerationGain_rad_s2_A *= 60.0;
+    }
+    const auto batch = LoopBatch::make(plants, gains, OneLate);
+    ASSERT_TRUE(batch);
+    const LaneRun run{1.0, 0.3, 2, keptPoints(12001, 12001)};
+    const auto whole = middleOfLanes(*batch, run, 12001 * batch->size());
+    ASSERT_TRUE(whole);
+    LaneCurves end(static_cast<Eigen::Index>(batch->size()), 1);
+    for (std::size_t first = 0; first < batch->size(); first += LaneWidth) {
+        runLanes(*batch, first, {1.0, 0.3, 2, {12000}}, end, first);
+    }
+    EXPECT_EQ(finiteLanes(end).size(), 666U);
+    for (const std::size_t mostValues : {std::size_t(3000000), std::size_t(700001), std::size_t(1)}) {
+        const auto parts = middleOfLanes(*batch, run, mostValues);
+        ASSERT_TRUE(parts);
+        EXPECT_EQ(parts->p5, whole->p5) << mostValues;
+        EXPECT_EQ(parts->p95, whole->p95) << mostValues;
+    }
+}
+
+// More points than are held at once.
+TEST(LoadBand, ofManyPointsIsThatOfTheSamePointsAlone) {
+    const auto many = loadBand(motors(0.1), recommended(), OneLate, 0.5, 60.0, 1);
+    const auto few = loadBand(motors(0.1), recommended(), OneLate, 0.5, 60.0, 1, 300);
+    ASSERT_TRUE(many && few);
+    EXPECT_GT(many->time_s.size() * 1000, MostLaneValues);
+    for (std::size_t i = 0; i < few->time_s.size(); ++i) {
+        const auto at = static_cast<std::size_t>(std::lround(few->time_s[i] / OneLate.period_s));
+        EXPECT_EQ(few->angle_rad.p5[i], many->angle_rad.p5[at]);
+        EXPECT_EQ(few->angle_rad.p95[i], many->angle_rad.p95[at]);
+    }
+    EXPECT_EQ(few->peak_rad.p5, many->peak_rad.p5);
+}
+
 } // namespace
 } // namespace halbench::control
