@@ -44,7 +44,7 @@ TEST(CommandLineTest, whatIsNoNameOfARecordingIsRefusedBeforeAnythingMoves) {
     for (const Words& begin : {Words{"record", "sim:htm", "--duration", "1", "--out"},
                                Words{"move", "sim:htm", "--duration", "1", "--reference", "step", "--out"},
                                Words{"identify", "sim:htm", "--record"}, Words{"import", "a.txt", "--out"},
-                               Words{"overlay", "a.csv", "b.csv", "--out"}}) {
+                               Words{"overlay", "a.csv", "b.csv", "--signals", "speed", "--out"}}) {
         const auto given = [&](const std::string& name) {
             Words words = begin;
             words.push_back(name);
