@@ -28,7 +28,7 @@ Result<AnalysisResult> predictLoop(const control::PositionPlant& plant, const Pi
         return failure(openLoop.error());
     }
     AnalysisResult result;
-    if (const auto taken = takeOpenLoop(result, *openLoop); !taken) {
+    if (const auto taken = takeOpenLoop(result, *openLoop, control::closedLoopPoles(*openLoop)); !taken) {
         return failure(taken.error());
     }
     result.proportionalLimit_A_per_rad =

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace halbench::app {
 
@@ -15,8 +16,8 @@ namespace {
 using control::TransferFunction;
 
 /// The least damped oscillation of the closed loop below the Nyquist frequency.
-void takeDominantPair(AnalysisResult& result, const TransferFunction& closedLoop) {
-    for (const control::Damping& mode : control::damping(closedLoop)) {
+void takeDominantPair(AnalysisResult& result, const control::TimeBase& base) {
+    for (const control::Damping& mode : control::damping(result.roots.closedLoop, base)) {
         const bool isPair = mode.pole.imag() > 0.0;
         if (isPair && (!result.dominantDamping_ratio || mode.damping_ratio < *result.dominantDamping_ratio)) {
             result.dominantDamping_ratio = mode.damping_ratio;
@@ -49,32 +50,35 @@ Result<AnalysisResult::Bode> bodeOf(const TransferFunction& openLoop) {
     return bode;
 }
 
-Result<AnalysisResult::Roots> rootsOf(const TransferFunction& openLoop) {
+Result<AnalysisResult::Roots> rootsOf(const TransferFunction& openLoop,
+                                      std::vector<std::complex<double>> closedLoop) {
     auto locus = control::rootLocus(openLoop, RootLocusMost_ratio);
     if (!locus) {
         return failure(locus.error());
     }
-    return AnalysisResult::Roots{control::poles(openLoop), control::zeros(openLoop),
-                                 control::closedLoopPoles(openLoop), *std::move(locus),
-                                 openLoop.timeBase().period_s()};
+    return AnalysisResult::Roots{control::poles(openLoop), control::zeros(openLoop), std::move(closedLoop),
+                                 *std::move(locus), openLoop.timeBase().period_s()};
 }
 
 } // namespace
 
-Result<void> takeOpenLoop(AnalysisResult& result, const TransferFunction& openLoop) {
-    result.poleRadius = control::poleRadius(openLoop);
+Result<void> takeOpenLoop(AnalysisResult& result, const TransferFunction& openLoop,
+                          std::vector<std::complex<double>> closedLoop) {
+    result.poleRadius = 0.0;
+    for (const std::complex<double>& pole : closedLoop) {
+        result.poleRadius = std::max(result.poleRadius, std::abs(pole));
+    }
     result.isStable = result.poleRadius < 1.0;
     result.margins = control::smallestMargins(openLoop);
     result.crossings = control::allCrossings(openLoop);
-    const auto closedLoop = control::feedback(openLoop, TransferFunction::gain(1.0, openLoop.timeBase()));
     auto bode = bodeOf(openLoop);
-    auto roots = rootsOf(openLoop);
-    if (!closedLoop || !bode || !roots) {
-        return failure(!closedLoop ? closedLoop.error() : !bode ? bode.error() : roots.error());
+    auto roots = rootsOf(openLoop, std::move(closedLoop));
+    if (!bode || !roots) {
+        return failure(!bode ? bode.error() : roots.error());
     }
-    takeDominantPair(result, *closedLoop);
     result.bode = *std::move(bode);
     result.roots = *std::move(roots);
+    takeDominantPair(result, openLoop.timeBase());
     return {};
 }
 

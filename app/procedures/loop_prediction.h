@@ -6,8 +6,10 @@ namespace halbench::app {
 
 // What an open loop tells, of the board's law or of a shaped one.
 
-/// Stability, margins, crossings, the dominant pair, frequency response and root locus.
-Result<void> takeOpenLoop(AnalysisResult& result, const control::TransferFunction& openLoop);
+/// Stability, margins, crossings, the dominant pair, frequency response and root locus; `closedLoop` are the
+/// poles of the loop when it is closed.
+Result<void> takeOpenLoop(AnalysisResult& result, const control::TransferFunction& openLoop,
+                          std::vector<std::complex<double>> closedLoop);
 /// The curves and figures of a unit step.
 void takeStep(AnalysisResult& result, control::LoopStep step);
 /// How long that step is looked at: six time constants of the slowest pole, between 100 and 2000 samples (a

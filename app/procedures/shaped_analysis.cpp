@@ -19,12 +19,16 @@ Result<void> predictLoop(AnalysisResult& result, const control::PositionPlant& p
     const auto openLoop = control::shapedOpenLoop(plant, shaped, timing);
     const auto fast_A = control::shapedFastGain_A_per_rad(shaped, timing.period_s);
     const auto limit_A = control::shapedProportionalLimit_A_per_rad(plant, shaped, timing);
-    if (!openLoop || !fast_A || !limit_A) {
-        return failure(!openLoop ? openLoop.error() : !fast_A ? fast_A.error() : limit_A.error());
+    auto poles = control::shapedPoles(plant, shaped, timing);
+    if (!openLoop || !fast_A || !limit_A || !poles) {
+        return failure(!openLoop  ? openLoop.error()
+                       : !fast_A  ? fast_A.error()
+                       : !limit_A ? limit_A.error()
+                                  : poles.error());
     }
     result.proportionalLimit_A_per_rad = *limit_A;
     result.highFrequencyGain_A_per_rad = *fast_A;
-    return takeOpenLoop(result, *openLoop);
+    return takeOpenLoop(result, *openLoop, *std::move(poles));
 }
 
 Result<void> predictSteps(AnalysisResult& result, const control::PositionPlant& plant, const LoopLaw& law,
@@ -51,8 +55,8 @@ void warn(AnalysisResult& result, const control::PositionPlant& plant, const Loo
     const control::LoopTiming& timing = conditions.timing;
     addStabilityWarnings(result, law.law.gains.proportional);
     if (const auto later =
-            control::shapedOpenLoop(plant, *law.shaped, {timing.period_s, timing.delay_samples + 1})) {
-        addDelayWarning(result, control::poleRadius(*later));
+            control::shapedPoleRadius(plant, *law.shaped, {timing.period_s, timing.delay_samples + 1})) {
+        addDelayWarning(result, *later);
     }
     addFrictionWarning(result, law.law.gains.integral > 0.0);
     addStrayWarning(result, conditions.stray);

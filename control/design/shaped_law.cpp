@@ -11,39 +11,12 @@ namespace halbench::control {
 
 namespace {
 
-/// The loop is one polynomial. Of four equal filters its roots keep 1e-4 of their place, of six narrow
-/// notches near Nyquist some left the unit circle by rounding alone.
+/// Margins and curves come from one polynomial of the loop (its poles do not: shaped_poles.cpp). Of four equal
+/// filters its roots keep 1e-4 of their place, of six narrow notches near Nyquist some left the unit circle by
+/// rounding alone.
 constexpr std::size_t MostFilters = 4;
 /// Turn of the slowest root over one sample: nearer to z = 1 it cannot be told from an integrator.
 constexpr double LeastTurn_rad = 1e-6;
-
-Result<TransferFunction> continuousFilter(const LoopFilter& filter) {
-    struct Kinds {
-        Result<TransferFunction> operator()(const LeadFilter& f) const {
-            return leadFilter(f.frequency_rad_s, f.phase_deg);
-        }
-        Result<TransferFunction> operator()(const LagFilter& f) const {
-            return lagFilter(f.frequency_rad_s, f.ratio);
-        }
-        Result<TransferFunction> operator()(const NotchFilter& f) const {
-            return notchFilter(f.frequency_rad_s, f.depth_ratio, f.damping_ratio);
-        }
-        Result<TransferFunction> operator()(const LowPassFilter& f) const {
-            return lowPassFilter(f.corner_rad_s, f.order);
-        }
-    };
-    return std::visit(Kinds{}, filter);
-}
-
-double frequencyOf_rad_s(const LoopFilter& filter) {
-    struct Kinds {
-        double operator()(const LeadFilter& f) const { return f.frequency_rad_s; }
-        double operator()(const LagFilter& f) const { return f.frequency_rad_s; }
-        double operator()(const NotchFilter& f) const { return f.frequency_rad_s; }
-        double operator()(const LowPassFilter& f) const { return f.corner_rad_s; }
-    };
-    return std::visit(Kinds{}, filter);
-}
 
 Result<void> checkWeight(double weight, const char* name) {
     if (!std::isfinite(weight)) {
@@ -142,6 +115,34 @@ Result<PidGains> checkedGains(const ShapedLaw& law, double period_s) {
         }
     }
     return gains;
+}
+
+Result<TransferFunction> continuousFilter(const LoopFilter& filter) {
+    struct Kinds {
+        Result<TransferFunction> operator()(const LeadFilter& f) const {
+            return leadFilter(f.frequency_rad_s, f.phase_deg);
+        }
+        Result<TransferFunction> operator()(const LagFilter& f) const {
+            return lagFilter(f.frequency_rad_s, f.ratio);
+        }
+        Result<TransferFunction> operator()(const NotchFilter& f) const {
+            return notchFilter(f.frequency_rad_s, f.depth_ratio, f.damping_ratio);
+        }
+        Result<TransferFunction> operator()(const LowPassFilter& f) const {
+            return lowPassFilter(f.corner_rad_s, f.order);
+        }
+    };
+    return std::visit(Kinds{}, filter);
+}
+
+double frequencyOf_rad_s(const LoopFilter& filter) {
+    struct Kinds {
+        double operator()(const LeadFilter& f) const { return f.frequency_rad_s; }
+        double operator()(const LagFilter& f) const { return f.frequency_rad_s; }
+        double operator()(const NotchFilter& f) const { return f.frequency_rad_s; }
+        double operator()(const LowPassFilter& f) const { return f.corner_rad_s; }
+    };
+    return std::visit(Kinds{}, filter);
 }
 
 Result<TransferFunction> sampledFilter(const LoopFilter& filter, double period_s) {

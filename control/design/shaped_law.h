@@ -64,6 +64,9 @@ bool isBoardLaw(const ShapedLaw& law);
 /// at b times the reference).
 Result<PidGains> checkedGains(const ShapedLaw& law, double period_s);
 
+/// One filter before it is sampled, and the frequency that keeps its place then.
+Result<TransferFunction> continuousFilter(const LoopFilter& filter);
+double frequencyOf_rad_s(const LoopFilter& filter);
 Result<TransferFunction> sampledFilter(const LoopFilter& filter, double period_s);
 
 /// A sampled filter as its difference equation, b0 + b1/z + b2/z^2 over 1 + a1/z + a2/z^2.

@@ -52,8 +52,8 @@ Result<double> noiseGain(const PositionPlant& plant, const ShapedLaw& law, const
 }
 
 bool isStableWith(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing) {
-    const auto loop = shapedOpenLoop(plant, law, timing);
-    return loop.has_value() && poleRadius(*loop) < 1.0;
+    const auto radius = shapedPoleRadius(plant, law, timing);
+    return radius && *radius < 1.0;
 }
 
 /// In the parallel form, so that single gains may be changed.
@@ -68,7 +68,7 @@ Result<ShapedLaw> inParallelForm(ShapedLaw law, double period_s) {
 
 DrawnVerdict verdictOf(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing) {
     const auto loop = shapedOpenLoop(plant, law, timing);
-    return loop ? drawnVerdict(poleRadius(*loop) < 1.0, smallestMargins(*loop)) : noMotor();
+    return loop ? drawnVerdict(isStableWith(plant, law, timing), smallestMargins(*loop)) : noMotor();
 }
 
 } // namespace
@@ -113,7 +113,8 @@ Result<DesignProof> proveShaped(const PositionPlant& plant, const ShapedLaw& law
         return failure(ErrorCode::OutOfRange, "the current limit must be positive");
     }
     const auto loop = shapedOpenLoop(plant, law, timing);
-    const auto later = shapedOpenLoop(plant, law, {timing.period_s, timing.delay_samples + 1});
+    const LoopTiming oneLater{timing.period_s, timing.delay_samples + 1};
+    const auto later = shapedOpenLoop(plant, law, oneLater);
     const auto fast_A = shapedFastGain_A_per_rad(law, timing.period_s);
     const auto limit_A = shapedProportionalLimit_A_per_rad(plant, law, timing);
     if (!loop || !later || !fast_A || !limit_A) {
@@ -127,6 +128,9 @@ Result<DesignProof> proveShaped(const PositionPlant& plant, const ShapedLaw& law
         return failure(step.error());
     }
     DesignProof proof = loopProof(*loop, *later, *std::move(step), currentLimit_A);
+    proof.poleRadius = *shapedPoleRadius(plant, law, timing);
+    proof.isStable = proof.poleRadius < 1.0;
+    proof.poleRadiusOneSampleLater = *shapedPoleRadius(plant, law, oneLater);
     proof.noiseGain_A_per_rad = std::numeric_limits<double>::infinity();
     if (proof.isStable) {
         const auto noise = noiseGain(plant, law, timing);

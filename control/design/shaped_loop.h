@@ -5,6 +5,7 @@
 #include "control/design/robustness.h"
 #include "control/design/shaped_law.h"
 
+#include <complex>
 #include <vector>
 
 namespace halbench::control {
@@ -55,6 +56,13 @@ Result<double> shapedRest_rad(const ShapedLaw& law, double period_s, double load
 /// `loadStep` of a shaped law, whose weights a load does not see; the same numbers for the board's own.
 Result<LoadStep> shapedLoad(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing,
                             double load_A, double duration_s, int pointsPerSample = 10);
+
+/// Poles of the closed loop in z, from states where the law has filters: of four slow or narrow ones beside
+/// the integrators one polynomial tells too little. Errors: of the inputs.
+Result<std::vector<std::complex<double>>> shapedPoles(const PositionPlant& plant, const ShapedLaw& law,
+                                                      const LoopTiming& timing);
+/// The largest modulus among them.
+Result<double> shapedPoleRadius(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing);
 
 /// The gain towards fast errors: the largest current that an error of 1 rad in a single sample makes, at once
 /// or after filters; K_P + K_D/T on the board. Errors: of `checkedGains`.

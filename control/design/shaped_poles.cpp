@@ -1,0 +1,113 @@
+// Poles of a shaped loop from states in d = z - 1: slow filters beside integrators lie close to z = 1
+// together, where one polynomial keeps the n-th root of its rounding of them. In d nothing cancels: each part
+// is put together from positive terms, and the matrix is graded, so that balancing keeps the digits of slow
+// poles.
+#include "control/design/held_rotor.h"
+#include "control/design/shaped_loop.h"
+#include "control/lti/eigenvalues.h"
+#include "control/lti/state_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace halbench::control {
+
+namespace {
+
+/// What is rational in d; states follow it as those of a continuous system follow s.
+StateSpace statesOf(Polynomial numerator, Polynomial denominator) {
+    return toStateSpace(
+        *TransferFunction::make(std::move(numerator), std::move(denominator), TimeBase::continuous()));
+}
+
+/// sum c_j s^j with s = rate d/(d + 2), times (d + 2)^order: Tustin's rule, put together from its terms.
+Polynomial bilinear(const Polynomial& polynomial, int order, double rate_1_s) {
+    Polynomial sum = {0.0};
+    const int highest = degree(polynomial);
+    for (int power = 0; power <= highest; ++power) {
+        Polynomial term = {polynomial[static_cast<std::size_t>(highest - power)]};
+        for (int i = 0; i < order; ++i) {
+            term = multiply(term, i < power ? Polynomial{rate_1_s, 0.0} : Polynomial{1.0, 2.0});
+        }
+        sum = add(sum, term);
+    }
+    return sum;
+}
+
+Result<StateSpace> filterStates(const LoopFilter& filter, double period_s) {
+    const auto continuous = continuousFilter(filter);
+    if (!continuous) {
+        return failure(continuous.error());
+    }
+    const double frequency_rad_s = frequencyOf_rad_s(filter);
+    const double rate_1_s = frequency_rad_s / std::tan(0.5 * frequency_rad_s * period_s);
+    const int order = continuous->order();
+    return statesOf(bilinear(continuous->numerator(), order, rate_1_s),
+                    bilinear(continuous->denominator(), order, rate_1_s));
+}
+
+/// K_P + T K_I/d + K_D/(T + T_f) d/(d + T/(T + T_f)).
+Result<StateSpace> controllerStates(const PidGains& gains, double period_s) {
+    const double span_s = period_s + gains.filter_s.value_or(0.0);
+    Result<StateSpace> sum = statesOf({gains.proportional}, {1.0});
+    if (gains.integral != 0.0) {
+        sum = parallel(*sum, statesOf({period_s * gains.integral}, {1.0, 0.0}));
+    }
+    if (sum && gains.derivative != 0.0) {
+        sum = parallel(*sum, statesOf({gains.derivative / span_s, 0.0}, {1.0, period_s / span_s}));
+    }
+    return sum;
+}
+
+/// k T^2 (b1 d + b1 + b2)/(d (d + 1 - E)).
+StateSpace rotorStates(const PositionPlant& plant, double period_s) {
+    const double x = plant.dampingRate_1_s * period_s;
+    const double scale = plant.accelerationGain_rad_s2_A * period_s * period_s;
+    return statesOf({scale * heldAngleShare(x), scale * heldSpeedShare(x)}, {1.0, -std::expm1(-x), 0.0});
+}
+
+} // namespace
+
+Result<std::vector<std::complex<double>>> shapedPoles(const PositionPlant& plant, const ShapedLaw& law,
+                                                      const LoopTiming& timing) {
+    const auto loop = shapedOpenLoop(plant, law, timing);
+    if (!loop) {
+        return failure(loop.error());
+    }
+    if (law.filters.empty()) {
+        return closedLoopPoles(*loop); // as of the board's own, whose few roots a polynomial keeps
+    }
+    Result<StateSpace> states = controllerStates(*checkedGains(law, timing.period_s), timing.period_s);
+    for (const LoopFilter& filter : law.filters) {
+        const auto section = filterStates(filter, timing.period_s);
+        states = states && section ? series(*states, *section) : states ? section : states;
+    }
+    for (int i = 0; states && i < timing.delay_samples; ++i) {
+        states = series(*states, statesOf({1.0}, {1.0, 1.0}));
+    }
+    states = states ? series(*states, rotorStates(plant, timing.period_s)) : states;
+    if (!states) {
+        return failure(states.error());
+    }
+    const Eigen::MatrixXd closed = states->A - states->B * states->C; // the rotor has no direct way
+    std::vector<std::complex<double>> found = eigenvalues(closed);
+    for (std::complex<double>& pole : found) {
+        pole += 1.0;
+    }
+    return found;
+}
+
+Result<double> shapedPoleRadius(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing) {
+    const auto poles = shapedPoles(plant, law, timing);
+    if (!poles) {
+        return failure(poles.error());
+    }
+    double radius = 0.0;
+    for (const std::complex<double>& pole : *poles) {
+        radius = std::max(radius, std::abs(pole));
+    }
+    return radius;
+}
+
+} // namespace halbench::control
