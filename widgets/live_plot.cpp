@@ -120,14 +120,24 @@ void LivePlot::setSpec(const PlotSpec& spec, const control::SampleHistory* histo
     m_userRange = m_spec.fixedRange;
     m_rightUserRange = m_spec.right.fixedRange;
     setLevel(m_level);
-    setAccessibleName(m_spec.quantity.isEmpty() ? tr("Empty plot")
-                      : hasRightAxis(m_spec)
-                          ? tr("Plot of %1, at the right %2").arg(m_spec.quantity, m_spec.right.quantity)
-                          : tr("Plot of %1").arg(m_spec.quantity));
+    nameItself();
     setAccessibleDescription(
         tr("Arrow keys move a cursor or scroll, plus and minus zoom the time, with Ctrl the values, Space "
            "pauses, F fits, Insert adds signals."));
     updateTitle();
+}
+
+void LivePlot::setColumn(std::optional<int> column) {
+    m_column = column;
+    nameItself();
+}
+
+void LivePlot::nameItself() {
+    const QString name = m_spec.quantity.isEmpty() ? tr("Empty plot")
+                         : hasRightAxis(m_spec)
+                             ? tr("Plot of %1, at the right %2").arg(m_spec.quantity, m_spec.right.quantity)
+                             : tr("Plot of %1").arg(m_spec.quantity);
+    setAccessibleName(m_column ? tr("%1, column %2").arg(name, QString::number(*m_column + 1)) : name);
 }
 
 void LivePlot::setTheme(const Theme& theme) {

@@ -60,6 +60,8 @@ public:
     void setMarkers(const std::vector<PlotMarker>& markers, std::optional<std::size_t> chosen) {
         m_overlay->setMarkers(markers, chosen);
     }
+    /// From the left, where there are several; for who cannot see where it stands.
+    void setColumn(std::optional<int> column);
     void setNamesShown(bool areShown) { m_overlay->setNamesShown(areShown); }
 
     /// The range the user chose; nothing while the axis follows the data.
@@ -138,6 +140,7 @@ private:
     std::optional<ValueRange> dataRange(bool isRight) const;
     int titleRoom() const;
     void updateTitle();
+    void nameItself();
     void setTitle(int axis, const QString& quantity, const QString& unit);
     int extentOf(const ValueScaleDraw& scale) const;
     void showScale(bool isRight);
@@ -163,6 +166,7 @@ private:
     std::optional<ValueRange> m_rightUserRange;
     TitleForm m_titleForm;
     control::TimeRange m_drawn;
+    std::optional<int> m_column;
     bool m_isWhole = true;
     QImage m_image; ///< what the canvas shows; curves set its pixels
     Drag m_drag = Drag::None;

@@ -217,17 +217,18 @@ void LivePlotStack::configureRow(std::size_t index) {
     row.plot->setEvent(m_event_s);
     row.plot->setLevel(m_level);
     matchTime(index);
+    row.plot->setColumn(columnCount() > 1 ? std::optional(m_specs[index].column) : std::nullopt);
     PlotSpec wanted = m_specs[index];
     wanted.ownTime = row.plot->spec().ownTime; // is no matter of the plot
     wanted.column = row.plot->spec().column;   // nor is this
-    if (row.isConfigured && row.plot->spec() == wanted && row.plot->history() == m_history) {
-        return; // keeps its zoom and its hidden curves
+    const bool isSame = row.plot->spec() == wanted && row.plot->history() == m_history;
+    if (!row.isConfigured || !isSame) { // else it keeps its zoom and its hidden curves
+        row.isConfigured = true;
+        row.legend->table().setCurves({});
+        row.plot->setReference(m_reference);
+        row.plot->setSpec(m_specs[index], m_history);
+        row.legend->table().setCurves(row.plot->curves());
     }
-    row.isConfigured = true;
-    row.legend->table().setCurves({});
-    row.plot->setReference(m_reference);
-    row.plot->setSpec(m_specs[index], m_history);
-    row.legend->table().setCurves(row.plot->curves());
     row.legend->setAccessibleName(tr("Live values of %1").arg(row.plot->accessibleName()));
 }
 

@@ -245,10 +245,13 @@ TEST_F(PlotColumnsTest, anEmptyPlotIsOpenedBesideAndGoesByKey) {
     EXPECT_EQ(spec(5).column, 1);
     auto* empty = qobject_cast<LivePlot*>(QApplication::focusWidget());
     ASSERT_NE(empty, nullptr);
-    EXPECT_EQ(empty->accessibleName(), "Empty plot");
+    EXPECT_EQ(empty->accessibleName(), "Empty plot, column 2");
+    EXPECT_EQ(legendOf(empty)->accessibleName(), "Live values of Empty plot, column 2");
+    EXPECT_TRUE(shown(spec(0).quantity)->accessibleName().endsWith(", column 1"));
     trigger(LivePlotStack::Command::RemovePlot);
     EXPECT_EQ(stack.plots().size(), 5U);
     EXPECT_EQ(stack.columnCount(), 1);
+    EXPECT_FALSE(plots()[0]->accessibleName().contains("column"));
     EXPECT_NE(qobject_cast<LivePlot*>(QApplication::focusWidget()), nullptr) << "keys go on with another";
     stack.clearFocus();
     QApplication::focusWidget()->clearFocus();
