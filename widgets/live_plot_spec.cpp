@@ -1,5 +1,7 @@
 #include "widgets/live_plot_spec.h"
 
+#include "widgets/share_splitter.h"
+
 #include <algorithm>
 
 namespace halbench::widgets {
@@ -68,12 +70,70 @@ void settleColumns(std::vector<PlotSpec>& plots) {
                      [](const PlotSpec& left, const PlotSpec& right) { return left.column < right.column; });
     int column = -1;
     std::optional<int> before;
+    double width_ratio = 1.0;
     for (PlotSpec& plot : plots) {
         if (plot.column != before) {
             before = plot.column;
+            width_ratio = plot.width_ratio;
             ++column;
         }
         plot.column = column;
+        plot.width_ratio = width_ratio;
+    }
+}
+
+PlotSpec placedIn(const std::vector<PlotSpec>& plots, int column, PlotSpec plot) {
+    const auto beside = std::find_if(plots.begin(), plots.end(),
+                                     [column](const PlotSpec& other) { return other.column == column; });
+    plot.column = column;
+    plot.height_ratio = 1.0;
+    plot.width_ratio = beside == plots.end() ? 1.0 : beside->width_ratio;
+    return plot;
+}
+
+std::vector<double> heightsIn(const std::vector<PlotSpec>& plots, int column) {
+    std::vector<double> heights;
+    for (const PlotSpec& plot : plots) {
+        if (plot.column == column) {
+            heights.push_back(plot.height_ratio);
+        }
+    }
+    return heights;
+}
+
+std::vector<double> widthsOf(const std::vector<PlotSpec>& plots) {
+    std::vector<double> widths;
+    std::optional<int> before;
+    for (const PlotSpec& plot : plots) {
+        if (plot.column != before) {
+            before = plot.column;
+            widths.push_back(plot.width_ratio);
+        }
+    }
+    return widths;
+}
+
+void setHeights(std::vector<PlotSpec>& plots, int column, const std::vector<double>& heights) {
+    auto height = heights.begin();
+    for (PlotSpec& plot : plots) {
+        if (plot.column == column && height != heights.end()) {
+            plot.height_ratio = *height++;
+        }
+    }
+}
+
+void setWidths(std::vector<PlotSpec>& plots, const std::vector<double>& widths) {
+    for (PlotSpec& plot : plots) {
+        const auto column = static_cast<std::size_t>(plot.column);
+        plot.width_ratio = column < widths.size() ? widths[column] : plot.width_ratio;
+    }
+}
+
+void settleSizes(std::vector<PlotSpec>& plots) {
+    const std::vector<double> widths = settledShares(widthsOf(plots));
+    setWidths(plots, widths);
+    for (int column = 0; column < static_cast<int>(widths.size()); ++column) {
+        setHeights(plots, column, settledShares(heightsIn(plots, column)));
     }
 }
 

@@ -64,6 +64,8 @@ struct PlotSpec {
     PlotAxis right = {};                  ///< of the curves that are on the right
     std::optional<OwnTime> ownTime = {};  ///< how its own time axis begins; default: the one of the stack
     int column = 0;                       ///< of the stack, from the left
+    double height_ratio = 1.0;            ///< to the mean of its column's plots
+    double width_ratio = 1.0;             ///< of its column, to the mean of all; the first plot's counts
 
     bool operator==(const PlotSpec&) const = default;
 };
@@ -77,8 +79,18 @@ bool putOnAxis(PlotSpec& plot, const std::string& signal, bool isRight);
 /// After curves went: an axis without curves forgets what it showed, and what is left is on the left one.
 void settleAxes(PlotSpec& plot);
 
-/// Plots in the order of their columns, those of one as they were; columns without plots are gone.
+/// Plots in the order of their columns, those of one as they were; columns without plots are gone. All plots
+/// of a column say how wide it is.
 void settleColumns(std::vector<PlotSpec>& plots);
+/// The plot as it comes into that column: with its width, as high as the mean of its plots.
+PlotSpec placedIn(const std::vector<PlotSpec>& plots, int column, PlotSpec plot);
+/// Heights and widths have a mean of 1 again, after plots came and went.
+void settleSizes(std::vector<PlotSpec>& plots);
+/// Of the plots of a column, from the top, and of all columns, from the left.
+std::vector<double> heightsIn(const std::vector<PlotSpec>& plots, int column);
+std::vector<double> widthsOf(const std::vector<PlotSpec>& plots);
+void setHeights(std::vector<PlotSpec>& plots, int column, const std::vector<double>& heights);
+void setWidths(std::vector<PlotSpec>& plots, const std::vector<double>& widths);
 
 /// Where a trigger waits for a signal, in its SI unit.
 struct PlotLevel {

@@ -4,12 +4,12 @@
 #include "widgets/live_legend.h"
 #include "widgets/live_plot.h"
 #include "widgets/marker_bar.h"
+#include "widgets/share_splitter.h"
 #include "widgets/theme_style.h"
 #include "widgets/time_axis_bar.h"
 
 #include <QAction>
 #include <QHBoxLayout>
-#include <QSplitter>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -25,7 +25,7 @@ constexpr int HandleWidth = 4;
 } // namespace
 
 LivePlotStack::LivePlotStack(QWidget* parent)
-    : QWidget(parent), m_splitter(new QSplitter(Qt::Horizontal, this)), m_cursorBar(new CursorBar(this)),
+    : QWidget(parent), m_splitter(new ShareSplitter(Qt::Horizontal, this)), m_cursorBar(new CursorBar(this)),
       m_markerBar(new MarkerBar(this)), m_timer(new QTimer(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -34,7 +34,8 @@ LivePlotStack::LivePlotStack(QWidget* parent)
     layout->addWidget(m_cursorBar);
     layout->addWidget(m_markerBar);
     m_splitter->setHandleWidth(HandleWidth);
-    m_splitter->setChildrenCollapsible(false);
+    connect(m_splitter, &ShareSplitter::sharesChanged, this,
+            [this] { setWidths(m_specs, m_splitter->shares()); });
     m_cursorBar->hide();
     createActions();
     connectCursorBar();
@@ -83,7 +84,7 @@ void LivePlotStack::addCurve(int plot, const PlotCurve& curve) {
         plot = isFirst ? 0 : static_cast<int>(m_specs.size());
     }
     if (plot == static_cast<int>(m_specs.size())) {
-        m_specs.emplace_back().column = m_columns.empty() ? 0 : columnCount() - 1;
+        m_specs.push_back(placedIn(m_specs, m_columns.empty() ? 0 : columnCount() - 1, {}));
     }
     PlotSpec& spec = m_specs[static_cast<std::size_t>(plot)];
     const bool isThere = std::any_of(spec.curves.begin(), spec.curves.end(),
@@ -220,7 +221,9 @@ void LivePlotStack::configureRow(std::size_t index) {
     row.plot->setColumn(columnCount() > 1 ? std::optional(m_specs[index].column) : std::nullopt);
     PlotSpec wanted = m_specs[index];
     wanted.ownTime = row.plot->spec().ownTime; // is no matter of the plot
-    wanted.column = row.plot->spec().column;   // nor is this
+    wanted.column = row.plot->spec().column;   // nor are these
+    wanted.height_ratio = row.plot->spec().height_ratio;
+    wanted.width_ratio = row.plot->spec().width_ratio;
     const bool isSame = row.plot->spec() == wanted && row.plot->history() == m_history;
     if (!row.isConfigured || !isSame) { // else it keeps its zoom and its hidden curves
         row.isConfigured = true;

@@ -17,7 +17,6 @@
 
 class QAction;
 class QBoxLayout;
-class QSplitter;
 class QTimer;
 
 namespace halbench::widgets {
@@ -26,6 +25,7 @@ class CursorBar;
 class LiveLegend;
 class LivePlot;
 class MarkerBar;
+class ShareSplitter;
 class TimeAxisBar;
 
 /// Plots above and beside each other over one time axis, fed from a history: what the Monitor shows. Lives in
@@ -49,6 +49,7 @@ class TimeAxisBar;
 ///     L, Shift+L         the plot goes into the column at the right, at the left
 ///     Ctrl+Shift+Right   a new plot in a column of its own, at the right
 ///     Shift+Delete       the plot goes
+///     V, W (Shift)       the plot gets taller, its column wider (less so); E: all equally large
 ///     K, Shift+K         keep what is shown as faint reference, remove it
 ///
 /// Where a plot has its own time axis, keys act on that axis while the plot or its legend has the focus, and
@@ -59,7 +60,8 @@ class TimeAxisBar;
 /// and Ctrl+Shift+Right into a plot of its own.
 ///
 /// Columns stand beside each other, each with its own axis below that shows the same time. plots() has them
-/// from left to right, the plots of one from top to bottom. A column goes with its last plot.
+/// from left to right, the plots of one from top to bottom, with the shares of the room that the user gave
+/// them. A column goes with its last plot.
 ///
 /// A list without plots becomes one empty plot, which says what it is for.
 class LivePlotStack : public QWidget {
@@ -102,6 +104,11 @@ public:
         PlotLeft,
         NewBeside,
         RemovePlot,
+        Taller,
+        Shorter,
+        Wider,
+        Narrower,
+        EqualSizes,
         AddSignals
     };
 
@@ -230,7 +237,7 @@ private:
     };
     struct Column {
         QWidget* box = nullptr;
-        QSplitter* rows = nullptr;
+        ShareSplitter* rows = nullptr;
         TimeAxisBar* timeAxis = nullptr; ///< of the plots that share the stack's
         int count = 0;                   ///< of plots, when they were placed last
         int extent_px = 0;               ///< what the labels of its axes needed so far
@@ -256,6 +263,10 @@ private:
     void removeRow(std::size_t at);
     void place();
     void matchColumns(std::size_t count);
+    void shareRoom();
+    void takeHeights(const ShareSplitter& rows);
+    void runOnSizes(Command command);
+    void createSizeActions();
     void put(int plot, int column, std::ptrdiff_t position);
     void chainFocus() const;
     void shapeChanged();
@@ -336,7 +347,7 @@ private:
     std::vector<Snapshot> m_zoomHistory;
     bool m_isWheeling = false; ///< turns of the wheel in a row are one step of the zoom history
     std::map<Command, QAction*> m_actions;
-    QSplitter* m_splitter; ///< of the columns
+    ShareSplitter* m_splitter; ///< of the columns
     std::vector<Column> m_columns;
     CursorBar* m_cursorBar;
     MarkerBar* m_markerBar;

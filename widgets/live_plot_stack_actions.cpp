@@ -93,6 +93,12 @@ void LivePlotStack::run(Command command) {
     case Command::NewBeside:
     case Command::RemovePlot:
         return runOnPlots(command);
+    case Command::Taller:
+    case Command::Shorter:
+    case Command::Wider:
+    case Command::Narrower:
+    case Command::EqualSizes:
+        return runOnSizes(command);
     case Command::KeepReference:
         return keepReference();
     case Command::RemoveReference:

@@ -2,13 +2,12 @@
 #include "widgets/live_legend.h"
 #include "widgets/live_plot.h"
 #include "widgets/live_plot_stack.h"
+#include "widgets/share_splitter.h"
 #include "widgets/time_axis_bar.h"
 
 #include <QAction>
 #include <QApplication>
-#include <QSplitter>
 #include <QVBoxLayout>
-#include <QVector>
 
 #include <algorithm>
 #include <utility>
@@ -17,12 +16,6 @@ namespace halbench::widgets {
 namespace {
 
 constexpr int HandleWidth = 4;
-constexpr int EvenShare = 1000; ///< a splitter makes pixels of it
-
-/// Equally large, whatever room those had that went.
-void shareEvenly(QSplitter& splitter) {
-    splitter.setSizes(QVector<int>(splitter.count(), EvenShare).toList());
-}
 
 std::ptrdiff_t countBefore(const std::vector<PlotSpec>& plots, int column) {
     return std::count_if(plots.begin(), plots.end(),
@@ -48,9 +41,10 @@ LivePlotStack::Column LivePlotStack::makeColumn() {
     auto* layout = new QVBoxLayout(column.box);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    column.rows = new QSplitter(Qt::Vertical, column.box);
+    column.rows = new ShareSplitter(Qt::Vertical, column.box);
     column.rows->setHandleWidth(HandleWidth);
-    column.rows->setChildrenCollapsible(false);
+    connect(column.rows, &ShareSplitter::sharesChanged, this,
+            [this, rows = column.rows] { takeHeights(*rows); });
     column.timeAxis = new TimeAxisBar(column.box);
     column.timeAxis->setTheme(m_theme);
     layout->addWidget(column.rows, 1);
@@ -91,7 +85,6 @@ void LivePlotStack::place() {
     QWidget* focused = QApplication::focusWidget();
     const bool isOurs = focused != nullptr && m_splitter->isAncestorOf(focused);
     const auto count = static_cast<std::size_t>(m_specs.back().column) + 1;
-    const bool hasOtherColumns = count != m_columns.size();
     while (m_columns.size() < count) {
         m_columns.push_back(makeColumn());
     }
@@ -99,7 +92,7 @@ void LivePlotStack::place() {
     std::vector<int> places(count, 0);
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const auto column = static_cast<std::size_t>(m_specs[i].column);
-        QSplitter* rows = m_columns[column].rows;
+        ShareSplitter* rows = m_columns[column].rows;
         const int at = places[column]++;
         if (rows->indexOf(m_rows[i].box) != at) {
             rows->insertWidget(at, m_rows[i].box);
@@ -111,14 +104,11 @@ void LivePlotStack::place() {
         Column& column = m_columns[i];
         if (hasOtherPlots[i] || column.rows->count() != column.count) {
             column.count = column.rows->count();
-            shareEvenly(*column.rows);
             column.extent_px = 0;
             column.rightExtent_px = 0;
         }
     }
-    if (hasOtherColumns) {
-        shareEvenly(*m_splitter);
-    }
+    shareRoom();
     if (std::find(hasOtherPlots.begin(), hasOtherPlots.end(), true) != hasOtherPlots.end()) {
         chainFocus();
     }
@@ -154,22 +144,23 @@ void LivePlotStack::chainFocus() const {
 
 void LivePlotStack::shapeChanged() {
     settleColumns(m_specs);
+    settleSizes(m_specs);
     m_zoomHistory.clear(); // its entries belong to the plots as they were
     matchRows();
 }
 
 void LivePlotStack::openPlot(int at, PlotSpec plot) {
-    plot.column = at > 0 ? m_specs[static_cast<std::size_t>(at) - 1].column : 0;
-    m_specs.insert(m_specs.begin() + at, std::move(plot));
+    const int column = at > 0 ? m_specs[static_cast<std::size_t>(at) - 1].column : 0;
+    m_specs.insert(m_specs.begin() + at, placedIn(m_specs, column, std::move(plot)));
     addRow(static_cast<std::size_t>(at));
     shapeChanged();
 }
 
 int LivePlotStack::openBeside(int plot, PlotSpec added) {
-    added.column = m_specs.at(static_cast<std::size_t>(plot)).column + 1;
-    makeRoom(m_specs, added.column);
-    const std::ptrdiff_t at = countBefore(m_specs, added.column);
-    m_specs.insert(m_specs.begin() + at, std::move(added));
+    const int column = m_specs.at(static_cast<std::size_t>(plot)).column + 1;
+    makeRoom(m_specs, column);
+    const std::ptrdiff_t at = countBefore(m_specs, column);
+    m_specs.insert(m_specs.begin() + at, placedIn(m_specs, column, std::move(added)));
     addRow(static_cast<std::size_t>(at));
     shapeChanged();
     return static_cast<int>(at);
@@ -203,9 +194,8 @@ void LivePlotStack::put(int plot, int column, std::ptrdiff_t position) {
     const Row row = m_rows[static_cast<std::size_t>(plot)]; // with what the user did to it
     m_specs.erase(m_specs.begin() + plot);
     m_rows.erase(m_rows.begin() + plot);
-    spec.column = column;
     const std::ptrdiff_t at = countBefore(m_specs, column) + std::min(position, countIn(m_specs, column));
-    m_specs.insert(m_specs.begin() + at, std::move(spec));
+    m_specs.insert(m_specs.begin() + at, placedIn(m_specs, column, std::move(spec)));
     m_rows.insert(m_rows.begin() + at, row);
     shapeChanged();
 }
@@ -266,6 +256,7 @@ void LivePlotStack::createPlotActions() {
               tr("An empty plot in a column of its own"));
     addAction(Command::RemovePlot, tr("Remove the plot"), QStringLiteral("Shift+Del"),
               tr("The plot goes with its curves; a column goes with its last plot"));
+    createSizeActions();
 }
 
 void LivePlotStack::runOnPlots(Command command) {
