@@ -7,13 +7,44 @@
 #include "app/workspaces/device_panel.h"
 #include "app/workspaces/monitor_panel.h"
 #include "app/workspaces/notes_panel.h"
+#include "widgets/message_bar.h"
 #include "widgets/phrasebook.h"
 
 #include <QFileInfo>
 
+#include <optional>
 #include <utility>
 
 namespace halbench::app {
+
+namespace {
+
+/// What of a project is not as its file says: documents that were lost, layout of plots that is as usual.
+std::optional<widgets::Message> whatIsUnread(const QStringList& lost,
+                                             const std::vector<std::string>& resets) {
+    QStringList texts;
+    QStringList remedies;
+    if (!lost.isEmpty()) {
+        texts << MainWindow::tr("Not everything of the project could be read: %1").arg(lost.join("; "));
+        remedies << MainWindow::tr("It stays in the file as it is; the rest is open.");
+    }
+    if (!resets.empty()) {
+        QStringList words;
+        for (const std::string& reset : resets) {
+            words << widgets::inWords(reset);
+        }
+        texts << MainWindow::tr("Plots are shown as usual where the project says what cannot be: %1")
+                     .arg(words.join("; "));
+        remedies << MainWindow::tr("The file keeps these lines until the project is saved.");
+    }
+    if (texts.isEmpty()) {
+        return std::nullopt;
+    }
+    return widgets::Message{
+        widgets::Severity::Warning, texts.join("; "), remedies.join(QLatin1Char(' ')), {}};
+}
+
+} // namespace
 
 void MainWindow::offerCopy(const QString& path) {
     say({widgets::Severity::Warning, tr("%1 is open in another window.").arg(QFileInfo(path).fileName()),
@@ -124,10 +155,8 @@ void MainWindow::takeOverProject() {
         static_cast<MonitorPanel*>(m_docks->panel(QString::fromLatin1(id)))
             ->setView(kept != project.furtherMonitors.end() ? kept->second : MonitorView());
     }
-    if (const QStringList lost = m_work->restore(project); !lost.isEmpty()) {
-        onMessage(widgets::Severity::Warning,
-                  tr("Not everything of the project could be read: %1").arg(lost.join("; ")),
-                  tr("It stays in the file as it is; the rest is open."));
+    if (const auto unread = whatIsUnread(m_work->restore(project), project.resets)) {
+        onMessage(unread->severity, unread->text, unread->remedy);
     } else if (m_work->isRecordingOwed()) {
         onMessage(widgets::Severity::Information,
                   tr("What the project says of recordings holds from the next one on."),

@@ -5,6 +5,7 @@
 #include "app/procedures/identify_procedure.h"
 #include "app/window/panels.h"
 #include "app/window/project_monitor.h"
+#include "app/window/project_plots.h"
 #include "app/window/project_reader.h"
 #include "app/window/project_recording.h"
 
@@ -112,6 +113,7 @@ bool isSameWork(const Project& one, const Project& other) {
     Project arranged = other;
     arranged.perspective = one.perspective;
     arranged.layouts = one.layouts;
+    arranged.resets = one.resets; // of a file that is not written
     return one == arranged;
 }
 
@@ -170,6 +172,7 @@ Result<Project> parseProject(const std::string& text, const std::string& place) 
     if (reader.error()) {
         return failure(*reader.error());
     }
+    project.resets = reader.resets();
     return project;
 }
 

@@ -32,6 +32,8 @@ struct Project {
     MonitorView monitor;
     std::map<std::string, MonitorView> furtherMonitors; ///< by panel; those that have plots
     RecordingChoice recording;
+    /// What of the file is no layout of plots, with its line: it is as usual instead. Not in a file.
+    std::vector<std::string> resets = {};
 
     bool operator==(const Project&) const = default;
 };
@@ -45,7 +47,7 @@ std::string projectText(const Project& project);
 
 /// `place` names the text in messages, e.g. its file name.
 /// Errors: InvalidInput with line and column for a text that is no project, has a wrong type, an unknown key
-/// or comes from a newer version.
+/// or comes from a newer version. Sizes, columns, units and rate of plots that are none are in `resets`.
 Result<Project> parseProject(const std::string& text, const std::string& place);
 
 /// Writes beside the file and renames: the old one stays whole until the new one is. Errors: FileSystem.

@@ -1,18 +1,15 @@
 #include "app/window/project_monitor.h"
 
-#include "app/window/project_units.h"
+#include "app/window/project_plots.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace halbench::app {
 
 namespace {
-
-constexpr int MostColumns = 100; ///< more than a screen has room for
 
 /// As files name them, in the order of the enumerations.
 constexpr std::array<const char*, 3> Modes{"auto", "normal", "single"};
@@ -88,126 +85,17 @@ void readTrigger(ProjectReader& reader, const ConfigNode& node, TriggerChoice& t
     }
 }
 
-void readSignals(ProjectReader& reader, const ConfigNode& node, const std::string& key,
-                 std::vector<std::string>& target) {
-    if (node.kind != ConfigNode::Kind::List) {
-        reader.refuse(node, fmt::format("'{}' must be a list of texts", key));
+/// As usual, where it is none.
+double readRate_Hz(ProjectReader& reader, const ConfigNode& node) {
+    const double rate_Hz = reader.numberOrReset(node, "rate_hz").value_or(0.0);
+    if (rate_Hz < 0.0) {
+        reader.reset(node, "'rate_hz' must not be negative");
+        return 0.0;
     }
-    for (const ConfigNode& item : node.items) {
-        reader.text(item, key, target.emplace_back());
-    }
-}
-
-/// The two ends of an axis that the user holds: both or neither.
-struct HeldAxis {
-    widgets::ValueRange range;
-    int ends = 0;
-
-    void take(ProjectReader& reader, const std::string& key, const ConfigNode& value, bool isHigh) {
-        (isHigh ? range.high : range.low) = reader.number(value, key);
-        ++ends;
-    }
-    bool isWrong() const { return ends == 1 || (ends == 2 && !(range.low < range.high)); }
-    std::optional<widgets::ValueRange> held() const {
-        return ends == 2 ? std::optional(range) : std::nullopt;
-    }
-};
-
-/// Counted from 1 in the file, as a reader does.
-int readColumn(ProjectReader& reader, const ConfigNode& node) {
-    const double column = reader.number(node, "column");
-    if (column < 1.0 || column > MostColumns || column != std::floor(column)) {
-        reader.refuse(node, fmt::format("'column' must be a whole number from 1 to {}", MostColumns));
-        return 0;
-    }
-    return static_cast<int>(column) - 1;
-}
-
-void readPlot(ProjectReader& reader, const ConfigNode& node, PlotChoice& plot) {
-    HeldAxis left;
-    HeldAxis right;
-    std::optional<bool> follows;
-    for (const auto& [key, value] : node.members) {
-        if (key == "signals" || key == "right") {
-            readSignals(reader, value, key, key == "right" ? plot.rightNames : plot.signalNames);
-        } else if (key == "unit" || key == "right_unit") {
-            reader.text(value, key, key == "unit" ? plot.unit : plot.rightUnit);
-        } else if (key == "min" || key == "max") {
-            left.take(reader, key, value, key == "max");
-        } else if (key == "right_min" || key == "right_max") {
-            right.take(reader, key, value, key == "right_max");
-        } else if (key == "own_span_s") {
-            plot.ownTime = widgets::OwnTime{reader.number(value, key), true};
-        } else if (key == "own_follow") {
-            follows = reader.flag(value, key);
-        } else if (key == "column") {
-            plot.column = readColumn(reader, value);
-        } else if (key != "units") {
-            reader.refuse(
-                value, fmt::format("unknown key '{}'; a [[plot]] has signals, min, max, unit, right, "
-                                   "right_min, right_max, right_unit, own_span_s, own_follow, column, units",
-                                   key));
-        }
-    }
-    if (const ConfigNode* units = node.find("units")) {
-        readUnits(reader, *units, plot);
-    }
-    if (left.isWrong() || right.isWrong()) {
-        reader.refuse(node, "a [[plot]] has both min and max, or neither; min is less than max");
-    }
-    if (plot.ownTime ? !(plot.ownTime->span_s > 0.0) : follows.has_value()) {
-        reader.refuse(node, "a [[plot]] with its own time axis has own_span_s, which is more than 0");
-    }
-    if (plot.ownTime) {
-        plot.ownTime->isFollowing = follows.value_or(true);
-    }
-    plot.range = left.held();
-    plot.rightRange = right.held();
-}
-
-toml::array namesArray(const std::vector<std::string>& list) {
-    toml::array names;
-    for (const std::string& name : list) {
-        names.push_back(projectValue(name));
-    }
-    return names;
+    return rate_Hz;
 }
 
 } // namespace
-
-toml::array projectPlots(const std::vector<PlotChoice>& list) {
-    toml::array array;
-    for (const PlotChoice& plot : list) {
-        toml::table table{{"signals", namesArray(plot.signalNames)}};
-        if (plot.range) {
-            table.insert("min", plot.range->low);
-            table.insert("max", plot.range->high);
-            table.insert("unit", projectValue(plot.unit));
-        }
-        if (!plot.rightNames.empty()) { // an older version does not know the keys
-            table.insert("right", namesArray(plot.rightNames));
-        }
-        if (plot.rightRange) {
-            table.insert("right_min", plot.rightRange->low);
-            table.insert("right_max", plot.rightRange->high);
-            table.insert("right_unit", projectValue(plot.rightUnit));
-        }
-        if (plot.ownTime) {
-            table.insert("own_span_s", plot.ownTime->span_s);
-        }
-        if (plot.ownTime && !plot.ownTime->isFollowing) {
-            table.insert("own_follow", false);
-        }
-        if (plot.column > 0) {
-            table.insert("column", plot.column + 1);
-        }
-        if (!plot.units.empty()) {
-            table.insert("units", projectUnits(plot));
-        }
-        array.push_back(table);
-    }
-    return array;
-}
 
 toml::table projectMonitor(const MonitorView& view) {
     toml::table table{{"follow", view.isFollowing}};
@@ -226,18 +114,6 @@ toml::table projectMonitor(const MonitorView& view) {
     return table;
 }
 
-void readPlots(ProjectReader& reader, const ConfigNode& node, std::vector<PlotChoice>& plots) {
-    if (node.kind != ConfigNode::Kind::List) {
-        reader.refuse(node, "'plot' must be a list of tables, [[plot]]");
-    }
-    for (const ConfigNode& item : node.items) {
-        if (item.kind != ConfigNode::Kind::Table) {
-            reader.refuse(item, "'plot' must be a list of tables, [[plot]]");
-        }
-        readPlot(reader, item, plots.emplace_back());
-    }
-}
-
 void readMonitor(ProjectReader& reader, const ConfigNode& node, MonitorView& view) {
     if (node.kind != ConfigNode::Kind::Table) {
         reader.refuse(node, "'monitor' must be a table");
@@ -250,16 +126,13 @@ void readMonitor(ProjectReader& reader, const ConfigNode& node, MonitorView& vie
         } else if (key == "cursors") {
             view.areCursorsShown = reader.flag(value, key);
         } else if (key == "rate_hz") {
-            view.rate_Hz = reader.number(value, key);
+            view.rate_Hz = readRate_Hz(reader, value);
         } else if (key == "trigger") {
             readTrigger(reader, value, view.trigger);
         } else {
             reader.refuse(value,
                           "[monitor] has follow and cursors (true or false), span_s, rate_hz and trigger");
         }
-    }
-    if (view.rate_Hz < 0.0) {
-        reader.refuse(node, "'rate_hz' must not be negative");
     }
     if (view.span_s && *view.span_s <= 0.0) {
         reader.refuse(node, "'span_s' must be more than 0");

@@ -25,8 +25,4 @@ void readDerived(ProjectReader& reader, const ConfigNode& node, std::vector<devi
 toml::array projectCursors(const std::vector<CursorChoice>& list);
 void readCursors(ProjectReader& reader, const ConfigNode& node, std::vector<CursorChoice>& list);
 
-/// `[[plot]]`.
-toml::array projectPlots(const std::vector<PlotChoice>& list);
-void readPlots(ProjectReader& reader, const ConfigNode& node, std::vector<PlotChoice>& plots);
-
 } // namespace halbench::app

@@ -6,6 +6,15 @@
 
 namespace halbench::app {
 
+namespace {
+
+bool isFinite(const ConfigNode& node) {
+    const bool isNumber = node.kind == ConfigNode::Kind::Number || node.kind == ConfigNode::Kind::Integer;
+    return isNumber && std::isfinite(node.number);
+}
+
+} // namespace
+
 std::string projectValue(const std::string& text) {
     return text.rfind('\n', 0) == 0 ? '\n' + text : text;
 }
@@ -19,10 +28,17 @@ void ProjectReader::text(const ConfigNode& node, const std::string& key, std::st
 }
 
 double ProjectReader::number(const ConfigNode& node, const std::string& key) {
-    const bool isNumber = node.kind == ConfigNode::Kind::Number || node.kind == ConfigNode::Kind::Integer;
-    if (!isNumber || !std::isfinite(node.number)) {
+    if (!isFinite(node)) {
         refuse(node, fmt::format("'{}' must be a finite number", key));
         return 0.0;
+    }
+    return node.number;
+}
+
+std::optional<double> ProjectReader::numberOrReset(const ConfigNode& node, const std::string& key) {
+    if (!isFinite(node)) {
+        reset(node, fmt::format("'{}' must be a finite number", key));
+        return std::nullopt;
     }
     return node.number;
 }
@@ -58,6 +74,10 @@ void ProjectReader::refuse(const ConfigNode& node, const std::string& text) {
         m_error = Error{ErrorCode::InvalidInput, fmt::format("{}: {}", node.where(), text),
                         "the file is left as it is; open another project or mend this line"};
     }
+}
+
+void ProjectReader::reset(const ConfigNode& node, const std::string& text) {
+    m_resets.push_back(fmt::format("{}: {}", node.where(), text));
 }
 
 void ProjectReader::document(const ConfigNode& node, const std::string& key, NamedDocument& target) {

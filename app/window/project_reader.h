@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace halbench::app {
 
@@ -21,13 +22,20 @@ public:
     void layouts(const ConfigNode& node, std::map<std::string, std::string>& target);
     void documents(const ConfigNode& node, const std::string& key, std::vector<NamedDocument>& target);
     void refuse(const ConfigNode& node, const std::string& text);
+    /// What harms nothing when it is lost, like the room that a plot has, is no reason to refuse a project:
+    /// it is as usual then, and the window says so.
+    void reset(const ConfigNode& node, const std::string& text);
+    /// Of such a key: finite, or nothing and said.
+    std::optional<double> numberOrReset(const ConfigNode& node, const std::string& key);
 
     const std::optional<Error>& error() const { return m_error; }
+    const std::vector<std::string>& resets() const { return m_resets; }
 
 private:
     void document(const ConfigNode& node, const std::string& key, NamedDocument& target);
 
     std::optional<Error> m_error;
+    std::vector<std::string> m_resets;
 };
 
 } // namespace halbench::app

@@ -30,19 +30,19 @@ toml::table projectUnits(const PlotChoice& plot) {
 /// Whether a unit fits its signal is known when there is a device; that it is one, and whose, is known now.
 void readUnits(ProjectReader& reader, const ConfigNode& node, PlotChoice& plot) {
     if (node.kind != ConfigNode::Kind::Table) {
-        reader.refuse(node, "'units' must be a table of signals with their units, units.position = \"mrad\"");
+        reader.reset(node, "'units' must be a table of signals with their units, units.position = \"mrad\"");
     }
     for (const auto& [name, value] : node.members) {
-        std::string unit;
-        reader.text(value, "units." + name, unit);
-        if (!isDisplayUnit(unit)) {
-            reader.refuse(value, fmt::format("'{}' is no unit that a signal is shown in; there are {}", unit,
-                                             displayUnitNames()));
+        if (value.kind != ConfigNode::Kind::Text) {
+            reader.reset(value, fmt::format("'{}' must be a text", "units." + name));
+        } else if (!isDisplayUnit(value.text)) {
+            reader.reset(value, fmt::format("'{}' is no unit that a signal is shown in; there are {}",
+                                            value.text, displayUnitNames()));
+        } else if (!has(plot.signalNames, name) && !has(plot.rightNames, name)) {
+            reader.reset(value, fmt::format("'units' names '{}', which this [[plot]] does not show", name));
+        } else {
+            plot.units[name] = value.text;
         }
-        if (!has(plot.signalNames, name) && !has(plot.rightNames, name)) {
-            reader.refuse(value, fmt::format("'units' names '{}', which this [[plot]] does not show", name));
-        }
-        plot.units[name] = unit;
     }
 }
 

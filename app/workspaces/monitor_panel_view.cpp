@@ -24,6 +24,30 @@ double rounded(double time_s) {
     return std::max(1.0, std::round(time_s * grains_Hz)) / grains_Hz;
 }
 
+/// Without its column, which depends on those that are kept.
+PlotChoice choiceOf(const widgets::LivePlotStack& stack, int index) {
+    const widgets::PlotSpec& plot = stack.plots()[static_cast<std::size_t>(index)];
+    PlotChoice choice;
+    for (const widgets::PlotCurve& curve : plot.curves) {
+        (curve.isRight ? choice.rightNames : choice.signalNames).push_back(curve.signal);
+        if (!curve.ownUnit.empty()) {
+            choice.units[curve.signal] = curve.ownUnit;
+        }
+    }
+    choice.range = stack.heldRange(index);
+    choice.unit = choice.range ? plot.unit.toStdString() : std::string();
+    if (!choice.rightNames.empty()) {
+        choice.rightRange = stack.heldRange(index, true);
+        choice.rightUnit = choice.rightRange ? plot.right.unit.toStdString() : std::string();
+    }
+    choice.height_ratio = plot.height_ratio;
+    choice.ownTime = stack.ownTime(index);
+    if (choice.ownTime) {
+        choice.ownTime->span_s = rounded(choice.ownTime->span_s);
+    }
+    return choice;
+}
+
 /// What of a project is not shown as it says.
 widgets::Message notAsKept(const QStringList& missing, const QStringList& unfit) {
     QStringList texts;
@@ -107,28 +131,13 @@ MonitorView MonitorPanel::view() const {
     const std::vector<widgets::PlotSpec>& plots = m_stack->plots();
     std::optional<int> column;
     for (std::size_t i = 0; i < plots.size(); ++i) {
-        PlotChoice choice;
-        for (const widgets::PlotCurve& curve : plots[i].curves) {
-            (curve.isRight ? choice.rightNames : choice.signalNames).push_back(curve.signal);
-            if (!curve.ownUnit.empty()) {
-                choice.units[curve.signal] = curve.ownUnit;
-            }
-        }
-        choice.range = m_stack->heldRange(static_cast<int>(i));
-        choice.unit = choice.range ? plots[i].unit.toStdString() : std::string();
-        if (!choice.rightNames.empty()) {
-            choice.rightRange = m_stack->heldRange(static_cast<int>(i), true);
-            choice.rightUnit = choice.rightRange ? plots[i].right.unit.toStdString() : std::string();
-        }
-        choice.ownTime = m_stack->ownTime(static_cast<int>(i));
-        if (choice.ownTime) {
-            choice.ownTime->span_s = rounded(choice.ownTime->span_s);
-        }
+        PlotChoice choice = choiceOf(*m_stack, static_cast<int>(i));
         if (choice.signalNames.empty()) {
             continue;
         }
         if (!column || plots[i].column != *column) { // one with empty plots alone is not kept
             choice.column = column ? view.plots.back().column + 1 : 0;
+            choice.width_ratio = plots[i].width_ratio;
             column = plots[i].column;
         } else {
             choice.column = view.plots.back().column;

@@ -87,6 +87,13 @@ void addChosen(widgets::PlotSpec& plot, const PlotChoice& choice, const std::str
     plot.curves.push_back(own.curves.front());
 }
 
+/// As its first plot says, which this device may have no signal for.
+double widthOf(const std::vector<PlotChoice>& choices, int column) {
+    const auto first = std::find_if(choices.begin(), choices.end(),
+                                    [column](const PlotChoice& choice) { return choice.column == column; });
+    return first->width_ratio;
+}
+
 } // namespace
 
 TemperatureBands temperatureBands(const devices::Catalogue& catalogue, std::optional<double> limit_degC) {
@@ -184,6 +191,8 @@ std::vector<widgets::PlotSpec> chosenPlots(const std::vector<PlotChoice>& choice
                 choice.rightUnit == plot.right.unit.toStdString() ? choice.rightRange : std::nullopt;
             plot.ownTime = choice.ownTime;
             plot.column = choice.column;
+            plot.height_ratio = choice.height_ratio;
+            plot.width_ratio = widthOf(choices, choice.column);
             widgets::settleAxes(plot);
             plots.push_back(std::move(plot));
         }

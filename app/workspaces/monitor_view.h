@@ -23,6 +23,8 @@ struct PlotChoice {
     std::optional<widgets::OwnTime> ownTime = {};  ///< its own time axis; none: the one of all plots
     int column = 0;                                ///< beside each other, from the left
     std::map<std::string, std::string> units = {}; ///< of signals that have their own: its name in files
+    double height_ratio = 1.0;                     ///< to the mean of its column's plots
+    double width_ratio = 1.0; ///< of its column, to the mean of all; said by the first plot there
 
     bool operator==(const PlotChoice&) const = default;
 };

@@ -25,10 +25,13 @@ Project sample() {
     project.monitor.plots[3].column = 1;
     project.monitor.plots[3].units = {{"position", "mrad"}, {"speed", "r/min"}};
     project.monitor.plots[0].units = {{"hall.a", "uT"}};
+    project.monitor.plots[0].height_ratio = 1.73;
+    project.monitor.plots[3].width_ratio = 0.62;
     project.monitor.rate_Hz = 5000.0;
     MonitorView& further = project.furtherMonitors["monitor2"];
     further.plots = {{{"hall.a"}, {}, {}}, {{"speed"}, {}, {}}};
     further.plots[1].column = 1;
+    further.plots[0].width_ratio = 1.4;
     further.plots[1].units = {{"speed", "deg/s"}};
     further.span_s = 4.0;
     project.monitor.isFollowing = false;
@@ -82,8 +85,6 @@ TEST(ProjectFile, aPlotThatMakesNoSenseIsRefusedWithItsLine) {
                               "[[plot]]\nmin = nan\nmax = 1.0\n",
                               "[monitor]\nspan_s = 0.0\n",
                               "[monitor]\nfollow = 1\n",
-                              "[monitor]\nrate_hz = -1.0\n",
-                              "[monitor]\nrate_hz = \"fast\"\n",
                               "[monitor]\ntrigger = 1\n",
                               "[monitor.trigger]\nmode = \"always\"\n",
                               "[monitor.trigger]\nwindow_s = 0.0\n",
@@ -97,13 +98,6 @@ TEST(ProjectFile, aPlotThatMakesNoSenseIsRefusedWithItsLine) {
                               "[[plot]]\nown_span_s = \"1\"\n",
                               "[[plot]]\nown_span_s = 1.0\nown_follow = 3\n",
                               "[[plot]]\nright = 7\n",
-                              "[[plot]]\nunits = 3\n",
-                              "[[plot]]\nsignals = [\"x\"]\nunits = { x = 3 }\n",
-                              "[[plot]]\nsignals = [\"x\"]\nunits = { x = \"furlong\" }\n",
-                              "[[plot]]\nsignals = [\"x\"]\nunits = { y = \"mrad\" }\n",
-                              "[[plot]]\ncolumn = 0\n",
-                              "[[plot]]\ncolumn = 1.5\n",
-                              "[[plot]]\ncolumn = 1e9\n",
                               "[[plot]]\nright_min = 1.0\n",
                               "[[derived]]\nformula = \"x\"\n",
                               "monitor = 3\n",
@@ -133,15 +127,50 @@ TEST(ProjectFile, twoDerivedSignalsOfOneNameAreRefusedWithTheSecondsLine) {
     EXPECT_NE(read.error().message.find("'x'"), std::string::npos) << read.error().message;
 }
 
-TEST(ProjectFile, aUnitThatIsNoneIsRefusedWithItsLineAndThoseThereAre) {
-    const auto read = parseProject("schema = \"halbench.project/1\"\n"
-                                   "[[plot]]\nunits = { position = \"gon\" }\nsignals = [\"position\"]\n",
+/// Nothing is lost with the room of a plot, its unit or the rate: the work in the file is opened.
+TEST(ProjectFile, aLayoutOfPlotsThatCannotBeIsAsUsualAndSaidWithItsLine) {
+    for (const char* lines :
+         {"[[plot]]\ncolumn = 0\n", "[[plot]]\ncolumn = 1.5\n", "[[plot]]\ncolumn = 1e9\n",
+          "[[plot]]\ncolumn = \"left\"\n", "[[plot]]\nheight_percent = 0\n",
+          "[[plot]]\nheight_percent = -1\n", "[[plot]]\nheight_percent = nan\n",
+          "[[plot]]\nheight_percent = 1e9\n", "[[plot]]\nwidth_percent = 33.3\n",
+          "[[plot]]\nwidth_percent = [1]\n", "[[plot]]\nunits = 3\n", "[[plot]]\nunits = { x = 3 }\n",
+          "[[plot]]\nunits = { y = \"mrad\" }\n", "[monitor]\nrate_hz = -1.0\n",
+          "[monitor]\nrate_hz = \"fast\"\n", "[monitor2]\nrate_hz = nan\n",
+          "[[monitor3.plot]]\ncolumn = -1\n"}) {
+        const auto read = parseProject(
+            std::string("schema = \"halbench.project/1\"\ndevice = \"sim:htm\"\n") + lines, "motor.toml");
+        ASSERT_TRUE(read) << lines << read.error().message;
+        EXPECT_EQ(read->device, "sim:htm");
+        ASSERT_EQ(read->resets.size(), 1U) << lines;
+        EXPECT_EQ(read->resets[0].find("motor.toml:4:"), 0U) << read->resets[0];
+        const auto again = parseProject(projectText(*read), "motor.toml");
+        ASSERT_TRUE(again);
+        EXPECT_TRUE(again->resets.empty()) << lines << "what is written can be";
+        EXPECT_TRUE(isSameWork(*again, *read)) << lines;
+    }
+}
+
+TEST(ProjectFile, aUnitThatIsNoneIsNamedWithThoseThereAre) {
+    const auto read = parseProject("schema = \"halbench.project/1\"\n[[plot]]\n"
+                                   "units = { position = \"gon\", speed = \"r/min\" }\n"
+                                   "signals = [\"position\", \"speed\"]\n",
                                    "motor.toml");
-    ASSERT_FALSE(read);
-    EXPECT_NE(read.error().message.find("motor.toml:3:"), std::string::npos) << read.error().message;
-    EXPECT_NE(read.error().message.find("'gon'"), std::string::npos) << read.error().message;
-    EXPECT_NE(read.error().message.find("mrad"), std::string::npos) << "what can be written instead";
-    EXPECT_FALSE(read.error().hint.empty());
+    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_EQ(read->resets.size(), 1U);
+    EXPECT_NE(read->resets[0].find("motor.toml:3:"), std::string::npos) << read->resets[0];
+    EXPECT_NE(read->resets[0].find("'gon'"), std::string::npos) << read->resets[0];
+    EXPECT_NE(read->resets[0].find("mrad"), std::string::npos) << "what can be written instead";
+    EXPECT_EQ(read->monitor.plots.at(0).units.count("position"), 0U);
+    EXPECT_EQ(read->monitor.plots.at(0).units.at("speed"), "r/min") << "the other one stays";
+}
+
+TEST(ProjectFile, equalSizesAreNotWritten) {
+    Project project;
+    project.monitor.plots = {{{"speed"}, {}, {}}, {{"hall.a"}, {}, {}}};
+    EXPECT_EQ(projectText(project).find("_percent"), std::string::npos);
+    project.monitor.plots[1].height_ratio = 0.33;
+    EXPECT_NE(projectText(project).find("height_percent = 33\n"), std::string::npos) << projectText(project);
 }
 
 TEST(ProjectFile, pairsOfCursorsThatMakeNoSenseAreRefusedWithTheirLine) {

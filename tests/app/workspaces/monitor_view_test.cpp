@@ -93,6 +93,29 @@ TEST_F(MonitorViewTest, columnsArePartOfTheViewWithoutThoseThatShowNothing) {
     EXPECT_EQ(stack().columnCount(), 3);
 }
 
+TEST_F(MonitorViewTest, sizesArePartOfTheViewToTheDigitInAnyWindow) {
+    connectTo("sim:htm", 5.0);
+    MonitorView view = panel->view();
+    view.plots[0].height_ratio = 1.73;
+    view.plots[3].column = 1;
+    view.plots[4].column = 1;
+    view.plots[3].width_ratio = 0.62;
+    panel->setView(view);
+    EXPECT_EQ(panel->view().plots, view.plots);
+    EXPECT_EQ(stack().plots()[4].width_ratio, 0.62);
+    panel->resize(777, 555);
+    QApplication::processEvents();
+    EXPECT_EQ(panel->view().plots, view.plots);
+    bench().setDisplayUnits({{}, SpeedUnit::RadiansPerSecond});
+    EXPECT_EQ(panel->view().plots, view.plots) << "other units are no reason";
+    // The first plot of a column is not there on this device: its column is as wide as it said.
+    view.plots[3].signalNames = {"no such"};
+    panel->setView(view);
+    ASSERT_EQ(stack().plots().size(), 4U);
+    EXPECT_EQ(stack().plots()[3].width_ratio, 0.62);
+    EXPECT_EQ(panel->view().plots, view.plots) << "the project keeps what is left out";
+}
+
 TEST_F(MonitorViewTest, pairsOfCursorsArePartOfTheViewTheUnnamedOneIsNot) {
     connectTo("sim:htm", 5.0);
     const auto run = [&](widgets::LivePlotStack::Command command) { stack().action(command)->trigger(); };
