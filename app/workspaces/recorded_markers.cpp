@@ -1,6 +1,7 @@
 #include "app/workspaces/recorded_markers.h"
 
 #include "app/batch/sidecar_change.h"
+#include "app/workspaces/recording_trigger.h"
 #include "widgets/live_plot_stack.h"
 
 #include <algorithm>
@@ -53,16 +54,9 @@ RecordedMarkers::RecordedMarkers(Workbench& bench, widgets::LivePlotStack& stack
     connect(&m_bench.recording(), &RecordingControl::finished, this, &RecordedMarkers::onFinished);
 }
 
-/// Of the plots' time from the device's. Exactly none unless the device's clock began again while it was
-/// watched; then as exact as the last report of the device is. Virtual time is too fast to be compared with a
-/// report.
-double RecordedMarkers::shift_s() const {
-    constexpr double Report_s = 1.0; // older than any is, on the wall clock
-    const double speed_ratio = m_bench.session().pace().speed_ratio;
-    const auto held = m_bench.history().range();
-    const double apart_s = held ? held->end_s - m_bench.session().report().deviceTime_s : 0.0;
-    const bool isRestarted = speed_ratio > 0.0 && apart_s > Report_s * std::max(1.0, speed_ratio);
-    return isRestarted ? apart_s : 0.0;
+/// Exactly that of the rows around it, whatever the device's clock did while it was watched.
+double RecordedMarkers::deviceTime_s(double plot_s) const {
+    return plot_s - m_bench.recordingTrigger().shifts().at(plot_s);
 }
 
 void RecordedMarkers::refresh() {
@@ -91,7 +85,7 @@ void RecordedMarkers::give() {
         }
         const QString note = marker.text.isEmpty() ? tr("marker") : marker.text;
         m_plotTimes.push_back(marker.time_s);
-        m_given.push_back({marker.time_s - shift_s(), note.toStdString()});
+        m_given.push_back({deviceTime_s(marker.time_s), note.toStdString()});
         m_bench.recording().addMarker(m_given.back().time_s, note);
     }
 }

@@ -32,7 +32,7 @@ private:
     void onChanged();
     void onFinished(const QString& path, const RecorderStatus& status);
     void give();
-    double shift_s() const;
+    double deviceTime_s(double plot_s) const;
 
     Workbench& m_bench;
     widgets::LivePlotStack& m_stack;

@@ -71,7 +71,7 @@ void RecordingTrigger::look() {
     }
     m_trigger.update();
     if (const auto& event = m_trigger.found()) {
-        m_bench.recording().startAtEvent(event->time_s - m_historyShift_s);
+        m_bench.recording().startAtEvent(event->time_s - m_shifts.at(event->time_s));
     }
 }
 

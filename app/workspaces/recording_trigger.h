@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/workspaces/history_shifts.h"
 #include "app/workspaces/live_trigger.h"
 
 #include <QObject>
@@ -19,9 +20,8 @@ public:
     /// What is waited for, and the same in words: "Speed rises through 10 r/min".
     void setChoice(const TriggerChoice& choice, const QString& words);
     const QString& words() const { return m_words; }
-    /// How much later the history has the newest rows than the device: a stream that began anew follows the
-    /// one before there (control/signals/sample_history.h), by some milliseconds.
-    void setHistoryShift_s(double shift_s) { m_historyShift_s = shift_s; }
+    /// Between the history's time and the device's: whoever brings rows into the history notes them.
+    HistoryShifts& shifts() { return m_shifts; }
     /// Whether what is waited for can come at all: there are samples of it.
     bool hasSamples() const;
 
@@ -39,7 +39,7 @@ private:
     TriggerChoice m_choice;
     QString m_words;
     bool m_isWaiting = false;
-    double m_historyShift_s = 0.0;
+    HistoryShifts m_shifts;
 };
 
 } // namespace halbench::app

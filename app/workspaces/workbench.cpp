@@ -149,7 +149,8 @@ void Workbench::drainSamples() {
     for (const SampleBlockPtr& block : blocks) {
         show(*block, isAngle);
         if (const auto held = m_history.range(); held && block->rows() > 0) {
-            m_recordingTrigger->setHistoryShift_s(held->end_s - block->time_s.back());
+            const double shift_s = held->end_s - block->time_s.back();
+            m_recordingTrigger->shifts().note(block->time_s.front() + shift_s, shift_s);
         }
     }
     if (!blocks.empty()) {
