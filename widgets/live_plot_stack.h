@@ -186,6 +186,7 @@ public:
     const std::optional<PlotLevel>& level() const { return m_level; }
     void setMarkers(std::vector<PlotMarker> markers);
     const std::vector<PlotMarker>& markers() const { return m_markers; }
+    void addMarker(PlotMarker marker);
     /// The one whose note is in the row below the plots; its place in the list.
     std::optional<std::size_t> chosenMarker() const { return m_chosenMarker; }
     void chooseMarker(std::optional<std::size_t> marker);

@@ -69,10 +69,14 @@ double LivePlotStack::markedTime_s() const {
 }
 
 std::size_t LivePlotStack::dropMarker() {
-    std::vector<PlotMarker> markers = m_markers;
-    markers.push_back({markedTime_s(), freeMarkerNumber(markers)});
-    changeMarkers(std::move(markers));
+    addMarker({markedTime_s(), freeMarkerNumber(m_markers)});
     return m_markers.size() - 1;
+}
+
+void LivePlotStack::addMarker(PlotMarker marker) {
+    std::vector<PlotMarker> markers = m_markers;
+    markers.push_back(std::move(marker));
+    changeMarkers(std::move(markers));
 }
 
 void LivePlotStack::noteMarker() {

@@ -11,6 +11,7 @@
 #include "app/workspaces/device_panel.h"
 #include "app/workspaces/monitor_panel.h"
 #include "app/workspaces/parameters_panel.h"
+#include "app/workspaces/record_panel.h"
 #include "app/workspaces/recordings_panel.h"
 #include "app/workspaces/signals_panel.h"
 #include "app/workspaces/spectrum_panel.h"
@@ -61,6 +62,8 @@ void connectMonitor(DockLayout& docks) {
         further->setInUse(!dock->isClosed());
         shareMarkers(*monitor, *further);
     }
+    QObject::connect(panelOf<RecordPanel>(docks, "record"), &RecordPanel::marked, monitor,
+                     &MonitorPanel::takeRecordedMarker);
     QObject::connect(panelOf<SpectrumPanel>(docks, "spectrum"), &SpectrumPanel::connectRequested, devices,
                      connectMotor);
     QObject::connect(panelOf<XyPanel>(docks, "xy"), &XyPanel::connectRequested, devices, connectMotor);

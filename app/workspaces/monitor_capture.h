@@ -46,6 +46,9 @@ public:
     /// Of the live samples, while these are not shown; those of captures are kept meanwhile.
     const widgets::CursorPairs& livePairs() const { return m_otherPairs; }
     void setLivePairs(widgets::CursorPairs pairs) { m_otherPairs = std::move(pairs); }
+    /// The same of markers, which a capture has none of.
+    const std::vector<widgets::PlotMarker>& liveMarkers() const { return m_liveMarkers; }
+    void setLiveMarkers(std::vector<widgets::PlotMarker> markers) { m_liveMarkers = std::move(markers); }
     /// `event`: what is waited for.
     TriggerWords words(const QString& event) const;
 

@@ -71,7 +71,8 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent, Rank rank)
     }
     m_message = new widgets::MessageBar(plots);
     if (isFirst()) {
-        m_recorded = new RecordedMarkers(m_bench, *m_stack, this);
+        m_recorded = new RecordedMarkers(m_bench, *m_trigger, this);
+        connect(m_trigger, &MonitorTrigger::liveMarkersChanged, this, &MonitorPanel::onMarkers);
     }
     m_recording = new MonitorRecording(m_bench, *m_stack, *m_message, *this);
     column->addWidget(m_message);
@@ -205,7 +206,7 @@ void MonitorPanel::onDevice() {
         m_box->setCatalogue(m_bench.catalogue(), {});
     }
     m_pages->setCurrentIndex(1); // and stays: what was measured can be looked at without the device
-    m_stack->setMarkers({});
+    setMarkers({});
     m_stack->setPaused(false);
     if (!isFirst() || !m_trigger->isOn()) {
         m_stack->setFollowing(true);
@@ -283,13 +284,22 @@ void MonitorPanel::onMarkers() {
 }
 
 const std::vector<widgets::PlotMarker>& MonitorPanel::markers() const {
-    return m_stack->markers();
+    return isFirst() ? m_trigger->liveMarkers() : m_stack->markers();
 }
 
 void MonitorPanel::setMarkers(const std::vector<widgets::PlotMarker>& markers) {
-    if (m_stack->markers() != markers) {
+    if (this->markers() == markers) {
+        return;
+    }
+    if (isFirst()) {
+        m_trigger->setLiveMarkers(markers);
+    } else {
         m_stack->setMarkers(markers);
     }
+}
+
+void MonitorPanel::takeRecordedMarker(double device_s, const QString& note) {
+    m_recorded->take(device_s, note);
 }
 
 void MonitorPanel::refreshWords() {

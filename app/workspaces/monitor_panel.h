@@ -55,8 +55,11 @@ public:
     void plot(const QString& name, bool isPlotted);
     /// One that is closed asks the device for nothing. The first one always does.
     void setInUse(bool isInUse);
+    /// Those of the live samples, or of the recording that is shown.
     const std::vector<widgets::PlotMarker>& markers() const;
     void setMarkers(const std::vector<widgets::PlotMarker>& markers);
+    /// Of the first one: the recording that runs got a marker elsewhere, at a time of the device.
+    void takeRecordedMarker(double device_s, const QString& note);
 
 Q_SIGNALS:
     void markersChanged();

@@ -184,6 +184,29 @@ const widgets::CursorPairs& MonitorTrigger::livePairs() const {
     return m_capture->isShown() ? m_capture->livePairs() : m_stack.cursorPairs();
 }
 
+const std::vector<widgets::PlotMarker>& MonitorTrigger::liveMarkers() const {
+    return m_capture->isShown() ? m_capture->liveMarkers() : m_stack.markers();
+}
+
+void MonitorTrigger::setLiveMarkers(std::vector<widgets::PlotMarker> markers) {
+    if (m_capture->isShown()) {
+        m_capture->setLiveMarkers(std::move(markers));
+        Q_EMIT liveMarkersChanged();
+    } else {
+        m_stack.setMarkers(std::move(markers)); // which says so
+    }
+}
+
+void MonitorTrigger::addLiveMarker(widgets::PlotMarker marker) {
+    if (m_capture->isShown()) {
+        std::vector<widgets::PlotMarker> markers = m_capture->liveMarkers();
+        markers.push_back(std::move(marker));
+        setLiveMarkers(std::move(markers));
+    } else {
+        m_stack.addMarker(std::move(marker)); // the chosen one stays chosen
+    }
+}
+
 void MonitorTrigger::plotsChanged() {
     m_capture->plotsChanged();
 }

@@ -2,8 +2,11 @@
 
 #include "app/workspaces/live_trigger.h"
 #include "app/workspaces/workbench.h"
+#include "widgets/plot_marker.h"
 
 #include <QObject>
+
+#include <vector>
 
 class QAction;
 class QWidget;
@@ -39,6 +42,13 @@ public:
     /// The pairs on the time axis of the live samples, also while a capture is shown.
     const widgets::CursorPairs& livePairs() const;
     void setLivePairs(widgets::CursorPairs pairs);
+    /// The same of markers: a capture has none.
+    const std::vector<widgets::PlotMarker>& liveMarkers() const;
+    void setLiveMarkers(std::vector<widgets::PlotMarker> markers);
+    void addLiveMarker(widgets::PlotMarker marker);
+
+Q_SIGNALS:
+    void liveMarkersChanged(); ///< while a capture is shown; else the plots say so
 
 private:
     void createActions(QWidget& panel);

@@ -212,6 +212,7 @@ void RecordPanel::buildState(QVBoxLayout& column) {
     column.addLayout(state);
     auto* marker = new QHBoxLayout;
     m_note = new QLineEdit(this);
+    m_note->setObjectName(QStringLiteral("markerNote"));
     m_note->setAccessibleName(tr("Note of the marker"));
     m_note->setPlaceholderText(tr("note"));
     m_note->setToolTip(tr("What the marker says (Enter marks)"));
@@ -237,10 +238,22 @@ void RecordPanel::toggle() {
 }
 
 void RecordPanel::addMarker() {
-    if (m_mark->isEnabled()) {
-        m_bench.recording().addMarker(m_bench.session().report().deviceTime_s, m_note->text());
-        m_note->clear();
+    if (!m_mark->isEnabled()) {
+        return;
     }
+    const double now_s = newestTime_s();
+    const QString note = m_note->text();
+    m_bench.recording().addMarker(now_s, note);
+    m_note->clear();
+    Q_EMIT marked(now_s, note);
+}
+
+/// On the device's clock: of the newest row; before one is there, as old as the last report.
+double RecordPanel::newestTime_s() const {
+    const double reported_s = m_bench.session().report().deviceTime_s;
+    const auto held = m_bench.history().range();
+    return held ? std::max(reported_s, held->end_s - m_bench.recordingTrigger().shifts().newest())
+                : reported_s;
 }
 
 void RecordPanel::refresh() {
@@ -263,8 +276,8 @@ void RecordPanel::refresh() {
     }
     m_after->setEnabled(!isRecording && !isWaiting && recording.isAtEvent());
     showMoment();
-    m_mark->setEnabled(isRecording);
-    m_note->setEnabled(isRecording);
+    m_mark->setEnabled(isRecording && status.rows > 0); // before there is nothing to mark
+    m_note->setEnabled(m_mark->isEnabled());
     if (isRecording) {
         m_elapsed->setText(widgets::durationText(status.elapsed_s));
         m_rows->setText(widgets::countText(status.rows));

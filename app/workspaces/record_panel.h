@@ -24,12 +24,16 @@ class RecordPanel : public QWidget {
 public:
     explicit RecordPanel(Workbench& bench, QWidget* parent = nullptr);
 
+Q_SIGNALS:
+    void marked(double device_s, const QString& note); ///< the recording has it
+
 private:
     void buildTarget(QVBoxLayout& column);
     void buildMoment(QVBoxLayout& column);
     void buildState(QVBoxLayout& column);
     void toggle();
     void addMarker();
+    double newestTime_s() const;
     void refresh();
     void showMoment();
     void showMask();

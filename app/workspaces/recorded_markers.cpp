@@ -1,8 +1,9 @@
 #include "app/workspaces/recorded_markers.h"
 
 #include "app/batch/sidecar_change.h"
+#include "app/workspaces/monitor_trigger.h"
 #include "app/workspaces/recording_trigger.h"
-#include "widgets/live_plot_stack.h"
+#include "widgets/plot_marker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,8 +49,8 @@ std::vector<Marker> withMarkers(std::vector<Marker> kept, const std::vector<Mark
     return kept;
 }
 
-RecordedMarkers::RecordedMarkers(Workbench& bench, widgets::LivePlotStack& stack, QObject* parent)
-    : QObject(parent), m_bench(bench), m_stack(stack) {
+RecordedMarkers::RecordedMarkers(Workbench& bench, MonitorTrigger& plots, QObject* parent)
+    : QObject(parent), m_bench(bench), m_plots(plots) {
     connect(&m_bench.recording(), &RecordingControl::changed, this, &RecordedMarkers::onChanged);
     connect(&m_bench.recording(), &RecordingControl::finished, this, &RecordedMarkers::onFinished);
 }
@@ -66,20 +67,32 @@ void RecordedMarkers::refresh() {
     }
 }
 
+void RecordedMarkers::take(double device_s, const QString& note) {
+    const double plot_s = device_s + m_bench.recordingTrigger().shifts().newest();
+    m_plotTimes.push_back(plot_s); // the recorder has it
+    m_given.push_back({device_s, note.toStdString()});
+    m_plots.addLiveMarker({plot_s, note.isEmpty() ? widgets::freeMarkerNumber(m_plots.liveMarkers()) : note});
+}
+
 /// From its first rows on: what was dropped before, in the time kept before its start, belongs to it too.
 void RecordedMarkers::onChanged() {
-    const bool hasRows = m_bench.recording().isRecording() && m_bench.recording().status().rows > 0;
-    if (std::exchange(m_isRunning, hasRows || (m_isRunning && m_bench.recording().isRecording())) ||
-        !m_isRunning) {
-        return;
+    const RecordingControl& recording = m_bench.recording();
+    if (!recording.isRecording()) {
+        forget(); // it failed, or onFinished() has them
+    } else if (!m_isRunning && recording.status().rows > 0) {
+        m_isRunning = true;
+        give();
     }
+}
+
+void RecordedMarkers::forget() {
+    m_isRunning = false;
     m_given.clear();
     m_plotTimes.clear();
-    give();
 }
 
 void RecordedMarkers::give() {
-    for (const widgets::PlotMarker& marker : m_stack.markers()) {
+    for (const widgets::PlotMarker& marker : m_plots.liveMarkers()) {
         if (std::find(m_plotTimes.begin(), m_plotTimes.end(), marker.time_s) != m_plotTimes.end()) {
             continue;
         }
@@ -91,12 +104,8 @@ void RecordedMarkers::give() {
 }
 
 void RecordedMarkers::onFinished(const QString& path, const RecorderStatus& status) {
-    m_isRunning = false;
-    if (m_given.empty()) {
-        return;
-    }
     std::vector<Marker> wanted;
-    for (const widgets::PlotMarker& marker : m_stack.markers()) {
+    for (const widgets::PlotMarker& marker : m_plots.liveMarkers()) {
         const auto at = std::find(m_plotTimes.begin(), m_plotTimes.end(), marker.time_s);
         if (at != m_plotTimes.end()) {
             const QString note = marker.text.isEmpty() ? tr("marker") : marker.text;
@@ -104,9 +113,13 @@ void RecordedMarkers::onFinished(const QString& path, const RecorderStatus& stat
                 {m_given[static_cast<std::size_t>(at - m_plotTimes.begin())].time_s, note.toStdString()});
         }
     }
+    const std::vector<Marker> given = m_given;
+    forget();
+    if (given.empty()) {
+        return;
+    }
     m_files.run(
-        [path, given = std::exchange(m_given, {}), wanted = std::move(wanted),
-         length_s = status.elapsed_s]() -> Result<void> {
+        [path, given, wanted = std::move(wanted), length_s = status.elapsed_s]() -> Result<void> {
             const Result<std::vector<Marker>> kept = recordingMarkers(path);
             return kept ? writeRecordingMarkers(path, withMarkers(*kept, given, wanted, length_s))
                         : failure(kept.error());

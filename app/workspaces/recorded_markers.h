@@ -7,23 +7,25 @@
 
 #include <vector>
 
-namespace halbench::widgets {
-class LivePlotStack;
-}
-
 namespace halbench::app {
+
+class MonitorTrigger;
 
 /// The markers of the plots in the recording that runs. Each goes into it when it is dropped, so that nothing
 /// can lose it; when the recording is complete, its sidecar gets them as they are then: with other notes,
-/// without those that were removed (resources/help/monitor.md, "Markers").
+/// without those that were removed (resources/help/monitor.md, "Markers"). While the plots show a capture of
+/// the board, those of the live samples count.
 class RecordedMarkers : public QObject {
     Q_OBJECT
 
 public:
-    RecordedMarkers(Workbench& bench, widgets::LivePlotStack& stack, QObject* parent);
+    RecordedMarkers(Workbench& bench, MonitorTrigger& plots, QObject* parent);
 
     /// The plots have other ones.
     void refresh();
+    /// The recorder got one that was made elsewhere, at a time of the device: the plots have it too from now
+    /// on. Without a note it gets a number there.
+    void take(double device_s, const QString& note);
 
 Q_SIGNALS:
     void failed(const halbench::Error& error);
@@ -32,10 +34,11 @@ private:
     void onChanged();
     void onFinished(const QString& path, const RecorderStatus& status);
     void give();
+    void forget();
     double deviceTime_s(double plot_s) const;
 
     Workbench& m_bench;
-    widgets::LivePlotStack& m_stack;
+    MonitorTrigger& m_plots;
     /// What the recorder has, in the order in which it got it, at times of the device.
     std::vector<devices::RecordingMeta::Marker> m_given;
     std::vector<double> m_plotTimes; ///< of the same in the plots

@@ -231,6 +231,25 @@ TEST_F(MonitorCaptureTest, waitsAgainByItselfAndKeepsTheMarksOfTheLiveSamples) {
     EXPECT_TRUE(stack().action(widgets::LivePlotStack::Command::Marker)->isEnabled());
 }
 
+TEST_F(MonitorCaptureTest, markersThatComeMeanwhileAreOfTheLiveSamples) {
+    press(Qt::Key_M);
+    captureHall();
+    choose("Mode", "Normal");
+    ASSERT_TRUE(wait([&] { return stack().history() != &bench().history(); })) << state().toStdString();
+    int changes = 0;
+    QObject::connect(panel.get(), &MonitorPanel::markersChanged, panel.get(), [&] { ++changes; });
+    panel->takeRecordedMarker(1.5, QStringLiteral("knock"));
+    EXPECT_EQ(changes, 1) << "the further Monitors hear of it";
+    EXPECT_TRUE(stack().markers().empty()) << "a capture has none";
+    ASSERT_EQ(panel->markers().size(), 2U);
+    std::vector<widgets::PlotMarker> more = panel->markers();
+    more.push_back({1.75, QStringLiteral("of another Monitor")});
+    panel->setMarkers(more);
+    EXPECT_TRUE(stack().markers().empty());
+    press(Qt::Key_T);
+    EXPECT_EQ(stack().markers(), more);
+}
+
 TEST_F(MonitorCaptureTest, pairsOfCursorsBelongToTheTimeAxisTheyWerePutOn) {
     widgets::CursorPairs live({{"rise", 1.0, 2.0}, {"fall", 3.0, 4.0}}, 0);
     live.setVisible(true);

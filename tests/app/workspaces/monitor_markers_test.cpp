@@ -1,5 +1,7 @@
 #include "app/batch/sidecar_change.h"
+#include "app/workspaces/record_panel.h"
 #include "app/workspaces/recorded_markers.h"
+#include "app/workspaces/recording_trigger.h"
 #include "app/workspaces/shown_recording.h"
 #include "devices/acquisition/recording_file.h"
 #include "devices/acquisition/recording_writer.h"
@@ -59,7 +61,30 @@ protected:
         }));
     }
 
+    /// Recording every sample of the stream; `recorded` is the complete file, once it is.
+    void startRecording(const char* name) {
+        bench().recording().setFolder(folder.path());
+        bench().recording().setName(QLatin1String(name));
+        bench().recording().setRate_Hz(1000.0);
+        QObject::connect(&bench().recording(), &RecordingControl::finished, panel.get(),
+                         [this](const QString& path, const RecorderStatus&) { recorded = path; });
+        bench().recording().start();
+        ASSERT_TRUE(wait([&] { return bench().recording().status().rows > 50; }));
+    }
+    void stopRecording() {
+        bench().recording().stop();
+        ASSERT_TRUE(wait([&] { return !recorded.isEmpty(); }));
+    }
+    std::string listed() {
+        std::string text;
+        for (const auto& marker : metaOf(recorded).markers) {
+            text += marker.text + " at " + std::to_string(marker.time_s) + "; ";
+        }
+        return text;
+    }
+
     QTemporaryDir folder;
+    QString recorded;
 };
 
 TEST(RecordedMarkers, areInTheSidecarAsTheyAreInTheEnd) {
@@ -102,24 +127,124 @@ TEST_F(MonitorMarkersTest, aRecordingHasThemWithTheirLastNoteAtTheDevicesTime) {
     note(1, QStringLiteral("knock on the table"));
     stack().chooseMarker(2);
     stack().action(Command::RemoveMarker)->trigger();
-    QString path;
     QObject::connect(&bench().recording(), &RecordingControl::finished, panel.get(),
-                     [&](const QString& written, const RecorderStatus&) { path = written; });
-    const auto file = [&] { return metaOf(path); };
-    bench().recording().stop();
-    ASSERT_TRUE(wait([&] { return !path.isEmpty(); }));
-    const auto listed = [&] {
-        std::string text;
-        for (const auto& marker : file().markers) {
-            text += marker.text + " at " + std::to_string(marker.time_s) + "; ";
-        }
-        return text;
-    };
-    ASSERT_TRUE(wait([&] { return file().markers.size() == 1; })) << listed();
-    const devices::RecordingMeta meta = file();
+                     [&](const QString& path, const RecorderStatus&) { recorded = path; });
+    stopRecording();
+    ASSERT_TRUE(wait([&] { return metaOf(recorded).markers.size() == 1; })) << listed();
+    const devices::RecordingMeta meta = metaOf(recorded);
     EXPECT_EQ(meta.markers[0].text, "knock on the table");
     EXPECT_GT(meta.markers[0].time_s, 0.0);
     EXPECT_LT(meta.markers[0].time_s, marked_s) << "counts from the first row";
+}
+
+/// The rows that end with these values.
+std::vector<double> endsOf(const std::vector<control::TimedValue>& trail, const Recording& recording,
+                           const std::string& signal) {
+    const auto column = static_cast<std::size_t>(recording.layout->indexOf(signal));
+    const std::size_t width = recording.layout->columns.size();
+    std::vector<double> ends_s;
+    for (std::size_t row = trail.size() - 1; row < recording.rows(); ++row) {
+        const bool isSame = std::all_of(trail.begin(), trail.end(), [&](const control::TimedValue& each) {
+            const auto before = static_cast<std::size_t>(&trail.back() - &each);
+            const double value = recording.values[(row - before) * width + column];
+            return static_cast<float>(value) == static_cast<float>(each.value); // as the board sends it
+        });
+        if (isSame) {
+            ends_s.push_back(recording.time_s[row]);
+        }
+    }
+    return ends_s;
+}
+
+/// The noise of a Hall sensor names a row: no other has the same before it.
+TEST_F(MonitorMarkersTest, areAtTheirRowAfterTheDevicesClockBeganAgain) {
+    connectTo("sim:htm?seed=6&hall_noise_mT=2", 5.0);
+    ASSERT_TRUE(wait([&] { return bench().history().range().has_value(); }));
+    SampleBlock ahead; // of a clock that was three seconds later than the one from now on
+    ahead.layout = std::make_shared<const StreamLayout>(StreamLayout{{{"hall.a", "T"}}, 0.001});
+    ahead.time_s = {bench().history().range()->end_s + 3.0};
+    ahead.values = {0.0};
+    bench().show(ahead, true);
+    ASSERT_TRUE(wait([&] { return bench().history().range()->end_s > ahead.time_s[0] + 0.1; }));
+    ASSERT_GT(bench().recordingTrigger().shifts().newest(), 2.0) << "else this proves nothing";
+    startRecording("anew");
+    const double recorded_s = bench().history().range()->end_s;
+    ASSERT_TRUE(wait([&] { return bench().history().range()->end_s > recorded_s + 0.2; }));
+    stack().refresh();
+    press(Qt::Key_M);
+    const double marked_s = stack().markers().back().time_s;
+    std::vector<control::TimedValue> trail;
+    ASSERT_TRUE(bench().history().samples("hall.a", {marked_s - 0.05, marked_s}, trail));
+    std::erase_if(trail, [&](const control::TimedValue& each) { // those beyond its ends
+        return each.time_s > marked_s || each.time_s < marked_s - 0.05;
+    });
+    ASSERT_TRUE(wait([&] { return bench().recording().status().elapsed_s > 1.0; }));
+    stopRecording();
+    ASSERT_TRUE(wait([&] { return metaOf(recorded).markers.size() == 1; })) << listed();
+    const auto file = devices::readRecordingFile(recorded.toStdString());
+    const std::vector<double> ends_s = endsOf(trail, file->recording, "hall.a");
+    ASSERT_EQ(ends_s.size(), 1U);
+    EXPECT_NEAR(file->meta.markers[0].time_s, ends_s[0], 1e-6); // rows are 1 ms apart
+}
+
+TEST_F(MonitorMarkersTest, oneOfTheRecordPanelIsInThePlotsAndNotedThere) {
+    connectTo("sim:htm", 5.0);
+    RecordPanel record(bench());
+    QObject::connect(&record, &RecordPanel::marked, panel.get(), &MonitorPanel::takeRecordedMarker);
+    auto* note = record.findChild<QLineEdit*>(QStringLiteral("markerNote"));
+    EXPECT_FALSE(note->isEnabled()) << "there is no recording";
+    startRecording("both");
+    ASSERT_TRUE(wait([&] { return note->isEnabled(); }));
+    const auto mark = [&](const char* text) {
+        QTest::keyClicks(note, QLatin1String(text));
+        QTest::keyClick(note, Qt::Key_Return);
+    };
+    stack().refresh();
+    press(Qt::Key_M);
+    stack().chooseMarker(0);
+    mark("knock");
+    mark("");
+    mark("gone");
+    QStringList texts;
+    for (const widgets::PlotMarker& marker : stack().markers()) {
+        texts << marker.text;
+    }
+    ASSERT_EQ(texts, (QStringList{"1", "knock", "3", "gone"})) << "one that nobody named has a number";
+    EXPECT_EQ(stack().chosenMarker(), 0U) << "who types a note goes on";
+    EXPECT_EQ(stack().markers()[1].text, "knock");
+    const control::TimeRange held = bench().history().range().value();
+    EXPECT_NEAR(stack().markers()[1].time_s, held.end_s, 1.0); // newest, on the plots' time
+    this->note(1, QStringLiteral("the door"));
+    stack().chooseMarker(3);
+    stack().action(Command::RemoveMarker)->trigger();
+    ASSERT_TRUE(wait([&] { return bench().recording().status().elapsed_s > 1.0; }));
+    stopRecording();
+    ASSERT_TRUE(wait([&] { return metaOf(recorded).markers.size() == 3; })) << listed();
+    const auto kept = metaOf(recorded).markers;
+    const auto has = [&](const char* text) {
+        return std::count_if(kept.begin(), kept.end(),
+                             [&](const auto& marker) { return marker.text == text; }) == 1;
+    };
+    EXPECT_TRUE(has("1") && has("the door") && has("3")) << listed();
+}
+
+TEST_F(MonitorMarkersTest, oneOfTheRecordPanelIsAtItsRowInTheFile) {
+    connectTo("sim:htm", 5.0);
+    RecordPanel record(bench());
+    QObject::connect(&record, &RecordPanel::marked, panel.get(), &MonitorPanel::takeRecordedMarker);
+    startRecording("row");
+    record.findChild<QLineEdit*>(QStringLiteral("markerNote"))->setText(QStringLiteral("here"));
+    ASSERT_TRUE(
+        wait([&] { return record.findChild<QLineEdit*>(QStringLiteral("markerNote"))->isEnabled(); }));
+    QTest::keyClick(record.findChild<QLineEdit*>(QStringLiteral("markerNote")), Qt::Key_Return);
+    ASSERT_EQ(stack().markers().size(), 1U);
+    press(Qt::Key_M); // another one, that tells where the first row is
+    ASSERT_TRUE(wait([&] { return bench().recording().status().elapsed_s > 1.0; }));
+    const double apart_s = stack().markers()[1].time_s - stack().markers()[0].time_s;
+    stopRecording();
+    ASSERT_TRUE(wait([&] { return metaOf(recorded).markers.size() == 2; })) << listed();
+    const auto kept = metaOf(recorded).markers;
+    EXPECT_NEAR(kept[1].time_s - kept[0].time_s, apart_s, 1e-9) << "the same moments in file and plots";
 }
 
 TEST_F(MonitorMarkersTest, aShownRecordingKeepsThemInItsSidecarAndShowsThemAgain) {
