@@ -13,16 +13,24 @@ namespace halbench::widgets {
 struct PictureSheet {
     Figure figure;
     std::vector<PanelLayers> layers; ///< by panel; may be fewer
+    int column = 0;                  ///< of the picture, from the left; sheets come in their order
+    double width_ratio = 1.0;        ///< of its column, to the mean of all; the first sheet's counts
 };
 
-/// Figures below each other, each with a horizontal axis of its own and all canvases in line. A picture has
-/// one at least.
+/// Figures below each other, each with a horizontal axis of its own and all canvases in line; those of other
+/// columns beside them. Where the picture is too narrow for that, all are below each other. A picture has one
+/// at least, and its title is the first one's.
 struct PictureLayout {
     std::vector<FigureLayout> figures;
     std::vector<int> tops_px;
+    std::vector<int> lefts_px;
     QSize size;
 };
 PictureLayout layOut(const std::vector<PictureSheet>& sheets, int width_px);
+/// Panels of lower columns get what is left, so that the picture's columns end in line.
+void levelColumns(std::vector<PictureSheet>& sheets, int width_px);
+/// Wide enough for so many columns beside each other; that of a report's pictures for one or two.
+int widthForColumns(int columns);
 void paintSheets(QPainter& painter, const std::vector<PictureSheet>& sheets, const PictureLayout& layout,
                  const Theme& theme);
 

@@ -13,7 +13,10 @@
 #include <QGuiApplication>
 #include <QWidget>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace halbench::app {
 
@@ -21,6 +24,7 @@ namespace {
 
 constexpr std::size_t FigureColumns = 1600; ///< two to a pixel of a picture of usual width
 constexpr int PanelHeight_px = 160;
+constexpr int LeastHeight_px = 60; ///< of a plot that is low on the screen too
 constexpr double ClipboardFineness = 2.0;
 
 /// Each column's smallest and largest sample beside each other.
@@ -136,6 +140,19 @@ widgets::PanelLayers layersOf(const widgets::LivePlotStack& stack, const widgets
     return layers;
 }
 
+/// As high as the plot is on the screen beside the others; the column with the most plots has the usual
+/// height for each of them.
+int heightOf(const std::vector<widgets::PlotSpec>& plots, const widgets::PlotSpec& plot) {
+    std::size_t most = 0;
+    for (const widgets::PlotSpec& each : plots) {
+        most = std::max(most, widgets::heightsIn(plots, each.column).size());
+    }
+    const std::vector<double> heights = widgets::heightsIn(plots, plot.column);
+    const double sum = std::accumulate(heights.begin(), heights.end(), 0.0);
+    const double share_px = PanelHeight_px * static_cast<double>(most) * plot.height_ratio / sum;
+    return std::max(LeastHeight_px, static_cast<int>(std::lround(share_px)));
+}
+
 widgets::Panel panelOf(const widgets::LivePlotStack& stack, int plot, const control::SampleHistory& history) {
     const widgets::PlotSpec& spec = stack.plots()[static_cast<std::size_t>(plot)];
     const control::TimeRange range = stack.timeRange(plot);
@@ -151,7 +168,7 @@ widgets::Panel panelOf(const widgets::LivePlotStack& stack, int plot, const cont
                                     right.high,
                                     {}};
     }
-    panel.height_px = PanelHeight_px;
+    panel.height_px = heightOf(stack.plots(), spec);
     for (const widgets::PlotCurve& curve : spec.curves) {
         panel.curves.push_back(drawnCurve(history, curve, range));
     }
@@ -164,17 +181,23 @@ widgets::Panel panelOf(const widgets::LivePlotStack& stack, int plot, const cont
 std::vector<widgets::PictureSheet> monitorSheets(const widgets::LivePlotStack& stack,
                                                  const control::SampleHistory& history) {
     std::vector<widgets::PictureSheet> sheets;
-    for (int i = 0; i < static_cast<int>(stack.plots().size()); ++i) {
-        const bool isNew = i == 0 || stack.ownTime(i) || stack.ownTime(i - 1);
+    const std::vector<widgets::PlotSpec>& plots = stack.plots();
+    for (int i = 0; i < static_cast<int>(plots.size()); ++i) {
+        const widgets::PlotSpec& plot = plots[static_cast<std::size_t>(i)];
+        const bool isNew =
+            sheets.empty() || plot.column != sheets.back().column || stack.ownTime(i) || stack.ownTime(i - 1);
         if (isNew) {
             const control::TimeRange range = stack.timeRange(i);
             sheets.emplace_back();
+            sheets.back().column = plot.column;
+            sheets.back().width_ratio = plot.width_ratio;
             sheets.back().figure.x = {
                 MonitorPicture::tr("time").toStdString(), "s", false, range.begin_s, range.end_s, {}};
         }
         sheets.back().figure.panels.push_back(panelOf(stack, i, history));
-        sheets.back().layers.push_back(layersOf(stack, stack.plots()[static_cast<std::size_t>(i)], isNew));
+        sheets.back().layers.push_back(layersOf(stack, plot, isNew));
     }
+    widgets::levelColumns(sheets, widgets::widthForColumns(stack.columnCount()));
     return sheets;
 }
 
@@ -201,8 +224,13 @@ widgets::Theme MonitorPicture::theme() const {
     return m_asOnScreen->isChecked() ? widgets::currentTheme() : widgets::paperTheme();
 }
 
+int MonitorPicture::width_px() const {
+    return widgets::widthForColumns(m_stack.columnCount());
+}
+
 void MonitorPicture::copy() {
-    QGuiApplication::clipboard()->setImage(widgets::sheetsImage(sheets(), theme(), ClipboardFineness));
+    QGuiApplication::clipboard()->setImage(
+        widgets::sheetsImage(sheets(), theme(), ClipboardFineness, width_px()));
 }
 
 void MonitorPicture::save() {
@@ -213,7 +241,7 @@ void MonitorPicture::save() {
         return;
     }
     const auto format = widgets::pictureFormat(path).value_or(widgets::PictureFormat::Png);
-    m_files.run(widgets::pictureWriting(widgets::sheetsFile(sheets(), theme(), format), path),
+    m_files.run(widgets::pictureWriting(widgets::sheetsFile(sheets(), theme(), format, width_px()), path),
                 [this](const Result<void>& written) {
                     if (!written) {
                         Q_EMIT failed(widgets::inWords(written.error().message),

@@ -17,8 +17,9 @@ namespace halbench::app {
 
 /// The plots as they are in view for print: axes with quantity and unit, at most two points per column and
 /// curve, so that its size does not grow with the samples. Gaps and missing values interrupt the lines.
-/// Plots that follow each other on one time axis are a figure; limit bands, markers, cursors and trigger are
-/// drawn as on the screen.
+/// Plots of a column that follow each other on one time axis are a figure, columns stand beside each other,
+/// with the shares of the room that they have on the screen; limit bands, markers, cursors and trigger are
+/// drawn as there.
 std::vector<widgets::PictureSheet> monitorSheets(const widgets::LivePlotStack& stack,
                                                  const control::SampleHistory& history);
 
@@ -42,6 +43,7 @@ Q_SIGNALS:
 private:
     std::vector<widgets::PictureSheet> sheets() const;
     widgets::Theme theme() const;
+    int width_px() const;
     void copy();
     void save();
 

@@ -31,6 +31,54 @@ TEST_F(PictureSheetsTest, figuresLieBelowEachOtherWithTheirCanvasesInLine) {
     EXPECT_GE(layout.size.height(), layout.tops_px[1] + layout.figures[1].size.height());
 }
 
+TEST_F(PictureSheetsTest, columnsLieBesideEachOtherWithTheirSharesOfTheWidth) {
+    std::vector<PictureSheet> sheets{sheet(1.0), sheet(1.0), sheet(100000.0)};
+    sheets[1].figure.title.clear();
+    sheets[2].figure.title.clear();
+    sheets[2].column = 1;
+    sheets[0].width_ratio = 0.8;
+    sheets[2].width_ratio = 1.2;
+    levelColumns(sheets, 880);
+    const PictureLayout layout = layOut(sheets, 880);
+    EXPECT_EQ(layout.lefts_px[0], 0);
+    EXPECT_EQ(layout.lefts_px[1], 0);
+    EXPECT_GE(layout.lefts_px[2], layout.figures[0].size.width());
+    EXPECT_NEAR(layout.figures[2].size.width(), 1.5 * layout.figures[0].size.width(), 2.0);
+    EXPECT_LE(layout.lefts_px[2] + layout.figures[2].size.width(), 880);
+    const auto canvas = [&](std::size_t sheet) {
+        return layout.figures[sheet].panels.front().canvas.translated(layout.lefts_px[sheet],
+                                                                      layout.tops_px[sheet]);
+    };
+    EXPECT_EQ(canvas(2).top(), canvas(0).top()) << "no title, but the room of the first one's";
+    EXPECT_EQ(canvas(2).bottom(), canvas(1).bottom()) << "the lower one has grown";
+    EXPECT_EQ(layout.size.height(), layout.tops_px[2] + layout.figures[2].size.height());
+}
+
+TEST_F(PictureSheetsTest, aPictureThatIsTooNarrowHasAllBelowEachOther) {
+    std::vector<PictureSheet> sheets{sheet(1.0), sheet(1.0), sheet(1.0)};
+    sheets[1].column = 1;
+    sheets[2].column = 2;
+    const int before_px = sheets[0].figure.panels[0].height_px;
+    levelColumns(sheets, 880);
+    EXPECT_EQ(sheets[0].figure.panels[0].height_px, before_px);
+    const PictureLayout narrow = layOut(sheets, 880);
+    EXPECT_EQ(narrow.lefts_px, (std::vector<int>{0, 0, 0}));
+    EXPECT_GE(narrow.tops_px[2], narrow.tops_px[1] + narrow.figures[1].size.height());
+    EXPECT_EQ(narrow.figures[2].size.width(), 880);
+    const PictureLayout wide = layOut(sheets, widthForColumns(3));
+    EXPECT_LT(wide.lefts_px[1], wide.lefts_px[2]);
+    EXPECT_EQ(widthForColumns(1), PictureWidth_px);
+}
+
+TEST_F(PictureSheetsTest, aNarrowColumnKeepsRoomForItsCurves) {
+    std::vector<PictureSheet> sheets{sheet(1.0), sheet(1.0)};
+    sheets[1].column = 1;
+    sheets[1].width_ratio = 0.01;
+    const PictureLayout layout = layOut(sheets, 880);
+    EXPECT_GE(layout.figures[1].size.width(), 300);
+    EXPECT_LE(layout.lefts_px[1] + layout.figures[1].size.width(), 880);
+}
+
 TEST_F(PictureSheetsTest, layersLieUnderAndOverTheCurvesOnThePanelsMapsAndNotBeyondIt) {
     std::vector<PictureSheet> sheets{sheet(1.0)};
     const auto fill = [](const QColor& colour, double fromTime_s, double toTime_s) {

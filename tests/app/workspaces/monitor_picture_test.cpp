@@ -58,20 +58,6 @@ TEST_F(MonitorPictureTest, aRightAxisIsInThePictureWithItsUnit) {
     EXPECT_FALSE(figure.panels[0].right);
 }
 
-TEST_F(MonitorPictureTest, plotsOfAllColumnsAreInThePictureOverOneTimeAxis) {
-    stack().setPaused(true);
-    ASSERT_TRUE(stack().movePlot(1, 1));
-    ASSERT_TRUE(stack().movePlot(1, 1));
-    stack().refresh();
-    const std::vector<widgets::PictureSheet> sheets = monitorSheets(stack(), bench().history());
-    ASSERT_EQ(sheets.size(), 1U);
-    const widgets::Figure& figure = sheets.front().figure;
-    ASSERT_EQ(figure.panels.size(), stack().plots().size());
-    for (std::size_t i = 0; i < figure.panels.size(); ++i) {
-        EXPECT_EQ(figure.panels[i].y.quantity, stack().plots()[i].quantity.toStdString());
-    }
-}
-
 TEST_F(MonitorPictureTest, theReferenceIsInThePictureDottedInItsCurvesColour) {
     stack().setPaused(true);
     stack().keepReference();
@@ -112,7 +98,8 @@ public:
         : m_layout(widgets::layOut(sheets, widgets::PictureWidth_px)),
           m_image(widgets::sheetsImage(sheets, theme, 1.0)) {}
     const QRectF canvas(std::size_t sheet, std::size_t panel) const {
-        return m_layout.figures[sheet].panels[panel].canvas.translated(0.0, m_layout.tops_px[sheet]);
+        return m_layout.figures[sheet].panels[panel].canvas.translated(m_layout.lefts_px[sheet],
+                                                                       m_layout.tops_px[sheet]);
     }
     QColor at(double x, double y) const {
         return m_image.pixelColor(static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y)));
@@ -133,6 +120,32 @@ private:
 
 double shareOf(double time_s, const control::TimeRange& range) {
     return (time_s - range.begin_s) / range.length_s();
+}
+
+TEST_F(MonitorPictureTest, columnsStandBesideEachOtherAsOnTheScreen) {
+    stack().setPaused(true);
+    std::vector<widgets::PlotSpec> plots = stack().plots();
+    plots[3].column = 1;
+    plots[4].column = 1;
+    plots[3].width_ratio = 0.8;
+    plots[0].width_ratio = 1.2;
+    plots[0].height_ratio = 2.0;
+    plots[1].height_ratio = 0.5;
+    plots[2].height_ratio = 0.5;
+    stack().setPlots(plots);
+    stack().refresh();
+    const std::vector<widgets::PictureSheet> sheets = monitorSheets(stack(), bench().history());
+    ASSERT_EQ(sheets.size(), 2U);
+    EXPECT_EQ(sheets[0].figure.panels.size(), 3U);
+    EXPECT_EQ(sheets[1].figure.panels.size(), 2U);
+    EXPECT_EQ(sheets[0].figure.x.max, sheets[1].figure.x.max) << "the same time below each";
+    EXPECT_EQ(sheets[1].figure.panels[0].y.quantity, stack().plots()[3].quantity.toStdString());
+    const PictureProbe probe(sheets, widgets::paperTheme());
+    EXPECT_GT(probe.canvas(1, 0).left(), probe.canvas(0, 0).right()) << "at the right";
+    EXPECT_LT(probe.canvas(1, 0).width(), probe.canvas(0, 0).width());
+    EXPECT_NEAR(probe.canvas(0, 0).height() / probe.canvas(0, 1).height(), 4.0, 0.1);
+    EXPECT_NEAR(probe.canvas(1, 0).height(), probe.canvas(1, 1).height(), 1.0);
+    EXPECT_NEAR(probe.canvas(0, 2).bottom(), probe.canvas(1, 1).bottom(), 1.0) << "they end in line";
 }
 
 TEST_F(MonitorPictureTest, hasMarkersAndCursorsWhereTheyAreInEveryPlot) {
