@@ -22,7 +22,7 @@ class Photographer {
 public:
     Photographer(QString folder, QString language, QSize size);
     /// The Monitor in its typical uses: a motor that turns, XY, cursors with statistics, a plot with its own
-    /// time axis, spectrum and spectrogram, one event that was caught.
+    /// time axis, columns with a second Monitor, spectrum and spectrogram, one event that was caught.
     bool takeMonitor();
     /// Pages of the help: the first one, pictures, a panel's section, one that is in English only.
     bool takeHelp();
@@ -64,6 +64,7 @@ private:
     void takeCursors();
     void takeOwnAxis();
     void takeColumns();
+    void takeFurther();
     bool takeTrigger();
     void take(const QString& scene) { take(scene, m_window); }
     void take(const QString& scene, QWidget& shown);

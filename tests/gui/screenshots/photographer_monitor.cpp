@@ -4,6 +4,10 @@
 #include "tests/gui/screenshots/photographer.h"
 #include "widgets/live_plot_stack.h"
 
+#include <qtadvanceddocking/DockManager.h>
+#include <qtadvanceddocking/DockWidget.h>
+#include <qtadvanceddocking/FloatingDockContainer.h>
+
 namespace halbench::app {
 
 using Command = widgets::LivePlotStack::Command;
@@ -19,6 +23,7 @@ bool Photographer::takeMonitor() {
     takeCursors();
     takeOwnAxis();
     takeColumns();
+    takeFurther();
     takePanel("spectrum", "spectrum");
     QWidget& spectrum = *m_window.docks().panel("spectrum");
     trigger(spectrum, "O");
@@ -78,6 +83,35 @@ void Photographer::takeColumns() {
     QTest::qWait(Settling_ms);
     take(QStringLiteral("monitor-columns-cursors"));
     stack.setCursorsVisible(false);
+    monitor().setView(MonitorView());
+}
+
+/// Columns of other widths with a second Monitor below them, then that one afloat.
+void Photographer::takeFurther() {
+    MonitorView view;
+    view.plots = {{{"position", "reference"}, {}, {}}, {{"speed"}, {}, {}}, {{"hall.a", "hall.b"}, {}, {}}};
+    view.plots[0].height_ratio = 1.3;
+    view.plots[1].height_ratio = 0.7;
+    view.plots[0].width_ratio = 1.1;
+    view.plots[2].column = 1;
+    view.plots[2].width_ratio = 0.9;
+    monitor().setView(view);
+    ads::CDockWidget* first = m_window.docks().docks().value(QStringLiteral("monitor"));
+    ads::CDockWidget* second = m_window.docks().docks().value(QStringLiteral("monitor2"));
+    second->toggleView(true);
+    second->dockManager()->addDockWidget(ads::BottomDockWidgetArea, second, first->dockAreaWidget());
+    view.plots = {{{"current_command", "current.a"}, {}, {}}, {{"coil_temperature.a"}, {}, {}}};
+    view.plots[1].column = 1;
+    view.span_s = 4.0;
+    static_cast<MonitorPanel*>(second->widget())->setView(view);
+    front("monitor");
+    QTest::qWait(DataTime_ms / 2);
+    take(QStringLiteral("monitor-two"));
+    second->setFloating();
+    second->floatingDockContainer()->resize(m_window.size() * 2 / 3);
+    QTest::qWait(Settling_ms);
+    take(QStringLiteral("monitor-afloat"), *second->floatingDockContainer());
+    second->toggleView(false);
     monitor().setView(MonitorView());
 }
 
