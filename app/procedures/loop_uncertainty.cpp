@@ -75,16 +75,19 @@ Result<LoopUncertainty> loopUncertainty(const MotorEstimate& estimate, const Loo
                                         const LoopConditions& conditions, const AnalysisResult& predicted,
                                         const UncertaintyDraws& draws) {
     const auto plants = drawnPlants(estimate, draws);
-    if (!plants) {
-        return failure(plants.error());
-    }
-    auto loop = loopBandsOf(*plants, law, conditions.timing, bandFrequencies_rad_s(predicted.bode));
+    return plants ? loopUncertainty(*plants, law, conditions, predicted)
+                  : Result<LoopUncertainty>(failure(plants.error()));
+}
+
+Result<LoopUncertainty> loopUncertainty(const std::vector<control::PositionPlant>& plants, const LoopLaw& law,
+                                        const LoopConditions& conditions, const AnalysisResult& predicted) {
+    auto loop = loopBandsOf(plants, law, conditions.timing, bandFrequencies_rad_s(predicted.bode));
     if (!loop) {
         return failure(loop.error());
     }
     LoopUncertainty uncertainty{*std::move(loop), {}, {}};
     if (!predicted.stepCurve.time_s.empty()) {
-        auto step = stepBandOf(*plants, law, conditions.timing, 1.0,
+        auto step = stepBandOf(plants, law, conditions.timing, 1.0,
                                {predicted.stepCurve.time_s.back(), 1, StepPoints});
         if (!step) {
             return failure(step.error());

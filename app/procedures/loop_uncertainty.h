@@ -53,6 +53,9 @@ Result<control::LoadBand> loadBandOf(const std::vector<control::PositionPlant>& 
 Result<LoopUncertainty> loopUncertainty(const MotorEstimate& estimate, const LoopLaw& law,
                                         const LoopConditions& conditions, const AnalysisResult& predicted,
                                         const UncertaintyDraws& draws);
+/// The same of motors that are drawn already. Errors: of the plants and the law.
+Result<LoopUncertainty> loopUncertainty(const std::vector<control::PositionPlant>& plants, const LoopLaw& law,
+                                        const LoopConditions& conditions, const AnalysisResult& predicted);
 
 /// The large step of every motor: some tenths of a second. Errors: likewise.
 Result<control::StepBand> largeStepBand(const MotorEstimate& estimate, const LoopLaw& law,

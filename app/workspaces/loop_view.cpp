@@ -16,6 +16,35 @@
 #include <QVBoxLayout>
 
 namespace halbench::app {
+namespace {
+
+struct Loops {
+    const AnalysisResult& predicted;
+    const std::optional<AnalysisResult>& present;
+    const std::vector<NamedLoop>& others;
+    const std::optional<MeasuredLoop>& measured;
+    const std::optional<LoopUncertainty>& uncertainty;
+};
+
+/// Without panels: an unstable loop has no sensitivity.
+widgets::Figure figureOf(LoopView::View view, const Loops& loops) {
+    switch (view) {
+    case LoopView::View::Bode:
+        return openLoopFigure(loops.predicted, loops.present, loops.others, loops.measured,
+                              loops.uncertainty);
+    case LoopView::View::Nyquist:
+        return nyquistFigure(loops.predicted, loops.present, loops.others, loops.measured);
+    case LoopView::View::Nichols:
+        return nicholsFigure(loops.predicted, loops.present, loops.others, loops.measured);
+    case LoopView::View::Sensitivity:
+        return sensitivityFigure(loops.predicted, loops.present, loops.others).value_or(widgets::Figure{});
+    case LoopView::View::RootLocus:
+        break;
+    }
+    return rootLocusFigure(loops.predicted, loops.present, loops.others);
+}
+
+} // namespace
 
 LoopView::LoopView(QWidget* parent)
     : QWidget(parent), m_label(new QLabel(this)), m_choice(new QComboBox(this)), m_wrap(new QCheckBox(this)),
@@ -38,11 +67,11 @@ LoopView::LoopView(QWidget* parent)
     m_label->setBuddy(m_choice);
     m_note->setWordWrap(true);
     m_note->hide();
-    for (std::size_t i = 0; i < Views; ++i) {
+    for (int i = 0; i < Views; ++i) {
         m_choice->addItem(QString());
     }
-    connect(m_choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &LoopView::show);
-    connect(m_wrap, &QCheckBox::toggled, this, [this] { show(m_choice->currentIndex()); });
+    connect(m_choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &LoopView::choose);
+    connect(m_wrap, &QCheckBox::toggled, this, &LoopView::show);
     connectHandles();
     sayWords();
 }
@@ -73,23 +102,29 @@ void LoopView::sayWords() {
 void LoopView::setLoops(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present,
                         const std::vector<NamedLoop>& others, const std::optional<MeasuredLoop>& measured,
                         const std::optional<LoopUncertainty>& uncertainty) {
-    m_figures = {openLoopFigure(predicted, present, others, measured, uncertainty),
-                 nyquistFigure(predicted, present, others, measured),
-                 nicholsFigure(predicted, present, others, measured),
-                 sensitivityFigure(predicted, present, others).value_or(widgets::Figure{}),
-                 rootLocusFigure(predicted, present, others)};
+    m_hasLoops = true;
+    m_figure = figureOf(view(), {predicted, present, others, measured, uncertainty});
     findGrips(predicted);
-    show(m_choice->currentIndex());
+    show();
 }
 
 void LoopView::setView(View view) {
     m_choice->setCurrentIndex(static_cast<int>(view));
 }
 
-widgets::Figure LoopView::figureOf(View view) const {
-    const widgets::Figure& figure = m_figures.at(static_cast<std::size_t>(view));
-    const bool isWrapped = view == View::Bode && m_wrap->isChecked() && !figure.panels.empty();
-    return isWrapped ? withWrappedPhase(figure) : figure;
+/// Nothing is drawn of loops that whoever owns this does not have any more.
+void LoopView::choose() {
+    m_hasLoops = false;
+    m_figure = {};
+    Q_EMIT loopsWanted();
+    if (!m_hasLoops) {
+        show();
+    }
+}
+
+widgets::Figure LoopView::shown() const {
+    const bool isWrapped = view() == View::Bode && m_wrap->isChecked() && !m_figure.panels.empty();
+    return isWrapped ? withWrappedPhase(m_figure) : m_figure;
 }
 
 void LoopView::setFrequencyUnit(FrequencyUnit unit) {
@@ -102,24 +137,24 @@ void LoopView::setFrequencyUnit(FrequencyUnit unit) {
     if (m_probed) {
         m_probed = *m_probed * ratio; // waits while the root locus is shown
     }
-    show(m_choice->currentIndex());
+    show();
     if (read) {
         m_picture->probeAlong(*read * ratio); // the same frequency under another number
     }
 }
 
-void LoopView::show(int view) {
-    const widgets::Figure figure = figureOf(static_cast<View>(view));
-    m_wrap->setVisible(static_cast<View>(view) == View::Bode);
+void LoopView::show() {
+    const widgets::Figure figure = shown();
+    m_wrap->setVisible(view() == View::Bode);
     if (widgets::alongAxis(m_picture->figure()) != nullptr) {
         m_probed = m_picture->probedAlong(); // the root locus has no frequency: it waits for the next view
     }
-    m_note->setVisible(figure.panels.empty() && !m_figures.front().panels.empty());
+    m_note->setVisible(figure.panels.empty() && m_hasLoops);
     showInFrequencyUnit(*m_picture, figure, m_unit);
     if (m_probed && !m_picture->probedAlong()) {
         m_picture->probeAlong(*m_probed);
     }
-    m_picture->setHandles(handlesOf(this->view()));
+    m_picture->setHandles(handlesOf(view()));
 }
 
 void LoopView::changeEvent(QEvent* event) {

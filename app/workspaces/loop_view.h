@@ -7,7 +7,6 @@
 
 #include <QWidget>
 
-#include <array>
 #include <complex>
 #include <cstddef>
 #include <optional>
@@ -27,7 +26,8 @@ namespace halbench::app {
 /// The open loop as the user wants to see it: Bode, Nyquist, Nichols, its sensitivity or its root locus. In
 /// Bode its crossover and its phase margin can be moved, in the root locus the poles of the closed loop along
 /// their branches; it only asks, whoever owns it changes the loop. The frequency that is read stays from view
-/// to view, and its phase is drawn whole or, where that is chosen, within +-180 degrees.
+/// to view, and its phase is drawn whole or, where that is chosen, within +-180 degrees. Only the picture of
+/// the chosen view is made: another view asks for the loops again.
 class LoopView : public QWidget {
     Q_OBJECT
 public:
@@ -46,6 +46,7 @@ public:
     widgets::FigureView& picture() { return *m_picture; }
 
 Q_SIGNALS:
+    void loopsWanted(); ///< another view was chosen: its picture is made by setLoops()
     void taken();
     void released();
     void crossoverMoved(double crossover_rad_s); ///< between taken() and released(), or by itself
@@ -56,7 +57,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    static constexpr std::size_t Views = 5;
+    static constexpr int Views = 5;
     /// What is known of the predicted loop where it can be taken.
     struct Grips {
         control::StabilityMargins margins;
@@ -66,8 +67,9 @@ private:
         std::vector<std::complex<double>> poles; ///< of the closed loop, those that are handles
     };
     void sayWords();
-    void show(int view);
-    widgets::Figure figureOf(View view) const;
+    void show();
+    void choose();
+    widgets::Figure shown() const;
     void connectHandles();
     void findGrips(const AnalysisResult& predicted);
     void take();
@@ -76,7 +78,8 @@ private:
     std::vector<widgets::FigureHandle> handlesOf(View view) const;
     View view() const;
 
-    std::array<widgets::Figure, Views> m_figures;
+    widgets::Figure m_figure; ///< of the view that was chosen last
+    bool m_hasLoops = false;  ///< for this view
     FrequencyUnit m_unit = FrequencyUnit::Hertz;
     std::optional<double> m_probed; ///< frequency that is read, as the pictures have it
     Grips m_grips;

@@ -61,8 +61,9 @@ LoopView::View LoopView::view() const {
 
 void LoopView::findGrips(const AnalysisResult& predicted) {
     const AnalysisResult::Roots& roots = predicted.roots;
-    m_grips = {predicted.margins, 0.0, roots.locus, {}, {}};
-    if (!roots.closedLoop.empty()) {
+    m_grips = {predicted.margins, 0.0, {}, {}, {}};
+    if (view() == View::RootLocus && !roots.closedLoop.empty()) {
+        m_grips.locus = roots.locus;
         m_grips.loop = control::loopThrough(roots.zeros, roots.openLoop, fastestOf(roots.closedLoop));
     }
     if (const auto& crossover_rad_s = m_grips.margins.gainCrossover_rad_s) {

@@ -158,7 +158,8 @@ void TunePanel::refreshModel() {
     forgetJudgements();
     if (!identification) {
         m_sketch.reset();
-        m_early.reset();
+        m_asked.reset();
+        m_rest.stop();
         m_sketching.cancel();
         m_judging.cancel();
         m_spreading.cancel();
@@ -237,6 +238,7 @@ std::optional<TuneQuestion> TunePanel::question() {
     takeStrayInterval(question.config.conditions, m_bench.strayInterval95_T_per_A());
     question.present = m_presentLaw;
     question.record = m_record;
+    question.known = m_steady;
     if (m_restored) {
         question.config.method = m_restored->method;
         question.config.targets = m_restored->targets;
@@ -267,28 +269,34 @@ void TunePanel::ask() {
     }
     m_problem.reset();
     m_shown.reset(); // nothing is applied that its prediction has not caught up with
-    m_early.reset();
+    m_rest.stop();
     m_sketching.cancel();
     m_judging.cancel(); // answers to older numbers must not come after a number that is none
     m_spreading.cancel();
     m_replaying.cancel();
     m_whatIfSpread.reset();
-    if (const auto asked = question()) {
-        m_sketching.run([asked = *asked] { return sketchTuning(asked); },
-                        [this](const Result<TuneSketch>& sketch) { showSketch(sketch); });
-        m_judging.run(
-            [asked = *asked] {
-                auto answer = answerTuning(asked);
-                const auto loop = answer ? judgeLoop(asked.motor, answer->law, asked.config.conditions)
-                                         : failure(answer.error());
-                return Answer(std::move(answer), loop ? loop->bandwidth_rad_s : std::nullopt);
-            },
-            [this](const Answer& answer) {
-                m_early = answer;
-                showEarlyAnswer();
-            });
+    m_asked = question();
+    if (m_asked) {
+        m_sketching.run([asked = *m_asked] { return sketchTuning(asked); },
+                        [this](Result<TuneSketch> sketch) { showSketch(std::move(sketch)); });
     }
     refreshButtons();
+}
+
+/// After the sketch: what can be applied must not come before the gains and curves it belongs to are seen.
+void TunePanel::judge() {
+    m_rest.stop();
+    if (!m_asked) {
+        return;
+    }
+    m_judging.run(
+        [asked = *m_asked] {
+            auto answer = answerTuning(asked);
+            const auto loop = answer ? judgeLoop(asked.motor, answer->law, asked.config.conditions)
+                                     : failure(answer.error());
+            return Answer(std::move(answer), loop ? loop->bandwidth_rad_s : std::nullopt);
+        },
+        [this](const Answer& answer) { showAnswer(answer.first, answer.second); });
 }
 
 void TunePanel::restoreDesign(std::optional<GainsFile> gains) {
@@ -330,6 +338,8 @@ void TunePanel::shareWidth() {
 bool TunePanel::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_splitter && event->type() == QEvent::Resize) {
         QMetaObject::invokeMethod(this, &TunePanel::shareWidth, Qt::QueuedConnection);
+    } else if (event->type() == QEvent::Show && isMoving() && watched != m_verificationRoom->viewport()) {
+        drawPredictions(); // what the hand moves is drawn where it is seen
     } else if (m_verificationRoom != nullptr && watched == m_verificationRoom->viewport()) {
         if (event->type() == QEvent::Resize) {
             growVerification();

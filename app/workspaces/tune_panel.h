@@ -155,6 +155,7 @@ private:
     void showDesigns();
     QString reasonOf(const KeptDesign& design) const;
     std::vector<NamedLoop> drawnLoops() const;
+    const std::optional<AnalysisResult>& present() const;
     void chooseMeasured();
     void forgetMeasured();
     void connectWhatIf();
@@ -179,8 +180,9 @@ private:
     std::map<std::string, double> valuesBefore() const;
     void ask();
     std::optional<TuneQuestion> question();
-    void showSketch(const Result<TuneSketch>& sketch);
-    void showEarlyAnswer();
+    void showSketch(Result<TuneSketch> sketch);
+    void judge();
+    bool isMoving() const;
     void spreadLargeStep(const TuneResult& proposed);
     void showAnswer(const Result<TuneResult>& answer, std::optional<double> bandwidth_rad_s);
     void showProblem(const Error& error);
@@ -219,9 +221,9 @@ private:
     LatestTask m_replaying; ///< the band of the same move with the proposed gains
     FileQueue m_files;
     LoopConditions m_conditions;
-    std::optional<control::PositionLaw> m_presentLaw; ///< that m_present is of
+    std::optional<control::PositionLaw> m_presentLaw; ///< on the device, or before an apply
     std::optional<GainsFile> m_restored;              ///< of the project; until others are chosen
-    std::optional<AnalysisResult> m_present;          ///< of the gains on the device, or before an apply
+    SteadyPrediction m_steady;                        ///< of the last sketch
     KeptDesigns m_designs;
     std::optional<Shaping> m_shaping;
     GainHistory m_history;
@@ -231,7 +233,7 @@ private:
     std::optional<Error> m_problem;              ///< why nothing is proposed
     std::optional<MeasuredPlant> m_measured;     ///< drawn into the open loop
     std::optional<double> m_bandwidth_rad_s;     ///< of what is shown
-    std::optional<Answer> m_early;               ///< waits for the sketch of the same question
+    std::optional<TuneQuestion> m_asked;         ///< to be judged once its sketch is seen
     std::optional<TuneSketch> m_sketch;          ///< what is drawn
     std::optional<TuneResult> m_shown;           ///< what the numbers say, and what would be applied
     std::optional<AppliedGains> m_applying;      ///< on their way
@@ -244,6 +246,7 @@ private:
     bool m_isShapedSaid = false;                 ///< that what is drawn cannot be applied
     bool m_isUndone = false;                     ///< the gains that were verified were taken back
     QTimer m_decision;                           ///< runs until Keep can be meant
+    QTimer m_rest;                               ///< until a hand that holds the gains rests
     bool m_isApplying = false;
     bool m_isOfThisMotor = false; ///< what is applied now; not once another project was opened meanwhile
     QString m_refusedRecording;   ///< until the gains that ran are chosen

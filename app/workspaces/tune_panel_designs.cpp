@@ -14,6 +14,10 @@
 namespace halbench::app {
 
 void TunePanel::connectDesigns() {
+    connect(m_loop, &LoopView::loopsWanted, this, &TunePanel::drawPredictions);
+    for (QWidget* view : std::initializer_list<QWidget*>{m_loop, m_large, m_linear, m_loaded}) {
+        view->installEventFilter(this);
+    }
     connect(m_table, &DesignTable::keepRequested, this, &TunePanel::keepDesign);
     connect(m_table, &DesignTable::takeUpRequested, this, &TunePanel::takeUp);
     connect(m_table, &DesignTable::removeRequested, this, [this](int kept) {
@@ -172,17 +176,25 @@ std::vector<NamedLoop> TunePanel::drawnLoops() const {
     return loops;
 }
 
+/// Of the gains on the device.
+const std::optional<AnalysisResult>& TunePanel::present() const {
+    static const std::optional<AnalysisResult> none;
+    return m_steady.present ? m_steady.present->predicted : none;
+}
+
 /// Its band belongs to the judgement, which comes after the curve.
 void TunePanel::drawLoaded() {
     const bool isJudged = m_shown && m_shown->disturbance && isSameLaw(m_shown->law, m_sketch->law) &&
                           m_shown->shaped == m_sketch->shaped;
     m_loaded->setFigure(
-        disturbanceFigure(m_sketch->loaded, m_sketch->presentLoaded, m_bench.displayUnits().angle,
-                          DisturbanceLoad_A,
+        disturbanceFigure(m_sketch->loaded, m_steady.present ? m_steady.present->loaded : std::nullopt,
+                          m_bench.displayUnits().angle, DisturbanceLoad_A,
                           isJudged ? m_shown->disturbance->band : std::optional<control::LoadBand>())
             .value_or(widgets::Figure{}));
 }
 
+/// The hand that moves the gains pays for a picture only where it is seen: showing another or letting go
+/// draws the rest.
 void TunePanel::drawPredictions() {
     if (!m_sketch) {
         return;
@@ -191,12 +203,21 @@ void TunePanel::drawPredictions() {
     const AnalysisResult& predicted = m_sketch->predicted;
     const std::vector<NamedLoop> others = drawnLoops();
     const std::optional<LoopUncertainty>& uncertainty = m_sketch->uncertainty;
-    m_loop->setLoops(predicted, m_present, others, drawnMeasurement(), uncertainty);
-    m_linear->setFigure(
-        linearStepFigure(predicted, m_present, unit, others, uncertainty).value_or(widgets::Figure{}));
-    drawLoaded();
-    m_large->setFigure(
-        largeStepFigure(predicted, m_present, unit, others, uncertainty).value_or(widgets::Figure{}));
+    const auto isDrawn = [isHeld = isMoving()](const QWidget* view) { return !isHeld || view->isVisible(); };
+    if (isDrawn(m_loop)) {
+        m_loop->setLoops(predicted, present(), others, drawnMeasurement(), uncertainty);
+    }
+    if (isDrawn(m_linear)) {
+        m_linear->setFigure(
+            linearStepFigure(predicted, present(), unit, others, uncertainty).value_or(widgets::Figure{}));
+    }
+    if (isDrawn(m_loaded)) {
+        drawLoaded();
+    }
+    if (isDrawn(m_large)) {
+        m_large->setFigure(
+            largeStepFigure(predicted, present(), unit, others, uncertainty).value_or(widgets::Figure{}));
+    }
 }
 
 } // namespace halbench::app

@@ -82,35 +82,33 @@ QString firstFinding(const DataQuality& quality) {
 
 } // namespace
 
-void TunePanel::showSketch(const Result<TuneSketch>& sketch) {
+void TunePanel::showSketch(Result<TuneSketch> sketch) {
     if (!sketch) {
         m_shaping.reset(); // what waited for it began from a loop that is not there
         showProblem(sketch.error());
-        showEarlyAnswer();
+        judge();
         return;
     }
     if (m_form->origin() != TuneForm::Origin::Edited) {
         m_gains->setLaw(sketch->law);
         m_filters->setShaping(sketch->shaped);
     }
-    m_present = sketch->present;
-    m_sketch = *sketch;
+    m_sketch = *std::move(sketch);
+    m_steady = m_sketch->steady;
     drawPredictions();
     drawShownVerification(); // what if its move had been made with these gains
     proposeToWhatIf();
     showShape();
     if (m_shaping && m_shaping->isWaiting) {
         takeShape(); // the hand went on meanwhile
-        return;
     }
-    showEarlyAnswer();
-}
-
-/// Two threads compute: what can be applied must not come before the gains and curves it belongs to are seen.
-void TunePanel::showEarlyAnswer() {
-    if (m_early && !m_sketching.isBusy()) {
-        const Answer answer = *std::exchange(m_early, std::nullopt);
-        showAnswer(answer.first, answer.second);
+    if (m_sketching.isBusy()) {
+        return; // for other gains already
+    }
+    if (isMoving()) {
+        m_rest.start(); // the next move would come before the judgement, and wait for its thread
+    } else {
+        judge();
     }
 }
 
@@ -126,7 +124,7 @@ void TunePanel::showAnswer(const Result<TuneResult>& answer, std::optional<doubl
     m_shown = proposed;
     m_problem.reset();
     m_bandwidth_rad_s = bandwidth_rad_s;
-    m_numbers->setNumbers(tuneNumbers(proposed, m_present, m_bench.displayUnits()));
+    m_numbers->setNumbers(tuneNumbers(proposed, present(), m_bench.displayUnits()));
     if (m_sketch) {
         drawLoaded();
     }

@@ -23,6 +23,10 @@ void TunePanel::connectShaping() {
     };
     connectHand(m_sliders);
     connectHand(m_loop);
+    constexpr int Rest_ms = 100;
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(Rest_ms);
+    connect(&m_rest, &QTimer::timeout, this, &TunePanel::judge);
     connect(m_loop, &LoopView::gainMoved, this,
             [this](double factor) { shape(Shaping::Kind::Gain, factor); });
 }
@@ -44,6 +48,10 @@ bool TunePanel::startShaping(bool isHeld) {
                                              m_shaping->law.shaped.value_or(control::ShapedLaw{}));
     m_shaping->isHeld = isHeld;
     return true;
+}
+
+bool TunePanel::isMoving() const {
+    return m_shaping && m_shaping->isHeld;
 }
 
 void TunePanel::shape(Shaping::Kind kind, double value) {
@@ -143,6 +151,9 @@ void TunePanel::endShaping() {
         drawPredictions(); // the axes may find their extent again
         showShape();
     }
+    if (m_rest.isActive()) {
+        judge();
+    }
     proposeToWhatIf(); // with its band
     if (m_shown) {     // else it follows the answer
         spreadLargeStep(*m_shown);
@@ -185,8 +196,7 @@ void TunePanel::showShape() {
 /// The last of what is drawn, when nobody moves the gains any more: a thousand motors with friction and
 /// limit.
 void TunePanel::spreadLargeStep(const TuneResult& proposed) {
-    const bool isMoving = m_shaping && m_shaping->isHeld;
-    if (isMoving || !m_sketch || !m_sketch->uncertainty || !m_sketch->predicted.largeStep) {
+    if (isMoving() || !m_sketch || !m_sketch->uncertainty || !m_sketch->predicted.largeStep) {
         return;
     }
     const TuneConfig defaults;

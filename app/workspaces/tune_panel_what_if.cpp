@@ -63,8 +63,7 @@ bool TunePanel::isWhatIfDrawn() const {
 
 /// Its band, when nobody moves the gains any more.
 void TunePanel::replayRecord() {
-    const bool isMoving = m_shaping && m_shaping->isHeld;
-    if (isMoving || !isWhatIfDrawn() || !*m_sketch->whatIf) {
+    if (isMoving() || !isWhatIfDrawn() || !*m_sketch->whatIf) {
         return;
     }
     m_replaying.run([record = m_record, law = m_sketch->law] { return whatIfWithBand(*record, law); },
@@ -156,8 +155,7 @@ void TunePanel::forgetRecording() {
 
 void TunePanel::proposeToWhatIf() {
     const bool hasLaw = m_sketch && !m_problem;
-    m_whatIfPage->propose(hasLaw ? std::optional(m_sketch->loopLaw()) : std::nullopt,
-                          m_shaping && m_shaping->isHeld);
+    m_whatIfPage->propose(hasLaw ? std::optional(m_sketch->loopLaw()) : std::nullopt, isMoving());
 }
 
 } // namespace halbench::app

@@ -36,6 +36,17 @@ Result<LoopLaw> lawOf(const TuneQuestion& question) {
     return board ? Result<LoopLaw>(*board) : failure(board.error());
 }
 
+SteadyPrediction steadyPrediction(const TuneQuestion& question) {
+    SteadyPrediction steady;
+    steady.motors =
+        drawnMotors(question.motor, {question.config.draws, question.config.seed}, question.known.motors);
+    if (question.present) {
+        steady.present = presentLoop(question.motor, *question.present, question.config.conditions,
+                                     question.known.present);
+    }
+    return steady;
+}
+
 } // namespace
 
 Result<TuneSketch> sketchTuning(const TuneQuestion& question) {
@@ -47,21 +58,14 @@ Result<TuneSketch> sketchTuning(const TuneQuestion& question) {
     if (!predicted) {
         return failure(predicted.error());
     }
-    TuneSketch sketch{law->law, law->shaped, std::move(*predicted), {}, {}, {}};
-    auto uncertainty = loopUncertainty(question.motor, *law, question.config.conditions, sketch.predicted,
-                                       {question.config.draws, question.config.seed});
-    if (uncertainty) {
-        sketch.uncertainty = *std::move(uncertainty);
-    }
-    sketch.loaded = disturbanceStep(question.motor, *law, question.config.conditions, sketch.predicted);
-    if (question.present) {
-        auto present = runAnalysis(question.motor, *question.present, question.config.conditions);
-        if (present) {
-            sketch.presentLoaded =
-                disturbanceStep(question.motor, *question.present, question.config.conditions, *present);
-            sketch.present = std::move(*present);
+    TuneSketch sketch{law->law, law->shaped, std::move(*predicted), steadyPrediction(question)};
+    if (const auto& plants = sketch.steady.motors->plants) {
+        auto uncertainty = loopUncertainty(*plants, *law, question.config.conditions, sketch.predicted);
+        if (uncertainty) {
+            sketch.uncertainty = *std::move(uncertainty);
         }
     }
+    sketch.loaded = disturbanceStep(question.motor, *law, question.config.conditions, sketch.predicted);
     if (question.record) {
         sketch.whatIf = whatIf(*question.record, *law);
     }

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "app/procedures/disturbance.h"
-#include "app/procedures/loop_uncertainty.h"
 #include "app/procedures/tune.h"
 #include "app/procedures/what_if.h"
+#include "app/workspaces/steady_prediction.h"
 
 #include <memory>
 #include <optional>
@@ -17,6 +16,7 @@ struct TuneQuestion {
     std::optional<LoopLaw> law;                  ///< gains to judge; none: the method designs them
     std::optional<control::PositionLaw> present; ///< gains on the device, drawn beside them
     std::shared_ptr<const WhatIfBasis> record;   ///< a measured move, to be replayed through the gains
+    SteadyPrediction known = {}; ///< of an answer before; what is not of this question is not read
 };
 
 /// What can be drawn at once: some milliseconds.
@@ -24,12 +24,10 @@ struct TuneSketch {
     control::PositionLaw law;                 ///< parallel form, A/rad
     std::optional<control::ShapedLaw> shaped; ///< what no board runs of it
     AnalysisResult predicted;
-    std::optional<AnalysisResult> present;
-    std::optional<LoopUncertainty> uncertainty; ///< nothing: not known of this motor
-    std::optional<Result<WhatIf>> whatIf;       ///< of the question's record; refused for a shaped law
-    /// Under load; nothing for a loop that is unstable.
-    std::optional<control::LoadStep> loaded = {};
-    std::optional<control::LoadStep> presentLoaded = {};
+    SteadyPrediction steady;                         ///< with the gains on the device
+    std::optional<LoopUncertainty> uncertainty = {}; ///< nothing: not known of this motor
+    std::optional<Result<WhatIf>> whatIf = {};       ///< of the question's record; refused for a shaped law
+    std::optional<control::LoadStep> loaded = {};    ///< under load; nothing for a loop that is unstable
 
     LoopLaw loopLaw() const { return {law, shaped}; }
 };

@@ -128,9 +128,9 @@ TEST(TuneQuestion, judgesTheGainsOnTheDeviceBesideTheProposedOnes) {
     question.present->gains.proportional = 10.0;
     const auto sketch = sketchTuning(question);
     ASSERT_TRUE(sketch) << sketch.error().message;
-    ASSERT_TRUE(sketch->present);
+    ASSERT_TRUE(sketch->steady.present && sketch->steady.present->predicted);
     // i_f/K_P of 1.434 A and 10 A/rad (htm-theory.md 6.7: 8.21 degrees)
-    EXPECT_NEAR(sketch->present->frictionBand_rad * 180.0 / M_PI, 8.21, 0.02);
+    EXPECT_NEAR(sketch->steady.present->predicted->frictionBand_rad * 180.0 / M_PI, 8.21, 0.02);
     // The sketch is the judgement without its draws.
     const auto answer = answerTuning(question);
     ASSERT_TRUE(answer) << answer.error().message;
