@@ -8,8 +8,12 @@ namespace {
 
 std::vector<Polyline> finiteStretches(const std::vector<double>& x, const std::vector<double>& y) {
     std::vector<Polyline> stretches(1);
-    for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
+    const std::size_t count = std::min(x.size(), y.size());
+    for (std::size_t i = 0; i < count; ++i) {
         if (std::isfinite(x[i]) && std::isfinite(y[i])) {
+            if (stretches.back().empty()) {
+                stretches.back().reserve(count - i);
+            }
             stretches.back().emplace_back(x[i], y[i]);
         } else if (!stretches.back().empty()) {
             stretches.emplace_back();
@@ -59,10 +63,12 @@ std::vector<Polyline> decimated(const std::vector<double>& x, const std::vector<
                                 double high, std::size_t columns) {
     std::vector<Polyline> stretches = finiteStretches(x, y);
     for (Polyline& line : stretches) {
-        const bool isIncreasing =
-            std::is_sorted(line.begin(), line.end(),
-                           [](const auto& left, const auto& right) { return left.first < right.first; });
-        if (line.size() > 2 * columns && isIncreasing && high > low) {
+        const auto isIncreasing = [&line] {
+            return std::is_sorted(line.begin(), line.end(), [](const auto& left, const auto& right) {
+                return left.first < right.first;
+            });
+        };
+        if (line.size() > 2 * columns && high > low && isIncreasing()) {
             line = thinned(line, low, high, columns);
         }
     }

@@ -1,8 +1,12 @@
 #include "widgets/figure_axis.h"
 
+#include "control/base/unit_text.h"
 #include "widgets/display_units.h"
+#include "widgets/figure_painter.h"
 
+#include <QFontMetricsF>
 #include <QLocale>
+#include <QPainter>
 #include <qwt_text.h>
 #include <qwt_transform.h>
 
@@ -22,6 +26,14 @@ int decimalsFor(const FigureScale& scale) {
     // Steps are 1, 2 or 5 times a power of ten, or whole numbers such as 45.
     const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
     return decimals > 9 || largest < 1e-4 || largest >= 1e7 ? -1 : decimals;
+}
+
+QString titleOf(const Axis& axis) {
+    const QString quantity = QString::fromStdString(axis.quantity);
+    return axis.unit.empty() ? quantity
+                             : QStringLiteral("%1 [%2]")
+                                   .arg(quantity, QString::fromStdString(unitText(axis.unit)))
+                                   .trimmed();
 }
 
 } // namespace
@@ -50,6 +62,26 @@ QwtText FigureAxis::label(double value) const {
     QString number = m_decimals < 0 ? tidyExponent(QLocale::c().toString(value, 'g', 6))
                                     : QLocale::c().toString(shown, 'f', m_decimals);
     return number.replace(QLatin1Char('.'), m_decimalPoint);
+}
+
+void drawVerticalTitle(QPainter& painter, const Axis& axis, double baseline_px, const QRectF& canvas,
+                       const Theme& theme) {
+    painter.save();
+    painter.setFont(figureFont());
+    painter.setPen(theme.text);
+    painter.translate(baseline_px, canvas.center().y());
+    painter.rotate(-90.0);
+    const QString title = titleOf(axis);
+    painter.drawText(QPointF(-0.5 * QFontMetricsF(figureFont()).horizontalAdvance(title), 0.0), title);
+    painter.restore();
+}
+
+void drawHorizontalTitle(QPainter& painter, const Axis& axis, const QRectF& canvas, const Theme& theme) {
+    painter.setFont(figureFont());
+    painter.setPen(theme.text);
+    const QString title = titleOf(axis);
+    const double width_px = QFontMetricsF(figureFont()).horizontalAdvance(title);
+    painter.drawText(QPointF(canvas.center().x() - 0.5 * width_px, canvas.bottom() + 36.0), title);
 }
 
 } // namespace halbench::widgets

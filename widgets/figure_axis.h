@@ -1,8 +1,11 @@
 #pragma once
 
 #include "widgets/figure_scales.h"
+#include "widgets/theme.h"
 
 #include <qwt_scale_draw.h>
+
+class QPainter;
 
 namespace halbench::widgets {
 
@@ -19,5 +22,10 @@ private:
     QChar m_decimalPoint = QLatin1Char('.');
     int m_decimals = -1; ///< negative: shortest notation, for logarithmic, very small and very large scales
 };
+
+/// Titles of axes: upright with its baseline at this column, in the middle of the canvas; and below it.
+void drawVerticalTitle(QPainter& painter, const Axis& axis, double baseline_px, const QRectF& canvas,
+                       const Theme& theme);
+void drawHorizontalTitle(QPainter& painter, const Axis& axis, const QRectF& canvas, const Theme& theme);
 
 } // namespace halbench::widgets

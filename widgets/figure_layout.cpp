@@ -69,11 +69,16 @@ FigureLayout layOut(const Figure& figure, int width_px) {
 }
 
 FigureLayout layOut(const Figure& figure, int width_px, const FigureMargins& least) {
+    const FigureMargins own = marginsOf(figure);
+    return layOutWithin(figure, width_px,
+                        {std::max(own.left_px, least.left_px), std::max(own.right_px, least.right_px)});
+}
+
+FigureLayout layOutWithin(const Figure& figure, int width_px, const FigureMargins& margins) {
     FigureLayout layout;
     const QFontMetricsF metrics(figureFont());
-    const FigureMargins own = marginsOf(figure);
-    const double left_px = std::max(own.left_px, least.left_px);
-    const double right_px = width_px - RightEdge_px - std::max(own.right_px, least.right_px);
+    const double left_px = margins.left_px;
+    const double right_px = width_px - RightEdge_px - margins.right_px;
     double y_px = figure.title.empty() ? Edge_px : TitleRow_px;
     layout.titleBaseline = 16.0;
     std::set<std::tuple<std::string, int, CurveStyle>> alreadyNamed;

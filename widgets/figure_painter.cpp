@@ -1,6 +1,6 @@
 #include "widgets/figure_painter.h"
 
-#include "control/base/unit_text.h"
+#include "widgets/curve_layers.h"
 #include "widgets/decimation.h"
 #include "widgets/figure_axis.h"
 #include "widgets/figure_scales.h"
@@ -19,6 +19,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -57,14 +59,6 @@ void drawMarker(QPainter& painter, CurveStyle style, const QColor& colour, const
                            style == CurveStyle::Points ? QBrush(colour) : QBrush(Qt::NoBrush),
                            curvePen(style, colour), QSize(int(SymbolSize_px), int(SymbolSize_px)));
     symbol.drawSymbol(&painter, centre);
-}
-
-QString titleOf(const Axis& axis) {
-    const QString quantity = QString::fromStdString(axis.quantity);
-    return axis.unit.empty() ? quantity
-                             : QStringLiteral("%1 [%2]")
-                                   .arg(quantity, QString::fromStdString(unitText(axis.unit)))
-                                   .trimmed();
 }
 
 /// The numbers of a label in the user's notation; names with digits and points stay.
@@ -117,10 +111,12 @@ public:
         const QSizeF size(QFontMetricsF(figureFont()).horizontalAdvance(label) + 4.0, 14.0);
         const std::vector<QRectF> places =
             isHorizontal(line) ? placesAtRow(m_canvas, *at_px, size) : placesAtColumn(m_canvas, *at_px, size);
+        const QRectF region = std::accumulate(places.begin(), places.end(), QRectF(), std::bit_or<>());
+        const std::vector<QRectF> boxes = boxesWithin(region, panel.curves, m_xMap, m_yMap);
         const auto isInside = [&](const QRectF& place) { return m_canvas.contains(place); };
         const auto isApart = [&](const QRectF& place) { return isInside(place) && !isTaken(place); };
         const auto isOffCurves = [&](const QRectF& place) {
-            return isApart(place) && !isCrossed(place, panel.curves);
+            return isApart(place) && !isOnCurve(place, boxes);
         };
         auto found = std::find_if(places.begin(), places.end(), [&](const QRectF& place) {
             return isOffCurves(place) && !isCrossed(place, panel.lines);
@@ -206,20 +202,6 @@ private:
         return line.direction == ReferenceLine::Direction::Horizontal;
     }
 
-    /// Whether a curve's segment comes into the rectangle; judged by the box around each segment.
-    bool isCrossed(const QRectF& place, const std::vector<Curve>& curves) const {
-        for (const Curve& curve : curves) {
-            for (std::size_t i = 0; curve.style != CurveStyle::Band && i + 1 < curve.x.size(); ++i) {
-                const QPointF from(m_xMap.transform(curve.x[i]), m_yMap.transform(curve.y[i]));
-                const QPointF to(m_xMap.transform(curve.x[i + 1]), m_yMap.transform(curve.y[i + 1]));
-                if (QRectF(from, to).normalized().adjusted(-1.0, -1.0, 1.0, 1.0).intersects(place)) {
-                    return true;
-                }
-            }
-        }
-        return false;
-    }
-
     bool isCrossed(const QRectF& place, const std::vector<ReferenceLine>& lines) const {
         return std::any_of(lines.begin(), lines.end(), [&](const ReferenceLine& line) {
             const std::optional<double> at_px = placeOf(line);
@@ -251,18 +233,17 @@ private:
     }
 
     void drawLine(const Polyline& points, const QPen& pen) {
-        QVector<double> x;
-        QVector<double> y;
-        for (const auto& point : points) {
-            x.push_back(point.first);
-            y.push_back(point.second);
+        QVector<QPointF> samples;
+        samples.reserve(static_cast<int>(points.size()));
+        for (const auto& [x, y] : points) {
+            samples.push_back({x, y});
         }
         QwtPlotCurve curve;
         constexpr int DenseJoins = 200; // as many round ones cost more than the lines and are not seen
         QPen joined = pen;
-        joined.setJoinStyle(x.size() > DenseJoins ? Qt::BevelJoin : pen.joinStyle());
+        joined.setJoinStyle(samples.size() > DenseJoins ? Qt::BevelJoin : pen.joinStyle());
         curve.setPen(joined);
-        curve.setSamples(x, y);
+        curve.setSamples(samples);
         QwtPainter::setRoundingAlignment(false); // else points snap to whole pixels and the line wobbles
         QwtPainter::setPolylineSplitting(pen.style() ==
                                          Qt::SolidLine); // dashes would begin anew in each part
@@ -302,22 +283,13 @@ void drawLegend(QPainter& painter, const FigureLayout::PanelPlace& place, const 
     }
 }
 
-void drawVerticalTitle(QPainter& painter, const QString& title, double baseline_px, const QRectF& canvas,
-                       const Theme& theme) {
-    painter.save();
-    painter.setFont(figureFont());
-    painter.setPen(theme.text);
-    painter.translate(baseline_px, canvas.center().y());
-    painter.rotate(-90.0);
-    painter.drawText(QPointF(-0.5 * QFontMetricsF(figureFont()).horizontalAdvance(title), 0.0), title);
-    painter.restore();
-}
-
-void drawHorizontalTitle(QPainter& painter, const QString& title, const QRectF& canvas, const Theme& theme) {
-    painter.setFont(figureFont());
-    painter.setPen(theme.text);
-    const double width_px = QFontMetricsF(figureFont()).horizontalAdvance(title);
-    painter.drawText(QPointF(canvas.center().x() - 0.5 * width_px, canvas.bottom() + 36.0), title);
+std::vector<double> numbersOf(const std::vector<const FigureScale*>& scales) {
+    std::vector<double> numbers;
+    for (const FigureScale* scale : scales) {
+        numbers.insert(numbers.end(), {scale->division.lowerBound(), scale->division.upperBound(),
+                                       scale->isLogarithmic ? 1.0 : 0.0});
+    }
+    return numbers;
 }
 
 /// Above its panels; a long one begins at the edge of the picture before a letter of it is left out.
@@ -340,17 +312,17 @@ void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& la
 }
 
 void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& layout, const Theme& theme,
-                 QChar decimalPoint, const std::vector<PanelLayers>& layers) {
+                 QChar decimalPoint, const std::vector<PanelLayers>& layers, CurveLayers* stays) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.translate(0.5, 0.5); // one-pixel lines fill whole pixels
     painter.setFont(figureFont(true));
     painter.setPen(theme.text);
     drawTitle(painter, figure, layout);
+    const FigureScale x = horizontalScale(figure, layout.panels.front().canvas.width()); // of all panels
     for (std::size_t i = 0; i < figure.panels.size(); ++i) {
         const Panel& panel = figure.panels[i];
         const FigureLayout::PanelPlace& place = layout.panels[i];
         const bool isLast = i + 1 == figure.panels.size();
-        const FigureScale x = horizontalScale(figure, place.canvas.width());
         const FigureScale y = verticalScale(panel, place.canvas.height());
         PanelPainter panelPainter(painter, theme, place.canvas, x, y, decimalPoint);
         panelPainter.drawBackground();
@@ -368,9 +340,21 @@ void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& la
         }
         const FigureScale right = panel.right ? rightScale(panel, place.canvas.height()) : y;
         PanelPainter rightPainter(painter, theme, place.canvas, x, right, decimalPoint);
-        for (std::size_t k = 0; k < panel.curves.size(); ++k) {
-            PanelPainter& onAxis = panel.curves[k].isRight ? rightPainter : panelPainter;
-            onAxis.drawCurve(panel.curves[k], colourOf(k));
+        const auto drawCurves = [&](QPainter& on, std::size_t first, std::size_t end) {
+            PanelPainter left(on, theme, place.canvas, x, y, decimalPoint);
+            PanelPainter atRight(on, theme, place.canvas, x, right, decimalPoint);
+            for (std::size_t k = first; k < end; ++k) {
+                (panel.curves[k].isRight ? atRight : left).drawCurve(panel.curves[k], colourOf(k));
+            }
+        };
+        for (std::size_t k = 0; k < panel.curves.size();) {
+            const CurveLayers::Run run = stays ? stays->runFrom(i, k) : CurveLayers::Run{i, k, k};
+            const std::size_t end = std::max(run.end, k + 1);
+            if (run.end == k ||
+                !stays->lay(painter, run, place.canvas, numbersOf({&x, &y, &right}), drawCurves)) {
+                drawCurves(painter, k, end);
+            }
+            k = end;
         }
         for (const bool isFaint : {false, true}) { // what decides has the first choice of places
             for (const ReferenceLine& line : panel.lines) {
@@ -383,14 +367,14 @@ void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& la
         panelPainter.drawScale(QwtScaleDraw::LeftScale, true);
         panelPainter.drawScale(QwtScaleDraw::BottomScale, isLast);
         drawLegend(painter, place, theme, decimalPoint);
-        drawVerticalTitle(painter, titleOf(panel.y), TitleBaseline_px, place.canvas, theme);
+        drawVerticalTitle(painter, panel.y, TitleBaseline_px, place.canvas, theme);
         if (panel.right) {
             rightPainter.drawScale(QwtScaleDraw::RightScale, true);
-            drawVerticalTitle(painter, titleOf(*panel.right), layout.size.width() - RightTitle_px,
-                              place.canvas, theme);
+            drawVerticalTitle(painter, *panel.right, layout.size.width() - RightTitle_px, place.canvas,
+                              theme);
         }
         if (isLast) {
-            drawHorizontalTitle(painter, titleOf(figure.x), place.canvas, theme);
+            drawHorizontalTitle(painter, figure.x, place.canvas, theme);
         }
     }
 }

@@ -4,6 +4,7 @@
 #include "widgets/figure_scales.h"
 #include "widgets/figure_table.h"
 #include "widgets/painting.h"
+#include "widgets/panel_layers.h"
 #include "widgets/picture_actions.h"
 #include "widgets/theme_style.h"
 
@@ -43,14 +44,15 @@ struct Extent {
     double scale;
 };
 
-QImage drawn(const Figure& figure, const FigureLayout& layout, const Extent& extent, const Theme& theme) {
+QImage drawn(const Figure& figure, const FigureLayout& layout, const Extent& extent, const Theme& theme,
+             CurveLayers* stays) {
     QImage image(extent.size * extent.pixelRatio, QImage::Format_ARGB32_Premultiplied);
     image.setDevicePixelRatio(extent.pixelRatio);
     image.fill(theme.panel);
     if (!figure.panels.empty()) {
         QPainter painter(&image);
         painter.scale(extent.scale, extent.scale);
-        paintFigure(painter, figure, layout, theme, QLocale().decimalPoint());
+        paintFigure(painter, figure, layout, theme, QLocale().decimalPoint(), {}, stays);
     }
     return image;
 }
@@ -62,6 +64,20 @@ QByteArray png(const QImage& image) {
     buffer.open(QIODevice::WriteOnly);
     image.save(&buffer, "PNG");
     return bytes;
+}
+
+/// As tall as there is room for.
+Figure stretched(Figure figure, int width_px, double height_px) {
+    const int panels_px = heightOfPanels(figure);
+    const double room_px = height_px - (layOut(figure, width_px).size.height() - panels_px);
+    const double stretch = room_px / panels_px;
+    for (Panel& panel : figure.panels) {
+        panel.height_px = std::max(LeastPanel_px, static_cast<int>(std::floor(panel.height_px * stretch)));
+    }
+    if (figure.isEqualScale) {
+        makeEqualScale(figure, width_px);
+    }
+    return figure;
 }
 
 } // namespace
@@ -78,13 +94,18 @@ FigureView::FigureView(QWidget* parent)
 }
 
 void FigureView::setFigure(Figure figure) {
+    const Wish wished = wish();
     const Figure before = std::exchange(m_figure, std::move(figure));
     m_numbers.reset();
     if (m_grip) {
-        m_figure = withAxesOf(std::move(m_figure), m_grip->drawn, m_grip->layout);
+        m_figure = withAxesOf(std::move(m_figure), m_grip->drawn->figure, m_grip->drawn->layout);
     }
     keepProbe(before);
-    updateGeometry();
+    m_arranged.reset();
+    m_wish.reset();
+    if (!(wish() == wished)) {
+        updateGeometry(); // else the whole window would be arranged anew for the same places
+    }
     refresh();
     refreshWords();
 }
@@ -113,26 +134,23 @@ double FigureView::scale() const {
     return std::max(0.5, QFontInfo(font()).pixelSize() / PlainFont_px);
 }
 
-Figure FigureView::stretched() const {
-    Figure figure = m_figure;
-    const double width_px = width() / scale();
-    const FigureLayout natural = layOut(figure, static_cast<int>(width_px));
-    const int panels_px = heightOfPanels(figure);
-    const double room_px = height() / scale() - (natural.size.height() - panels_px);
-    const double stretch = room_px / panels_px;
-    for (Panel& panel : figure.panels) {
-        panel.height_px = std::max(LeastPanel_px, static_cast<int>(std::floor(panel.height_px * stretch)));
+std::shared_ptr<const FigureView::Arrangement> FigureView::arranged() const {
+    const double scaleNow = scale();
+    if (!m_arranged || m_arranged->size != size() || m_arranged->scale != scaleNow) {
+        const auto width_px = static_cast<int>(width() / scaleNow);
+        auto made = std::make_shared<Arrangement>();
+        made->figure = isEmpty() ? Figure{} : stretched(m_figure, width_px, height() / scaleNow);
+        made->layout = layOut(made->figure, width_px);
+        made->size = size();
+        made->scale = scaleNow;
+        m_arranged = std::move(made);
     }
-    if (figure.isEqualScale) {
-        makeEqualScale(figure, static_cast<int>(width_px));
-    }
-    return figure;
+    return m_arranged;
 }
 
 QImage FigureView::image(double pixelRatio) const {
-    const Figure figure = isEmpty() ? Figure{} : stretched();
-    return drawn(figure, layOut(figure, static_cast<int>(width() / scale())), {size(), pixelRatio, scale()},
-                 paperTheme());
+    const auto shown = arranged();
+    return drawn(shown->figure, shown->layout, {size(), pixelRatio, scale()}, paperTheme(), nullptr);
 }
 
 std::function<Result<void>()> FigureView::saving(const QString& path) const {
@@ -150,27 +168,43 @@ std::function<Result<void>()> FigureView::saving(const QString& path) const {
 /// Of its own size, or as it stands where sizes mean something.
 Result<QByteArray> FigureView::picture(PictureFormat format) const {
     return m_figure.isEqualScale
-               ? pictureFile(stretched(), paperTheme(), format, static_cast<int>(width() / scale()))
+               ? pictureFile(arranged()->figure, paperTheme(), format, static_cast<int>(width() / scale()))
                : pictureFile(m_figure, paperTheme(), format);
 }
 
+const FigureView::Wish& FigureView::wish() const {
+    constexpr int BestWidth_px = 560;
+    const double scaleNow = scale();
+    if (!m_wish || m_wish->scale != scaleNow) {
+        const FigureMargins margins = marginsOf(m_figure);
+        const int best_px = layOutWithin(m_figure, BestWidth_px, margins).size.height();
+        const int rows_px =
+            layOutWithin(m_figure, LeastWidth_px, margins).size.height() - heightOfPanels(m_figure);
+        const int panels = static_cast<int>(m_figure.panels.size());
+        m_wish =
+            Wish{QSizeF(BestWidth_px * scaleNow, std::max(200, best_px) * scaleNow).toSize(),
+                 QSizeF(LeastWidth_px * scaleNow, (rows_px + panels * LeastPanel_px) * scaleNow).toSize(),
+                 scaleNow};
+    }
+    return *m_wish;
+}
+
 QSize FigureView::sizeHint() const {
-    const FigureLayout layout = layOut(m_figure, 560);
-    return QSizeF(layout.size.width() * scale(), std::max(200, layout.size.height()) * scale()).toSize();
+    return wish().best;
 }
 
 QSize FigureView::minimumSizeHint() const {
-    const int rows_px = layOut(m_figure, LeastWidth_px).size.height() - heightOfPanels(m_figure);
-    const int panels = static_cast<int>(m_figure.panels.size());
-    return QSizeF(LeastWidth_px * scale(), (rows_px + panels * LeastPanel_px) * scale()).toSize();
+    return wish().least;
 }
 
 void FigureView::paintEvent(QPaintEvent*) {
-    const Figure figure = isEmpty() ? Figure{} : stretched();
-    const FigureLayout layout = layOut(figure, static_cast<int>(width() / scale()));
+    const auto shown = arranged();
+    const Figure& figure = shown->figure;
+    const FigureLayout& layout = shown->layout;
     if (m_drawn.isNull() || m_drawn.size() != size() * devicePixelRatioF()) {
-        m_drawn =
-            QPixmap::fromImage(drawn(figure, layout, {size(), devicePixelRatioF(), scale()}, currentTheme()));
+        m_stays.begin({shown, &figure});
+        m_drawn = QPixmap::fromImage(
+            drawn(figure, layout, {size(), devicePixelRatioF(), scale()}, currentTheme(), &m_stays));
     }
     QPainter painter(this);
     painter.drawPixmap(0, 0, m_drawn);
@@ -190,6 +224,7 @@ void FigureView::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::StyleChange || event->type() == QEvent::FontChange ||
         event->type() == QEvent::PaletteChange) {
+        m_stays.clear(); // in other colours
         refresh();
     } else if (event->type() == QEvent::LanguageChange) {
         refreshWords();

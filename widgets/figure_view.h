@@ -1,6 +1,7 @@
 #pragma once
 
 #include "control/base/result.h"
+#include "widgets/curve_layers.h"
 #include "widgets/figure_file.h"
 #include "widgets/figure_handle.h"
 #include "widgets/figure_probe.h"
@@ -10,6 +11,7 @@
 #include <QWidget>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -79,15 +81,29 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    /// The figure as it fills the widget, and where everything is.
+    struct Arrangement {
+        Figure figure;
+        FigureLayout layout; ///< points into the figure
+        QSize size;          ///< of the widget
+        double scale;
+    };
+    /// What a figure asks of its surroundings.
+    struct Wish {
+        QSize best;
+        QSize least;
+        double scale;
+        bool operator==(const Wish&) const = default;
+    };
     /// A handle in the hand.
     struct Grip {
         int handle;
-        QPointF offset; ///< of the handle from the pointer, in pixels of the figure
-        Figure drawn;   ///< when it was taken
-        FigureLayout layout;
+        QPointF offset;                           ///< of the handle from the pointer, in pixels of the figure
+        std::shared_ptr<const Arrangement> drawn; ///< when it was taken
     };
     double scale() const;
-    Figure stretched() const;
+    std::shared_ptr<const Arrangement> arranged() const;
+    const Wish& wish() const;
     std::optional<int> handleUnder(const QPoint& at) const;
     void showUnder(std::optional<int> handle);
     void letGo();
@@ -111,7 +127,10 @@ private:
     std::vector<FigureHandle> m_handles;
     std::optional<int> m_under; ///< handle under the pointer
     std::optional<Grip> m_grip;
-    QPixmap m_drawn; ///< the picture without the mark; null when it must be drawn again
+    QPixmap m_drawn;     ///< the picture without the mark; null when it must be drawn again
+    CurveLayers m_stays; ///< of that picture
+    mutable std::shared_ptr<const Arrangement> m_arranged; ///< null until it is asked for
+    mutable std::optional<Wish> m_wish;                    ///< likewise
     QAction* m_copy = nullptr;
     QAction* m_export = nullptr;
 };

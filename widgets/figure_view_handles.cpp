@@ -41,9 +41,9 @@ std::optional<QPoint> FigureView::handlePlace(int handle) const {
     if (isEmpty() || handle < 0 || handle >= static_cast<int>(m_handles.size())) {
         return std::nullopt;
     }
-    const Figure figure = stretched();
-    const auto place = placeOfHandle(figure, layOut(figure, static_cast<int>(width() / scale())),
-                                     m_handles[static_cast<std::size_t>(handle)]);
+    const auto shown = arranged();
+    const auto place =
+        placeOfHandle(shown->figure, shown->layout, m_handles[static_cast<std::size_t>(handle)]);
     return place ? std::optional((*place * scale()).toPoint()) : std::nullopt;
 }
 
@@ -51,9 +51,8 @@ std::optional<int> FigureView::handleUnder(const QPoint& at) const {
     if (m_handles.empty()) {
         return std::nullopt;
     }
-    const Figure figure = stretched();
-    const FigureLayout layout = layOut(figure, static_cast<int>(width() / scale()));
-    const auto found = handleAt(figure, layout, m_handles, QPointF(at) / scale());
+    const auto shown = arranged();
+    const auto found = handleAt(shown->figure, shown->layout, m_handles, QPointF(at) / scale());
     return found ? std::optional(static_cast<int>(*found)) : std::nullopt;
 }
 
@@ -105,13 +104,12 @@ void FigureView::mousePressEvent(QMouseEvent* event) {
         QWidget::mousePressEvent(event);
         return;
     }
-    Figure figure = stretched();
-    FigureLayout layout = layOut(figure, static_cast<int>(width() / scale()));
-    const QPointF place = *placeOfHandle(figure, layout, m_handles[static_cast<std::size_t>(*handle)]);
+    const auto shown = arranged();
+    const QPointF place =
+        *placeOfHandle(shown->figure, shown->layout, m_handles[static_cast<std::size_t>(*handle)]);
     probe(std::nullopt);
     m_isPinned = false;
-    m_grip = Grip{*handle, place - QPointF(event->pos()) / scale(), figure, {}};
-    m_grip->layout = layOut(m_grip->drawn, static_cast<int>(width() / scale())); // it points into its figure
+    m_grip = Grip{*handle, place - QPointF(event->pos()) / scale(), shown};
     Q_EMIT handleTaken(*handle);
 }
 
@@ -122,7 +120,7 @@ void FigureView::mouseMoveEvent(QMouseEvent* event) {
     if (m_grip) {
         const std::size_t panel = m_handles[static_cast<std::size_t>(m_grip->handle)].panel;
         const QPointF at = QPointF(event->pos()) / scale() + m_grip->offset;
-        const QPointF value = valuesAt(m_grip->drawn, m_grip->layout, panel, at);
+        const QPointF value = valuesAt(m_grip->drawn->figure, m_grip->drawn->layout, panel, at);
         if (std::isfinite(value.x()) && std::isfinite(value.y())) {
             Q_EMIT handleMoved(m_grip->handle, value.x(), value.y());
         }

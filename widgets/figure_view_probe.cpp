@@ -125,8 +125,9 @@ std::optional<FigurePoint> FigureView::pointUnder(const QPoint& at) const {
     if (isEmpty()) {
         return std::nullopt;
     }
-    const Figure figure = stretched();
-    const FigureLayout layout = layOut(figure, static_cast<int>(width() / scale()));
+    const auto shown = arranged();
+    const Figure& figure = shown->figure;
+    const FigureLayout& layout = shown->layout;
     const QPointF place = QPointF(at) / scale();
     if (const auto near = nearestPoint(withParameter(figure), layout, place, Reach_px)) {
         return near;
@@ -170,8 +171,9 @@ void FigureView::keyPressEvent(QKeyEvent* event) {
         QWidget::keyPressEvent(event); // Esc stops the motor, it belongs to the window
         return;
     }
-    const Figure figure = stretched();
-    const FigureLayout layout = layOut(figure, static_cast<int>(width() / scale()));
+    const auto shown = arranged();
+    const Figure& figure = shown->figure;
+    const FigureLayout& layout = shown->layout;
     if (!m_probe) {
         // The walk begins at the first sample that can be seen.
         probe(nearestPoint(withParameter(figure), layout, layout.panels.front().canvas.bottomLeft(), 1e6));

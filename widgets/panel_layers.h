@@ -17,9 +17,12 @@ struct PanelLayers {
     PanelLayer above;
 };
 
-/// As without them; `layers` are by panel and may be fewer.
+class CurveLayers;
+
+/// As without them; `layers` are by panel and may be fewer. `stays`, which began with this figure, has the
+/// curves that need not be drawn again.
 void paintFigure(QPainter& painter, const Figure& figure, const FigureLayout& layout, const Theme& theme,
-                 QChar decimalPoint, const std::vector<PanelLayers>& layers);
+                 QChar decimalPoint, const std::vector<PanelLayers>& layers, CurveLayers* stays = nullptr);
 
 /// What the vertical axes need at both sides.
 struct FigureMargins {
@@ -27,6 +30,8 @@ struct FigureMargins {
     double right_px = 0.0;
 };
 FigureMargins marginsOf(const Figure& figure);
+/// With exactly these margins: who lays the same figure out at several widths asks for them once.
+FigureLayout layOutWithin(const Figure& figure, int width_px, const FigureMargins& margins);
 /// With these margins at least, for a figure in line with others.
 FigureLayout layOut(const Figure& figure, int width_px, const FigureMargins& least);
 
