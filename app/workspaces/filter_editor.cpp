@@ -12,6 +12,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -98,9 +99,11 @@ FilterEditor::FilterEditor(QWidget* parent)
     m_c.edit->setObjectName(QStringLiteral("weight.c"));
     m_time.edit->setObjectName(QStringLiteral("filter.time"));
     connect(m_toggle, &QToolButton::toggled, this, &FilterEditor::expand);
+    connect(m_toggle, &QToolButton::clicked, this, &FilterEditor::bringIntoSight);
     connect(m_add, &QPushButton::clicked, this, [this] {
         addFilter(firstOf(static_cast<int>(LoopFilter(control::LowPassFilter{}).index())));
         m_rows.back().kind->setFocus(Qt::OtherFocusReason);
+        bringIntoSight();
         Q_EMIT edited(tr("Add a filter"), false);
     });
     sayWords();
@@ -269,6 +272,20 @@ void FilterEditor::setShaping(const std::optional<control::ShapedLaw>& shaped) {
     if (shaped) {
         m_toggle->setChecked(true); // what counts is seen
     }
+}
+
+/// What was just opened or added, where its surroundings scroll; once it has its place.
+void FilterEditor::bringIntoSight() {
+    const auto scroll = [this] {
+        QWidget* parent = parentWidget();
+        while (parent != nullptr && qobject_cast<QScrollArea*>(parent) == nullptr) {
+            parent = parent->parentWidget();
+        }
+        if (parent != nullptr && m_body->isVisible()) {
+            static_cast<QScrollArea*>(parent)->ensureWidgetVisible(m_add);
+        }
+    };
+    QMetaObject::invokeMethod(this, scroll, Qt::QueuedConnection);
 }
 
 Result<std::optional<control::ShapedLaw>> FilterEditor::shaped(const control::PidGains& gains) const {

@@ -73,6 +73,7 @@ private:
     void sayWords();
     void sayFilter(std::size_t at);
     void expand(bool isShown);
+    void bringIntoSight();
     double factorOf(std::size_t figure) const;
 
     FrequencyUnit m_unit = FrequencyUnit::Hertz;

@@ -149,6 +149,16 @@ TEST_F(TuneFiltersTest, weightsAndFiltersAreEditedTakenBackAndDoneAgain) {
     EXPECT_TRUE(wait([&] { return isShaped() && bench.design()->shaped->gains.proportional == 30.0; }));
 }
 
+TEST_F(TuneFiltersTest, whatIsOpenedAndAddedIsScrolledIntoSight) {
+    panel.resize(900, 480);
+    click(panel, "Weights and filters");
+    EXPECT_TRUE(wait([&] { return isWhole(panel, "Add a filter"); }));
+    for (int i = 0; i < 3; ++i) {
+        click(panel, "Add a filter");
+        EXPECT_TRUE(wait([&] { return isWhole(panel, "Add a filter"); })) << i;
+    }
+}
+
 TEST_F(TuneFiltersTest, whatIsNoFilterIsSaidInPlace) {
     open();
     type("filter1.1", "7");

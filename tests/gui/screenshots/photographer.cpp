@@ -164,7 +164,7 @@ void Photographer::takePerspectives(const QString& prefix) {
 bool Photographer::press(const char* panel, const char* context, const char* text) {
     QTest::qWait(Settling_ms);
     const QString words = QCoreApplication::translate(context, text);
-    for (auto* button : m_window.docks().panel(panel)->findChildren<QPushButton*>()) {
+    for (auto* button : m_window.docks().panel(panel)->findChildren<QAbstractButton*>()) {
         if (button->text() == words && wait([&] { return button->isEnabled(); })) {
             button->click();
             return true;

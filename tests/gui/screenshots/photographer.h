@@ -80,6 +80,7 @@ private:
     bool takeIdentification();
     /// Designs kept beside each other, as a table and in the pictures.
     bool takeDesigns();
+    bool takeFilters();
     bool takeTuning();
 
     QString m_folder;

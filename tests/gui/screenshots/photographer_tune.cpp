@@ -136,6 +136,27 @@ bool Photographer::takeDesigns() {
     return true;
 }
 
+/// A loop that no board runs, and back.
+bool Photographer::takeFilters() {
+    QWidget& tune = *m_window.docks().panel("tune");
+    const auto isShaped = [this] { return m_window.bench().design()->shaped.has_value(); };
+    if (!press("tune", "halbench::app::FilterEditor", "Weights and filters") ||
+        !press("tune", "halbench::app::FilterEditor", "Add a filter") || !wait(isShaped)) {
+        return false;
+    }
+    QTest::qWait(DataTime_ms / 5);
+    take(QStringLiteral("tune-filters"));
+    auto* origin = tune.findChild<TuneForm*>()->findChild<QComboBox*>();
+    for (int i = 0; i < origin->count(); ++i) {
+        if (origin->itemText(i).endsWith(designTitle("recommended"))) {
+            origin->setCurrentIndex(i);
+            break;
+        }
+    }
+    return wait([&] { return !isShaped(); }) &&
+           press("tune", "halbench::app::FilterEditor", "Weights and filters");
+}
+
 bool Photographer::takeTuning() {
     m_window.docks().setPerspective(Perspective::Tune);
     if (!wait([this] { return m_window.bench().design().has_value(); })) {
@@ -143,7 +164,7 @@ bool Photographer::takeTuning() {
     }
     QTest::qWait(DataTime_ms / 5);
     take(QStringLiteral("tune-design"));
-    if (!takeDesigns()) {
+    if (!takeDesigns() || !takeFilters()) {
         return false;
     }
     session().setPace({0.0});
