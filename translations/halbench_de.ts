@@ -8111,6 +8111,42 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
         <source>Time constant; 0 is the board&apos;s difference</source>
         <translation>Zeitkonstante; 0 ist die Differenz des Steuergeräts</translation>
     </message>
+    <message>
+        <source>Where the phase is added; the gain there stays</source>
+        <translation>Wo die Phase dazukommt; die Verstärkung bleibt dort</translation>
+    </message>
+    <message>
+        <source>Added at that frequency</source>
+        <translation>Kommt bei dieser Frequenz dazu</translation>
+    </message>
+    <message>
+        <source>Far above it the gain stays</source>
+        <translation>Weit darüber bleibt die Verstärkung</translation>
+    </message>
+    <message>
+        <source>Factor on the gain at rest, above 1</source>
+        <translation>Faktor auf die Verstärkung in Ruhe, über 1</translation>
+    </message>
+    <message>
+        <source>Where the gain is least</source>
+        <translation>Wo die Verstärkung am kleinsten ist</translation>
+    </message>
+    <message>
+        <source>Factor on the gain at that frequency, 0 to 1</source>
+        <translation>Faktor auf die Verstärkung bei dieser Frequenz, 0 bis 1</translation>
+    </message>
+    <message>
+        <source>Of its poles: the more, the wider it is</source>
+        <translation>Seiner Pole: je mehr, desto breiter</translation>
+    </message>
+    <message>
+        <source>There the gain has fallen by 3 dB</source>
+        <translation>Dort ist die Verstärkung um 3 dB gefallen</translation>
+    </message>
+    <message>
+        <source>1 or 2</source>
+        <translation>1 oder 2</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ForeignMotorNotice</name>

@@ -8106,6 +8106,42 @@ its way to the one before (Ctrl+Shift+R)</source>
         <source>Time constant; 0 is the board&apos;s difference</source>
         <translation>时间常数；0 就是控制板的差分</translation>
     </message>
+    <message>
+        <source>Where the phase is added; the gain there stays</source>
+        <translation>在此处增加相位；该处增益不变</translation>
+    </message>
+    <message>
+        <source>Added at that frequency</source>
+        <translation>在该频率处增加的相位</translation>
+    </message>
+    <message>
+        <source>Far above it the gain stays</source>
+        <translation>远高于它处增益不变</translation>
+    </message>
+    <message>
+        <source>Factor on the gain at rest, above 1</source>
+        <translation>静态增益的倍数，大于 1</translation>
+    </message>
+    <message>
+        <source>Where the gain is least</source>
+        <translation>增益最小处</translation>
+    </message>
+    <message>
+        <source>Factor on the gain at that frequency, 0 to 1</source>
+        <translation>该频率处增益的倍数，0 到 1</translation>
+    </message>
+    <message>
+        <source>Of its poles: the more, the wider it is</source>
+        <translation>其极点的阻尼：越大则越宽</translation>
+    </message>
+    <message>
+        <source>There the gain has fallen by 3 dB</source>
+        <translation>该处增益下降 3 dB</translation>
+    </message>
+    <message>
+        <source>1 or 2</source>
+        <translation>1 或 2</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ForeignMotorNotice</name>

@@ -19,12 +19,21 @@ void FilterEditor::sayFilter(std::size_t at) {
         row.kind->setItemText(i, kinds[i]);
     }
     const QString frequency = m_unit == FrequencyUnit::Hertz ? QStringLiteral("Hz") : QStringLiteral("rad/s");
-    using Figure = std::pair<QString, QString>;
+    struct Figure {
+        QString name;
+        QString unit;
+        QString help;
+    };
     const std::vector<Figure> figures[] = {
-        {{tr("Frequency"), frequency}, {tr("Phase"), QStringLiteral("\u00b0")}},
-        {{tr("Frequency"), frequency}, {tr("Gain at rest"), QStringLiteral("\u00d7")}},
-        {{tr("Frequency"), frequency}, {tr("Depth"), QStringLiteral("\u00d7")}, {tr("Damping"), {}}},
-        {{tr("Corner"), frequency}, {tr("Order"), {}}}};
+        {{tr("Frequency"), frequency, tr("Where the phase is added; the gain there stays")},
+         {tr("Phase"), QStringLiteral("\u00b0"), tr("Added at that frequency")}},
+        {{tr("Frequency"), frequency, tr("Far above it the gain stays")},
+         {tr("Gain at rest"), QStringLiteral("\u00d7"), tr("Factor on the gain at rest, above 1")}},
+        {{tr("Frequency"), frequency, tr("Where the gain is least")},
+         {tr("Depth"), QStringLiteral("\u00d7"), tr("Factor on the gain at that frequency, 0 to 1")},
+         {tr("Damping"), {}, tr("Of its poles: the more, the wider it is")}},
+        {{tr("Corner"), frequency, tr("There the gain has fallen by 3 dB")},
+         {tr("Order"), {}, tr("1 or 2")}}};
     const QString name = tr("Filter %1").arg(at + 1);
     row.kind->setAccessibleName(tr("%1: kind").arg(name));
     row.kind->setToolTip(tr("Lead: phase at a frequency. Lag: more gain at rest. Notch: little gain at a "
@@ -32,10 +41,11 @@ void FilterEditor::sayFilter(std::size_t at) {
     row.remove->setAccessibleName(tr("Remove %1").arg(name));
     row.remove->setToolTip(row.remove->accessibleName());
     for (std::size_t i = 0; i < row.fields.size(); ++i) {
-        const auto& [figure, unit] = figures[row.filter.index()][i];
+        const auto& [figure, unit, help] = figures[row.filter.index()][i];
         row.fields[i].name->setText(figure);
         row.fields[i].unit->setText(unit);
         row.fields[i].edit->setAccessibleName(QStringLiteral("%1: %2").arg(name, figure));
+        row.fields[i].edit->setExplanation(help);
         row.fields[i].edit->setObjectName(QStringLiteral("filter%1.%2").arg(at + 1).arg(i));
     }
 }

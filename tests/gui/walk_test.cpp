@@ -4,6 +4,7 @@
 #include "app/window/preferences_dialog.h"
 #include "app/wizards/calibrate_panel.h"
 #include "app/workspaces/drive_control.h"
+#include "app/workspaces/filter_editor.h"
 #include "app/workspaces/import_view.h"
 #include "app/workspaces/page_chooser.h"
 #include "app/workspaces/recording_control.h"
@@ -110,6 +111,17 @@ protected:
         return seen;
     }
 
+    /// What stands around gains in the Tune panel, one filter of each kind.
+    void lookAtFilters() {
+        auto* filters = window->docks().panel("tune")->findChild<app::FilterEditor*>();
+        control::ShapedLaw shaped;
+        shaped.filters = {control::LeadFilter{50.0, 20.0}, control::LagFilter{2.0, 2.0},
+                          control::NotchFilter{150.0, 0.3, 0.5}, control::LowPassFilter{250.0, 1}};
+        filters->setShaping(shaped);
+        lookInside("tune", "tune/filters");
+        filters->setShaping(std::nullopt);
+    }
+
     void check(const char* panel, const char* key) {
         for (QAction* action : window->docks().panel(panel)->findChildren<QAction*>()) {
             if (action->isCheckable() && action->shortcut() == QKeySequence(QLatin1String(key))) {
@@ -197,6 +209,7 @@ TEST_P(WalkTest, findsNothingWrongInResultsNorWhenStopped) {
     }
     window->docks().setPerspective(Perspective::Tune);
     look("tune/design");
+    lookAtFilters();
     EXPECT_GE(lookAtPages("tune", "tune"), 7); // all but the verification, which nothing has made yet
     session().stopActuator();
     ASSERT_TRUE(wait([&] { return session().report().board.isStopLatched; }));
