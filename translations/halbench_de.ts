@@ -6219,10 +6219,6 @@
         <translation>nehmen Sie eine kleinere Rate oder weniger Signale</translation>
     </message>
     <message>
-        <source>&apos;column&apos; must be a whole number from 1 to {}</source>
-        <translation>„column“ muss eine ganze Zahl von 1 bis {} sein</translation>
-    </message>
-    <message>
         <source>[monitor] has follow and cursors (true or false), span_s, rate_hz and trigger</source>
         <translation>[monitor] hat follow und cursors (true oder false), span_s, rate_hz und trigger</translation>
     </message>
@@ -6283,10 +6279,6 @@
         <translation>{} Filter sind mehr als {}</translation>
     </message>
     <message>
-        <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow, column, units</source>
-        <translation>unbekannter Schlüssel „{}“; ein [[plot]] hat signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow, column, units</translation>
-    </message>
-    <message>
         <source>&apos;units&apos; must be a table of signals with their units, units.position = &quot;mrad&quot;</source>
         <translation>„units“ muss eine Tabelle von Signalen mit ihren Einheiten sein, units.position = &quot;mrad&quot;</translation>
     </message>
@@ -6317,6 +6309,14 @@
     <message>
         <source>leave them out of the gains to ask what if</source>
         <translation>lassen Sie sie aus den Reglerparametern weg, um zu fragen, was wäre wenn</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be a whole number from 1 to {}</source>
+        <translation>„{}“ muss eine ganze Zahl von 1 bis {} sein</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow, column, height_percent, width_percent, units</source>
+        <translation>unbekannter Schlüssel „{}“; ein [[plot]] hat signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow, column, height_percent, width_percent, units</translation>
     </message>
 </context>
 <context>
@@ -10074,6 +10074,14 @@ mit %1 Zeilen in der Sekunde</translation>
     <message>
         <source>The present one ends as it was begun; saving the project loses nothing of it.</source>
         <translation>Die jetzige endet, wie sie begonnen wurde; beim Speichern des Projekts geht davon nichts verloren.</translation>
+    </message>
+    <message>
+        <source>Plots are shown as usual where the project says what cannot be: %1</source>
+        <translation>Diagramme sind wie gewöhnlich, wo das Projekt sagt, was nicht sein kann: %1</translation>
+    </message>
+    <message>
+        <source>The file keeps these lines until the project is saved.</source>
+        <translation>Die Datei behält diese Zeilen, bis das Projekt gespeichert wird.</translation>
     </message>
 </context>
 <context>
@@ -14462,6 +14470,10 @@ Im Monitor ändern &lt; und &gt; sie. Ein wirkliches Gerät hat seine eigene Zei
         <source>Arrow keys move a cursor or scroll, plus and minus zoom the time, with Ctrl the values, Space pauses, F fits, Insert adds signals.</source>
         <translation>Die Pfeiltasten bewegen eine Messmarke oder verschieben, Plus und Minus zoomen die Zeit, mit Strg die Werte, die Leertaste hält an, F passt ein, Einfg fügt Signale hinzu.</translation>
     </message>
+    <message>
+        <source>%1, column %2</source>
+        <translation>%1, Spalte %2</translation>
+    </message>
 </context>
 <context>
     <name>halbench::widgets::LivePlotStack</name>
@@ -14820,6 +14832,46 @@ Im Monitor ändern &lt; und &gt; sie. Ein wirkliches Gerät hat seine eigene Zei
     <message>
         <source>The value axes of the plot with the focus follow its data again</source>
         <translation>Die Wertachsen des Diagramms mit dem Fokus folgen wieder seinen Daten</translation>
+    </message>
+    <message>
+        <source>Taller plot</source>
+        <translation>Diagramm höher</translation>
+    </message>
+    <message>
+        <source>The plot gets taller, the others of its column shorter</source>
+        <translation>Das Diagramm wird höher, die anderen seiner Spalte niedriger</translation>
+    </message>
+    <message>
+        <source>Shorter plot</source>
+        <translation>Diagramm niedriger</translation>
+    </message>
+    <message>
+        <source>The plot gets shorter, the others of its column taller</source>
+        <translation>Das Diagramm wird niedriger, die anderen seiner Spalte höher</translation>
+    </message>
+    <message>
+        <source>Wider column</source>
+        <translation>Spalte breiter</translation>
+    </message>
+    <message>
+        <source>The column of the plot gets wider, the others narrower</source>
+        <translation>Die Spalte des Diagramms wird breiter, die anderen schmaler</translation>
+    </message>
+    <message>
+        <source>Narrower column</source>
+        <translation>Spalte schmaler</translation>
+    </message>
+    <message>
+        <source>The column of the plot gets narrower, the others wider</source>
+        <translation>Die Spalte des Diagramms wird schmaler, die anderen breiter</translation>
+    </message>
+    <message>
+        <source>Equal sizes</source>
+        <translation>Gleiche Größen</translation>
+    </message>
+    <message>
+        <source>All columns equally wide, all plots of a column equally tall</source>
+        <translation>Alle Spalten gleich breit, alle Diagramme einer Spalte gleich hoch</translation>
     </message>
 </context>
 <context>
@@ -15362,6 +15414,13 @@ Hall B
 %1
 Hall B
 %2</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::ShareSplitter</name>
+    <message>
+        <source>Drag to share the room; a double click shares it evenly</source>
+        <translation>Ziehen teilt den Platz, ein Doppelklick teilt ihn gleichmäßig</translation>
     </message>
 </context>
 <context>

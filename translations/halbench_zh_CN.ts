@@ -6219,10 +6219,6 @@
         <translation>请采用较低的速率或较少的信号</translation>
     </message>
     <message>
-        <source>&apos;column&apos; must be a whole number from 1 to {}</source>
-        <translation>“column”必须是 1 到 {} 的整数</translation>
-    </message>
-    <message>
         <source>[monitor] has follow and cursors (true or false), span_s, rate_hz and trigger</source>
         <translation>[monitor] 有 follow 和 cursors（true 或 false）、span_s、rate_hz 和 trigger</translation>
     </message>
@@ -6283,10 +6279,6 @@
         <translation>{} 个滤波器多于 {} 个</translation>
     </message>
     <message>
-        <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow, column, units</source>
-        <translation>未知的键“{}”；[[plot]] 有 signals、min、max、unit、right、right_min、right_max、right_unit、own_span_s、own_follow、column、units</translation>
-    </message>
-    <message>
         <source>&apos;units&apos; must be a table of signals with their units, units.position = &quot;mrad&quot;</source>
         <translation>“units”必须是由信号及其单位组成的表，如 units.position = &quot;mrad&quot;</translation>
     </message>
@@ -6317,6 +6309,14 @@
     <message>
         <source>leave them out of the gains to ask what if</source>
         <translation>要进行假如分析，请从增益中去掉它们</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; must be a whole number from 1 to {}</source>
+        <translation>“{}”必须是 1 到 {} 之间的整数</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow, column, height_percent, width_percent, units</source>
+        <translation>未知的键“{}”；[[plot]] 有 signals、min、max、unit、right、right_min、right_max、right_unit、own_span_s、own_follow、column、height_percent、width_percent、units</translation>
     </message>
 </context>
 <context>
@@ -10068,6 +10068,14 @@ by %1 rows a second</source>
     <message>
         <source>The present one ends as it was begun; saving the project loses nothing of it.</source>
         <translation>当前记录按开始时的设置结束；保存项目不会丢失任何内容。</translation>
+    </message>
+    <message>
+        <source>Plots are shown as usual where the project says what cannot be: %1</source>
+        <translation>项目中不可能成立之处，曲线图照常显示：%1</translation>
+    </message>
+    <message>
+        <source>The file keeps these lines until the project is saved.</source>
+        <translation>文件在项目保存之前保留这些行。</translation>
     </message>
 </context>
 <context>
@@ -14450,6 +14458,10 @@ In the Monitor &lt; and &gt; change it. A real device has its own time.</source>
         <source>Arrow keys move a cursor or scroll, plus and minus zoom the time, with Ctrl the values, Space pauses, F fits, Insert adds signals.</source>
         <translation>方向键移动光标或滚动，加号和减号缩放时间，按住 Ctrl 则缩放数值，空格键暂停，F 使其适应，Insert 添加信号。</translation>
     </message>
+    <message>
+        <source>%1, column %2</source>
+        <translation>%1，第 %2 列</translation>
+    </message>
 </context>
 <context>
     <name>halbench::widgets::LivePlotStack</name>
@@ -14808,6 +14820,46 @@ In the Monitor &lt; and &gt; change it. A real device has its own time.</source>
     <message>
         <source>The value axes of the plot with the focus follow its data again</source>
         <translation>具有焦点的曲线图的数值轴重新跟随其数据</translation>
+    </message>
+    <message>
+        <source>Taller plot</source>
+        <translation>曲线图加高</translation>
+    </message>
+    <message>
+        <source>The plot gets taller, the others of its column shorter</source>
+        <translation>该曲线图加高，同列的其他曲线图变矮</translation>
+    </message>
+    <message>
+        <source>Shorter plot</source>
+        <translation>曲线图变矮</translation>
+    </message>
+    <message>
+        <source>The plot gets shorter, the others of its column taller</source>
+        <translation>该曲线图变矮，同列的其他曲线图加高</translation>
+    </message>
+    <message>
+        <source>Wider column</source>
+        <translation>列加宽</translation>
+    </message>
+    <message>
+        <source>The column of the plot gets wider, the others narrower</source>
+        <translation>该曲线图所在的列加宽，其他列变窄</translation>
+    </message>
+    <message>
+        <source>Narrower column</source>
+        <translation>列变窄</translation>
+    </message>
+    <message>
+        <source>The column of the plot gets narrower, the others wider</source>
+        <translation>该曲线图所在的列变窄，其他列加宽</translation>
+    </message>
+    <message>
+        <source>Equal sizes</source>
+        <translation>大小相等</translation>
+    </message>
+    <message>
+        <source>All columns equally wide, all plots of a column equally tall</source>
+        <translation>各列等宽，同列各曲线图等高</translation>
     </message>
 </context>
 <context>
@@ -15348,6 +15400,13 @@ Hall B
 %1
 霍尔 B
 %2</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::ShareSplitter</name>
+    <message>
+        <source>Drag to share the room; a double click shares it evenly</source>
+        <translation>拖动可分配空间；双击则平均分配</translation>
     </message>
 </context>
 <context>
