@@ -216,7 +216,9 @@ MonitorPicture::MonitorPicture(Workbench& bench, widgets::LivePlotStack& stack, 
 
 std::vector<widgets::PictureSheet> MonitorPicture::sheets() const {
     std::vector<widgets::PictureSheet> sheets = monitorSheets(m_stack, *m_stack.history());
-    sheets.front().figure.title = tr("Plots of %1").arg(deviceKey(m_bench.session().info())).toStdString();
+    const devices::DeviceInfo& info = m_bench.session().info();
+    sheets.front().figure.title =
+        tr("Plots of %1").arg(QString::fromStdString(info.id.empty() ? info.uri : info.id)).toStdString();
     return sheets;
 }
 

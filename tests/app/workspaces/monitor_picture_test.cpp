@@ -257,6 +257,12 @@ TEST_F(MonitorPictureTest, isCopiedAndSavedByKey) {
     EXPECT_FALSE(QGuiApplication::clipboard()->image().isNull());
     press(Qt::Key_E, Qt::ControlModifier);
     EXPECT_TRUE(wait([&] { return QFile::exists(path); }));
+    panel->setFileChooser({[&](QWidget*, const FileQuestion&) { return folder.filePath("plots.svg"); }, {}});
+    press(Qt::Key_E, Qt::ControlModifier);
+    ASSERT_TRUE(wait([&] { return QFile::exists(folder.filePath("plots.svg")); }));
+    QFile file(folder.filePath("plots.svg"));
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(file.readAll().contains("Plots of sim-htm-1<")) << "the device's own name";
 }
 
 } // namespace
