@@ -3,6 +3,8 @@
 #include "control/design/board_gains.h"
 #include "control/design/shaped_position_law.h"
 
+#include <fmt/format.h>
+
 #include <deque>
 #include <functional>
 #include <utility>
@@ -68,6 +70,14 @@ Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const Lo
     if (!simulated || !controller) {
         return failure(simulated ? controller.error() : simulated.error());
     }
+    constexpr double Duration_s = 5.0;
+    constexpr double ShortestPeriod_s = 1e-5; // half a million rows
+    if (conditions.timing.period_s < ShortestPeriod_s) {
+        return failure(ErrorCode::OutOfRange,
+                       fmt::format("a step of {:.0f} s is not simulated with a sampling period of {} s",
+                                   Duration_s, conditions.timing.period_s),
+                       fmt::format("give a period of {} s or more", ShortestPeriod_s));
+    }
     // Motion depends on the ratios alone, so the motor may as well have an inertia of 1.
     models::IdealLoopConfig config;
     config.rotor.inertia_kg_m2 = 1.0;
@@ -77,7 +87,7 @@ Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const Lo
     config.law = *simulated;
     config.controller = *controller;
     config.reference.amplitude_rad = amplitude_rad;
-    config.duration_s = 5.0;
+    config.duration_s = Duration_s;
     models::IdealTrace trace = models::runIdealLoop(config);
     const auto metrics = control::measureStep(trace.time_s, trace.angle_rad, 0.0, amplitude_rad);
     if (!metrics) {

@@ -4,6 +4,7 @@
 #include "control/base/units.h"
 #include "control/design/percentiles.h"
 #include "control/design/shaped_bands.h"
+#include "models/plants/loop_rows.h"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -104,7 +105,9 @@ Result<control::StepBand> largeStepBand(const MotorEstimate& estimate, const Loo
     if (!plants) {
         return failure(plants.error());
     }
-    constexpr std::size_t Stride = 10; // of the trace's milliseconds: what a picture can show
+    constexpr double Shown_s = 1e-2; // what a picture can show
+    const double row_s = models::LoopRows(conditions.timing.period_s).interval_s();
+    const auto stride = static_cast<std::size_t>(std::max(1L, std::lround(Shown_s / row_s)));
     control::StepBand band;
     std::vector<std::vector<double>> angles; // by time, of all motors
     for (const control::PositionPlant& plant : *plants) {
@@ -116,12 +119,12 @@ Result<control::StepBand> largeStepBand(const MotorEstimate& estimate, const Loo
             return failure(step.error());
         }
         const models::IdealTrace& trace = step->trace;
-        angles.resize((trace.time_s.size() + Stride - 1) / Stride);
+        angles.resize((trace.time_s.size() + stride - 1) / stride);
         for (std::size_t i = 0; i < angles.size(); ++i) {
-            angles[i].push_back(trace.angle_rad[i * Stride]);
+            angles[i].push_back(trace.angle_rad[i * stride]);
         }
         if (band.time_s.empty()) {
-            for (std::size_t i = 0; i < trace.time_s.size(); i += Stride) {
+            for (std::size_t i = 0; i < trace.time_s.size(); i += stride) {
                 band.time_s.push_back(trace.time_s[i]);
             }
         }

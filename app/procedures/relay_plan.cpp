@@ -6,6 +6,7 @@
 #include "control/base/units.h"
 #include "control/design/robustness.h"
 #include "models/plants/htm_ideal_loop.h"
+#include "models/plants/loop_rows.h"
 
 #include <fmt/format.h>
 
@@ -95,9 +96,11 @@ Swing swingOf(const control::PositionPlant& plant, const RelayPlan& plan, const 
     Swing swing;
     swing.lowest_rad_s = base_rad_s;
     std::vector<double> reference, current, angle;
-    // The simulation's rows are 1 ms apart, whatever the loop's period is; every fourth shows the cycle.
-    constexpr std::size_t RowStep = 4;
-    constexpr double Row_s = 1e-3 * static_cast<double>(RowStep);
+    // Of the simulation's rows, at most 1 ms apart, one in 4 ms shows the cycle.
+    constexpr double Shown_s = 4e-3;
+    const double row_s = models::LoopRows(board.period_s).interval_s();
+    const auto rowStep = static_cast<std::size_t>(std::max(1L, std::lround(Shown_s / row_s)));
+    const double step_s = row_s * static_cast<double>(rowStep);
     for (std::size_t i = 0; i < trace.time_s.size(); ++i) {
         swing.peak_rad_s = std::max(swing.peak_rad_s, trace.speed_rad_s[i]);
         if (trace.time_s[i] < plan.runUp_s) {
@@ -105,7 +108,7 @@ Swing swingOf(const control::PositionPlant& plant, const RelayPlan& plan, const 
         }
         swing.lowest_rad_s = std::min(swing.lowest_rad_s, trace.speed_rad_s[i]);
         swing.highest_rad_s = std::max(swing.highest_rad_s, trace.speed_rad_s[i]);
-        if (i % RowStep == 0) {
+        if (i % rowStep == 0) {
             reference.push_back(trace.reference_rad[i]);
             current.push_back(trace.current_A[i]);
             angle.push_back(trace.angle_rad[i]);
@@ -113,7 +116,7 @@ Swing swingOf(const control::PositionPlant& plant, const RelayPlan& plan, const 
         }
     }
     swing.meanSquare_A2 /= static_cast<double>(std::max<std::size_t>(current.size(), 1));
-    const auto cycle = control::estimateLimitCycle({Row_s, reference, current, angle});
+    const auto cycle = control::estimateLimitCycle({step_s, reference, current, angle});
     swing.cycle = cycle ? std::optional(*cycle) : std::nullopt;
     return swing;
 }

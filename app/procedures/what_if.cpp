@@ -1,6 +1,7 @@
 #include "app/procedures/what_if.h"
 
 #include "app/procedures/large_step.h"
+#include "models/plants/loop_rows.h"
 
 #include <fmt/format.h>
 
@@ -158,6 +159,13 @@ MotionFigures motionFigures(const std::vector<double>& reference_rad, const std:
 }
 
 Result<WhatIfBasis> prepareWhatIf(WhatIfConfig config) {
+    if (const double period_s = config.conditions.timing.period_s; !models::isWholeMilliseconds(period_s)) {
+        return failure(
+            ErrorCode::Refused,
+            fmt::format("a recorded move has rows of 1 ms and cannot be replayed through a loop of {:.6g} ms",
+                        1e3 * period_s),
+            "what if needs a sampling period of whole milliseconds");
+    }
     const auto plant = plantFromEstimate(config.motor);
     if (!plant) {
         return failure(plant.error());

@@ -2,6 +2,7 @@
 
 #include "control/base/assert.h"
 #include "control/base/units.h"
+#include "models/plants/loop_rows.h"
 #include "models/plants/position_law_state.h"
 
 #include <algorithm>
@@ -10,11 +11,9 @@
 namespace halbench::models {
 namespace {
 
-constexpr double Tick_s = 1e-3;
-
-void appendRow(IdealTrace& trace, long tick, const RotorState& rotor, double initialAngle_rad,
+void appendRow(IdealTrace& trace, double time_s, const RotorState& rotor, double initialAngle_rad,
                double reference_rad, double current_A) {
-    trace.time_s.push_back(static_cast<double>(tick) / 1000.0);
+    trace.time_s.push_back(time_s);
     trace.angle_rad.push_back(rotor.angle_rad - initialAngle_rad);
     trace.speed_rad_s.push_back(rotor.speed_rad_s);
     trace.reference_rad.push_back(reference_rad);
@@ -85,26 +84,25 @@ PositionLaw recommendedLaw(const RotorConfig& rotor, double torqueConstant_Nm_pe
 
 IdealTrace runIdealLoop(const IdealLoopConfig& config) {
     HB_ASSERT(config.subStepsPerMillisecond > 0);
-    const long ticks = std::lround(config.duration_s / Tick_s);
-    const long loopTicks = std::lround(config.law.period_s / Tick_s);
-    HB_ASSERT(loopTicks > 0);
+    const LoopRows rows(config.law.period_s);
+    const long last = std::lround(config.duration_s / rows.interval_s());
     PositionLawState law(config.law);
     RotorState rotor;
     rotor.angle_rad = config.initialAngle_rad;
     double current_A = 0.0;
     IdealTrace trace;
-    for (long tick = 0; tick <= ticks; ++tick) {
-        const ReferencePoint reference =
-            evaluateReference(config.reference, static_cast<double>(tick) / 1000.0);
-        if (tick % loopTicks == 0) {
+    for (long row = 0; row <= last; ++row) {
+        const double time_s = rows.time_s(row);
+        const ReferencePoint reference = evaluateReference(config.reference, time_s);
+        if (row % rows.perPeriod() == 0) {
             const double angle_rad = rotor.angle_rad - config.initialAngle_rad;
             current_A =
                 config.controller ? config.controller(reference, angle_rad) : law.step(reference, angle_rad);
         }
-        appendRow(trace, tick, rotor, config.initialAngle_rad, reference.value_rad, current_A);
+        appendRow(trace, time_s, rotor, config.initialAngle_rad, reference.value_rad, current_A);
         for (int i = 0; i < config.subStepsPerMillisecond; ++i) {
             stepRotor(config.rotor, rotor, config.torqueConstant_Nm_per_A * current_A,
-                      Tick_s / config.subStepsPerMillisecond);
+                      rows.interval_s() / config.subStepsPerMillisecond);
         }
     }
     return trace;

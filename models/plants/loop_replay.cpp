@@ -30,26 +30,44 @@ std::vector<double> withoutSpikes(const std::vector<double>& values) {
 } // namespace
 
 LoopReplay replayLoop(const LoopReplayConfig& config) {
-    constexpr double Tick_s = 1e-3;
-    const auto rowsPerPeriod = static_cast<std::size_t>(std::lround(config.law.period_s / Tick_s));
-    HB_ASSERT(rowsPerPeriod > 0 && !config.reference.empty());
+    constexpr double Row_s = 1e-3;
+    constexpr double Rounding_s = 1e-12; // an instant this near to a row is at it
+    const double period_s = config.law.period_s;
+    HB_ASSERT(period_s > 0.0 && !config.reference.empty());
     HB_ASSERT(config.disturbance_A.empty() || config.disturbance_A.size() >= config.rows);
     PositionLawState law(config.law);
     RotorState rotor;
     rotor.friction_ratio = config.friction_ratio;
     double current_A = 0.0;
+    std::size_t sample = 0;
+    const auto nextSample_s = [&] { return static_cast<double>(sample) * period_s; };
+    const auto compute = [&] {
+        current_A =
+            law.step(config.reference[std::min(sample++, config.reference.size() - 1)], rotor.angle_rad);
+    };
     LoopReplay replay;
     replay.angle_rad.reserve(config.rows);
     replay.current_A.reserve(config.rows);
     for (std::size_t row = 0; row < config.rows; ++row) {
-        if (row % rowsPerPeriod == 0) {
-            const std::size_t sample = std::min(row / rowsPerPeriod, config.reference.size() - 1);
-            current_A = law.step(config.reference[sample], rotor.angle_rad);
+        const double begin_s = static_cast<double>(row) / 1000.0;
+        if (nextSample_s() < begin_s + Rounding_s) {
+            compute();
         }
         replay.angle_rad.push_back(rotor.angle_rad);
         replay.current_A.push_back(current_A);
         const double disturbance_A = config.disturbance_A.empty() ? 0.0 : config.disturbance_A[row];
-        stepRotor(config.rotor, rotor, config.torqueConstant_Nm_per_A * (current_A + disturbance_A), Tick_s);
+        const auto moveFor = [&](double duration_s) {
+            stepRotor(config.rotor, rotor, config.torqueConstant_Nm_per_A * (current_A + disturbance_A),
+                      duration_s);
+        };
+        double done_s = 0.0; // of this row; a period of whole milliseconds has no instant within it
+        while (nextSample_s() < begin_s + Row_s - Rounding_s) {
+            const double until_s = nextSample_s() - begin_s;
+            moveFor(until_s - done_s);
+            done_s = until_s;
+            compute();
+        }
+        moveFor(Row_s - done_s);
     }
     return replay;
 }

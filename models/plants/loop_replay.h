@@ -15,7 +15,7 @@ struct LoopReplayConfig {
     double friction_ratio = 1.0;               ///< of this run over K_f
     std::span<const ReferencePoint> reference; ///< one a period of the law, from the start of the rotor
     std::span<const double> disturbance_A;     ///< one a row, added to the current; empty: none
-    std::size_t rows = 0;                      ///< 1 ms apart
+    std::size_t rows = 0;                      ///< 1 ms apart, whatever the law's period is
 };
 
 struct LoopReplay {

@@ -186,5 +186,36 @@ TEST(LargeStep, isTheIdealLoopOfTheTheory) {
     }
 }
 
+// Expected: steps of 10 us by a program of its own, which are exact to some 1e-4 rad.
+TEST(LargeStep, keepsPeriodsThatAreNoWholeMilliseconds) {
+    const control::PositionPlant plant = *plantFromEstimate(published());
+    control::PositionLaw law;
+    law.gains.proportional = 10.0;
+    law.gains.integral = 0.1;
+    law.gains.derivative = 0.4;
+    const struct {
+        double period_s;
+        double overshoot_percent;
+        double final_rad;
+    } table[] = {{1e-4, 7.481, -0.13057},
+                 {5e-4, 7.499, -0.13089},
+                 {1.5e-3, 7.547, -0.13172},
+                 {2.5e-3, 7.599, -0.13262},
+                 {1.05e-2, 8.158, -0.13714}};
+    for (const auto& row : table) {
+        LoopConditions conditions;
+        conditions.timing.period_s = row.period_s;
+        const auto step = predictLargeStep(plant, {law, {}}, conditions, LargeStepHeight_rad);
+        ASSERT_TRUE(step.has_value());
+        EXPECT_NEAR(step->metrics.overshoot_percent, row.overshoot_percent, 0.02) << row.period_s;
+        EXPECT_NEAR(step->metrics.finalError_rad, row.final_rad, 5e-4) << row.period_s;
+        EXPECT_TRUE(runAnalysis(published(), {law, {}}, conditions).has_value()) << row.period_s;
+    }
+    LoopConditions tooFast;
+    tooFast.timing.period_s = 1e-6;
+    EXPECT_EQ(predictLargeStep(plant, {law, {}}, tooFast, LargeStepHeight_rad).error().code,
+              ErrorCode::OutOfRange);
+}
+
 } // namespace
 } // namespace halbench::app

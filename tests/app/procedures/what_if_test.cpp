@@ -193,6 +193,19 @@ TEST(WhatIf, aMotorWithoutCovarianceHasNone) {
     EXPECT_EQ(basis.error().code, ErrorCode::Refused);
 }
 
+TEST(WhatIf, aLoopBetweenTheRowsOfTheRecordHasNone) {
+    const control::PositionLaw ran = lawOf("recommended");
+    RecordedMove still;
+    still.reference_rad = still.position_rad = still.current_A = std::vector<double>(100, 0.0);
+    for (const double period_s : {1e-4, 4e-4, 1.5e-3}) { // the shortest made the search for rows endless
+        LoopConditions conditions;
+        conditions.timing.period_s = period_s;
+        const auto basis = prepareWhatIf({still, ran, conditions, uncertainMotor(0.02), {10, 1}});
+        ASSERT_FALSE(basis) << period_s;
+        EXPECT_EQ(basis.error().code, ErrorCode::Refused);
+    }
+}
+
 TEST(WhatIf, figuresAreOfTheWholeMotion) {
     const MotionFigures step = motionFigures({1.0, 1.0, 1.0, 1.0}, {0.0, 1.2, 0.9, 1.0});
     EXPECT_NEAR(*step.overshoot_rad, 0.2, 1e-12);

@@ -36,6 +36,36 @@ TEST(LoopReplay, isTheIdealLoopBehindARecordedReference) {
     EXPECT_EQ(replay.current_A, expected.current_A);
 }
 
+// Periods between the rows: the same instants of the loop, seen at the rows that both have.
+TEST(LoopReplay, computesAtTheLoopsOwnInstantsBetweenTheRows) {
+    for (const double period_s : {1e-4, 4e-4, 5e-4, 1.5e-3, 2.5e-3}) {
+        IdealLoopConfig ideal;
+        ideal.law = recommendedLaw(ideal.rotor, 1.43e-2);
+        ideal.law.period_s = period_s;
+        ideal.reference.amplitude_rad = 1.0;
+        ideal.duration_s = 1.0;
+        const IdealTrace expected = runIdealLoop(ideal);
+        const std::vector<ReferencePoint> reference(1, {1.0, 0.0, 0.0});
+        LoopReplayConfig config;
+        config.law = ideal.law;
+        config.reference = reference;
+        config.rows = 1001;
+        const LoopReplay replay = replayLoop(config);
+        std::size_t compared = 0;
+        for (std::size_t i = 0; i < expected.time_s.size(); ++i) {
+            const double row = 1e3 * expected.time_s[i];
+            if (std::fabs(row - std::round(row)) < 1e-6 && row < 1000.5) {
+                // The same closed forms over other stretches: rounding of a thousand of them.
+                ASSERT_NEAR(replay.angle_rad[static_cast<std::size_t>(std::lround(row))],
+                            expected.angle_rad[i], 1e-9)
+                    << period_s << " s, row " << row;
+                ++compared;
+            }
+        }
+        EXPECT_GT(compared, 200U) << period_s;
+    }
+}
+
 // Steady, the integral takes all of a constant disturbance: u = -d, within what friction hides.
 TEST(LoopReplay, theLoopAnswersADisturbance) {
     const std::vector<ReferencePoint> reference(2);
