@@ -19,15 +19,20 @@ std::string recoveryText(const std::string& path, const devices::Recovery& recov
     const std::string damaged =
         recovery.damagedOctets == 0
             ? std::string()
-            : fmt::format("; left out: {} octets that the checksums say are damaged", recovery.damagedOctets);
-    return fmt::format("recovered {} rows ({} s) of {}; {}{}", recovery.rows,
-                       formatNumber(recovery.duration_s), path, cut, damaged);
+            : fmt::format("; left out: {} octets that are damaged", recovery.damagedOctets);
+    const std::string unchecked =
+        recovery.uncheckedRows == 0
+            ? std::string()
+            : fmt::format("; rows at its end without a checksum: {}", recovery.uncheckedRows);
+    return fmt::format("recovered {} rows ({} s) of {}; {}{}{}", recovery.rows,
+                       formatNumber(recovery.duration_s), path, cut, damaged, unchecked);
 }
 
 JsonValue toJson(const devices::Recovery& recovery) {
     JsonValue document = JsonValue::object();
     document.set("rows", static_cast<std::uint64_t>(recovery.rows)).set("duration_s", recovery.duration_s);
-    return document.set("cut_octets", recovery.cutOctets).set("damaged_octets", recovery.damagedOctets);
+    document.set("cut_octets", recovery.cutOctets).set("damaged_octets", recovery.damagedOctets);
+    return document.set("unchecked_rows", static_cast<std::uint64_t>(recovery.uncheckedRows));
 }
 
 } // namespace

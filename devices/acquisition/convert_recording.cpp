@@ -73,7 +73,7 @@ Result<Source> readSource(const std::string& path, const std::function<Result<vo
     }
     const Recording& recording = partial->file.recording;
     const Recovery recovery{recording.rows(), recording.time_s.back() - recording.time_s.front(),
-                            partial->cutOctets, partial->damagedOctets};
+                            partial->cutOctets, partial->damagedOctets, partial->uncheckedRows};
     return Source{std::move(partial->file), recovery};
 }
 

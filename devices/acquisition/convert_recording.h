@@ -36,7 +36,8 @@ struct Recovery {
     std::size_t rows = 0;
     double duration_s = 0.0;         ///< from the first row to the last
     std::uint64_t cutOctets = 0;     ///< behind the last whole row
-    std::uint64_t damagedOctets = 0; ///< left out because their checksum does not fit
+    std::uint64_t damagedOctets = 0; ///< left out: their checksum does not fit, or they are no row
+    std::size_t uncheckedRows = 0;   ///< the last ones, which no checksum covers
 };
 
 struct Conversion {

@@ -66,20 +66,20 @@ std::vector<RecordingChunk> parseChunks(std::string_view text) {
     return chunks;
 }
 
-CheckedText checkChunks(std::string_view text, const std::vector<RecordingChunk>& chunks) {
-    CheckedText checked;
+std::vector<CheckedPart> checkChunks(std::string_view text, const std::vector<RecordingChunk>& chunks) {
+    std::vector<CheckedPart> parts;
     for (const RecordingChunk& chunk : chunks) {
-        const std::string_view part = text.substr(0, chunk.octets);
-        if (part.size() == chunk.octets && crc32(part) == chunk.crc) {
-            checked.text += part;
-        } else {
-            checked.damagedOctets += part.size();
+        if (text.size() < chunk.octets) {
+            break;
         }
+        const std::string_view part = text.substr(0, chunk.octets);
+        parts.push_back({part, crc32(part) == chunk.crc ? PartState::Confirmed : PartState::Damaged});
         text.remove_prefix(part.size());
     }
-    checked.checkedOctets = checked.text.size();
-    checked.text += text;
-    return checked;
+    if (!text.empty()) {
+        parts.push_back({text, PartState::Unchecked});
+    }
+    return parts;
 }
 
 } // namespace halbench::devices

@@ -26,12 +26,19 @@ std::string chunkLine(const RecordingChunk& chunk);
 /// All up to the first line that is not one, e.g. torn by a power loss.
 std::vector<RecordingChunk> parseChunks(std::string_view text);
 
-/// A text without what was damaged.
-struct CheckedText {
-    std::string text;
-    std::size_t checkedOctets = 0;   ///< of `text`: confirmed by a checksum; what follows came after the last
-    std::uint64_t damagedOctets = 0; ///< left out
+/// What the checksums say of a stretch of a file.
+enum class PartState {
+    Confirmed, ///< it is what was written
+    Damaged,   ///< it is not
+    Unchecked  ///< no checksum says; always the end of the file
 };
-CheckedText checkChunks(std::string_view text, const std::vector<RecordingChunk>& chunks);
+struct CheckedPart {
+    std::string_view text;
+    PartState state = PartState::Unchecked;
+    bool operator==(const CheckedPart&) const = default;
+};
+/// The file in pieces, in order, none of them empty. A chunk of which the file has only the beginning is not
+/// damaged: what is there has no checksum.
+std::vector<CheckedPart> checkChunks(std::string_view text, const std::vector<RecordingChunk>& chunks);
 
 } // namespace halbench::devices

@@ -167,6 +167,14 @@ Result<void> readRow(const Line& line, const std::string& origin, std::size_t co
 
 } // namespace
 
+Result<StreamLayout> parseCsvHeader(std::string_view line, const std::string& origin) {
+    return readHeader({line, 1}, origin);
+}
+
+bool appendCsvRow(std::string_view line, std::size_t columns, Recording& recording) {
+    return readPlainRow(line, columns, recording);
+}
+
 std::string csvColumnName(const std::string& signal, const std::string& unit) {
     std::string name = signal;
     std::replace(name.begin(), name.end(), '.', '_');

@@ -40,6 +40,12 @@ void appendCsvNumber(std::string& text, double value, CsvNumbers numbers = CsvNu
 Result<Recording> parseRecordingCsv(std::string_view text, const std::string& origin,
                                     const std::function<Result<void>()>& checkAbort = {});
 
+/// "time_s,position_rad,..." without its end. Errors: InvalidInput with line 1 and column of `origin`.
+Result<StreamLayout> parseCsvHeader(std::string_view line, const std::string& origin);
+/// Appends a row as appendCsvRows() writes it, without its end; false leaves the recording as it was: another
+/// number of fields, text, or a time that does not increase.
+bool appendCsvRow(std::string_view line, std::size_t columns, Recording& recording);
+
 /// The same piece by piece: of a long file only the numbers are in memory, never its text.
 class RecordingCsvParser {
 public:

@@ -2,8 +2,8 @@
 
 #include "devices/acquisition/file_access.h"
 #include "devices/acquisition/mdf4_reader.h"
-#include "devices/acquisition/recording_chunks.h"
 #include "devices/acquisition/recording_csv.h"
+#include "devices/acquisition/recording_salvage.h"
 #include "devices/acquisition/recording_writer.h"
 #include "devices/profile.h"
 
@@ -167,13 +167,6 @@ std::string metaPartialOf(const std::string& path) {
     return partialPathOf(metaPathOf(finalPathOf(path)));
 }
 
-/// Up to the end of the last line that was written wholly. A power loss may have left zeros behind it.
-std::size_t wholeLines(const std::string& text) {
-    const std::size_t written = text.find('\0');
-    const std::size_t lastEnd = text.rfind('\n', written);
-    return lastEnd == std::string::npos ? 0 : lastEnd + 1;
-}
-
 /// Where it is. A program that was killed between the last two steps of a recording left it under the name
 /// that it had until then.
 std::string sidecarOf(const std::string& path) {
@@ -182,27 +175,28 @@ std::string sidecarOf(const std::string& path) {
     return !QFileInfo::exists(pathOf(metaPath)) && QFileInfo::exists(pathOf(last)) ? last : metaPath;
 }
 
-/// Leaves out of the text what is damaged or no whole line.
-std::size_t keepWhole(const std::string& path, std::string& text, PartialRecording& partial) {
-    const Result<std::string> journal = readText(journalPathOf(finalPathOf(path)), MaxMeta);
-    CheckedText checked = checkChunks(text, journal ? parseChunks(*journal) : std::vector<RecordingChunk>());
-    text = std::move(checked.text);
-    partial.damagedOctets = checked.damagedOctets;
-    partial.cutOctets = text.size() - wholeLines(text);
-    text.resize(wholeLines(text));
-    return checked.checkedOctets;
+/// The rows are worth more than their sidecar: a damaged one does not stop a recovery.
+void readPartialMeta(const std::string& path, RecordedFile& file) {
+    const Result<std::string> text = readText(metaPartialOf(path), MaxMeta);
+    if (text) {
+        Result<RecordingMeta> meta = parseMetaJson(*text, metaPartialOf(path));
+        file.hasMeta = meta.has_value();
+        file.meta = meta ? *std::move(meta) : RecordingMeta();
+    }
 }
 
-/// What came after the last checksum may be anything after a power loss; what has one is worth having.
-Result<Recording> parseWhole(const std::string& path, std::string text, std::size_t checkedOctets,
-                             PartialRecording& partial) {
-    Result<Recording> all = parseRecordingCsv(text, path);
-    if (all || checkedOctets == 0 || checkedOctets >= text.size()) {
-        return all;
+/// Only where nothing was recorded may anybody remove it.
+tl::unexpected<Error> noRowsIn(const std::string& path, bool isEmpty, std::string_view journal) {
+    if (isEmpty) {
+        return failure(ErrorCode::InvalidInput, fmt::format("'{}' holds no whole row", path),
+                       "nothing was recorded before the interruption; the file can be removed");
     }
-    partial.cutOctets += text.size() - checkedOctets;
-    text.resize(checkedOctets);
-    return parseRecordingCsv(text, path);
+    return failure(
+        ErrorCode::InvalidInput, fmt::format("no row of '{}' is undamaged", path),
+        journal.empty()
+            ? std::string("it stays as it is: what is in it can be read as text")
+            : fmt::format("it stays as it is; to read what its checksums do not confirm, move '{}' away",
+                          journalPathOf(finalPathOf(path))));
 }
 
 } // namespace
@@ -257,22 +251,20 @@ Result<PartialRecording> readPartialRecording(const std::string& path) {
         return failure(text.error());
     }
     PartialRecording partial;
-    const std::size_t checkedOctets = keepWhole(path, *text, partial);
-    if (text->find('\n') == std::string::npos || text->find('\n') + 1 == text->size()) {
-        return failure(ErrorCode::InvalidInput, fmt::format("'{}' holds no whole row", path),
-                       "nothing was recorded before the interruption; the file can be removed");
+    readPartialMeta(path, partial.file);
+    const std::string journal = readText(journalPathOf(finalPathOf(path)), MaxMeta).value_or(std::string());
+    const bool isEmpty = !holdsRows(*text, partial.file.meta);
+    Result<SalvagedRows> salvaged = salvageRows(*text, journal, partial.file.meta, path);
+    if (isEmpty || (salvaged && salvaged->recording.rows() == 0)) {
+        return noRowsIn(path, isEmpty, journal);
     }
-    Result<Recording> recording = parseWhole(path, *std::move(text), checkedOctets, partial);
-    if (!recording) {
-        return failure(recording.error());
+    if (!salvaged) {
+        return failure(salvaged.error());
     }
-    partial.file.recording = *std::move(recording);
-    const Result<std::string> metaText = readText(metaPartialOf(path), MaxMeta);
-    if (metaText) { // the rows are worth more than their sidecar: a damaged one does not stop a recovery
-        Result<RecordingMeta> meta = parseMetaJson(*metaText, metaPartialOf(path));
-        partial.file.hasMeta = meta.has_value();
-        partial.file.meta = meta ? *std::move(meta) : RecordingMeta();
-    }
+    partial.file.recording = std::move(salvaged->recording);
+    partial.cutOctets = salvaged->cutOctets;
+    partial.damagedOctets = salvaged->damagedOctets;
+    partial.uncheckedRows = salvaged->uncheckedRows;
     nameColumns(partial.file);
     partial.file.meta.markers.push_back({partial.file.recording.time_s.back(), "recording interrupted"});
     return partial;

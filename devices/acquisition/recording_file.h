@@ -36,15 +36,16 @@ Result<std::string> readTableText(const std::string& path);
 struct PartialRecording {
     RecordedFile file;
     std::uint64_t cutOctets = 0;     ///< behind the last whole row: a piece of one, or what a power loss left
-    std::uint64_t damagedOctets = 0; ///< chunks whose checksum does not fit; left out
+    std::uint64_t damagedOctets = 0; ///< left out: chunks whose checksum does not fit, and what is no row
+    std::size_t uncheckedRows = 0;   ///< the last ones, which no checksum covers
 };
 
 /// "dir/run.csv.partial", the name of a recording that is not complete.
 bool isPartialRecording(const std::string& path);
 
-/// Reads `run.csv.partial` as an interrupted program left it, up to its last whole row, with what its sidecar
-/// says and without what its checksums say is damaged; a marker tells where it ends. Errors: FileSystem,
-/// InvalidInput (no whole row; line and column).
+/// Reads `run.csv.partial` as an interrupted program left it (salvageRows()), with what its sidecar says; a
+/// marker tells where it ends. Errors: FileSystem, InvalidInput (no row in it, or none that can be read; no
+/// header: line and column).
 Result<PartialRecording> readPartialRecording(const std::string& path);
 
 /// Ends `run.csv.partial` when what can be had of it is safe elsewhere: removes it, its sidecar and its

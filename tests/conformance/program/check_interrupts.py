@@ -84,7 +84,7 @@ class Killed(BoardCase):
         self.assertRegex(answer.err, r"'f\.interrupted\.csv\.partial'; halbench convert")
         self.assert_nothing_left("f.csv", "f.meta.json", "f.interrupted.csv.partial")
         answer = self.accept("convert", "f.interrupted.csv.partial", "old.csv", "--json")
-        self.assertEqual(answer.json()["recovered"], {"rows": 2, "duration_s": 0.01, "cut_octets": 3, "damaged_octets": 0})
+        self.assertEqual(answer.json()["recovered"], {"rows": 2, "duration_s": 0.01, "cut_octets": 3, "damaged_octets": 0, "unchecked_rows": 2})
 
     def test_nothing_to_recover_is_said(self):
         for text in ("", "time_s,posi", "time_s,position_rad\n", "time_s,position_rad\n0,"):

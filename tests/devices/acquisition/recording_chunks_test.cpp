@@ -32,18 +32,19 @@ TEST(RecordingChunks, aDamagedChunkIsLeftOutAndTheOthersStay) {
     for (const std::string& part : parts) {
         chunks.push_back({part.size(), crc32(part)});
     }
-    const CheckedText whole = checkChunks("first\nsecond\nthird\ntail", chunks);
-    EXPECT_EQ(whole.text, "first\nsecond\nthird\ntail");
-    EXPECT_EQ(whole.checkedOctets, 19U);
-    EXPECT_EQ(whole.damagedOctets, 0U);
-    const CheckedText damaged = checkChunks("first\nsecOnd\nthird\ntail", chunks);
-    EXPECT_EQ(damaged.text, "first\nthird\ntail");
-    EXPECT_EQ(damaged.checkedOctets, 12U);
-    EXPECT_EQ(damaged.damagedOctets, 7U);
-    const CheckedText cut = checkChunks("first\nsec", chunks);
-    EXPECT_EQ(cut.text, "first\n");
-    EXPECT_EQ(cut.damagedOctets, 3U);
-    EXPECT_EQ(checkChunks("all\n", {}).text, "all\n") << "without checksums nothing is known to be damaged";
+    using enum PartState;
+    using Parts = std::vector<CheckedPart>;
+    EXPECT_EQ(
+        checkChunks("first\nsecond\nthird\ntail", chunks),
+        (Parts{
+            {"first\n", Confirmed}, {"second\n", Confirmed}, {"third\n", Confirmed}, {"tail", Unchecked}}));
+    EXPECT_EQ(checkChunks("first\nsecOnd\nthird\n", chunks),
+              (Parts{{"first\n", Confirmed}, {"secOnd\n", Damaged}, {"third\n", Confirmed}}));
+    EXPECT_EQ(checkChunks("first\nsec", chunks), (Parts{{"first\n", Confirmed}, {"sec", Unchecked}}))
+        << "the beginning of a chunk is not damaged";
+    EXPECT_EQ(checkChunks("all\n", {}), (Parts{{"all\n", Unchecked}}))
+        << "without checksums nothing is known to be damaged";
+    EXPECT_TRUE(checkChunks("", chunks).empty());
 }
 
 } // namespace

@@ -228,7 +228,12 @@ TEST_F(RecordingFileTest, zerosThatAPowerLossLeftAreCutOff) {
     const auto found = readPartialRecording(path("run.csv.partial"));
     ASSERT_TRUE(found) << found.error().message;
     EXPECT_EQ(found->file.recording.rows(), 5U);
-    EXPECT_EQ(found->cutOctets, 104U);
+    EXPECT_EQ(found->damagedOctets, 104U) << "there is something behind the zeros: the file is kept";
+    std::ofstream(path("run.csv.partial"), std::ios::binary) << written + std::string(100, '\0');
+    const auto zeros = readPartialRecording(path("run.csv.partial"));
+    ASSERT_TRUE(zeros) << zeros.error().message;
+    EXPECT_EQ(zeros->cutOctets, 100U);
+    EXPECT_EQ(zeros->damagedOctets, 0U);
 }
 
 TEST_F(RecordingFileTest, aDamagedSidecarDoesNotStopARecovery) {

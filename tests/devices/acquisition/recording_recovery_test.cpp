@@ -68,13 +68,14 @@ TEST_F(RecordingRecoveryTest, aDamagedOriginalReplacesNoOlderOne) {
     EXPECT_EQ(retirePartialRecording(path("run.csv.partial"), false), "");
 }
 
-TEST_F(RecordingRecoveryTest, aPowerLossKeepsAllThatHasAChecksumWhateverFollows) {
+TEST_F(RecordingRecoveryTest, whatIsNoRowEndsWhatHasNoChecksum) {
     const std::string written = interruptFlushed(path("run.csv"), ramp(45));
     std::ofstream(path("run.csv.partial"), std::ios::binary) << written << "of an older file\n";
     const auto found = readPartialRecording(path("run.csv.partial"));
     ASSERT_TRUE(found) << found.error().message;
-    EXPECT_EQ(found->file.recording.rows(), 39U); // with the header, four chunks of ten lines
-    EXPECT_GT(found->cutOctets, 17U);
+    EXPECT_EQ(found->file.recording.rows(), 45U);
+    EXPECT_EQ(found->uncheckedRows, 6U); // with the header, four chunks of ten lines
+    EXPECT_EQ(found->damagedOctets, 17U) << "somebody may want to see it: the file is kept";
 }
 
 TEST_F(RecordingRecoveryTest, aRecordingFlushesWithChecksumsWhileItGoesOn) {
@@ -118,6 +119,32 @@ TEST_F(RecordingRecoveryTest, droppedRowsTagsAndNotesAreKeptThroughMdf4) {
     EXPECT_EQ(back->meta.droppedRows, 12U);
     EXPECT_EQ(back->meta.tags, meta.tags);
     EXPECT_EQ(back->meta.notes, meta.notes);
+}
+
+TEST_F(RecordingRecoveryTest, aFileShorterThanItsFirstChunkIsNotEmpty) {
+    const std::string written = interrupt(path("run.csv"), ramp(45));
+    std::ofstream(journalPathOf(path("run.csv")), std::ios::binary)
+        << chunkLine({written.size(), crc32(written)});
+    std::ofstream(path("run.csv.partial"), std::ios::binary) << written.substr(0, written.find("\n0.2,") + 3);
+    const auto found = readPartialRecording(path("run.csv.partial"));
+    ASSERT_TRUE(found) << found.error().message;
+    EXPECT_EQ(found->file.recording.rows(), 20U);
+    EXPECT_EQ(found->uncheckedRows, 20U);
+}
+
+TEST_F(RecordingRecoveryTest, onlyAFileWithoutARowCanBeRemoved) {
+    const std::string written = interruptFlushed(path("run.csv"), ramp(5)); // shorter than a chunk
+    std::ofstream(journalPathOf(path("run.csv")), std::ios::binary) << chunkLine({written.size(), 1});
+    const auto damaged = readPartialRecording(path("run.csv.partial"));
+    ASSERT_FALSE(damaged);
+    EXPECT_EQ(damaged.error().hint.find("can be removed"), std::string::npos) << damaged.error().hint;
+    EXPECT_NE(damaged.error().hint.find("run.chunks.partial"), std::string::npos) << damaged.error().hint;
+    fs::remove(journalPathOf(path("run.csv")));
+    EXPECT_TRUE(readPartialRecording(path("run.csv.partial"))) << "as the hint says";
+    std::ofstream(path("run.csv.partial"), std::ios::binary) << written.substr(0, written.find('\n') + 3);
+    const auto empty = readPartialRecording(path("run.csv.partial"));
+    ASSERT_FALSE(empty);
+    EXPECT_NE(empty.error().hint.find("can be removed"), std::string::npos) << empty.error().hint;
 }
 
 } // namespace
