@@ -115,7 +115,7 @@ void addCalibration(CLI::App* command, CommandOptions& options) {
 void addFrequency(CLI::App* identify, CommandOptions& options) {
     identify->add_flag("--frequency", options.isFrequency,
                        "Measure the frequency response instead: plant, loops, margins");
-    identify->add_option("--excitation", options.excitation, "multisine (default) or stepped-sine");
+    identify->add_option("--excitation", options.excitation, "multisine (default), stepped-sine or chirp");
     identify->add_option("--from-hz", options.fromFrequency, "Lowest frequency, default 0.5")
         ->type_name("HZ");
     identify->add_option("--to-hz", options.toFrequency, "Highest frequency, default 40")->type_name("HZ");
