@@ -2,6 +2,7 @@
 
 #include "widgets/display_units.h"
 #include "widgets/theme_style.h"
+#include "widgets/whole_numbers.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -9,6 +10,7 @@
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QScrollBar>
 
 #include <algorithm>
 
@@ -17,8 +19,9 @@ namespace {
 
 enum Column { Name, Min, Max, PeakToPeak, Mean, Rms, Deviation, Slope, Count, Gaps, Columns };
 
-constexpr int MostRows = 6;  ///< without scrolling
-constexpr int LeastRows = 2; ///< where room is short
+constexpr int MostRows = 6;   ///< without scrolling
+constexpr int LeastRows = 2;  ///< where room is short
+constexpr int LeastName = 14; ///< characters of a name that gives way to numbers
 constexpr int RowSpace_px = 8;
 constexpr int SlopeDigits = 5;
 const QChar Missing(0x2013);
@@ -31,6 +34,8 @@ StatisticsTable::StatisticsTable(QWidget* parent) : QTableWidget(0, Columns, par
     setTabKeyNavigation(false);
     setFont(tabularFont(font()));
     setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    setTextElideMode(Qt::ElideMiddle); // of a long name; its unit stays
+    setItemDelegate(new WholeNumbers(this));
     verticalHeader()->hide();
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + RowSpace_px);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum);
@@ -44,9 +49,10 @@ StatisticsTable::StatisticsTable(QWidget* parent) : QTableWidget(0, Columns, par
 void StatisticsTable::refreshWords() {
     m_copy->setText(tr("Copy the table"));
     setHorizontalHeaderLabels({m_stretch.isEmpty() ? tr("Signal") : m_stretch, tr("Min"), tr("Max"),
-                               tr("Pk-pk"), tr("Mean"), tr("RMS"), tr("Std dev"), tr("Slope A to B"),
-                               tr("Values"), tr("Gaps")});
+                               tr("Pk-pk"), tr("Mean"), tr("RMS"), tr("Std dev"), tr("Slope/s"), tr("Values"),
+                               tr("Gaps")});
     horizontalHeaderItem(PeakToPeak)->setToolTip(tr("Peak to peak: largest less smallest value"));
+    horizontalHeaderItem(Slope)->setToolTip(tr("From cursor A to B: of the signal's unit per second"));
     setAccessibleName(tr("Statistics"));
 }
 
@@ -68,6 +74,7 @@ void StatisticsTable::put(int row, int column, const QString& text) {
     }
     if (field->text() != text) {
         field->setText(text);
+        field->setToolTip(column == Name ? text : QString());
     }
 }
 
@@ -90,10 +97,7 @@ void StatisticsTable::setRows(const std::vector<StatisticsRow>& rows) {
         put(i, Mean, number(row.mean));
         put(i, Rms, number(row.rms));
         put(i, Deviation, number(row.deviation));
-        put(i, Slope,
-            row.isKnown && row.slope
-                ? QStringLiteral("%1 %2/s").arg(numberText(*row.slope, SlopeDigits), row.unit)
-                : QString(Missing));
+        put(i, Slope, row.isKnown && row.slope ? numberText(*row.slope, SlopeDigits) : QString(Missing));
         put(i, Count, row.isKnown ? countText(row.count) : QString(Missing));
         put(i, Gaps, row.isKnown ? countText(row.gaps) : QString(Missing));
         hasSlope = hasSlope || row.slope;
@@ -102,14 +106,27 @@ void StatisticsTable::setRows(const std::vector<StatisticsRow>& rows) {
     fitColumns(isAnew);
 }
 
-/// Columns only grow with the numbers: nothing jumps.
+/// Columns only grow with the numbers: nothing jumps. Where they lack room the names give way first.
 void StatisticsTable::fitColumns(bool isAnew) {
+    m_needed_px.resize(Columns, 0);
+    int numbers_px = 0;
     for (int column = 0; column < Columns; ++column) {
-        const int needed_px =
-            std::max(sizeHintForColumn(column), horizontalHeader()->sectionSizeHint(column));
-        if (isAnew || needed_px > columnWidth(column)) {
+        int& needed_px = m_needed_px[static_cast<std::size_t>(column)];
+        needed_px = std::max(
+            {isAnew ? 0 : needed_px, sizeHintForColumn(column), horizontalHeader()->sectionSizeHint(column)});
+        if (column != Name) {
             setColumnWidth(column, needed_px);
+            numbers_px += isColumnHidden(column) ? 0 : needed_px;
         }
+    }
+    const int least_px =
+        std::max(LeastName * fontMetrics().averageCharWidth(), horizontalHeader()->sectionSizeHint(Name));
+    const int wanted_px = std::max(m_needed_px[Name], least_px);
+    setColumnWidth(Name, std::clamp(viewport()->width() - numbers_px, least_px, wanted_px));
+    if (const bool isScrolled = horizontalHeader()->length() > viewport()->width();
+        isScrolled != m_isScrolled) {
+        m_isScrolled = isScrolled;
+        updateGeometry();
     }
 }
 
@@ -128,9 +145,18 @@ QString StatisticsTable::text() const {
 }
 
 QSize StatisticsTable::sizeOf(int rows) const {
-    return {QTableWidget::sizeHint().width(), horizontalHeader()->sizeHint().height() +
-                                                  rows * verticalHeader()->defaultSectionSize() +
-                                                  2 * frameWidth()};
+    return {QTableWidget::sizeHint().width(),
+            horizontalHeader()->sizeHint().height() + rows * verticalHeader()->defaultSectionSize() +
+                (m_isScrolled ? horizontalScrollBar()->sizeHint().height() : 0) + 2 * frameWidth()};
+}
+
+int StatisticsTable::leastRows() const {
+    return m_isScrolled ? 1 : LeastRows;
+}
+
+int StatisticsTable::heightWithin(int room_px) const {
+    const int rows = (room_px - sizeOf(0).height()) / verticalHeader()->defaultSectionSize();
+    return sizeOf(std::max(rows, leastRows())).height();
 }
 
 QSize StatisticsTable::sizeHint() const {
@@ -138,7 +164,7 @@ QSize StatisticsTable::sizeHint() const {
 }
 
 QSize StatisticsTable::minimumSizeHint() const {
-    return {0, sizeOf(std::clamp(rowCount(), 1, LeastRows)).height()};
+    return {0, sizeOf(std::clamp(rowCount(), 1, leastRows())).height()};
 }
 
 void StatisticsTable::copy() {
@@ -161,6 +187,11 @@ void StatisticsTable::keyPressEvent(QKeyEvent* event) {
         return;
     }
     QTableWidget::keyPressEvent(event);
+}
+
+void StatisticsTable::resizeEvent(QResizeEvent* event) {
+    QTableWidget::resizeEvent(event);
+    fitColumns(false);
 }
 
 void StatisticsTable::changeEvent(QEvent* event) {

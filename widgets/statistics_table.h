@@ -26,6 +26,7 @@ struct StatisticsRow {
 };
 
 /// Statistics of curves, a row each; read only, copied with Ctrl+C or from its menu as tab-separated text.
+/// Long names give way to the numbers, and a number is whole or three dots.
 class StatisticsTable : public QTableWidget {
     Q_OBJECT
 public:
@@ -35,6 +36,8 @@ public:
     void setStretch(const QString& words);
     void setRows(const std::vector<StatisticsRow>& rows);
     QString text() const;
+    /// Of as many whole rows as find room in that height, of the least ones at least.
+    int heightWithin(int room_px) const;
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -43,16 +46,20 @@ protected:
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void copy();
     void refreshWords();
     void fitColumns(bool isAnew);
     QSize sizeOf(int rows) const;
+    int leastRows() const;
     void put(int row, int column, const QString& text);
 
     QAction* m_copy = nullptr;
     QString m_stretch;
+    std::vector<int> m_needed_px; ///< by each column so far
+    bool m_isScrolled = false;    ///< sideways
 };
 
 } // namespace halbench::widgets

@@ -87,14 +87,15 @@ void MonitorStatistics::refresh() {
     for (widgets::StatisticsRow& row : rows) {
         row.isKnown = glance.isWhole(); // a number is right or absent
     }
-    m_table->setStretch(glance.isWhole() ? stretchWords() : tr("The disk is being read"));
+    m_table->setStretch(glance.isWhole() ? stretchWords() : tr("Reading the disk"));
     m_table->setRows(rows);
+    fit(); // whole rows, also beside a scroll bar that came with wider numbers
 }
 
 QString MonitorStatistics::stretchWords() const {
     const QString length = widgets::numberText(stretchInView(m_stack, 0).length_s(), 5);
     if (m_stack.cursors().isVisible) {
-        return tr("Between the cursors, %1 s").arg(length);
+        return tr("A to B, %1 s").arg(length);
     }
     return m_stack.hasOwnTimes() ? tr("In view of each plot") : tr("In view, %1 s").arg(length);
 }
@@ -114,7 +115,7 @@ bool MonitorStatistics::eventFilter(QObject* watched, QEvent* event) {
 void MonitorStatistics::fit() {
     const int above_px = m_stack.mapTo(&m_panel, QPoint()).y();
     const int room_px = static_cast<int>((1.0 - PlotsShare) * m_panel.height()) - above_px;
-    m_table->setMaximumHeight(std::max(room_px, m_table->minimumSizeHint().height()));
+    m_table->setMaximumHeight(std::max(m_table->heightWithin(room_px), m_table->minimumSizeHint().height()));
 }
 
 } // namespace halbench::app

@@ -1,5 +1,6 @@
 #include "tests/gui/inspection.h"
 #include "widgets/elided_label.h"
+#include "widgets/whole_numbers.h"
 
 #include <QAction>
 #include <QApplication>
@@ -115,6 +116,21 @@ TEST_F(InspectionTest, findsACellThatIsCutBesideFreeRoomAndNoOthers) {
     EXPECT_TRUE(found().contains("words that want more room' lacks"));
     table.setColumnWidth(1, 240);
     EXPECT_FALSE(found().contains("lacks")) << found().toStdString();
+}
+
+TEST_F(InspectionTest, findsANumberThatTheEdgeCutsUnlessDotsStandForIt) {
+    QTableWidget table(1, 2, &root);
+    table.setGeometry(0, 0, 300, 60);
+    table.setColumnWidth(0, 200);
+    table.setColumnWidth(1, 110); // behind the edge at the right
+    auto* cell = new QTableWidgetItem("1001");
+    table.setItem(0, 1, cell);
+    EXPECT_TRUE(found().contains("number '1001' is cut")) << found().toStdString();
+    cell->setText("words");
+    EXPECT_FALSE(found().contains("is cut"));
+    cell->setText("1001");
+    table.setItemDelegate(new widgets::WholeNumbers(&table));
+    EXPECT_FALSE(found().contains("is cut")) << found().toStdString();
 }
 
 TEST_F(InspectionTest, findsTitlesThatAreCut) {

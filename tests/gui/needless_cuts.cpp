@@ -1,6 +1,7 @@
 #include "tests/gui/needless_cuts.h"
 
 #include "widgets/elided_label.h"
+#include "widgets/whole_numbers.h"
 
 #include <QHeaderView>
 #include <QTableView>
@@ -71,6 +72,18 @@ QString cutCell(const QAbstractItemView& view, const QHeaderView& header, const 
                : QString();
 }
 
+/// A number of which the edge of the view leaves a part: it reads as another one.
+QString halfNumber(const QAbstractItemView& view, const QModelIndex& index) {
+    const QRect place = view.visualRect(index);
+    const QRect seen = place & view.viewport()->rect();
+    const QString text = index.data().toString();
+    const bool isCut = !seen.isEmpty() && seen.width() < place.width();
+    const bool hasDots = qobject_cast<const widgets::WholeNumbers*>(view.itemDelegate(index)) != nullptr;
+    return isCut && !hasDots && widgets::readsAsNumber(text)
+               ? QStringLiteral("number '%1' is cut by the edge").arg(text)
+               : QString();
+}
+
 QStringList cutCells(const QTableView& table) {
     QStringList found;
     const QAbstractItemModel& model = *table.model();
@@ -79,6 +92,7 @@ QStringList cutCells(const QTableView& table) {
             if (table.columnSpan(row, column) == 1) {
                 found << cutCell(table, *table.horizontalHeader(), model.index(row, column));
             }
+            found << halfNumber(table, model.index(row, column));
         }
     }
     return found;
@@ -92,6 +106,7 @@ QStringList cutCells(const QTreeView& tree, const QModelIndex& parent) {
             if (!tree.isFirstColumnSpanned(row, parent)) {
                 found << cutCell(tree, *tree.header(), model.index(row, column, parent));
             }
+            found << halfNumber(tree, model.index(row, column, parent));
         }
         found << cutCells(tree, model.index(row, 0, parent));
     }

@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QClipboard>
 #include <QGuiApplication>
+#include <QHeaderView>
 #include <QtTest/QTest>
 
 namespace halbench::widgets {
@@ -44,8 +45,8 @@ TEST_F(StatisticsTableTest, theSlopeIsThereWithCursorsOnly) {
     StatisticsRow sloping = row();
     sloping.slope = -12.5;
     table.setRows({sloping});
-    EXPECT_TRUE(table.text().contains("Slope A to B"));
-    EXPECT_TRUE(table.text().contains("-12.5 mT/s")) << table.text().toStdString();
+    EXPECT_TRUE(table.text().contains("Slope/s")); // of the unit beside the name
+    EXPECT_TRUE(table.text().contains("\t-12.5\t")) << table.text().toStdString();
     table.setRows({row()});
     EXPECT_FALSE(table.text().contains("Slope"));
 }
@@ -88,6 +89,41 @@ TEST_F(StatisticsTableTest, itsHeightFollowsItsRowsUpToAFew) {
     table.setRows(std::vector<StatisticsRow>(40, row()));
     EXPECT_LT(table.sizeHint().height(), 10 * one);
     EXPECT_LT(table.minimumSizeHint().height(), table.sizeHint().height()); // where room is short
+}
+
+TEST_F(StatisticsTableTest, namesGiveWayToNumbersAndKeepTheirUnit) {
+    StatisticsRow wide = row();
+    wide.name = "Reluctance torque of the second coil";
+    table.setRows({wide});
+    table.resize(2000, 200);
+    table.show();
+    QCoreApplication::processEvents();
+    const QHeaderView& header = *table.horizontalHeader();
+    const int whole = header.length();
+    ASSERT_LT(whole, table.viewport()->width());
+    table.resize(whole - 100, 200);
+    QCoreApplication::processEvents();
+    EXPECT_LE(header.length(), table.viewport()->width()) << "the last column is in sight";
+    EXPECT_EQ(table.textElideMode(), Qt::ElideMiddle);
+    EXPECT_EQ(table.item(0, 0)->toolTip(), "Reluctance torque of the second coil [mT]");
+    table.resize(2000, 200);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(header.length(), whole) << "with room again";
+}
+
+TEST_F(StatisticsTableTest, itsHeightIsOfWholeRowsAlsoWithAScrollBar) {
+    table.setRows(std::vector<StatisticsRow>(5, row()));
+    for (const int width : {2000, 200}) { // beside, and with a scroll bar
+        table.resize(width, 200);
+        table.show();
+        QCoreApplication::processEvents();
+        for (int room_px = 120; room_px < 160; ++room_px) {
+            table.resize(width, table.heightWithin(room_px));
+            QCoreApplication::processEvents();
+            EXPECT_LE(table.height(), room_px);
+            EXPECT_EQ(table.viewport()->height() % table.rowHeight(0), 0) << width << " " << room_px;
+        }
+    }
 }
 
 } // namespace

@@ -35,7 +35,7 @@ TEST_F(MonitorStatisticsTest, withCursorsItIsTheStretchBetweenThem) {
     const double end_s = bench().history().range()->end_s;
     stack().setCursor(0, end_s - 1.5);
     stack().setCursor(1, end_s - 0.5);
-    EXPECT_EQ(range(), "Between the cursors, 1 s");
+    EXPECT_EQ(range(), "A to B, 1 s");
     const control::SampleStatistics expected =
         bench().history().statistics("hall.a", {end_s - 1.5, end_s - 0.5});
     EXPECT_EQ(table().item(0, 4)->text(), QLocale().toString(1000.0 * expected.moments.mean(), 'f', 3));
@@ -53,9 +53,9 @@ TEST_F(MonitorStatisticsTest, ofSeveralPairsTheOneThatMeasuresCounts) {
     widgets::CursorPairs two({{"long", end_s - 1.5, end_s - 0.5}, {"short", end_s - 1.0, end_s - 0.75}}, 1);
     two.setVisible(true);
     stack().setCursorPairs(two);
-    EXPECT_EQ(range(), "Between the cursors, 0.25 s");
+    EXPECT_EQ(range(), "A to B, 0.25 s");
     press(Qt::Key_P);
-    EXPECT_EQ(range(), "Between the cursors, 1 s");
+    EXPECT_EQ(range(), "A to B, 1 s");
 }
 
 TEST_F(MonitorStatisticsTest, aPlotWithItsOwnTimeAxisHasItsOwnStretch) {
