@@ -16,7 +16,20 @@ namespace halbench::widgets {
 namespace {
 
 constexpr int CellPadding = 8;
-constexpr int MostRowsBelow = 4; ///< of a legend below its plot; further ones are scrolled to
+constexpr int MostRowsBelow = 4;   ///< of a legend below its plot; further ones are scrolled to
+constexpr int LongestName = 22;    ///< characters of a curve's name before it is shortened
+constexpr int LineSampleRoom = 40; ///< beside the name
+constexpr int LeastLetters = 6;    ///< of a shortened name
+
+/// The beginning that no other of the names has, and dots for the rest.
+QString tellingPart(const QString& name, const QStringList& names) {
+    int shared = LeastLetters - 1;
+    for (const QString& other : names) {
+        const auto parting = std::mismatch(name.begin(), name.end(), other.begin(), other.end()).first;
+        shared = std::max(shared, static_cast<int>(parting - name.begin()));
+    }
+    return shared + 2 < name.size() ? name.left(shared + 1) + QChar(0x2026) : name;
+}
 
 } // namespace
 
@@ -68,6 +81,10 @@ void LiveLegend::setCursorColumnsShown(bool areShown, bool hasHeader) {
 LiveLegend::Widths LiveLegend::neededWidths() const {
     Widths widths{};
     for (int row = 0; row < m_table.rowCount(); ++row) {
+        const QString name = m_table.widestText(row, LegendTableModel::Name);
+        const int name_px =
+            std::min(fontMetrics().horizontalAdvance(name), LongestName * fontMetrics().averageCharWidth());
+        widths[LegendTableModel::Name] = std::max(widths[LegendTableModel::Name], name_px + LineSampleRoom);
         for (int column = LegendTableModel::Value; column < LegendTableModel::Columns; ++column) {
             const QString text = m_table.widestText(row, static_cast<LegendTableModel::Column>(column));
             int& width = widths[static_cast<std::size_t>(column)];
@@ -75,6 +92,23 @@ LiveLegend::Widths LiveLegend::neededWidths() const {
         }
     }
     return widths;
+}
+
+int LiveLegend::leastNameWidth() const {
+    QStringList names;
+    for (int row = 0; row < m_table.rowCount(); ++row) {
+        names << m_table.widestText(row, LegendTableModel::Name);
+    }
+    int width = 0;
+    for (int row = 0; row < names.size(); ++row) {
+        QStringList others = names;
+        others.removeAt(row);
+        const QString part = tellingPart(names[row], others);
+        width = std::max(width, fontMetrics().horizontalAdvance(part) + LineSampleRoom);
+    }
+    return std::max(width, horizontalHeader()->isHidden()
+                               ? 0
+                               : horizontalHeader()->sectionSizeHint(LegendTableModel::Name));
 }
 
 void LiveLegend::setWidths(const Widths& widths, int total_px) {
@@ -86,8 +120,7 @@ void LiveLegend::setWidths(const Widths& widths, int total_px) {
         rest -= isCounted ? widths[static_cast<std::size_t>(column)] : 0;
     }
     // Beside the values at both cursors in a narrow column, the live one goes before the names do.
-    const bool isNowHidden =
-        m_isBelow && !isColumnHidden(LegendTableModel::AtA) && rest < widths[LegendTableModel::Name];
+    const bool isNowHidden = !isColumnHidden(LegendTableModel::AtA) && rest < widths[LegendTableModel::Name];
     rest += isNowHidden ? widths[LegendTableModel::Value] : 0;
     setColumnHidden(LegendTableModel::Value, isNowHidden);
     setColumnWidth(LegendTableModel::Name, std::max(rest, 0));

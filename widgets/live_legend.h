@@ -27,8 +27,10 @@ public:
     void setTheme(const Theme& theme);
     /// `hasHeader`: with names above the columns, which the topmost legend of a stack says for all.
     void setCursorColumnsShown(bool areShown, bool hasHeader);
-    /// What this legend's numbers and units need; the name gets what remains.
+    /// What this legend's numbers and units need and what its names would like; they get what remains.
     Widths neededWidths() const;
+    /// Of the column of the names: what tells them apart, and its title where that is shown.
+    int leastNameWidth() const;
     void setWidths(const Widths& widths, int total_px);
     /// Below its plot it is as wide as that and as high as its curves need; beside it as high as the plot.
     void setBelow(bool isBelow);

@@ -20,8 +20,6 @@ namespace {
 
 constexpr int FramesPerNumber = 3;   ///< numbers change ten times a second
 constexpr int CharactersPerTick = 9; ///< room of a label of the time axis
-constexpr int LongestName = 22;      ///< characters of a curve's name before it is shortened
-constexpr int LineSampleRoom = 40;   ///< beside the name
 constexpr double WidestLegend_ratio = 0.45;
 constexpr double WidestBeside_ratio = 0.3; ///< of one of several columns; wider ones stand below their plots
 
@@ -135,7 +133,7 @@ void LivePlotStack::align(int index) {
     const bool hasRight =
         std::any_of(rows.begin(), rows.end(), [](const Row* row) { return hasRightAxis(row->plot->spec()); });
     LiveLegend::Widths widths{};
-    int name_px = 0;
+    int leastName_px = 0;
     for (const Row* row : rows) {
         here.extent_px = std::max(here.extent_px, row->plot->neededExtent()); // only grows: nothing jumps
         here.rightExtent_px = std::max(here.rightExtent_px, row->plot->neededRightExtent());
@@ -143,26 +141,23 @@ void LivePlotStack::align(int index) {
         for (std::size_t i = 0; i < widths.size(); ++i) {
             widths[i] = std::max(widths[i], own[i]);
         }
-        for (int curve = 0; curve < row->legend->table().rowCount(); ++curve) {
-            const int longest_px = LongestName * fontMetrics().averageCharWidth();
-            const QString name = row->legend->table().widestText(curve, LegendTableModel::Name);
-            name_px = std::max(name_px, std::min(fontMetrics().horizontalAdvance(name), longest_px));
-        }
+        leastName_px = std::max(leastName_px, row->legend->leastNameWidth());
     }
-    int total_px = name_px > 0 ? name_px + LineSampleRoom : 0;
-    widths[LegendTableModel::Name] = total_px;
-    int numbers_px = name_px > 0 ? LineSampleRoom : 0;
+    int numbers_px = 0;
     for (int column = LegendTableModel::Value; column < LegendTableModel::Columns; ++column) {
         const bool isShown =
             cursors().isVisible || column == LegendTableModel::Value || column == LegendTableModel::Unit;
-        total_px += isShown ? widths[static_cast<std::size_t>(column)] : 0;
         numbers_px += isShown ? widths[static_cast<std::size_t>(column)] : 0;
     }
+    int total_px = widths[LegendTableModel::Name] + numbers_px;
     if (placeLegends(index, total_px)) {
         total_px = here.box->width();
     } else { // Names give way to the plots; a number that is cut is another number.
-        total_px = std::max(numbers_px,
-                            std::min(total_px, static_cast<int>(WidestLegend_ratio * here.box->width())));
+        const int share_px = static_cast<int>(WidestLegend_ratio * here.box->width());
+        const int now_px = widths[LegendTableModel::Value];
+        const int hidden_px =
+            cursors().isVisible && total_px > share_px ? now_px : 0; // LiveLegend::setWidths
+        total_px = std::max(numbers_px - hidden_px + leastName_px, std::min(total_px - hidden_px, share_px));
     }
     for (const Row* row : rows) {
         row->plot->setExtent(here.extent_px);
@@ -237,7 +232,7 @@ void LivePlotStack::showState() {
 
 QString LivePlotStack::stateWords() const {
     if (isPaused()) {
-        return tr("Paused, data are kept (%1 s since)").arg(fixedText(m_view.behind_s(), 1));
+        return tr("Paused, %1 s kept since").arg(fixedText(m_view.behind_s(), 1));
     }
     if (!isFollowing()) {
         return m_event_s ? tr("At an event; press End to follow") : tr("Scrolled; press End to follow");

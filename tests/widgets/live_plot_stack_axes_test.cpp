@@ -90,13 +90,82 @@ TEST_F(LivePlotStackTest, aLargeNumberIsWholeInTheLegendOfANarrowStack) {
     frame();
     frame(); // the numbers of the first are known to the widths of the second
     const LiveLegend* legend = legends()[1];
-    const QModelIndex value = legend->model()->index(0, LegendTableModel::Value);
-    EXPECT_EQ(value.data().toString().size(), 10) << value.data().toString().toStdString();
-    EXPECT_GE(legend->columnWidth(LegendTableModel::Value),
-              legend->fontMetrics().horizontalAdvance(value.data().toString()));
+    const QString value = legend->model()->index(0, LegendTableModel::Value).data().toString();
+    EXPECT_EQ(value.size(), 10) << value.toStdString();
+    // The live value may give way to the names; those at the cursors have room for the same number.
+    for (const int column : {LegendTableModel::AtA, LegendTableModel::AtB, LegendTableModel::Difference}) {
+        ASSERT_FALSE(legend->isColumnHidden(column));
+        EXPECT_GE(legend->columnWidth(column), legend->fontMetrics().horizontalAdvance(value)) << column;
+    }
     const QRect last = legend->visualRect(legend->model()->index(0, LegendTableModel::Unit));
     EXPECT_LE(last.right(), legend->viewport()->width());
     stack.setHistory(&history);
+}
+
+/// Of each curve, as they are drawn: with dots where the column is too narrow.
+QStringList shownNames(const LiveLegend& legend) {
+    QStringList names;
+    for (int row = 0; row < legend.model()->rowCount(); ++row) {
+        const QString name = legend.model()->index(row, LegendTableModel::Name).data().toString();
+        names << legend.fontMetrics().elidedText(name, Qt::ElideRight, roomForName(legend));
+    }
+    return names;
+}
+
+TEST_F(LivePlotStackTest, besideCursorsANameIsNeverNarrowerThanWhatTellsItApart) {
+    std::vector<PlotSpec> specs = motorPlots();
+    specs[4].curves[0].label = QStringLiteral("Temperature of A");
+    specs[4].curves[1].label = QStringLiteral("Temperature of B"); // told apart by their last letters
+    for (const bool areCursorsShown : {false, true}) {
+        for (const int width : {1200, 730, 690, 560}) {
+            stack.setPlots(specs);
+            stack.resize(width, 560);
+            stack.setCursorsVisible(areCursorsShown);
+            frame();
+            frame();
+            for (const LiveLegend* legend : legends()) {
+                QStringList names = shownNames(*legend);
+                const QString all = names.join(QStringLiteral(" | "));
+                EXPECT_EQ(names.removeDuplicates(), 0) << width << ": " << all.toStdString();
+                EXPECT_FALSE(names.contains(QString(QChar(0x2026)))) << width << ": " << all.toStdString();
+                const QRect unit = legend->visualRect(legend->model()->index(0, LegendTableModel::Unit));
+                EXPECT_LE(unit.right(), legend->viewport()->width()) << width << ": numbers are whole";
+            }
+        }
+    }
+}
+
+TEST_F(LivePlotStackTest, besideCursorsInTheWindowsFirstSizeNamesAreWholeBeforeNow) {
+    std::vector<PlotSpec> specs = motorPlots();
+    specs[3].curves[0].label = QStringLiteral("Current");
+    stack.setPlots(specs);
+    stack.resize(730, 560); // what 1440 x 900 leaves for it
+    stack.setCursorsVisible(true);
+    frame();
+    frame();
+    for (const LiveLegend* legend : legends()) {
+        EXPECT_TRUE(legend->isColumnHidden(LegendTableModel::Value)) << "those at the cursors are asked for";
+        expectNamesAreWhole(*legend);
+    }
+    stack.setCursorsVisible(false);
+    frame();
+    EXPECT_FALSE(legends().front()->isColumnHidden(LegendTableModel::Value));
+}
+
+TEST_F(LivePlotStackTest, thatItIsPausedIsWholeBesideCursorsInTheWindowsFirstSize) {
+    stack.resize(716, 560);
+    stack.setCursorsVisible(true);
+    trigger(LivePlotStack::Command::Pause);
+    frame();
+    const auto bars = stack.findChildren<TimeAxisBar*>();
+    const auto said = std::find_if(bars.begin(), bars.end(), [](const TimeAxisBar* bar) {
+        return bar->isVisible() && bar->state().contains("kept since");
+    });
+    ASSERT_NE(said, bars.end());
+    QString words = (*said)->state(); // for a while
+    (*said)->setState(words.replace(QStringLiteral("0.0 s"), QStringLiteral("123.4 s")), true);
+    EXPECT_EQ((*said)->shownState(), words);
+    EXPECT_TRUE(words.contains("123.4 s")) << words.toStdString();
 }
 
 TEST_F(LivePlotStackTest, axesDoNotMoveWhileLabelsGrow) {
