@@ -338,8 +338,6 @@ void TunePanel::shareWidth() {
 bool TunePanel::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_splitter && event->type() == QEvent::Resize) {
         QMetaObject::invokeMethod(this, &TunePanel::shareWidth, Qt::QueuedConnection);
-    } else if (event->type() == QEvent::Show && isMoving() && watched != m_verificationRoom->viewport()) {
-        drawPredictions(); // what the hand moves is drawn where it is seen
     } else if (m_verificationRoom != nullptr && watched == m_verificationRoom->viewport()) {
         if (event->type() == QEvent::Resize) {
             growVerification();

@@ -15,9 +15,6 @@ namespace halbench::app {
 
 void TunePanel::connectDesigns() {
     connect(m_loop, &LoopView::loopsWanted, this, &TunePanel::drawPredictions);
-    for (QWidget* view : std::initializer_list<QWidget*>{m_loop, m_large, m_linear, m_loaded}) {
-        view->installEventFilter(this);
-    }
     connect(m_table, &DesignTable::keepRequested, this, &TunePanel::keepDesign);
     connect(m_table, &DesignTable::takeUpRequested, this, &TunePanel::takeUp);
     connect(m_table, &DesignTable::removeRequested, this, [this](int kept) {
@@ -193,8 +190,6 @@ void TunePanel::drawLoaded() {
             .value_or(widgets::Figure{}));
 }
 
-/// The hand that moves the gains pays for a picture only where it is seen: showing another or letting go
-/// draws the rest.
 void TunePanel::drawPredictions() {
     if (!m_sketch) {
         return;
@@ -203,21 +198,12 @@ void TunePanel::drawPredictions() {
     const AnalysisResult& predicted = m_sketch->predicted;
     const std::vector<NamedLoop> others = drawnLoops();
     const std::optional<LoopUncertainty>& uncertainty = m_sketch->uncertainty;
-    const auto isDrawn = [isHeld = isMoving()](const QWidget* view) { return !isHeld || view->isVisible(); };
-    if (isDrawn(m_loop)) {
-        m_loop->setLoops(predicted, present(), others, drawnMeasurement(), uncertainty);
-    }
-    if (isDrawn(m_linear)) {
-        m_linear->setFigure(
-            linearStepFigure(predicted, present(), unit, others, uncertainty).value_or(widgets::Figure{}));
-    }
-    if (isDrawn(m_loaded)) {
-        drawLoaded();
-    }
-    if (isDrawn(m_large)) {
-        m_large->setFigure(
-            largeStepFigure(predicted, present(), unit, others, uncertainty).value_or(widgets::Figure{}));
-    }
+    m_loop->setLoops(predicted, present(), others, drawnMeasurement(), uncertainty);
+    m_linear->setFigure(
+        linearStepFigure(predicted, present(), unit, others, uncertainty).value_or(widgets::Figure{}));
+    drawLoaded();
+    m_large->setFigure(
+        largeStepFigure(predicted, present(), unit, others, uncertainty).value_or(widgets::Figure{}));
 }
 
 } // namespace halbench::app
