@@ -6318,6 +6318,14 @@
         <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow, column, height_percent, width_percent, units</source>
         <translation>unbekannter Schlüssel „{}“; ein [[plot]] hat signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow, column, height_percent, width_percent, units</translation>
     </message>
+    <message>
+        <source>&apos;{}&apos; was changed since it was recorded: {} of {} rows</source>
+        <translation>„{}“ wurde seit der Aufzeichnung geändert: {} von {} Zeilen</translation>
+    </message>
+    <message>
+        <source>one signal cannot come at {} Hz: board and link carry at most {} Hz</source>
+        <translation>ein Signal kann nicht mit {} Hz kommen: Steuergerät und Verbindung tragen höchstens {} Hz</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -10372,6 +10380,10 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
         <source>They are shown as in the preferences; choose others in the legend (U). The project keeps them until you change the plots.</source>
         <translation>Sie werden wie in den Einstellungen gezeigt; wählen Sie andere in der Legende (U). Das Projekt behält sie, bis Sie die Diagramme ändern.</translation>
     </message>
+    <message>
+        <source>What is shown may not be what was recorded.</source>
+        <translation>Was gezeigt wird, ist vielleicht nicht das, was aufgezeichnet wurde.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MonitorPicture</name>
@@ -12518,6 +12530,13 @@ Im Monitor ändern &lt; und &gt; sie. Ein wirkliches Gerät hat seine eigene Zei
     <message>
         <source>time</source>
         <translation>Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::ShownRecording</name>
+    <message>
+        <source>recording</source>
+        <translation>Aufzeichnung</translation>
     </message>
 </context>
 <context>

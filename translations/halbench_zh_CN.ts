@@ -6318,6 +6318,14 @@
         <source>unknown key &apos;{}&apos;; a [[plot]] has signals, min, max, unit, right, right_min, right_max, right_unit, own_span_s, own_follow, column, height_percent, width_percent, units</source>
         <translation>未知的键“{}”；[[plot]] 有 signals、min、max、unit、right、right_min、right_max、right_unit、own_span_s、own_follow、column、height_percent、width_percent、units</translation>
     </message>
+    <message>
+        <source>&apos;{}&apos; was changed since it was recorded: {} of {} rows</source>
+        <translation>“{}”自录制以来已被更改：{} / {} 行</translation>
+    </message>
+    <message>
+        <source>one signal cannot come at {} Hz: board and link carry at most {} Hz</source>
+        <translation>一个信号无法以 {} Hz 到来：控制板和链路至多承载 {} Hz</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -10366,6 +10374,10 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
         <source>They are shown as in the preferences; choose others in the legend (U). The project keeps them until you change the plots.</source>
         <translation>它们按首选项显示；请在图例中另选单位（U）。项目会保留它们，直到您改变曲线图。</translation>
     </message>
+    <message>
+        <source>What is shown may not be what was recorded.</source>
+        <translation>显示的内容可能不是当时录制的内容。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::MonitorPicture</name>
@@ -12507,6 +12519,13 @@ In the Monitor &lt; and &gt; change it. A real device has its own time.</source>
     <message>
         <source>time</source>
         <translation>时间</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::ShownRecording</name>
+    <message>
+        <source>recording</source>
+        <translation>记录</translation>
     </message>
 </context>
 <context>

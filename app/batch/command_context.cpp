@@ -1,5 +1,7 @@
 #include "app/batch/command_context.h"
 
+#include "app/batch/changed_recording.h"
+#include "devices/acquisition/replay_device.h"
 #include "devices/device_uri.h"
 
 #include <csignal>
@@ -20,7 +22,11 @@ devices::OpenOptions openOptionsFor(const CommandContext& context) {
 
 Result<std::unique_ptr<devices::Device>> openDeviceFor(const CommandContext& context,
                                                        const std::string& uri) {
-    return devices::openDevice(uri, openOptionsFor(context));
+    Result<std::unique_ptr<devices::Device>> device = devices::openDevice(uri, openOptionsFor(context));
+    if (const auto recording = device ? devices::recordingOf(**device) : nullptr) {
+        sayWarnings(context, recording->warnings);
+    }
+    return device;
 }
 
 namespace {

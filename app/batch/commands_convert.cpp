@@ -1,3 +1,4 @@
+#include "app/batch/changed_recording.h"
 #include "app/batch/command_support.h"
 #include "app/batch/names.h"
 #include "app/batch/numbers.h"
@@ -57,11 +58,14 @@ CommandResult runConvertCommand(CommandContext& context, const CommandOptions& o
     if (!done) {
         return failure(done.error());
     }
+    sayWarnings(context, done->warnings);
     if (done->recovery) {
         context.console.log(LogLevel::Info, recoveryText(options.input, *done->recovery));
     }
     context.console.log(LogLevel::Info, fmt::format("wrote {} ({} rows)", options.out, done->rows));
-    JsonValue document = toJson(headerFor(context, "halbench.conversion/1"));
+    ResultHeader header = headerFor(context, "halbench.conversion/1");
+    noteWarnings(header.quality, done->warnings);
+    JsonValue document = toJson(header);
     document.set("rows", static_cast<std::uint64_t>(done->rows));
     if (done->recovery) {
         document.set("recovered", toJson(*done->recovery));

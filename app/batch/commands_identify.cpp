@@ -1,3 +1,4 @@
+#include "app/batch/changed_recording.h"
 #include "app/batch/command_support.h"
 #include "app/batch/frequency_options.h"
 #include "app/batch/kept_result.h"
@@ -54,19 +55,18 @@ CommandResult identifyFile(CommandContext& context, const CommandOptions& option
     if (!file) {
         return failure(file.error());
     }
-    for (const std::string& warning : file->warnings) {
-        context.console.log(LogLevel::Warning, warning);
-    }
+    sayWarnings(context, file->warnings);
     ResultHeader header = headerFor(context, "halbench.identification/1");
     if (file->hasMeta) {
         header.device = file->meta.device;
         header.started = file->meta.started;
     }
     config.seed = header.seed;
-    const Result<IdentifyResult> result = identifyRecording(file->recording, config, isInterrupted);
+    Result<IdentifyResult> result = identifyRecording(file->recording, config, isInterrupted);
     if (!result) {
         return failure(result.error().code, path + ": " + result.error().message, result.error().hint);
     }
+    noteWarnings(result->quality, file->warnings);
     return finish(context, options, header, *result);
 }
 

@@ -1,3 +1,4 @@
+#include "app/batch/changed_recording.h"
 #include "app/batch/coil_documents.h"
 #include "app/batch/command_support.h"
 #include "app/batch/name_reservation.h"
@@ -179,7 +180,9 @@ CommandResult tell(CommandContext& context, const Output& output, const ResultHe
         }
     }
     for (const Finding& finding : header.quality.findings) {
-        context.console.log(LogLevel::Warning, finding.message + "; " + finding.hint);
+        if (finding.code != ChangedRecordingCode) { // said when it was opened
+            context.console.log(LogLevel::Warning, finding.message + "; " + finding.hint);
+        }
     }
     if (recorded.gaps > 0) {
         context.console.log(LogLevel::Info, fmt::format("gaps: {}, {:.3g} s together; the sidecar says where",
@@ -259,7 +262,7 @@ CommandResult recordStream(CommandContext& context, const CommandOptions& option
     if (!done) {
         return failure(output.stopped(done.error()));
     }
-    header.quality = result->quality;
+    addQuality(header.quality, result->quality);
     return tell(context, *place, header,
                 {result->rows, result->lostRows, result->gaps, result->gaps_s, result->trigger_s,
                  limit_degC ? coils.forecasts(*limit_degC) : std::vector<CoilForecast>()});

@@ -1,6 +1,8 @@
 #include "app/batch/result_header.h"
 
+#include "app/batch/changed_recording.h"
 #include "app/batch/numbers.h"
+#include "devices/acquisition/replay_device.h"
 
 #include <fmt/format.h>
 
@@ -52,6 +54,9 @@ ResultHeader headerFor(const CommandContext& context, const std::string& schema,
     ResultHeader header = headerFor(context, schema);
     header.device = device.info();
     header.seed = seedOf(context, device.info());
+    if (const auto recording = devices::recordingOf(device)) {
+        noteWarnings(header.quality, recording->warnings);
+    }
     if (!device.info().isSimulated || context.global.isRealtime) {
         header.started = context.wallClock();
     }

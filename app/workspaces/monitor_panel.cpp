@@ -13,6 +13,7 @@
 #include "app/workspaces/pace_steps.h"
 #include "app/workspaces/panel_parts.h"
 #include "app/workspaces/recorded_markers.h"
+#include "app/workspaces/shown_recording.h"
 #include "app/workspaces/signal_box.h"
 #include "widgets/curve_units.h"
 #include "widgets/display_units.h"
@@ -166,6 +167,12 @@ void MonitorPanel::connectStack() {
         m_message->showMessage({widgets::Severity::Success, text, {}, {}});
     });
     connect(m_reference, &MonitorReference::failed, this, sayFailure);
+    const auto sayDoubt = [this](const QString& text) {
+        m_message->showMessage(
+            {widgets::Severity::Warning, text, tr("What is shown may not be what was recorded."), {}});
+    };
+    connect(m_reference, &MonitorReference::doubted, this, sayDoubt);
+    connect(&m_bench.shownRecording(), &ShownRecording::doubted, this, sayDoubt);
     connect(m_stack, &widgets::LivePlotStack::signalsDropped, this,
             [this](int plot, const QStringList& names) {
                 for (const QString& name : names) {

@@ -29,7 +29,12 @@ std::optional<double> eventOf(const devices::RecordingMeta& meta) {
     return std::nullopt;
 }
 
-Result<widgets::ReferencePtr> readReference(const QString& path) {
+struct ReadReference {
+    widgets::ReferencePtr traces;
+    std::vector<std::string> warnings;
+};
+
+Result<ReadReference> readReference(const QString& path) {
     const Result<devices::RecordedFile> file = devices::readRecordingFile(path.toStdString());
     if (!file) {
         return failure(file.error());
@@ -37,7 +42,7 @@ Result<widgets::ReferencePtr> readReference(const QString& path) {
     widgets::ReferenceTraces traces = widgets::tracesOf(file->recording);
     traces.event_s = eventOf(file->meta);
     traces.name = QFileInfo(path).fileName();
-    return std::make_shared<const widgets::ReferenceTraces>(std::move(traces));
+    return ReadReference{std::make_shared<const widgets::ReferenceTraces>(std::move(traces)), file->warnings};
 }
 
 } // namespace
@@ -72,9 +77,12 @@ void MonitorReference::open() {
         return;
     }
     m_files.run([path] { return readReference(path); },
-                [this](const Result<widgets::ReferencePtr>& read) {
+                [this](const Result<ReadReference>& read) {
                     if (read) {
-                        m_stack.setReference(*read);
+                        m_stack.setReference(read->traces);
+                        for (const std::string& warning : read->warnings) {
+                            Q_EMIT doubted(widgets::inWords(warning));
+                        }
                     } else {
                         Q_EMIT failed(widgets::inWords(read.error().message),
                                       widgets::inWords(read.error().hint));

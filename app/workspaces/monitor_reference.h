@@ -28,6 +28,7 @@ public:
 
 Q_SIGNALS:
     void failed(const QString& text, const QString& remedy);
+    void doubted(const QString& text); ///< it is shown, but is not as it was recorded
 
 private:
     void open();

@@ -2,6 +2,7 @@
 
 #include "devices/acquisition/replay_device.h"
 #include "devices/acquisition/time_axis.h"
+#include "widgets/phrasebook.h"
 
 #include <algorithm>
 #include <utility>
@@ -104,6 +105,7 @@ void ShownRecording::onState() {
             if (wanted == m_wanted && file && *file) {
                 m_wanted.clear();
                 begin(*file);
+                sayDoubts();
             }
         });
 }
@@ -115,6 +117,14 @@ void ShownRecording::begin(std::shared_ptr<const devices::RecordedFile> file) {
     m_filling.start();
     Q_EMIT began();
     Q_EMIT changed();
+}
+
+void ShownRecording::sayDoubts() {
+    for (const std::string& warning : m_file->warnings) {
+        const QString text = widgets::inWords(warning);
+        m_bench.session().message(MessageLevel::Warning, tr("recording"), text);
+        Q_EMIT doubted(text);
+    }
 }
 
 /// Up to the next rows that are missing.

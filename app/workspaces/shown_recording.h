@@ -40,12 +40,14 @@ public:
 
 Q_SIGNALS:
     void changed();
-    void began(); ///< its first rows follow
-    void ended(); ///< all of it is there, or it was cancelled
+    void began();                      ///< its first rows follow
+    void ended();                      ///< all of it is there, or it was cancelled
+    void doubted(const QString& text); ///< it is not as it was recorded; the log says it too
 
 private:
     void onState();
     void begin(std::shared_ptr<const devices::RecordedFile> file);
+    void sayDoubts();
     void fill();
     SampleBlock nextPiece() const;
     void forget();

@@ -216,7 +216,7 @@ Result<Conversion> convertRecording(const ConvertRequest& request,
     if (isItsOwn && isWhole && !isDamaged) {
         retirePartialRecording(request.input, false);
     }
-    return Conversion{part->rows(), source->recovery};
+    return Conversion{part->rows(), source->recovery, std::move(source->file.warnings)};
 }
 
 } // namespace halbench::devices

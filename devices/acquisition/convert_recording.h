@@ -41,8 +41,9 @@ struct Recovery {
 };
 
 struct Conversion {
-    std::size_t rows = 0;             ///< written
-    std::optional<Recovery> recovery; ///< when the input was an interrupted recording
+    std::size_t rows = 0;                   ///< written
+    std::optional<Recovery> recovery;       ///< when the input was an interrupted recording
+    std::vector<std::string> warnings = {}; ///< of the input, e.g. it was changed since it was recorded
 };
 
 /// Reads, selects, writes. Formats go by the file's ending; this version reads .csv, .mf4 and .csv.partial,

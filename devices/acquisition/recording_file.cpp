@@ -199,6 +199,14 @@ tl::unexpected<Error> noRowsIn(const std::string& path, bool isEmpty, std::strin
                           journalPathOf(finalPathOf(path))));
 }
 
+/// How the data differ from what their sidecar says was recorded. What lacks rows may have other faults too.
+std::string changeOf(const std::string& path, const RecordedFile& file) {
+    const std::uint64_t rows = file.recording.rows();
+    return rows >= file.meta.rows ? fmt::format("'{}' was changed since it was recorded (SHA-256)", path)
+                                  : fmt::format("'{}' was changed since it was recorded: {} of {} rows", path,
+                                                rows, file.meta.rows);
+}
+
 } // namespace
 
 Result<RecordedFile> readRecordingFile(const std::string& path,
@@ -226,7 +234,7 @@ Result<RecordedFile> readRecordingFile(const std::string& path,
         file.meta = *std::move(meta);
         file.hasMeta = true;
         if (sha256 != file.meta.sha256) {
-            file.warnings.push_back(fmt::format("'{}' was changed since it was recorded (SHA-256)", path));
+            file.warnings.push_back(changeOf(path, file));
         }
     }
     nameColumns(file);

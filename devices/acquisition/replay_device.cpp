@@ -291,8 +291,8 @@ Result<std::unique_ptr<Device>> openReplayDevice(const std::string& uri, const s
         std::make_unique<ReplayDevice>(uri, source.path, *std::move(file), source.begin_s));
 }
 
-std::shared_ptr<const RecordedFile> recordingOf(Device& device) {
-    const auto* replay = dynamic_cast<ReplayDevice*>(&device);
+std::shared_ptr<const RecordedFile> recordingOf(const Device& device) {
+    const auto* replay = dynamic_cast<const ReplayDevice*>(&device);
     return replay != nullptr ? replay->whole() : nullptr;
 }
 

@@ -20,6 +20,6 @@ Result<std::unique_ptr<Device>> openReplayDevice(const std::string& uri, const s
                                                  const std::function<void(double)>& onProgress = {});
 
 /// All of the recording that such a device plays; it never changes. Any other device: none.
-std::shared_ptr<const RecordedFile> recordingOf(Device& device);
+std::shared_ptr<const RecordedFile> recordingOf(const Device& device);
 
 } // namespace halbench::devices

@@ -69,6 +69,31 @@ TEST_F(ShownRecordingTest, allOfItIsThereWhileItsTimeStandsStill) {
     EXPECT_EQ(session().report().deviceTime_s, 0.0);
 }
 
+TEST_F(ShownRecordingTest, whatIsNotAsItWasRecordedIsShownAndDoubted) {
+    const QString path = write("run.csv", 50, 1);
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+    const QByteArray written = file.readAll();
+    file.resize(written.lastIndexOf('\n', written.size() - 2) + 1); // without its last row
+    file.close();
+    QStringList logged;
+    QObject::connect(&session(), &DeviceSession::message, &session(),
+                     [&](MessageLevel level, const QString&, const QString& text) {
+                         if (level == MessageLevel::Warning) {
+                             logged.append(text);
+                         }
+                     });
+    MonitorPanel panel(bench());
+    shown().open(path);
+    ASSERT_TRUE(isDone());
+    ASSERT_EQ(logged.size(), 1);
+    EXPECT_TRUE(logged[0].contains("49 of 50 rows")) << logged[0].toStdString();
+    EXPECT_EQ(panel.findChild<widgets::MessageBar*>()->message().text, logged[0]);
+    shown().open(write("whole.csv", 50, 1));
+    ASSERT_TRUE(isDone());
+    EXPECT_EQ(logged.size(), 1);
+}
+
 TEST_F(ShownRecordingTest, missingRowsAreGaps) {
     shown().open(write("run.csv", 1000, 1, 100));
     ASSERT_TRUE(isDone());

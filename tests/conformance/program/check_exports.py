@@ -98,6 +98,21 @@ class Mdf4(ExportCase):
         self.assertEqual(self.accept("identify", "sweep.mf4", "--json").json(), from_csv)
         self.accept("record", "replay:sweep.mf4", "--duration", "1", "--signals", "position", "--out", "again.csv")
 
+    def test_a_recording_that_was_cut_is_not_passed_on_as_good(self):
+        self.accept("record", "sim:htm", "--duration", "2", "--out", "run.csv")
+        with open(self.path("run.csv"), "rb") as file:
+            lines = file.readlines()
+        with open(self.path("run.csv"), "wb") as file:
+            file.writelines(lines[:101])
+        for arguments in (("convert", "run.csv", "cut.csv"),
+                          ("record", "replay:run.csv", "--duration", "0.5", "--out", "again.csv")):
+            answer = self.accept(*arguments, "--json")
+            self.assertIn("100 of 200 rows", answer.err)
+            quality = answer.json()["data_quality"]
+            self.assertEqual(quality["verdict"], "doubtful")
+            self.assertEqual([finding["code"] for finding in quality["findings"]], ["recording_changed"])
+        self.assertNotIn("changed", self.accept("convert", "cut.csv", "more.csv").err)
+
     def test_damage_is_refused_with_block_and_octet(self):
         self.made()
         self.accept("convert", "run.csv", "run.mf4")

@@ -90,6 +90,21 @@ TEST_F(RecordingFileTest, changedDataAreReadWithAWarning) {
     EXPECT_NE(back->warnings[0].find("SHA-256"), std::string::npos);
 }
 
+TEST_F(RecordingFileTest, ofACutFileItIsSaidHowMuchIsThereAndAConversionSaysItToo) {
+    const Recording recording = ramp(50);
+    ASSERT_TRUE(writeRecordingFile(path("run.csv"), recording, metaOf(recording)));
+    const std::string written = contentOf(path("run.csv"));
+    std::ofstream(path("run.csv"), std::ios::binary) << written.substr(0, written.find("\n0.2,") + 1);
+    const auto back = readRecordingFile(path("run.csv"));
+    ASSERT_TRUE(back);
+    ASSERT_EQ(back->warnings.size(), 1U);
+    EXPECT_NE(back->warnings[0].find("20 of 50 rows"), std::string::npos) << back->warnings[0];
+    const auto done = convertRecording({path("run.csv"), path("out.csv"), {}, {}, {}});
+    ASSERT_TRUE(done) << done.error().message;
+    EXPECT_EQ(done->warnings, back->warnings);
+    EXPECT_TRUE(readRecordingFile(path("out.csv"))->warnings.empty()) << "it is what was written";
+}
+
 TEST_F(RecordingFileTest, withoutSidecarKnownColumnsGetTheirSignalNames) {
     std::ofstream(path("run.csv")) << "time_s,coil_temperature_a_degC,my_own_A\n0,25,1\n";
     const auto back = readRecordingFile(path("run.csv"));
@@ -304,7 +319,9 @@ TEST_F(RecordingFileTest, anAbandonedRecordingStaysOnlyWhenItHasRows) {
 
 TEST_F(RecordingFileTest, convertKeepsTheSignalsAndTheIntervalAskedFor) {
     const Recording recording = ramp(100);
-    ASSERT_TRUE(writeRecordingFile(path("in.csv"), recording, metaOf(recording)));
+    RecordingMeta meta = metaOf(recording);
+    meta.markers = {{0.1, "before"}, {0.2, "first"}, {0.495, "last"}, {0.5, "behind"}};
+    ASSERT_TRUE(writeRecordingFile(path("in.csv"), recording, meta));
     const auto rows =
         convertRecording({path("in.csv"), path("out.csv"), {"hall.a", "position_rad"}, 0.2, 0.5});
     ASSERT_TRUE(rows) << rows.error().message;
@@ -317,6 +334,9 @@ TEST_F(RecordingFileTest, convertKeepsTheSignalsAndTheIntervalAskedFor) {
     EXPECT_DOUBLE_EQ(back->recording.time_s.front(), 0.2);
     EXPECT_DOUBLE_EQ(back->recording.time_s.back(), 0.49);
     EXPECT_EQ(back->recording.values[1], 10.0);
+    ASSERT_EQ(back->meta.markers.size(), 2U) << "those of the interval";
+    EXPECT_EQ(back->meta.markers[0].text, "first");
+    EXPECT_EQ(back->meta.markers[1].text, "last");
 }
 
 TEST_F(RecordingFileTest, throughMdf4AndBackEveryOctetIsTheSame) {

@@ -1,0 +1,28 @@
+#include "app/batch/changed_recording.h"
+
+#include "app/batch/console.h"
+
+#include <algorithm>
+
+namespace halbench::app {
+
+void sayWarnings(const CommandContext& context, const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) {
+        context.console.log(LogLevel::Warning, warning);
+    }
+}
+
+void noteWarnings(DataQuality& quality, const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) {
+        quality.verdict = std::max(quality.verdict, Verdict::Doubtful);
+        quality.findings.push_back(
+            {ChangedRecordingCode, warning, "compare it with a copy of it; it may lack rows or have others"});
+    }
+}
+
+void addQuality(DataQuality& known, const DataQuality& result) {
+    known.verdict = std::max(known.verdict, result.verdict);
+    known.findings.insert(known.findings.end(), result.findings.begin(), result.findings.end());
+}
+
+} // namespace halbench::app

@@ -1,0 +1,37 @@
+#include "app/batch/changed_recording.h"
+
+#include <gtest/gtest.h>
+
+namespace halbench::app {
+namespace {
+
+TEST(ChangedRecording, aWarningMakesAResultDoubtfulAndNoneLeavesItAsItIs) {
+    DataQuality quality;
+    noteWarnings(quality, {});
+    EXPECT_EQ(quality.verdict, Verdict::Good);
+    noteWarnings(quality, {"2499 of 5000 rows"});
+    EXPECT_EQ(quality.verdict, Verdict::Doubtful);
+    ASSERT_EQ(quality.findings.size(), 1U);
+    EXPECT_EQ(quality.findings[0].code, ChangedRecordingCode);
+    EXPECT_EQ(quality.findings[0].message, "2499 of 5000 rows");
+    DataQuality refused;
+    refused.verdict = Verdict::Refused;
+    noteWarnings(refused, {"changed"});
+    EXPECT_EQ(refused.verdict, Verdict::Refused) << "no better for it";
+}
+
+TEST(ChangedRecording, theWorseVerdictHoldsAndAllFindingsStay) {
+    DataQuality known;
+    noteWarnings(known, {"changed"});
+    DataQuality result;
+    addQuality(known, result);
+    EXPECT_EQ(known.verdict, Verdict::Doubtful);
+    result.verdict = Verdict::Refused;
+    result.findings.push_back({"gap", "rows are missing", ""});
+    addQuality(known, result);
+    EXPECT_EQ(known.verdict, Verdict::Refused);
+    EXPECT_EQ(known.findings.size(), 2U);
+}
+
+} // namespace
+} // namespace halbench::app
