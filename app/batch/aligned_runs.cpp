@@ -49,15 +49,24 @@ std::string momentName(const RunAlignment& alignment) {
     return "start";
 }
 
+/// Each once: a reference may mark every one of its steps.
+std::string markerNames(const devices::RecordingMeta& meta) {
+    std::string names;
+    std::set<std::string> known;
+    for (const auto& marker : meta.markers) {
+        if (known.insert(marker.text).second) {
+            names += (names.empty() ? "'" : ", '") + marker.text + "'";
+        }
+    }
+    return names;
+}
+
 Result<std::vector<double>> zerosOf(const std::vector<ComparedRun>& runs, const RunAlignment& alignment) {
     std::vector<double> zeros_s;
     for (const ComparedRun& run : runs) {
         const std::optional<double> zero_s = alignedZero_s(run, alignment);
         if (!zero_s) {
-            std::string markers;
-            for (const auto& marker : run.meta.markers) {
-                markers += (markers.empty() ? "'" : ", '") + marker.text + "'";
-            }
+            const std::string markers = markerNames(run.meta);
             return failure(ErrorCode::InvalidInput,
                            fmt::format("'{}' has no {}", run.name, momentName(alignment)),
                            markers.empty() ? "it has no markers; use --align start"

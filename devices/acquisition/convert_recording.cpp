@@ -121,6 +121,14 @@ RecordingMeta partMeta(RecordingMeta meta, const StreamLayout& layout) {
     return meta;
 }
 
+/// What lies outside the interval says nothing of what is kept.
+void cutMarkers(const ConvertRequest& request, RecordingMeta& meta) {
+    std::erase_if(meta.markers, [&](const RecordingMeta::Marker& marker) {
+        return (request.from_s && marker.time_s < *request.from_s) ||
+               (request.to_s && marker.time_s >= *request.to_s);
+    });
+}
+
 void noteExpressions(const std::vector<DerivedSignal>& derived, RecordingMeta& meta) {
     for (RecordingMeta::SignalNote& note : meta.signals) {
         for (const DerivedSignal& one : derived) {
@@ -204,6 +212,7 @@ Result<Conversion> convertRecording(const ConvertRequest& request,
     }
     RecordingMeta meta = partMeta(std::move(source->file.meta), *part->layout);
     noteExpressions(request.derived, meta);
+    cutMarkers(request, meta);
     // An interrupted recording that gets its name back is no working file of this conversion.
     const bool isItsOwn = request.input == partialPathOf(request.output);
     const Result<void> written = writerFor(request.output)(request.output, *part, std::move(meta),

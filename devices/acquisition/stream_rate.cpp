@@ -73,13 +73,17 @@ Result<void> checkStreamRate(const DeviceInfo& info, const Catalogue& catalogue,
     if (greatest_Hz <= 0.0 || rate_Hz <= greatest_Hz * (1.0 + RelativeRounding)) {
         return {}; // what has no rate at all is refused by the board's own plan
     }
-    return failure(ErrorCode::OutOfRange,
-                   fmt::format("{} signals cannot come at {:.6g} Hz: board and link carry at most {:.6g} Hz",
-                               signals.size(), rate_Hz, greatest_Hz),
-                   info.transport == "serial"
-                       ? "take a lower rate or fewer signals; a port that is USB all the way to the board is "
-                         "faster than its baud rate: say so in its address with ?baud=12000000"
-                       : "take a lower rate or fewer signals");
+    return failure(
+        ErrorCode::OutOfRange,
+        signals.size() == 1
+            ? fmt::format("one signal cannot come at {:.6g} Hz: board and link carry at most {:.6g} Hz",
+                          rate_Hz, greatest_Hz)
+            : fmt::format("{} signals cannot come at {:.6g} Hz: board and link carry at most {:.6g} Hz",
+                          signals.size(), rate_Hz, greatest_Hz),
+        info.transport == "serial"
+            ? "take a lower rate or fewer signals; a port that is USB all the way to the board is "
+              "faster than its baud rate: say so in its address with ?baud=12000000"
+            : "take a lower rate or fewer signals");
 }
 
 } // namespace halbench::devices
