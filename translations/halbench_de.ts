@@ -6326,6 +6326,38 @@
         <source>one signal cannot come at {} Hz: board and link carry at most {} Hz</source>
         <translation>ein Signal kann nicht mit {} Hz kommen: Steuergerät und Verbindung tragen höchstens {} Hz</translation>
     </message>
+    <message>
+        <source>&apos;{}&apos; is a device or pipe</source>
+        <translation>„{}“ ist ein Gerät oder eine Pipe</translation>
+    </message>
+    <message>
+        <source>no row of &apos;{}&apos; is undamaged</source>
+        <translation>keine Zeile von „{}“ ist unbeschädigt</translation>
+    </message>
+    <message>
+        <source>it stays as it is: what is in it can be read as text</source>
+        <translation>sie bleibt, wie sie ist: ihr Inhalt ist als Text lesbar</translation>
+    </message>
+    <message>
+        <source>it stays as it is; to read what its checksums do not confirm, move &apos;{}&apos; away</source>
+        <translation>sie bleibt, wie sie ist; um zu lesen, was ihre Prüfsummen nicht bestätigen, verschieben Sie „{}“</translation>
+    </message>
+    <message>
+        <source>a step of {} s is not simulated with a sampling period of {} s</source>
+        <translation>ein Sprung von {} s wird mit einer Abtastzeit von {} s nicht simuliert</translation>
+    </message>
+    <message>
+        <source>give a period of {} s or more</source>
+        <translation>eine Abtastzeit von {} s oder mehr angeben</translation>
+    </message>
+    <message>
+        <source>a recorded move has rows of 1 ms and cannot be replayed through a loop of {} ms</source>
+        <translation>eine aufgenommene Bewegung hat Zeilen von 1 ms und lässt sich nicht durch einen Regelkreis von {} ms wiedergeben</translation>
+    </message>
+    <message>
+        <source>what if needs a sampling period of whole milliseconds</source>
+        <translation>„Was wäre wenn“ braucht eine Abtastzeit von ganzen Millisekunden</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -10543,20 +10575,20 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
         <translation>Kleinster und größter Wert, Mittel, Effektivwert und Streuung des Sichtbaren oder zwischen den Messmarken (S)</translation>
     </message>
     <message>
-        <source>Between the cursors, %1 s</source>
-        <translation>Zwischen den Messmarken, %1 s</translation>
-    </message>
-    <message>
         <source>In view, %1 s</source>
         <translation>Im Bild, %1 s</translation>
     </message>
     <message>
-        <source>The disk is being read</source>
-        <translation>Der Datenträger wird gelesen</translation>
-    </message>
-    <message>
         <source>In view of each plot</source>
         <translation>Im Bild jedes Diagramms</translation>
+    </message>
+    <message>
+        <source>Reading the disk</source>
+        <translation>Datenträger wird gelesen</translation>
+    </message>
+    <message>
+        <source>A to B, %1 s</source>
+        <translation>A bis B, %1 s</translation>
     </message>
 </context>
 <context>
@@ -14613,10 +14645,6 @@ Im Monitor ändern &lt; und &gt; sie. Ein wirkliches Gerät hat seine eigene Zei
         <translation>Signale wählen, die gezeigt werden</translation>
     </message>
     <message>
-        <source>Paused, data are kept (%1 s since)</source>
-        <translation>Angehalten, Daten bleiben erhalten (seit %1 s)</translation>
-    </message>
-    <message>
         <source>Following, %1 s</source>
         <translation>Folgt, %1 s</translation>
     </message>
@@ -14891,6 +14919,10 @@ Im Monitor ändern &lt; und &gt; sie. Ein wirkliches Gerät hat seine eigene Zei
     <message>
         <source>All columns equally wide, all plots of a column equally tall</source>
         <translation>Alle Spalten gleich breit, alle Diagramme einer Spalte gleich hoch</translation>
+    </message>
+    <message>
+        <source>Paused, %1 s kept since</source>
+        <translation>Angehalten, seither %1 s</translation>
     </message>
 </context>
 <context>
@@ -15511,10 +15543,6 @@ Hall B
         <translation>Std.-Abw.</translation>
     </message>
     <message>
-        <source>Slope A to B</source>
-        <translation>Steigung A–B</translation>
-    </message>
-    <message>
         <source>Values</source>
         <translation>Werte</translation>
     </message>
@@ -15537,6 +15565,14 @@ Hall B
     <message>
         <source>Peak to peak: largest less smallest value</source>
         <translation>Spitze-Spitze: größter minus kleinster Wert</translation>
+    </message>
+    <message>
+        <source>Slope/s</source>
+        <translation>Steigung/s</translation>
+    </message>
+    <message>
+        <source>From cursor A to B: of the signal&apos;s unit per second</source>
+        <translation>Von Messmarke A bis B: in der Einheit des Signals je Sekunde</translation>
     </message>
 </context>
 <context>

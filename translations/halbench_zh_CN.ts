@@ -6326,6 +6326,38 @@
         <source>one signal cannot come at {} Hz: board and link carry at most {} Hz</source>
         <translation>一个信号无法以 {} Hz 到来：控制板和链路至多承载 {} Hz</translation>
     </message>
+    <message>
+        <source>&apos;{}&apos; is a device or pipe</source>
+        <translation>“{}”是设备或管道</translation>
+    </message>
+    <message>
+        <source>no row of &apos;{}&apos; is undamaged</source>
+        <translation>“{}”中没有一行未损坏</translation>
+    </message>
+    <message>
+        <source>it stays as it is: what is in it can be read as text</source>
+        <translation>文件保持原样：其中的内容可以作为文本阅读</translation>
+    </message>
+    <message>
+        <source>it stays as it is; to read what its checksums do not confirm, move &apos;{}&apos; away</source>
+        <translation>文件保持原样；若要读取校验和未确认的内容，请移走“{}”</translation>
+    </message>
+    <message>
+        <source>a step of {} s is not simulated with a sampling period of {} s</source>
+        <translation>{} s 的阶跃不会以 {} s 的采样周期进行仿真</translation>
+    </message>
+    <message>
+        <source>give a period of {} s or more</source>
+        <translation>请给出 {} s 或更长的周期</translation>
+    </message>
+    <message>
+        <source>a recorded move has rows of 1 ms and cannot be replayed through a loop of {} ms</source>
+        <translation>记录的运动每行为 1 ms，无法通过 {} ms 的回路重放</translation>
+    </message>
+    <message>
+        <source>what if needs a sampling period of whole milliseconds</source>
+        <translation>假设分析需要整毫秒的采样周期</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -10536,20 +10568,20 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
         <translation>视图内或两光标之间的最小、最大、均值、有效值和离散度 (S)</translation>
     </message>
     <message>
-        <source>Between the cursors, %1 s</source>
-        <translation>两光标之间，%1 s</translation>
-    </message>
-    <message>
         <source>In view, %1 s</source>
         <translation>视图内，%1 s</translation>
     </message>
     <message>
-        <source>The disk is being read</source>
+        <source>In view of each plot</source>
+        <translation>各曲线图视图内</translation>
+    </message>
+    <message>
+        <source>Reading the disk</source>
         <translation>正在读取磁盘</translation>
     </message>
     <message>
-        <source>In view of each plot</source>
-        <translation>各曲线图视图内</translation>
+        <source>A to B, %1 s</source>
+        <translation>A 到 B，%1 s</translation>
     </message>
 </context>
 <context>
@@ -14601,10 +14633,6 @@ In the Monitor &lt; and &gt; change it. A real device has its own time.</source>
         <translation>选择要显示的信号</translation>
     </message>
     <message>
-        <source>Paused, data are kept (%1 s since)</source>
-        <translation>已暂停，数据保留（已 %1 s）</translation>
-    </message>
-    <message>
         <source>Following, %1 s</source>
         <translation>跟随中，%1 s</translation>
     </message>
@@ -14879,6 +14907,10 @@ In the Monitor &lt; and &gt; change it. A real device has its own time.</source>
     <message>
         <source>All columns equally wide, all plots of a column equally tall</source>
         <translation>各列等宽，同列各曲线图等高</translation>
+    </message>
+    <message>
+        <source>Paused, %1 s kept since</source>
+        <translation>已暂停，此后保留 %1 s</translation>
     </message>
 </context>
 <context>
@@ -15497,10 +15529,6 @@ Hall B
         <translation>标准差</translation>
     </message>
     <message>
-        <source>Slope A to B</source>
-        <translation>斜率 A 至 B</translation>
-    </message>
-    <message>
         <source>Values</source>
         <translation>数值个数</translation>
     </message>
@@ -15523,6 +15551,14 @@ Hall B
     <message>
         <source>Peak to peak: largest less smallest value</source>
         <translation>峰峰值：最大值减最小值</translation>
+    </message>
+    <message>
+        <source>Slope/s</source>
+        <translation>斜率/s</translation>
+    </message>
+    <message>
+        <source>From cursor A to B: of the signal&apos;s unit per second</source>
+        <translation>从游标 A 到 B：信号单位每秒</translation>
     </message>
 </context>
 <context>

@@ -115,6 +115,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "give a folder that can be written"),
     QT_TRANSLATE_NOOP("Phrases", "'{}' is a folder"),
     QT_TRANSLATE_NOOP("Phrases", "give the name of a file"),
+    QT_TRANSLATE_NOOP("Phrases", "'{}' is a device or pipe"),
     QT_TRANSLATE_NOOP("Phrases", "cannot rename '{}' to '{}': {}"),
     QT_TRANSLATE_NOOP("Phrases", "check that the folder can be written"),
     QT_TRANSLATE_NOOP("Phrases", "{} {} and outside {} to {} {}"),
