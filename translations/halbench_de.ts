@@ -14921,7 +14921,7 @@ Im Monitor ändern &lt; und &gt; sie. Ein wirkliches Gerät hat seine eigene Zei
         <translation>Alle Spalten gleich breit, alle Diagramme einer Spalte gleich hoch</translation>
     </message>
     <message>
-        <source>Paused, %1 s kept since</source>
+        <source>Paused, %1 s kept</source>
         <translation>Angehalten, seither %1 s</translation>
     </message>
 </context>

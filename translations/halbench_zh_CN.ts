@@ -14909,7 +14909,7 @@ In the Monitor &lt; and &gt; change it. A real device has its own time.</source>
         <translation>各列等宽，同列各曲线图等高</translation>
     </message>
     <message>
-        <source>Paused, %1 s kept since</source>
+        <source>Paused, %1 s kept</source>
         <translation>已暂停，此后保留 %1 s</translation>
     </message>
 </context>

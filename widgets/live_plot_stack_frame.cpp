@@ -232,7 +232,7 @@ void LivePlotStack::showState() {
 
 QString LivePlotStack::stateWords() const {
     if (isPaused()) {
-        return tr("Paused, %1 s kept since").arg(fixedText(m_view.behind_s(), 1));
+        return tr("Paused, %1 s kept").arg(fixedText(m_view.behind_s(), 1));
     }
     if (!isFollowing()) {
         return m_event_s ? tr("At an event; press End to follow") : tr("Scrolled; press End to follow");

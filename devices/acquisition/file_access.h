@@ -31,8 +31,8 @@ private:
 /// Whether a file is held or written, here or by another program.
 bool isHeld(const std::string& path);
 
-/// Makes the folder in which `path` will be written. Errors: FileSystem, also when `path` is a folder, a device
-/// or a pipe.
+/// Makes the folder in which `path` will be written. Errors: FileSystem, also when `path` is a folder, a
+/// device or a pipe.
 Result<void> createFolderOf(const std::string& path);
 
 /// Gives a file another name; what had it is replaced in one step. Errors: FileSystem.

@@ -72,7 +72,7 @@ struct IdealLoopConfig {
     std::function<double(const ReferencePoint& reference, double angle_rad)> controller = {};
 };
 
-/// Rows at t = 0, 1 ms, 2 ms ... duration: angles relative to the start, the current held after that instant.
+/// At the instants of LoopRows, to the duration: angles relative to the start, the current held thereafter.
 struct IdealTrace {
     std::vector<double> time_s;
     std::vector<double> angle_rad;

@@ -159,7 +159,7 @@ TEST_F(LivePlotStackTest, thatItIsPausedIsWholeBesideCursorsInTheWindowsFirstSiz
     frame();
     const auto bars = stack.findChildren<TimeAxisBar*>();
     const auto said = std::find_if(bars.begin(), bars.end(), [](const TimeAxisBar* bar) {
-        return bar->isVisible() && bar->state().contains("kept since");
+        return bar->isVisible() && bar->state().contains(" kept");
     });
     ASSERT_NE(said, bars.end());
     QString words = (*said)->state(); // for a while

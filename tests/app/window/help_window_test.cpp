@@ -148,7 +148,7 @@ TEST_F(HelpWindowTest, picturesAreThereAndNoWiderThanTheText) {
                 }
             }
         }
-        EXPECT_EQ(count, 6) << language.id.toStdString();
+        EXPECT_EQ(count, 7) << language.id.toStdString();
     }
 }
 
