@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace halbench::control {
 
@@ -69,6 +70,26 @@ std::vector<Crossing> crossingsOn(const LoopScan& scan) {
     }
     std::sort(crossings.begin(), crossings.end(), isLower);
     return crossings;
+}
+
+/// A loop of which the zero lies at z = -1, as that of a rotor without damping, leaves nothing but the
+/// rounding of its terms there, and that has no sign: L is 0 then. The coefficients are sums of some products
+/// of rounded numbers, hence the factor.
+LoopScan scanned(const TransferFunction& openLoop) {
+    LoopScan scan = scanLoop(openLoop);
+    if (scan.endsAtNyquist && !scan.value.empty()) {
+        constexpr double Roundings = 32.0;
+        double sum = 0.0;
+        double terms = 0.0;
+        for (const double coefficient : openLoop.numerator()) { // Horner's rule at z = -1
+            sum = coefficient - sum;
+            terms += std::abs(coefficient);
+        }
+        if (std::abs(sum) <= Roundings * std::numeric_limits<double>::epsilon() * terms) {
+            scan.value.back() = 0.0;
+        }
+    }
+    return scan;
 }
 
 void takeIfSmaller(StabilityMargins& margins, const Crossing& crossing) {
@@ -178,7 +199,7 @@ void addCrossings(std::vector<Crossing>& crossings, const Stretch& stretch) {
 } // namespace
 
 std::vector<Crossing> allCrossings(const TransferFunction& openLoop) {
-    return crossingsOn(scanLoop(openLoop));
+    return crossingsOn(scanned(openLoop));
 }
 
 std::vector<Crossing> allCrossings(const DeadTimeSystem& openLoop) {
@@ -197,7 +218,7 @@ std::vector<Crossing> allCrossings(const FrequencyResponse& openLoop) {
 }
 
 StabilityMargins smallestMargins(const TransferFunction& openLoop) {
-    return marginsOn(scanLoop(openLoop));
+    return marginsOn(scanned(openLoop));
 }
 
 StabilityMargins smallestMargins(const DeadTimeSystem& openLoop) {

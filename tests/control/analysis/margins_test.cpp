@@ -109,6 +109,32 @@ TEST(Margins, aSampledLoopMayCrossAtTheNyquistFrequencyItself) {
     EXPECT_NEAR(margins.phaseCrossover_rad_s.value(), Pi / 0.1, 1e-9);
 }
 
+// A rotor without damping, held over a sample: (z + 1)/(z - 1)^2, which is exactly 0 at Nyquist and has no
+// margin there. Halved steps of its position make the zero's rounding visible.
+TEST(Margins, aLoopThatEndsInAZeroAtNyquistHasNoMarginThere) {
+    for (const double gain : {0.013, 0.1, 1.0 / 3.0, 0.7}) {
+        const Polynomial held = {gain, gain};
+        for (const double period_s : {0.0005, 0.001, 0.01}) {
+            const Polynomial derivative = {1.0 + 0.3 / period_s, -0.3 / period_s};
+            const auto plain = *TransferFunction::make(held, {1.0, -2.0, 1.0}, TimeBase::sampled(period_s));
+            const auto damped = *TransferFunction::make(multiply(held, derivative), {1.0, -2.0, 1.0, 0.0},
+                                                        TimeBase::sampled(period_s));
+            for (const TransferFunction& loop : {plain, damped}) {
+                for (const Crossing& crossing : allCrossings(loop)) {
+                    EXPECT_LT(crossing.gainMargin_ratio, 1e6) << gain << ' ' << period_s;
+                }
+            }
+            EXPECT_TRUE(std::isinf(smallestMargins(plain).gainMargin_ratio)) << gain;
+        }
+    }
+}
+
+// A large margin at Nyquist that is one: |L| = 1e-9/1.5.
+TEST(Margins, aSmallLoopMayCrossAtTheNyquistFrequencyToo) {
+    const auto loop = *TransferFunction::make({1e-9}, {1.0, -0.5}, TimeBase::sampled(0.1));
+    EXPECT_NEAR(smallestMargins(loop).gainMargin_ratio, 1.5e9, 1e-3);
+}
+
 TEST(Margins, modulusMarginIsTheInverseOfTheSensitivityPeak) {
     const auto plant = continuous({4.0}, {1.0, 1.0, 0.0});
     const auto controller = continuous({0.2, 1.0}, {0.01, 1.0});
