@@ -6358,6 +6358,14 @@
         <source>what if needs a sampling period of whole milliseconds</source>
         <translation>„Was wäre wenn“ braucht eine Abtastzeit von ganzen Millisekunden</translation>
     </message>
+    <message>
+        <source>the step has no figures: its slowest part decays by {} in a sample, far longer than what is simulated</source>
+        <translation>der Sprung hat keine Kennwerte: sein langsamster Teil klingt je Abtastschritt um {} ab, weit länger als simuliert wird</translation>
+    </message>
+    <message>
+        <source>choose gains with faster poles, or a longer sampling period</source>
+        <translation>Parameter mit schnelleren Polen oder eine längere Abtastzeit wählen</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -6358,6 +6358,14 @@
         <source>what if needs a sampling period of whole milliseconds</source>
         <translation>假设分析需要整毫秒的采样周期</translation>
     </message>
+    <message>
+        <source>the step has no figures: its slowest part decays by {} in a sample, far longer than what is simulated</source>
+        <translation>该阶跃没有指标：其最慢部分每个采样衰减 {}，远长于所仿真的时间</translation>
+    </message>
+    <message>
+        <source>choose gains with faster poles, or a longer sampling period</source>
+        <translation>请选择极点更快的增益，或更长的采样周期</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

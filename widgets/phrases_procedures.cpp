@@ -204,6 +204,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "a swing beyond +-{} deg"),
     QT_TRANSLATE_NOOP("Phrases", "{} grows into a lasting one of about +-{} deg at {} Hz"),
     QT_TRANSLATE_NOOP("Phrases", "keep to small steps, or choose a smaller K_P"),
+    QT_TRANSLATE_NOOP("Phrases", "the step has no figures: its slowest part decays by {} in a sample, far longer than what is simulated"),
+    QT_TRANSLATE_NOOP("Phrases", "choose gains with faster poles, or a longer sampling period"),
     QT_TRANSLATE_NOOP("Phrases", "a current limit of {} A is not possible"),
     QT_TRANSLATE_NOOP("Phrases", "the stray field of the coils is not described by finite numbers"),
     QT_TRANSLATE_NOOP("Phrases", "K_P = {}, K_I = {}, K_D = {} is no position loop"),

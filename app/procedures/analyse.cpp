@@ -4,6 +4,8 @@
 #include "app/procedures/loop_prediction.h"
 #include "app/procedures/shaped_analysis.h"
 
+#include <algorithm>
+
 namespace halbench::app {
 
 namespace {
@@ -12,12 +14,9 @@ using control::PidGains;
 
 Result<void> stepLoop(AnalysisResult& result, const control::PositionPlant& plant, const PidGains& gains,
                       const control::LoopTiming& timing) {
-    auto step = control::linearStep(plant, gains, timing, 1.0, stepDuration_s(result, timing.period_s));
-    if (!step) {
-        return failure(step.error());
-    }
-    takeStep(result, *std::move(step));
-    return {};
+    return takeWholeStep(result, timing.period_s, [&](double duration_s, int pointsPerSample) {
+        return control::linearStep(plant, gains, timing, 1.0, duration_s, pointsPerSample);
+    });
 }
 
 /// Everything that the open loop tells.
@@ -66,7 +65,8 @@ Result<AnalysisResult> analyseBoard(const control::PositionPlant& plant, const c
     }
     addFrictionWarning(*result, gains.integral > 0.0);
     addStrayWarning(*result, conditions.stray);
-    addSaturationNote(*result, gains.proportional, conditions.currentLimit_A);
+    addSaturationNote(*result, std::max(gains.proportional, peakCurrent_A(result->stepCurve)),
+                      conditions.currentLimit_A);
     result->quality.verdict = result->isStable ? Verdict::Good : Verdict::Doubtful;
     result->quality.findings = result->warnings;
     return result;

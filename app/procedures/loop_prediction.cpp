@@ -87,10 +87,51 @@ void takeStep(AnalysisResult& result, control::LoopStep step) {
     result.stepCurve = {std::move(step.time_s), std::move(step.response_rad), std::move(step.current_A)};
 }
 
-double stepDuration_s(const AnalysisResult& result, double period_s) {
+StepExtent stepExtent(const AnalysisResult& result, double period_s) {
     constexpr double TimeConstants = 6.0;
-    const double samples = -TimeConstants / std::log(std::min(result.poleRadius, 1.0 - 1e-9));
-    return std::clamp(samples, 100.0, 2000.0) * period_s;
+    constexpr double UsualSamples = 2000.0;
+    constexpr double MostSamples = 100000.0; // some milliseconds of work
+    const auto samplesOf = [](double radius) {
+        return -TimeConstants / std::log(std::clamp(radius, 1e-9, 1.0 - 1e-12));
+    };
+    const double all = samplesOf(result.poleRadius);
+    double shape = all; // until nothing but one slow exponential is left, which makes no peak any more
+    std::vector<std::complex<double>> poles = result.roots.closedLoop;
+    std::sort(poles.begin(), poles.end(),
+              [](const auto& a, const auto& b) { return std::abs(a) > std::abs(b); });
+    if (poles.size() > 1 && poles[0].imag() == 0.0 && poles[0].real() > 0.0) {
+        shape = 1.5 * samplesOf(std::abs(poles[1])); // 9 time constants: 1e-4 of what they were
+    }
+    const double first = std::clamp(std::min(all, std::max(shape, UsualSamples)), 100.0, MostSamples);
+    return {first * period_s, std::clamp(all, first, MostSamples) * period_s,
+            std::min(all, shape) <= MostSamples};
+}
+
+int stepPointsPerSample(double duration_s, double period_s) {
+    constexpr double Points = 20000.0;
+    return static_cast<int>(std::clamp(std::floor(Points * period_s / duration_s + 1e-6), 1.0, 10.0));
+}
+
+void withholdStep(AnalysisResult& result) {
+    if (!result.step) {
+        return;
+    }
+    result.step.reset();
+    result.warnings.push_back(
+        {"step_too_long",
+         fmt::format(
+             "the step has no figures: its slowest part decays by {:.3g} in a sample, far longer than "
+             "what is simulated",
+             1.0 - result.poleRadius),
+         "choose gains with faster poles, or a longer sampling period"});
+}
+
+double peakCurrent_A(const AnalysisResult::Step& step) {
+    double peak_A = 0.0;
+    for (const double current_A : step.current_A) {
+        peak_A = std::max(peak_A, std::abs(current_A));
+    }
+    return peak_A;
 }
 
 Result<void> checkConditions(const LoopConditions& conditions) {

@@ -12,9 +12,38 @@ Result<void> takeOpenLoop(AnalysisResult& result, const control::TransferFunctio
                           std::vector<std::complex<double>> closedLoop);
 /// The curves and figures of a unit step.
 void takeStep(AnalysisResult& result, control::LoopStep step);
-/// How long that step is looked at: six time constants of the slowest pole, between 100 and 2000 samples (a
-/// pole slower still is one that the integral of a friction-free loop hardly excites).
-double stepDuration_s(const AnalysisResult& result, double period_s);
+/// How long that step is looked at, at least 100 samples. Poles of up to 333 samples: six time constants of
+/// the slowest. Slower ones: 2000 samples and until all but the slowest are gone, if that is a real one; what
+/// is left then is monotonous. If the step has not settled by then, until six time constants of it.
+struct StepExtent {
+    double first_s = 0.0;
+    double longest_s = 0.0;
+    bool hasPeaks = true; ///< false: too slow to be simulated until its peaks are known
+};
+StepExtent stepExtent(const AnalysisResult& result, double period_s);
+/// Points of the curve between two samples: ten, fewer where there would be more than 20000.
+int stepPointsPerSample(double duration_s, double period_s);
+/// No figures, with the reason.
+void withholdStep(AnalysisResult& result);
+double peakCurrent_A(const AnalysisResult::Step& step);
+
+/// By `step(duration_s, pointsPerSample)`, which answers a Result<LoopStep>.
+template <typename Step>
+Result<void> takeWholeStep(AnalysisResult& result, double period_s, Step&& step) {
+    const StepExtent extent = stepExtent(result, period_s);
+    auto done = step(extent.first_s, stepPointsPerSample(extent.first_s, period_s));
+    if (done && !done->metrics.settlingTime_s && extent.longest_s > extent.first_s) {
+        done = step(extent.longest_s, stepPointsPerSample(extent.longest_s, period_s));
+    }
+    if (!done) {
+        return failure(done.error());
+    }
+    takeStep(result, *std::move(done));
+    if (!extent.hasPeaks) {
+        withholdStep(result);
+    }
+    return {};
+}
 
 Result<void> checkConditions(const LoopConditions& conditions);
 /// K_P above 0, K_I and K_D not below.

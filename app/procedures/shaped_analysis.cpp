@@ -35,12 +35,13 @@ Result<void> predictSteps(AnalysisResult& result, const control::PositionPlant& 
                           const LoopConditions& conditions) {
     const control::LoopTiming& timing = conditions.timing;
     if (result.isStable) {
-        auto step =
-            control::shapedStep(plant, *law.shaped, timing, 1.0, stepDuration_s(result, timing.period_s));
-        if (!step) {
-            return failure(step.error());
+        const auto stepped =
+            takeWholeStep(result, timing.period_s, [&](double duration_s, int pointsPerSample) {
+                return control::shapedStep(plant, *law.shaped, timing, 1.0, duration_s, pointsPerSample);
+            });
+        if (!stepped) {
+            return stepped;
         }
-        takeStep(result, *std::move(step));
     }
     auto large = predictLargeStep(plant, law, conditions, LargeStepHeight_rad);
     if (!large) {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace halbench::app {
 
@@ -120,6 +121,17 @@ std::optional<control::LeastErrorBounds> boundsOf(const TuneResult& result) {
                              *targets->currentLimit_A);
 }
 
+/// The proof looks at 2 s of a step; a current that rises slowly is highest later.
+void takeWholeCurrent(control::DesignProof& proof, const AnalysisResult& predicted, double limit_A) {
+    if (!predicted.isStable) {
+        return;
+    }
+    proof.peakCurrent_A = predicted.step
+                              ? std::max(proof.peakCurrent_A, peakCurrent_A(predicted.stepCurve))
+                              : std::numeric_limits<double>::infinity(); // not known: no step is safe
+    proof.largestStep_rad = limit_A / proof.peakCurrent_A;
+}
+
 /// The law is there; prediction, robustness and verdict follow.
 Result<TuneResult> judged(TuneResult result, const MotorEstimate& estimate, const TuneConfig& config,
                           const control::UncertainPlant& uncertain) {
@@ -143,6 +155,7 @@ Result<TuneResult> judged(TuneResult result, const MotorEstimate& estimate, cons
     if (auto proof = law.shaped ? control::proveShaped(result.plant, *law.shaped, timing, limit_A)
                                 : control::proveDesign(result.plant, law.law.gains, timing, limit_A)) {
         result.proof = *std::move(proof);
+        takeWholeCurrent(*result.proof, result.predicted, limit_A);
     }
     const auto plants = drawnPlants(estimate, {config.draws, config.seed});
     result.disturbance = disturbanceOf(estimate, law, config.conditions, result.predicted, config.load_A,

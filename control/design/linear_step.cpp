@@ -113,6 +113,10 @@ void measureLoad(LoadStep& step) {
             step.peakTime_s = step.time_s[i];
         }
     }
+    if (std::abs(step.final_rad) > std::abs(step.peak_rad) && !step.time_s.empty()) {
+        step.peak_rad = step.final_rad; // approached from below, and so not within any time that is looked at
+        step.peakTime_s = step.time_s.back();
+    }
     const double band_rad = Recovered_ratio * std::abs(step.peak_rad);
     std::size_t within = step.time_s.size();
     while (within > 0 && std::abs(step.angle_rad[within - 1] - step.final_rad) <= band_rad) {
