@@ -81,8 +81,20 @@ void cutUnit(CsvColumn& column) {
     setUnit(column, unit);
 }
 
-/// Our own names tell their unit ("hall_a_T"), and so does the time ("t_ms"); other names are not taken
-/// apart.
+/// What stands behind "NAME_" in a column, if it is a unit of that quantity: "rpm" of "speed_rpm".
+std::optional<std::string> unitBehind(const std::string& signal, const KnownSignal& known,
+                                      const std::string& name) {
+    const std::string begin = csvColumnName(signal, "") + "_";
+    if (known.unit.empty() || name.size() <= begin.size() || name.compare(0, begin.size(), begin) != 0) {
+        return std::nullopt;
+    }
+    std::string written = name.substr(begin.size());
+    const std::optional<ForeignUnit> unit = readForeignUnit(written);
+    return unit && unit->symbol == known.unit ? std::optional(std::move(written)) : std::nullopt;
+}
+
+/// Our own names tell their unit ("hall_a_T"), in another unit too ("hall_a_mT"), and so does the time
+/// ("t_ms"); other names are not taken apart.
 void readName(CsvColumn& column) {
     const bool hasUnit = !column.written.empty();
     for (const KnownSignal& known : knownSignals()) {
@@ -94,6 +106,9 @@ void readName(CsvColumn& column) {
             if (!hasUnit) {
                 setUnit(column, known.unit);
             }
+        } else if (const auto written = unitBehind(signal, known, column.name); written && !hasUnit) {
+            column.signal = signal;
+            setUnit(column, *written);
         }
     }
     const std::size_t line = column.name.rfind('_');

@@ -53,6 +53,26 @@ TEST(CsvColumns, ourOwnHeadersAreUnderstood) {
     EXPECT_FALSE(result->columns[3].isUnitKnown) << "the A of a foreign name may be anything";
 }
 
+TEST(CsvColumns, aUnitBehindANameOfOursIsReadWhereItIsOneOfItsQuantity) {
+    const auto result = arrange({"time_s", "position_deg", "speed_rpm", "current_command_mA", "hall_a_mT",
+                                 "position_mA", "omega_rpm", "speed_filtered"});
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_TRUE(result->questions.empty());
+    const auto expectIs = [&](std::size_t index, const char* signal, const char* unit) {
+        EXPECT_EQ(result->columns[index].signal, signal);
+        EXPECT_EQ(result->columns[index].unit, unit);
+    };
+    expectIs(1, "position", "rad");
+    EXPECT_DOUBLE_EQ(result->columns[1].factor / result->columns[1].divisor, 3.14159265358979323846 / 180.0);
+    expectIs(2, "speed", "rad/s");
+    expectIs(3, "current_command", "A");
+    EXPECT_EQ(result->columns[3].divisor, 1e3);
+    expectIs(4, "hall.a", "T");
+    expectIs(5, "position_mA", ""); // no angle: a name of its own, as are those of others
+    expectIs(6, "omega_rpm", "");
+    expectIs(7, "speed_filtered", "");
+}
+
 TEST(CsvColumns, aMappedSignalMustHaveItsQuantity) {
     CsvImportRequest request;
     request.map = {{"speed", "omega_mech"}};
