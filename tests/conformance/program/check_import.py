@@ -99,7 +99,7 @@ class Import(ProgramCase):
                 self.refuse(2, pattern, "import", "in.csv", "--out", "o.csv", *options)
         self.refuse(2, "--out is missing", "import", "in.csv")
         self.refuse(2, "overwrite", "import", "in.csv", "--out", "./in.csv")
-        self.refuse(2, r"writes \.csv", "import", "in.csv", "--out", "o.mat")
+        self.refuse(2, r"no \.csv file", "import", "in.csv", "--out", "o.mat")
         self.refuse(2, "cannot read", "import", "none.csv", "--out", "o.csv")
         self.assert_nothing_left("in.csv")
 
