@@ -1,14 +1,14 @@
 #pragma once
 
-#include <QStyledItemDelegate>
+#include "widgets/whole_numbers.h"
 
 namespace halbench::widgets {
 
 /// Edits a value of the parameter table: a list for an enumeration, else a line in the user's notation.
-class ParameterDelegate : public QStyledItemDelegate {
+class ParameterDelegate : public WholeNumbers {
     Q_OBJECT
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    using WholeNumbers::WholeNumbers;
 
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const override;

@@ -5,6 +5,7 @@
 #include "control/base/units.h"
 #include "widgets/icons.h"
 #include "widgets/theme_style.h"
+#include "widgets/whole_numbers.h"
 
 #include <QEvent>
 #include <QGridLayout>
@@ -84,6 +85,7 @@ DesignTable::DesignTable(QWidget* parent)
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
     m_table->setTabKeyNavigation(false);
+    m_table->setItemDelegate(new widgets::WholeNumbers(m_table));
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Interactive);

@@ -4,6 +4,7 @@
 #include "widgets/display_units.h"
 #include "widgets/theme_style.h"
 #include "widgets/unbroken.h"
+#include "widgets/whole_numbers.h"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -322,6 +323,7 @@ TuneNumbers::TuneNumbers(QWidget* parent) : QTableWidget(0, 4, parent) {
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setTabKeyNavigation(false);
+    setItemDelegate(new widgets::WholeNumbers(this));
     verticalHeader()->hide();
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     horizontalHeader()->setStretchLastSection(true);
