@@ -84,7 +84,10 @@ int TimeAxisBar::titleLeft() const {
 }
 
 QString TimeAxisBar::shownState() const {
-    return fontMetrics().elidedText(m_state, Qt::ElideRight, titleLeft() - m_left - StateGap);
+    const int room_px = titleLeft() - m_left - StateGap;
+    return fontMetrics().horizontalAdvance(m_state) <= room_px // which eliding measures in other fractions
+               ? m_state
+               : fontMetrics().elidedText(m_state, Qt::ElideRight, room_px);
 }
 
 } // namespace halbench::widgets
