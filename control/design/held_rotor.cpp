@@ -22,6 +22,14 @@ double heldAngleShare(double x) {
     return sum;
 }
 
+HeldRotor::HeldRotor(const PositionPlant& plant, double interval_s) {
+    const double x = plant.dampingRate_1_s * interval_s;
+    decay = std::exp(-x);
+    coast_s = interval_s * heldSpeedShare(x);
+    drive = plant.accelerationGain_rad_s2_A * coast_s;
+    push = plant.accelerationGain_rad_s2_A * interval_s * interval_s * heldAngleShare(x);
+}
+
 RotorState advance(const PositionPlant& plant, const RotorState& state, double current_A, double time_s) {
     const double x = plant.dampingRate_1_s * time_s;
     const double acceleration_rad_s2 = plant.accelerationGain_rad_s2_A * current_A;

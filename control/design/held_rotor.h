@@ -14,6 +14,20 @@ struct RotorState {
     double speed_rad_s = 0.0;
 };
 
+/// What an interval makes of the state, of a rotor that is moved over many of the same length.
+struct HeldRotor {
+    double decay = 0.0;   ///< of the speed
+    double coast_s = 0.0; ///< angle per speed
+    double drive = 0.0;   ///< speed per current
+    double push = 0.0;    ///< angle per current
+
+    HeldRotor(const PositionPlant& plant, double interval_s);
+    void move(RotorState& state, double current_A) const {
+        state.angle_rad += coast_s * state.speed_rad_s + push * current_A;
+        state.speed_rad_s = decay * state.speed_rad_s + drive * current_A;
+    }
+};
+
 /// Exact motion of psi'' + a psi' = k i (no friction) over a time of constant current.
 RotorState advance(const PositionPlant& plant, const RotorState& state, double current_A, double time_s);
 

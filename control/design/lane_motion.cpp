@@ -25,11 +25,11 @@ struct Rotors {
         for (int i = 0; i < LaneWidth; ++i) {
             const PositionPlant& plant =
                 batch.plant(std::min(first + static_cast<std::size_t>(i), batch.size() - 1));
-            const double x = plant.dampingRate_1_s * interval_s;
-            decay[i] = std::exp(-x);
-            coast_s[i] = interval_s * heldSpeedShare(x);
-            drive[i] = plant.accelerationGain_rad_s2_A * coast_s[i];
-            push[i] = plant.accelerationGain_rad_s2_A * interval_s * interval_s * heldAngleShare(x);
+            const HeldRotor rotor(plant, interval_s);
+            decay[i] = rotor.decay;
+            coast_s[i] = rotor.coast_s;
+            drive[i] = rotor.drive;
+            push[i] = rotor.push;
         }
     }
 };

@@ -18,9 +18,6 @@ struct LoadStep {
     std::optional<double> recoveryTime_s;
 };
 
-/// Peak and recovery of a step that has its curves and its end.
-void measureLoad(LoadStep& step);
-
 /// The loop must be stable for `final_rad` to mean anything. Errors: of the inputs; OutOfRange (extent);
 /// Refused (an unstable loop that grows beyond all numbers).
 Result<LoadStep> loadStep(const PositionPlant& plant, const PidGains& gains, const LoopTiming& timing,

@@ -13,28 +13,6 @@ namespace halbench::control {
 
 namespace {
 
-/// Exact motion of one rotor over an interval of constant current, as `advance` has it, with what does not
-/// change from interval to interval computed once.
-struct HeldRotor {
-    double decay;   ///< of the speed
-    double coast_s; ///< angle per speed
-    double drive;   ///< speed per current
-    double push;    ///< angle per current
-
-    HeldRotor(const PositionPlant& plant, double interval_s) {
-        const double x = plant.dampingRate_1_s * interval_s;
-        decay = std::exp(-x);
-        coast_s = interval_s * heldSpeedShare(x);
-        drive = plant.accelerationGain_rad_s2_A * coast_s;
-        push = plant.accelerationGain_rad_s2_A * interval_s * interval_s * heldAngleShare(x);
-    }
-
-    void move(RotorState& state, double current_A) const {
-        state.angle_rad += coast_s * state.speed_rad_s + push * current_A;
-        state.speed_rad_s = decay * state.speed_rad_s + drive * current_A;
-    }
-};
-
 void runMotor(const PositionPlant& plant, ShapedController controller, const LoopTiming& timing,
               const LaneRun& run, LaneCurves& curves, Eigen::Index row) {
     const HeldRotor rotor(plant, timing.period_s / run.pointsPerSample);

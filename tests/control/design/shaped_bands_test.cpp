@@ -3,6 +3,7 @@
 #include "control/design/shaped_bands.h"
 #include "control/design/shaped_loop.h"
 #include "tests/control/design/published_motor.h"
+#include "tests/control/design/shaped_example.h"
 
 #include <gtest/gtest.h>
 
@@ -14,29 +15,6 @@ namespace halbench::control {
 namespace {
 
 constexpr LoopTiming OneLate{0.01, 1};
-
-PidGains lively() {
-    PidGains gains;
-    gains.proportional = 12.0;
-    gains.integral = 20.0;
-    gains.derivative = 0.8;
-    return gains;
-}
-
-ShapedLaw of(const PidGains& gains) {
-    ShapedLaw law;
-    law.gains = gains;
-    return law;
-}
-
-ShapedLaw shaped() {
-    ShapedLaw law = of(lively());
-    law.gains.filter_s = 0.004;
-    law.proportionalWeight = 0.6;
-    law.derivativeWeight = 0.3;
-    law.filters = {NotchFilter{180.0, 0.1, 0.5}, LowPassFilter{250.0, 2}};
-    return law;
-}
 
 std::vector<PositionPlant> motors(std::size_t count = 400) {
     UncertainPlant uncertain;

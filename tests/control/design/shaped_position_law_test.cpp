@@ -3,6 +3,7 @@
 #include "control/design/friction_cycles.h"
 #include "control/design/shaped_position_law.h"
 #include "tests/control/design/published_motor.h"
+#include "tests/control/design/shaped_example.h"
 
 #include <gtest/gtest.h>
 
@@ -14,18 +15,6 @@ namespace halbench::control {
 namespace {
 
 constexpr double Period_s = 0.01;
-
-ShapedLaw shaped() {
-    ShapedLaw law;
-    law.gains.proportional = 12.0;
-    law.gains.integral = 20.0;
-    law.gains.derivative = 0.8;
-    law.gains.filter_s = 0.004;
-    law.proportionalWeight = 0.6;
-    law.derivativeWeight = 0.3;
-    law.filters = {NotchFilter{180.0, 0.1, 0.5}, LowPassFilter{250.0, 1}};
-    return law;
-}
 
 // While nothing limits it and nothing is fed forward it is the controller that the loop is judged with.
 TEST(ShapedPositionLaw, withinItsLimitIsTheJudgedController) {
