@@ -6366,6 +6366,14 @@
         <source>choose gains with faster poles, or a longer sampling period</source>
         <translation>Parameter mit schnelleren Polen oder eine längere Abtastzeit wählen</translation>
     </message>
+    <message>
+        <source>with friction and the current limit a step of {} deg is not there after {} s: how far it overshoots is not known</source>
+        <translation>mit Reibung und Stromgrenze ist ein Sprung von {} deg nach {} s nicht da: wie weit er überschwingt, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>choose a faster loop, or one with more integral action</source>
+        <translation>einen schnelleren Kreis wählen oder einen mit mehr I-Anteil</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -12571,6 +12579,10 @@ Im Monitor ändern &lt; und &gt; sie. Ein wirkliches Gerät hat seine eigene Zei
         <source>time</source>
         <translation>Zeit</translation>
     </message>
+    <message>
+        <source>Compare it with a copy of it: it may lack rows, or have others.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ShownRecording</name>
@@ -13478,6 +13490,10 @@ Im Monitor ändern &lt; und &gt; sie. Ein wirkliches Gerät hat seine eigene Zei
     <message>
         <source>From then on the angle stays within a tenth of the peak around where it ends</source>
         <translation>Von da an bleibt der Winkel innerhalb eines Zehntels der Spitze um sein Ende</translation>
+    </message>
+    <message>
+        <source>not there after %1</source>
+        <translation>nach %1 nicht da</translation>
     </message>
 </context>
 <context>

@@ -6366,6 +6366,14 @@
         <source>choose gains with faster poles, or a longer sampling period</source>
         <translation>请选择极点更快的增益，或更长的采样周期</translation>
     </message>
+    <message>
+        <source>with friction and the current limit a step of {} deg is not there after {} s: how far it overshoots is not known</source>
+        <translation>在摩擦和电流限制下，{} deg 的阶跃在 {} s 后仍未到达：超调多少未知</translation>
+    </message>
+    <message>
+        <source>choose a faster loop, or one with more integral action</source>
+        <translation>请选择更快的回路，或积分作用更强的回路</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -12560,6 +12568,10 @@ In the Monitor &lt; and &gt; change it. A real device has its own time.</source>
         <source>time</source>
         <translation>时间</translation>
     </message>
+    <message>
+        <source>Compare it with a copy of it: it may lack rows, or have others.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ShownRecording</name>
@@ -13466,6 +13478,10 @@ In the Monitor &lt; and &gt; change it. A real device has its own time.</source>
     <message>
         <source>From then on the angle stays within a tenth of the peak around where it ends</source>
         <translation>此后角度一直保持在终值附近峰值十分之一以内</translation>
+    </message>
+    <message>
+        <source>not there after %1</source>
+        <translation>%1 后仍未到达</translation>
     </message>
 </context>
 <context>

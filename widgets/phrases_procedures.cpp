@@ -229,6 +229,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "calibrate the stray field first"),
     QT_TRANSLATE_NOOP("Phrases", "the stray coefficient is known to {} %, this gain needs better than {} %"),
     QT_TRANSLATE_NOOP("Phrases", "calibrate the stray field again, or lower the gains"),
+    QT_TRANSLATE_NOOP("Phrases", "with friction and the current limit a step of {} deg is not there after {} s: how far it overshoots is not known"),
+    QT_TRANSLATE_NOOP("Phrases", "choose a faster loop, or one with more integral action"),
     QT_TRANSLATE_NOOP("Phrases", "steps above {} deg reach the current limit of {} A; with it and with friction a step of {} deg overshoots by {} %"),
     QT_TRANSLATE_NOOP("Phrases", "lead large moves along a ramp, or choose a slower loop"),
     QT_TRANSLATE_NOOP("Phrases", "the model has no covariance: robustness is that of an exactly known motor"),

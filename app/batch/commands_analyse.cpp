@@ -179,13 +179,12 @@ Result<void> writeBode(const std::string& path, const AnalysisResult::Bode& bode
 Result<void> writeStep(const std::string& path, const AnalysisResult::Step& step,
                        const control::LoadStep& loaded, double load_A, const ComparedLoop& loop,
                        const std::vector<control::PositionPlant>& motors) {
-    constexpr int PointsPerSample = 10; // of linearStep and loadStep
     HB_ASSERT(loaded.time_s.size() == step.time_s.size());
     const std::size_t rows = step.time_s.size();
     const double end_s = rows > 0 ? step.time_s.back() : 0.0;
     const LoopLaw law = loop.gains.loopLaw();
-    const auto answer = stepBandOf(motors, law, loop.gains.timing, 1.0, {end_s, PointsPerSample});
-    const auto under = loadBandOf(motors, law, loop.gains.timing, load_A, {end_s, PointsPerSample});
+    const auto answer = stepBandOf(motors, law, loop.gains.timing, 1.0, {end_s, step.pointsPerSample});
+    const auto under = loadBandOf(motors, law, loop.gains.timing, load_A, {end_s, step.pointsPerSample});
     const auto response = columnsOf(answer ? answer->response_rad : control::Band{}, rows);
     const auto angle = columnsOf(under ? under->angle_rad : control::Band{}, rows);
     return writeColumns(path,

@@ -27,8 +27,8 @@ Figure ofStep(const AnalysisResult& result, StepFigure figure) {
     return result.step ? figure(*result.step) : std::nullopt;
 }
 
-Figure ofLargeStep(const AnalysisResult& result, StepFigure figure) {
-    return result.largeStep ? figure(result.largeStep->metrics) : std::nullopt;
+Figure largeOvershoot_percent(const AnalysisResult& result) {
+    return result.largeStep ? result.largeStep->overshoot_percent() : std::nullopt;
 }
 
 Figure rise_s(const control::StepMetrics& step) {
@@ -52,8 +52,9 @@ constexpr Row Rows[] = {
     {"rise time [s]", [](const AnalysisResult& r) { return ofStep(r, rise_s); }},
     {"overshoot [%]", [](const AnalysisResult& r) { return ofStep(r, overshoot_percent); }},
     {"settling time [s]", [](const AnalysisResult& r) { return ofStep(r, settling_s); }},
-    {"large step, overshoot [%]", [](const AnalysisResult& r) { return ofLargeStep(r, overshoot_percent); }},
-    {"large step, settling [s]", [](const AnalysisResult& r) { return ofLargeStep(r, settling_s); }},
+    {"large step, overshoot [%]", largeOvershoot_percent},
+    {"large step, settling [s]",
+     [](const AnalysisResult& r) { return r.largeStep ? r.largeStep->metrics.settlingTime_s : Figure(); }},
     {"friction band [deg]",
      [](const AnalysisResult& r) { return Figure(radiansToDegrees(r.frictionBand_rad)); }},
     {"gain at once [A/rad]", [](const AnalysisResult& r) { return Figure(r.highFrequencyGain_A_per_rad); }},

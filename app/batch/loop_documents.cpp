@@ -53,7 +53,8 @@ JsonValue largeStepOf(const std::optional<LargeStep>& step) {
     body.set("amplitude_deg", radiansToDegrees(step->amplitude_rad));
     const JsonValue figures = stepOf(step->metrics);
     for (const JsonMember& figure : figures.members()) {
-        body.set(figure.key, figure.value);
+        const bool isOvershoot = figure.key == "overshoot_percent"; // of which the whole step has to be known
+        body.set(figure.key, isOvershoot ? finiteOrNull(step->overshoot_percent()) : figure.value);
     }
     return body;
 }

@@ -19,11 +19,12 @@ namespace {
 /// Of the one view that takes some tenths of a second, only when it is drawn.
 void addLargeStep(LoopUncertainty& uncertainty, const DrawnLoop& loop) {
     const TuneResult& result = *loop.result;
-    if (!result.predicted.largeStep) {
+    const std::optional<LargeStep>& step = result.predicted.largeStep;
+    if (!step) {
         return;
     }
     auto band = largeStepBand(*loop.motor, {result.law, result.shaped}, result.conditions,
-                              result.predicted.largeStep->amplitude_rad, loop.draws);
+                              {step->amplitude_rad, step->duration_s()}, loop.draws);
     if (band) {
         uncertainty.largeStep = *std::move(band);
     }

@@ -50,7 +50,13 @@ struct LoopConditions {
 struct LargeStep {
     double amplitude_rad = 0.0;
     control::StepMetrics metrics;
-    models::IdealTrace trace = {}; ///< 5 s of it
+    models::IdealTrace trace = {};
+
+    double duration_s() const { return trace.time_s.empty() ? 0.0 : trace.time_s.back(); }
+    /// Whether the rotor comes within 2 % of the target.
+    bool hasArrived() const;
+    /// Nothing of a rotor that has not arrived: it may still go beyond.
+    std::optional<double> overshoot_percent() const;
 };
 
 constexpr double LargeStepHeight_rad = 1.7453292519943295; ///< 100 degrees
@@ -85,6 +91,7 @@ struct AnalysisResult {
         std::vector<double> time_s;
         std::vector<double> response_rad;
         std::vector<double> current_A;
+        int pointsPerSample = 10;
     } stepCurve;
     std::vector<Finding> warnings;
     DataQuality quality;

@@ -3,6 +3,7 @@
 #include "app/procedures/loop_uncertainty.h"
 #include "control/design/shaped_loop.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace halbench::app {
@@ -15,15 +16,17 @@ std::optional<control::LoadStep> disturbanceStep(const MotorEstimate& estimate, 
         return std::nullopt;
     }
     const double end_s = analysed.stepCurve.time_s.back();
-    auto step = law.shaped ? control::shapedLoad(*plant, *law.shaped, conditions.timing, load_A, end_s)
-                           : control::loadStep(*plant, law.law.gains, conditions.timing, load_A, end_s);
+    const int points = analysed.stepCurve.pointsPerSample; // those of the step: the two share a time axis
+    auto step = law.shaped
+                    ? control::shapedLoad(*plant, *law.shaped, conditions.timing, load_A, end_s, points)
+                    : control::loadStep(*plant, law.law.gains, conditions.timing, load_A, end_s, points);
     return step ? std::optional(*std::move(step)) : std::nullopt;
 }
 
 std::optional<Disturbance> disturbanceOf(const MotorEstimate& estimate, const LoopLaw& law,
                                          const LoopConditions& conditions, const AnalysisResult& analysed,
                                          double load_A, const std::vector<control::PositionPlant>& plants) {
-    constexpr int PointsPerSample = 5;
+    const int pointsPerSample = std::min(analysed.stepCurve.pointsPerSample, 5);
     constexpr std::size_t ShownPoints = 90; // of a band: one in five pixels of a picture of usual size
     auto step = disturbanceStep(estimate, law, conditions, analysed, load_A);
     if (!step) {
@@ -32,7 +35,7 @@ std::optional<Disturbance> disturbanceOf(const MotorEstimate& estimate, const Lo
     Disturbance disturbance{load_A, *std::move(step), {}};
     auto band = plants.empty() ? Result<control::LoadBand>(failure(ErrorCode::Refused, ""))
                                : loadBandOf(plants, law, conditions.timing, load_A,
-                                            {analysed.stepCurve.time_s.back(), PointsPerSample, ShownPoints});
+                                            {analysed.stepCurve.time_s.back(), pointsPerSample, ShownPoints});
     if (band) {
         disturbance.band = *std::move(band);
     }

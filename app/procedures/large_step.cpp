@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <deque>
 #include <functional>
 #include <utility>
@@ -64,18 +66,18 @@ Result<models::PositionLaw> simulatedLaw(const control::PositionLaw& law, const 
 }
 
 Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const LoopLaw& law,
-                                   const LoopConditions& conditions, double amplitude_rad) {
+                                   const LoopConditions& conditions, double amplitude_rad,
+                                   double duration_s) {
     const auto simulated = simulatedLaw(law.law, conditions);
     const auto controller = law.shaped ? shapedController(law, conditions) : Result<Controller>(Controller());
     if (!simulated || !controller) {
         return failure(simulated ? controller.error() : simulated.error());
     }
-    constexpr double Duration_s = 5.0;
-    constexpr double ShortestPeriod_s = 1e-5; // half a million rows
+    constexpr double ShortestPeriod_s = 1e-5; // half a million rows in 5 s
     if (conditions.timing.period_s < ShortestPeriod_s) {
         return failure(ErrorCode::OutOfRange,
                        fmt::format("a step of {:.0f} s is not simulated with a sampling period of {} s",
-                                   Duration_s, conditions.timing.period_s),
+                                   duration_s, conditions.timing.period_s),
                        fmt::format("give a period of {} s or more", ShortestPeriod_s));
     }
     // Motion depends on the ratios alone, so the motor may as well have an inertia of 1.
@@ -87,13 +89,33 @@ Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const Lo
     config.law = *simulated;
     config.controller = *controller;
     config.reference.amplitude_rad = amplitude_rad;
-    config.duration_s = Duration_s;
+    config.duration_s = duration_s;
     models::IdealTrace trace = models::runIdealLoop(config);
     const auto metrics = control::measureStep(trace.time_s, trace.angle_rad, 0.0, amplitude_rad);
     if (!metrics) {
         return failure(metrics.error());
     }
     return LargeStep{amplitude_rad, *metrics, std::move(trace)};
+}
+
+Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const LoopLaw& law,
+                                   const LoopConditions& conditions, double amplitude_rad) {
+    constexpr double Usual_s = 5.0;
+    constexpr double Longest_s = 20.0;
+    auto step = predictLargeStep(plant, law, conditions, amplitude_rad, Usual_s);
+    return step && !step->hasArrived() ? predictLargeStep(plant, law, conditions, amplitude_rad, Longest_s)
+                                       : step;
+}
+
+bool LargeStep::hasArrived() const {
+    const double near_rad = (1.0 - control::StepThresholds().settlingBand_ratio) * std::abs(amplitude_rad);
+    return std::any_of(trace.angle_rad.begin(), trace.angle_rad.end(), [&](double angle_rad) {
+        return std::copysign(1.0, amplitude_rad) * angle_rad >= near_rad;
+    });
+}
+
+std::optional<double> LargeStep::overshoot_percent() const {
+    return hasArrived() ? std::optional(metrics.overshoot_percent) : std::nullopt;
 }
 
 } // namespace halbench::app

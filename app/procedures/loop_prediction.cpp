@@ -82,9 +82,10 @@ Result<void> takeOpenLoop(AnalysisResult& result, const TransferFunction& openLo
     return {};
 }
 
-void takeStep(AnalysisResult& result, control::LoopStep step) {
+void takeStep(AnalysisResult& result, control::LoopStep step, int pointsPerSample) {
     result.step = step.metrics;
-    result.stepCurve = {std::move(step.time_s), std::move(step.response_rad), std::move(step.current_A)};
+    result.stepCurve = {std::move(step.time_s), std::move(step.response_rad), std::move(step.current_A),
+                        pointsPerSample};
 }
 
 StepExtent stepExtent(const AnalysisResult& result, double period_s) {
@@ -261,15 +262,23 @@ void addSaturationNote(AnalysisResult& result, double perRadian_A, double curren
     const double largest_deg = radiansToDegrees(currentLimit_A / perRadian_A);
     const double height_deg = radiansToDegrees(LargeStepHeight_rad);
     constexpr double NotableOvershoot_percent = 15.0;
-    if (result.isStable && result.largeStep->metrics.overshoot_percent > NotableOvershoot_percent &&
+    const auto overshoot_percent = result.largeStep->overshoot_percent();
+    if (result.isStable && !overshoot_percent) {
+        result.warnings.push_back(
+            {"large_step_not_arrived",
+             fmt::format("with friction and the current limit a step of {:.0f} deg is not there after "
+                         "{:.3g} s: how far it overshoots is not known",
+                         height_deg, result.largeStep->duration_s()),
+             "choose a faster loop, or one with more integral action"});
+    }
+    if (result.isStable && overshoot_percent.value_or(0.0) > NotableOvershoot_percent &&
         largest_deg < height_deg) {
         result.warnings.push_back(
             {"large_steps_overshoot",
              fmt::format("steps above {:.3g} deg reach the current limit of {:.3g} A; with it and with "
                          "friction a step "
                          "of {:.0f} deg overshoots by {:.3g} %",
-                         largest_deg, currentLimit_A, height_deg,
-                         result.largeStep->metrics.overshoot_percent),
+                         largest_deg, currentLimit_A, height_deg, *overshoot_percent),
              "lead large moves along a ramp, or choose a slower loop"});
     }
 }

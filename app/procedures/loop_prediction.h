@@ -11,7 +11,7 @@ namespace halbench::app {
 Result<void> takeOpenLoop(AnalysisResult& result, const control::TransferFunction& openLoop,
                           std::vector<std::complex<double>> closedLoop);
 /// The curves and figures of a unit step.
-void takeStep(AnalysisResult& result, control::LoopStep step);
+void takeStep(AnalysisResult& result, control::LoopStep step, int pointsPerSample);
 /// How long that step is looked at, at least 100 samples. Poles of up to 333 samples: six time constants of
 /// the slowest. Slower ones: 2000 samples and until all but the slowest are gone, if that is a real one; what
 /// is left then is monotonous. If the step has not settled by then, until six time constants of it.
@@ -31,14 +31,16 @@ double peakCurrent_A(const AnalysisResult::Step& step);
 template <typename Step>
 Result<void> takeWholeStep(AnalysisResult& result, double period_s, Step&& step) {
     const StepExtent extent = stepExtent(result, period_s);
-    auto done = step(extent.first_s, stepPointsPerSample(extent.first_s, period_s));
+    int pointsPerSample = stepPointsPerSample(extent.first_s, period_s);
+    auto done = step(extent.first_s, pointsPerSample);
     if (done && !done->metrics.settlingTime_s && extent.longest_s > extent.first_s) {
-        done = step(extent.longest_s, stepPointsPerSample(extent.longest_s, period_s));
+        pointsPerSample = stepPointsPerSample(extent.longest_s, period_s);
+        done = step(extent.longest_s, pointsPerSample);
     }
     if (!done) {
         return failure(done.error());
     }
-    takeStep(result, *std::move(done));
+    takeStep(result, *std::move(done), pointsPerSample);
     if (!extent.hasPeaks) {
         withholdStep(result);
     }

@@ -99,7 +99,7 @@ Result<LoopUncertainty> loopUncertainty(const std::vector<control::PositionPlant
 }
 
 Result<control::StepBand> largeStepBand(const MotorEstimate& estimate, const LoopLaw& law,
-                                        const LoopConditions& conditions, double amplitude_rad,
+                                        const LoopConditions& conditions, const StepSpan& span,
                                         const UncertaintyDraws& draws) {
     const auto plants = drawnPlants(estimate, draws);
     if (!plants) {
@@ -114,7 +114,7 @@ Result<control::StepBand> largeStepBand(const MotorEstimate& estimate, const Loo
         if (!control::checkPlant(plant)) {
             continue;
         }
-        const auto step = predictLargeStep(plant, law, conditions, amplitude_rad);
+        const auto step = predictLargeStep(plant, law, conditions, span.amplitude_rad, span.duration_s);
         if (!step) {
             return failure(step.error());
         }

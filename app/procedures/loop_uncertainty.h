@@ -57,9 +57,14 @@ Result<LoopUncertainty> loopUncertainty(const MotorEstimate& estimate, const Loo
 Result<LoopUncertainty> loopUncertainty(const std::vector<control::PositionPlant>& plants, const LoopLaw& law,
                                         const LoopConditions& conditions, const AnalysisResult& predicted);
 
+/// How high a step is and how long it is looked at: those of the motor that is judged.
+struct StepSpan {
+    double amplitude_rad = 0.0;
+    double duration_s = 0.0;
+};
 /// The large step of every motor: some tenths of a second. Errors: likewise.
 Result<control::StepBand> largeStepBand(const MotorEstimate& estimate, const LoopLaw& law,
-                                        const LoopConditions& conditions, double amplitude_rad,
+                                        const LoopConditions& conditions, const StepSpan& span,
                                         const UncertaintyDraws& draws);
 
 } // namespace halbench::app

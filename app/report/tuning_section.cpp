@@ -71,10 +71,10 @@ ReportTable marginTable(const AnalysisResult& predicted, const std::optional<Ana
         return Cell{"\u00b1" + withUnit(radiansToDegrees(loop.frictionBand_rad), "\u00b0")};
     });
     row("overshoot of a large step, with friction and current limit", [](const AnalysisResult& loop) {
-        return Cell{loop.largeStep
-                        ? fmt::format("{:.3g} % of {:.0f}\u00b0", loop.largeStep->metrics.overshoot_percent,
-                                      radiansToDegrees(loop.largeStep->amplitude_rad))
-                        : "\u2013"};
+        const auto overshoot_percent = loop.largeStep ? loop.largeStep->overshoot_percent() : std::nullopt;
+        return Cell{overshoot_percent ? fmt::format("{:.3g} % of {:.0f}\u00b0", *overshoot_percent,
+                                                    radiansToDegrees(loop.largeStep->amplitude_rad))
+                                      : "\u2013"};
     });
     return table;
 }

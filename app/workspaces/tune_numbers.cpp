@@ -41,12 +41,25 @@ FrequencyScale frequencyScale(const DisplayUnits& units) {
                : FrequencyScale{0.5 / Pi, QStringLiteral(" Hz")};
 }
 
-QString stepWords(const std::optional<control::StepMetrics>& step) {
-    return step ? Words::tr("rise %1, %2 overshoot, within 2 % after %3")
-                      .arg(amount(step->riseTime_s, QStringLiteral(" s")),
-                           amount(step->overshoot_percent, QStringLiteral(" %")),
-                           amount(step->settlingTime_s, QStringLiteral(" s")))
-                : QStringLiteral("\u2013");
+QString stepWords(const control::StepMetrics& step) {
+    return Words::tr("rise %1, %2 overshoot, within 2 % after %3")
+        .arg(amount(step.riseTime_s, QStringLiteral(" s")),
+             amount(step.overshoot_percent, QStringLiteral(" %")),
+             amount(step.settlingTime_s, QStringLiteral(" s")));
+}
+
+QString linearStepWords(const AnalysisResult& loop) {
+    return loop.step ? stepWords(*loop.step) : QStringLiteral("\u2013");
+}
+
+QString largeStepWords(const AnalysisResult& loop) {
+    if (!loop.largeStep) {
+        return QStringLiteral("\u2013");
+    }
+    return loop.largeStep->hasArrived()
+               ? stepWords(loop.largeStep->metrics)
+               : Words::tr("not there after %1")
+                     .arg(amount(loop.largeStep->duration_s(), QStringLiteral(" s")));
 }
 
 /// What 5 % to 95 % of the motors that the data allow have, times the factor of the unit that is shown.
@@ -108,11 +121,9 @@ void appendMotion(const Row& row, const DisplayUnits& units) {
                        : Words::tr("infinite");
         });
     row(Words::tr("Linear step"), Words::tr("Small steps, without friction and current limit"),
-        [](const AnalysisResult& loop) { return stepWords(loop.step); });
+        linearStepWords);
     row(Words::tr("Step of %1").arg(angleText(LargeStep_rad, units)),
-        Words::tr("With friction and current limit"), [](const AnalysisResult& loop) {
-            return stepWords(loop.largeStep ? std::optional(loop.largeStep->metrics) : std::nullopt);
-        });
+        Words::tr("With friction and current limit"), largeStepWords);
 }
 
 QString boundWords(const control::BoundUse& use, const QString& unit) {

@@ -200,11 +200,12 @@ void TunePanel::spreadLargeStep(const TuneResult& proposed) {
         return;
     }
     const TuneConfig defaults;
+    const LargeStep& step = *m_sketch->predicted.largeStep;
     m_spreading.run(
         [motor = motorEstimate(*m_bench.identification()), law = LoopLaw(proposed.law, proposed.shaped),
-         conditions = proposed.conditions, amplitude_rad = m_sketch->predicted.largeStep->amplitude_rad,
+         conditions = proposed.conditions, span = StepSpan{step.amplitude_rad, step.duration_s()},
          draws = UncertaintyDraws{defaults.draws, defaults.seed}] {
-            return largeStepBand(motor, law, conditions, amplitude_rad, draws);
+            return largeStepBand(motor, law, conditions, span, draws);
         },
         [this](const Result<control::StepBand>& band) {
             if (band && m_sketch && m_sketch->uncertainty) {

@@ -217,5 +217,41 @@ TEST(LargeStep, keepsPeriodsThatAreNoWholeMilliseconds) {
               ErrorCode::OutOfRange);
 }
 
+bool warnsOf(const AnalysisResult& result, const std::string& code) {
+    return std::any_of(result.warnings.begin(), result.warnings.end(),
+                       [&code](const Finding& finding) { return finding.code == code; });
+}
+
+// Friction breaks away at 1.43 A, and 100 degrees make 0.87 A of 0.5 A/rad: the rotor stays where it is, and
+// an integral of 0.01 A/(rad s) adds 0.35 A in 20 s.
+TEST(LargeStep, ofARotorThatHasNotArrivedNobodyKnowsTheOvershoot) {
+    control::PositionLaw law;
+    law.gains.proportional = 0.5;
+    law.gains.integral = 0.01;
+    law.gains.derivative = 0.1;
+    const auto result = runAnalysis(published(), law, {});
+    ASSERT_TRUE(result && result->isStable);
+    EXPECT_FALSE(result->largeStep->hasArrived());
+    EXPECT_FALSE(result->largeStep->overshoot_percent());
+    EXPECT_NEAR(result->largeStep->duration_s(), 20.0, 1e-6);
+    EXPECT_TRUE(warnsOf(*result, "large_step_not_arrived"));
+}
+
+// At its current limit, friction taken off, a motor of much damping has the speed (4 - 1.434) A phi/c for all
+// but the last 4 % of the way: 80 % of it take 11.4 s, which 5 s do not show.
+TEST(LargeStep, isLookedAtUntilTheRotorHasArrived) {
+    MotorEstimate slow = published();
+    slow.values["c"] = 0.3;
+    control::PositionLaw law;
+    law.gains.proportional = 60.0; // friction holds it 1.4 % away
+    const auto result = runAnalysis(slow, law, {});
+    ASSERT_TRUE(result && result->largeStep);
+    const double speed_rad_s = (4.0 - 2.05e-2 / 1.43e-2) * 1.43e-2 / 0.3;
+    EXPECT_NEAR(result->largeStep->metrics.riseTime_s.value(), 0.8 * LargeStepHeight_rad / speed_rad_s, 0.03)
+        << "it starts within three time constants of J/c = 2 ms, and samples are 10 ms apart";
+    EXPECT_TRUE(result->largeStep->hasArrived());
+    EXPECT_FALSE(warnsOf(*result, "large_step_not_arrived"));
+}
+
 } // namespace
 } // namespace halbench::app

@@ -1,3 +1,4 @@
+#include "app/procedures/disturbance.h"
 #include "app/procedures/loop_prediction.h"
 #include "app/procedures/tune.h"
 #include "control/design/load_step.h"
@@ -55,6 +56,19 @@ TEST(StepHorizon, usualLoopsKeepTheirs) {
     EXPECT_NEAR(usual->stepCurve.time_s.back(), std::max(six_s, 1.0), 2e-3);
     EXPECT_EQ(stepPointsPerSample(20.0, 0.01), 10);
     EXPECT_EQ(stepPointsPerSample(200.0, 0.01), 1);
+}
+
+// The file of a step has both answers in one table.
+TEST(StepHorizon, aSlowLoopsLoadHasTheTimesOfItsStep) {
+    LoopConditions conditions;
+    conditions.timing.period_s = 5e-4;
+    const auto law = gains(10.0, 5.0, 3.0);
+    const auto slow = runAnalysis(motor(), law, conditions);
+    ASSERT_TRUE(slow);
+    ASSERT_LT(slow->stepCurve.pointsPerSample, 10);
+    const auto load = disturbanceStep(motor(), law, conditions, *slow);
+    ASSERT_TRUE(load);
+    EXPECT_EQ(load->time_s, slow->stepCurve.time_s);
 }
 
 // Too slow for any horizon: withheld, and said.

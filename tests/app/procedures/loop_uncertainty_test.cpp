@@ -80,7 +80,7 @@ TEST(LoopUncertainty, theCurvesOfTheMotorItselfLieInside) {
         EXPECT_GE(own, step.response_rad.p5[i] - 1e-3);
         EXPECT_LE(own, step.response_rad.p95[i] + 1e-3);
     }
-    const auto large = largeStepBand(uncertainMotor(), recommended(), conditions, 1.745, {1000, 1});
+    const auto large = largeStepBand(uncertainMotor(), recommended(), conditions, {1.745, 5.0}, {1000, 1});
     ASSERT_TRUE(large.has_value());
     double width_rad = 0.0;
     for (std::size_t i = 0; i < large->time_s.size(); ++i) {
@@ -100,7 +100,7 @@ TEST(LoopUncertainty, ofAMotorWithoutCovarianceNothingIsKnown) {
     const auto uncertainty = loopUncertainty(exact, recommended(), {}, *predicted, {1000, 1});
     ASSERT_FALSE(uncertainty.has_value());
     EXPECT_EQ(uncertainty.error().code, ErrorCode::Refused);
-    EXPECT_FALSE(largeStepBand(exact, recommended(), {}, 1.745, {1000, 1}).has_value());
+    EXPECT_FALSE(largeStepBand(exact, recommended(), {}, {1.745, 5.0}, {1000, 1}).has_value());
 }
 
 TEST(LoopUncertainty, anUnstableLoopHasABandOverFrequencyAndNoStep) {
@@ -143,7 +143,7 @@ TEST(LoopUncertainty, isThatOfTheLawWhicheverItIs) {
         EXPECT_LT(bands.magnitude_dB.p5[i], curve_dB) << i;
         EXPECT_GT(bands.magnitude_dB.p95[i], curve_dB) << i;
     }
-    const auto large = largeStepBand(uncertainMotor(), filtered, conditions, 1.0, draws);
+    const auto large = largeStepBand(uncertainMotor(), filtered, conditions, {1.0, 5.0}, draws);
     const auto step = predictLargeStep(*plantFromEstimate(uncertainMotor()), filtered, conditions, 1.0);
     ASSERT_TRUE(large && step);
     EXPECT_LT(large->response_rad.p5[30], step->trace.angle_rad[300]);

@@ -238,9 +238,22 @@ TEST(MoveSection, listsTheRunsOfARepeatedMoveAndSaysWhatLockedMeans) {
 
 TEST(TuningSection, showsTheLargeStepThatFrictionAndCurrentLimitAllow) {
     AnalysisResult loop;
-    loop.largeStep = LargeStep{100.0 * M_PI / 180.0, {}};
+    const double height_rad = 100.0 * M_PI / 180.0;
+    loop.largeStep = LargeStep{height_rad, {}};
     loop.largeStep->metrics.overshoot_percent = 33.3;
+    loop.largeStep->trace.time_s = {0.0, 1.0, 2.0};
+    loop.largeStep->trace.angle_rad = {0.0, 1.333 * height_rad, height_rad};
     EXPECT_NE(textOf(analysisSection("analyse: loop", loop)).find("33.3 % of 100\u00b0"), std::string::npos);
+}
+
+TEST(TuningSection, tellsNoOvershootOfALargeStepThatHasNotArrived) {
+    AnalysisResult loop;
+    const double height_rad = 100.0 * M_PI / 180.0;
+    loop.largeStep = LargeStep{height_rad, {}};
+    loop.largeStep->trace.time_s = {0.0, 1.0, 2.0};
+    loop.largeStep->trace.angle_rad = {0.0, 0.5 * height_rad, 0.97 * height_rad};
+    const std::string html = textOf(analysisSection("analyse: loop", loop));
+    EXPECT_EQ(html.find("% of 100\u00b0"), std::string::npos);
 }
 
 TEST(ContradictionsSection, belongsToTheMotorOnly) {
