@@ -1,4 +1,5 @@
 #include "app/batch/aligned_runs.h"
+#include "app/batch/changed_recording.h"
 #include "app/batch/command_support.h"
 #include "app/batch/names.h"
 #include "app/batch/numbers.h"
@@ -27,15 +28,13 @@ Result<ComparedRun> readRun(CommandContext& context, const std::string& path,
     if (!file) {
         return failure(file.error());
     }
-    for (const std::string& warning : file->warnings) {
-        context.console.log(LogLevel::Warning, warning);
-    }
+    sayWarnings(context, file->warnings);
     Result<Recording> part = devices::selectPart(file->recording, signals, {}, {});
     if (!part) {
         return failure(part.error().code, path + ": " + part.error().message, part.error().hint);
     }
     const std::string name = QFileInfo(QString::fromStdString(path)).completeBaseName().toStdString();
-    return ComparedRun{name, *std::move(part), std::move(file->meta)};
+    return ComparedRun{name, *std::move(part), std::move(file->meta), {}, std::move(file->warnings)};
 }
 
 Result<std::vector<ComparedRun>> readRuns(CommandContext& context, const CommandOptions& options) {
@@ -178,9 +177,12 @@ std::string summaryText(const ResultHeader& header, const Overlay& overlay) {
     return text + findingLines(header.quality);
 }
 
-/// A run that shares no time with the first one cannot be compared with it.
+/// A run that is not as it was recorded, or shares no time with the first one, cannot be compared with it.
 DataQuality qualityOf(const Overlay& overlay) {
     DataQuality quality;
+    for (const ComparedRun& run : overlay.runs) {
+        noteWarnings(quality, run.warnings);
+    }
     for (std::size_t run = 1; run < overlay.runs.size(); ++run) {
         for (std::size_t signal = 0; signal < overlay.signals(); ++signal) {
             if (overlay.difference(run, signal).rows == 0) {

@@ -1,3 +1,4 @@
+#include "app/batch/changed_recording.h"
 #include "app/batch/command_support.h"
 #include "app/batch/numbers.h"
 #include "app/batch/output_file.h"
@@ -96,14 +97,13 @@ Result<Source> readSource(CommandContext& context, const CommandOptions& options
     if (!file) {
         return failure(file.error());
     }
-    for (const std::string& warning : file->warnings) {
-        context.console.log(LogLevel::Warning, warning);
-    }
+    sayWarnings(context, file->warnings);
     Result<Recording> part = devices::selectPart(file->recording, {options.signal}, *from, *to);
     if (!part) {
         return failure(part.error());
     }
     Source source{*std::move(part), headerFor(context, "halbench.spectrum/1")};
+    noteWarnings(source.header.quality, file->warnings);
     if (file->hasMeta) {
         source.header.device = file->meta.device;
         source.header.started = file->meta.started;
@@ -198,7 +198,7 @@ CommandResult runSpectrumCommand(CommandContext& context, const CommandOptions& 
         return failure(spectrum.error().code, options.input + ": " + spectrum.error().message,
                        spectrum.error().hint);
     }
-    source->header.quality = qualityOf(*spectrum, source->part.rows());
+    addQuality(source->header.quality, qualityOf(*spectrum, source->part.rows()));
     if (const Result<void> written = writeFile(options.out, spectrumTable(*spectrum, source->signal().unit));
         !written) {
         return failure(written.error());

@@ -47,7 +47,7 @@ Result<ComparedRun> readRun(const std::string& path, const std::function<Result<
     }
     const std::string name = QFileInfo(QString::fromStdString(path)).completeBaseName().toStdString();
     return ComparedRun{name, std::move(file->recording), std::move(file->meta),
-                       std::make_shared<devices::FileHold>(path)};
+                       std::make_shared<devices::FileHold>(path), std::move(file->warnings)};
 }
 
 } // namespace

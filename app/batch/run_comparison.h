@@ -28,6 +28,7 @@ struct ComparedRun {
     Recording recording;
     devices::RecordingMeta meta;
     std::shared_ptr<const devices::FileHold> hold = {}; ///< of the file it came from
+    std::vector<std::string> warnings = {};             ///< of its reading (devices::RecordedFile)
 };
 
 /// Runs that were read to be compared, and why others were not.

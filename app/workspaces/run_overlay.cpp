@@ -156,17 +156,33 @@ void RunOverlay::take(ReadRuns read, int left) {
     if (left > 0) {
         refused.append(tr("%1 recordings are laid over each other at most").arg(MostRuns));
     }
+    const bool isAnyChanged = addWarnings(refused);
+    if (isAnyChanged && remedy.isEmpty()) {
+        remedy = tr("Compare it with a copy of it: it may lack rows, or have others.");
+    }
     if (refused.isEmpty()) {
         m_message->clear();
     } else {
-        m_message->showMessage(
-            {read.refused.empty() ? widgets::Severity::Information : widgets::Severity::Error,
-             refused.join(QLatin1Char('\n')),
-             remedy,
-             {}});
+        m_message->showMessage({!read.refused.empty() ? widgets::Severity::Error
+                                : isAnyChanged        ? widgets::Severity::Warning
+                                                      : widgets::Severity::Information,
+                                refused.join(QLatin1Char('\n')),
+                                remedy,
+                                {}});
     }
     refreshChoices();
     draw();
+}
+
+/// Of runs that are not as they were recorded; whether there are any.
+bool RunOverlay::addWarnings(QStringList& lines) const {
+    const int before = lines.size();
+    for (const ComparedRun& run : *m_runs) {
+        for (const std::string& warning : run.warnings) {
+            lines.append(widgets::inWords(warning));
+        }
+    }
+    return lines.size() > before;
 }
 
 /// What was chosen stays when it is still there.

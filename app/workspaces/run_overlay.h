@@ -46,6 +46,7 @@ private:
     void buildChoices();
     void buildValues();
     void take(ReadRuns read, int left);
+    bool addWarnings(QStringList& lines) const;
     void refreshChoices();
     void draw();
     void showFigure(widgets::Figure figure);

@@ -100,12 +100,15 @@ class Mdf4(ExportCase):
 
     def test_a_recording_that_was_cut_is_not_passed_on_as_good(self):
         self.accept("record", "sim:htm", "--duration", "2", "--out", "run.csv")
+        self.accept("convert", "run.csv", "whole.csv")
         with open(self.path("run.csv"), "rb") as file:
             lines = file.readlines()
         with open(self.path("run.csv"), "wb") as file:
             file.writelines(lines[:101])
         for arguments in (("convert", "run.csv", "cut.csv"),
-                          ("record", "replay:run.csv", "--duration", "0.5", "--out", "again.csv")):
+                          ("record", "replay:run.csv", "--duration", "0.5", "--out", "again.csv"),
+                          ("spectrum", "run.csv", "--signal", "position", "--out", "s.csv"),
+                          ("overlay", "whole.csv", "run.csv", "--signals", "position", "--out", "both.csv")):
             answer = self.accept(*arguments, "--json")
             self.assertIn("100 of 200 rows", answer.err)
             quality = answer.json()["data_quality"]
