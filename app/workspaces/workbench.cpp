@@ -4,6 +4,7 @@
 #include "app/batch/result_documents.h"
 #include "app/workspaces/drive_control.h"
 #include "app/workspaces/idle_reference.h"
+#include "app/workspaces/piecewise_reading.h"
 #include "app/workspaces/recording_trigger.h"
 #include "app/workspaces/shown_recording.h"
 #include "devices/acquisition/page_file.h"
@@ -30,45 +31,6 @@ std::vector<std::string> parameterNames(const devices::Catalogue& catalogue) {
 bool isSameDesign(const TuneResult& one, const TuneResult& other) {
     const auto text = [](const TuneResult& design) { return toJsonText(gainsBody(design)).value_or(""); };
     return text(one) == text(other);
-}
-
-/// Values read at once: a stop waits for no more than one job.
-constexpr std::size_t PieceSize = 12;
-
-using Values = Result<std::vector<double>>;
-
-Result<void> readPiece(devices::Device& device, const std::vector<std::string>& names, Values& all) {
-    if (!all) {
-        return {}; // a piece before has failed
-    }
-    const Values piece = device.readParameters(names);
-    if (piece) {
-        all->insert(all->end(), piece->begin(), piece->end());
-    } else {
-        all = piece;
-    }
-    return {};
-}
-
-/// `then` gets the values in the order of the names, or the first error.
-void readInPieces(DeviceSession& session, const std::vector<std::string>& names,
-                  const std::function<void(const Values&)>& then) {
-    const auto all = std::make_shared<Values>(std::vector<double>());
-    if (names.empty()) {
-        then(*all);
-    }
-    for (std::size_t begin = 0; begin < names.size(); begin += PieceSize) {
-        const std::size_t end = std::min(begin + PieceSize, names.size());
-        const std::vector<std::string> piece(names.begin() + static_cast<std::ptrdiff_t>(begin),
-                                             names.begin() + static_cast<std::ptrdiff_t>(end));
-        const bool isLast = end == names.size();
-        session.request([piece, all](devices::Device& device) { return readPiece(device, piece, *all); },
-                        [all, then, isLast](const Result<void>& done) {
-                            if (isLast) {
-                                then(done ? *all : Values(failure(done.error())));
-                            }
-                        });
-    }
 }
 
 std::vector<StreamLayout::Column> columnsOf(const devices::Catalogue& catalogue) {
@@ -260,7 +222,7 @@ void Workbench::onReturn() {
             m_formerValues[difference.name] = difference.before;
         }
     }
-    readInPieces(m_session, parameterNames(m_session.catalogue()), [this](const Values& values) {
+    readInPieces(m_session, parameterNames(m_session.catalogue()), [this](const DeviceValues& values) {
         takeValues(values, false);
         if (values) {
             compareValues();
@@ -312,7 +274,7 @@ void Workbench::readValues(bool areOurs) {
         return;
     }
     readInPieces(m_session, parameterNames(m_session.catalogue()),
-                 [this, areOurs](const Values& values) { takeValues(values, areOurs); });
+                 [this, areOurs](const DeviceValues& values) { takeValues(values, areOurs); });
 }
 
 void Workbench::takeValues(const Result<std::vector<double>>& values, bool areOurs) {
@@ -345,7 +307,7 @@ void Workbench::writeValues(std::vector<ParameterValue> values, std::function<vo
         [values = std::move(values)](devices::Device& device) { return device.writeParameters(values); },
         [outcome](const Result<void>& written) { *outcome = written; });
     readInPieces(m_session, parameterNames(m_session.catalogue()),
-                 [this, outcome, then = std::move(then)](const Values& read) {
+                 [this, outcome, then = std::move(then)](const DeviceValues& read) {
                      takeValues(read, true);
                      then(*outcome);
                  });
