@@ -44,6 +44,12 @@ class Law:
         v = self.value
         error, moved = ref - angle, 0.0 if self.previous is None else angle - self.previous
         demand = v("kp") * error + self.integral + v("kd") * (speed - moved / self.period_s)
+        self.previous = angle
+        return self.limited(demand, error, speed, acceleration)
+
+    def limited(self, demand, error, speed, acceleration):
+        """With feed-forward and assist; x waits while the current is limited, unless the error leads back."""
+        v = self.value
         demand += v("feedforward_inertia") * acceleration + v("feedforward_viscous") * speed
         demand += v("feedforward_coulomb") * max(-1.0, min(1.0, speed / v("feedforward_coulomb_speed")))
         if abs(speed) < v("stiction_speed") and abs(error) > v("stiction_threshold"):
@@ -51,7 +57,6 @@ class Law:
         current = max(-LIMIT_A, min(LIMIT_A, demand))
         if current == demand or error * demand < 0:
             self.integral += self.period_s * v("ki") * error
-        self.previous = angle
         return current
 
 
@@ -123,15 +128,8 @@ class ShapedLaw(Law):
         demand = v("kp") * (self.b * ref - angle) + self.integral + v("kd") * self.rate
         for each in self.filters:
             demand = each.step(demand)
-        demand += v("feedforward_inertia") * acceleration + v("feedforward_viscous") * speed
-        demand += v("feedforward_coulomb") * max(-1.0, min(1.0, speed / v("feedforward_coulomb_speed")))
-        if abs(speed) < v("stiction_speed") and abs(error) > v("stiction_threshold"):
-            demand += v("stiction_current") * sign(error)
-        current = max(-LIMIT_A, min(LIMIT_A, demand))
-        if current == demand or error * demand < 0:
-            self.integral += self.period_s * v("ki") * error
         self.previous = weighted
-        return current
+        return self.limited(demand, error, speed, acceleration)
 
 
 SHAPINGS = (
