@@ -12581,7 +12581,7 @@ Im Monitor ändern &lt; und &gt; sie. Ein wirkliches Gerät hat seine eigene Zei
     </message>
     <message>
         <source>Compare it with a copy of it: it may lack rows, or have others.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleichen Sie sie mit einer Kopie: Ihr können Zeilen fehlen, oder sie hat andere.</translation>
     </message>
 </context>
 <context>

@@ -12570,7 +12570,7 @@ In the Monitor &lt; and &gt; change it. A real device has its own time.</source>
     </message>
     <message>
         <source>Compare it with a copy of it: it may lack rows, or have others.</source>
-        <translation type="unfinished"></translation>
+        <translation>请与其副本比较：它可能缺少数据行，或数据已不同。</translation>
     </message>
 </context>
 <context>
