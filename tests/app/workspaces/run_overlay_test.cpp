@@ -36,7 +36,7 @@ protected:
     }
     widgets::Message messageAfter(RunOverlay& overlay, const QStringList& paths) {
         overlay.setFiles(paths);
-        auto* signal = find<QComboBox>(overlay, "Signal");
+        auto* signal = find<QComboBox>(overlay, "Signal that is compared");
         EXPECT_TRUE(wait([&] { return signal->count() > 0; }));
         return overlay.findChild<widgets::MessageBar*>("overlay_message")->message();
     }
