@@ -2,6 +2,7 @@
 
 #include "control/base/assert.h"
 #include "control/design/held_rotor.h"
+#include "control/design/lane_leaps.h"
 #include "control/design/percentiles.h"
 
 #include <algorithm>
@@ -33,6 +34,50 @@ struct Rotors {
         }
     }
 };
+
+/// The law and the rotors.
+struct LaneLoop {
+    Rotors rotors;
+    PidGains gains;
+    double period_s;
+    std::size_t delay; ///< in samples
+
+    LaneLoop(const LoopBatch& batch, std::size_t first, int pointsPerSample)
+        : rotors(batch, first, batch.timing().period_s / pointsPerSample), gains(batch.gains()),
+          period_s(batch.timing().period_s), delay(static_cast<std::size_t>(batch.timing().delay_samples)) {}
+
+    void control(LaneState& now, double reference_rad) const {
+        const Lanes error = reference_rad - now.angle;
+        now.pending[(now.sample + delay) % LaneState::MostPending] =
+            gains.proportional * error + now.integral - gains.derivative / period_s * (now.angle - now.last);
+        now.integral += period_s * gains.integral * error;
+        now.last = now.angle;
+        now.current = now.pending[now.sample++ % LaneState::MostPending];
+    }
+    void coast(LaneState& now, double load_A) const {
+        now.angle += now.speed * rotors.coast_s + rotors.push * (now.current + load_A);
+        now.speed = now.speed * rotors.decay + rotors.drive * (now.current + load_A);
+    }
+};
+
+/// From a state to the kept point `until`; nothing where no points are far enough apart.
+std::optional<LaneLeaps> leapsOf(const LaneLoop& loop, const LaneRun& run, const LaneState& state,
+                                 std::size_t until) {
+    std::size_t longest = 0;
+    std::size_t point = state.point;
+    for (std::size_t next = state.next; next < until; ++next) {
+        longest = std::max(longest, run.kept[next] - point);
+        point = run.kept[next];
+    }
+    if (run.pointsPerSample != 1 || longest < LaneLeaps::shortest(loop.delay)) {
+        return std::nullopt;
+    }
+    const auto sample = [&loop](LaneState& one, double reference_rad, double load_A) {
+        loop.control(one, reference_rad);
+        loop.coast(one, load_A);
+    };
+    return LaneLeaps(sample, loop.delay, run, longest);
+}
 
 void addMiddle(Band& band, const LaneCurves& curves, Eigen::Index columns,
                const std::vector<Eigen::Index>& lanes) {
@@ -72,29 +117,25 @@ void runLanes(const LoopBatch& batch, std::size_t first, const LaneRun& run, Lan
 
 void runLanes(const LoopBatch& batch, std::size_t first, const LaneRun& run, LaneState& state,
               std::size_t until, LaneCurves& curves, std::size_t row) {
-    const double T = batch.timing().period_s;
-    const PidGains& gains = batch.gains();
-    const Rotors rotors(batch, first, T / run.pointsPerSample);
-    const auto delay = static_cast<std::size_t>(batch.timing().delay_samples);
-    HB_ASSERT(delay < LaneState::MostPending && until <= run.kept.size());
+    const LaneLoop loop(batch, first, run.pointsPerSample);
+    HB_ASSERT(loop.delay < LaneState::MostPending && until <= run.kept.size());
     LaneState now = state; // its own, so that it stays in the nearest memory
     const std::size_t begin = now.next;
+    const auto leaps = leapsOf(loop, run, now, until);
+    const std::size_t shortest = leaps ? LaneLeaps::shortest(loop.delay) : run.kept.back() + 1;
     const auto lanes = static_cast<Eigen::Index>(std::min<std::size_t>(LaneWidth, batch.size() - first));
     for (; now.next < until; ++now.point) {
+        if (run.kept[now.next] >= now.point + shortest) {
+            leaps->leap(now, run.kept[now.next] - now.point);
+        }
         if (now.point % static_cast<std::size_t>(run.pointsPerSample) == 0) {
-            const Lanes error = run.reference_rad - now.angle;
-            now.pending[(now.sample + delay) % LaneState::MostPending] =
-                gains.proportional * error + now.integral - gains.derivative / T * (now.angle - now.last);
-            now.integral += T * gains.integral * error;
-            now.last = now.angle;
-            now.current = now.pending[now.sample++ % LaneState::MostPending];
+            loop.control(now, run.reference_rad);
         }
         if (now.point == run.kept[now.next]) {
             curves.col(static_cast<Eigen::Index>(now.next++ - begin))
                 .segment(static_cast<Eigen::Index>(row), lanes) = now.angle.head(lanes);
         }
-        now.angle += now.speed * rotors.coast_s + rotors.push * (now.current + run.load_A);
-        now.speed = now.speed * rotors.decay + rotors.drive * (now.current + run.load_A);
+        loop.coast(now, run.load_A);
     }
     state = now;
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace halbench::control {
@@ -21,8 +22,9 @@ struct Figures {
     std::vector<double> recovery_s;
 };
 
-void measureLane(const Eigen::Ref<const Eigen::Array<double, 1, Eigen::Dynamic>>& angle, double final_rad,
-                 double interval_s, Figures& figures) {
+void measureLane(const Eigen::Ref<const Eigen::Array<double, 1, Eigen::Dynamic>>& angle,
+                 const std::vector<std::size_t>& points, double final_rad, double interval_s,
+                 Figures& figures) {
     constexpr double Recovered_ratio = 0.1;
     Eigen::Index at = 0;
     angle.abs().maxCoeff(&at);
@@ -32,7 +34,9 @@ void measureLane(const Eigen::Ref<const Eigen::Array<double, 1, Eigen::Dynamic>>
         --within;
     }
     figures.peak_rad.push_back(angle[at]);
-    figures.recovery_s.push_back(within < angle.size() ? static_cast<double>(within) * interval_s : Never_s);
+    figures.recovery_s.push_back(
+        within < angle.size() ? static_cast<double>(points[static_cast<std::size_t>(within)]) * interval_s
+                              : Never_s);
 }
 
 Robustness::Interval intervalOf(const std::vector<double>& values) {
@@ -51,8 +55,29 @@ Result<void> checkExtent(double load_A, double points, int pointsPerSample) {
                                 fmt::format("a band under a load of {} A is not possible", load_A));
 }
 
-LaneRun everyPoint(double load_A, int pointsPerSample, std::size_t points) {
-    return {0.0, load_A, pointsPerSample, keptPoints(points, points)};
+/// Those by which the peak and the recovery are measured: all of the first, then 0.5 % apart; the kept ones
+/// are among them.
+std::vector<std::size_t> measuredPoints(std::size_t points, const std::vector<std::size_t>& kept) {
+    constexpr std::size_t All = 10001;
+    constexpr double Apart_ratio = 0.005;
+    std::vector<std::size_t> measured;
+    for (std::size_t point = 0; point < points;) {
+        measured.push_back(point);
+        point += point < All ? 1 : static_cast<std::size_t>(Apart_ratio * static_cast<double>(point));
+    }
+    std::vector<std::size_t> all;
+    std::set_union(measured.begin(), measured.end(), kept.begin(), kept.end(), std::back_inserter(all));
+    return all;
+}
+
+/// Where in `all` those of `some` stand.
+std::vector<Eigen::Index> placesOf(const std::vector<std::size_t>& some,
+                                   const std::vector<std::size_t>& all) {
+    std::vector<Eigen::Index> places;
+    for (const std::size_t point : some) {
+        places.push_back(std::lower_bound(all.begin(), all.end(), point) - all.begin());
+    }
+    return places;
 }
 
 } // namespace
@@ -64,14 +89,15 @@ Result<LoadBand> loadBandOf(const MovedMotors& motors, double final_rad, double 
         return failure(valid.error());
     }
     const auto points = static_cast<std::size_t>(std::floor(duration_s / interval_s + 1e-6)) + 1;
-    const LaneRun run = everyPoint(load_A, pointsPerSample, points);
     const std::vector<std::size_t> kept = keptPoints(points, mostPoints);
+    const LaneRun run{0.0, load_A, pointsPerSample, measuredPoints(points, kept)};
+    const std::vector<Eigen::Index> places = placesOf(kept, run.kept);
     Figures figures;
     const bool fits = kept.size() * motors.count <= MostLaneValues;
     LaneCurves curves(fits ? static_cast<Eigen::Index>(motors.count) : 0,
                       static_cast<Eigen::Index>(kept.size())); // of all motors
     std::vector<Eigen::Index> lanes;                           // that stay within numbers
-    LaneCurves group(LaneWidth, static_cast<Eigen::Index>(points));
+    LaneCurves group(LaneWidth, static_cast<Eigen::Index>(run.kept.size()));
     for (std::size_t first = 0; first < motors.count; first += LaneWidth) {
         motors.run(first, run, group, 0);
         const std::size_t count = std::min<std::size_t>(LaneWidth, motors.count - first);
@@ -80,10 +106,10 @@ Result<LoadBand> loadBandOf(const MovedMotors& motors, double final_rad, double 
             if (!std::isfinite(row[row.size() - 1])) {
                 continue; // what once is none stays so
             }
-            measureLane(row, final_rad, interval_s, figures);
+            measureLane(row, run.kept, final_rad, interval_s, figures);
             lanes.push_back(static_cast<Eigen::Index>(first + lane));
             for (std::size_t i = 0; fits && i < kept.size(); ++i) {
-                curves(lanes.back(), static_cast<Eigen::Index>(i)) = row[static_cast<Eigen::Index>(kept[i])];
+                curves(lanes.back(), static_cast<Eigen::Index>(i)) = row[places[i]];
             }
         }
     }
