@@ -155,21 +155,27 @@ widgets::Figure nicholsFigure(const AnalysisResult& predicted, const std::option
     panel.height_px = 360;
     panel.lines = {{Direction::Horizontal, 0.0, "0 dB"}, {Direction::Vertical, -180.0, {}}};
     double least_deg = -270.0;
+    double most_deg = -135.0;
     for (const LoopCurve& each : loopCurves(predicted, present, others)) {
         const auto& bode = each.loop->bode;
         panel.curves.push_back({each.label, bode.phase_deg, bode.magnitude_dB, each.style, each.colour, false,
                                 bode.frequency_Hz});
         for (const double phase_deg : bode.phase_deg) {
             least_deg = std::min(least_deg, phase_deg);
+            most_deg = std::max(most_deg, phase_deg);
         }
     }
     addMeasured(panel, measured,
                 [](double magnitude_dB, double phase_deg) { return std::pair(phase_deg, magnitude_dB); });
     for (std::size_t i = 0; measured && i < measured->phase_deg.size(); ++i) {
         least_deg = measured->isUsed[i] ? std::min(least_deg, measured->phase_deg[i]) : least_deg;
+        most_deg = measured->isUsed[i] ? std::max(most_deg, measured->phase_deg[i]) : most_deg;
     }
     if (predicted.isStable && predicted.margins.modulusMargin > 0.0) {
         panel.curves.push_back(distanceLine(predicted.margins.modulusMargin));
+    }
+    if (predicted.isStable) {
+        appendNicholsCrossings(panel, predicted);
     }
     panel.curves.push_back({"\u2212180\u00b0, 0 dB", {-180.0}, {0.0}, CurveStyle::Points, MarkColour});
     widgets::Figure figure;
@@ -178,7 +184,7 @@ widgets::Figure nicholsFigure(const AnalysisResult& predicted, const std::option
                 "deg",
                 false,
                 std::floor(least_deg / Turn_deg) * Turn_deg,
-                0.0,
+                std::ceil(most_deg / Turn_deg) * Turn_deg,
                 0.5 * Turn_deg};
     figure.panels = {std::move(panel)};
     figure.parameter = frequencyAxis();

@@ -9,8 +9,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
+#include <utility>
 
 namespace halbench::app {
 namespace {
@@ -60,10 +63,49 @@ void markOther(widgets::BodeContent& content, const control::Crossing& crossing)
                         : fmt::format("{:.0f}\u00d7", factor);
 }
 
-/// The curve's place at a crossing.
-Complex placeOf(const control::Crossing& crossing) {
-    return crossing.kind == Kind::Gain ? std::polar(1.0, degreesToRadians(crossing.phaseMargin_deg - 180.0))
-                                       : Complex(-1.0 / crossing.gainMargin_ratio, 0.0);
+using Place = std::pair<double, double>; ///< x and y
+
+/// The curve's place at a crossing, in the complex plane.
+Place placeInPlane(const control::Crossing& crossing) {
+    const Complex value = crossing.kind == Kind::Gain
+                              ? std::polar(1.0, degreesToRadians(crossing.phaseMargin_deg - 180.0))
+                              : Complex(-1.0 / crossing.gainMargin_ratio, 0.0);
+    return {value.real(), value.imag()};
+}
+
+/// And over the phase, on the turn where the curve crosses.
+Place placeInNichols(const control::Crossing& crossing, const AnalysisResult::Bode& bode) {
+    const bool isGain = crossing.kind == Kind::Gain;
+    const double phase_deg = isGain ? crossing.phaseMargin_deg - 180.0 : -180.0;
+    const auto next = std::lower_bound(bode.frequency_Hz.begin(), bode.frequency_Hz.end(),
+                                       crossing.frequency_rad_s / (2.0 * Pi));
+    const auto at =
+        std::min(static_cast<std::size_t>(next - bode.frequency_Hz.begin()), bode.frequency_Hz.size() - 1);
+    const double turns = std::round((bode.phase_deg[at] - phase_deg) / 360.0);
+    return {phase_deg + 360.0 * turns, isGain ? 0.0 : -20.0 * std::log10(crossing.gainMargin_ratio)};
+}
+
+void appendCrosses(widgets::Panel& panel, const AnalysisResult& loop,
+                   const std::function<Place(const control::Crossing&)>& placeOf) {
+    Curve others{utf8(Words::tr("other crossings")), {}, {}, CurveStyle::Crosses, OtherColour};
+    for (const control::Crossing& crossing : loop.crossings) {
+        const auto [x, y] = placeOf(crossing);
+        if (!isDeciding(crossing, loop.margins)) {
+            const bool isSeen =
+                !(y < panel.y.min) && !(y > panel.y.max); // else the legend has what is not there
+            if (isSeen) {
+                others.x.push_back(x);
+                others.y.push_back(y);
+            }
+            continue;
+        }
+        const std::string label = crossing.kind == Kind::Gain ? phaseMarginText(crossing.phaseMargin_deg)
+                                                              : gainMarginText(crossing.gainMargin_ratio);
+        panel.curves.push_back({label, {x}, {y}, CurveStyle::Crosses, MarkColour});
+    }
+    if (!others.x.empty()) {
+        panel.curves.push_back(std::move(others));
+    }
 }
 
 /// Integrators lie on the circle to the last digit, which roots of a polynomial do not.
@@ -119,20 +161,13 @@ void markCrossings(widgets::BodeContent& content, const AnalysisResult& loop) {
 }
 
 void appendCrossings(widgets::Panel& plane, const AnalysisResult& loop) {
-    Curve others{utf8(Words::tr("other crossings")), {}, {}, CurveStyle::Crosses, OtherColour};
-    for (const control::Crossing& crossing : loop.crossings) {
-        const Complex place = placeOf(crossing);
-        if (!isDeciding(crossing, loop.margins)) {
-            others.x.push_back(place.real());
-            others.y.push_back(place.imag());
-            continue;
-        }
-        const std::string label = crossing.kind == Kind::Gain ? phaseMarginText(crossing.phaseMargin_deg)
-                                                              : gainMarginText(crossing.gainMargin_ratio);
-        plane.curves.push_back({label, {place.real()}, {place.imag()}, CurveStyle::Crosses, MarkColour});
-    }
-    if (!others.x.empty()) {
-        plane.curves.push_back(std::move(others));
+    appendCrosses(plane, loop, placeInPlane);
+}
+
+void appendNicholsCrossings(widgets::Panel& panel, const AnalysisResult& loop) {
+    if (!loop.bode.frequency_Hz.empty()) {
+        appendCrosses(panel, loop,
+                      [&](const control::Crossing& crossing) { return placeInNichols(crossing, loop.bode); });
     }
 }
 

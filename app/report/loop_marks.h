@@ -7,13 +7,15 @@
 
 namespace halbench::app {
 
-/// Every crossing of the open loop, in its Bode and its Nyquist plot: those that decide the margins with
+/// Every crossing of the open loop, in its Bode, Nyquist and Nichols plot: those that decide the margins with
 /// their names, all others faint.
 
 /// A margin is read in one panel and its crossover seen in both. Of a stable loop.
 void markCrossings(widgets::BodeContent& content, const AnalysisResult& loop);
 /// As crosses on the unit circle and on the negative real axis. Of a stable loop.
 void appendCrossings(widgets::Panel& plane, const AnalysisResult& loop);
+/// As crosses at 0 dB and at -180 degrees. Of a stable loop.
+void appendNicholsCrossings(widgets::Panel& panel, const AnalysisResult& loop);
 
 /// What Nyquist's criterion counts (control/analysis/nyquist.h) of the loop with these roots; nothing on the
 /// limit of stability and for a loop without roots.

@@ -249,7 +249,9 @@ void nameSignals(CsvColumns& result) {
         }
         const std::string plain = plainName(column.name);
         const bool isName = !plain.empty() && isLetter(plain[0]);
-        const std::string base = isName ? plain : fmt::format("column_{}", i + 1);
+        const std::string base = isName          ? plain
+                                 : plain.empty() ? fmt::format("column_{}", i + 1)
+                                                 : "column_" + plain; // "1x": a number would not be a name
         std::string name = base;
         for (int number = 2; !take(column, name); ++number) {
             name = fmt::format("{}_{}", base, number);

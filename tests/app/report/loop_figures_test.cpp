@@ -64,6 +64,44 @@ TEST(LoopFigures, theNicholsPlotHasThePhaseAcrossAndTheSameDistanceFromMinusOne)
     }
 }
 
+// By hand: the margins of the points themselves.
+TEST(LoopFigures, theNicholsPlotMarksTheMarginsOnItsOwnTurn) {
+    AnalysisResult loop = crossing();
+    loop.isStable = true;
+    for (double& phase_deg : loop.bode.phase_deg) {
+        phase_deg -= 360.0;
+    }
+    const double gain_rad_s = 2.0 * Pi * loop.bode.frequency_Hz[1];
+    const double phase_rad_s = 2.0 * Pi * loop.bode.frequency_Hz[2];
+    loop.margins.gainCrossover_rad_s = gain_rad_s;
+    loop.margins.phaseCrossover_rad_s = phase_rad_s;
+    loop.margins.phaseMargin_deg = 90.0;
+    loop.margins.gainMargin_ratio = 100.0;
+    control::Crossing gain{};
+    gain.kind = control::Crossing::Kind::Gain;
+    gain.frequency_rad_s = gain_rad_s;
+    gain.phaseMargin_deg = 90.0;
+    control::Crossing phase{};
+    phase.kind = control::Crossing::Kind::Phase;
+    phase.frequency_rad_s = phase_rad_s;
+    phase.gainMargin_ratio = 100.0;
+    loop.crossings = {gain, phase};
+    const widgets::Figure figure = nicholsFigure(loop, std::nullopt);
+    const widgets::Curve& phaseMargin = curve(figure, 0, "phase margin 90\u00b0");
+    EXPECT_NEAR(phaseMargin.x.at(0), -90.0 - 360.0, 1e-12);
+    EXPECT_NEAR(phaseMargin.y.at(0), 0.0, 1e-12);
+    const widgets::Curve& gainMargin = curve(figure, 0, "gain margin 1e+02\u00d7");
+    EXPECT_NEAR(gainMargin.x.at(0), -180.0 - 360.0, 1e-12);
+    EXPECT_NEAR(gainMargin.y.at(0), -40.0, 1e-12);
+}
+
+TEST(LoopFigures, theNicholsPlotsAxisEndsWhereItsCurvesDo) {
+    EXPECT_EQ(*nicholsFigure(crossing(), std::nullopt).x.max, -90.0);
+    AnalysisResult leading = crossing();
+    leading.bode.phase_deg[0] = -20.0;
+    EXPECT_EQ(*nicholsFigure(leading, std::nullopt).x.max, 0.0);
+}
+
 TEST(LoopFigures, sensitivityIsWhatTheLoopLeavesOver) {
     const auto figure = sensitivityFigure(crossing(), std::nullopt);
     ASSERT_TRUE(figure);

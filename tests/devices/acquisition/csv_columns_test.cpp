@@ -106,6 +106,13 @@ TEST(CsvColumns, columnsOfOneHeaderAreAskedForByTheirNumber) {
     EXPECT_EQ(result->questions[0].answers[0].option, "--unit '2=rad/s'");
 }
 
+TEST(CsvColumns, aNameThatBeginsWithADigitIsKeptBehindAWord) {
+    const auto result = arrange({"t_s", "1x", "2nd harmonic"});
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_EQ(result->columns[1].signal, "column_1x");
+    EXPECT_EQ(result->columns[2].signal, "column_2nd_harmonic");
+}
+
 TEST(CsvColumns, namesAreMadeFitAndKeptApart) {
     const auto result = arrange({"t_s", "a b", "a-b", "", "a_b_2", "\xCF\x89", "position", "position_rad"},
                                 {{}, "", {}, {}, {{"7", "deg"}}});
