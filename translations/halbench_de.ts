@@ -7156,7 +7156,7 @@
     </message>
     <message>
         <source>Closed loop</source>
-        <translation>Geschlossener Kreis</translation>
+        <translation>Kreis</translation>
     </message>
     <message>
         <source>Designs compared</source>

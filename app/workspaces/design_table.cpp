@@ -237,12 +237,24 @@ void DesignTable::refreshWords() {
     const auto gain = [this](const char* name, const char* parameter) {
         return titled(QString::fromLatin1(name), gainUnit(parameter, m_units).text);
     };
-    m_table->setHorizontalHeaderLabels(
-        {tr("Design"), tr("Closed loop"), titled(tr("Phase margin"), QStringLiteral("\u00b0")),
-         tr("Gain margin"), titled(tr("Bandwidth"), QStringLiteral("Hz")),
-         titled(tr("Overshoot"), QStringLiteral("%")), QStringLiteral("Ms"),
-         titled(tr("Delay margin"), QStringLiteral("ms")), tr("Method"), gain("K_P", "gain.kp"),
-         gain("K_I", "gain.ki"), gain("K_D", "gain.kd")});
+    QStringList labels{tr("Design"),
+                       tr("Closed loop"),
+                       titled(tr("Phase margin"), QStringLiteral("\u00b0")),
+                       tr("Gain margin"),
+                       titled(tr("Bandwidth"), QStringLiteral("Hz")),
+                       titled(tr("Overshoot"), QStringLiteral("%")),
+                       QStringLiteral("Ms"),
+                       titled(tr("Delay margin"), QStringLiteral("ms")),
+                       tr("Method"),
+                       gain("K_P", "gain.kp"),
+                       gain("K_I", "gain.ki"),
+                       gain("K_D", "gain.kd")};
+    for (QString& label : labels) { // in two lines, so that a small window shows more of the columns
+        if (const int space = label.indexOf(QLatin1Char(' ')); space > 0) {
+            label[space] = QLatin1Char('\n');
+        }
+    }
+    m_table->setHorizontalHeaderLabels(labels);
     for (int column = 0; column < Columns; ++column) {
         m_table->horizontalHeaderItem(column)->setTextAlignment(alignmentOf(column));
     }

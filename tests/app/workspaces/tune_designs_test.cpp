@@ -21,7 +21,11 @@ protected:
     QTableWidget& table() const { return *panel.findChild<DesignTable*>()->findChild<QTableWidget*>(); }
     QString cell(int row, const QString& heading) const {
         for (int column = 0; column < table().columnCount(); ++column) {
-            if (table().horizontalHeaderItem(column)->text().startsWith(heading)) {
+            if (table()
+                    .horizontalHeaderItem(column)
+                    ->text()
+                    .replace(QLatin1Char('\n'), QLatin1Char(' '))
+                    .startsWith(heading)) {
                 return table().item(row, column) == nullptr ? QString() : table().item(row, column)->text();
             }
         }
