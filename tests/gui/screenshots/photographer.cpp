@@ -42,7 +42,12 @@ bool Photographer::takeHelp() {
 }
 
 bool Photographer::takeRecordings() {
-    m_window.bench().recording().setFolder(QDir(m_folder).filePath(QStringLiteral("recordings")));
+    const QDir recordings(QDir(m_folder).filePath(QStringLiteral("recordings")));
+    if (recordings.entryList({QStringLiteral("*.csv"), QStringLiteral("*.mf4")}).isEmpty()) {
+        qWarning("there are no recordings in %s", qPrintable(recordings.path()));
+        return false;
+    }
+    m_window.bench().recording().setFolder(recordings.path());
     m_window.docks().setPerspective(Perspective::Record);
     QTest::qWait(Settling_ms);
     QWidget* panel = m_window.docks().panel("recordings");
