@@ -1,4 +1,5 @@
 #include "app/workspaces/monitor_picture.h"
+#include "devices/acquisition/recording_writer.h"
 #include "tests/app/workspaces/monitor_fixture.h"
 #include "widgets/message_bar.h"
 #include "widgets/theme_style.h"
@@ -89,6 +90,28 @@ TEST_F(MonitorPictureTest, aRecordingIsLaidUnderTheCurvesByKey) {
     auto* message = panel->findChild<widgets::MessageBar*>();
     ASSERT_TRUE(wait([&] { return message->message().severity == widgets::Severity::Error; }));
     EXPECT_TRUE(stack().reference()) << "what was there stays";
+}
+
+TEST_F(MonitorPictureTest, aReferenceThatWasChangedSinceItWasRecordedIsShownAndDoubted) {
+    QTemporaryDir folder;
+    const QString path = folder.filePath("run.csv");
+    Recording recording;
+    recording.layout = std::make_shared<const StreamLayout>(StreamLayout{{{"hall.a", "T"}}, 0.01});
+    recording.time_s = {0.0, 0.01, 0.02};
+    recording.values = {0.1, 0.11, 0.12};
+    devices::RecordingMeta meta;
+    meta.signals = {{"hall.a", "hall_a_T", "T", "hall.a"}};
+    ASSERT_TRUE(devices::writeRecordingFile(path.toStdString(), recording, meta));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::Append));
+    file.write("0.03,0.5\n");
+    file.close();
+    panel->setFileChooser({{}, [&](QWidget*, const FileQuestion&) { return path; }});
+    press(Qt::Key_K, Qt::ControlModifier);
+    ASSERT_TRUE(wait([&] { return stack().reference() != nullptr; }));
+    const widgets::Message message = panel->findChild<widgets::MessageBar*>()->message();
+    EXPECT_EQ(message.severity, widgets::Severity::Warning);
+    EXPECT_TRUE(message.text.contains("was changed since it was recorded")) << message.text.toStdString();
 }
 
 /// Where a place of a panel is in an image of the picture, and what colour it has there.
