@@ -1,8 +1,8 @@
 #include "control/design/lane_motion.h"
 
 #include "control/base/assert.h"
-#include "control/design/held_rotor.h"
 #include "control/design/lane_leaps.h"
+#include "control/design/lane_rotors.h"
 #include "control/design/percentiles.h"
 
 #include <algorithm>
@@ -15,35 +15,15 @@ namespace {
 
 using Lanes = LaneState::Lanes;
 
-/// Exact motion of a few rotors over an interval of constant current, as `advance` has it.
-struct Rotors {
-    Lanes decay;   ///< of the speed
-    Lanes coast_s; ///< angle per speed
-    Lanes drive;   ///< speed per current
-    Lanes push;    ///< angle per current
-
-    Rotors(const LoopBatch& batch, std::size_t first, double interval_s) {
-        for (int i = 0; i < LaneWidth; ++i) {
-            const PositionPlant& plant =
-                batch.plant(std::min(first + static_cast<std::size_t>(i), batch.size() - 1));
-            const HeldRotor rotor(plant, interval_s);
-            decay[i] = rotor.decay;
-            coast_s[i] = rotor.coast_s;
-            drive[i] = rotor.drive;
-            push[i] = rotor.push;
-        }
-    }
-};
-
 /// The law and the rotors.
 struct LaneLoop {
-    Rotors rotors;
+    LaneRotors rotors;
     PidGains gains;
     double period_s;
     std::size_t delay; ///< in samples
 
     LaneLoop(const LoopBatch& batch, std::size_t first, int pointsPerSample)
-        : rotors(batch, first, batch.timing().period_s / pointsPerSample), gains(batch.gains()),
+        : rotors(batch.plants(), first, batch.timing().period_s / pointsPerSample), gains(batch.gains()),
           period_s(batch.timing().period_s), delay(static_cast<std::size_t>(batch.timing().delay_samples)) {}
 
     void control(LaneState& now, double reference_rad) const {
@@ -55,8 +35,7 @@ struct LaneLoop {
         now.current = now.pending[now.sample++ % LaneState::MostPending];
     }
     void coast(LaneState& now, double load_A) const {
-        now.angle += now.speed * rotors.coast_s + rotors.push * (now.current + load_A);
-        now.speed = now.speed * rotors.decay + rotors.drive * (now.current + load_A);
+        rotors.move(now.angle, now.speed, now.current + load_A);
     }
 };
 

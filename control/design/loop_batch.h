@@ -25,6 +25,7 @@ public:
     /// Which plant a lane is of.
     const std::vector<std::size_t>& plantOfLane() const { return m_plantOfLane; }
     const PositionPlant& plant(std::size_t lane) const { return m_plants[lane]; }
+    const std::vector<PositionPlant>& plants() const { return m_plants; } ///< lane by lane
     const PidGains& gains() const { return m_gains; }
     const LoopTiming& timing() const { return m_timing; }
 

@@ -1,37 +1,43 @@
 #include "control/design/shaped_bands.h"
 
-#include "control/design/held_rotor.h"
+#include "control/design/lane_rotors.h"
 #include "control/design/moved_motors.h"
+#include "control/design/shaped_controller.h"
 #include "control/design/shaped_loop.h"
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <iterator>
 
 namespace halbench::control {
 
 namespace {
 
-void runMotor(const PositionPlant& plant, ShapedController controller, const LoopTiming& timing,
-              const LaneRun& run, LaneCurves& curves, Eigen::Index row) {
-    const HeldRotor rotor(plant, timing.period_s / run.pointsPerSample);
+using Lanes = LaneState::Lanes;
+
+/// As `runLanes`, with this law.
+void runMotors(const std::vector<PositionPlant>& plants, std::size_t first, ShapedRun<Lanes> controller,
+               const LoopTiming& timing, const LaneRun& run, LaneCurves& curves, std::size_t row) {
+    const LaneRotors rotors(plants, first, timing.period_s / run.pointsPerSample);
     const auto every = static_cast<std::size_t>(run.pointsPerSample);
-    std::deque<double> pending_A(static_cast<std::size_t>(timing.delay_samples), 0.0);
-    RotorState state;
-    double current_A = 0.0;
+    const auto lanes = static_cast<Eigen::Index>(std::min<std::size_t>(LaneWidth, plants.size() - first));
+    std::vector<Lanes> pending_A(static_cast<std::size_t>(timing.delay_samples) + 1, Lanes::Zero()); // a ring
+    Lanes angle = Lanes::Zero();
+    Lanes speed = Lanes::Zero();
+    Lanes current_A = Lanes::Zero();
+    std::size_t sample = 0;
     std::size_t next = 0;
     for (std::size_t point = 0; next < run.kept.size(); ++point) {
         if (point % every == 0) {
-            pending_A.push_back(controller.step(run.reference_rad, state.angle_rad));
-            current_A = pending_A.front() + run.load_A;
-            pending_A.pop_front();
+            pending_A[sample++ % pending_A.size()] = controller.step(run.reference_rad, angle);
+            current_A = pending_A[sample % pending_A.size()] + run.load_A; // the oldest: of so many before
         }
         if (point == run.kept[next]) {
-            curves(row, static_cast<Eigen::Index>(next)) = state.angle_rad;
+            curves.col(static_cast<Eigen::Index>(next)).segment(static_cast<Eigen::Index>(row), lanes) =
+                angle.head(lanes);
             ++next;
         }
-        rotor.move(state, current_A);
+        rotors.move(angle, speed, current_A);
     }
 }
 
@@ -42,26 +48,23 @@ std::vector<PositionPlant> motorsAmong(const std::vector<PositionPlant>& plants)
     return motors;
 }
 
-/// The plants and the controller must live as long as what is returned.
-MovedMotors shapedMotors(const std::vector<PositionPlant>& plants, const ShapedController& controller,
+/// The plants must live as long as what is returned.
+MovedMotors shapedMotors(const std::vector<PositionPlant>& plants, const ShapedEquation& equation,
                          const LoopTiming& timing) {
+    const ShapedRun<Lanes> controller(equation, Lanes::Zero());
     MovedMotors motors{plants.size(),
                        timing.period_s,
-                       [&plants, &controller, timing](std::size_t first, const LaneRun& run,
-                                                      LaneCurves& curves, std::size_t row) {
-                           const std::size_t count = std::min<std::size_t>(LaneWidth, plants.size() - first);
-                           for (std::size_t i = 0; i < count; ++i) {
-                               runMotor(plants[first + i], controller, timing, run, curves,
-                                        static_cast<Eigen::Index>(row + i));
-                           }
+                       [&plants, controller, timing](std::size_t first, const LaneRun& run,
+                                                     LaneCurves& curves, std::size_t row) {
+                           runMotors(plants, first, controller, timing, run, curves, row);
                        },
                        {}};
     motors.middle = [motors](const LaneRun& run) { return middleByParts(motors, run); };
     return motors;
 }
 
-Result<ShapedController> checkedController(const std::vector<PositionPlant>& motors, const ShapedLaw& law,
-                                           const LoopTiming& timing) {
+Result<ShapedEquation> checkedEquation(const std::vector<PositionPlant>& motors, const ShapedLaw& law,
+                                       const LoopTiming& timing) {
     if (const auto valid = checkTiming(timing); !valid) {
         return failure(valid.error());
     }
@@ -69,7 +72,7 @@ Result<ShapedController> checkedController(const std::vector<PositionPlant>& mot
         return failure(ErrorCode::Refused, "none of the drawn plants is a motor",
                        "identify the motor again, or correct the model file");
     }
-    return ShapedController::make(law, timing.period_s);
+    return ShapedEquation::make(law, timing.period_s);
 }
 
 } // namespace
@@ -85,22 +88,22 @@ Result<StepBand> shapedStepBand(const std::vector<PositionPlant>& plants, const 
                                 const LoopTiming& timing, double amplitude_rad, double duration_s,
                                 int pointsPerSample, std::size_t mostPoints) {
     const std::vector<PositionPlant> motors = motorsAmong(plants);
-    const auto controller = checkedController(motors, law, timing);
-    return controller ? stepBandOf(shapedMotors(motors, *controller, timing), amplitude_rad, duration_s,
-                                   pointsPerSample, mostPoints)
-                      : Result<StepBand>(failure(controller.error()));
+    const auto equation = checkedEquation(motors, law, timing);
+    return equation ? stepBandOf(shapedMotors(motors, *equation, timing), amplitude_rad, duration_s,
+                                 pointsPerSample, mostPoints)
+                    : Result<StepBand>(failure(equation.error()));
 }
 
 Result<LoadBand> shapedLoadBand(const std::vector<PositionPlant>& plants, const ShapedLaw& law,
                                 const LoopTiming& timing, double load_A, double duration_s,
                                 int pointsPerSample, std::size_t mostPoints) {
     const std::vector<PositionPlant> motors = motorsAmong(plants);
-    const auto controller = checkedController(motors, law, timing);
+    const auto equation = checkedEquation(motors, law, timing);
     const auto final_rad = shapedRest_rad(law, timing.period_s, load_A);
-    if (!controller || !final_rad) {
-        return failure(controller ? final_rad.error() : controller.error());
+    if (!equation || !final_rad) {
+        return failure(equation ? final_rad.error() : equation.error());
     }
-    return loadBandOf(shapedMotors(motors, *controller, timing), *final_rad, load_A, duration_s,
+    return loadBandOf(shapedMotors(motors, *equation, timing), *final_rad, load_A, duration_s,
                       pointsPerSample, mostPoints);
 }
 

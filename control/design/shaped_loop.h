@@ -3,48 +3,12 @@
 #include "control/design/load_step.h"
 #include "control/design/proof.h"
 #include "control/design/robustness.h"
-#include "control/design/shaped_law.h"
+#include "control/design/shaped_controller.h"
 
 #include <complex>
 #include <vector>
 
 namespace halbench::control {
-
-/// The difference equation of a law, one call a sample, from rest at zero. The computing delay of the loop is
-/// not in it.
-class ShapedController {
-public:
-    /// Errors: of `checkedGains`.
-    static Result<ShapedController> make(const ShapedLaw& law, double period_s);
-
-    /// The current in A, without a limit.
-    double step(double reference_rad, double angle_rad);
-
-    /// The two halves of a step: whoever limits the current decides between them whether the integral goes
-    /// on.
-    double demand_A(double reference_rad, double angle_rad);
-    void integrate(double error_rad);
-
-private:
-    /// In the transposed direct form: its two numbers stay small where the filter is slow.
-    struct Memory {
-        double first = 0.0;
-        double second = 0.0;
-    };
-
-    ShapedController(const ShapedLaw& law, const PidGains& gains, std::vector<FilterSection> sections,
-                     double period_s);
-
-    PidGains m_gains;
-    double m_proportionalWeight;
-    double m_derivativeWeight;
-    double m_period_s;
-    std::vector<FilterSection> m_sections;
-    std::vector<Memory> m_memories; ///< of each section
-    double m_integral_A = 0.0;
-    double m_rate_rad_s = 0.0;
-    double m_lastWeighted_rad = 0.0;
-};
 
 /// `linearStep` of a shaped law; the same numbers for the board's own.
 Result<LoopStep> shapedStep(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing,

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "control/design/held_rotor.h"
+#include "control/design/lane_motion.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace halbench::control {
+
+/// Exact motion of a few rotors over an interval of constant current, as `advance` has it. Lanes beyond the
+/// last rotor repeat it.
+struct LaneRotors {
+    using Lanes = LaneState::Lanes;
+
+    Lanes decay;   ///< of the speed
+    Lanes coast_s; ///< angle per speed
+    Lanes drive;   ///< speed per current
+    Lanes push;    ///< angle per current
+
+    LaneRotors(const std::vector<PositionPlant>& plants, std::size_t first, double interval_s) {
+        for (int i = 0; i < LaneWidth; ++i) {
+            const HeldRotor rotor(plants[std::min(first + static_cast<std::size_t>(i), plants.size() - 1)],
+                                  interval_s);
+            decay[i] = rotor.decay;
+            coast_s[i] = rotor.coast_s;
+            drive[i] = rotor.drive;
+            push[i] = rotor.push;
+        }
+    }
+
+    void move(Lanes& angle_rad, Lanes& speed_rad_s, const Lanes& current_A) const {
+        angle_rad += speed_rad_s * coast_s + push * current_A;
+        speed_rad_s = speed_rad_s * decay + drive * current_A;
+    }
+};
+
+} // namespace halbench::control
