@@ -147,6 +147,35 @@ void benchCompared(Goals& goals, TuneQuestion& question, const std::function<voi
                 1e3 * (predict_s + draw_s), 16.0, "ms");
 }
 
+/// A law with weights, a notch and a low-pass, whose gain is in the hand.
+void benchShaped(Goals& goals) {
+    TuneQuestion question;
+    question.motor = motor();
+    control::ShapedLaw shaped;
+    shaped.gains = control::designLaw("published", *plantFromEstimate(question.motor), {}, {})->gains;
+    shaped.gains.filter_s = 0.002;
+    shaped.proportionalWeight = 0.8;
+    shaped.filters = {control::NotchFilter{120.0, 0.2, 0.5}, control::LowPassFilter{250.0, 2}};
+    double factor = 1.0;
+    Pictures pictures;
+    const double refresh_s = processorTime_s(
+        [&] {
+            factor = factor > 1.3 ? 1.0 : factor * 1.02;
+            control::ShapedLaw now = shaped;
+            now.gains.proportional *= factor;
+            question.law = LoopLaw{control::PositionLaw{now.gains}, now};
+            const auto sketch = sketchTuning(question);
+            question.known = sketch->steady;
+            if (!sketch->uncertainty || !sketch->predicted.isStable) {
+                goals.failed("the bands of a shaped loop", "they are not predicted");
+            }
+            pictures.draw(*sketch);
+        },
+        25);
+    goals.below("full refresh while dragging a loop with weights and two filters, one core", 1e3 * refresh_s,
+                16.0, "ms");
+}
+
 void benchRefresh(Goals& goals) {
     TuneQuestion question;
     question.motor = motor();
@@ -192,5 +221,6 @@ int main(int count, char** words) {
     const QApplication application(count, words);
     halbench::bench::Goals goals;
     halbench::bench::benchRefresh(goals);
+    halbench::bench::benchShaped(goals);
     return goals.exitCode();
 }
