@@ -152,10 +152,13 @@ void benchShaped(Goals& goals) {
     TuneQuestion question;
     question.motor = motor();
     control::ShapedLaw shaped;
-    shaped.gains = control::designLaw("published", *plantFromEstimate(question.motor), {}, {})->gains;
+    shaped.gains = control::designLaw("recommended", *plantFromEstimate(question.motor), {}, {})->gains;
+    shaped.gains.proportional *= 0.3;
+    shaped.gains.integral *= 0.1;
+    shaped.gains.derivative *= 0.4;
     shaped.gains.filter_s = 0.002;
     shaped.proportionalWeight = 0.8;
-    shaped.filters = {control::NotchFilter{120.0, 0.2, 0.5}, control::LowPassFilter{250.0, 2}};
+    shaped.filters = {control::NotchFilter{180.0, 0.2, 0.5}, control::LowPassFilter{250.0, 2}};
     double factor = 1.0;
     Pictures pictures;
     const double refresh_s = processorTime_s(
@@ -168,6 +171,7 @@ void benchShaped(Goals& goals) {
             question.known = sketch->steady;
             if (!sketch->uncertainty || !sketch->predicted.isStable) {
                 goals.failed("the bands of a shaped loop", "they are not predicted");
+                return;
             }
             pictures.draw(*sketch);
         },
