@@ -41,8 +41,8 @@ public:
         const PidGains& gains = m_equation.gains;
         const double filter_s = gains.filter_s.value_or(0.0);
         const Value weighted_rad = m_equation.derivativeWeight * reference_rad - angle_rad;
-        m_rate_rad_s = (filter_s * m_rate_rad_s + (weighted_rad - m_lastWeighted_rad)) /
-                       (m_equation.period_s + filter_s);
+        const double perSpan_1_s = 1.0 / (m_equation.period_s + filter_s); // lanes divide slowly
+        m_rate_rad_s = perSpan_1_s * (filter_s * m_rate_rad_s + (weighted_rad - m_lastWeighted_rad));
         m_lastWeighted_rad = weighted_rad;
         Value current_A = gains.proportional * (m_equation.proportionalWeight * reference_rad - angle_rad) +
                           m_integral_A + gains.derivative * m_rate_rad_s;

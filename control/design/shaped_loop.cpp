@@ -101,9 +101,13 @@ Result<double> shapedProportionalLimit_A_per_rad(const PositionPlant& plant, con
     }
     plain->gains.integral = 0.0;
     plain->proportionalWeight = 1.0;
+    const auto radius = shapedPoleRadiusOfProportional(plant, *plain, timing);
+    if (!radius) {
+        return failure(radius.error());
+    }
     return largestStableGain(plant, timing, [&](double proportional) {
-        plain->gains.proportional = proportional;
-        return isStableWith(plant, *plain, timing);
+        const auto of = (*radius)(proportional);
+        return of && *of < 1.0;
     });
 }
 

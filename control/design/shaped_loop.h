@@ -6,6 +6,7 @@
 #include "control/design/shaped_controller.h"
 
 #include <complex>
+#include <functional>
 #include <vector>
 
 namespace halbench::control {
@@ -27,6 +28,9 @@ Result<std::vector<std::complex<double>>> shapedPoles(const PositionPlant& plant
                                                       const LoopTiming& timing);
 /// The largest modulus among them.
 Result<double> shapedPoleRadius(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing);
+/// The same for many K_P of one law: what does not depend on it is put together once. Errors: of the inputs.
+Result<std::function<Result<double>(double)>>
+shapedPoleRadiusOfProportional(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing);
 
 /// The gain towards fast errors: the largest current that an error of 1 rad in a single sample makes, at once
 /// or after filters; K_P + K_D/T on the board. Errors: of `checkedGains`.

@@ -67,26 +67,24 @@ StateSpace rotorStates(const PositionPlant& plant, double period_s) {
     return statesOf({scale * heldAngleShare(x), scale * heldSpeedShare(x)}, {1.0, -std::expm1(-x), 0.0});
 }
 
-} // namespace
-
-Result<std::vector<std::complex<double>>> shapedPoles(const PositionPlant& plant, const ShapedLaw& law,
-                                                      const LoopTiming& timing) {
-    const auto loop = shapedOpenLoop(plant, law, timing);
-    if (!loop) {
-        return failure(loop.error());
-    }
-    if (law.filters.empty()) {
-        return closedLoopPoles(*loop); // as of the board's own, whose few roots a polynomial keeps
-    }
-    Result<StateSpace> states = controllerStates(*checkedGains(law, timing.period_s), timing.period_s);
-    for (const LoopFilter& filter : law.filters) {
-        const auto section = filterStates(filter, timing.period_s);
-        states = states && section ? series(*states, *section) : states ? section : states;
+/// What stands behind the PID part of a law with filters, in series.
+Result<StateSpace> statesBehind(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing) {
+    Result<StateSpace> states = filterStates(law.filters.front(), timing.period_s);
+    for (std::size_t i = 1; states && i < law.filters.size(); ++i) {
+        const auto section = filterStates(law.filters[i], timing.period_s);
+        states = section ? series(*states, *section) : section;
     }
     for (int i = 0; states && i < timing.delay_samples; ++i) {
         states = series(*states, statesOf({1.0}, {1.0, 1.0}));
     }
-    states = states ? series(*states, rotorStates(plant, timing.period_s)) : states;
+    return states ? series(*states, rotorStates(plant, timing.period_s)) : states;
+}
+
+/// Of the loop that these gains close.
+Result<std::vector<std::complex<double>>> closedPoles(const PidGains& gains, const StateSpace& behind,
+                                                      double period_s) {
+    Result<StateSpace> states = controllerStates(gains, period_s);
+    states = states ? series(*states, behind) : states;
     if (!states) {
         return failure(states.error());
     }
@@ -98,16 +96,68 @@ Result<std::vector<std::complex<double>>> shapedPoles(const PositionPlant& plant
     return found;
 }
 
-Result<double> shapedPoleRadius(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing) {
-    const auto poles = shapedPoles(plant, law, timing);
-    if (!poles) {
-        return failure(poles.error());
-    }
+double largest(const std::vector<std::complex<double>>& poles) {
     double radius = 0.0;
-    for (const std::complex<double>& pole : *poles) {
+    for (const std::complex<double>& pole : poles) {
         radius = std::max(radius, std::abs(pole));
     }
     return radius;
+}
+
+/// The gains in parallel form, when all that makes the loop is possible.
+Result<PidGains> checkedLoop(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing) {
+    for (const auto& valid : {checkPlant(plant), checkTiming(timing)}) {
+        if (!valid) {
+            return failure(valid.error());
+        }
+    }
+    return checkedGains(law, timing.period_s);
+}
+
+} // namespace
+
+Result<std::vector<std::complex<double>>> shapedPoles(const PositionPlant& plant, const ShapedLaw& law,
+                                                      const LoopTiming& timing) {
+    if (law.filters.empty()) { // as of the board's own, whose few roots a polynomial keeps
+        const auto loop = shapedOpenLoop(plant, law, timing);
+        return loop ? closedLoopPoles(*loop)
+                    : Result<std::vector<std::complex<double>>>(failure(loop.error()));
+    }
+    const auto gains = checkedLoop(plant, law, timing);
+    const auto behind = gains ? statesBehind(plant, law, timing) : failure(gains.error());
+    return behind ? closedPoles(*gains, *behind, timing.period_s)
+                  : Result<std::vector<std::complex<double>>>(failure(behind.error()));
+}
+
+Result<double> shapedPoleRadius(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing) {
+    const auto poles = shapedPoles(plant, law, timing);
+    return poles ? Result<double>(largest(*poles)) : failure(poles.error());
+}
+
+Result<std::function<Result<double>(double)>>
+shapedPoleRadiusOfProportional(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing) {
+    using Radius = std::function<Result<double>(double)>;
+    const auto gains = checkedLoop(plant, law, timing);
+    if (!gains) {
+        return failure(gains.error());
+    }
+    ShapedLaw other = law;
+    other.gains = *gains;
+    if (law.filters.empty()) {
+        return Radius([plant, other, timing](double proportional) mutable {
+            other.gains.proportional = proportional;
+            return shapedPoleRadius(plant, other, timing);
+        });
+    }
+    auto behind = statesBehind(plant, law, timing);
+    if (!behind) {
+        return failure(behind.error());
+    }
+    return Radius([behind = *std::move(behind), now = *gains, timing](double proportional) mutable {
+        now.proportional = proportional;
+        const auto poles = closedPoles(now, behind, timing.period_s);
+        return poles ? Result<double>(largest(*poles)) : failure(poles.error());
+    });
 }
 
 } // namespace halbench::control

@@ -178,6 +178,27 @@ TEST(ShapedPoles, ofALawWithoutFiltersAreThoseOfThePolynomialToTheLastBit) {
               poleRadius(*shapedOpenLoop(published(), law, timing)));
 }
 
+TEST(ShapedPoles, ofManyProportionalGainsAreThoseOfEach) {
+    Random random(7);
+    const LoopTiming timing{0.01, 1};
+    ShapedLaw law;
+    law.gains = randomGains(random);
+    for (const bool isFiltered : {false, true}) {
+        if (isFiltered) {
+            law.filters = {extremeFilter(random), extremeFilter(random)};
+        }
+        const auto radius = shapedPoleRadiusOfProportional(published(), law, timing);
+        ASSERT_TRUE(radius) << radius.error().message;
+        for (const double proportional : {0.3, 4.0, 90.0}) {
+            ShapedLaw one = law;
+            one.gains.proportional = proportional;
+            EXPECT_EQ(*(*radius)(proportional), *shapedPoleRadius(published(), one, timing)) << isFiltered;
+        }
+    }
+    law.filters.assign(5, law.filters.front());
+    EXPECT_FALSE(shapedPoleRadiusOfProportional(published(), law, timing));
+}
+
 // The count of poles within the circle decides, four extreme filters at once; one polynomial calls some of
 // these loops unstable.
 TEST(ShapedPoles, ofFourExtremeFiltersAtOnceTellStability) {
