@@ -16,7 +16,7 @@ namespace halbench::app {
 
 namespace {
 
-/// Of the one view that takes some tenths of a second, only when it is drawn.
+/// Of the one view that takes tenths of a second and more, only when it is drawn.
 void addLargeStep(LoopUncertainty& uncertainty, const DrawnLoop& loop) {
     const TuneResult& result = *loop.result;
     const std::optional<LargeStep>& step = result.predicted.largeStep;

@@ -73,7 +73,7 @@ Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const Lo
     if (!simulated || !controller) {
         return failure(simulated ? controller.error() : simulated.error());
     }
-    constexpr double ShortestPeriod_s = 1e-5; // half a million rows in 5 s
+    constexpr double ShortestPeriod_s = 1e-5; // two million rows in 20 s
     if (conditions.timing.period_s < ShortestPeriod_s) {
         return failure(ErrorCode::OutOfRange,
                        fmt::format("a step of {:.0f} s is not simulated with a sampling period of {} s",

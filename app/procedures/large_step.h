@@ -11,7 +11,7 @@ Result<models::PositionLaw> simulatedLaw(const control::PositionLaw& law, const 
 /// have passed runAnalysis; a shaped one runs as `ShapedPositionLaw` has it. Errors: of the inputs.
 Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const LoopLaw& law,
                                    const LoopConditions& conditions, double amplitude_rad, double duration_s);
-/// The same over 5 s, or 20 s where the rotor has not arrived by then.
+/// The same over 5 s, or 20 s where the rotor has not arrived by then. Errors: likewise.
 Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const LoopLaw& law,
                                    const LoopConditions& conditions, double amplitude_rad);
 

@@ -62,7 +62,7 @@ struct StepSpan {
     double amplitude_rad = 0.0;
     double duration_s = 0.0;
 };
-/// The large step of every motor: some tenths of a second. Errors: likewise.
+/// The large step of every motor: 0.1 ms for a second of each. Errors: likewise.
 Result<control::StepBand> largeStepBand(const MotorEstimate& estimate, const LoopLaw& law,
                                         const LoopConditions& conditions, const StepSpan& span,
                                         const UncertaintyDraws& draws);

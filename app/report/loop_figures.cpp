@@ -113,6 +113,9 @@ void addMeasured(widgets::Panel& panel, const std::optional<MeasuredLoop>& measu
 widgets::Figure nyquistFigure(const AnalysisResult& predicted, const std::optional<AnalysisResult>& present,
                               const std::vector<NamedLoop>& others,
                               const std::optional<MeasuredLoop>& measured) {
+    widgets::Figure figure;
+    figure.title = utf8(Words::tr("Nyquist plot of the open loop"));
+    figure.x = {utf8(Words::tr("real part of L")), {}, false, -2.5, 1.5, {}};
     widgets::Panel plane;
     plane.y = {utf8(Words::tr("imaginary part of L")), {}, false, -2.0, 1.5, {}};
     plane.height_px = 360;
@@ -134,12 +137,9 @@ widgets::Figure nyquistFigure(const AnalysisResult& predicted, const std::option
         plane.curves.push_back(circle({-1.0, 0.0}, margin, marginLabel(margin), CurveStyle::DashedLine));
     }
     if (predicted.isStable) {
-        appendCrossings(plane, predicted);
+        appendCrossings(plane, figure.x, predicted);
     }
     plane.curves.push_back({criticalPoint(predicted), {-1.0}, {0.0}, CurveStyle::Points, MarkColour});
-    widgets::Figure figure;
-    figure.title = utf8(Words::tr("Nyquist plot of the open loop"));
-    figure.x = {utf8(Words::tr("real part of L")), {}, false, -2.5, 1.5, {}};
     figure.panels = {std::move(plane)};
     figure.isEqualScale = true;
     figure.parameter = frequencyAxis();
@@ -171,13 +171,6 @@ widgets::Figure nicholsFigure(const AnalysisResult& predicted, const std::option
         least_deg = measured->isUsed[i] ? std::min(least_deg, measured->phase_deg[i]) : least_deg;
         most_deg = measured->isUsed[i] ? std::max(most_deg, measured->phase_deg[i]) : most_deg;
     }
-    if (predicted.isStable && predicted.margins.modulusMargin > 0.0) {
-        panel.curves.push_back(distanceLine(predicted.margins.modulusMargin));
-    }
-    if (predicted.isStable) {
-        appendNicholsCrossings(panel, predicted);
-    }
-    panel.curves.push_back({"\u2212180\u00b0, 0 dB", {-180.0}, {0.0}, CurveStyle::Points, MarkColour});
     widgets::Figure figure;
     figure.title = utf8(Words::tr("Nichols plot of the open loop"));
     figure.x = {utf8(Words::tr("phase")),
@@ -186,6 +179,13 @@ widgets::Figure nicholsFigure(const AnalysisResult& predicted, const std::option
                 std::floor(least_deg / Turn_deg) * Turn_deg,
                 std::ceil(most_deg / Turn_deg) * Turn_deg,
                 0.5 * Turn_deg};
+    if (predicted.isStable && predicted.margins.modulusMargin > 0.0) {
+        panel.curves.push_back(distanceLine(predicted.margins.modulusMargin));
+    }
+    if (predicted.isStable) {
+        appendNicholsCrossings(panel, figure.x, predicted);
+    }
+    panel.curves.push_back({"\u2212180\u00b0, 0 dB", {-180.0}, {0.0}, CurveStyle::Points, MarkColour});
     figure.panels = {std::move(panel)};
     figure.parameter = frequencyAxis();
     return figure;

@@ -85,15 +85,17 @@ Place placeInNichols(const control::Crossing& crossing, const AnalysisResult::Bo
     return {phase_deg + 360.0 * turns, isGain ? 0.0 : -20.0 * std::log10(crossing.gainMargin_ratio)};
 }
 
-void appendCrosses(widgets::Panel& panel, const AnalysisResult& loop,
+bool isWithin(const widgets::Axis& axis, double value) {
+    return (!axis.min || value >= *axis.min) && (!axis.max || value <= *axis.max);
+}
+
+void appendCrosses(widgets::Panel& panel, const widgets::Axis& xAxis, const AnalysisResult& loop,
                    const std::function<Place(const control::Crossing&)>& placeOf) {
     Curve others{utf8(Words::tr("other crossings")), {}, {}, CurveStyle::Crosses, OtherColour};
     for (const control::Crossing& crossing : loop.crossings) {
         const auto [x, y] = placeOf(crossing);
         if (!isDeciding(crossing, loop.margins)) {
-            const bool isSeen =
-                !(y < panel.y.min) && !(y > panel.y.max); // else the legend has what is not there
-            if (isSeen) {
+            if (isWithin(xAxis, x) && isWithin(panel.y, y)) { // else the legend has what is not there
                 others.x.push_back(x);
                 others.y.push_back(y);
             }
@@ -160,13 +162,13 @@ void markCrossings(widgets::BodeContent& content, const AnalysisResult& loop) {
     }
 }
 
-void appendCrossings(widgets::Panel& plane, const AnalysisResult& loop) {
-    appendCrosses(plane, loop, placeInPlane);
+void appendCrossings(widgets::Panel& plane, const widgets::Axis& x, const AnalysisResult& loop) {
+    appendCrosses(plane, x, loop, placeInPlane);
 }
 
-void appendNicholsCrossings(widgets::Panel& panel, const AnalysisResult& loop) {
+void appendNicholsCrossings(widgets::Panel& panel, const widgets::Axis& x, const AnalysisResult& loop) {
     if (!loop.bode.frequency_Hz.empty()) {
-        appendCrosses(panel, loop,
+        appendCrosses(panel, x, loop,
                       [&](const control::Crossing& crossing) { return placeInNichols(crossing, loop.bode); });
     }
 }

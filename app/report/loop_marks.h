@@ -8,14 +8,14 @@
 namespace halbench::app {
 
 /// Every crossing of the open loop, in its Bode, Nyquist and Nichols plot: those that decide the margins with
-/// their names, all others faint.
+/// their names, all others that the axes reach faint.
 
 /// A margin is read in one panel and its crossover seen in both. Of a stable loop.
 void markCrossings(widgets::BodeContent& content, const AnalysisResult& loop);
 /// As crosses on the unit circle and on the negative real axis. Of a stable loop.
-void appendCrossings(widgets::Panel& plane, const AnalysisResult& loop);
+void appendCrossings(widgets::Panel& plane, const widgets::Axis& x, const AnalysisResult& loop);
 /// As crosses at 0 dB and at -180 degrees. Of a stable loop.
-void appendNicholsCrossings(widgets::Panel& panel, const AnalysisResult& loop);
+void appendNicholsCrossings(widgets::Panel& panel, const widgets::Axis& x, const AnalysisResult& loop);
 
 /// What Nyquist's criterion counts (control/analysis/nyquist.h) of the loop with these roots; nothing on the
 /// limit of stability and for a loop without roots.

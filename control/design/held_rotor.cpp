@@ -24,10 +24,10 @@ double heldAngleShare(double x) {
 
 HeldRotor::HeldRotor(const PositionPlant& plant, double interval_s) {
     const double x = plant.dampingRate_1_s * interval_s;
-    decay = std::exp(-x);
+    decay_ratio = std::exp(-x);
     coast_s = interval_s * heldSpeedShare(x);
-    drive = plant.accelerationGain_rad_s2_A * coast_s;
-    push = plant.accelerationGain_rad_s2_A * interval_s * interval_s * heldAngleShare(x);
+    drive_rad_s_A = plant.accelerationGain_rad_s2_A * coast_s;
+    push_rad_A = plant.accelerationGain_rad_s2_A * interval_s * interval_s * heldAngleShare(x);
 }
 
 RotorState advance(const PositionPlant& plant, const RotorState& state, double current_A, double time_s) {

@@ -16,15 +16,15 @@ struct RotorState {
 
 /// What an interval makes of the state, of a rotor that is moved over many of the same length.
 struct HeldRotor {
-    double decay = 0.0;   ///< of the speed
-    double coast_s = 0.0; ///< angle per speed
-    double drive = 0.0;   ///< speed per current
-    double push = 0.0;    ///< angle per current
+    double decay_ratio = 0.0;   ///< of the speed
+    double coast_s = 0.0;       ///< angle per speed
+    double drive_rad_s_A = 0.0; ///< speed per current
+    double push_rad_A = 0.0;    ///< angle per current
 
     HeldRotor(const PositionPlant& plant, double interval_s);
     void move(RotorState& state, double current_A) const {
-        state.angle_rad += coast_s * state.speed_rad_s + push * current_A;
-        state.speed_rad_s = decay * state.speed_rad_s + drive * current_A;
+        state.angle_rad += coast_s * state.speed_rad_s + push_rad_A * current_A;
+        state.speed_rad_s = decay_ratio * state.speed_rad_s + drive_rad_s_A * current_A;
     }
 };
 

@@ -1,6 +1,8 @@
 #include "control/design/board_gains.h"
 #include "control/design/loop_motion.h"
 
+#include <utility>
+
 namespace halbench::control {
 
 namespace {

@@ -20,7 +20,8 @@ struct LoadBand {
 };
 
 /// Every motor of `drawPlants` under the same load. Of more points than `mostPoints` so many are kept, closer
-/// together at the beginning; peaks and recoveries are of all of them. O(plants x points). Errors: of gains
+/// together at the beginning. Peaks and recoveries are of all points; of more than 10 001, where a motor does
+/// not ring, of points 0.5 % apart: a recovery is so exact. Errors: of gains
 /// and timing; OutOfRange (extent); Refused (no motor among the plants).
 Result<LoadBand> loadBand(const std::vector<PositionPlant>& plants, const PidGains& gains,
                           const LoopTiming& timing, double load_A, double duration_s, int pointsPerSample = 5,

@@ -6,7 +6,6 @@
 #include "control/design/shaped_loop.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 namespace halbench::control {

@@ -4,6 +4,7 @@
 #include "control/design/gain_limit.h"
 #include "control/design/loop_proof.h"
 #include "control/design/riccati.h"
+#include "control/design/shaped_controller.h"
 #include "control/lti/state_space.h"
 
 #include <algorithm>

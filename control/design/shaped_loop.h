@@ -3,7 +3,7 @@
 #include "control/design/load_step.h"
 #include "control/design/proof.h"
 #include "control/design/robustness.h"
-#include "control/design/shaped_controller.h"
+#include "control/design/shaped_law.h"
 
 #include <complex>
 #include <functional>
@@ -28,7 +28,8 @@ Result<std::vector<std::complex<double>>> shapedPoles(const PositionPlant& plant
                                                       const LoopTiming& timing);
 /// The largest modulus among them.
 Result<double> shapedPoleRadius(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing);
-/// The same for many K_P of one law: what does not depend on it is put together once. Errors: of the inputs.
+/// The same of one law with many K_P, in A/rad, in the place of its own in parallel form: filters are put
+/// together once. Errors: of the inputs; of what it returns: none for finite gains.
 Result<std::function<Result<double>(double)>>
 shapedPoleRadiusOfProportional(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "control/design/shaped_loop.h"
+#include "control/design/shaped_controller.h"
 
 namespace halbench::control {
 

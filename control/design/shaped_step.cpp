@@ -1,4 +1,5 @@
 #include "control/design/loop_motion.h"
+#include "control/design/shaped_controller.h"
 #include "control/design/shaped_loop.h"
 
 #include <utility>

@@ -36,8 +36,8 @@ struct StepBand {
     std::vector<double> time_s;
     Band response_rad;
 };
-/// Of more points than `mostPoints` so many are kept, closer together at the beginning where more happens;
-/// all of them are computed. Errors: as above; OutOfRange (extent).
+/// Of more points than `mostPoints` so many are kept, closer together at the beginning where more happens.
+/// Errors: as above; OutOfRange (extent).
 Result<StepBand> stepBand(const std::vector<PositionPlant>& plants, const PidGains& gains,
                           const LoopTiming& timing, double amplitude_rad, double duration_s,
                           int pointsPerSample = 1,

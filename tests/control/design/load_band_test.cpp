@@ -118,6 +118,51 @@ TEST(LoadBand, aSlowLoopsPeaksAndRecoveriesAreThoseOfItsMotors) {
     EXPECT_NEAR(band->recoveryTime_s->p95, middle(recoveries).p95, 0.005 * middle(recoveries).p95);
 }
 
+// A loop that rings for longer than points are looked at one by one, faster than those that follow are apart:
+// every point counts then. Its peak is at the beginning, its recovery far behind.
+TEST(LoadBand, aLoopThatRingsForLongIsMeasuredAtEveryPoint) {
+    auto drawn = motors(0.02);
+    drawn.resize(20);
+    const LoopTiming timing{0.001, 0};
+    PidGains gains;
+    gains.proportional = 40.0;
+    gains.derivative = 0.5 * timing.period_s * gains.proportional; // makes up for the held half of a sample
+    for (PositionPlant& plant : drawn) {
+        plant.dampingRate_1_s = 0.2; // the swing falls by exp(-0.1 t): to a fifth in 16 s
+    }
+    const auto band = loadBand(drawn, gains, timing, 0.5, 60.0, 1, 90);
+    ASSERT_TRUE(band) << band.error().message;
+    std::vector<double> peaks, recoveries;
+    for (const PositionPlant& plant : drawn) {
+        const auto step = loadStep(plant, gains, timing, 0.5, 60.0, 1);
+        ASSERT_TRUE(step && step->recoveryTime_s);
+        peaks.push_back(step->peak_rad);
+        recoveries.push_back(*step->recoveryTime_s);
+    }
+    ASSERT_GT(middle(recoveries).p5, 11.0) << "beyond the points that are all measured";
+    EXPECT_NEAR(band->peak_rad.p95, middle(peaks).p95, 1e-12);
+    ASSERT_TRUE(band->recoveryTime_s);
+    EXPECT_NEAR(band->recoveryTime_s->p5, middle(recoveries).p5, 1e-9);
+    EXPECT_NEAR(band->recoveryTime_s->p95, middle(recoveries).p95, 1e-9);
+}
+
+// Second route: each motor on its own, whose load moves it as far as its end when it comes from below.
+TEST(LoadBand, ofAnOverdampedLoopThePeakIsItsEnd) {
+    PidGains gains;
+    gains.proportional = 2.0;
+    gains.derivative = 2.0;
+    const auto drawn = motors(0.05);
+    const auto band = loadBand(drawn, gains, {0.01, 0}, 0.5, 5.0, 1);
+    ASSERT_TRUE(band) << band.error().message;
+    std::vector<double> peaks;
+    for (const PositionPlant& plant : drawn) {
+        peaks.push_back(loadStep(plant, gains, {0.01, 0}, 0.5, 5.0, 1)->peak_rad);
+    }
+    EXPECT_NEAR(middle(peaks).p5, 0.25, 1e-12) << "load/K_P";
+    EXPECT_NEAR(band->peak_rad.p5, middle(peaks).p5, 1e-12);
+    EXPECT_NEAR(band->peak_rad.p95, middle(peaks).p95, 1e-12);
+}
+
 TEST(LoadBand, whatIsImpossibleIsRefused) {
     EXPECT_EQ(loadBand(motors(0.1), recommended(), OneLate, 0.0, 1.0).error().code, ErrorCode::OutOfRange);
     EXPECT_EQ(loadBand(motors(0.1), recommended(), OneLate, 0.5, -1.0).error().code, ErrorCode::OutOfRange);

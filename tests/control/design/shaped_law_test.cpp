@@ -1,6 +1,7 @@
 #include "control/base/units.h"
 #include "control/design/filters.h"
 #include "control/design/shaped_law.h"
+#include "control/design/shaped_controller.h"
 #include "control/design/shaped_loop.h"
 #include "control/lti/discretize.h"
 #include "control/lti/responses.h"

@@ -1,6 +1,7 @@
 #include "control/base/units.h"
 #include "control/design/drawn_verdicts.h"
 #include "control/design/gain_limit.h"
+#include "control/design/shaped_controller.h"
 #include "control/design/shaped_loop.h"
 #include "control/lti/responses.h"
 #include "tests/control/design/published_motor.h"
