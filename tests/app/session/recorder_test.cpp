@@ -1,17 +1,16 @@
 #include "app/session/recorder.h"
 #include "devices/acquisition/recording_file.h"
+#include "tests/small_disk.h"
 
 #include <QtCore/QDir>
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <cerrno>
 #include <cmath>
 #include <condition_variable>
-#include <csignal>
 #include <filesystem>
 #include <mutex>
 
@@ -266,27 +265,6 @@ TEST_F(RecorderTest, aDiskThatCannotFlushEndsTheRecordingWithItsReason) {
     EXPECT_NE(recorder.status().error->message.find("Input/output error"), std::string::npos);
     EXPECT_TRUE(devices::readPartialRecording(path() + ".partial")) << "what came is there";
 }
-
-/// No file of this process may grow beyond the limit: what a full disk looks like to a writer.
-class SmallDisk {
-public:
-    explicit SmallDisk(rlim_t octets) {
-        getrlimit(RLIMIT_FSIZE, &m_before);
-        m_handler = std::signal(SIGXFSZ, SIG_IGN);
-        const rlimit small{octets, m_before.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &small);
-    }
-    ~SmallDisk() {
-        setrlimit(RLIMIT_FSIZE, &m_before);
-        std::signal(SIGXFSZ, m_handler);
-    }
-    SmallDisk(const SmallDisk&) = delete;
-    SmallDisk& operator=(const SmallDisk&) = delete;
-
-private:
-    rlimit m_before{};
-    void (*m_handler)(int) = nullptr;
-};
 
 TEST_F(RecorderTest, aFullDiskEndsTheRecordingWithItsReasonAndKeepsWhatWasWritten) {
     const auto layout = layoutOf({"a"}, 0.01);

@@ -1,9 +1,8 @@
 #include "devices/acquisition/convert_recording.h"
 #include "devices/acquisition/recording_file.h"
+#include "tests/devices/acquisition/recording_folder.h"
 #include "tests/devices/acquisition/recording_sample.h"
-#include "tests/devices/acquisition/small_disk.h"
-
-#include <QtCore/QTemporaryDir>
+#include "tests/small_disk.h"
 
 #include <gtest/gtest.h>
 
@@ -15,11 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class ConvertRecordingTest : public testing::Test {
-protected:
-    std::string path(const std::string& name) const { return m_folder.filePath(name.c_str()).toStdString(); }
-    QTemporaryDir m_folder;
-};
+class ConvertRecordingTest : public RecordingFolder {};
 
 TEST_F(ConvertRecordingTest, keepsTheSignalsAndTheIntervalAskedFor) {
     const Recording recording = ramp(100);

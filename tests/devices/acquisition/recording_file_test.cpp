@@ -2,10 +2,9 @@
 #include "devices/acquisition/recording_csv.h"
 #include "devices/acquisition/recording_file.h"
 #include "devices/acquisition/recording_writer.h"
+#include "tests/devices/acquisition/recording_folder.h"
 #include "tests/devices/acquisition/recording_sample.h"
-#include "tests/devices/acquisition/small_disk.h"
-
-#include <QtCore/QTemporaryDir>
+#include "tests/small_disk.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -21,11 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class RecordingFileTest : public testing::Test {
-protected:
-    std::string path(const std::string& name) const { return m_folder.filePath(name.c_str()).toStdString(); }
-    QTemporaryDir m_folder;
-};
+class RecordingFileTest : public RecordingFolder {};
 
 TEST_F(RecordingFileTest, comesBackWithNamesUnitsRolesAndParameters) {
     const Recording recording = ramp(20);

@@ -1,9 +1,8 @@
 #include "devices/acquisition/convert_recording.h"
 #include "devices/acquisition/recording_chunks.h"
 #include "devices/acquisition/recording_file.h"
+#include "tests/devices/acquisition/recording_folder.h"
 #include "tests/devices/acquisition/recording_sample.h"
-
-#include <QtCore/QTemporaryDir>
 
 #include <gtest/gtest.h>
 
@@ -16,11 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class RecordingRecoveryTest : public testing::Test {
-protected:
-    std::string path(const std::string& name) const { return m_folder.filePath(name.c_str()).toStdString(); }
-    QTemporaryDir m_folder;
-};
+class RecordingRecoveryTest : public RecordingFolder {};
 
 /// As interrupt(), flushed with its checksums after every tenth row.
 std::string interruptFlushed(const std::string& file, const Recording& part) {

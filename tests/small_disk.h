@@ -4,7 +4,7 @@
 
 #include <csignal>
 
-namespace halbench::devices {
+namespace halbench {
 
 /// No file of this process may grow beyond the limit: what a full disk looks like to a writer.
 class SmallDisk {
@@ -27,4 +27,4 @@ private:
     void (*m_handler)(int) = nullptr;
 };
 
-} // namespace halbench::devices
+} // namespace halbench
