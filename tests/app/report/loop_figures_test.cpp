@@ -95,6 +95,25 @@ TEST(LoopFigures, theNicholsPlotMarksTheMarginsOnItsOwnTurn) {
     EXPECT_NEAR(gainMargin.y.at(0), -40.0, 1e-12);
 }
 
+// A crossing at a factor of 0.1 stands at -10 + 0i and at +20 dB: outside the one picture, inside the other.
+TEST(LoopFigures, theLegendHasOtherCrossingsOnlyWhereTheyAreSeen) {
+    AnalysisResult loop = crossing();
+    control::Crossing far{};
+    far.kind = control::Crossing::Kind::Phase;
+    far.frequency_rad_s = 2.0 * Pi * loop.bode.frequency_Hz[0];
+    far.gainMargin_ratio = 0.1;
+    loop.crossings = {far};
+    const auto hasOthers = [](const widgets::Figure& figure) {
+        const auto& curves = figure.panels.at(0).curves;
+        return std::any_of(curves.begin(), curves.end(),
+                           [](const widgets::Curve& each) { return each.label == "other crossings"; });
+    };
+    EXPECT_FALSE(hasOthers(nyquistFigure(loop, std::nullopt)));
+    EXPECT_TRUE(hasOthers(nicholsFigure(loop, std::nullopt)));
+    loop.crossings[0].gainMargin_ratio = 1e-4; // +80 dB
+    EXPECT_FALSE(hasOthers(nicholsFigure(loop, std::nullopt)));
+}
+
 TEST(LoopFigures, theNicholsPlotsAxisEndsWhereItsCurvesDo) {
     EXPECT_EQ(*nicholsFigure(crossing(), std::nullopt).x.max, -90.0);
     AnalysisResult leading = crossing();

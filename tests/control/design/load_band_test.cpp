@@ -92,6 +92,25 @@ TEST(LoadBand, someOfThePointsAreTheSamePoints) {
     EXPECT_EQ(some->peak_rad.p95, all->peak_rad.p95);
 }
 
+struct SingleLoads {
+    MiddleNineTenths peak_rad;
+    MiddleNineTenths recovery_s;
+};
+
+/// Second route: 0.5 A on every motor alone for 60 s, seen at every sample.
+SingleLoads aloneFor60s(const std::vector<PositionPlant>& drawn, const PidGains& gains,
+                        const LoopTiming& timing) {
+    std::vector<double> peaks, recoveries;
+    for (const PositionPlant& plant : drawn) {
+        const auto step = loadStep(plant, gains, timing, 0.5, 60.0, 1);
+        EXPECT_TRUE(step && step->recoveryTime_s);
+        peaks.push_back(step->peak_rad);
+        recoveries.push_back(step->recoveryTime_s.value_or(0.0));
+    }
+    EXPECT_GT(middle(recoveries).p5, 11.0) << "beyond the points that are all measured";
+    return {middle(peaks), middle(recoveries)};
+}
+
 // A loop of 60 000 samples is measured at points 0.5 % apart: a recovery is so exact, a smooth peak more.
 TEST(LoadBand, aSlowLoopsPeaksAndRecoveriesAreThoseOfItsMotors) {
     PidGains slow = recommended();
@@ -103,19 +122,12 @@ TEST(LoadBand, aSlowLoopsPeaksAndRecoveriesAreThoseOfItsMotors) {
     drawn.resize(20);
     const auto band = loadBand(drawn, slow, timing, 0.5, 60.0, 1, 90);
     ASSERT_TRUE(band) << band.error().message;
-    std::vector<double> peaks, recoveries;
-    for (const PositionPlant& plant : drawn) {
-        const auto step = loadStep(plant, slow, timing, 0.5, 60.0, 1);
-        ASSERT_TRUE(step && step->recoveryTime_s);
-        peaks.push_back(step->peak_rad);
-        recoveries.push_back(*step->recoveryTime_s);
-    }
-    ASSERT_GT(middle(recoveries).p5, 11.0) << "beyond the points that are all measured";
-    EXPECT_NEAR(band->peak_rad.p5, middle(peaks).p5, 1e-5 * middle(peaks).p5);
-    EXPECT_NEAR(band->peak_rad.p95, middle(peaks).p95, 1e-5 * middle(peaks).p95);
+    const SingleLoads alone = aloneFor60s(drawn, slow, timing);
+    EXPECT_NEAR(band->peak_rad.p5, alone.peak_rad.p5, 1e-5 * alone.peak_rad.p5);
+    EXPECT_NEAR(band->peak_rad.p95, alone.peak_rad.p95, 1e-5 * alone.peak_rad.p95);
     ASSERT_TRUE(band->recoveryTime_s);
-    EXPECT_NEAR(band->recoveryTime_s->p5, middle(recoveries).p5, 0.005 * middle(recoveries).p5);
-    EXPECT_NEAR(band->recoveryTime_s->p95, middle(recoveries).p95, 0.005 * middle(recoveries).p95);
+    EXPECT_NEAR(band->recoveryTime_s->p5, alone.recovery_s.p5, 0.005 * alone.recovery_s.p5);
+    EXPECT_NEAR(band->recoveryTime_s->p95, alone.recovery_s.p95, 0.005 * alone.recovery_s.p95);
 }
 
 // A loop that rings for longer than points are looked at one by one, faster than those that follow are apart:
@@ -132,18 +144,11 @@ TEST(LoadBand, aLoopThatRingsForLongIsMeasuredAtEveryPoint) {
     }
     const auto band = loadBand(drawn, gains, timing, 0.5, 60.0, 1, 90);
     ASSERT_TRUE(band) << band.error().message;
-    std::vector<double> peaks, recoveries;
-    for (const PositionPlant& plant : drawn) {
-        const auto step = loadStep(plant, gains, timing, 0.5, 60.0, 1);
-        ASSERT_TRUE(step && step->recoveryTime_s);
-        peaks.push_back(step->peak_rad);
-        recoveries.push_back(*step->recoveryTime_s);
-    }
-    ASSERT_GT(middle(recoveries).p5, 11.0) << "beyond the points that are all measured";
-    EXPECT_NEAR(band->peak_rad.p95, middle(peaks).p95, 1e-12);
+    const SingleLoads alone = aloneFor60s(drawn, gains, timing);
+    EXPECT_NEAR(band->peak_rad.p95, alone.peak_rad.p95, 1e-12);
     ASSERT_TRUE(band->recoveryTime_s);
-    EXPECT_NEAR(band->recoveryTime_s->p5, middle(recoveries).p5, 1e-9);
-    EXPECT_NEAR(band->recoveryTime_s->p95, middle(recoveries).p95, 1e-9);
+    EXPECT_NEAR(band->recoveryTime_s->p5, alone.recovery_s.p5, 1e-9);
+    EXPECT_NEAR(band->recoveryTime_s->p95, alone.recovery_s.p95, 1e-9);
 }
 
 // Second route: each motor on its own, whose load moves it as far as its end when it comes from below.
