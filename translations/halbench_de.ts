@@ -7136,11 +7136,11 @@
     </message>
     <message>
         <source>Gain margin</source>
-        <translation>Amplitudenreserve</translation>
+        <translation>Amplituden­reserve</translation>
     </message>
     <message>
         <source>Phase margin</source>
-        <translation>Phasenreserve</translation>
+        <translation>Phasen­reserve</translation>
     </message>
     <message>
         <source>Delay margin</source>

@@ -46,6 +46,16 @@ QString amount(const std::optional<double>& value, int digits = 3) {
     return value && std::isfinite(*value) ? widgets::numberText(*value, digits) : QStringLiteral("\u2013");
 }
 
+/// So that a small window shows more of the columns: broken at the soft hyphen of a long word, else at a
+/// space.
+QString inTwoLines(QString title) {
+    if (title.contains(QChar(QChar::SoftHyphen))) {
+        return title.replace(QChar(QChar::SoftHyphen), QLatin1String("-\n"));
+    }
+    const int space = title.indexOf(QLatin1Char(' '));
+    return space > 0 ? title.replace(space, 1, QLatin1Char('\n')) : title;
+}
+
 widgets::DisplayUnit gainUnit(const char* parameter, const DisplayUnits& units) {
     return widgets::displayUnit(parameterUnit(parameter), units.angle);
 }
@@ -249,10 +259,8 @@ void DesignTable::refreshWords() {
                        gain("K_P", "gain.kp"),
                        gain("K_I", "gain.ki"),
                        gain("K_D", "gain.kd")};
-    for (QString& label : labels) { // in two lines, so that a small window shows more of the columns
-        if (const int space = label.indexOf(QLatin1Char(' ')); space > 0) {
-            label[space] = QLatin1Char('\n');
-        }
+    for (QString& label : labels) {
+        label = inTwoLines(label);
     }
     m_table->setHorizontalHeaderLabels(labels);
     for (int column = 0; column < Columns; ++column) {
