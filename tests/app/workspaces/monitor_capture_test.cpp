@@ -1,11 +1,14 @@
 #include "app/workspaces/drive_control.h"
+#include "app/workspaces/record_panel.h"
 #include "app/workspaces/trigger_bar.h"
+#include "devices/acquisition/recording_file.h"
 #include "tests/app/workspaces/monitor_fixture.h"
 #include "widgets/elided_label.h"
 #include "widgets/quantity_edit.h"
 
 #include <QAction>
 #include <QComboBox>
+#include <QLineEdit>
 #include <QStandardItemModel>
 #include <QTemporaryDir>
 
@@ -248,6 +251,39 @@ TEST_F(MonitorCaptureTest, markersThatComeMeanwhileAreOfTheLiveSamples) {
     EXPECT_TRUE(stack().markers().empty());
     press(Qt::Key_T);
     EXPECT_EQ(stack().markers(), more);
+}
+
+// The plots show no markers then, which must not read as "all were removed".
+TEST_F(MonitorCaptureTest, aRecordingThatEndsWhileACaptureIsShownKeepsItsMarkers) {
+    captureHall();
+    ASSERT_TRUE(wait([&] { return state().startsWith("Stopped after an event"); })) << state().toStdString();
+    RecordPanel record(bench());
+    QObject::connect(&record, &RecordPanel::marked, panel.get(), &MonitorPanel::takeRecordedMarker);
+    QTemporaryDir folder;
+    QString recorded;
+    QObject::connect(&bench().recording(), &RecordingControl::finished, panel.get(),
+                     [&](const QString& path, const RecorderStatus&) { recorded = path; });
+    bench().recording().setFolder(folder.path());
+    bench().recording().start();
+    auto* note = record.findChild<QLineEdit*>(QStringLiteral("markerNote"));
+    ASSERT_TRUE(wait([&] { return note->isEnabled() && bench().recording().status().rows > 50; }));
+    note->setText(QStringLiteral("knock"));
+    QTest::keyClick(note, Qt::Key_Return);
+    ASSERT_TRUE(stack().markers().empty()) << "a capture has none";
+    ASSERT_TRUE(wait([&] { return bench().recording().status().elapsed_s > 1.0; }));
+    bench().recording().stop();
+    ASSERT_TRUE(wait([&] { return !recorded.isEmpty(); }));
+    const auto kept = [&] {
+        const auto file = devices::readRecordingFile(recorded.toStdString());
+        return file ? file->meta.markers : std::vector<devices::RecordingMeta::Marker>();
+    };
+    ASSERT_TRUE(wait([&] { return kept().size() == 1; }));
+    EXPECT_EQ(kept().front().text, "knock");
+    press(Qt::Key_T);
+    ASSERT_TRUE(wait([&] { return !bench().recording().isRecording(); }));
+    ASSERT_EQ(kept().size(), 1U) << "nor when the live samples are back";
+    ASSERT_EQ(stack().markers().size(), 1U);
+    EXPECT_EQ(stack().markers().front().text, QStringLiteral("knock"));
 }
 
 TEST_F(MonitorCaptureTest, pairsOfCursorsBelongToTheTimeAxisTheyWerePutOn) {
