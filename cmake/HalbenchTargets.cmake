@@ -17,8 +17,9 @@ endif()
 # halbench_library(control_lti DEPENDS control_base ...): one static library of all sources in this folder
 # (not its sub-folders). A folder without sources becomes an interface library, so that its dependants link.
 # AUTOMOC: the folder has Q_OBJECT classes.
+# PRECOMPILED: the layer whose precompiled header its sources read (cmake/Precompiled.cmake).
 function(halbench_library name)
-  cmake_parse_arguments(ARG "RECURSE;AUTOMOC" "" "DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "RECURSE;AUTOMOC" "PRECOMPILED" "DEPENDS" ${ARGN})
   if(ARG_RECURSE)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp *.c)
     list(FILTER sources EXCLUDE REGEX "/(boards|examples)/")
@@ -28,6 +29,9 @@ function(halbench_library name)
   if(sources)
     add_library(${name} STATIC ${sources})
     target_link_libraries(${name} PUBLIC halbench_options halbench_expected ${ARG_DEPENDS})
+    if(ARG_PRECOMPILED)
+      target_precompile_headers(${name} REUSE_FROM precompiled_${ARG_PRECOMPILED})
+    endif()
     if(ARG_AUTOMOC)
       set_target_properties(${name} PROPERTIES AUTOMOC ON)
       # By itself moc only notices changes in files it knows: a new or vanished one makes it start over.
@@ -47,17 +51,23 @@ function(halbench_library name)
   endif()
 endfunction()
 
-# halbench_test(control_lti): every *_test.cpp of this folder in one program, each case a ctest entry.
-# LABELS night marks a suite that only `./dev test --night` runs.
+# halbench_test(control_lti): every *_test.cpp of this folder in one program, run in a few parts by ctest (GoogleTest's
+# shards): one process for many cases, since starting one each took most of the time. A failing case is named by its part's
+# output. LABELS night marks a suite that only `./dev test --night` runs. PRECOMPILED as above.
+add_custom_target(unit_tests)  # what runs under the address sanitizer too: the suites without a label
+add_custom_target(night_tests) # what only the night builds
 function(halbench_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "DEPENDS;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "TIMEOUT;PRECOMPILED" "DEPENDS;LABELS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS *.cpp)
   if(NOT sources)
     return()
   endif()
   add_executable(test_${name} ${sources})
-  target_link_libraries(test_${name} PRIVATE halbench_options halbench_expected ${ARG_DEPENDS}
+  target_link_libraries(test_${name} PRIVATE halbench_options halbench_expected halbench_test_options ${ARG_DEPENDS}
     GTest::gmock GTest::gtest_main)
+  if(ARG_PRECOMPILED)
+    target_precompile_headers(test_${name} REUSE_FROM precompiled_tests_${ARG_PRECOMPILED})
+  endif()
   # Only where it is used: a path in every command line would keep clones from sharing compiled objects.
   foreach(source ${sources})
     file(STRINGS ${source} uses REGEX HALBENCH_SOURCE_DIR LIMIT_COUNT 1)
@@ -65,11 +75,32 @@ function(halbench_test name)
       set_property(SOURCE ${source} APPEND PROPERTY COMPILE_DEFINITIONS HALBENCH_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
     endif()
   endforeach()
+  if(NOT ARG_LABELS)
+    add_dependencies(unit_tests test_${name})
+  elseif("night" IN_LIST ARG_LABELS)
+    set_target_properties(test_${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+    add_dependencies(night_tests test_${name})
+  endif()
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
-  gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
-    PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}")
+  halbench_test_parts(${name} "${name}" "${ARG_TIMEOUT}" "${ARG_LABELS}" "")
+endfunction()
+
+# halbench_test_parts(gui gui_2x 240 "gui;night" "QT_SCALE_FACTOR=2"): the parts of the program test_gui as tests named
+# gui_2x.1 and so on; the time allowed is that of one case, a part has four times as much.
+function(halbench_test_parts name prefix timeout labels environment)
+  get_target_property(sources test_${name} SOURCES)
+  list(LENGTH sources files)
+  math(EXPR parts "(${files} + 9) / 10")
+  math(EXPR allowed "4 * ${timeout}")
+  math(EXPR last "${parts} - 1")
+  foreach(part RANGE ${last})
+    math(EXPR number "${part} + 1")
+    add_test(NAME ${prefix}.${number} COMMAND test_${name} --gtest_brief=1)
+    set_tests_properties(${prefix}.${number} PROPERTIES TIMEOUT ${allowed} LABELS "${labels}"
+      ENVIRONMENT "GTEST_TOTAL_SHARDS=${parts};GTEST_SHARD_INDEX=${part};${environment}")
+  endforeach()
 endfunction()
 
 # halbench_resources(presets /presets ROOT files...): compiles files in as :PREFIX/<path below ROOT>; the caller gets
