@@ -23,6 +23,4 @@ endfunction()
 
 # Tests are compiled in half the time when they are not optimised much; what they test is optimised as it is shipped.
 add_library(halbench_test_options INTERFACE)
-# GCC 12 sees moves of short strings beyond their bounds at that level, where there are none (its bug 105651).
-target_compile_options(halbench_test_options INTERFACE -O1 $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds> $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>)
+target_compile_options(halbench_test_options INTERFACE -O1)
