@@ -4,6 +4,7 @@
 #include "app/procedures/ellipse_shape.h"
 #include "app/workspaces/field_grid.h"
 #include "app/workspaces/signal_box.h"
+#include "control/base/distributions.h"
 #include "control/base/units.h"
 #include "devices/acquisition/recording_csv.h"
 #include "widgets/display_units.h"
@@ -26,7 +27,7 @@ constexpr std::size_t DrawnPoints = 1500;              ///< the eye sees no more
 constexpr std::size_t EllipsePoints = 180;
 constexpr int GridColumns = 4;
 constexpr int PictureHeight_px = 360;
-constexpr double Sigmas95 = 1.959964;
+constexpr double Probability95 = 0.975; ///< two-sided 95 %
 constexpr double PerCent = 100.0;
 
 /// Every so manieth, the newest last.
@@ -40,8 +41,8 @@ SignalPair thinned(const SignalPair& all, double xFactor, double yFactor) {
     return points;
 }
 
-widgets::EstimateRow estimate(const QString& name, double value, double error, const QString& unit) {
-    return {name, value, value - Sigmas95 * error, value + Sigmas95 * error, unit, {}, {}};
+widgets::EstimateRow estimate(const QString& name, double value, double halfWidth, const QString& unit) {
+    return {name, value, value - halfWidth, value + halfWidth, unit, {}, {}};
 }
 
 } // namespace
@@ -168,21 +169,23 @@ void XyPanel::showFit(const Result<control::HallEllipseFit>& fit, widgets::Figur
     const DisplayQuantity y = shown(*m_y);
     const control::HallEllipse& ellipse = fit->ellipse;
     const control::HallEllipse& error = fit->error;
+    const double sigmas = control::studentQuantile(Probability95, fit->parts - 1);
     EllipseCurve curve = ellipseCurve(ellipse, EllipsePoints);
     std::transform(curve.a.begin(), curve.a.end(), curve.a.begin(), [&](double a) { return x.factor * a; });
     std::transform(curve.b.begin(), curve.b.end(), curve.b.begin(), [&](double b) { return y.factor * b; });
     figure.panels.front().curves.push_back(
         {tr("ellipse").toStdString(), curve.a, curve.b, widgets::CurveStyle::Line, {}});
     const QString degree = QStringLiteral("\u00b0");
-    m_numbers->setRows({estimate(tr("Centre of %1").arg(signalWords(m_x->signal())),
-                                 x.factor * ellipse.offsetA_T, x.factor * error.offsetA_T, x.unit),
-                        estimate(tr("Centre of %1").arg(signalWords(m_y->signal())),
-                                 y.factor * ellipse.offsetB_T, y.factor * error.offsetB_T, y.unit),
-                        estimate(tr("Amplitude of %1").arg(signalWords(m_x->signal())),
-                                 x.factor * ellipse.amplitude_T, x.factor * error.amplitude_T, x.unit),
-                        estimate(tr("Ratio of the amplitudes"), ellipse.gain_ratio, error.gain_ratio, {}),
-                        estimate(tr("Phase beyond 90\u00b0"), radiansToDegrees(ellipse.quadrature_rad),
-                                 radiansToDegrees(error.quadrature_rad), degree)});
+    m_numbers->setRows(
+        {estimate(tr("Centre of %1").arg(signalWords(m_x->signal())), x.factor * ellipse.offsetA_T,
+                  x.factor * sigmas * error.offsetA_T, x.unit),
+         estimate(tr("Centre of %1").arg(signalWords(m_y->signal())), y.factor * ellipse.offsetB_T,
+                  y.factor * sigmas * error.offsetB_T, y.unit),
+         estimate(tr("Amplitude of %1").arg(signalWords(m_x->signal())), x.factor * ellipse.amplitude_T,
+                  x.factor * sigmas * error.amplitude_T, x.unit),
+         estimate(tr("Ratio of the amplitudes"), ellipse.gain_ratio, sigmas * error.gain_ratio, {}),
+         estimate(tr("Phase beyond 90\u00b0"), radiansToDegrees(ellipse.quadrature_rad),
+                  radiansToDegrees(sigmas * error.quadrature_rad), degree)});
     QStringList words;
     if (figure.isEqualScale) {
         const EllipseAxes axes = ellipseAxes(ellipse);

@@ -14,6 +14,8 @@ namespace {
 
 constexpr int Parts = 8;
 constexpr std::size_t FewestSamples = 80;
+constexpr double LargestGap_rad = Pi / 3.0;   ///< without readings; ten a turn leave 36 degrees
+constexpr double LargestResidual_ratio = 0.2; ///< a cloud of noise about one point has about 0.5
 
 struct Conic {
     HallEllipse ellipse;
@@ -68,6 +70,27 @@ Result<Conic> fitConic(std::span<const double> a, std::span<const double> b) {
     return conic;
 }
 
+// The largest angle between neighbouring readings as seen from the centre: an arc fits many ellipses, of
+// which the least squares find one that is far too small, with little scatter.
+double largestGap_rad(const HallEllipse& ellipse, std::span<const double> a, std::span<const double> b) {
+    std::vector<double> angles_rad;
+    angles_rad.reserve(a.size() + 1);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        angles_rad.push_back(hallAngle_rad(ellipse, a[i], b[i]));
+    }
+    std::sort(angles_rad.begin(), angles_rad.end());
+    double gap_rad = angles_rad.front() + 2.0 * Pi - angles_rad.back();
+    for (std::size_t i = 1; i < angles_rad.size(); ++i) {
+        gap_rad = std::max(gap_rad, angles_rad[i] - angles_rad[i - 1]);
+    }
+    return gap_rad;
+}
+
+bool goesRound(const Conic& conic, std::span<const double> a, std::span<const double> b) {
+    return conic.residual_ratio <= LargestResidual_ratio &&
+           largestGap_rad(conic.ellipse, a, b) <= LargestGap_rad;
+}
+
 // The five values in a fixed order, for statistics over the parts.
 std::array<double HallEllipse::*, 5> members() {
     return {&HallEllipse::offsetA_T, &HallEllipse::offsetB_T, &HallEllipse::gain_ratio,
@@ -92,11 +115,13 @@ Result<HallEllipseFit> fitHallEllipse(std::span<const double> a_T, std::span<con
     const std::size_t length = a_T.size() / Parts;
     for (int i = 0; i < Parts; ++i) {
         const std::size_t begin = static_cast<std::size_t>(i) * length;
-        if (const auto part = fitConic(a_T.subspan(begin, length), b_T.subspan(begin, length))) {
+        const auto a = a_T.subspan(begin, length);
+        const auto b = b_T.subspan(begin, length);
+        if (const auto part = fitConic(a, b); part && goesRound(*part, a, b)) {
             parts.push_back(part->ellipse);
         }
     }
-    if (parts.size() < Parts / 2) {
+    if (!goesRound(*all, a_T, b_T) || parts.size() < Parts / 2) {
         return failure(ErrorCode::Refused, "parts of the record do not go round",
                        "turn the rotor through several whole turns");
     }

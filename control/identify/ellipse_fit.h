@@ -26,9 +26,10 @@ struct HallEllipseFit {
 /// The conic x^2 + p x y + q y^2 + r x + s y + t = 0 by linear least squares, in units of the amplitude, then
 ///   gain = 1/sqrt(q), sin(quadrature) = -p gain/2, offsets = centre.
 /// Noise biases it by (noise/amplitude)^2, 1e-6 here. The record is cut into eight parts of equal length,
-/// whose scatter gives the errors: they must hold a turn each. Errors: Refused (fewer than 80 samples, or
-/// they do not go round), NotFinite.
-/// Source: resources/help/identification.md section 6.
+/// whose scatter gives the errors; at least four must go round: no 60 degrees of the circle without a
+/// reading, and an rms distance of at most 0.2 of the amplitude. With `parts` of them, 95 % lie within
+/// Student's t of parts - 1 degrees of freedom. Errors: Refused (fewer than 80 samples, or they do not go
+/// round), NotFinite. Source: resources/help/identification.md section 6.
 Result<HallEllipseFit> fitHallEllipse(std::span<const double> a_T, std::span<const double> b_T);
 
 /// psi from the two readings under a calibration, (-pi, pi].

@@ -1,3 +1,4 @@
+#include "control/base/distributions.h"
 #include "control/base/random.h"
 #include "control/identify/calibration_fits.h"
 #include "control/identify/ellipse_fit.h"
@@ -81,6 +82,71 @@ TEST(HallEllipse, refusesReadingsThatDoNotGoRound) {
     EXPECT_FALSE(fitHallEllipse(few.a, few.b));
     const std::vector<double> still(200, 0.1);
     EXPECT_FALSE(fitHallEllipse(still, still));
+}
+
+// Readings of a rotor whose angle runs as given.
+template <typename Angle>
+Readings moving(const HallEllipse& truth, double noise_T, int samples, Angle angle_rad) {
+    Random random(3);
+    Readings readings;
+    for (int i = 0; i < samples; ++i) {
+        const double angle = angle_rad(i);
+        readings.a.push_back(truth.offsetA_T + truth.amplitude_T * std::cos(angle) +
+                             noise_T * random.gaussian());
+        readings.b.push_back(truth.offsetB_T +
+                             truth.amplitude_T * truth.gain_ratio * std::sin(angle + truth.quadrature_rad) +
+                             noise_T * random.gaussian());
+    }
+    return readings;
+}
+
+TEST(HallEllipse, refusesSwingsThatLeavePartOfTheCircleOut) {
+    const HallEllipse truth{0.5e-3, -0.3e-3, 0.99, 0.5 * Degree, 0.156};
+    for (const double swing_deg : {5.0, 30.0, 80.0, 120.0, 145.0}) {
+        for (const double middle_deg : {0.0, 40.0, 200.0}) {
+            const Readings readings = moving(truth, 1e-4, 10000, [&](int i) {
+                return (middle_deg + swing_deg * std::sin(0.00628 * i)) * Degree;
+            });
+            EXPECT_FALSE(fitHallEllipse(readings.a, readings.b)) << swing_deg << " about " << middle_deg;
+        }
+    }
+}
+
+TEST(HallEllipse, refusesAFractionOfATurnInEachPart) {
+    // Five turns over eight parts: each part holds 225 degrees.
+    const Readings slow = moving(Perfect, 1e-4, 8000, [](int i) { return 2.0 * M_PI * 5.0 * i / 8000.0; });
+    EXPECT_FALSE(fitHallEllipse(slow.a, slow.b));
+    const Readings enough = moving(Perfect, 1e-4, 8000, [](int i) { return 2.0 * M_PI * 9.0 * i / 8000.0; });
+    EXPECT_TRUE(fitHallEllipse(enough.a, enough.b));
+}
+
+TEST(HallEllipse, refusesNoiseAboutOnePoint) {
+    const Readings still = moving(Perfect, 1e-4, 8000, [](int) { return 0.7; });
+    EXPECT_FALSE(fitHallEllipse(still.a, still.b));
+}
+
+TEST(HallEllipse, intervalsHoldTheTruthInRandomMotions) {
+    // 95 % by Student's t: of 300 values (5 in each of 60 motions) at most 15 + 4 sqrt(15) = 30 may lie
+    // outside.
+    const HallEllipse truth{0.5e-3, -0.3e-3, 0.99, 0.5 * Degree, 0.156};
+    Random random(5);
+    int outside = 0;
+    for (int motion = 0; motion < 60; ++motion) {
+        const double speed = 0.01 + 0.1 * random.uniform();
+        Readings readings = moving(truth, 0.0, 8000, [&](int i) { return speed * i; });
+        for (std::size_t i = 0; i < readings.a.size(); ++i) {
+            readings.a[i] += 1e-3 * random.gaussian();
+            readings.b[i] += 1e-3 * random.gaussian();
+        }
+        const auto fit = fitHallEllipse(readings.a, readings.b);
+        ASSERT_TRUE(fit);
+        const double sigmas = studentQuantile(0.975, fit->parts - 1);
+        for (const auto member : {&HallEllipse::offsetA_T, &HallEllipse::offsetB_T, &HallEllipse::gain_ratio,
+                                  &HallEllipse::quadrature_rad, &HallEllipse::amplitude_T}) {
+            outside += std::fabs(fit->ellipse.*member - truth.*member) > sigmas * fit->error.*member ? 1 : 0;
+        }
+    }
+    EXPECT_LE(outside, 30);
 }
 
 TEST(StrayFit, returnsTheSlopeOfBothChannels) {
