@@ -14677,8 +14677,8 @@ Im Monitor ändern &lt; und &gt; sie. Ein wirkliches Gerät hat seine eigene Zei
         <translation>Verschoben; Ende drücken, um zu folgen</translation>
     </message>
     <message>
-        <source>At an event; press End to follow</source>
-        <translation>An einem Ereignis; Ende folgt wieder</translation>
+        <source>Triggered view; press End to follow</source>
+        <translation>Ansicht des Triggers; Ende folgt wieder</translation>
     </message>
     <message>
         <source>Keep as reference</source>

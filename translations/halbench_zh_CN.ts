@@ -14665,8 +14665,8 @@ In the Monitor &lt; and &gt; change it. A real device has its own time.</source>
         <translation>已滚动；按 End 键跟随</translation>
     </message>
     <message>
-        <source>At an event; press End to follow</source>
-        <translation>位于事件处；按 End 跟随</translation>
+        <source>Triggered view; press End to follow</source>
+        <translation>触发视图；按 End 跟随</translation>
     </message>
     <message>
         <source>Keep as reference</source>

@@ -235,7 +235,7 @@ QString LivePlotStack::stateWords() const {
         return tr("Paused, %1 s kept").arg(fixedText(m_view.behind_s(), 1));
     }
     if (!isFollowing()) {
-        return m_event_s ? tr("At an event; press End to follow") : tr("Scrolled; press End to follow");
+        return m_event_s ? tr("Triggered view; press End to follow") : tr("Scrolled; press End to follow");
     }
     return m_stale.isEmpty() ? tr("Following, %1 s").arg(numberText(m_view.range().length_s(), 4)) : m_stale;
 }

@@ -14,6 +14,10 @@ namespace {
 constexpr double ChangeLevel = 0.5;
 constexpr const char* Column = "source";
 
+/// A set-point that moves comes in steps of its own rate, often slower than the rows: it rested only when it
+/// did not change for this long. Set-points of 5 per second and faster are told from a new motion.
+constexpr double Rest_s = 0.25;
+
 bool isChanged(const control::TimedValue& before, const control::TimedValue& now) {
     return !now.isAfterGap && std::isfinite(before.value) && std::isfinite(now.value) &&
            before.value != now.value;
@@ -101,18 +105,24 @@ LiveTrigger::Samples LiveTrigger::newSamples(const std::string& signal, control:
 LiveTrigger::Samples LiveTrigger::setPointChanges(control::TimeRange range) const {
     Samples reference;
     Samples command;
-    m_history.samples(m_setPoint.reference, range, reference); // with the sample before the range
-    m_history.samples(m_setPoint.command, range, command);
+    const control::TimeRange looked{range.begin_s - Rest_s, range.end_s};
+    m_history.samples(m_setPoint.reference, looked, reference); // with the sample before the range
+    m_history.samples(m_setPoint.command, looked, command);
     const Samples& rows = reference.empty() ? command : reference;
     const bool isAligned = command.size() == rows.size();
     Samples changes;
+    std::optional<double> moved_s; // when it changed last, as far as it can matter
     for (std::size_t i = 1; i < rows.size(); ++i) {
         // A current moves all the time under a reference; where there is none it is the set-point itself.
         const bool isCommand = isAligned && isBothMissing(rows[i - 1], rows[i]);
-        const bool isNew =
+        const bool isMoved =
             isChanged(rows[i - 1], rows[i]) || (isCommand && isChanged(command[i - 1], command[i]));
+        const bool isBegin = isMoved && !(moved_s && rows[i].time_s - *moved_s < Rest_s);
+        if (isMoved) {
+            moved_s = rows[i].time_s;
+        }
         if (rows[i].time_s > range.begin_s) {
-            changes.push_back({rows[i].time_s, isNew ? 1.0 : 0.0, rows[i].isAfterGap});
+            changes.push_back({rows[i].time_s, isBegin ? 1.0 : 0.0, rows[i].isAfterGap});
         }
     }
     return changes;

@@ -25,8 +25,9 @@ struct SetPointSignals {
 };
 
 /// Looks for events in what comes into the history from the start on: an edge of a signal, or the moment in
-/// which the set-point begins to change (a reference that moves on is one event). Works on the history's
-/// time, so that what it finds can be shown; each update costs the samples that came since the one before.
+/// which the set-point begins to change after a rest of 0.25 s (a motion is one event, however coarse its
+/// steps). Works on the history's time, so that what it finds can be shown; each update costs the samples
+/// that came since the one before.
 class LiveTrigger {
 public:
     explicit LiveTrigger(const control::SampleHistory& history) : m_history(history) {}

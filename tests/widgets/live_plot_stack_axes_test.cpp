@@ -317,7 +317,7 @@ TEST_F(LivePlotStackTest, theStateBelowANarrowPlotIsWholeBecauseTheTitleGivesWay
     TimeAxisBar bar;
     const int letter_px = bar.fontMetrics().averageCharWidth();
     bar.setRange({-1.0, 3.0}, 1.0, 0.0); // the longer title: time from the event
-    bar.setState(QStringLiteral("At an event; press End to follow"), true);
+    bar.setState(QStringLiteral("Triggered view; press End to follow"), true);
     for (const int canvas : {40, 60, 200}) { // in letters; the legend has thirty at its right
         bar.resize((10 + canvas + 30) * letter_px, bar.height());
         bar.setCanvas(10 * letter_px, canvas * letter_px);

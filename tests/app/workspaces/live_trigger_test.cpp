@@ -117,6 +117,74 @@ TEST_F(LiveTriggerTest, aSetPointThatMovesOnIsOneEvent) {
     EXPECT_NEAR(shown[1].time_s, 2.5, Period_s);
 }
 
+// A set-point of the given rate under rows of 1 kHz: held between its own samples.
+double held(double time_s, double rate_Hz, const std::function<double(double)>& motion) {
+    return motion(std::floor(time_s * rate_Hz + 1e-6) / rate_Hz);
+}
+
+TEST_F(LiveTriggerTest, aSineSampledMoreSlowlyThanTheRowsIsOneEvent) {
+    for (const double rate_Hz : {1000.0, 500.0, 100.0, 50.0, 20.0, 8.0}) {
+        shown.clear();
+        choice.mode = control::TriggerMode::Normal;
+        choice.window_s = 0.2;
+        ASSERT_TRUE(trigger.start(choice, setPoint));
+        feed(1.0, [](double) { return Row{0.0, 0.0, 0.0}; });
+        const double begin_s = m_time_s;
+        feed(12.0, [&](double t) {
+            return Row{0.0,
+                       held(t - begin_s, rate_Hz, [](double u) { return std::sin(2.0 * M_PI * 0.7 * u); }),
+                       0.0};
+        });
+        ASSERT_EQ(shown.size(), 1U) << rate_Hz;
+        EXPECT_NEAR(shown[0].time_s, begin_s, 1.0 / rate_Hz + 2.0 * Period_s) << rate_Hz;
+        feed(1.0, [](double) { return Row{0.0, 0.0, 0.0}; }); // ends with a step, still part of the motion
+        EXPECT_EQ(shown.size(), 1U) << rate_Hz;
+    }
+}
+
+TEST_F(LiveTriggerTest, rampsChirpsAndCurrentsInCoarseStepsAreOneEventEach) {
+    const std::vector<std::function<Row(double)>> motions = {
+        [](double t) {
+            return Row{0.0, held(t, 100.0, [](double u) { return 3.0 * u; }), 0.0};
+        },
+        [](double t) {
+            return Row{0.0, held(t, 100.0, [](double u) { return std::sin(u * u); }), 0.0};
+        },
+        [](double t) {
+            return Row{0.0, NaN, held(t, 50.0, [](double u) { return 0.1 * u; })};
+        }};
+    for (const auto& motion : motions) {
+        shown.clear();
+        choice.mode = control::TriggerMode::Normal;
+        choice.window_s = 0.2;
+        const bool isCurrent = std::isnan(motion(0.0)[1]);
+        const auto still = [&](double) { return Row{0.0, isCurrent ? NaN : 0.0, 0.0}; };
+        feed(1.0, still);
+        ASSERT_TRUE(trigger.start(choice, setPoint));
+        feed(0.3, still); // an event needs its stretch before
+        const double begin_s = m_time_s;
+        feed(4.0, [&](double t) { return motion(t - begin_s); });
+        EXPECT_EQ(shown.size(), 1U);
+    }
+}
+
+TEST_F(LiveTriggerTest, aTriggerThatStartsInTheMiddleOfAMotionWaitsForTheNextOne) {
+    choice.mode = control::TriggerMode::Normal;
+    choice.window_s = 0.2;
+    const auto moving = [](double t) {
+        return Row{0.0, held(t, 100.0, [](double u) { return std::sin(4.0 * u); }), 0.0};
+    };
+    feed(2.0, moving);
+    ASSERT_TRUE(trigger.start(choice, setPoint));
+    feed(2.0, moving);
+    EXPECT_TRUE(shown.empty());
+    feed(0.5, [](double) { return Row{0.0, 0.0, 0.0}; });
+    const double begin_s = m_time_s;
+    feed(0.5, [](double) { return Row{0.0, 1.0, 0.0}; });
+    ASSERT_EQ(shown.size(), 1U);
+    EXPECT_NEAR(shown[0].time_s, begin_s, Period_s);
+}
+
 TEST_F(LiveTriggerTest, withoutAReferenceTheCommandedCurrentIsTheSetPoint) {
     choice.mode = control::TriggerMode::Normal;
     choice.window_s = 0.2;
