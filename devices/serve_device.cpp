@@ -71,7 +71,7 @@ Result<std::unique_ptr<ServerPort>> openPort(const ServeRequest& request, const 
             framingOf(request.profile), request.profile, request.faults.corrupt_ratio,
             random.fork(FrameStream), traffic)));
     }
-    const Result<NetworkAddress> address = parseNetworkAddress(request.address);
+    const Result<NetworkAddress> address = parseListenAddress(request.address);
     if (!address) {
         return failure(address.error());
     }
@@ -88,8 +88,7 @@ LineFaults faultsOfMessages(const ServeRequest& request) {
 
 } // namespace
 
-Result<LineTraffic> serveDevice(const ServeRequest& request,
-                                const std::function<void(const std::string&)>& onListening,
+Result<LineTraffic> serveDevice(const ServeRequest& request, const ListeningHook& onListening,
                                 const std::atomic<int>& interruptSignal) {
     const Result<DeviceUri> uri = parseDeviceUri(request.device);
     if (!uri) {
@@ -120,7 +119,7 @@ Result<LineTraffic> serveDevice(const ServeRequest& request,
     }
     ServedSimulation served(**board);
     FaultyBoard faulty(served, faultsOfMessages(request), random.fork(LineStream), traffic);
-    onListening((*port)->address());
+    onListening((*port)->address(), (*port)->isOpenToNetwork());
     serveBoard(**port, faulty, interruptSignal);
     return traffic;
 }

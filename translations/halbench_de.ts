@@ -4303,6 +4303,14 @@
         <translation>geben Sie die Beschreibung dieser Firmware an oder erneuern Sie die Firmware des Steuergeräts als Ganzes</translation>
     </message>
     <message>
+        <source>{}: another program works with this board</source>
+        <translation>{}: Ein anderes Programm arbeitet mit dieser Steuerung</translation>
+    </message>
+    <message>
+        <source>end that program&apos;s connection, then connect again; one that has gone silent is given up after a few seconds</source>
+        <translation>Die Verbindung jenes Programms beenden, dann erneut verbinden; eines, das verstummt ist, wird nach wenigen Sekunden aufgegeben</translation>
+    </message>
+    <message>
         <source>this version writes .csv, .mf4 and .mat</source>
         <translation>diese Version schreibt .csv, .mf4 und .mat</translation>
     </message>

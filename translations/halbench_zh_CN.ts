@@ -4303,6 +4303,14 @@
         <translation>请提供该固件的描述，或整体更新控制板固件</translation>
     </message>
     <message>
+        <source>{}: another program works with this board</source>
+        <translation>{}：另一个程序正在使用此控制板</translation>
+    </message>
+    <message>
+        <source>end that program&apos;s connection, then connect again; one that has gone silent is given up after a few seconds</source>
+        <translation>请结束该程序的连接，然后重新连接；已无响应的程序会在几秒后被放弃</translation>
+    </message>
+    <message>
         <source>this version writes .csv, .mf4 and .mat</source>
         <translation>此版本写入 .csv、.mf4 和 .mat</translation>
     </message>

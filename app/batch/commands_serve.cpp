@@ -84,8 +84,14 @@ CommandResult runServeCommand(CommandContext& context, const CommandOptions& opt
     if (!request) {
         return failure(request.error());
     }
-    const auto announce = [&](const std::string& address) {
+    const auto announce = [&](const std::string& address, bool isOpenToNetwork) {
         context.console.announce("listening " + address);
+        if (isOpenToNetwork) {
+            context.console.log(LogLevel::Warning,
+                                address +
+                                    " is open to the network: every machine that reaches it can use this "
+                                    "board; give 127.0.0.1 to serve this machine alone");
+        }
     };
     const Result<devices::LineTraffic> traffic =
         devices::serveDevice(*request, announce, context.interruptSignal);

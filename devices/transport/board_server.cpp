@@ -23,6 +23,7 @@ void serveBoard(ServerPort& port, ServedBoard& board, const std::atomic<int>& in
         board_s += std::min(std::chrono::duration<double>(now - last).count(), MaxCatchUp_s);
         last = now;
         board.advanceTo(board_s);
+        port.advanceTo(board_s);
         port.exchange(board);
     }
 }

@@ -19,13 +19,18 @@ public:
     virtual bool transmit(std::vector<std::uint8_t>& packet, std::uint16_t& counter) = 0;
 };
 
-/// Where masters reach a served board: a TCP port, a UDP port or a pseudo terminal. One master at a time;
-/// the board's own watchdog decides what a lost master means. Thread: the one that serves.
+/// Where masters reach a served board: a TCP port, a UDP port or a pseudo terminal. One master at a time, in
+/// a network the first one (session_holder.h); the board's own watchdog decides what a lost master means.
+/// Thread: the one that serves.
 class ServerPort {
 public:
     virtual ~ServerPort() = default;
     /// "tcp:127.0.0.1:5555", with the real port.
     virtual std::string address() const = 0;
+    /// Other machines reach it, not this one alone.
+    virtual bool isOpenToNetwork() const { return false; }
+    /// Time passes, by which a silent master is told.
+    virtual void advanceTo(double time_s) { (void)time_s; }
     /// Returns when a master said something, after `timeout_ms` at the latest.
     virtual void waitForTraffic(int timeout_ms) const = 0;
     /// Gives the board what arrived and the master what the board says; never blocks.
@@ -37,7 +42,7 @@ constexpr std::uint8_t ConnectCommand = 0xFF;
 /// MAX_CTO of every board.
 constexpr std::size_t MaxCommandOctets = 255;
 
-/// Serves one board, paced by the wall clock, until the flag is set (by SIGINT, SIGTERM or a test).
+/// Serves one board, paced by the wall clock, until the flag is set (by a signal or a test).
 void serveBoard(ServerPort& port, ServedBoard& board, const std::atomic<int>& interruptSignal);
 
 } // namespace halbench::devices

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace halbench::devices {
 
 namespace {
@@ -45,6 +47,23 @@ Result<std::optional<StreamMessage>> MessageParser::next() {
     }
     m_begin += HeaderOctets + length;
     return std::optional<StreamMessage>(StreamMessage{word(header + 2), {header + HeaderOctets, length}});
+}
+
+DatagramWatch::Arrival DatagramWatch::take(std::uint16_t counter, std::span<const std::uint8_t> packet) {
+    constexpr std::uint16_t HalfTurn = 0x8000;
+    const auto step = static_cast<std::uint16_t>(counter - m_last.value_or(counter));
+    const bool isSame = m_last && step == 0;
+    if (isSame && !std::equal(packet.begin(), packet.end(), m_lastPacket.begin(), m_lastPacket.end())) {
+        m_isCounting = false; // another message under the same number: it does not tell repeats
+    }
+    if (m_isCounting && (isSame || step >= HalfTurn)) {
+        return {true, 0};
+    }
+    const std::uint16_t missing = m_counters.missingBefore(counter);
+    m_counters.take(counter);
+    m_last = counter;
+    m_lastPacket.assign(packet.begin(), packet.end());
+    return {false, missing};
 }
 
 void appendMessage(std::vector<std::uint8_t>& stream, std::uint16_t counter,

@@ -53,6 +53,24 @@ private:
     bool m_hasLast = false;
 };
 
+/// Tells what a network did to the datagrams of one session. A message that came before, or that a later one
+/// overtook, is stale and has to be dropped: an old answer would pass for that of the command after it, an
+/// old command would be done once more. What was overtaken was missing already when the later one came. Pure.
+class DatagramWatch {
+public:
+    struct Arrival {
+        bool isStale = false;
+        std::uint16_t missing = 0; ///< messages between the last one and this
+    };
+    Arrival take(std::uint16_t counter, std::span<const std::uint8_t> packet);
+
+private:
+    CounterWatch m_counters;
+    std::optional<std::uint16_t> m_last;
+    std::vector<std::uint8_t> m_lastPacket;
+    bool m_isCounting = true; ///< the other side does not leave its counter at one value
+};
+
 /// Appends one message.
 void appendMessage(std::vector<std::uint8_t>& stream, std::uint16_t counter,
                    std::span<const std::uint8_t> packet);

@@ -5,6 +5,7 @@
 #include <netinet/in.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -62,6 +63,14 @@ Result<NetworkAddress> parseNetworkAddress(const std::string& text) {
     return address;
 }
 
+Result<NetworkAddress> parseListenAddress(const std::string& text) {
+    const std::string port = text.starts_with(':') ? text.substr(1) : text;
+    const bool isPortAlone =
+        !port.empty() && port.find(':') == std::string::npos &&
+        std::all_of(port.begin(), port.end(), [](char c) { return c >= '0' && c <= '9'; });
+    return parseNetworkAddress(isPortAlone ? "127.0.0.1:" + port : text);
+}
+
 std::string uriOf(const NetworkAddress& address, SocketKind kind) {
     return (kind == SocketKind::Stream ? "tcp:" : "udp:") + address.text();
 }
@@ -102,6 +111,20 @@ Result<Descriptor> bindSocket(NetworkAddress& address, SocketKind kind) {
     return failure(ErrorCode::InvalidInput,
                    fmt::format("cannot listen on {}: {}", uriOf(address, kind), std::strerror(error)),
                    "give an address of this machine and a free port, or port 0");
+}
+
+bool isOpenToNetwork(const Descriptor& socket) {
+    sockaddr_storage name{};
+    socklen_t size = sizeof name;
+    if (::getsockname(socket.number(), reinterpret_cast<sockaddr*>(&name), &size) != 0) {
+        return true;
+    }
+    if (name.ss_family == AF_INET6) {
+        const in6_addr& address = reinterpret_cast<const sockaddr_in6&>(name).sin6_addr;
+        const bool isMappedLoopback = IN6_IS_ADDR_V4MAPPED(&address) && address.s6_addr[12] == IN_LOOPBACKNET;
+        return !IN6_IS_ADDR_LOOPBACK(&address) && !isMappedLoopback;
+    }
+    return ntohl(reinterpret_cast<const sockaddr_in&>(name).sin_addr.s_addr) >> 24U != IN_LOOPBACKNET;
 }
 
 } // namespace halbench::devices

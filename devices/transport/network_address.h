@@ -20,6 +20,10 @@ struct NetworkAddress {
 /// Errors: InvalidInput.
 Result<NetworkAddress> parseNetworkAddress(const std::string& text);
 
+/// Where to listen: `HOST:PORT`, or `PORT` and `:PORT` for this machine alone (127.0.0.1). Errors:
+/// InvalidInput.
+Result<NetworkAddress> parseListenAddress(const std::string& text);
+
 /// TCP or UDP.
 enum class SocketKind { Stream, Datagram };
 /// "tcp:HOST:PORT" or "udp:HOST:PORT".
@@ -37,5 +41,7 @@ Descriptor makeSocket(const addrinfo& entry);
 /// Binds to the address; port 0 picks a free one, and `address` then holds it. Errors: InvalidInput (port in
 /// use, not of this machine), DeviceLost (host name).
 Result<Descriptor> bindSocket(NetworkAddress& address, SocketKind kind);
+/// True when a bound socket is reached from other machines as well.
+bool isOpenToNetwork(const Descriptor& socket);
 
 } // namespace halbench::devices

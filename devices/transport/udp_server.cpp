@@ -1,11 +1,8 @@
 #include "devices/transport/udp_server.h"
 
-#include "devices/transport/message_stream.h"
-
 #include <poll.h>
 
 #include <array>
-#include <cstring>
 
 namespace halbench::devices {
 
@@ -16,15 +13,14 @@ constexpr std::size_t LargestDatagram = 65536;
 constexpr int MaxDatagramsAtOnce = 64;
 constexpr std::size_t MessageHeader = 4;
 
-/// USER_CMD "E" (resources/help/protocol.md 3.11).
-bool isStop(std::span<const std::uint8_t> packet) {
-    return packet.size() >= 2 && packet[0] == 0xF1 && packet[1] == 0x45;
-}
+/// A CONNECT that comes once more so soon is the network's repeat of one; later it is a master that was
+/// started again at its old address and counts anew.
+constexpr double LatestRepeat_s = 0.5;
 
 } // namespace
 
-bool UdpServer::Peer::operator==(const Peer& other) const {
-    return size == other.size && std::memcmp(&name, &other.name, size) == 0;
+std::string UdpServer::Peer::text() const {
+    return {reinterpret_cast<const char*>(&name), size};
 }
 
 UdpServer::UdpServer(NetworkAddress address, Descriptor socket)
@@ -63,28 +59,66 @@ void UdpServer::takeDatagram(ServedBoard& board, std::span<const std::uint8_t> d
     MessageParser parser(MaxCommandOctets);
     parser.feed(datagram);
     for (auto message = parser.next(); message && *message; message = parser.next()) {
-        takePacket(board, (*message)->packet, sender);
+        takePacket(board, **message, sender);
     }
 }
 
-void UdpServer::takePacket(ServedBoard& board, std::span<const std::uint8_t> packet, const Peer& sender) {
-    const bool isMaster = m_master == sender;
-    if (!isMaster && packet[0] == ConnectCommand) {
-        collectPackets(board); // what the board said so far was for the master before
-        sendDatagram();
-        m_master = sender;
-    } else if (!isMaster && !isStop(packet)) {
+void UdpServer::takePacket(ServedBoard& board, const StreamMessage& message, const Peer& sender) {
+    using Ruling = SessionHolder::Ruling;
+    const std::string name = sender.text();
+    if (isStale(message, name)) {
         return;
     }
-    board.receive(packet);
-    collectPackets(board);
+    const Ruling ruling = m_session.judge(name, message.packet, m_now_s);
+    if (ruling == Ruling::Refused) {
+        refuse(sender);
+    }
+    if (ruling == Ruling::Refused || ruling == Ruling::Ignored) {
+        return;
+    }
+    const bool isStrangers = ruling == Ruling::StrangersStop;
+    if (isStrangers || ruling == Ruling::Begins) {
+        collectPackets(board); // what the board said so far was for the master before
+        sendDatagram();
+    }
+    if (ruling == Ruling::Begins) {
+        beginSession(message, sender);
+    }
+    board.receive(message.packet);
+    collectPackets(board, isStrangers ? 1 : 0);
 }
 
-void UdpServer::collectPackets(ServedBoard& board) {
+bool UdpServer::isStale(const StreamMessage& message, const std::string& sender) {
+    if (!m_master || sender != m_masterText) {
+        return false;
+    }
+    const bool isAnew = beginsSession(message.packet) && m_now_s - m_began_s > LatestRepeat_s;
+    return m_heard.take(message.counter, message.packet).isStale && !isAnew;
+}
+
+void UdpServer::beginSession(const StreamMessage& message, const Peer& sender) {
+    m_master = sender;
+    m_masterText = sender.text();
+    m_began_s = m_now_s;
+    m_heard = {};
+    (void)m_heard.take(message.counter, message.packet);
+}
+
+void UdpServer::refuse(const Peer& sender) {
+    std::vector<std::uint8_t> datagram;
+    appendMessage(datagram, m_refusals++, refusedConnect());
+    (void)::sendto(m_socket.number(), datagram.data(), datagram.size(), MSG_NOSIGNAL,
+                   reinterpret_cast<const sockaddr*>(&sender.name), sender.size);
+}
+
+/// `unwantedAnswers`: so many are of commands that the master did not send.
+void UdpServer::collectPackets(ServedBoard& board, int unwantedAnswers) {
     std::uint16_t counter = 0;
     while (board.transmit(m_packet, counter)) {
+        m_session.noteSaid(m_packet);
         const std::size_t octets = MessageHeader + m_packet.size();
-        if (!m_master || octets > MaxDatagram) {
+        const bool isUnwanted = isAnswer(m_packet) && unwantedAnswers-- > 0;
+        if (!m_master || octets > MaxDatagram || isUnwanted) {
             continue; // what a board says while nobody listens is lost
         }
         if (m_datagram.size() + octets > MaxDatagram) {

@@ -1,5 +1,7 @@
 #include "devices/transport/udp_transport.h"
 
+#include "devices/transport/session_holder.h"
+
 #include <fmt/format.h>
 #include <sys/socket.h>
 
@@ -52,7 +54,7 @@ Result<void> UdpTransport::open() {
     }
     enlargeBuffer();
     m_datagram = MessageParser(MaxPacket);
-    m_counters = {};
+    m_heard = {};
     return {};
 }
 
@@ -87,6 +89,9 @@ std::optional<std::string> UdpTransport::remarkOnStream(double packets_Hz, std::
 }
 
 Result<void> UdpTransport::send(std::span<const std::uint8_t> packet) {
+    if (beginsSession(packet)) {
+        m_heard = {}; // a board may count anew from here
+    }
     m_outgoing.clear();
     appendMessage(m_outgoing, m_sendCounter++, packet);
     if (::send(m_socket.number(), m_outgoing.data(), m_outgoing.size(), MSG_NOSIGNAL) < 0) {
@@ -100,21 +105,27 @@ Result<void> UdpTransport::send(std::span<const std::uint8_t> packet) {
     return {};
 }
 
+/// The next message of the datagram that is not stale.
 bool UdpTransport::takeMessage(std::vector<std::uint8_t>& packet) {
-    const Result<std::optional<StreamMessage>> message = m_datagram.next();
-    if (!message) {
-        ++m_statistics.packetsDamaged;
-        m_datagram = MessageParser(MaxPacket);
-        return false;
+    for (;;) {
+        const Result<std::optional<StreamMessage>> message = m_datagram.next();
+        if (!message) {
+            ++m_statistics.packetsDamaged;
+            m_datagram = MessageParser(MaxPacket);
+            return false;
+        }
+        if (!*message) {
+            return false;
+        }
+        const DatagramWatch::Arrival arrival = m_heard.take((*message)->counter, (*message)->packet);
+        if (arrival.isStale) {
+            continue;
+        }
+        m_statistics.packetsLost += arrival.missing;
+        ++m_statistics.packetsReceived;
+        packet.assign((*message)->packet.begin(), (*message)->packet.end());
+        return true;
     }
-    if (!*message) {
-        return false;
-    }
-    m_statistics.packetsLost += m_counters.missingBefore((*message)->counter);
-    m_counters.take((*message)->counter);
-    ++m_statistics.packetsReceived;
-    packet.assign((*message)->packet.begin(), (*message)->packet.end());
-    return true;
 }
 
 Result<void> UdpTransport::readDatagram() {

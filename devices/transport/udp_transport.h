@@ -9,7 +9,8 @@
 namespace halbench::devices {
 
 /// A board behind a UDP port (resources/help/protocol.md 3.2): one command a datagram out, whole messages in.
-/// What is no message is counted as damaged and dropped. The system keeps datagrams that arrive while nobody
+/// What is no message is counted as damaged and dropped; a message that came before or was overtaken is
+/// dropped too. The system keeps datagrams that arrive while nobody
 /// receives, up to its own limit; the sender does not wait. Time is the host's steady clock. Thread: one, the
 /// connection's.
 class UdpTransport : public Transport {
@@ -43,7 +44,7 @@ private:
     TransportStatistics m_statistics;
     std::vector<std::uint8_t> m_outgoing;
     std::uint16_t m_sendCounter = 0;
-    CounterWatch m_counters;
+    DatagramWatch m_heard;
     std::chrono::steady_clock::time_point m_start;
 };
 

@@ -29,6 +29,18 @@ bool isRefusedWith(const Reply<Packet>& reply, SlaveError error) {
            reply.error().slaveError == static_cast<std::uint8_t>(error);
 }
 
+/// A CONNECT that was refused for a reason of the whole board.
+Error connectError(const Trouble& trouble, const Transport& transport) {
+    if (trouble.cause == TroubleCause::Slave && isBusy(trouble.slaveError)) {
+        return {
+            ErrorCode::DeviceRefused,
+            fmt::format("{}: another program works with this board", transport.description()),
+            "end that program's connection, then connect again; one that has gone silent is given up after "
+            "a few seconds"};
+    }
+    return trouble.error;
+}
+
 /// The board has said of this very command that it did nothing. SEQUENCE and SYNCH may answer an older one.
 bool isDefinite(const Trouble& trouble) {
     const auto code = static_cast<SlaveError>(trouble.slaveError);
@@ -77,6 +89,7 @@ Result<void> XcpMaster::connect(double patience_s) {
         const Reply<ConnectResponse> session = connectOnce();
         if (session) {
             m_session = *session;
+            m_hasConnected = true;
             m_encoder = CommandEncoder(session->order);
             return {};
         }
@@ -85,7 +98,7 @@ Result<void> XcpMaster::connect(double patience_s) {
                                 (trouble.cause == TroubleCause::Slave && !isBusy(trouble.slaveError));
         const double next_s = m_link->transport().now_s() + ConnectPause_s;
         if (isHopeless || next_s >= end_s) {
-            return failure(trouble.error);
+            return failure(connectError(trouble, m_link->transport()));
         }
         m_link->transport().noteUnansweredConnect();
         if (Result<void> waited = m_link->pumpUntil(next_s); !waited) {
@@ -106,9 +119,14 @@ Reply<ConnectResponse> XcpMaster::connectOnce() {
     return *session;
 }
 
+/// A session that is not ended keeps other masters out: an order that is lost is given once more.
 void XcpMaster::disconnect() noexcept {
-    if (!m_link->lost()) {
-        (void)m_link->exchange(m_encoder.plain(Command::Disconnect));
+    const int tries = m_hasConnected ? 2 : 1;
+    for (int attempt = 0; attempt < tries && !m_link->lost(); ++attempt) {
+        const Reply<Packet> ended = m_link->exchange(m_encoder.plain(Command::Disconnect));
+        if (ended || ended.error().cause != TroubleCause::Timeout) {
+            break;
+        }
     }
 }
 

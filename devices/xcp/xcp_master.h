@@ -108,6 +108,7 @@ private:
     XcpLink* m_link;
     CommandEncoder m_encoder;
     ConnectResponse m_session;
+    bool m_hasConnected = false;  ///< a session was begun and is to be ended
     std::optional<Address> m_mta; ///< where the board's transfer pointer stands, when known
     std::optional<std::pair<std::uint8_t, std::uint8_t>> m_daqPtr; ///< ODT and entry, likewise
     bool m_hasShortDownload = true;

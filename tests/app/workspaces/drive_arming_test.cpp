@@ -101,7 +101,7 @@ private:
     void serve() {
         (void)devices::serveDevice(
             {"sim:htm", devices::ServedLine::Tcp, "127.0.0.1:0", {}},
-            [this](const std::string& uri) {
+            [this](const std::string& uri, bool) {
                 const std::lock_guard lock(m_mutex);
                 m_uri = uri;
             },

@@ -1,12 +1,13 @@
 """The lines themselves: datagrams, frames, damage, masters that come and go (protocol.md 3.2, 3.3)."""
 import random
+import struct
 import time
 import unittest
 
 import line
 import wire
 from check_base import SlaveCase, not_where
-from master import DaqList, NoAnswer
+from master import DaqList, NoAnswer, XcpError
 from wire import RES
 
 
@@ -76,7 +77,7 @@ class Datagrams(SlaveCase):
         self.assertEqual(master.answer()[0], RES)
         master.status()
 
-    def test_stranger_is_ignored_until_he_connects(self):
+    def test_stranger_is_ignored(self):
         master = self.master(describe=False)
         stranger = self.raw_master()
         stranger.send(bytes([wire.GET_STATUS]))
@@ -84,24 +85,47 @@ class Datagrams(SlaveCase):
         self.assert_silent(stranger, 0.2)
         self.assertEqual(master.answers, [])
         master.status()
-        stranger.connect()
-        master.send(bytes([wire.GET_STATUS]))
-        self.assert_silent(master, 0.2)
-        stranger.status()
 
-    def test_stream_goes_to_the_master_that_connected_last(self):
+    def test_stream_stays_with_the_master_that_connected_first(self):
         first = self.master()
         first.start([DaqList(event=0, odts=[[first.a2l.signals[self.target.moving]]])])
         first.pump(0.1)
         self.assertTrue(first.dtos)
-        second = self.master()
+        second = self.raw_master()
+        with self.assertRaises(XcpError):
+            second.connect(patience_s=0)
         first.pump(0.05)
         first.dtos.clear()
-        second.start([DaqList(event=0, odts=[[second.a2l.signals[self.target.moving]]])])
-        second.pump(0.1)
-        first.pump(0.05)
-        self.assertTrue(second.dtos)
-        self.assertEqual(first.dtos, [])
+        first.pump(0.1)
+        self.assertTrue(first.dtos)
+        self.assertEqual((second.dtos, first.lost), ([], 0))
+
+    def test_command_that_comes_twice_is_done_and_answered_once(self):
+        master = self.master()
+        for _ in range(50):
+            octets = wire.message(bytes([wire.GET_STATUS]), master.counter)
+            master.counter += 1
+            master.line.send_octets(octets)
+            master.line.send_octets(octets)
+            self.assertEqual(master.answer()[0], RES)
+        self.assert_silent(master, 0.2)
+        connect = wire.message(bytes([wire.CONNECT, 0]), 0)     # the first one of all, late
+        master.start([DaqList(event=0, odts=[[master.a2l.signals[self.target.moving]]])])
+        master.line.send_octets(connect)
+        self.serve_for(master, 0.2)
+        self.assertTrue(master.status()[0] & 0x40, "the session was not begun anew")
+
+    def test_command_that_was_overtaken_is_not_done(self):
+        master = self.master()
+        item = master.a2l.parameters["gain.kp"]
+        orders = [struct.pack("<BBBBI", wire.SHORT_DOWNLOAD, item.size, 0, item.extension, item.address) +
+                  item.encode(value, master.order) for value in (11, 12)]
+        for number in (1, 0):
+            master.line.send_octets(wire.message(orders[number], master.counter + number))
+        master.counter += 2
+        self.assertEqual(master.answer()[0], RES)
+        self.assert_silent(master, 0.2)
+        self.assertEqual(item.physical(master.read(item)), 12)
 
     def test_stop_of_a_stranger_is_obeyed(self):
         master = self.master()

@@ -11,7 +11,8 @@ import time
 import unittest
 
 from master import Master
-from target import slave_target
+from relay import Relay
+from target import program_target, slave_target
 from variants import FOREIGN, HOSTILE
 
 PROGRAM = ""
@@ -224,6 +225,112 @@ for name in HOSTILE:
     else:
         group = HostileFrames if name.endswith("_len") or name in ("mute", "silence") else HostileAnswers
     setattr(group, f"test_{name}", hostile_case(name))
+
+
+class UnrulyNetwork(unittest.TestCase):
+    """Datagrams that come twice, late or never: a value never stands under another name (protocol.md 3.2)."""
+    NAMES = ("gain.kp", "gain.ki", "gain.kd", "limit.current", "window.speed", "window.position", "feedforward.inertia")
+
+    def setUp(self):
+        self.running = program_target(PROGRAM, "udp").start()
+        self.addCleanup(self.running.stop)
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.environment = os.environ | {"XDG_CACHE_HOME": self.folder.name}
+
+    def network(self, seed, **faults):
+        relay = Relay(self.running.address, seed, **faults)
+        self.addCleanup(relay.stop)
+        return relay
+
+    def values(self, uri):
+        answer = Answer(["get", uri, *self.NAMES, "--json"], self.environment)
+        self.assertEqual(answer.code, 0, answer)
+        return {v["name"]: v["value"] for v in answer.json()["values"]}
+
+    def test_values_are_right_whatever_comes_twice(self):
+        right = self.values(self.running.address)
+        relay = self.network(1)
+        for _ in range(25):
+            self.assertEqual(self.values(relay.address), right)
+        self.assertGreater(relay.counts["twice"], 25)
+
+    def test_values_are_right_whatever_is_overtaken_or_lost(self):
+        right = self.values(self.running.address)
+        relay = self.network(2, twice=0.03, late=0.01, lost=0.01)
+        for _ in range(10):
+            self.assertEqual(self.values(relay.address), right)
+        self.assertGreater(sum(relay.counts.values()), 20)
+
+    def test_rows_come_once_and_what_is_overtaken_is_counted(self):
+        relay = self.network(3, twice=0.05, late=0.05)
+        path = os.path.join(self.folder.name, "f.csv")
+        answer = Answer(["record", relay.address, "--duration", "2", "--rate", "100", "--out", path, "--json"],
+                        self.environment)
+        self.assertEqual(answer.code, 0, answer)
+        with open(path, encoding="utf-8") as file:
+            times = [float(row.split(",")[0]) for row in file.read().splitlines()[1:]]
+        self.assertEqual(times, sorted(set(times)), "no row twice, none out of order")
+        result = answer.json()
+        self.assertEqual(result["rows"], len(times))
+        self.assertGreater(result["lost_rows"], 0)
+        # What was overtaken behind the last row that came has no row after it to be missed from.
+        self.assertIn(result["rows"] + result["lost_rows"], range(197, 201))
+
+
+class OtherFirmware(ProgramCase):
+    """A description of another firmware than the board's: said everywhere, and nothing is written."""
+    SAID = "but its description is of 'FW-OTHER'"
+
+    def setUp(self):
+        self.serve("plain")
+        master = Master(self.running.address)
+        master.connect()
+        text = master.get_id(4).decode("utf-8")
+        self.epk = master.describe().epk
+        self.kept = master.read_name("gain.kp")
+        master.command(0xFE)
+        master.close()
+        self.own = self.uri + "?a2l=" + self.describe("own.a2l", text)
+        self.uri += "?a2l=" + self.describe("other.a2l", text.replace(f'"{self.epk}"', '"FW-OTHER"'))
+
+    def describe(self, name, text):
+        path = os.path.join(self.folder, name)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        return path
+
+    def test_reading_is_doubtful_and_says_so(self):
+        path = os.path.join(self.folder, "f.csv")
+        for verb, arguments in (("describe", ()), ("get", ("gain.kp", "counter")),
+                                ("record", ("--duration", "0.1", "--signals", "counter", "--out", path))):
+            with self.subTest(verb=verb):
+                answer = self.accept(verb, *arguments)
+                self.assertRegex(answer.err, f"warning: the board runs firmware '{self.epk}', {self.SAID}")
+                quality = answer.json()["data_quality"]
+                self.assertEqual(quality["verdict"], "doubtful")
+                self.assertEqual([f["code"] for f in quality["findings"]], ["other_firmware"])
+                self.assertTrue(quality["findings"][0]["hint"])
+
+    def test_nothing_is_written(self):
+        for verb, arguments in (("set", ("gain.kp=12",)), ("set", ("gain.kp=12", "--save")),
+                                ("move", ("--arm", "--reference", "step,amplitude_deg=5", "--duration", "0.2"))):
+            with self.subTest(verb=verb, arguments=arguments):
+                answer = self.run_on(verb, *arguments)
+                self.assertIn(answer.code, (2, 3), answer)
+                self.assertIn(self.SAID, answer.err)
+                self.assertTrue(answer.json()["hint"], answer)
+        self.assertIn("nothing is written", self.run_on("set", "gain.kp=12").json()["message"])
+        self.assertEqual(self.board_value("gain.kp"), self.kept)
+        self.assertEqual(self.board_value("hb.arm"), 0)
+
+    def test_own_description_is_good(self):
+        self.uri = self.own
+        answer = self.accept("get", "gain.kp")
+        self.assertEqual(answer.json()["data_quality"]["verdict"], "good")
+        self.assertNotIn("firmware", answer.err)
+        self.accept("set", "gain.kp=12")
+        self.assertEqual(self.board_value("gain.kp"), 12)
 
 
 if __name__ == "__main__":

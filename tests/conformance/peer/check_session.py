@@ -4,7 +4,7 @@ import time
 
 import wire
 from check_base import SlaveCase, only_on
-from master import NoAnswer
+from master import XcpError
 from wire import RES, ERR
 
 # Octets that each command needs after its code.
@@ -132,16 +132,60 @@ class Session(SlaveCase):
         self.assertEqual(master.lost, 0)
 
     @only_on("tcp", "udp")
-    def test_second_master_takes_the_session_over(self):
+    def test_second_master_is_refused_until_the_first_one_ends(self):
         first = self.master()
-        second = self.master()
-        second.status()
-        with self.assertRaises((NoAnswer, OSError)):
+        second = self.raw_master()
+        for _ in range(3):
+            self.assert_refused(second)
+            second.send(bytes([wire.GET_STATUS]), bytes([wire.DISCONNECT]))
+            self.assert_silent(second, 0.1)
             first.status()
-            first.status()
+        self.assertEqual(first.lost, 0)
+        first.command(wire.DISCONNECT)
+        second.connect(patience_s=0)
         second.status()
-        third = self.master(describe=False)
-        third.status()
+        self.assert_refused(first)
+
+    @only_on("tcp")
+    def test_master_that_leaves_frees_the_board_at_once(self):
+        self.master(describe=False).close()
+        self.raw_master().connect(patience_s=0)
+
+    @only_on("tcp")
+    def test_bare_connections_do_not_disturb(self):
+        early = self.raw_master()                       # a port scan that came before
+        master = self.master()
+        self.set_in_motion(master, watchdog_ms=500)
+        for _ in range(20):
+            self.raw_master().close()                   # a health check
+            self.raw_master()                           # one that stays open
+            nonsense = self.raw_master()
+            nonsense.line.send_octets(b"GET / HTTP/1.1\r\nHost: board\r\n\r\n")
+            self.serve_for(master, 0.05)
+        early.send(bytes([wire.GET_STATUS]))
+        self.assert_silent(early, 0.1)
+        self.assertEqual(master.read_name("hb.arm"), 1)
+        self.assertEqual((master.lost, master.is_closed), (0, False))
+
+    @only_on("tcp", "udp")
+    def test_silent_master_with_a_watchdog_is_followed_by_the_next(self):
+        first = self.master()
+        self.set_in_motion(first, watchdog_ms=300)
+        second = self.raw_master()
+        self.assert_refused(second)
+        time.sleep(0.5)
+        second.connect(patience_s=0)
+
+    @only_on("tcp", "udp")
+    def test_master_that_says_nothing_keeps_its_session_while_nobody_asks(self):
+        master = self.master(describe=False)
+        time.sleep(4.0)
+        master.status()
+
+    def assert_refused(self, master):
+        with self.assertRaises(XcpError) as refused:
+            master.connect(patience_s=0)
+        self.assertEqual(refused.exception.code, wire.ERR_NOT_ACCESSIBLE)
 
     def test_slave_survives_masters_that_vanish(self):
         for _ in range(10):

@@ -148,9 +148,18 @@ class Master:
                     raise
         return self.command(wire.CONNECT, "B", 0)
 
-    def connect(self):
+    def connect(self, patience_s=5.0):
+        """Asks again while another master holds the session: one that vanished does for a while (protocol.md 3.2)."""
         lost = self.lost
-        answer = self.call()
+        end = time.monotonic() + patience_s
+        while True:
+            try:
+                answer = self.call()
+                break
+            except XcpError as error:
+                if error.code != wire.ERR_NOT_ACCESSIBLE or time.monotonic() > end:
+                    raise
+                time.sleep(0.1)
         self.lost = lost                    # what an older session left on its way is discarded, not lost
         assert len(answer) == 7, f"CONNECT answers 8 octets, got {len(answer) + 1}"
         self.resource, self.comm_mode = answer[0], answer[1]

@@ -348,13 +348,14 @@ class Slave:
 
 
 class Server:
-    """Serves one master at a time; a newcomer takes the session over."""
+    """Serves one master at a time: the first one that sent CONNECT, until it ends the session or leaves."""
 
     def __init__(self, slave, port=0):
         self.slave = slave
         self.listener = socket.create_server(("127.0.0.1", port))
         self.port = self.listener.getsockname()[1]
-        self.peer = None
+        self.callers = {}               # socket: splitter
+        self.peer = None                # the master
         self.counter = 0
         self.started = time.monotonic()
 
@@ -370,29 +371,48 @@ class Server:
 
     def drop(self):
         if self.peer:
-            self.peer.close()
-        self.peer = None
-        self.slave.is_connected = False
-        self.slave.reset_session()
+            self.leave(self.peer)
+
+    def leave(self, caller):
+        self.callers.pop(caller, None)
+        caller.close()
+        if caller is self.peer:
+            self.peer = None
+            self.slave.is_connected = False
+            self.slave.reset_session()
 
     def accept(self):
-        self.drop()
-        self.peer, _ = self.listener.accept()
-        self.peer.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        self.peer.settimeout(2.0)
-        self.splitter = wire.Splitter()
+        caller, _ = self.listener.accept()
+        caller.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        caller.settimeout(2.0)
+        self.callers[caller] = wire.Splitter()
 
-    def take_in(self):
+    def admits(self, caller, packet):
+        """Whether the packet is the master's; a stranger may ask for the session, and stop the board."""
+        if caller is self.peer:
+            return True
+        if packet[:2] == bytes([wire.USER_CMD, wire.USER_STOP]):
+            self.slave.handle(packet)
+        if packet[:2] != bytes([wire.CONNECT, 0]):
+            return False
+        if self.peer and self.slave.is_connected:
+            caller.sendall(wire.message(bytes([ERR, wire.ERR_NOT_ACCESSIBLE]), 0))
+            return False
+        self.peer = caller
+        return True
+
+    def take_in(self, caller):
         try:
-            octets = self.peer.recv(65536)
-            packets = self.splitter.feed(octets) if octets else []
+            octets = caller.recv(65536)
+            packets = self.callers[caller].feed(octets) if octets else []
+            for _, packet in packets:
+                if self.admits(caller, packet):
+                    for answer in self.slave.mischief.answers(packet, self.slave.handle(packet)):
+                        self.send(answer)
         except (OSError, ValueError):
-            octets, packets = b"", []
-        for _, packet in packets:
-            for answer in self.slave.mischief.answers(packet, self.slave.handle(packet)):
-                self.send(answer)
-        if not octets:
-            self.drop()
+            octets = b""
+        if not octets and caller in self.callers:
+            self.leave(caller)
 
     def advance(self):
         due = int((time.monotonic() - self.started) * 1000)
@@ -415,12 +435,12 @@ class Server:
                 return
 
     def step(self):
-        sockets = [self.listener] + ([self.peer] if self.peer else [])
-        ready, _, _ = select.select(sockets, [], [], 0.0005)
+        ready, _, _ = select.select([self.listener, *self.callers], [], [], 0.0005)
+        for caller in list(self.callers):       # the oldest first: a master that left is known before the next asks
+            if caller in ready and caller in self.callers:
+                self.take_in(caller)
         if self.listener in ready:
             self.accept()
-        elif self.peer in ready:
-            self.take_in()
         self.advance()
 
 

@@ -418,6 +418,23 @@ class Consent(ProgramCase):
 
 
 class Serving(ProgramCase):
+    def listen(self, kind, place):
+        process = self.start_program("serve", "sim:htm", f"--{kind}", place)
+        address = process.stdout.readline().removeprefix("listening ").strip()
+        process.send_signal(signal.SIGTERM)
+        return address, process.communicate(timeout=10)[1]
+
+    def test_serves_this_machine_alone_unless_told_otherwise(self):
+        for kind in ("tcp", "udp"):
+            for place in ("0", ":0", "127.0.0.1:0", "localhost:0"):
+                with self.subTest(kind=kind, place=place):
+                    address, err = self.listen(kind, place)
+                    self.assertRegex(address, rf"^{kind}:(127\.0\.0\.1|localhost):\d+$")
+                    self.assertEqual(err, "")
+            address, err = self.listen(kind, "0.0.0.0:0")
+            self.assertRegex(address, rf"^{kind}:0\.0\.0\.0:\d+$")
+            self.assertRegex(err, rf"^halbench: warning: {address} is open to the network: [^\n]*127\.0\.0\.1[^\n]*\n$")
+
     def test_places_that_cannot_be_listened_at_are_refused(self):
         for place in ("", "127.0.0.1", "127.0.0.1:x", "127.0.0.1:70000"):
             with self.subTest(place=place):

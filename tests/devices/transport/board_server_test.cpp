@@ -73,6 +73,19 @@ TEST(NetworkAddress, takesHostAndPortAndRefusesTheRest) {
     }
 }
 
+TEST(NetworkAddress, aPlaceToListenAtIsThisMachineUnlessAHostIsNamed) {
+    for (const char* text : {"5555", ":5555", "127.0.0.1:5555"}) {
+        const auto address = parseListenAddress(text);
+        ASSERT_TRUE(address) << text;
+        EXPECT_EQ(address->text(), "127.0.0.1:5555") << text;
+    }
+    EXPECT_EQ(parseListenAddress("0.0.0.0:5555")->host, "0.0.0.0");
+    EXPECT_EQ(parseListenAddress("[::1]:5555")->host, "::1");
+    for (const char* wrong : {"", ":", "x", "65536", ":65536", "127.0.0.1", "127.0.0.1:x", "::1:5555"}) {
+        EXPECT_FALSE(parseListenAddress(wrong)) << wrong;
+    }
+}
+
 TEST(NetworkAddress, hostThatDoesNotExistIsNamedWithItsScheme) {
     for (const SocketKind kind : {SocketKind::Stream, SocketKind::Datagram}) {
         const auto list = resolve({"no.such.host.invalid", 1}, kind, false);

@@ -60,5 +60,31 @@ TEST(CounterWatch, countsGapsAcrossTheTurnAndNoStepsBack) {
     EXPECT_EQ(watch.missingBefore(0xFFFB), 0U) << "overtaken";
 }
 
+TEST(DatagramWatch, dropsRepeatsAndWhatWasOvertakenAcrossTheTurn) {
+    DatagramWatch watch;
+    const auto take = [&](std::uint16_t counter) {
+        return watch.take(counter, Octets{0xFF, static_cast<std::uint8_t>(counter)});
+    };
+    EXPECT_FALSE(take(0xFFFD).isStale) << "any start";
+    EXPECT_TRUE(take(0xFFFD).isStale) << "a repeat";
+    EXPECT_EQ(take(1).missing, 3U);
+    for (const std::uint16_t late : std::initializer_list<std::uint16_t>{0xFFFE, 0, 0xFFFF, 1}) {
+        const DatagramWatch::Arrival arrival = take(late);
+        EXPECT_TRUE(arrival.isStale) << late;
+        EXPECT_EQ(arrival.missing, 0U) << "counted when it was overtaken";
+    }
+    EXPECT_FALSE(take(2).isStale);
+}
+
+TEST(DatagramWatch, takesEverythingOfASideThatDoesNotCount) {
+    DatagramWatch watch;
+    EXPECT_FALSE(watch.take(0, Octets{0xFF, 0x01}).isStale);
+    for (int i = 0; i < 3; ++i) {
+        const DatagramWatch::Arrival arrival = watch.take(0, Octets{0xFF, 0x02});
+        EXPECT_FALSE(arrival.isStale) << i;
+        EXPECT_EQ(arrival.missing, 0U);
+    }
+}
+
 } // namespace
 } // namespace halbench::devices

@@ -42,7 +42,7 @@ private:
              seed,
              {},
              profile},
-            [this](const std::string& address) { announce(address); }, m_interrupt);
+            [this](const std::string& address, bool) { announce(address); }, m_interrupt);
         if (!served) {
             announce(served.error().message);
         }

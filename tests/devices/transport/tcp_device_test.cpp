@@ -44,17 +44,64 @@ TEST(TcpDevice, worksLikeTheEmbeddedBoard) {
     }
 }
 
-TEST(TcpDevice, secondMasterTakesTheSession) {
+TEST(TcpDevice, bareConnectionsDoNotStopTheMasterThatMovesTheMotor) {
+    const BoardServer server;
+    const auto device = open(server);
+    ASSERT_TRUE(device);
+    ASSERT_TRUE(device->arm());
+    for (int i = 0; i < 5; ++i) { // a port scan, a health check
+        const auto bare = connectTcp(*parseNetworkAddress(server.uri().substr(4)), 1.0);
+        ASSERT_TRUE(bare);
+        ASSERT_TRUE(device->clock().waitFor(0.02));
+    }
+    EXPECT_TRUE(device->state().isArmed);
+    EXPECT_EQ(device->statistics().packetsLost, 0U);
+}
+
+TEST(TcpDevice, secondMasterIsRefusedWithTheReasonAndTheFirstWorksOn) {
     const BoardServer server;
     const auto first = open(server);
     ASSERT_TRUE(first);
-    const auto second = open(server);
-    ASSERT_TRUE(second);
-    const auto waited = first->clock().waitFor(0.2);
-    ASSERT_FALSE(waited);
-    EXPECT_EQ(waited.error().code, ErrorCode::DeviceLost);
-    EXPECT_FALSE(first->state().isConnected);
-    EXPECT_TRUE(second->clock().waitFor(0.05));
+    const auto second = openDevice(server.uri(), {});
+    ASSERT_FALSE(second);
+    EXPECT_EQ(second.error().code, ErrorCode::DeviceRefused);
+    EXPECT_NE(second.error().message.find("another program"), std::string::npos) << second.error().message;
+    EXPECT_FALSE(second.error().hint.empty());
+    EXPECT_TRUE(first->clock().waitFor(0.05));
+    EXPECT_TRUE(first->state().isConnected);
+}
+
+TEST(TcpDevice, boardIsFreeOnceTheFirstMasterHasLeft) {
+    const BoardServer server;
+    auto first = open(server);
+    ASSERT_TRUE(first);
+    EXPECT_TRUE(first->clock().waitFor(0.05));
+    first.reset();
+    EXPECT_TRUE(open(server));
+}
+
+/// A tool that says nothing for longer than we do would lose its session to a watchdog that we left.
+TEST(TcpDevice, watchdogIsAsItWasHoweverTheArmedBoardWasLeft) {
+    const std::string name = "hb.watchdog_ms";
+    const BoardServer server;
+    for (int end = 0; end < 4; ++end) {
+        auto device = open(server);
+        ASSERT_TRUE(device);
+        ASSERT_TRUE(device->arm());
+        if (end == 1) {
+            ASSERT_TRUE(device->disarm());
+        } else if (end > 1) {
+            device->stop();
+        }
+        if (end == 3) {
+            ASSERT_TRUE(device->clearStop());
+        }
+        device.reset();
+        const auto next = open(server);
+        ASSERT_TRUE(next);
+        EXPECT_EQ(next->readParameters({&name, 1})->front(), 0.0) << end;
+        ASSERT_TRUE(next->clearStop());
+    }
 }
 
 TEST(TcpDevice, serverThatDiesIsADeviceLost) {

@@ -121,7 +121,10 @@ TEST(UdpServer, whatIsNotAWholeMessageIsDropped) {
     EXPECT_EQ(board.received.size(), 2U);
 }
 
-TEST(UdpServer, sessionBelongsToTheMasterThatConnectedLast) {
+const Octets Disconnect{0xFE};
+const Octets Refused{2, 0, 0, 0, 0xFE, 0x33}; // ERR_RESOURCE_TEMPORARY_NOT_ACCESSIBLE
+
+TEST(UdpServer, sessionBelongsToTheMasterThatConnectedFirst) {
     UdpServer server = boundServer();
     EchoBoard board;
     UdpMaster first(server);
@@ -131,19 +134,38 @@ TEST(UdpServer, sessionBelongsToTheMasterThatConnectedLast) {
     EXPECT_FALSE(first.receive().empty());
     second.send(datagramOf({Status}));
     server.exchange(board);
-    EXPECT_EQ(board.received.size(), 1U) << "a stranger's command is not heeded";
-    board.say({0x00, 0x01});
+    EXPECT_TRUE(second.receive().empty());
     second.send(datagramOf({Connect}));
     server.exchange(board);
-    EXPECT_EQ(first.receive(), (Octets{2, 0, 1, 0, 0x00, 0x01})) << "said before the session changed hands";
-    EXPECT_EQ(second.receive(), (Octets{3, 0, 2, 0, 0xFF, 0xFF, 0x00}));
+    EXPECT_EQ(board.received.size(), 1U) << "a stranger's command is not heeded";
+    EXPECT_EQ(second.receive(), Refused);
+    board.say({0x00, 0x01});
+    first.send(datagramOf({Disconnect}));
+    server.exchange(board);
+    EXPECT_EQ(first.receive(), (Octets{2, 0, 1, 0, 0x00, 0x01, 2, 0, 2, 0, 0xFF, 0xFE}));
+    second.send(datagramOf({Connect}));
+    server.exchange(board);
+    EXPECT_EQ(second.receive(), (Octets{3, 0, 3, 0, 0xFF, 0xFF, 0x00}));
     first.send(datagramOf({Status}));
     server.exchange(board);
-    EXPECT_EQ(board.received.size(), 2U);
+    EXPECT_EQ(board.received.size(), 3U);
     EXPECT_TRUE(first.receive().empty());
 }
 
-TEST(UdpServer, obeysTheStopOfAnybody) {
+TEST(UdpServer, silentMasterLosesItToTheNextThatAsks) {
+    UdpServer server = boundServer();
+    EchoBoard board;
+    UdpMaster first(server);
+    UdpMaster second(server);
+    first.send(datagramOf({Connect}));
+    server.exchange(board);
+    server.advanceTo(SessionHolder::Timeout_s + 0.1);
+    second.send(datagramOf({Connect}));
+    server.exchange(board);
+    EXPECT_EQ(second.receive(), (Octets{3, 0, 1, 0, 0xFF, 0xFF, 0x00}));
+}
+
+TEST(UdpServer, obeysTheStopOfAnybodyAndAnswersOnlyTheMaster) {
     UdpServer server = boundServer();
     EchoBoard board;
     UdpMaster stranger(server);
@@ -152,6 +174,41 @@ TEST(UdpServer, obeysTheStopOfAnybody) {
     EXPECT_EQ(board.received, std::vector<Octets>{Stop});
     EXPECT_TRUE(stranger.receive().empty());
     EXPECT_TRUE(board.hasSaidEverything()) << "what is said while nobody listens is not kept for later";
+    UdpMaster master(server);
+    master.send(datagramOf({Connect}));
+    server.exchange(board);
+    (void)master.receive();
+    stranger.send(datagramOf({Stop}));
+    server.exchange(board);
+    EXPECT_EQ(board.received.size(), 3U);
+    EXPECT_TRUE(master.receive().empty()) << "it would pass for the answer to the master's own command";
+}
+
+/// What a network may do to the datagrams of a master (resources/help/protocol.md 3.2).
+TEST(UdpServer, doesNothingTwiceAndNothingLate) {
+    UdpServer server = boundServer();
+    EchoBoard board;
+    UdpMaster master(server);
+    const auto numbered = [](std::uint16_t counter, const Octets& packet) {
+        Octets datagram;
+        appendMessage(datagram, counter, packet);
+        return datagram;
+    };
+    const Octets start = numbered(0xFFFE, Connect);
+    const Octets one = numbered(0xFFFF, {0xF0, 0x01, 0x01});
+    const Octets two = numbered(0, {0xF0, 0x01, 0x02});
+    const Octets three = numbered(1, {0xF0, 0x01, 0x03});
+    for (const Octets& datagram : {start, start, one, one, three, two, three, one, start}) {
+        master.send(datagram);
+    }
+    server.exchange(board);
+    EXPECT_EQ(board.received, (std::vector<Octets>{Connect, {0xF0, 0x01, 0x01}, {0xF0, 0x01, 0x03}}))
+        << "repeats are dropped, and so is the command that was overtaken";
+    server.advanceTo(1.0);
+    master.send(start); // started again at the same address, it counts anew
+    master.send(one);
+    server.exchange(board);
+    EXPECT_EQ(board.received.size(), 5U);
 }
 
 TEST(UdpServer, waitsNoLongerThanTold) {
