@@ -2,6 +2,7 @@
 
 #include "devices/acquisition/replay_device.h"
 #include "devices/device_uri.h"
+#include "devices/interruption.h"
 #include "devices/port_address.h"
 #include "devices/simulated/simulated_device.h"
 #include "devices/transport/port_listing.h"
@@ -16,7 +17,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <csignal>
 
 namespace halbench::devices {
 
@@ -96,7 +96,7 @@ Result<std::unique_ptr<Device>> openReplay(const DeviceUri& uri, const OpenOptio
     const auto checkAbort = [&]() -> Result<void> {
         const int signal = options.interruptSignal != nullptr ? options.interruptSignal->load() : 0;
         if (signal != 0 || (options.orders && options.orders->isLeaving)) {
-            return failure(signal == SIGTERM ? ErrorCode::Terminated : ErrorCode::Interrupted,
+            return failure(signal != 0 ? codeOfSignal(signal) : ErrorCode::Interrupted,
                            fmt::format("{}: given up", uri.text));
         }
         return {};

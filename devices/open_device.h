@@ -16,7 +16,7 @@ namespace halbench::devices {
 struct OpenOptions {
     std::optional<std::uint64_t> seed; ///< `--seed`: wins over `?seed=`
     bool isRealtime = false;           ///< `--realtime`: a simulated device is paced by the wall clock
-    const std::atomic<int>* interruptSignal = nullptr; ///< becomes SIGINT or SIGTERM when one arrived
+    const std::atomic<int>* interruptSignal = nullptr; ///< becomes the signal that ends the program
     std::shared_ptr<const LinkOrders> orders;          ///< of other threads; may be empty
     std::function<void(const std::string&)> onMessage; ///< log lines of board and link; may be empty
     std::function<void(double)> onProgress; ///< share of a recording that is read by now; may be empty

@@ -3,8 +3,7 @@
 #include "app/batch/changed_recording.h"
 #include "devices/acquisition/replay_device.h"
 #include "devices/device_uri.h"
-
-#include <csignal>
+#include "devices/interruption.h"
 
 namespace halbench::app {
 
@@ -80,16 +79,12 @@ Result<void> requireConsent(const CommandContext& context, devices::Device& devi
 }
 
 Result<void> checkInterrupt(const CommandContext& context) {
-    switch (context.interruptSignal.load()) {
-    case 0:
+    const int signal = context.interruptSignal.load();
+    if (signal == 0) {
         return {};
-    case SIGTERM:
-        return failure(ErrorCode::Terminated, "ended by SIGTERM",
-                       "the actuator is stopped, gains are restored");
-    default:
-        return failure(ErrorCode::Interrupted, "ended by SIGINT",
-                       "the actuator is stopped, gains are restored");
     }
+    return failure(devices::codeOfSignal(signal), "ended by " + devices::signalName(signal),
+                   "the actuator is stopped, gains are restored");
 }
 
 ProcedureObserver observerFor(CommandContext& context) {

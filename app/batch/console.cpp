@@ -85,13 +85,13 @@ void Console::wipeProgress() {
     }
 }
 
-void Console::error(const Error& error) {
+void Console::error(const Error& error, ExitCode code) {
     wipeProgress();
     const bool isColored = m_style.useColor;
     writeErr(fmt::format("{}halbench: {}{}\n", isColored ? "\033[31m" : "", errorLine(error),
                          isColored ? "\033[0m" : ""));
     if (m_style.isJson) {
-        if (const Result<std::string> text = toJsonText(errorDocument(error))) {
+        if (const Result<std::string> text = toJsonText(errorDocument(error, code))) {
             write(*text);
         }
     }

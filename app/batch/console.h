@@ -37,7 +37,7 @@ public:
     /// A bar of 30 signs with a text behind it; a finished one is wiped away.
     void progress(double fraction, std::string_view text);
     /// One line on stderr, and halbench.error/1 on stdout under --json.
-    void error(const Error& error);
+    void error(const Error& error, ExitCode code);
     /// Flushes stdout. Error: FileSystem when something could not be written.
     Result<void> finish();
 

@@ -32,13 +32,22 @@ ExitCode exitCodeFor(ErrorCode code) {
     return ExitCode::Internal;
 }
 
+ExitCode exitCodeFor(ErrorCode code, int signal) {
+    const bool isBySignal = code == ErrorCode::Interrupted || code == ErrorCode::Terminated;
+    return isBySignal && signal != 0 ? static_cast<ExitCode>(128 + signal) : exitCodeFor(code);
+}
+
 JsonValue errorDocument(const Error& error) {
+    return errorDocument(error, exitCodeFor(error.code));
+}
+
+JsonValue errorDocument(const Error& error, ExitCode code) {
     return JsonValue::object()
         .set("schema", "halbench.error/1")
         .set("code", errorCodeName(error.code))
         .set("message", error.message)
         .set("hint", error.hint)
-        .set("exit_code", static_cast<int>(exitCodeFor(error.code)));
+        .set("exit_code", static_cast<int>(code));
 }
 
 std::string errorLine(const Error& error) {

@@ -10,9 +10,14 @@ namespace {
 
 // A signal handler can reach nothing but an object of static storage.
 std::atomic<int> receivedSignal{0};
+std::atomic<int> receivedWishes{0};
 
+/// The first signal is the one that counts. A terminal that closes says so several times (the system, the
+/// shell, the session's manager): a hang-up is no impatient user, nor is the first signal that comes with it.
 extern "C" void onSignal(int number) {
-    if (receivedSignal.exchange(number) != 0) {
+    int none = 0;
+    receivedSignal.compare_exchange_strong(none, number);
+    if (number != SIGHUP && receivedWishes.fetch_add(1) != 0) {
         _exit(128 + number);
     }
 }
@@ -21,16 +26,28 @@ extern "C" void onAbort(int) {
     _exit(5);
 }
 
+void handle(int number, void (*handler)(int)) {
+    struct sigaction action = {};
+    action.sa_handler = handler;
+    sigemptyset(&action.sa_mask);
+    sigaction(number, &action, nullptr);
+}
+
+bool isIgnored(int number) {
+    struct sigaction action = {};
+    return sigaction(number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
 } // namespace
 
 const std::atomic<int>& catchSignals() {
-    struct sigaction action = {};
-    action.sa_handler = onSignal;
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
-    action.sa_handler = onAbort;
-    sigaction(SIGABRT, &action, nullptr);
+    for (const int number : {SIGINT, SIGTERM, SIGQUIT}) {
+        handle(number, onSignal);
+    }
+    if (!isIgnored(SIGHUP)) {
+        handle(SIGHUP, onSignal);
+    }
+    handle(SIGABRT, onAbort);
     std::signal(SIGPIPE, SIG_IGN);
     return receivedSignal;
 }

@@ -97,9 +97,10 @@ int runProgram(const std::vector<std::string>& arguments, const std::atomic<int>
         if (result) {
             return static_cast<int>(*result);
         }
-        console.error(result.error());
+        const ExitCode code = exitCodeFor(result.error().code, interruptSignal.load());
+        console.error(result.error(), code);
         static_cast<void>(console.finish());
-        return static_cast<int>(exitCodeFor(result.error().code));
+        return static_cast<int>(code);
     } catch (...) {
         return static_cast<int>(ExitCode::Internal);
     }

@@ -22,7 +22,7 @@ struct XcpDeviceOptions {
     /// Roles, procedures and known constants; without it the profile of the model is looked up among the
     /// shipped ones, and without that the board works by the names of its own description.
     std::optional<Profile> profile;
-    /// Becomes SIGINT or SIGTERM when one arrived: clock().waitFor() then returns Interrupted or Terminated.
+    /// Becomes the signal that ends the program: clock().waitFor() then returns Interrupted or Terminated.
     const std::atomic<int>* interruptSignal = nullptr;
     /// Orders of other threads; may be empty.
     std::shared_ptr<const LinkOrders> orders;

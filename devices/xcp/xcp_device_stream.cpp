@@ -1,9 +1,9 @@
+#include "devices/interruption.h"
 #include "devices/xcp/xcp_device_impl.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <csignal>
 
 namespace halbench::devices::xcp {
 
@@ -106,8 +106,7 @@ Result<void> XcpDevice::checkWhileWaiting() {
     if (m_options.interruptSignal != nullptr) {
         const int signal = m_options.interruptSignal->load();
         if (signal != 0) {
-            return failure(signal == SIGTERM ? ErrorCode::Terminated : ErrorCode::Interrupted,
-                           signal == SIGTERM ? "ended by SIGTERM" : "interrupted", "");
+            return failure(codeOfSignal(signal), "ended by " + signalName(signal), "");
         }
     }
     if (m_link.lost()) {

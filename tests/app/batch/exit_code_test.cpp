@@ -1,5 +1,6 @@
 #include "app/batch/exit_code.h"
 #include "app/batch/names.h"
+#include "devices/interruption.h"
 
 #include <gtest/gtest.h>
 
@@ -21,6 +22,15 @@ TEST(ExitCode, followsTheContract) {
     EXPECT_EQ(static_cast<int>(exitCodeFor(Code::Internal)), 5);
     EXPECT_EQ(static_cast<int>(exitCodeFor(Code::Interrupted)), 130);
     EXPECT_EQ(static_cast<int>(exitCodeFor(Code::Terminated)), 143);
+}
+
+TEST(ExitCode, endBySignalIs128AndItsNumber) {
+    for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM}) {
+        const ErrorCode code = devices::codeOfSignal(signal);
+        EXPECT_EQ(static_cast<int>(exitCodeFor(code, signal)), 128 + signal);
+        EXPECT_EQ(static_cast<int>(exitCodeFor(ErrorCode::DeviceLost, signal)), 3) << "not restored";
+    }
+    EXPECT_EQ(exitCodeFor(ErrorCode::Interrupted, 0), ExitCode::Interrupted);
 }
 
 TEST(ErrorLine, isOneLineWhateverTheMessageHolds) {

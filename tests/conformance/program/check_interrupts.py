@@ -4,7 +4,9 @@
 """
 import json
 import os
+import pty
 import signal
+import subprocess
 import sys
 import time
 import unittest
@@ -20,14 +22,14 @@ kind = "record"
 name = "rest"
 duration_s = 30
 '''
-SIGNALS = ((signal.SIGINT, 130), (signal.SIGTERM, 143))
+SIGNALS = ((signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGHUP, 129), (signal.SIGQUIT, 131))
 
 
 class BoardCase(ProgramCase):
     def board(self, uri):
         description = self.accept("describe", uri, "--json").json()
         values = {p["name"]: p["value"] for p in description["parameters"]
-                  if not p["name"].startswith(("reference.", "plateau.", "capture.", "hb.watchdog"))}
+                  if not p["name"].startswith(("reference.", "plateau.", "capture."))}
         status = self.accept("get", uri, "hb.arm", "hb.setpoint", "hb.mode", "current_command", "--json").json()["values"]
         return values, {v["name"]: v["value"] for v in status}
 
@@ -123,9 +125,47 @@ class Interrupts(BoardCase):
             self.assertEqual(self.board(uri), before)
             self.assert_nothing_left()
 
+    def test_move_ends_and_the_board_is_as_before(self):
+        for number, code in SIGNALS:
+            _, uri = self.serve()
+            before = self.board(uri)
+            ended, out, err = self.interrupt(number, 1.0, "move", uri, "--arm", "--json", "--reference",
+                                             "sine,amplitude_deg=20,frequency_hz=1", "--duration", "20")
+            self.assertEqual(ended, code, err)
+            self.assertEqual(json.loads(out)["exit_code"], code)
+            self.assertIn(signal.Signals(number).name, err)
+            self.assertEqual(self.board(uri), before)
+
+    def test_terminal_that_closes_stops_the_motor(self):
+        """What a lost ssh is to the program: a hang-up, again from the shell, and a terminal that takes no word."""
+        _, uri = self.serve()
+        before = self.board(uri)
+        child, terminal = pty.fork()
+        if child == 0:
+            os.execv(halbench.PROGRAM, [halbench.PROGRAM, "identify", uri, "--arm"])
+        time.sleep(2.0)
+        os.close(terminal)
+        try:
+            os.kill(child, signal.SIGHUP)
+            os.kill(child, signal.SIGTERM)
+        except ProcessLookupError:
+            pass                                # it was quick
+        self.assertEqual(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), 129)
+        self.assertEqual(self.board(uri), before)
+
+    def test_hang_up_ignored_from_the_start_stays_so(self):
+        process = subprocess.Popen([halbench.PROGRAM, "record", "sim:htm", "--realtime", "--duration", "1.5", "--out", "f.csv"],
+                                   cwd=self.folder, stderr=subprocess.PIPE, text=True,
+                                   preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+        self.addCleanup(self.end, process)
+        time.sleep(0.7)
+        process.send_signal(signal.SIGHUP)
+        _, err = process.communicate(timeout=15)
+        self.assertEqual(process.returncode, 0, err)
+
     def test_gains_on_their_way_go_back(self):
         self.accept("identify", "sim:htm", "--out", "m.json", timeout=110)
-        for number, code in SIGNALS:
+        for number, code in SIGNALS[:2]:
             _, uri = self.serve()
             before = self.board(uri)
             # Eight steps of two seconds each: after seven some are written, and not all.
@@ -227,13 +267,16 @@ class Departures(BoardCase):
         self.assertIsNone(process.poll(), "it is on its way")
         process.kill()
         time.sleep(2.0)         # the board's watchdog: 1 s
-        self.assertEqual(self.board(uri)[0] | {"hb.mode": 0}, parameters | {"hb.mode": 0})
+        # Killed, it could not put the watchdog back.
+        own = {"hb.mode": 0, "hb.watchdog_ms": 0}
+        self.assertEqual(self.board(uri)[0] | own, parameters | own)
 
     def assert_stopped_itself(self, uri, parameters):
         values = {v["name"]: v["value"]
                   for v in self.accept("get", uri, "hb.arm", "status", "current_command", "--json").json()["values"]}
         self.assertEqual(values, {"hb.arm": 0, "status": 3, "current_command": 0})
-        self.assertEqual(self.board(uri)[0] | {"hb.mode": 0}, parameters | {"hb.mode": 0}, "the old calibration is back")
+        own = {"hb.mode": 0, "hb.watchdog_ms": 0}          # killed, it could not put these back
+        self.assertEqual(self.board(uri)[0] | own, parameters | own, "the old calibration is back")
 
 
 if __name__ == "__main__":
