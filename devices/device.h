@@ -26,6 +26,7 @@ struct DeviceInfo {
     std::string transport; ///< "loopback", "tcp", ...
     bool isSimulated = false;
     std::vector<std::pair<std::string, std::string>> overrides; ///< as written in the URI, sorted by key
+    std::string otherFirmware = {}; ///< what its description is of, when not of its own: nothing is written
 };
 
 /// Everything that can be measured and tuned, from the board's own description plus the profile's roles.

@@ -19,9 +19,20 @@ devices::OpenOptions openOptionsFor(const CommandContext& context) {
     return options;
 }
 
+Finding otherFirmware(const devices::DeviceInfo& device) {
+    return {"other_firmware",
+            "the board runs firmware '" + device.firmware + "', but its description is of '" +
+                device.otherFirmware + "': names may lead to wrong values, so nothing is written",
+            "give the description of this firmware, or update the board's firmware as a whole"};
+}
+
 Result<std::unique_ptr<devices::Device>> openDeviceFor(const CommandContext& context,
                                                        const std::string& uri) {
     Result<std::unique_ptr<devices::Device>> device = devices::openDevice(uri, openOptionsFor(context));
+    if (device && !(*device)->info().otherFirmware.empty()) {
+        const Finding finding = otherFirmware((*device)->info());
+        context.console.log(LogLevel::Warning, finding.message + "; " + finding.hint);
+    }
     if (const auto recording = device ? devices::recordingOf(**device) : nullptr) {
         sayWarnings(context, recording->warnings);
     }

@@ -28,7 +28,10 @@ using CommandResult = Result<ExitCode>;
 /// The seed, pace and interrupt flag of the command line.
 devices::OpenOptions openOptionsFor(const CommandContext& context);
 
-/// Opens a device with them.
+/// What is to be said of a device whose description is of another firmware (DeviceInfo::otherFirmware).
+Finding otherFirmware(const devices::DeviceInfo& device);
+
+/// Opens a device with them, and says on stderr what makes its values doubtful.
 Result<std::unique_ptr<devices::Device>> openDeviceFor(const CommandContext& context, const std::string& uri);
 
 /// The user's consent to arm: always given for a simulated device, with --arm for any other. --arm is also

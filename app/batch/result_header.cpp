@@ -54,6 +54,9 @@ ResultHeader headerFor(const CommandContext& context, const std::string& schema,
     ResultHeader header = headerFor(context, schema);
     header.device = device.info();
     header.seed = seedOf(context, device.info());
+    if (!device.info().otherFirmware.empty()) {
+        addQuality(header.quality, {Verdict::Doubtful, {otherFirmware(device.info())}});
+    }
     if (const auto recording = devices::recordingOf(device)) {
         noteWarnings(header.quality, recording->warnings);
     }

@@ -36,6 +36,12 @@ bool isModelName(const std::string& name) {
     });
 }
 
+/// Boards fill a text of fixed length with zeros or spaces.
+std::string withoutFill(const std::string& text) {
+    const std::size_t end = text.find_last_not_of(std::string_view("\0 ", 2));
+    return text.substr(0, end == std::string::npos ? 0 : end + 1);
+}
+
 /// A line that carries something, only not this protocol, is not a silent one.
 Error withWhatWasHeard(Error error, const Transport& transport, bool isLost) {
     const TransportStatistics heard = transport.statistics();
@@ -75,6 +81,9 @@ XcpDevice::~XcpDevice() {
     // restore.
     if (m_expectsArmed && !m_link.lost()) {
         (void)disarm();
+    }
+    if (m_formerWatchdog_ms && refreshState() && !m_state.isArmed) {
+        (void)restoreWatchdog(); // of a board that was stopped, or never armed
     }
     stopStream();
     m_master.disconnect();
@@ -145,6 +154,7 @@ Result<void> XcpDevice::readIdentity() {
         }
         *field.text = *std::move(text);
     }
+    identity.firmware = withoutFill(identity.firmware);
     if (identity.transport.empty()) {
         identity.transport = m_link.transport().description();
     }
@@ -221,12 +231,13 @@ Result<void> XcpDevice::compareFirmware(const A2lDescription& description) {
         return found;
     }
     const std::string& firmware = m_options.identity.firmware;
-    m_isOtherFirmware = !description.epk.empty() && !firmware.empty() && description.epk != firmware;
-    if (m_isOtherFirmware) {
+    const std::string described = withoutFill(description.epk);
+    if (!described.empty() && !firmware.empty() && described != firmware) {
+        m_options.identity.otherFirmware = described;
         message(fmt::format("the board runs firmware '{}', but its description is of '{}': names may lead to "
                             "wrong values, so nothing is written; give the description of this firmware, or "
                             "update the board's firmware as a whole",
-                            firmware, description.epk));
+                            firmware, described));
     }
     return {};
 }

@@ -89,6 +89,7 @@ private:
     Result<void> commandOnce(const RawChange& change);
     Result<void> writeOneByOne(const std::vector<RawChange>& changes);
     Result<void> readBack(const std::vector<RawChange>& changes);
+    Result<void> checkFirmware() const;
 
     // streams and time (xcp_device_stream.cpp)
     Result<void> waitFor(double duration_s);
@@ -104,6 +105,8 @@ private:
     Result<void> refreshState();
     Result<void> awaitArmed(bool isArmed);
     Result<void> writeLive(const std::string& name, double value);
+    Result<void> setWatchdog();
+    Result<void> restoreWatchdog();
     void onEvent(std::uint8_t code);
     Error safetyError() const;
 
@@ -116,10 +119,10 @@ private:
     std::optional<DaqAbility> m_ability;
 
     DeviceState m_state;
-    double m_lastOrder = 1.0;       ///< number of the last start sent to a board that knows repetitions by it
-    bool m_isOtherFirmware = false; ///< than the description is of: its addresses may lead anywhere
+    double m_lastOrder = 1.0; ///< number of the last start sent to a board that knows repetitions by it
     bool m_isStateStale = false;
     bool m_expectsArmed = false; ///< armed by us and not disarmed since: losing it is a safety stop
+    std::optional<double> m_formerWatchdog_ms; ///< what the board had before it was armed by us
     bool m_hasWarnedOneByOne = false;
     double m_nextStatus_s = 0.0;
 

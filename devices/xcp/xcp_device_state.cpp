@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace halbench::devices::xcp {
 
 namespace {
@@ -94,7 +96,38 @@ Result<void> XcpDevice::writeLive(const std::string& name, double value) {
     return writeParameters({&change, 1});
 }
 
+/// Ours while the board is armed; what it had before is kept for restoreWatchdog().
+Result<void> XcpDevice::setWatchdog() {
+    const std::string name = WatchdogName;
+    if (!m_formerWatchdog_ms && m_board.catalogue().findParameter(name) != nullptr) {
+        const Result<std::vector<double>> former = readParameters({&name, 1});
+        if (!former) {
+            return failure(former.error());
+        }
+        m_formerWatchdog_ms = former->front();
+    }
+    return writeLive(name, m_options.watchdog_s * 1000.0);
+}
+
+/// The next master of a board that is not armed may say nothing for longer than we do. A value that was
+/// changed meanwhile is somebody's wish and stays.
+Result<void> XcpDevice::restoreWatchdog() {
+    const std::string name = WatchdogName;
+    const std::optional<double> former = std::exchange(m_formerWatchdog_ms, std::nullopt);
+    if (!former || m_link.lost()) {
+        return {};
+    }
+    const Result<std::vector<double>> now = readParameters({&name, 1});
+    if (!now) {
+        return failure(now.error());
+    }
+    return now->front() == m_options.watchdog_s * 1000.0 ? writeLive(name, *former) : Result<void>();
+}
+
 Result<void> XcpDevice::arm() {
+    if (Result<void> admitted = checkFirmware(); !admitted) {
+        return admitted;
+    }
     if (Result<void> known = refreshState(); !known) {
         return known;
     }
@@ -103,7 +136,7 @@ Result<void> XcpDevice::arm() {
                        fmt::format("the board cannot be armed: {}", m_state.faultText),
                        "find the cause, then clear the stop");
     }
-    if (Result<void> set = writeLive(WatchdogName, m_options.watchdog_s * 1000.0); !set) {
+    if (Result<void> set = setWatchdog(); !set) {
         return set;
     }
     if (Result<void> zero = writeLive(SetpointName, 0.0); !zero) {
@@ -125,7 +158,10 @@ Result<void> XcpDevice::disarm() {
     if (Result<void> written = writeLive(ArmName, 0.0); !written) {
         return written;
     }
-    return awaitArmed(false);
+    if (Result<void> done = awaitArmed(false); !done) {
+        return done;
+    }
+    return restoreWatchdog();
 }
 
 /// The board takes an order at its next cycle.
@@ -179,6 +215,9 @@ void XcpDevice::stop() noexcept {
 /// Whoever releases has seen what latched; what latches afterwards is for him to see first. The board says
 /// what became of a release whose answer was lost: released, or still stopped, from before or anew.
 Result<void> XcpDevice::clearStop() {
+    if (Result<void> admitted = checkFirmware(); !admitted) {
+        return admitted;
+    }
     m_expectsArmed = false;
     const Result<std::optional<Error>> unanswered = m_master.releaseStop();
     if (!unanswered) {

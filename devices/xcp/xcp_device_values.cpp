@@ -144,10 +144,8 @@ double XcpDevice::nextOrder() {
 }
 
 Result<void> XcpDevice::writeParameters(std::span<const ParameterValue> values) {
-    if (m_isOtherFirmware) {
-        return failure(ErrorCode::DeviceRefused,
-                       "nothing is written: the description is not of the firmware that the board runs",
-                       "give the description of this firmware, or update the board's firmware as a whole");
+    if (Result<void> admitted = checkFirmware(); !admitted) {
+        return admitted;
     }
     const Result<std::vector<RawChange>> changes = checkedChanges(values);
     if (!changes) {
@@ -310,7 +308,19 @@ Result<void> XcpDevice::readBack(const std::vector<RawChange>& changes) {
 }
 
 Result<void> XcpDevice::saveParameters() {
+    if (Result<void> admitted = checkFirmware(); !admitted) {
+        return admitted;
+    }
     return m_master.storeCalibration();
+}
+
+/// Names lead to addresses: those of another firmware may lead anywhere, so that nothing is written by them.
+Result<void> XcpDevice::checkFirmware() const {
+    return m_options.identity.otherFirmware.empty()
+               ? Result<void>()
+               : failure(ErrorCode::DeviceRefused,
+                         "nothing is written: the description is not of the firmware that the board runs",
+                         "give the description of this firmware, or update the board's firmware as a whole");
 }
 
 } // namespace halbench::devices::xcp

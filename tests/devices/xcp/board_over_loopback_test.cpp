@@ -96,6 +96,27 @@ TEST(BoardOverLoopback, stopLatchesUntilClearedAndRefusesArming) {
     ASSERT_TRUE(device->disarm());
 }
 
+TEST(BoardOverLoopback, watchdogIsOursWhileArmedAndAsItWasAfterwards) {
+    const std::string name = "hb.watchdog_ms";
+    for (const double former : {0.0, 250.0, 2000.0}) {
+        const auto device = openBoard();
+        ASSERT_TRUE(device);
+        const ParameterValue before{name, former};
+        ASSERT_TRUE(device->writeParameters({&before, 1}));
+        for (int i = 0; i < 2; ++i) {
+            ASSERT_TRUE(device->arm());
+            EXPECT_DOUBLE_EQ(device->readParameters({&name, 1})->front(), 1000.0);
+            ASSERT_TRUE(device->disarm());
+            EXPECT_DOUBLE_EQ(device->readParameters({&name, 1})->front(), former);
+        }
+        ASSERT_TRUE(device->arm());
+        const ParameterValue wish{name, 500.0};
+        ASSERT_TRUE(device->writeParameters({&wish, 1}));
+        ASSERT_TRUE(device->disarm());
+        EXPECT_DOUBLE_EQ(device->readParameters({&name, 1})->front(), 500.0) << "somebody set it on purpose";
+    }
+}
+
 TEST(BoardOverLoopback, captureOfTheBoardIsTheStreamAtLoopRate) {
     const auto device = openBoard();
     ASSERT_TRUE(device);
@@ -159,8 +180,10 @@ TEST(BoardOverLoopback, interruptEndsAWaitWithItsOwnCode) {
     ASSERT_TRUE((*device)->clock().waitFor(0.01));
     signal = SIGINT;
     EXPECT_EQ((*device)->clock().waitFor(10.0).error().code, ErrorCode::Interrupted);
-    signal = SIGTERM;
-    EXPECT_EQ((*device)->clock().waitFor(10.0).error().code, ErrorCode::Terminated);
+    for (const int ending : {SIGTERM, SIGHUP, SIGQUIT}) {
+        signal = ending;
+        EXPECT_EQ((*device)->clock().waitFor(10.0).error().code, ErrorCode::Terminated) << ending;
+    }
     EXPECT_LT((*device)->clock().now_s(), 0.2);
     const ParameterValue back{"gain.kp", 10.0};
     EXPECT_TRUE((*device)->writeParameters({&back, 1})) << "restoring works after the signal";

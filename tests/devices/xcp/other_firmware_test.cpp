@@ -45,9 +45,30 @@ TEST(OtherFirmware, byADescriptionOfAnotherFirmwareNothingIsWritten) {
         const ParameterValue same = firstValue(**device);
         const auto written = (*device)->writeParameters({&same, 1});
         EXPECT_EQ(written.has_value(), !isOther);
+        EXPECT_EQ((*device)->info().otherFirmware, isOther ? "1.0" : "");
         if (isOther) {
-            EXPECT_EQ(written.error().code, ErrorCode::DeviceRefused);
+            for (const Result<void>& refused :
+                 {written, (*device)->saveParameters(), (*device)->arm(), (*device)->clearStop()}) {
+                ASSERT_FALSE(refused);
+                EXPECT_EQ(refused.error().code, ErrorCode::DeviceRefused);
+                EXPECT_NE(refused.error().message.find("nothing is written"), std::string::npos);
+                EXPECT_FALSE(refused.error().hint.empty());
+            }
         }
+    }
+}
+
+/// A board keeps its text in a field of fixed length.
+TEST(OtherFirmware, zerosAndSpacesBehindTheNameAreNoOtherFirmware) {
+    for (const std::string& firmware : {std::string("1.0 "), std::string("1.0\0\0", 5)}) {
+        SlaveTraits traits;
+        traits.epk = firmware;
+        auto slave = std::make_unique<TestSlave>(traits);
+        slave->descriptionText = descriptionWith("EPK \"1.0\"");
+        const auto device = openXcpDevice(std::move(slave), {});
+        ASSERT_TRUE(device) << device.error().message;
+        EXPECT_EQ((*device)->info().otherFirmware, "");
+        EXPECT_EQ((*device)->info().firmware, "1.0");
     }
 }
 
