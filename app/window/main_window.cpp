@@ -3,6 +3,7 @@
 #include "app/window/arrangement_notice.h"
 #include "app/window/dock_layout.h"
 #include "app/window/file_dialogs.h"
+#include "app/window/focus_fallback.h"
 #include "app/window/help_window.h"
 #include "app/window/language.h"
 #include "app/window/preferences_dialog.h"
@@ -35,6 +36,7 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QScreen>
+#include <QScrollArea>
 #include <QStandardPaths>
 #include <QVBoxLayout>
 #include <qtadvanceddocking/DockWidget.h>
@@ -51,6 +53,7 @@ constexpr int AutosavePeriod_ms = 5000;
 /// Of a window that is opened without being painted, as a minimised one.
 constexpr int LatestFurnish_ms = 500;
 constexpr QSize FirstSize(1440, 900);
+constexpr QSize LeastDockRoom(320, 160);
 
 /// Where a project that has no name yet is autosaved.
 std::string unnamedProject() {
@@ -68,6 +71,19 @@ std::shared_ptr<devices::PageFile> historyPagesOf(int limit_GB) {
                         .toStdString();
     return std::make_shared<devices::PageFile>(std::move(config));
 }
+
+/// The docks, which scroll where their panels need more than the window has: a window that grew with them
+/// would leave the screen, and STOP with it.
+class DockRoom : public QScrollArea {
+public:
+    DockRoom(QWidget& docks, QWidget* parent) : QScrollArea(parent) {
+        setWidget(&docks);
+        setWidgetResizable(true);
+        setFrameShape(QFrame::NoFrame);
+        setFocusPolicy(Qt::NoFocus);
+    }
+    QSize minimumSizeHint() const override { return LeastDockRoom; }
+};
 
 } // namespace
 
@@ -87,6 +103,7 @@ MainWindow::MainWindow(Preferences preferences)
     connect(&m_frame, &QTimer::timeout, &m_bench, &Workbench::drainSamples);
     m_frame.start(FramePeriod_ms);
     connect(&m_autosave, &QTimer::timeout, this, &MainWindow::autosave);
+    new FocusFallback(*m_docks->widget(), this);
     m_docks->widget()->setFocus(); // never STOP first
     setWindowTitle(QStringLiteral("Halbench"));
     resize(FirstSize);
@@ -200,7 +217,7 @@ void MainWindow::buildCentre() {
          std::initializer_list<QWidget*>{m_bar, m_message, m_refusal, m_unkept, arrangement, notice}) {
         column->addWidget(line);
     }
-    column->addWidget(m_docks->widget(), 1);
+    column->addWidget(new DockRoom(*m_docks->widget(), centre), 1);
     column->addWidget(new LinkPanel(m_bench, centre));
     setCentralWidget(centre);
     connect(m_bar, &TopBar::perspectiveChosen, m_docks, &DockLayout::enterPerspective);

@@ -86,7 +86,8 @@ int TopBar::saved_px(Room room) const {
         return 0;
     }
     return m_connection->saved_px() + m_record->saved_px() +
-           (room == Room::Narrow ? m_perspectives->saved_px() : 0);
+           (room >= Room::Narrow ? m_perspectives->saved_px() : 0) +
+           (room == Room::Least ? m_mode->minimumSizeHint().width() + layout()->spacing() : 0);
 }
 
 int TopBar::needed_px(Room room) const {
@@ -94,12 +95,12 @@ int TopBar::needed_px(Room room) const {
 }
 
 QSize TopBar::minimumSizeHint() const {
-    return {needed_px(Room::Narrow), layout()->totalMinimumSize().height()};
+    return {needed_px(Room::Least), layout()->totalMinimumSize().height()};
 }
 
 void TopBar::fit() {
-    Room room = Room::Narrow;
-    for (const Room wider : {Room::Icons, Room::Wide}) {
+    Room room = Room::Least;
+    for (const Room wider : {Room::Narrow, Room::Icons, Room::Wide}) {
         // What a form saves is known to a few pixels: without a gap between growing and shrinking it would
         // do both in turn where they meet.
         const int gap_px = wider < m_room ? fontMetrics().averageCharWidth() * GrowthCharacters : 0;
@@ -112,11 +113,13 @@ void TopBar::fit() {
     m_connection->setToolButtonStyle(room == Room::Wide ? Qt::ToolButtonTextBesideIcon
                                                         : Qt::ToolButtonIconOnly);
     m_record->setShort(room != Room::Wide);
-    m_perspectives->setCollapsed(room == Room::Narrow);
+    m_perspectives->setCollapsed(room >= Room::Narrow);
+    m_mode->setVisible(room != Room::Least);
     // The layouts still know the sizes before the change, and the form would go back. Only here: what
     // invalidates a layout asks for another look at the form, and that without end.
     m_perspectives->layout()->invalidate();
     m_perspectives->updateGeometry();
+    updateGeometry();
 }
 
 void TopBar::resizeEvent(QResizeEvent* event) {

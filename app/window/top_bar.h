@@ -21,7 +21,7 @@ class RecordButton;
 
 /// The strip on top of every perspective: connection, state, arming and mode, recording, perspectives, STOP.
 /// Where it is narrow, first connection and recording show their icons only, then the perspectives are a
-/// menu.
+/// menu, and last the mode is left to the Drive panel: STOP is in sight from 900 pixels on.
 class TopBar : public QWidget {
     Q_OBJECT
 
@@ -43,7 +43,7 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    enum class Room { Wide, Icons, Narrow };
+    enum class Room { Wide, Icons, Narrow, Least };
 
     void buildControls();
     void connectSession();

@@ -31,6 +31,9 @@ LinkPanel::LinkPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_ben
     row->setSpacing(widgets::GroupSpacing_px);
     row->addWidget(m_link);
     row->addWidget(m_board, 1);
+    // Figures that grow must not widen the window beyond a small screen.
+    m_link->setMinimumWidth(1);
+    m_board->setMinimumWidth(1);
     connect(&m_bench.session(), &DeviceSession::reportChanged, this, &LinkPanel::refresh);
     connect(&m_bench.session(), &DeviceSession::stateChanged, this, &LinkPanel::refresh);
     refresh();

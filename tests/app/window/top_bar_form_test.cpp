@@ -41,23 +41,21 @@ TEST_F(TopBarTest, isNarrowWhereTheWindowIsAndItsKeysStay) {
 TEST_F(TopBarTest, takesTheFormOfItsWidthAtOnce) {
     open();
     const auto hasMenu = [this] { return perspective("Monitor") == nullptr; };
-    window->resize(window->minimumSizeHint());
-    QTest::qWait(0);
-    QTest::qWait(0);
-    const bool wasMenu = hasMenu();
-    window->resize(1700, 900);
-    QTest::qWait(0);
+    const auto resize = [this](const QSize& size) {
+        window->resize(size);
+        QTest::qWait(0);
+    };
+    resize(window->minimumSizeHint());
+    EXPECT_TRUE(hasMenu());
+    resize({1700, 900});
     EXPECT_FALSE(hasMenu());
-    window->resize(window->minimumSizeHint().expandedTo({1440, 0}));
-    QTest::qWait(0);
-    const bool fromWide = hasMenu();
-    window->resize(window->minimumSizeHint());
-    QTest::qWait(0);
-    EXPECT_EQ(hasMenu(), wasMenu);
-    window->resize(window->minimumSizeHint().expandedTo({1440, 0}));
+    resize(window->minimumSizeHint());
+    EXPECT_TRUE(hasMenu());
+    resize(window->minimumSizeHint().expandedTo({1440, 0}));
+    const bool atOnce = hasMenu();
     for (int pass = 0; pass < 3; ++pass) { // no event between brings another form
         QTest::qWait(0);
-        EXPECT_EQ(hasMenu(), fromWide) << pass;
+        EXPECT_EQ(hasMenu(), atOnce) << pass;
     }
 }
 

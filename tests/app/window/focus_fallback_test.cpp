@@ -1,0 +1,155 @@
+#include "app/window/dock_layout.h"
+#include "app/window/focus_fallback.h"
+#include "app/workspaces/drive_control.h"
+#include "tests/app/window/window_test.h"
+
+#include <QAbstractButton>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <qtadvanceddocking/DockWidget.h>
+
+namespace halbench::app {
+namespace {
+
+bool isSafe(const QWidget* focus) {
+    return focus == nullptr || (focus->isVisible() && qobject_cast<const QAbstractButton*>(focus) == nullptr);
+}
+
+std::string nameOf(const QObject* object) {
+    return object == nullptr
+               ? "nothing"
+               : std::string(object->metaObject()->className()) + ' ' + object->objectName().toStdString();
+}
+
+/// Where the keys go after what had them is gone, in the whole window.
+class FocusFallbackTest : public WindowTest {
+protected:
+    void openActive() {
+        open();
+        QApplication::setActiveWindow(window.get());
+    }
+
+    std::vector<QPointer<QWidget>> focusable() const {
+        std::vector<QPointer<QWidget>> found;
+        for (QWidget* widget : window->findChildren<QWidget*>()) {
+            if (widget->isVisible() && widget->isEnabled() && widget->focusPolicy() != Qt::NoFocus &&
+                widget->window() == window.get()) {
+                found.emplace_back(widget);
+            }
+        }
+        return found;
+    }
+};
+
+TEST_F(FocusFallbackTest, noHiddenContainerGivesItsKeysToAButton) {
+    openActive();
+    connectMotor(1.0);
+    for (const auto perspective : {Perspective::Monitor, Perspective::Identify, Perspective::Tune,
+                                   Perspective::Record, Perspective::Field}) {
+        window->docks().setPerspective(perspective);
+        QApplication::processEvents();
+        for (const QPointer<QWidget>& widget : focusable()) {
+            if (!widget || !widget->isVisible()) {
+                continue;
+            }
+            for (QWidget* part = widget; part != nullptr && !part->isWindow(); part = part->parentWidget()) {
+                widget->setFocus();
+                if (QApplication::focusWidget() != widget) {
+                    continue; // it cannot have the keys now
+                }
+                part->hide();
+                EXPECT_TRUE(isSafe(QApplication::focusWidget()))
+                    << nameOf(part) << " hidden, " << nameOf(widget)
+                    << " had the keys: " << nameOf(QApplication::focusWidget());
+                part->show();
+            }
+        }
+    }
+}
+
+TEST_F(FocusFallbackTest, noDisabledContainerGivesItsKeysToAButton) {
+    openActive();
+    connectMotor(1.0);
+    for (const QPointer<QWidget>& widget : focusable()) {
+        for (QWidget* part = widget; part != nullptr && !part->isWindow(); part = part->parentWidget()) {
+            widget->setFocus();
+            if (QApplication::focusWidget() != widget) {
+                continue;
+            }
+            part->setEnabled(false);
+            EXPECT_TRUE(isSafe(QApplication::focusWidget()))
+                << nameOf(part) << " disabled: " << nameOf(QApplication::focusWidget());
+            part->setEnabled(true);
+        }
+    }
+}
+
+TEST_F(FocusFallbackTest, closedAndFloatedPanelsGiveTheirKeysToNoButton) {
+    openActive();
+    connectMotor(1.0);
+    for (ads::CDockWidget* dock : window->docks().docks()) {
+        for (const bool isFloated : {false, true}) {
+            dock->toggleView(true);
+            dock->raise();
+            QApplication::processEvents();
+            QWidget* inside = dock->widget()->findChild<QAbstractButton*>();
+            if (inside == nullptr || !inside->isVisible()) {
+                continue;
+            }
+            inside->setFocus();
+            if (isFloated) {
+                dock->setFloating();
+                QApplication::processEvents();
+            }
+            dock->toggleView(false);
+            QApplication::processEvents();
+            EXPECT_TRUE(isSafe(QApplication::focusWidget()))
+                << nameOf(dock) << (isFloated ? " floated, closed: " : " closed: ")
+                << nameOf(QApplication::focusWidget());
+        }
+    }
+    EXPECT_FALSE(session().report().board.isArmed);
+}
+
+/// A bar that hides gives its keys back to the field with which the user worked before, not to the next
+/// button.
+TEST_F(FocusFallbackTest, theFieldOfTheSamePanelGetsTheKeysBack) {
+    QWidget home;
+    QVBoxLayout layout(&home);
+    QWidget panel;
+    QVBoxLayout inside(&panel);
+    QLineEdit plot;
+    QPushButton settings;
+    QPushButton arm;
+    QWidget bar;
+    QVBoxLayout barLayout(&bar);
+    barLayout.addWidget(&settings);
+    inside.addWidget(&plot);
+    inside.addWidget(&bar);
+    layout.addWidget(&panel);
+    layout.addWidget(&arm);
+    const FocusFallback fallback(home, nullptr);
+    home.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&home));
+    QApplication::setActiveWindow(&home);
+    plot.setFocus();
+    settings.setFocus();
+    bar.hide();
+    EXPECT_EQ(QApplication::focusWidget(), &plot);
+    bar.show();
+    settings.setFocus();
+    settings.setEnabled(false);
+    EXPECT_NE(QApplication::focusWidget(), &arm);
+    settings.setEnabled(true);
+    plot.setFocus();
+    QTest::keyClick(&plot, Qt::Key_Tab); // by Tab the next one, as ever
+    EXPECT_EQ(QApplication::focusWidget(), &settings);
+    for (QWidget* part : {static_cast<QWidget*>(&plot), static_cast<QWidget*>(&settings),
+                          static_cast<QWidget*>(&bar), &panel, static_cast<QWidget*>(&arm)}) {
+        part->setParent(nullptr); // they live on this function's stack
+    }
+}
+
+} // namespace
+} // namespace halbench::app
