@@ -1,6 +1,5 @@
 #include "app/window/stop_guard.h"
 
-#include "app/window/help_window.h"
 #include "app/window/window_application.h"
 
 #include <QApplication>
@@ -9,16 +8,6 @@
 #include <utility>
 
 namespace halbench::app {
-
-namespace {
-
-/// What Esc closes and nobody can mistake for a part of the workstation.
-bool isClosedByEscape() {
-    return QApplication::activePopupWidget() != nullptr ||
-           qobject_cast<HelpWindow*>(QApplication::activeWindow()) != nullptr;
-}
-
-} // namespace
 
 StopGuard::StopGuard(QObject* parent) : QObject(parent) {
     if (const auto* application = qobject_cast<WindowApplication*>(qApp)) {
@@ -49,25 +38,13 @@ void StopGuard::onKey(const QKeyEvent& event) {
     if (event.key() != Qt::Key_Escape) {
         return;
     }
-    if (!isMeantForWhatItCloses()) {
-        stopRequested();
-        if (event.type() == QEvent::ShortcutOverride && !event.isAutoRepeat()) {
-            tellOnce();
-        }
+    if (m_isNothingToStop && m_isNothingToStop()) {
+        return;
     }
-}
-
-/// A list may close by the offer already; the press that follows is the same key.
-bool StopGuard::isMeantForWhatItCloses() {
-    if (!m_isNothingToStop || !m_isNothingToStop()) {
-        return false;
+    stopRequested();
+    if (event.type() == QEvent::ShortcutOverride && !event.isAutoRepeat()) {
+        tellOnce();
     }
-    if (!m_hasClosed && isClosedByEscape()) {
-        m_hasClosed = true;
-        QMetaObject::invokeMethod(
-            this, [this] { m_hasClosed = false; }, Qt::QueuedConnection);
-    }
-    return m_hasClosed;
 }
 
 /// The offer passes here for every widget from the one with the focus up to its window.

@@ -11,8 +11,8 @@ namespace halbench::app {
 /// Esc means stop, whatever has the focus: it watches the keys of the whole application, modal dialogs,
 /// menus, floating docks and drags included, and lets every key go on to where it was meant for. In a
 /// WindowApplication nothing comes before it; in another one an event filter that is installed later does.
-/// Esc is also how menus, lists and the help are closed: where one of them is open and the owner knows that
-/// there is nothing to stop, it is that alone.
+/// Where the owner knows that there is nothing to stop, Esc is what it is elsewhere: it leaves fields and
+/// closes menus, and stops nothing.
 class StopGuard : public QObject {
     Q_OBJECT
 
@@ -33,11 +33,8 @@ private:
     void onKey(const QKeyEvent& event);
     void tellOnce();
 
-    bool isMeantForWhatItCloses();
-
     std::function<bool()> m_isNothingToStop;
-    bool m_hasClosed = false; ///< the key press that goes through the widgets now closes something
-    bool m_isTold = false;    ///< of the key press that goes through the widgets now
+    bool m_isTold = false; ///< of the key press that goes through the widgets now
 };
 
 } // namespace halbench::app

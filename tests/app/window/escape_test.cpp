@@ -1,6 +1,7 @@
 #include "app/window/help_window.h"
 #include "app/workspaces/drive_control.h"
 #include "tests/app/window/window_test.h"
+#include "widgets/stop_button.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>
@@ -50,9 +51,44 @@ TEST_F(EscapeTest, closesAMenuAndStopsNothingWhileNothingIsArmed) {
     EXPECT_FALSE(menu->isVisible());
     EXPECT_EQ(stops(), before);
     QApplication::processEvents();
-    QTest::keyClick(window.get(), Qt::Key_Escape); // nothing is open any more: it stops
-    EXPECT_GT(stops(), before);
+    QTest::keyClick(window.get(),
+                    Qt::Key_Escape); // nothing is open any more: it leaves nothing, and latches nothing
+    QApplication::processEvents();
+    EXPECT_EQ(stops(), before);
+    EXPECT_FALSE(isLatched());
+}
+
+TEST_F(EscapeTest, latchesNothingInFieldsAndPanelsWhileNothingIsArmed) {
+    open();
+    connectMotor(1.0);
+    awaitSamples();
+    const std::uint64_t before = stops();
+    for (QWidget* widget : window->findChildren<QWidget*>()) {
+        if (widget->isVisible() && widget->focusPolicy() != Qt::NoFocus) {
+            widget->setFocus();
+            QTest::keyClick(widget, Qt::Key_Escape);
+        }
+    }
+    EXPECT_EQ(stops(), before);
+    EXPECT_FALSE(isLatched());
+}
+
+TEST_F(EscapeTest, theStopButtonLatchesWhileNothingIsArmed) {
+    open();
+    connectMotor(1.0);
+    awaitSamples();
+    QTest::mousePress(window->findChild<widgets::StopButton*>(), Qt::LeftButton);
     EXPECT_TRUE(wait([&] { return isLatched(); }));
+}
+
+TEST_F(EscapeTest, stopsFromAFieldWhatIsArmed) {
+    open();
+    connectMotor(1.0);
+    awaitSamples();
+    window->bench().drive().arm();
+    ASSERT_TRUE(wait([&] { return session().report().board.isArmed; }));
+    QTest::keyClick(window.get(), Qt::Key_Escape);
+    EXPECT_TRUE(wait([&] { return isLatched() && !session().report().board.isArmed; }));
 }
 
 TEST_F(EscapeTest, closesAListOfChoicesAndStopsNothingWhileNothingIsArmed) {

@@ -9,6 +9,7 @@
 #include "tests/devices/transport/served_board.h"
 #include "widgets/message_bar.h"
 #include "widgets/status_strip.h"
+#include "widgets/stop_button.h"
 
 #include <QComboBox>
 #include <QLineEdit>
@@ -222,7 +223,7 @@ TEST_F(TopBarTest, aStopThatStoppedNothingSaysSo) {
     open();
     connectMotor(1.0);
     ASSERT_TRUE(wait([&] { return inBar<ArmButton>()->isEnabled(); }));
-    key(Qt::Key_Escape, Qt::NoModifier);
+    QTest::mouseClick(window->findChild<widgets::StopButton*>(), Qt::LeftButton); // Esc would do nothing
     auto* strip = window->findChild<widgets::StatusStrip*>();
     ASSERT_TRUE(wait([&] { return strip->state() == widgets::WorkState::Stopped; }));
     EXPECT_EQ(strip->stateText(), "Stopped (nothing was armed)");
