@@ -16,6 +16,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QScrollBar>
 #include <QStackedWidget>
 #include <QTableWidget>
 #include <QToolBar>
@@ -150,7 +151,10 @@ void SpectrumPanel::buildPeaks(QWidget* parent) {
     m_peaks->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_peaks->setFont(widgets::tabularFont(m_peaks->font()));
     m_peaks->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Expanding);
-    m_peaks->setFixedWidth(24 * m_peaks->fontMetrics().averageCharWidth());
+    // Room for the longest numbers and the scroll bar from the start: numbers change with every spectrum.
+    const QString longest = widgets::numberText(8.8888888e-18, PeakDigits);
+    m_peaks->setFixedWidth(2 * m_peaks->fontMetrics().horizontalAdvance(longest + QStringLiteral("00")) +
+                           aroundPeaks_px());
 }
 
 QAction* SpectrumPanel::addSwitch(QToolBar& bar, const QString& text, const QString& what, const char* key,
@@ -308,6 +312,10 @@ void SpectrumPanel::showSpectrogram(const Result<control::Spectrogram>& spectrog
     m_words->setText(problem.isEmpty() ? spectrogramWords(*spectrogram, shown.window) : problem);
 }
 
+int SpectrumPanel::aroundPeaks_px() const {
+    return 2 * m_peaks->frameWidth() + m_peaks->verticalScrollBar()->sizeHint().width();
+}
+
 void SpectrumPanel::showPeaks(const std::vector<SpectrumPeak>& peaks, const QString& unit) {
     m_peaks->setHorizontalHeaderLabels(
         {tr("Peak [Hz]"), unit.isEmpty() ? tr("Value") : tr("Value [%1]").arg(unit)});
@@ -323,7 +331,7 @@ void SpectrumPanel::showPeaks(const std::vector<SpectrumPeak>& peaks, const QStr
     }
     // A number that is cut is another number; the width only grows, so that nothing jumps.
     m_peaks->horizontalHeader()->resizeSections(QHeaderView::ResizeToContents);
-    const int needed_px = m_peaks->horizontalHeader()->length() + 2 * m_peaks->frameWidth();
+    const int needed_px = m_peaks->horizontalHeader()->length() + aroundPeaks_px();
     m_peaks->setFixedWidth(std::max(m_peaks->minimumWidth(), needed_px));
 }
 

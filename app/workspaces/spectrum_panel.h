@@ -46,6 +46,7 @@ private:
     void showAgain();
     void dressRange();
     void showSpectrum(const Result<control::Spectrum>& spectrum, const SpectrumLook& look);
+    int aroundPeaks_px() const; ///< frame and scroll bar of the table
     void showPeaks(const std::vector<SpectrumPeak>& peaks, const QString& unit);
     control::SpectrumConfig config() const;
     SpectrumLook look() const;
