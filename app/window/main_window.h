@@ -52,6 +52,10 @@ public:
     /// As if the user had written the address and pressed Connect.
     void connectDevice(const QString& uri);
 
+    /// The terminal or the session that the program belongs to is gone: stops what may move, restores and
+    /// disarms, closes. Dialogs do not hold it up; a project that cannot be kept does not either.
+    void closeBySignal();
+
 Q_SIGNALS:
     void furnished();
 

@@ -1,7 +1,9 @@
 #include "app/window/dock_layout.h"
 #include "app/window/main_window.h"
 #include "app/workspaces/device_panel.h"
+#include "app/workspaces/drive_control.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 
 #include <utility>
@@ -18,6 +20,18 @@ constexpr int LeavePatience_ms = 10000;
 void MainWindow::closeAnyway() {
     m_isLossAccepted = true;
     close();
+}
+
+void MainWindow::closeBySignal() {
+    if (!m_bench.drive().isNothingToStop()) {
+        m_bench.session().stopActuator();
+    }
+    for (QWidget* other : QApplication::topLevelWidgets()) {
+        if (other != this && other->isModal()) {
+            other->close();
+        }
+    }
+    closeAnyway();
 }
 
 /// A procedure that restores, a board that is disarmed: STOP must be there until it is done.

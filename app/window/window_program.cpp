@@ -1,5 +1,6 @@
 #include "app/window/window_program.h"
 
+#include "app/batch/interrupt.h"
 #include "app/window/language.h"
 #include "app/window/main_window.h"
 #include "app/window/window_application.h"
@@ -7,6 +8,7 @@
 
 #include <QApplication>
 #include <QScreen>
+#include <QTimer>
 
 #include <clocale>
 #include <cstdio>
@@ -17,6 +19,9 @@ namespace halbench::app {
 namespace {
 
 constexpr int UsageExit = 2;
+constexpr int SignalExit = 128; ///< and the signal's number
+/// A signal handler may do next to nothing; the window looks whether one ran.
+constexpr int SignalPeriod_ms = 50;
 /// What the desktop puts around a window; known only when it is shown.
 constexpr QSize FrameRoom(8, 40);
 
@@ -87,7 +92,22 @@ int runWindow(const std::vector<std::string>& arguments) {
     const std::unique_ptr<MainWindow> window = makeWindow(application, loadPreferences());
     obey(*window, arguments);
     window->show();
-    return QApplication::exec();
+    const std::atomic<int>& received = catchSignals();
+    closeBySignal(*window, received);
+    const int code = QApplication::exec();
+    const int signal = received.load();
+    return signal == 0 ? code : SignalExit + signal;
+}
+
+void closeBySignal(MainWindow& window, const std::atomic<int>& received) {
+    auto* watch = new QTimer(&window);
+    QObject::connect(watch, &QTimer::timeout, &window, [&window, &received, watch] {
+        if (received.load() != 0) {
+            watch->stop();
+            window.closeBySignal();
+        }
+    });
+    watch->start(SignalPeriod_ms);
 }
 
 void obey(MainWindow& window, const std::vector<std::string>& arguments) {

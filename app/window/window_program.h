@@ -2,6 +2,7 @@
 
 #include "app/window/preferences.h"
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,8 +17,11 @@ class MainWindow;
 bool isWindowCall(const std::vector<std::string>& arguments);
 
 /// Opens the workstation: `halbench [--project FILE] [--connect DEVICE]`. Gives the exit code; 2 with one
-/// line on stderr without a display or with an option that makes no sense.
+/// line on stderr without a display or with an option that makes no sense; 128 and the number after a signal.
 int runWindow(const std::vector<std::string>& arguments);
+
+/// Closes the window (MainWindow::closeBySignal) soon after `received` is no longer 0.
+void closeBySignal(MainWindow& window, const std::atomic<int>& received);
 
 /// Before the QApplication: everything in the window grows with the display's scale (1x to 2x and between),
 /// not only its text. QT_SCALE_FACTOR multiplies it.

@@ -1,13 +1,19 @@
 #include "app/window/dock_layout.h"
 #include "app/window/window_program.h"
 #include "app/workspaces/device_panel.h"
+#include "app/workspaces/drive_control.h"
 #include "app/workspaces/notes_panel.h"
 #include "tests/app/window/window_test.h"
 #include "widgets/message_bar.h"
 
+#include <QDialog>
 #include <QDir>
 #include <QFileInfo>
 #include <QProcess>
+#include <QTimer>
+
+#include <atomic>
+#include <csignal>
 
 namespace halbench::app {
 namespace {
@@ -74,6 +80,47 @@ TEST_F(WindowProgramTest, withBothTheDeviceOfTheArgumentIsConnected) {
     EXPECT_EQ(notes().notes(), "bearing greased");
     EXPECT_EQ(window->findChild<DevicePanel*>()->address(), "sim:htm?seed=4");
     window.reset();
+}
+
+/// The terminal is closed, or the session is ended, while the motor moves.
+TEST_F(WindowProgramTest, aSignalStopsDisarmsAndCloses) {
+    openWith({"--connect", "sim:htm"});
+    ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
+    ASSERT_TRUE(wait([&] { return window->bench().history().latest("position").has_value(); }));
+    window->bench().drive().arm();
+    ASSERT_TRUE(wait([&] { return session().report().board.isArmed; }));
+    std::atomic<int> received{0};
+    closeBySignal(*window, received);
+    received = SIGHUP;
+    ASSERT_TRUE(wait([&] { return !window->isVisible(); }));
+    EXPECT_EQ(session().state(), SessionState::Disconnected);
+}
+
+TEST_F(WindowProgramTest, aModalDialogDoesNotHoldASignalUp) {
+    openWith({});
+    std::atomic<int> received{0};
+    closeBySignal(*window, received);
+    QDialog dialog(window.get());
+    QTimer::singleShot(0, &dialog, [&received] { received = SIGTERM; });
+    dialog.exec(); // returns only when something closes it
+    EXPECT_TRUE(wait([&] { return !window->isVisible(); }));
+}
+
+TEST_F(WindowProgramTest, eachSignalThatEndsProgramsEndsTheWindowWithItsCode) {
+    for (const int signal : {SIGTERM, SIGHUP, SIGQUIT, SIGINT}) {
+        QProcess board;
+        board.start(HALBENCH_PROGRAM, {"serve", "sim:htm", "--pty"});
+        ASSERT_TRUE(board.waitForReadyRead(Patience_ms));
+        const QString node = QString::fromUtf8(board.readLine()).trimmed().section("pty:", 1);
+        QProcess program;
+        program.start(HALBENCH_PROGRAM, {"--connect", "serial:" + node});
+        ASSERT_TRUE(wait([&] { return hasOpen(program, node); }));
+        ::kill(static_cast<pid_t>(program.processId()), signal);
+        ASSERT_TRUE(program.waitForFinished(Patience_ms)) << signal;
+        EXPECT_EQ(program.exitStatus(), QProcess::NormalExit) << signal;
+        EXPECT_EQ(program.exitCode(), 128 + signal);
+        end(board);
+    }
 }
 
 /// Two programs on one serial line and one project.
