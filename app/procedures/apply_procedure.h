@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/procedures/analyse.h"
+#include "app/procedures/motion_band.h"
 #include "app/procedures/move_procedure.h"
 #include "app/procedures/procedure.h"
 
@@ -17,6 +18,8 @@ struct ApplyVerification {
                          ///< J, c, Kf, phi
     double overshootTolerance_percent = 8.0; ///< measured may exceed the prediction by this
     double errorTolerance_rad = 0.02;        ///< final error, likewise
+    UncertaintyDraws draws;                  ///< of the motors whose motions make the band
+    std::optional<MotionBand> band;          ///< that the motion must keep to; absent: made of those motors
 };
 
 /// As `tune --apply` and the Tune panel verify: a step of half a radian, 29 degrees.
@@ -38,6 +41,8 @@ struct VerificationBand {
     double largestOff_rad = 0.0;   ///< measured - predicted where they differ most
     double largestOffTime_s = 0.0; ///< and when that was
     std::optional<double> allowedOvershoot_percent;
+    /// Of the band that the uncertainty of the motor allows, by what the motion needs; up to 1 is inside.
+    double widening_ratio = 0.0;
 };
 
 struct ApplyResult {

@@ -36,6 +36,7 @@ Result<PositionLaw> lawOf(const PositionLaw& target, const devices::Catalogue& c
 
 ApplyVerification verificationOf(const LiveApplyConfig& config, double direction) {
     ApplyVerification verification = stepVerification(config.motor);
+    verification.draws = config.draws;
     verification.reference.amplitude_rad = direction * config.amplitude_rad;
     verification.duration_s = config.duration_s;
     return verification;
@@ -48,36 +49,6 @@ MotionBand mirrored(const MotionBand& band) {
         result.angle_rad.p95[i] = -band.angle_rad.p5[i];
     }
     return result;
-}
-
-/// Before what else was noticed: it is why the old gains are back.
-void refuse(ApplyResult& result, const char* code, const Error& why) {
-    result.quality.verdict = Verdict::Refused;
-    result.quality.findings.insert(result.quality.findings.begin(), {code, why.message, why.hint});
-}
-
-/// The angle of a move in rows 1 ms apart, from where the rotor was: the board may send fewer, and some may
-/// be lost. Ends where the recording does.
-std::vector<double> everyMillisecond(const Recording& move) {
-    constexpr double Row_s = 1e-3;
-    const std::vector<double> position_rad = move.column("position");
-    std::vector<double> angle_rad;
-    std::size_t next = 0;
-    for (std::size_t row = 0; !position_rad.empty(); ++row) {
-        const double time_s = move.time_s.front() + Row_s * static_cast<double>(row);
-        while (next < move.time_s.size() && move.time_s[next] < time_s - 1e-9) {
-            ++next;
-        }
-        if (next >= position_rad.size()) {
-            break;
-        }
-        const std::size_t before = next == 0 ? 0 : next - 1;
-        const double step_s = move.time_s[next] - move.time_s[before];
-        const double share = step_s > 0.0 ? (time_s - move.time_s[before]) / step_s : 1.0;
-        angle_rad.push_back(std::lerp(position_rad[before], position_rad[next], share) -
-                            position_rad.front());
-    }
-    return angle_rad;
 }
 
 /// One way from snapshot to target; what it holds is for one device and one run.
@@ -154,9 +125,10 @@ ProcedureObserver Walk::counting(const ProcedureObserver& of) const {
 Result<bool> Walk::prove(const LiveStep& step, double direction, LiveStepResult& done) {
     const MotionBand band = direction > 0.0 ? step.band : mirrored(step.band);
     BandWatch watch(m_observer, band);
+    ApplyVerification verification = verificationOf(m_config, direction);
+    verification.band = band;
     ApplyResult verified;
-    const auto moved =
-        verifyMove(m_device, verificationOf(m_config, direction), counting(watch.observer()), verified);
+    const auto moved = verifyMove(m_device, verification, counting(watch.observer()), verified);
     const bool isEndedByWatch = !moved && watch.hasLeft() && moved.error().code == ErrorCode::Refused;
     if (!moved && !isEndedByWatch) {
         return failure(moved.error()); // also when a limit of the board or the link came first
@@ -167,20 +139,15 @@ Result<bool> Walk::prove(const LiveStep& step, double direction, LiveStepResult&
     whole.band.reset();
     whole.quality = {};
     if (moved) {
-        done.widening_ratio =
-            neededWidening_ratio(band, everyMillisecond(verified.verification->recording), 0.0);
+        done.widening_ratio = verified.band->widening_ratio;
         whole.predicted = std::move(verified.predicted);
         whole.verification = std::move(verified.verification);
         whole.band = std::move(verified.band);
         whole.quality = std::move(verified.quality);
     }
-    if (watch.hasLeft()) {
-        refuse(whole, "left_predicted_band", watch.departure());
-    } else if (done.widening_ratio > 1.0) {
-        refuse(whole, "left_predicted_band",
-               {ErrorCode::Refused,
-                "more than a twentieth of the measured motion was outside the predicted band",
-                "The old values run again. Identify the motor anew, or choose calmer gains."});
+    if (watch.hasLeft() && whole.quality.verdict != Verdict::Refused) {
+        const Error why = watch.departure();
+        whole.quality = {Verdict::Refused, {{"left_predicted_band", why.message, why.hint}}};
     }
     return whole.quality.verdict != Verdict::Refused;
 }

@@ -13,10 +13,6 @@ namespace {
 
 using control::PositionLaw;
 
-constexpr std::size_t MostMotors = 300;
-constexpr double BandWidening_ratio = 2.0; ///< about its middle: one motion in a thousand leaves it
-constexpr double BandTolerance_rad = 0.03; ///< and what no model holds: resolution, stray field, a count
-
 Result<void> admit(const TuneResult& judged, const StepNumber& step) {
     constexpr double MostUnstable_ratio = 0.01;
     constexpr double LeastPhase_deg = 1.0;
@@ -51,20 +47,13 @@ Result<MotionBand> bandOf(const PositionLaw& law, const std::vector<RunMotor>& m
     }
     const auto reference = stepReference(config);
     const auto rows = static_cast<std::size_t>(std::lround(1e3 * config.duration_s)) + 1;
-    const MotionBand band = motionBand(motors, rows, [&](const RunMotor& motor) {
-        return models::replayLoop(replayOf(motor, *board, reference, rows)).angle_rad;
-    });
-    return widened(band, BandWidening_ratio, BandTolerance_rad);
+    return expectedMotion(motors, *board, reference, rows);
 }
 
 } // namespace
 
 Result<std::vector<RunMotor>> liveMotors(const LiveApplyConfig& config) {
-    auto motors = drawRuns(config.motor, config.draws);
-    if (motors) {
-        motors->resize(std::min(motors->size(), MostMotors));
-    }
-    return motors;
+    return bandMotors(config.motor, config.draws);
 }
 
 Result<LiveStep> judgeLiveStep(const PositionLaw& law, const std::vector<RunMotor>& motors,

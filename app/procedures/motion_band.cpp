@@ -42,6 +42,15 @@ Result<std::vector<RunMotor>> drawRuns(const MotorEstimate& estimate, const Unce
     return motors;
 }
 
+Result<std::vector<RunMotor>> bandMotors(const MotorEstimate& estimate, const UncertaintyDraws& draws) {
+    constexpr std::size_t MostMotors = 300;
+    auto motors = drawRuns(estimate, draws);
+    if (motors) {
+        motors->resize(std::min(motors->size(), MostMotors));
+    }
+    return motors;
+}
+
 models::LoopReplayConfig replayOf(const RunMotor& motor, const models::PositionLaw& law,
                                   std::span<const models::ReferencePoint> reference, std::size_t rows) {
     models::LoopReplayConfig config;
@@ -77,6 +86,16 @@ MotionBand motionBand(const std::vector<RunMotor>& motors, std::size_t rows,
         band.angle_rad.p95.push_back(middle.p95);
     }
     return band;
+}
+
+MotionBand expectedMotion(const std::vector<RunMotor>& motors, const models::PositionLaw& law,
+                          std::span<const models::ReferencePoint> reference, std::size_t rows) {
+    constexpr double Widening_ratio = 2.0; // about its middle: one motion in a thousand leaves it
+    constexpr double Tolerance_rad = 0.03; // and what no model holds: resolution, stray field, a count
+    const MotionBand band = motionBand(motors, rows, [&](const RunMotor& motor) {
+        return models::replayLoop(replayOf(motor, law, reference, rows)).angle_rad;
+    });
+    return widened(band, Widening_ratio, Tolerance_rad);
 }
 
 MotionBand hullOf(const MotionBand& one, const MotionBand& other) {

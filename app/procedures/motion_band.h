@@ -28,6 +28,9 @@ constexpr std::size_t MotionBandStride = 5; ///< rows of a band, in rows of a mo
 Result<std::vector<RunMotor>> drawRuns(const MotorEstimate& estimate, const UncertaintyDraws& draws,
                                        double scatter_ratio = RunScatter_ratio);
 
+/// As many of them as a band of motions is made of. Errors: as of drawRuns().
+Result<std::vector<RunMotor>> bandMotors(const MotorEstimate& estimate, const UncertaintyDraws& draws);
+
 /// What replayLoop() needs of a motor: only its ratios count.
 models::LoopReplayConfig replayOf(const RunMotor& motor, const models::PositionLaw& law,
                                   std::span<const models::ReferencePoint> reference, std::size_t rows);
@@ -40,6 +43,11 @@ struct MotionBand {
 /// `run` gives the angle of one motor, `rows` milliseconds of it. At least one motor.
 MotionBand motionBand(const std::vector<RunMotor>& motors, std::size_t rows,
                       const std::function<std::vector<double>(const RunMotor&)>& run);
+
+/// Where a healthy motor's motion lies: the band of the motors, twice as wide, and 1.7 degrees more for what
+/// no model holds. `reference` as of replayLoop().
+MotionBand expectedMotion(const std::vector<RunMotor>& motors, const models::PositionLaw& law,
+                          std::span<const models::ReferencePoint> reference, std::size_t rows);
 
 /// What holds both.
 MotionBand hullOf(const MotionBand& one, const MotionBand& other);

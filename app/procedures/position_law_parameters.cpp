@@ -46,6 +46,10 @@ Result<models::PositionLaw> readPositionLaw(devices::Device& device) {
         return failure(values.error());
     }
     models::PositionLaw law;
+    const auto& known = device.catalogue().knownConstants;
+    if (const auto period = known.find("T_s"); period != known.end()) {
+        law.period_s = period->second;
+    }
     for (std::size_t i = 0; i < members.size(); ++i) {
         law.*members[i] = (*values)[i];
     }

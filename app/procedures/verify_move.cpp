@@ -1,5 +1,6 @@
 #include "app/procedures/verify_move.h"
 
+#include "app/procedures/band_watch.h"
 #include "app/procedures/position_law_parameters.h"
 #include "app/procedures/procedure_steps.h"
 
@@ -40,18 +41,23 @@ double frictionBand_rad(const control::PositionPlant& plant, const models::Posit
                : 0.0;
 }
 
+/// Before what else was noticed: it is why the old gains are back.
+void refuse(DataQuality& quality, const char* code, const Error& why) {
+    quality.verdict = Verdict::Refused;
+    quality.findings.insert(quality.findings.begin(), {code, why.message, why.hint});
+}
+
 void judge(const ApplyVerification& verification, ApplyResult& result) {
     const MoveFigures& predicted = *result.predicted;
     const MoveFigures& measured = result.verification->measured;
     VerificationBand& band = *result.band;
     const auto expect = [&](const char* what, double seen, double allowed, const char* unit) {
         if (!(seen <= allowed)) {
-            result.quality.verdict = Verdict::Refused;
-            result.quality.findings.push_back(
-                {"verification_failed",
-                 fmt::format("{} was {:.3g} {}, the prediction allows {:.3g} {}", what, seen, unit, allowed,
-                             unit),
-                 "The old values run again. Identify the motor anew, or choose calmer gains."});
+            refuse(result.quality, "verification_failed",
+                   {ErrorCode::Refused,
+                    fmt::format("{} was {:.3g} {}, the prediction allows {:.3g} {}", what, seen, unit,
+                                allowed, unit),
+                    "The old values run again. Identify the motor anew, or choose calmer gains."});
         }
     };
     if (predicted.overshoot_percent && measured.overshoot_percent) {
@@ -89,6 +95,89 @@ void compareCurves(const Recording& measured, VerificationBand& band) {
             band.largestOff_rad = off_rad;
             band.largestOffTime_s = time_s;
         }
+    }
+}
+
+/// The motor with its uncertainty; one that was given without any may be off by as much as motors of one make
+/// are.
+Result<MotorEstimate> withUncertainty(const MotorEstimate& motor) {
+    constexpr double Assumed_ratio = 0.05; // 1 sigma of each ratio
+    const auto plant = plantFromEstimate(motor);
+    if (!plant || !motor.covarianceNames.empty()) {
+        return plant ? motor : Result<MotorEstimate>(failure(plant.error()));
+    }
+    MotorEstimate assumed;
+    assumed.values = {{"c_over_J", plant->dampingRate_1_s},
+                      {"phi_over_J", plant->accelerationGain_rad_s2_A},
+                      {"Kf_over_phi", plant->breakawayCurrent_A}};
+    for (const auto& [name, value] : assumed.values) {
+        std::vector<double> row(assumed.values.size(), 0.0);
+        row[assumed.covarianceNames.size()] = std::pow(Assumed_ratio * value, 2);
+        assumed.covarianceNames.push_back(name);
+        assumed.covariance.push_back(std::move(row));
+    }
+    return assumed;
+}
+
+/// Where the motion of this law may lie; of a reference that has a prediction.
+Result<MotionBand> bandOf(const ApplyVerification& verification, const models::PositionLaw& law) {
+    if (verification.band) {
+        return *verification.band;
+    }
+    const auto motor = withUncertainty(verification.motor);
+    const auto motors = motor ? bandMotors(*motor, verification.draws) : failure(motor.error());
+    if (!motors) {
+        return failure(motors.error());
+    }
+    const models::LoopReference reference = *idealReference(verification.reference);
+    std::vector<models::ReferencePoint> points;
+    for (int i = 0; i * law.period_s <= verification.duration_s; ++i) {
+        points.push_back(models::evaluateReference(reference, i * law.period_s));
+    }
+    const auto rows = static_cast<std::size_t>(std::lround(1e3 * verification.duration_s)) + 1;
+    return expectedMotion(*motors, law, points, rows);
+}
+
+/// The angle of a move in rows 1 ms apart, from where the rotor was: the board may send fewer, and some may
+/// be lost. Ends where the recording does.
+std::vector<double> everyMillisecond(const Recording& move) {
+    constexpr double Row_s = 1e-3;
+    const std::vector<double> position_rad = move.column("position");
+    std::vector<double> angle_rad;
+    std::size_t next = 0;
+    for (std::size_t row = 0; !position_rad.empty(); ++row) {
+        const double time_s = move.time_s.front() + Row_s * static_cast<double>(row);
+        while (next < move.time_s.size() && move.time_s[next] < time_s - 1e-9) {
+            ++next;
+        }
+        if (next >= position_rad.size()) {
+            break;
+        }
+        const std::size_t before = next == 0 ? 0 : next - 1;
+        const double step_s = move.time_s[next] - move.time_s[before];
+        const double share = step_s > 0.0 ? (time_s - move.time_s[before]) / step_s : 1.0;
+        angle_rad.push_back(std::lerp(position_rad[before], position_rad[next], share) -
+                            position_rad.front());
+    }
+    return angle_rad;
+}
+
+/// A motor that is not the model may end its move where the model does: the whole way must be one that the
+/// uncertainty of the model allows.
+void judgeWay(const MotionBand& band, ApplyResult& result) {
+    const std::vector<double> angle_rad = everyMillisecond(result.verification->recording);
+    result.band->widening_ratio = neededWidening_ratio(band, angle_rad, 0.0);
+    BandCheck check(band);
+    for (std::size_t row = 0; row < angle_rad.size(); ++row) {
+        check.add(1e-3 * static_cast<double>(row), angle_rad[row]);
+    }
+    if (check.departure()) {
+        refuse(result.quality, "left_predicted_band", departureError(*check.departure()));
+    } else if (result.band->widening_ratio > 1.0) {
+        refuse(result.quality, "left_predicted_band",
+               {ErrorCode::Refused,
+                "more than a twentieth of the measured motion was outside the predicted band",
+                "The old values run again. Identify the motor anew, or choose calmer gains."});
     }
 }
 
@@ -173,6 +262,10 @@ Result<void> verifyMove(devices::Device& device, const ApplyVerification& verifi
     if (!predicted) {
         return failure(predicted.error());
     }
+    const auto band = bandOf(verification, *law);
+    if (!band) {
+        return failure(band.error());
+    }
     ProcedureObserver quiet = observer;
     quiet.onState = nullptr; // all of the move is one state here
     const auto seen = performMove(device, moveOf(verification), quiet);
@@ -186,6 +279,7 @@ Result<void> verifyMove(devices::Device& device, const ApplyVerification& verifi
     result.band->friction_rad = frictionBand_rad(*plant, *law);
     compareCurves(seen->recording, *result.band);
     judgeData(verification, result);
+    judgeWay(*band, result);
     judge(verification, result);
     return {};
 }

@@ -44,6 +44,19 @@ bool leaves(const std::function<double(double)>& way_rad) {
     return watch.hasLeft();
 }
 
+TEST(BandCheck, keepsTheFirstDeparture) {
+    BandCheck check(band());
+    for (int row = 0; row < 1000; ++row) {
+        const double time_s = 1e-3 * row;
+        const bool isFar = (time_s > 0.2 && time_s < 0.21) || (time_s > 0.3 && time_s < 0.4) || time_s > 0.6;
+        check.add(time_s, isFar ? time_s - 0.7 : time_s);
+        EXPECT_EQ(check.departure().has_value(), time_s > 0.3155) << time_s; // 15 ms are a glitch
+    }
+    EXPECT_NEAR(check.departure()->at_s, 0.3, 1.5e-3);       // a row
+    EXPECT_NEAR(check.departure()->beyond_rad, 0.2, 5.5e-3); // a point of the band
+    EXPECT_NE(departureError(*check.departure()).message.find("at 0.301 s"), std::string::npos);
+}
+
 TEST(BandWatch, aMoveInsideGoesOn) {
     EXPECT_FALSE(leaves([](double time_s) { return time_s; }));
     EXPECT_FALSE(leaves([](double time_s) { return time_s + 0.49; }));
