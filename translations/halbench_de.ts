@@ -6382,6 +6382,18 @@
         <source>choose a faster loop, or one with more integral action</source>
         <translation>einen schnelleren Kreis wählen oder einen mit mehr I-Anteil</translation>
     </message>
+    <message>
+        <source>must be a positive time in seconds</source>
+        <translation>muss eine positive Zeit in Sekunden sein</translation>
+    </message>
+    <message>
+        <source>the motor was measured at {} s with {} samples of delay, this device has {} s and {}</source>
+        <translation>der Motor wurde mit {} s und {} Abtastungen Verzögerung gemessen, dieses Gerät hat {} s und {}</translation>
+    </message>
+    <message>
+        <source>identify the motor with the delay that this device has now</source>
+        <translation>den Motor mit der Verzögerung identifizieren, die dieses Gerät jetzt hat</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -6382,6 +6382,18 @@
         <source>choose a faster loop, or one with more integral action</source>
         <translation>请选择更快的回路，或积分作用更强的回路</translation>
     </message>
+    <message>
+        <source>must be a positive time in seconds</source>
+        <translation>必须是以秒为单位的正的时间</translation>
+    </message>
+    <message>
+        <source>the motor was measured at {} s with {} samples of delay, this device has {} s and {}</source>
+        <translation>该电机是在 {} s、{} 个采样的时延下测量的，而此设备为 {} s 和 {}</translation>
+    </message>
+    <message>
+        <source>identify the motor with the delay that this device has now</source>
+        <translation>请在此设备现有的时延下辨识电机</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -85,6 +85,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "must hold finite numbers"),
     QT_TRANSLATE_NOOP("Phrases", "needs as many rows as names"),
     QT_TRANSLATE_NOOP("Phrases", "must be square"),
+    QT_TRANSLATE_NOOP("Phrases", "must be a positive time in seconds"),
     QT_TRANSLATE_NOOP("Phrases", "is nothing that the board's law has"),
     QT_TRANSLATE_NOOP("Phrases", "leave it out to use these gains; weights and filters are judged by 'halbench analyse' and 'halbench tune --gains'"),
     QT_TRANSLATE_NOOP("Phrases", "must be \"parallel\", \"standard\" or \"series\""),

@@ -244,6 +244,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "Refused: this loop is unstable"),
     QT_TRANSLATE_NOOP("Phrases", "the response was measured every {} ms, this loop runs every {} ms"),
     QT_TRANSLATE_NOOP("Phrases", "measure it on this board"),
+    QT_TRANSLATE_NOOP("Phrases", "the motor was measured at {} s with {} samples of delay, this device has {} s and {}"),
+    QT_TRANSLATE_NOOP("Phrases", "identify the motor with the delay that this device has now"),
     QT_TRANSLATE_NOOP("Phrases", "the uncertainty of the model allows no motor at all"),
     QT_TRANSLATE_NOOP("Phrases", "identify the motor again"),
     QT_TRANSLATE_NOOP("Phrases", "the model does not hold {}, which decides the loop"),

@@ -110,6 +110,9 @@ Result<TuneResult> judgeLoop(ComparedLoop& loop, const ModelFile& model, LoopCon
     config.conditions.timing = loop.gains.timing;
     config.seed = with.seed;
     Result<TuneResult> judged = judgeLaw(model.estimate, loop.gains.loopLaw(), config);
+    if (judged && loop.timing) {
+        addFinding(*judged, *loop.timing);
+    }
     if (judged) {
         loop.result.warnings = judged->warnings;
         loop.result.quality.findings = judged->warnings;
@@ -120,19 +123,22 @@ Result<TuneResult> judgeLoop(ComparedLoop& loop, const ModelFile& model, LoopCon
     return judged;
 }
 
-/// What runs on the board takes its timing with it: each loop is the one its gains were designed for.
+/// What runs on the board takes its timing with it: each loop is the one its gains were designed for, unless
+/// the model knows which one its board has.
 Result<ComparedLoop> analyseGains(const std::string& path, const ModelFile& model,
                                   LoopConditions conditions) {
-    const Result<GainsFile> file = readShapedGains(path);
+    Result<GainsFile> file = readShapedGains(path);
     if (!file) {
         return failure(file.error());
     }
-    conditions.timing = file->timing;
+    conditions.timing = timingOr(model.estimate.timing, file->timing);
+    auto other = otherTiming(file->timing, conditions.timing);
+    file->timing = conditions.timing;
     Result<AnalysisResult> result = runAnalysis(model.estimate, file->loopLaw(), conditions);
     if (!result) {
         return failure(result.error().code, path + ": " + result.error().message, result.error().hint);
     }
-    return ComparedLoop{path, *file, *std::move(result)};
+    return ComparedLoop{path, *std::move(file), *std::move(result), std::move(other)};
 }
 
 Result<std::vector<ComparedLoop>> analyseAll(const CommandOptions& options, const ModelFile& model,
@@ -293,7 +299,7 @@ CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& o
     if (!model) {
         return failure(model.error());
     }
-    Result<LoopConditions> conditions = loopConditionsOf(model->device ? model->device->model : "");
+    Result<LoopConditions> conditions = loopConditionsOf(*model);
     if (!conditions) {
         return failure(conditions.error());
     }

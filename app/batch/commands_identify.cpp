@@ -7,7 +7,10 @@
 #include "app/batch/result_documents.h"
 #include "devices/acquisition/recording_file.h"
 #include "devices/device_uri.h"
+#include "devices/profile.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace halbench::app {
@@ -47,6 +50,24 @@ CommandResult identifyDevice(CommandContext& context, const CommandOptions& opti
     return finish(context, options, header, *result);
 }
 
+/// Of the board that a recording is of, as far as its sidecar says it.
+Result<MeasuredTiming> recordedTiming(const devices::RecordingMeta& meta) {
+    const Result<std::optional<devices::Profile>> profile = devices::findProfile(meta.device.model);
+    if (!profile) {
+        return failure(profile.error());
+    }
+    MeasuredTiming timing;
+    if (*profile && (*profile)->constants.contains("T_s")) {
+        timing.period_s = (*profile)->constants.at("T_s");
+    }
+    const auto isOfDelay = [](const auto& entry) { return entry.name == "delay.samples"; };
+    const auto noted = std::find_if(meta.parameters.begin(), meta.parameters.end(), isOfDelay);
+    if (noted != meta.parameters.end() && std::none_of(meta.changes.begin(), meta.changes.end(), isOfDelay)) {
+        timing.delay_samples = static_cast<int>(std::lround(noted->value));
+    }
+    return timing;
+}
+
 /// The device that the sidecar names; a recording without one has none.
 CommandResult identifyFile(CommandContext& context, const CommandOptions& options, const std::string& path,
                            IdentifyConfig config) {
@@ -62,10 +83,15 @@ CommandResult identifyFile(CommandContext& context, const CommandOptions& option
         header.started = file->meta.started;
     }
     config.seed = header.seed;
+    const Result<MeasuredTiming> timing = file->hasMeta ? recordedTiming(file->meta) : MeasuredTiming{};
+    if (!timing) {
+        return failure(timing.error());
+    }
     Result<IdentifyResult> result = identifyRecording(file->recording, config, isInterrupted);
     if (!result) {
         return failure(result.error().code, path + ": " + result.error().message, result.error().hint);
     }
+    result->timing = *timing;
     noteWarnings(result->quality, file->warnings);
     return finish(context, options, header, *result);
 }

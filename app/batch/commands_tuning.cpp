@@ -84,7 +84,8 @@ Result<TuneResult> findGains(const CommandOptions& options, const TuningSource& 
         return runTune(source.estimate, config);
     }
     LoopConditions conditions = source.conditions;
-    conditions.timing = source.device ? conditions.timing : source.gains->timing;
+    conditions.timing =
+        source.device ? conditions.timing : timingOr(source.estimate.timing, source.gains->timing);
     auto judged = judgeGains(*source.gains, source.estimate, conditions, {config.seed, config.load_A});
     if (!judged) {
         return failure(judged.error().code, options.gainsFile + ": " + judged.error().message,

@@ -69,6 +69,9 @@ JsonValue identificationBody(const IdentifyResult& result) {
     body.set("residual_rms_rad_s", finiteOrNull(result.residualRms_rad_s));
     body.set("points", pointsOf(result)).set("covariance", covarianceOf(result));
     body.set("duration_s", result.duration_s);
+    body.set("sample_period_s", finiteOrNull(result.timing.period_s));
+    body.set("delay_samples",
+             result.timing.delay_samples ? JsonValue(*result.timing.delay_samples) : JsonValue());
     body.set("highest_temperature_degC", finiteOrNull(result.highestTemperature_degC));
     JsonValue notes = JsonValue::object();
     for (const auto& [name, value] : result.notes) {

@@ -68,6 +68,7 @@ Result<IdentificationFile> parseIdentification(const std::string& text, const st
     file.result = resultOf(*root);
     file.result.covarianceNames = model->estimate.covarianceNames;
     file.result.covariance = model->estimate.covariance;
+    file.result.timing = model->estimate.timing;
     file.header = headerOf(*root);
     return file;
 }

@@ -14,6 +14,7 @@ struct ComparedLoop {
     std::string path; ///< of the gains
     GainsFile gains;
     AnalysisResult result;
+    std::optional<Finding> timing = {}; ///< that the gains are for another one than `gains.timing`
 };
 
 /// `compared` of halbench.analysis/1: for each its file, its method and what analysisBody() tells.

@@ -1,6 +1,5 @@
 #include "app/batch/loop_conditions.h"
 
-#include "app/batch/model_file.h"
 #include "devices/profile.h"
 
 #include <algorithm>
@@ -38,6 +37,14 @@ Result<LoopConditions> loopConditionsOf(const std::string& model) {
         return failure(profile.error());
     }
     return fromConstants(*profile ? (*profile)->constants : std::map<std::string, double>{});
+}
+
+Result<LoopConditions> loopConditionsOf(const ModelFile& model) {
+    Result<LoopConditions> conditions = loopConditionsOf(model.device ? model.device->model : "");
+    if (conditions) {
+        conditions->timing = timingOr(model.estimate.timing, conditions->timing);
+    }
+    return conditions;
 }
 
 LoopConditions loopConditionsOf(const devices::Catalogue& catalogue,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/batch/model_file.h"
 #include "app/procedures/analyse.h"
 #include "app/procedures/calibrate_procedure.h"
 #include "devices/device.h"
@@ -14,6 +15,9 @@ namespace halbench::app {
 /// The surroundings of the loop from the shipped profile of a model (period, current limit, stray field);
 /// defaults for a model without one. Errors: of the profile.
 Result<LoopConditions> loopConditionsOf(const std::string& model);
+
+/// The same with the timing that the model was measured with, where its file says it. Errors: likewise.
+Result<LoopConditions> loopConditionsOf(const ModelFile& model);
 
 /// The same from what a device says of itself: its delay, its current limit, its stray-field compensation. Of
 /// a parameter that is not among the values, what the catalogue knows.

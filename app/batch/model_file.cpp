@@ -154,6 +154,19 @@ void readCovariance(DocumentReader& reader, MotorEstimate& estimate) {
     }
 }
 
+/// Files of older versions do not say it.
+MeasuredTiming readTiming(DocumentReader& reader) {
+    MeasuredTiming timing;
+    timing.period_s = reader.optionalNumber("sample_period_s");
+    if (timing.period_s && !control::checkTiming({*timing.period_s, 0})) {
+        reader.fail("sample_period_s", "must be a positive time in seconds");
+    }
+    if (reader.optionalNumber("delay_samples")) {
+        timing.delay_samples = static_cast<int>(reader.wholeNumber("delay_samples", 2.0));
+    }
+    return timing;
+}
+
 std::optional<devices::DeviceInfo> readDevice(DocumentReader& reader) {
     const JsonValue* device = reader.find("device", true);
     if (device == nullptr || !device->isObject()) {
@@ -261,6 +274,7 @@ Result<ModelFile> parseModel(const std::string& text, const std::string& origin)
         }
     }
     readCovariance(reader, file.estimate);
+    file.estimate.timing = readTiming(reader);
     file.device = readDevice(reader);
     file.seed = static_cast<std::uint64_t>(reader.wholeNumber("seed", 9.0e15));
     const std::string verdict = reader.text("data_quality.verdict");

@@ -120,7 +120,11 @@ Result<StepOutcome> loopOutcome(StepRun& run, const ExperimentStep& step) {
     if (!conditions) {
         return failure(conditions.error());
     }
-    Result<AnalysisResult> result = runAnalysis(motorEstimate(*model), tuned->result.law, *conditions);
+    const MotorEstimate motor = motorEstimate(*model);
+    if (const auto fits = checkTimingOfModel(motor.timing, conditions->timing); !fits) {
+        return failure(fits.error());
+    }
+    Result<AnalysisResult> result = runAnalysis(motor, tuned->result.law, *conditions);
     if (!result) {
         return failure(result.error());
     }

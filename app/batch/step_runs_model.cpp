@@ -147,6 +147,9 @@ Result<StepOutcome> runTuneStep(StepRun& run, const ExperimentStep& step) {
     config.conditions = *conditions;
     config.seed = run.seed;
     const MotorEstimate motor = motorEstimate(*model);
+    if (const auto fits = checkTimingOfModel(motor.timing, conditions->timing); !fits) {
+        return failure(fits.error());
+    }
     Result<TuneResult> result = runTune(motor, config);
     if (!result) {
         return failure(result.error());

@@ -38,6 +38,17 @@ Result<void> admitGains(const CommandOptions& options, const std::optional<Gains
                    foreign->hint + ", or repeat the command with --foreign-model");
 }
 
+/// A model of another loop than the device has: likewise.
+Result<void> admitTiming(const CommandOptions& options, const MotorEstimate& motor,
+                         const control::LoopTiming& device) {
+    const Result<void> same = checkTimingOfModel(motor.timing, device);
+    if (same || options.takesForeignModel) {
+        return {};
+    }
+    return failure(ErrorCode::Refused, "--apply: " + same.error().message,
+                   same.error().hint + ", or repeat the command with --foreign-model");
+}
+
 /// Opened, once it is this motor, or another one with a word of the user.
 Result<void> openOther(CommandContext& context, const CommandOptions& options, TuningSource& source) {
     Result<std::unique_ptr<devices::Device>> device =
@@ -92,6 +103,9 @@ Result<void> openToApply(CommandContext& context, const CommandOptions& options,
     const Result<LoopConditions> conditions = loopConditionsOf(*source.device);
     if (!conditions) {
         return failure(conditions.error());
+    }
+    if (const Result<void> fits = admitTiming(options, source.estimate, conditions->timing); !fits) {
+        return fits;
     }
     if (const auto timing = otherTiming(result.conditions.timing, conditions->timing)) {
         LoopConditions there = *conditions;

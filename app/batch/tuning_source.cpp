@@ -27,14 +27,14 @@ Result<TuningSource> sourceFromFile(const CommandContext& context, const std::st
         return failure(model.error());
     }
     TuningSource source;
-    source.estimate = std::move(model->estimate);
     source.header = headerFor(context, "halbench.gains/1");
     source.header.device = model->device;
     source.header.seed = context.global.seed.value_or(model->seed);
-    const Result<LoopConditions> conditions = loopConditionsOf(model->device ? model->device->model : "");
+    const Result<LoopConditions> conditions = loopConditionsOf(*model);
     if (!conditions) {
         return failure(conditions.error());
     }
+    source.estimate = std::move(model->estimate);
     source.conditions = *conditions;
     return source;
 }

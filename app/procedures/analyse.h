@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/procedures/loop_law.h"
+#include "app/procedures/measured_timing.h"
 #include "app/procedures/procedure.h"
 #include "control/analysis/margins.h"
 #include "control/analysis/root_locus.h"
@@ -24,6 +25,7 @@ struct MotorEstimate {
     std::map<std::string, double> values;
     std::vector<std::string> covarianceNames;
     std::vector<std::vector<double>> covariance;
+    MeasuredTiming timing = {}; ///< of the loop that it was measured with
 };
 
 /// What the loop design knows of the sensing: how well the stray field of the coils is compensated.

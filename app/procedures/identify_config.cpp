@@ -107,6 +107,7 @@ MotorEstimate motorEstimate(const IdentifyResult& result) {
     }
     estimate.covarianceNames = result.covarianceNames;
     estimate.covariance = result.covariance;
+    estimate.timing = result.timing;
     return estimate;
 }
 

@@ -191,11 +191,13 @@ Result<IdentifyResult> runIdentify(devices::Device& device, const IdentifyConfig
     if (!guard) {
         return failure(guard.error());
     }
+    const MeasuredTiming timing = timingOf(device.catalogue(), guard->snapshot());
     auto result = restoredResult(*guard, excite(device, config, observer, *currents_A));
     if (!result) {
         (void)enterState(observer, ProcedureState::Restored);
         return result;
     }
+    result->timing = timing;
     if (auto entered = enterState(observer, ProcedureState::Done); !entered) {
         return failure(entered.error());
     }

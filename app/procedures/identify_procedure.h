@@ -79,6 +79,7 @@ struct IdentifyResult {
     DataQuality quality;
     double duration_s = 0.0; ///< device time that the excitation took
     double highestTemperature_degC = 0.0;
+    MeasuredTiming timing = {};          ///< of the board; of a file what is recorded with it
     Recording recording;                 ///< all of the excitation at 100 Hz; empty for a file
     std::map<std::string, double> notes; ///< further diagnostics, e.g. "friction_scatter_ratio"
 };

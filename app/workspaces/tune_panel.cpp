@@ -181,6 +181,7 @@ void TunePanel::refreshModel() {
                          words("Kf_over_phi", "K_f/\u03c6")};
     parts.removeAll({});
     m_model->setText(tr("Motor (SI, 95 %): %1").arg(parts.join(QStringLiteral(", "))));
+    readConditions(); // without a device they are those of the model
     ask();
 }
 
@@ -196,6 +197,9 @@ void TunePanel::readConditions() {
         conditions = loopConditionsOf(session.catalogue(), m_bench.deviceValues());
     } else if (const auto known = loopConditionsOf(DefaultModel)) {
         conditions = *known;
+        const auto& identification = m_bench.identification();
+        conditions.timing =
+            timingOr(identification ? identification->timing : MeasuredTiming{}, conditions.timing);
     }
     const auto present = lawFromParameters(valuesBefore());
     const auto law = present ? std::optional(*present) : std::nullopt;
@@ -235,6 +239,12 @@ std::optional<TuneQuestion> TunePanel::question() {
     question.motor = motorEstimate(*m_bench.identification());
     question.config.method = m_form->method();
     question.config.conditions = m_conditions;
+    if (m_bench.session().state() == SessionState::Connected && !m_bench.deviceValues().empty()) {
+        if (const auto fits = checkTimingOfModel(question.motor.timing, m_conditions.timing); !fits) {
+            showProblem(fits.error());
+            return std::nullopt;
+        }
+    }
     takeStrayInterval(question.config.conditions, m_bench.strayInterval95_T_per_A());
     question.present = m_presentLaw;
     question.record = m_record;

@@ -156,5 +156,29 @@ TEST_F(TuningParts, whatIsDesignedForNoDelayIsJudgedWithThatOfTheDevice) {
     EXPECT_EQ(bool(opened), result.quality.verdict != Verdict::Refused);
 }
 
+// A motor that was measured with another delay: its model is not taken for this board without a word.
+TEST_F(TuningParts, aModelOfAnotherTimingIsRefusedByTheDevice) {
+    for (const auto& [measured, device, isSame] :
+         {std::tuple(MeasuredTiming{0.01, 1}, "sim:htm?delay_samples=1", true),
+          std::tuple(MeasuredTiming{0.01, 1}, "sim:htm", false),
+          std::tuple(MeasuredTiming{0.01, 0}, "sim:htm?delay_samples=2", false),
+          std::tuple(MeasuredTiming{0.005, 0}, "sim:htm", false),
+          std::tuple(MeasuredTiming{std::nullopt, 0}, "sim:htm", true)}) {
+        TuningSource source;
+        source.estimate = published();
+        source.estimate.timing = measured;
+        TuneResult result = designed("recommended");
+        CommandOptions options;
+        options.applyDevice = device;
+        const auto opened = openToApply(context, options, source, result);
+        EXPECT_EQ(bool(opened), isSame) << device;
+        if (!opened) {
+            EXPECT_EQ(opened.error().code, ErrorCode::Refused);
+            EXPECT_NE(opened.error().message.find("samples of delay"), std::string::npos)
+                << opened.error().message;
+        }
+    }
+}
+
 } // namespace
 } // namespace halbench::app

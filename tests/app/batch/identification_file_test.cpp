@@ -26,6 +26,7 @@ IdentifyResult result() {
     made.duration_s = 231.5;
     made.highestTemperature_degC = 41.25;
     made.notes = {{"runs_test_p", 0.42}};
+    made.timing = {0.01, 1};
     return made;
 }
 
@@ -48,6 +49,18 @@ TEST(IdentificationFile, whatWasReadWritesTheSameBytesAgain) {
     const auto file = parseIdentification(text, "model.json");
     ASSERT_TRUE(file) << file.error().message;
     EXPECT_EQ(written(file->header, file->result), text);
+}
+
+TEST(IdentificationFile, keepsTheTimingOfTheLoopThatWasMeasured) {
+    const auto file = parseIdentification(written(header(), result()), "model.json");
+    ASSERT_TRUE(file) << file.error().message;
+    EXPECT_EQ(file->result.timing, (MeasuredTiming{0.01, 1}));
+    EXPECT_EQ(motorEstimate(file->result).timing, file->result.timing);
+    IdentifyResult unknown = result(); // a recording of another program
+    unknown.timing = {};
+    const auto other = parseIdentification(written(header(), unknown), "model.json");
+    ASSERT_TRUE(other) << other.error().message;
+    EXPECT_EQ(other->result.timing, MeasuredTiming{});
 }
 
 TEST(IdentificationFile, aRefusedOrDamagedModelIsRefusedAsEverywhere) {

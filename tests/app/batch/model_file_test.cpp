@@ -59,6 +59,28 @@ TEST(ModelFile, mistakesNameFileAndKey) {
     }
 }
 
+TEST(ModelFile, theTimingIsReadWhereTheFileHasIt) {
+    const Result<ModelFile> old = parseModel(Model, "m.json");
+    ASSERT_TRUE(old.has_value()) << old.error().message;
+    EXPECT_EQ(old->estimate.timing, MeasuredTiming{}); // of an older version
+    const auto with = [](const std::string& more) {
+        return parseModel(replaced(Model, "\"seed\": 7,", "\"seed\": 7, " + more + ","), "m.json");
+    };
+    EXPECT_EQ(with(R"("sample_period_s": 0.005, "delay_samples": 2)")->estimate.timing,
+              (MeasuredTiming{0.005, 2}));
+    EXPECT_EQ(with(R"("sample_period_s": null, "delay_samples": null)")->estimate.timing, MeasuredTiming{});
+    for (const auto& [wrong, key] : {std::pair(R"("sample_period_s": 0)", "sample_period_s"),
+                                     std::pair(R"("sample_period_s": "10 ms")", "sample_period_s"),
+                                     std::pair(R"("delay_samples": 3)", "delay_samples"),
+                                     std::pair(R"("delay_samples": 0.5)", "delay_samples"),
+                                     std::pair(R"("delay_samples": -1)", "delay_samples")}) {
+        const auto model = with(wrong);
+        ASSERT_FALSE(model.has_value()) << wrong;
+        EXPECT_EQ(model.error().code, ErrorCode::InvalidInput);
+        EXPECT_NE(model.error().message.find(key), std::string::npos) << model.error().message;
+    }
+}
+
 TEST(ModelFile, refusedEstimateIsNotUsed) {
     const Result<ModelFile> model = parseModel(replaced(Model, "good", "refused"), "m.json");
     ASSERT_FALSE(model.has_value());

@@ -71,6 +71,17 @@ TEST(LoopConditions, ofTheMotorAreThoseOfTheTheoryPage) {
     EXPECT_TRUE(loopConditionsOf("none").has_value()); // defaults
 }
 
+TEST(LoopConditions, ofAModelAreThoseItWasMeasuredWith) {
+    ModelFile model;
+    model.device.emplace().model = "htm";
+    EXPECT_EQ(loopConditionsOf(model)->timing, (control::LoopTiming{0.01, 0})); // an older file
+    model.estimate.timing = {std::nullopt, 1};
+    EXPECT_EQ(loopConditionsOf(model)->timing, (control::LoopTiming{0.01, 1}));
+    model.estimate.timing = {0.002, 2};
+    EXPECT_EQ(loopConditionsOf(model)->timing, (control::LoopTiming{0.002, 2}));
+    EXPECT_EQ(loopConditionsOf(model)->currentLimit_A, loopConditionsOf("htm")->currentLimit_A);
+}
+
 TEST(KnownMotor, isPredictedForThePublishedModelOnly) {
     devices::DeviceInfo device;
     EXPECT_FALSE(knownMotor(device).has_value());
