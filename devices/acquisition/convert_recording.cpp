@@ -87,10 +87,15 @@ Result<std::vector<std::size_t>> columnsOf(const StreamLayout& layout,
         return columns;
     }
     for (const std::string& signal : signals) {
-        const auto found = std::find_if(
-            layout.columns.begin(), layout.columns.end(), [&](const StreamLayout::Column& column) {
-                return column.name == signal || csvColumnName(column.name, column.unit) == signal;
-            });
+        const auto named = [&](const auto& nameOf) {
+            return std::find_if(layout.columns.begin(), layout.columns.end(),
+                                [&](const StreamLayout::Column& column) { return nameOf(column) == signal; });
+        };
+        auto found = named([](const StreamLayout::Column& column) { return column.name; });
+        if (found == layout.columns.end()) { // a.b and a_b have columns that are alike: names come first
+            found = named(
+                [](const StreamLayout::Column& column) { return csvColumnName(column.name, column.unit); });
+        }
         if (found == layout.columns.end()) {
             std::vector<std::string> known;
             for (const StreamLayout::Column& column : layout.columns) {
@@ -111,7 +116,7 @@ RecordingMeta partMeta(RecordingMeta meta, const StreamLayout& layout) {
     for (const StreamLayout::Column& column : layout.columns) {
         const std::string header = csvColumnName(column.name, column.unit);
         const auto known = std::find_if(meta.signals.begin(), meta.signals.end(), [&](const auto& note) {
-            return note.name == column.name && note.column == header;
+            return note.name == column.name && note.unit == column.unit;
         });
         notes.push_back(known != meta.signals.end()
                             ? *known

@@ -206,9 +206,22 @@ Result<void> chooseTime(CsvColumns& result, const CsvImportRequest& request) {
     return {};
 }
 
-Result<void> checkQuantities(CsvColumns& result) {
+/// Somebody said the unit: the header is not asked again.
+bool isUnitGiven(const CsvColumns& result, std::size_t index, const CsvImportRequest& request) {
+    return std::any_of(request.units.begin(), request.units.end(), [&](const auto& given) {
+        const Result<std::size_t> column = findColumn(result.columns, given.first);
+        return column && *column == index;
+    });
+}
+
+Result<void> checkQuantities(CsvColumns& result, const CsvImportRequest& request) {
     for (std::size_t i = 0; i < result.columns.size(); ++i) {
         const CsvColumn& column = result.columns[i];
+        if (isTemperatureName(column.name) && column.isUnitKnown && column.unit == "rad" &&
+            !isUnitGiven(result, i, request)) { // "temp [deg]"
+            askForUnit(result, i, {"degC", column.written});
+            continue;
+        }
         const std::optional<std::string> due = unitOfKnownSignal(column.signal);
         if (!due || due->empty() || result.time == i) {
             continue;
@@ -306,7 +319,7 @@ Result<CsvColumns> arrangeColumns(const std::vector<std::string>& names,
         }
         time.signal.clear();
     }
-    if (const Result<void> done = checkQuantities(result); !done) {
+    if (const Result<void> done = checkQuantities(result, request); !done) {
         return failure(done.error());
     }
     nameSignals(result);

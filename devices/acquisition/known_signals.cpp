@@ -33,6 +33,17 @@ std::span<const KnownSignal> knownSignals() {
     return KnownSignals;
 }
 
+bool isTemperatureName(std::string_view name) {
+    std::string lowered(name);
+    std::transform(lowered.begin(), lowered.end(), lowered.begin(), [](char character) {
+        return character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a') : character;
+    });
+    const auto has = [&lowered](const char* word) { return lowered.find(word) != std::string::npos; };
+    const bool isTemp = lowered == "temp" || lowered.starts_with("temp_") || lowered.starts_with("temp.") ||
+                        lowered.ends_with("temp");
+    return isTemp || has("temperat") || has("_temp_") || has(".temp.");
+}
+
 std::optional<std::string> unitOfKnownSignal(const std::string& name) {
     const auto known = std::find_if(KnownSignals.begin(), KnownSignals.end(),
                                     [&](const KnownSignal& signal) { return signal.name == name; });

@@ -17,6 +17,9 @@ struct KnownSignal {
 /// another program that uses one of these names must mean the same quantity.
 std::span<const KnownSignal> knownSignals();
 
+/// "temp", "Motor temperature": what is hardly an angle when it is in "deg".
+bool isTemperatureName(std::string_view name);
+
 /// Nothing for any other name.
 std::optional<std::string> unitOfKnownSignal(const std::string& name);
 

@@ -111,25 +111,27 @@ private:
     std::vector<std::size_t> m_sizes;
 };
 
-void writeUnits(MatWriter& writer, const std::vector<std::string>& names, const StreamLayout& layout) {
+/// A text of each variable: its unit, or what its signal is called.
+void writeTexts(MatWriter& writer, const char* variable, const std::vector<std::string>& names,
+                const std::vector<std::string>& texts) {
     std::vector<const char*> fields{"time_s"};
     for (const std::string& name : names) {
         fields.push_back(name.c_str());
     }
     std::array<std::size_t, 2> one{1, 1};
     const Variable units(
-        Mat_VarCreateStruct("units", 2, one.data(), fields.data(), static_cast<unsigned>(fields.size())));
+        Mat_VarCreateStruct(variable, 2, one.data(), fields.data(), static_cast<unsigned>(fields.size())));
     std::size_t longest = 0;
     std::size_t octets = 0;
     for (std::size_t i = 0; units && i < fields.size(); ++i) {
-        const std::string text = i == 0 ? "s" : layout.columns[i - 1].unit;
+        const std::string& text = texts[i];
         longest = std::max(longest, std::string_view(fields[i]).size() + 1);
         octets += TagSize + matrixSize({}, textOctets(text));
         Variable unit = textVariable(nullptr, text);
         Mat_VarSetStructFieldByName(units.get(), fields[i], 0, unit.release()); // the struct frees it
     }
     writer.write(units,
-                 matrixSize("units", fields.size() * longest) + TagSize + octets); // and how long names are
+                 matrixSize(variable, fields.size() * longest) + TagSize + octets); // and how long names are
 }
 
 void writeVariables(MatWriter& writer, const Recording& recording, const RecordingMeta& meta) {
@@ -142,7 +144,14 @@ void writeVariables(MatWriter& writer, const Recording& recording, const Recordi
         }
         writer.writeColumn(names[column], values);
     }
-    writeUnits(writer, names, *recording.layout);
+    std::vector<std::string> units{"s"};
+    std::vector<std::string> signals{"time"};
+    for (const StreamLayout::Column& column : recording.layout->columns) {
+        units.push_back(column.unit);
+        signals.push_back(column.name);
+    }
+    writeTexts(writer, "units", names, units);
+    writeTexts(writer, "signals", names, signals);
     writer.writeText("meta_model", meta.device.model);
     writer.writeText("meta_id", meta.device.id);
     writer.writeText("meta_firmware", meta.device.firmware);
@@ -187,7 +196,7 @@ Result<void> writeMat(const std::string& path, const Recording& recording, const
 } // namespace
 
 std::vector<std::string> matNames(const StreamLayout& layout) {
-    std::set<std::string> taken{"time_s",        "units",        "meta_model",    "meta_id",
+    std::set<std::string> taken{"time_s",        "units",        "signals",       "meta_model", "meta_id",
                                 "meta_firmware", "meta_started", "meta_software", "meta_json"};
     std::vector<std::string> names;
     for (const StreamLayout::Column& column : layout.columns) {
@@ -207,6 +216,7 @@ Result<void> writeMatFile(const std::string& path, const Recording& recording, R
     }
     meta.rows = recording.rows();
     meta.sha256.clear();
+    nameColumnsOf(*recording.layout, meta);
     for (std::size_t row = 0; row < recording.rows(); ++row) {
         if (const std::uint64_t lost = lostRowsBefore(recording, row); lost != 0) {
             meta.gaps.push_back({recording.time_s[row], lost});

@@ -180,7 +180,8 @@ Result<RecordingMeta::SignalNote> readSignal(Reader& reader, const Block& channe
 }
 
 Result<void> readChannels(Reader& reader, const Block& group, RecordingMeta& meta) {
-    std::set<std::string> columns{"time_s"};
+    std::set<std::pair<std::string, std::string>> seen; // name and unit
+    StreamLayout layout;
     std::size_t count = 0;
     for (std::uint64_t offset = group.link(1); offset != 0; ++count) {
         const Result<Block> channel = reader.block(Cn, offset);
@@ -195,10 +196,11 @@ Result<void> readChannels(Reader& reader, const Block& group, RecordingMeta& met
             if (!signal) {
                 return failure(signal.error());
             }
-            if (!columns.insert(signal->column).second) {
+            if (!seen.insert({signal->name, signal->unit}).second) {
                 return reader.wrongAt(Cn.id, offset,
                                       fmt::format("column '{}' is there twice", signal->column));
             }
+            layout.columns.push_back({signal->name, signal->unit});
             meta.signals.push_back(*std::move(signal));
         }
         offset = channel->link(0);
@@ -206,6 +208,7 @@ Result<void> readChannels(Reader& reader, const Block& group, RecordingMeta& met
     if (count == 0 || get<std::uint32_t>(group.data, 24) != count * sizeof(double)) {
         return reader.wrongAt(Cg.id, group.offset, "its rows do not hold its channels");
     }
+    nameColumnsOf(layout, meta);
     return {};
 }
 

@@ -4,6 +4,7 @@
 #include "devices/acquisition/time_axis.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -176,8 +177,11 @@ bool appendCsvRow(std::string_view line, std::size_t columns, Recording& recordi
 }
 
 std::string csvColumnName(const std::string& signal, const std::string& unit) {
+    static constexpr std::string_view NotInHeaders = ".,\"\n\r";
     std::string name = signal;
-    std::replace(name.begin(), name.end(), '.', '_');
+    std::replace_if(
+        name.begin(), name.end(),
+        [](char character) { return NotInHeaders.find(character) != std::string_view::npos; }, '_');
     const std::optional<Unit> known = findUnit(unit);
     if (known && !known->suffix.empty()) {
         name += '_';
@@ -186,12 +190,22 @@ std::string csvColumnName(const std::string& signal, const std::string& unit) {
     return name;
 }
 
-std::string csvHeader(const StreamLayout& layout) {
-    std::string text = "time_s";
+std::vector<std::string> csvColumnNames(const StreamLayout& layout) {
+    std::set<std::string> taken = {"time_s"};
+    std::vector<std::string> names;
     for (const StreamLayout::Column& column : layout.columns) {
-        text += ',' + csvColumnName(column.name, column.unit);
+        std::string name = csvColumnName(column.name, column.unit);
+        for (int number = 2; !taken.insert(name).second; ++number) {
+            name = csvColumnName(fmt::format("{}_{}", column.name, number), column.unit);
+        }
+        names.push_back(std::move(name));
     }
-    return text + '\n';
+    return names;
+}
+
+std::string csvHeader(const StreamLayout& layout) {
+    return fmt::format("time_s{}{}\n", layout.columns.empty() ? "" : ",",
+                       fmt::join(csvColumnNames(layout), ","));
 }
 
 namespace {

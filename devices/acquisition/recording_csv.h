@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace halbench::devices {
 
@@ -15,6 +16,10 @@ namespace halbench::devices {
 
 /// Column of a signal: '.' becomes '_', then '_' and the unit's suffix: "hall.a", "T" -> "hall_a_T".
 std::string csvColumnName(const std::string& signal, const std::string& unit);
+
+/// Columns of all signals, in their order: one that another signal or the time has already gets a number,
+/// "a_b_A" and "a_b_2_A". The sidecar tells the signals.
+std::vector<std::string> csvColumnNames(const StreamLayout& layout);
 
 /// "time_s,position_rad,...\n"
 std::string csvHeader(const StreamLayout& layout);

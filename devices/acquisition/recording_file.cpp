@@ -4,6 +4,7 @@
 #include "devices/acquisition/mdf4_reader.h"
 #include "devices/acquisition/recording_csv.h"
 #include "devices/acquisition/recording_salvage.h"
+#include "devices/acquisition/recording_units.h"
 #include "devices/acquisition/recording_writer.h"
 #include "devices/profile.h"
 
@@ -135,14 +136,18 @@ std::string signalNameOf(const std::string& column) {
     return column;
 }
 
-void nameColumns(RecordedFile& file) {
+/// Answers of which columns the sidecar says name and unit.
+std::vector<bool> nameColumns(RecordedFile& file) {
     StreamLayout layout = *file.recording.layout;
-    for (StreamLayout::Column& column : layout.columns) {
+    std::vector<bool> isNoted(layout.columns.size(), false);
+    for (std::size_t i = 0; i < layout.columns.size(); ++i) {
+        StreamLayout::Column& column = layout.columns[i];
         const std::string header = csvColumnName(column.name, column.unit);
         column.name = signalNameOf(column.name);
         for (const RecordingMeta::SignalNote& note : file.meta.signals) {
             if (note.column == header) {
                 column = {note.name, note.unit};
+                isNoted[i] = true;
             }
         }
     }
@@ -150,6 +155,12 @@ void nameColumns(RecordedFile& file) {
         layout.period_s = file.meta.period_s;
     }
     file.recording.layout = std::make_shared<const StreamLayout>(std::move(layout));
+    return isNoted;
+}
+
+Result<RecordedFile> inSi(RecordedFile file, const std::vector<bool>& isNoted, const std::string& path) {
+    const Result<void> converted = convertToSi(file, isNoted, path);
+    return converted ? Result<RecordedFile>(std::move(file)) : failure(converted.error());
 }
 
 bool hasEnding(const std::string& path, std::string_view ending) {
@@ -202,8 +213,10 @@ tl::unexpected<Error> noRowsIn(const std::string& path, bool isEmpty, std::strin
 /// How the data differ from what their sidecar says was recorded. What lacks rows may have other faults too.
 std::string changeOf(const std::string& path, const RecordedFile& file) {
     const std::uint64_t rows = file.recording.rows();
-    return rows >= file.meta.rows ? fmt::format("'{}' was changed since it was recorded (SHA-256)", path)
-                                  : fmt::format("'{}' was changed since it was recorded: {} of {} rows", path,
+    const std::string name =
+        std::filesystem::path(path).filename().string(); // a result shall not tell the folder
+    return rows >= file.meta.rows ? fmt::format("'{}' was changed since it was recorded (SHA-256)", name)
+                                  : fmt::format("'{}' was changed since it was recorded: {} of {} rows", name,
                                                 rows, file.meta.rows);
 }
 
@@ -214,7 +227,9 @@ Result<RecordedFile> readRecordingFile(const std::string& path,
                                        const std::function<void(double)>& onProgress) {
     if (isMdf4Recording(path)) {
         const Result<std::string> text = readText(path, maxText());
-        return text ? parseMdf4(*text, path, checkAbort) : failure(text.error());
+        Result<RecordedFile> file = text ? parseMdf4(*text, path, checkAbort) : failure(text.error());
+        const std::size_t columns = file ? file->recording.layout->columns.size() : 0;
+        return file ? inSi(*std::move(file), std::vector<bool>(columns, true), path) : file;
     }
     RecordedFile file;
     std::string sha256;
@@ -237,8 +252,8 @@ Result<RecordedFile> readRecordingFile(const std::string& path,
             file.warnings.push_back(changeOf(path, file));
         }
     }
-    nameColumns(file);
-    return file;
+    const std::vector<bool> isNoted = nameColumns(file);
+    return inSi(std::move(file), isNoted, path);
 }
 
 Result<std::string> readTableText(const std::string& path) {
@@ -273,7 +288,10 @@ Result<PartialRecording> readPartialRecording(const std::string& path) {
     partial.cutOctets = salvaged->cutOctets;
     partial.damagedOctets = salvaged->damagedOctets;
     partial.uncheckedRows = salvaged->uncheckedRows;
-    nameColumns(partial.file);
+    const std::vector<bool> isNoted = nameColumns(partial.file);
+    if (const Result<void> converted = convertToSi(partial.file, isNoted, path); !converted) {
+        return failure(converted.error());
+    }
     partial.file.meta.markers.push_back({partial.file.recording.time_s.back(), "recording interrupted"});
     return partial;
 }

@@ -18,9 +18,10 @@ struct RecordedFile {
     bool hasMeta = false;
     std::vector<std::string> warnings; ///< e.g. the data were changed since
 };
-/// Reads MDF4 when the name ends so, else CSV, of which only the numbers are held: as many as a third of this
-/// machine's memory takes. `onProgress` hears which share of a CSV file is read. Errors: FileSystem,
-/// InvalidInput with line and column or block and octet, that of `checkAbort`.
+/// The known signals in their SI units (recording_units.h). Reads MDF4 when the name ends so, else CSV, of
+/// which only the numbers are held: as many as a third of this machine's memory takes. `onProgress` hears
+/// which share of a CSV file is read. Errors: FileSystem, InvalidInput with line and column or block and
+/// octet, that of `checkAbort`.
 Result<RecordedFile> readRecordingFile(const std::string& path,
                                        const std::function<Result<void>()>& checkAbort = {},
                                        const std::function<void(double)>& onProgress = {});

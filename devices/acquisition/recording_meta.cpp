@@ -142,6 +142,22 @@ RecordingMeta describeRecording(Device& device, const StreamLayout& layout, cons
     return meta;
 }
 
+void nameColumnsOf(const StreamLayout& layout, RecordingMeta& meta) {
+    const std::vector<std::string> names = csvColumnNames(layout);
+    std::vector<bool> isNamed(meta.signals.size(), false);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        for (std::size_t note = 0; note < meta.signals.size(); ++note) {
+            const bool isOfColumn = !isNamed[note] && meta.signals[note].name == layout.columns[i].name &&
+                                    meta.signals[note].unit == layout.columns[i].unit;
+            if (isOfColumn) {
+                meta.signals[note].column = names[i];
+                isNamed[note] = true;
+                break;
+            }
+        }
+    }
+}
+
 std::string toMetaJson(const RecordingMeta& meta) {
     QJsonObject root{
         {"schema", Schema},

@@ -61,6 +61,9 @@ std::vector<RecordingMeta::ParameterNote> parameterNotes(Device& device);
 /// lost.
 RecordingMeta describeRecording(Device& device, const StreamLayout& layout, const std::string& started);
 
+/// Names the columns of the signals as a file of `layout` does, where they are the same signals.
+void nameColumnsOf(const StreamLayout& layout, RecordingMeta& meta);
+
 /// JSON text with sorted keys, so that equal recordings give equal bytes; schema "halbench.recording-meta/1".
 std::string toMetaJson(const RecordingMeta& meta);
 /// Errors: InvalidInput with the place.

@@ -33,12 +33,17 @@ std::string_view withoutEnd(std::string_view line) {
 /// The columns that the sidecar names; nothing when it says none, or contradicts itself: each follows from
 /// name and unit of its signal.
 std::optional<StreamLayout> columnsOf(const RecordingMeta& meta) {
-    std::string header = "time_s";
+    StreamLayout signals;
     for (const RecordingMeta::SignalNote& note : meta.signals) {
-        if (note.column != csvColumnName(note.name, note.unit)) {
+        signals.columns.push_back({note.name, note.unit});
+    }
+    const std::vector<std::string> names = csvColumnNames(signals);
+    std::string header = "time_s";
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (meta.signals[i].column != names[i]) {
             return std::nullopt;
         }
-        header += ',' + note.column;
+        header += ',' + names[i];
     }
     Result<StreamLayout> layout = parseCsvHeader(header, "sidecar");
     return layout && !meta.signals.empty() ? std::optional(*std::move(layout)) : std::nullopt;

@@ -168,6 +168,7 @@ Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::stri
     if (const Result<void> folder = createFolderOf(path); !folder) {
         return failure(folder.error());
     }
+    nameColumnsOf(layout, meta);
     std::unique_ptr<RecordingWriter> writer(new RecordingWriter(path, std::move(options), std::move(meta)));
     Result<void> begun = writer->open();
     if (!begun) {

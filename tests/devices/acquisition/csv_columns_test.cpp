@@ -42,6 +42,26 @@ TEST(CsvColumns, unitsStandInBracketsOrInTheirOwnRow) {
     EXPECT_EQ(result->columns[3].divisor, 1e3);
 }
 
+TEST(CsvColumns, aTemperatureInDegIsAskedFor) {
+    for (const char* header :
+         {"temp [deg]", "Motor temperature (deg)", "coil_temp [\xC2\xB0]", "Temperatur [deg]"}) {
+        const auto asked = arrange({"time [s]", header});
+        ASSERT_TRUE(asked) << asked.error().message;
+        ASSERT_EQ(asked->questions.size(), 1U) << header;
+        EXPECT_EQ(asked->questions[0].answers[0].unit.second, "degC");
+    }
+    CsvImportRequest request;
+    request.units = {{"temp", "degC"}};
+    const auto celsius = arrange({"time [s]", "temp [deg]"}, request);
+    ASSERT_TRUE(celsius && celsius->questions.empty());
+    EXPECT_EQ(celsius->columns[1].unit, "degC");
+    request.units = {{"temp", "deg"}};
+    const auto angle = arrange({"time [s]", "temp [deg]"}, request);
+    ASSERT_TRUE(angle && angle->questions.empty());
+    EXPECT_EQ(angle->columns[1].unit, "rad");
+    EXPECT_TRUE(arrange({"time [s]", "template [deg]", "tempo2 [deg]"})->questions.empty());
+}
+
 TEST(CsvColumns, ourOwnHeadersAreUnderstood) {
     const auto result = arrange({"time_s", "position_rad", "hall_a_T", "phase_A"});
     ASSERT_TRUE(result) << result.error().message;

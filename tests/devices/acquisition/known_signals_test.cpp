@@ -21,6 +21,15 @@ TEST(KnownSignals, areThoseOfOurBoardInItsUnits) {
     }
 }
 
+TEST(KnownSignals, temperaturesAreToldByTheirNames) {
+    for (const char* name : {"temp", "Temp_1", "coil_temp", "MotorTemp", "temperature", "Wickeltemperatur"}) {
+        EXPECT_TRUE(isTemperatureName(name)) << name;
+    }
+    for (const char* name : {"position", "template", "tempo", "attempts", ""}) {
+        EXPECT_FALSE(isTemperatureName(name)) << name;
+    }
+}
+
 TEST(KnownSignals, anyOtherNameHasNoUnit) {
     EXPECT_FALSE(unitOfKnownSignal("angle"));
     EXPECT_FALSE(unitOfKnownSignal(""));
