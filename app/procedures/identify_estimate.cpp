@@ -1,6 +1,7 @@
 #include "app/procedures/identify_estimate.h"
 
 #include "control/identify/plateau.h"
+#include "control/signals/angle_wrap.h"
 
 #include <fmt/format.h>
 
@@ -25,6 +26,7 @@ struct Columns {
     std::vector<double> angle_rad;
     std::vector<double> current_A;
     std::vector<double> marker;
+    std::optional<double> wrap_rad; ///< of the angle, which was put together again
 };
 
 std::vector<double> firstColumn(const Recording& recording, std::initializer_list<const char*> names) {
@@ -67,6 +69,20 @@ Result<void> checkRows(const std::vector<double>& time_s) {
     return {};
 }
 
+/// A board may measure its position in what is no angle; readers of files convert what can be.
+Result<void> checkUnits(const StreamLayout& layout) {
+    for (const auto& [name, unit] : {std::pair("position", "rad"), std::pair("current_command", "A")}) {
+        const int index = layout.indexOf(name);
+        const std::string& written = index < 0 ? "" : layout.columns[static_cast<std::size_t>(index)].unit;
+        if (!written.empty() && written != unit) {
+            return failure(ErrorCode::InvalidInput,
+                           fmt::format("{} of the recording is in {}, not in {}", name, written, unit),
+                           "a motor is identified from its angle and its current");
+        }
+    }
+    return {};
+}
+
 Result<Columns> takeColumns(const Recording& recording) {
     constexpr std::size_t FewestRows = 50;
     if (recording.rows() < FewestRows) {
@@ -81,9 +97,13 @@ Result<Columns> takeColumns(const Recording& recording) {
         return failure(ErrorCode::InvalidInput, "the recording lacks position or current_command",
                        "it needs the columns time_s, position_rad and current_command_A");
     }
+    if (Result<void> inSi = checkUnits(*recording.layout); !inSi) {
+        return failure(inSi.error());
+    }
     if (Result<void> checked = checkRows(recording.time_s); !checked) {
         return failure(checked.error());
     }
+    columns.wrap_rad = control::unwrapAngle(columns.angle_rad);
     return columns;
 }
 
@@ -271,6 +291,7 @@ Result<IdentifyFits> fitRecording(const Recording& recording, const IdentifyConf
     }
     IdentifyFits fits;
     fits.lostRows = recording.lostRows;
+    fits.wrap_rad = columns->wrap_rad;
     takeTemperatures(recording, fits);
     if (auto done = fitTransients(recording, *columns, *plateaus, config, checkAbort, fits); !done) {
         return failure(done.error());

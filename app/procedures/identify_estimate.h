@@ -22,6 +22,7 @@ struct IdentifyFits {
     double startTemperature_degC = 25.0;
     double highestTemperature_degC = 25.0;
     std::uint64_t lostRows = 0;
+    std::optional<double> wrap_rad; ///< at which the angle jumped back
 };
 
 /// Errors: InvalidInput (columns missing, rate below 100 Hz, no rows), NotFinite, that of `checkAbort`.
