@@ -955,10 +955,6 @@
         <translation>phi/J = {}, c/J = {}, K_f/phi = {} sind kein Motor: das Drehmoment je Ampere muss positiv sein, Dämpfung und Reibung nicht negativ</translation>
     </message>
     <message>
-        <source>identify the motor again, or correct the model file</source>
-        <translation>identifizieren Sie den Motor neu, oder berichtigen Sie die Modelldatei</translation>
-    </message>
-    <message>
         <source>a delay of {} samples is not between 0 and {}</source>
         <translation>eine Totzeit von {} Abtastwerten liegt nicht zwischen 0 und {}</translation>
     </message>

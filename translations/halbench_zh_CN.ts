@@ -955,10 +955,6 @@
         <translation>phi/J = {}、c/J = {}、K_f/phi = {} 不是电机：单位电流转矩必须为正，阻尼和摩擦不能为负</translation>
     </message>
     <message>
-        <source>identify the motor again, or correct the model file</source>
-        <translation>请重新辨识电机，或改正模型文件</translation>
-    </message>
-    <message>
         <source>a delay of {} samples is not between 0 and {}</source>
         <translation>{} 个样本的时延不在 0 和 {} 之间</translation>
     </message>

@@ -1,6 +1,7 @@
 #include "app/batch/calibration_file.h"
 
 #include "app/batch/document_parts.h"
+#include "app/batch/document_units.h"
 #include "app/batch/model_file.h"
 #include "control/base/units.h"
 
@@ -62,7 +63,7 @@ Result<CalibrationRecord> parseCalibrationRecord(const std::string& text, const 
     if (const Result<CalibrationFile> judged = parseCalibration(text, origin); !judged) {
         return failure(judged.error());
     }
-    const Result<JsonValue> root = parseJson(text, origin);
+    const Result<JsonValue> root = parseDocument(text, origin);
     if (!root) {
         return failure(root.error());
     }

@@ -1,6 +1,7 @@
 #include "app/batch/changed_recording.h"
 
 #include "app/batch/console.h"
+#include "devices/acquisition/recording_units.h"
 
 #include <algorithm>
 
@@ -16,7 +17,10 @@ void noteWarnings(DataQuality& quality, const std::vector<std::string>& warnings
     for (const std::string& warning : warnings) {
         quality.verdict = std::max(quality.verdict, Verdict::Doubtful);
         quality.findings.push_back(
-            {ChangedRecordingCode, warning, "compare it with a copy of it; it may lack rows or have others"});
+            devices::isUnitWarning(warning)
+                ? Finding{"unit_assumed", warning, "write the unit behind the column's name: position_rad"}
+                : Finding{ChangedRecordingCode, warning,
+                          "compare it with a copy of it; it may lack rows or have others"});
     }
 }
 

@@ -1,6 +1,7 @@
 #include "app/batch/identification_file.h"
 
 #include "app/batch/document_parts.h"
+#include "app/batch/document_units.h"
 #include "app/batch/model_file.h"
 #include "app/batch/output_file.h"
 
@@ -60,7 +61,7 @@ Result<IdentificationFile> parseIdentification(const std::string& text, const st
     if (!model) {
         return failure(model.error());
     }
-    const Result<JsonValue> root = parseJson(text, origin);
+    const Result<JsonValue> root = parseDocument(text, origin);
     if (!root) {
         return failure(root.error());
     }

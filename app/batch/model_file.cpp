@@ -1,6 +1,7 @@
 #include "app/batch/model_file.h"
 
 #include "app/batch/document_parts.h"
+#include "app/batch/document_units.h"
 #include "app/batch/output_file.h"
 #include "control/design/board_gains.h"
 
@@ -118,6 +119,45 @@ constexpr std::array ModelQuantities = {
     ModelQuantity{"ratios.phi_over_J", "phi_over_J"},   ModelQuantity{"ratios.c_over_phi", "c_over_phi"},
     ModelQuantity{"ratios.Kf_over_phi", "Kf_over_phi"},
 };
+
+struct ModelRatio {
+    const char* symbol;
+    const char* above;
+    const char* below;
+};
+
+constexpr std::array ModelRatios = {
+    ModelRatio{"c_over_J", "c", "J"},       ModelRatio{"Kf_over_J", "Kf", "J"},
+    ModelRatio{"phi_over_J", "phi", "J"},   ModelRatio{"c_over_phi", "c", "phi"},
+    ModelRatio{"Kf_over_phi", "Kf", "phi"},
+};
+
+/// Half of the program works with ratios, half with absolute values: one number that was changed alone would
+/// give two motors.
+void checkRatios(DocumentReader& reader, const MotorEstimate& estimate) {
+    constexpr double Rounding_ratio = 5e-3; // of numbers that somebody wrote with three digits
+    const auto valueOf = [&](const char* symbol) -> std::optional<double> {
+        const auto found = estimate.values.find(symbol);
+        return found == estimate.values.end() ? std::nullopt : std::optional(found->second);
+    };
+    for (const ModelRatio& ratio : ModelRatios) {
+        const auto stated = valueOf(ratio.symbol);
+        const auto above = valueOf(ratio.above);
+        const auto below = valueOf(ratio.below);
+        if (!stated || !above || !below || *below == 0.0) {
+            continue;
+        }
+        const double computed = *above / *below;
+        if (!(std::abs(*stated - computed) <=
+              Rounding_ratio * std::max(std::abs(*stated), std::abs(computed)))) {
+            reader.fail(fmt::format("ratios.{}.value", ratio.symbol),
+                        fmt::format("is {:.6g}, but the parameters say {}/{} = {:.6g}", *stated, ratio.above,
+                                    ratio.below, computed),
+                        "the values of a model belong together: identify again with --given, e.g. 'halbench "
+                        "identify FILE.csv --given J=5.5e-4 --out'");
+        }
+    }
+}
 
 std::vector<double> readRow(DocumentReader& reader, const JsonValue& row) {
     std::vector<double> numbers;
@@ -259,7 +299,7 @@ control::DesignTargets targetsOf(const JsonValue* targets) {
 } // namespace
 
 Result<ModelFile> parseModel(const std::string& text, const std::string& origin) {
-    const Result<JsonValue> root = parseJson(text, origin);
+    const Result<JsonValue> root = parseDocument(text, origin);
     if (!root) {
         return failure(root.error());
     }
@@ -273,6 +313,7 @@ Result<ModelFile> parseModel(const std::string& text, const std::string& origin)
             file.estimate.values[quantity.symbol] = *value;
         }
     }
+    checkRatios(reader, file.estimate);
     readCovariance(reader, file.estimate);
     file.estimate.timing = readTiming(reader);
     file.device = readDevice(reader);
@@ -289,7 +330,7 @@ Result<ModelFile> parseModel(const std::string& text, const std::string& origin)
 }
 
 Result<GainsFile> parseGains(const std::string& text, const std::string& origin) {
-    const Result<JsonValue> root = parseJson(text, origin);
+    const Result<JsonValue> root = parseDocument(text, origin);
     if (!root) {
         return failure(root.error());
     }
@@ -338,7 +379,7 @@ Result<GainsFile> parseGains(const std::string& text, const std::string& origin)
 }
 
 Result<CalibrationFile> parseCalibration(const std::string& text, const std::string& origin) {
-    const Result<JsonValue> root = parseJson(text, origin);
+    const Result<JsonValue> root = parseDocument(text, origin);
     if (!root) {
         return failure(root.error());
     }

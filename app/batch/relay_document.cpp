@@ -1,6 +1,7 @@
 #include "app/batch/relay_document.h"
 
 #include "app/batch/document_parts.h"
+#include "app/batch/document_units.h"
 #include "app/batch/output_file.h"
 #include "app/batch/result_documents.h"
 #include "control/base/units.h"
@@ -80,7 +81,7 @@ JsonValue relayBody(const RelayResult& result) {
 }
 
 Result<RelayFile> parseRelay(const std::string& text, const std::string& origin) {
-    const Result<JsonValue> root = parseJson(text, origin);
+    const Result<JsonValue> root = parseDocument(text, origin);
     if (!root) {
         return failure(root.error());
     }

@@ -1,6 +1,7 @@
 #include "app/batch/result_history.h"
 
 #include "app/batch/document_parts.h"
+#include "app/batch/document_units.h"
 
 #include <QtCore/QDir>
 #include <QtCore/QFile>
@@ -29,7 +30,7 @@ bool isOfSameDevice(const ResultRow& one, const ResultRow& other) {
 } // namespace
 
 std::optional<ResultRow> resultOf(const std::string& file, const std::string& text) {
-    const Result<JsonValue> root = parseJson(text, file);
+    const Result<JsonValue> root = parseDocument(text, file);
     if (!root || textIn(&*root, "schema") != "halbench.identification/1") {
         return std::nullopt;
     }

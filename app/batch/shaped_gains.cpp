@@ -1,6 +1,7 @@
 #include "app/batch/shaped_gains.h"
 
 #include "app/batch/document_parts.h"
+#include "app/batch/document_units.h"
 #include "app/batch/output_file.h"
 #include "control/base/assert.h"
 
@@ -185,7 +186,7 @@ JsonValue withoutShaping(JsonValue root) {
 } // namespace
 
 Result<GainsFile> parseShapedGains(const std::string& text, const std::string& origin) {
-    const Result<JsonValue> root = parseJson(text, origin);
+    const Result<JsonValue> root = parseDocument(text, origin);
     if (!root) {
         return failure(root.error());
     }

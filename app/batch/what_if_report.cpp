@@ -1,6 +1,7 @@
 #include "app/batch/what_if_report.h"
 
 #include "app/batch/command_support.h"
+#include "app/batch/document_units.h"
 #include "app/batch/loop_conditions.h"
 #include "app/batch/numbers.h"
 #include "app/batch/result_header.h"
@@ -20,10 +21,17 @@ namespace {
 
 using Values = std::map<std::string, double>;
 
-Values valuesOf(const devices::RecordingMeta& meta) {
+Result<Values> valuesOf(const devices::RecordingMeta& meta, const std::string& path) {
     Values values;
-    for (const devices::RecordingMeta::ParameterNote& note : meta.parameters) {
-        values[note.name] = note.value;
+    for (std::size_t i = 0; i < meta.parameters.size(); ++i) {
+        const devices::RecordingMeta::ParameterNote& note = meta.parameters[i];
+        const Result<double> value =
+            inDueUnit(note.name, note.value, note.unit,
+                      fmt::format("{}: \"parameters[{}]", devices::metaPathOf(path), i));
+        if (!value) {
+            return failure(value.error());
+        }
+        values[note.name] = *value;
     }
     return values;
 }
@@ -34,8 +42,9 @@ bool isOfLaw(const std::string& name) {
 
 constexpr const char* GiveRanFile = "give them: --ran GAINS.json";
 
-Result<control::PositionLaw> recordedLaw(const devices::RecordedFile& file, const std::string& path) {
-    const auto law = lawFromParameters(valuesOf(file.meta));
+Result<control::PositionLaw> recordedLaw(const devices::RecordedFile& file, const Values& values,
+                                         const std::string& path) {
+    const auto law = lawFromParameters(values);
     if (!law) {
         return failure(ErrorCode::InvalidInput,
                        fmt::format("{}: which gains ran is not recorded beside it", path), GiveRanFile);
@@ -105,9 +114,13 @@ Result<RanMove> readRanMove(const std::string& recordingPath, const std::string&
     if (!move) {
         return failure(move.error().code, recordingPath + ": " + move.error().message, move.error().hint);
     }
+    const Result<Values> values = valuesOf(file->meta, recordingPath);
+    if (!values) {
+        return failure(values.error());
+    }
     RanMove ran{*std::move(move), {}, conditions};
     if (ranFile.empty()) {
-        const auto law = recordedLaw(*file, recordingPath);
+        const auto law = recordedLaw(*file, *values, recordingPath);
         if (!law) {
             return failure(law.error());
         }
@@ -125,7 +138,7 @@ Result<RanMove> readRanMove(const std::string& recordingPath, const std::string&
         ran.law = gains->law;
         ran.conditions.timing = gains->timing;
     }
-    takeConditions(ran.conditions, valuesOf(file->meta));
+    takeConditions(ran.conditions, *values);
     return ran;
 }
 

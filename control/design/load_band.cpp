@@ -173,7 +173,7 @@ Result<LoadBand> loadBandOf(const MovedMotors& motors, double final_rad, double 
     }
     if (figures.peak_rad.empty()) {
         return failure(ErrorCode::Refused, "none of the drawn plants is a motor",
-                       "identify the motor again, or correct the model file");
+                       "identify the motor again");
     }
     LoadBand band;
     for (const std::size_t point : kept) {

@@ -50,7 +50,7 @@ Result<void> checkPlant(const PositionPlant& plant) {
             fmt::format("phi/J = {:.4g}, c/J = {:.4g}, K_f/phi = {:.4g} is no motor: torque per ampere must "
                         "be positive, damping and friction not negative",
                         plant.accelerationGain_rad_s2_A, plant.dampingRate_1_s, plant.breakawayCurrent_A),
-            "identify the motor again, or correct the model file");
+            "identify the motor again");
     }
     return {};
 }

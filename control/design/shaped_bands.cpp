@@ -69,7 +69,7 @@ Result<ShapedEquation> checkedEquation(const std::vector<PositionPlant>& motors,
     }
     if (motors.empty()) {
         return failure(ErrorCode::Refused, "none of the drawn plants is a motor",
-                       "identify the motor again, or correct the model file");
+                       "identify the motor again");
     }
     return ShapedEquation::make(law, timing.period_s);
 }

@@ -31,8 +31,7 @@ Result<StepBand> stepBandOf(const MovedMotors& motors, double amplitude_rad, dou
     const LaneRun run{amplitude_rad, 0.0, pointsPerSample, keptPoints(points, mostPoints)};
     auto middle = motors.middle(run);
     if (!middle) {
-        return failure(ErrorCode::Refused, "none of the drawn plants is a motor",
-                       "identify the motor again, or correct the model file");
+        return failure(ErrorCode::Refused, "none of the drawn plants is a motor", "identify the motor again");
     }
     StepBand band{{}, *std::move(middle)};
     for (const std::size_t point : run.kept) {

@@ -1,4 +1,5 @@
 #include "app/batch/changed_recording.h"
+#include "devices/acquisition/recording_units.h"
 
 #include <gtest/gtest.h>
 
@@ -18,6 +19,18 @@ TEST(ChangedRecording, aWarningMakesAResultDoubtfulAndNoneLeavesItAsItIs) {
     refused.verdict = Verdict::Refused;
     noteWarnings(refused, {"changed"});
     EXPECT_EQ(refused.verdict, Verdict::Refused) << "no better for it";
+}
+
+TEST(ChangedRecording, aUnitThatIsAssumedHasACodeOfItsOwn) {
+    devices::RecordedFile file;
+    file.recording.layout = std::make_shared<const StreamLayout>(StreamLayout{{{"position", ""}}, 0.01});
+    ASSERT_TRUE(devices::convertToSi(file, {false}, "folder/run.csv"));
+    DataQuality quality;
+    noteWarnings(quality, file.warnings);
+    ASSERT_EQ(quality.findings.size(), 1U);
+    EXPECT_EQ(quality.findings[0].code, "unit_assumed");
+    EXPECT_EQ(quality.findings[0].message.find("folder"), std::string::npos) << "no path in a result";
+    EXPECT_EQ(quality.verdict, Verdict::Doubtful);
 }
 
 TEST(ChangedRecording, theWorseVerdictHoldsAndAllFindingsStay) {

@@ -11,7 +11,7 @@ const std::string Model = R"({"schema": "halbench.identification/1", "seed": 7,
   "data_quality": {"verdict": "good", "findings": []},
   "parameters": {"viscous_damping": {"value": 1.23e-3}, "coulomb_friction": {"value": null},
                  "torque_constant": {"value": null}, "inertia": {"value": 5.5e-4}},
-  "ratios": {"c_over_J": {"value": 2.2}, "Kf_over_J": {"value": 37.0}, "phi_over_J": {"value": 26.0},
+  "ratios": {"c_over_J": {"value": 2.236}, "Kf_over_J": {"value": 37.0}, "phi_over_J": {"value": 26.0},
              "c_over_phi": {"value": 0.08}, "Kf_over_phi": {"value": 1.4}},
   "covariance": {"names": ["a", "b"], "matrix": [[1, 0.5], [0.5, 2]]}})";
 

@@ -13,7 +13,7 @@ std::string document(const std::string& started, const std::string& damping, con
     return R"({"schema":"halbench.identification/1","started":")" + started + R"(","device":{"id":")" +
            device + R"(","model":"htm"},"data_quality":{"verdict":"good","findings":[]},)" +
            R"("parameters":{"viscous_damping":{"value":)" + damping + R"(,"ci95":)" + interval +
-           R"(,"unit":"x","source":")" + source + R"("},"inertia":{"value":null,"ci95":null}}})";
+           R"(,"unit":"N*m*s/rad","source":")" + source + R"("},"inertia":{"value":null,"ci95":null}}})";
 }
 
 control::Estimate estimate(double value, double half) {
