@@ -21,16 +21,35 @@ constexpr double PrintDots = 300.0;
 constexpr double MetresPerInch = 0.0254;
 constexpr double PointsPerPixel = 72.0 / ScreenDots;
 
-/// The writer notes when it wrote; nobody asked, and the same picture shall be the same file.
-QByteArray withoutDate(QByteArray bytes) {
-    const auto key = QLatin1String("/CreationDate (D:");
-    const int begin = bytes.indexOf(key.data());
-    const int end = begin < 0 ? begin : bytes.indexOf(')', begin);
-    for (int i = begin + key.size(); begin >= 0 && i < end; ++i) {
-        if (bytes[i] >= '0' && bytes[i] <= '9') {
-            bytes[i] = '0'; // as long as before: the file's table of places stays right
+/// The file's table of places: those behind `from` move by `shift`, and so does the table itself.
+void movePlaces(QByteArray& bytes, int from, int shift) {
+    constexpr int PlaceDigits = 10; // "0000000086 00000 n"
+    const int table = bytes.lastIndexOf("\nxref\n") + 1;
+    const int trailer = bytes.indexOf("trailer", table);
+    for (int at = bytes.indexOf(" 00000 n", table); at > 0 && at < trailer;
+         at = bytes.indexOf(" 00000 n", at + 1)) {
+        const int place = bytes.mid(at - PlaceDigits, PlaceDigits).toInt();
+        if (place > from) {
+            bytes.replace(at - PlaceDigits, PlaceDigits,
+                          QByteArray::number(place + shift).rightJustified(PlaceDigits, '0'));
         }
     }
+    const int begin = bytes.indexOf('\n', bytes.indexOf("startxref", trailer)) + 1;
+    bytes.replace(begin, bytes.indexOf('\n', begin) - begin, QByteArray::number(table));
+}
+
+/// The writer notes when it wrote, and how far its clock is from UTC; nobody asked, and the same picture
+/// shall be the same file.
+QByteArray withoutDate(QByteArray bytes) {
+    const QByteArray key = "/CreationDate (D:";
+    const QByteArray none = "00000000000000Z";
+    const int begin = bytes.indexOf(key) + key.size();
+    const int length = bytes.indexOf(')', begin) - begin;
+    if (begin < key.size() || length < 0) {
+        return bytes;
+    }
+    bytes.replace(begin, length, none);
+    movePlaces(bytes, begin, none.size() - length);
     return bytes;
 }
 

@@ -34,6 +34,7 @@ std::unique_ptr<QApplication> createOffscreen() {
     // Pictures must not depend on the desktop the program happens to run on.
     qputenv("QT_QPA_PLATFORM", "offscreen");
     qputenv("QT_FONT_DPI", "96");
+    qputenv("FC_LANG", "en"); // which other font has the letters that ours lacks
     for (const char* name : {"QT_SCALE_FACTOR", "QT_SCREEN_SCALE_FACTORS", "QT_AUTO_SCREEN_SCALE_FACTOR",
                              "QT_STYLE_OVERRIDE", "QT_QPA_PLATFORMTHEME"}) {
         qunsetenv(name);

@@ -52,6 +52,26 @@ TEST_F(FigureFileTest, pdfHasLinesAndTextAndNoDate) {
     EXPECT_EQ(first, content(PictureFormat::Pdf));
 }
 
+/// The writer's date has the distance from UTC behind it, by which all that follows moves.
+TEST_F(FigureFileTest, pdfIsTheSameInEveryTimeZone) {
+    const QByteArray before = qgetenv("TZ");
+    qputenv("TZ", "UTC");
+    const QByteArray utc = content(PictureFormat::Pdf);
+    for (const char* zone : {"Asia/Tokyo", "America/St_Johns", "XYZ-13:45"}) {
+        qputenv("TZ", zone);
+        const QByteArray there = content(PictureFormat::Pdf);
+        EXPECT_EQ(there, utc) << zone;
+        const int table = there.mid(there.lastIndexOf("startxref\n") + 10).split('\n').front().toInt();
+        ASSERT_EQ(there.mid(table, 5), "xref\n") << zone;
+        const QList<QByteArray> places = there.mid(table).split('\n');
+        for (int object = 1; object < places[1].split(' ')[1].toInt(); ++object) {
+            const int place = places[2 + object].left(10).toInt();
+            EXPECT_TRUE(there.mid(place).startsWith(QByteArray::number(object) + " 0 obj")) << object;
+        }
+    }
+    before.isNull() ? qunsetenv("TZ") : qputenv("TZ", before);
+}
+
 TEST_F(FigureFileTest, pdfIsForPaperInEveryTheme) {
     const QByteArray light = content(PictureFormat::Pdf);
     dress("dark");
