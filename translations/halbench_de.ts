@@ -95,6 +95,62 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source>deg is an angle: degrees Celsius are written degC</source>
+        <translation>deg ist ein Winkel: Grad Celsius schreibt man degC</translation>
+    </message>
+    <message>
+        <source>name the column after what it is, e.g. {}; halbench import --unit says the unit</source>
+        <translation>benennen Sie die Spalte nach dem, was sie ist, z. B. {}; halbench import --unit nennt die Einheit</translation>
+    </message>
+    <message>
+        <source>{}:1: column &apos;{}&apos; is in &apos;{}&apos;, but {} is in {}</source>
+        <translation>{}:1: Spalte „{}“ steht in „{}“, aber {} in {}</translation>
+    </message>
+    <message>
+        <source>{}: signals[{}].unit: &apos;{}&apos; contradicts the column &apos;{}&apos;</source>
+        <translation>{}: signals[{}].unit: „{}“ widerspricht der Spalte „{}“</translation>
+    </message>
+    <message>
+        <source>correct the unit, or remove the sidecar to read the data without it</source>
+        <translation>berichtigen Sie die Einheit, oder entfernen Sie die Begleitdatei, um die Daten ohne sie zu lesen</translation>
+    </message>
+    <message>
+        <source>unit of column &apos;{}&apos; in &apos;{}&apos;: deg is an angle; degrees Celsius are written degC</source>
+        <translation>Einheit der Spalte „{}“ in „{}“: deg ist ein Winkel; Grad Celsius schreibt man degC</translation>
+    </message>
+    <message>
+        <source>unit of column &apos;{}&apos; in &apos;{}&apos;: none is written, {} is assumed</source>
+        <translation>Einheit der Spalte „{}“ in „{}“: keine angegeben, {} wird angenommen</translation>
+    </message>
+    <message>
+        <source>is {}, but the parameters say {}/{} = {}</source>
+        <translation>ist {}, aber die Parameter sagen {}/{} = {}</translation>
+    </message>
+    <message>
+        <source>the values of a model belong together: identify again with --given, e.g. &apos;halbench identify FILE.csv --given J=5.5e-4 --out&apos;</source>
+        <translation>die Werte eines Modells gehören zusammen: identifizieren Sie neu mit --given, z. B. „halbench identify FILE.csv --given J=5.5e-4 --out“</translation>
+    </message>
+    <message>
+        <source>{}: &quot;parameters[{}]</source>
+        <translation>{}: &quot;parameters[{}]</translation>
+    </message>
+    <message>
+        <source>{} of the recording is in {}, not in {}</source>
+        <translation>{} der Aufzeichnung steht in {}, nicht in {}</translation>
+    </message>
+    <message>
+        <source>a motor is identified from its angle and its current</source>
+        <translation>ein Motor wird aus seinem Winkel und seinem Strom identifiziert</translation>
+    </message>
+    <message>
+        <source>the angle wraps at {} rad: it was put together again, all plateaus are used</source>
+        <translation>der Winkel springt bei {} rad zurück: er wurde wieder zusammengesetzt, alle Plateaus sind verwendet</translation>
+    </message>
+    <message>
+        <source>record the angle over all turns, so that no row between two may be lost</source>
+        <translation>zeichnen Sie den Winkel über alle Umdrehungen auf, damit keine Zeile dazwischen verloren gehen kann</translation>
+    </message>
+    <message>
         <source>Rotor angle, unwrapped</source>
         <translation>Rotorwinkel, über Umdrehungen fortgezählt</translation>
     </message>

@@ -95,6 +95,62 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source>deg is an angle: degrees Celsius are written degC</source>
+        <translation>deg 是角度：摄氏度应写作 degC</translation>
+    </message>
+    <message>
+        <source>name the column after what it is, e.g. {}; halbench import --unit says the unit</source>
+        <translation>按实际内容命名该列，例如 {}；halbench import --unit 可指定单位</translation>
+    </message>
+    <message>
+        <source>{}:1: column &apos;{}&apos; is in &apos;{}&apos;, but {} is in {}</source>
+        <translation>{}:1: 列“{}”的单位是“{}”，但 {} 的单位是 {}</translation>
+    </message>
+    <message>
+        <source>{}: signals[{}].unit: &apos;{}&apos; contradicts the column &apos;{}&apos;</source>
+        <translation>{}: signals[{}].unit：“{}”与列“{}”矛盾</translation>
+    </message>
+    <message>
+        <source>correct the unit, or remove the sidecar to read the data without it</source>
+        <translation>改正单位，或移除附属文件后再读取数据</translation>
+    </message>
+    <message>
+        <source>unit of column &apos;{}&apos; in &apos;{}&apos;: deg is an angle; degrees Celsius are written degC</source>
+        <translation>列“{}”（“{}”）的单位：deg 是角度；摄氏度应写作 degC</translation>
+    </message>
+    <message>
+        <source>unit of column &apos;{}&apos; in &apos;{}&apos;: none is written, {} is assumed</source>
+        <translation>列“{}”（“{}”）的单位：未写明，按 {} 处理</translation>
+    </message>
+    <message>
+        <source>is {}, but the parameters say {}/{} = {}</source>
+        <translation>为 {}，但参数给出 {}/{} = {}</translation>
+    </message>
+    <message>
+        <source>the values of a model belong together: identify again with --given, e.g. &apos;halbench identify FILE.csv --given J=5.5e-4 --out&apos;</source>
+        <translation>模型的各个值相互关联：请用 --given 重新辨识，例如“halbench identify FILE.csv --given J=5.5e-4 --out”</translation>
+    </message>
+    <message>
+        <source>{}: &quot;parameters[{}]</source>
+        <translation>{}: &quot;parameters[{}]</translation>
+    </message>
+    <message>
+        <source>{} of the recording is in {}, not in {}</source>
+        <translation>记录中的 {} 单位是 {}，不是 {}</translation>
+    </message>
+    <message>
+        <source>a motor is identified from its angle and its current</source>
+        <translation>电机由其角度和电流辨识</translation>
+    </message>
+    <message>
+        <source>the angle wraps at {} rad: it was put together again, all plateaus are used</source>
+        <translation>角度在 {} rad 处回绕：已重新拼接，所有平台均已使用</translation>
+    </message>
+    <message>
+        <source>record the angle over all turns, so that no row between two may be lost</source>
+        <translation>请跨圈连续记录角度，以免其间丢失数据行</translation>
+    </message>
+    <message>
         <source>Rotor angle, unwrapped</source>
         <translation>转子角度，跨圈累计</translation>
     </message>

@@ -41,9 +41,9 @@ void movePlaces(QByteArray& bytes, int from, int shift) {
 /// The writer notes when it wrote, and how far its clock is from UTC; nobody asked, and the same picture
 /// shall be the same file.
 QByteArray withoutDate(QByteArray bytes) {
-    const QByteArray key = "/CreationDate (D:";
+    const auto key = QLatin1String("/CreationDate (D:");
     const QByteArray none = "00000000000000Z";
-    const int begin = bytes.indexOf(key) + key.size();
+    const int begin = bytes.indexOf(key.data()) + key.size();
     const int length = bytes.indexOf(')', begin) - begin;
     if (begin < key.size() || length < 0) {
         return bytes;

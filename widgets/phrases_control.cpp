@@ -98,7 +98,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "allow more current, or a smaller step"),
     QT_TRANSLATE_NOOP("Phrases", "a band under a load of {} A is not possible"),
     QT_TRANSLATE_NOOP("Phrases", "none of the drawn plants is a motor"),
-    QT_TRANSLATE_NOOP("Phrases", "identify the motor again, or correct the model file"),
+    QT_TRANSLATE_NOOP("Phrases", "identify the motor again"),
     QT_TRANSLATE_NOOP("Phrases", "a step needs a finite height that is not zero"),
     QT_TRANSLATE_NOOP("Phrases", "a step response of {} s is not possible"),
     QT_TRANSLATE_NOOP("Phrases", "the step response of this unstable loop grows beyond all numbers"),

@@ -21,7 +21,7 @@ namespace {
 constexpr std::array RawUnits = {"count", "counts", "tick", "ticks", "step", "steps",
                                  "lsb",   "digits", "inc",  "grad",  "Grad", "pulses"};
 
-constexpr const char* UnitNote = " [unit]"; // ends every warning about one
+constexpr const char* UnitWarning = "unit"; // begins every warning about one
 
 struct WrittenUnit {
     std::string signal;
@@ -150,8 +150,8 @@ Result<void> convertToSi(RecordedFile& file, const std::vector<bool>& isNoted, c
         }
         if (isTemperatureName(column.name) && column.unit == "deg" && !unitOfKnownSignal(column.name)) {
             file.warnings.push_back(
-                fmt::format("'{}': column '{}' is in deg, an angle; degrees Celsius are written degC{}", name,
-                            header, UnitNote));
+                fmt::format("unit of column '{}' in '{}': deg is an angle; degrees Celsius are written degC",
+                            header, name));
         }
         const std::optional<std::string> due = unitOfKnownSignal(written.signal);
         if (!due || due->empty() || written.unit == *due) {
@@ -161,8 +161,8 @@ Result<void> convertToSi(RecordedFile& file, const std::vector<bool>& isNoted, c
             continue;
         }
         if (written.unit.empty()) {
-            file.warnings.push_back(
-                fmt::format("'{}': column '{}' has no unit, {} is assumed{}", name, header, *due, UnitNote));
+            file.warnings.push_back(fmt::format("unit of column '{}' in '{}': none is written, {} is assumed",
+                                                header, name, *due));
             layout.columns[i].unit = *due;
             continue;
         }
@@ -186,7 +186,7 @@ Result<void> convertToSi(RecordedFile& file, const std::vector<bool>& isNoted, c
 }
 
 bool isUnitWarning(const std::string& warning) {
-    return warning.ends_with(UnitNote);
+    return warning.starts_with(UnitWarning);
 }
 
 } // namespace halbench::devices
