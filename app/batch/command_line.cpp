@@ -23,6 +23,7 @@ struct RawGlobals {
     bool isQuiet = false;
     bool isRealtime = false;
     bool mayArm = false;
+    bool mayOverwrite = false;
 };
 
 void addGlobalOptions(CLI::App& app, RawGlobals& raw) {
@@ -31,6 +32,7 @@ void addGlobalOptions(CLI::App& app, RawGlobals& raw) {
         ->type_name("N");
     app.add_flag("--realtime", raw.isRealtime, "Pace a simulated device by the wall clock");
     app.add_flag("--arm", raw.mayArm, "Consent: a device that is not simulated may be armed and move");
+    app.add_flag("--force", raw.mayOverwrite, "Consent: output files that are there already are overwritten");
     app.add_flag("--quiet", raw.isQuiet, "Warnings and errors only on stderr");
     app.add_option("--log-level", raw.level, "error, warning, info or debug")->type_name("LEVEL");
     app.add_flag("--no-color", raw.isColorless, "No colours on a terminal");
@@ -306,6 +308,7 @@ Result<GlobalOptions> globalsFrom(const RawGlobals& raw, ConsoleStyle style) {
     global.style = style;
     global.isRealtime = raw.isRealtime;
     global.mayArm = raw.mayArm;
+    global.mayOverwrite = raw.mayOverwrite;
     return global;
 }
 

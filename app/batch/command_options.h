@@ -15,6 +15,7 @@ struct GlobalOptions {
     std::optional<std::uint64_t> seed;
     bool isRealtime = false;
     bool mayArm = false;
+    bool mayOverwrite = false; ///< --force
 };
 
 /// The options of all commands as the user wrote them; numbers stay text until the command judges them, so

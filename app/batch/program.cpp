@@ -1,5 +1,6 @@
 #include "app/batch/program.h"
 
+#include "app/batch/command_outputs.h"
 #include "app/batch/commands.h"
 #include "app/batch/result_header.h"
 
@@ -72,6 +73,9 @@ CommandResult runArguments(const std::vector<std::string>& arguments, Console& c
         return failure(line.error());
     }
     console.setStyle(line->global.style);
+    if (const Result<void> free = checkOutputs(*line); !free) {
+        return failure(free.error());
+    }
     CommandContext context{line->global, console, interruptSignal};
     CommandResult result = dispatch(context, *line);
     if (result) {

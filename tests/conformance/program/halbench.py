@@ -64,11 +64,14 @@ class ProgramCase(unittest.TestCase):
             file.write(text)
         return self.path(name)
 
-    def run_program(self, *arguments, timeout=60, **options):
+    def run_program(self, *arguments, timeout=60, is_forced=True, **options):
+        """May overwrite what an earlier call of the test wrote, unless it is said not to."""
         options.setdefault("env", self.environment())
+        is_command = arguments and not arguments[0].startswith("-")
+        force = ["--force"] if is_forced and is_command else []
         began = time.monotonic()
-        done = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=timeout, check=False,
-                              cwd=self.folder, **options)
+        done = subprocess.run([PROGRAM, *arguments[:1], *force, *arguments[1:]], capture_output=True, text=True,
+                              timeout=timeout, check=False, cwd=self.folder, **options)
         return Answer(arguments, done, time.monotonic() - began)
 
     def start_program(self, *arguments):
