@@ -143,8 +143,8 @@
         <translation>ein Motor wird aus seinem Winkel und seinem Strom identifiziert</translation>
     </message>
     <message>
-        <source>the angle wraps at {} rad: it was put together again, all plateaus are used</source>
-        <translation>der Winkel springt bei {} rad zurück: er wurde wieder zusammengesetzt, alle Plateaus sind verwendet</translation>
+        <source>the angle wraps at {} rad: its turns were counted, nothing is left out for it</source>
+        <translation>der Winkel springt bei {} rad zurück: seine Umdrehungen wurden gezählt, nichts ist deshalb ausgelassen</translation>
     </message>
     <message>
         <source>record the angle over all turns, so that no row between two may be lost</source>

@@ -143,8 +143,8 @@
         <translation>电机由其角度和电流辨识</translation>
     </message>
     <message>
-        <source>the angle wraps at {} rad: it was put together again, all plateaus are used</source>
-        <translation>角度在 {} rad 处回绕：已重新拼接，所有平台均已使用</translation>
+        <source>the angle wraps at {} rad: its turns were counted, nothing is left out for it</source>
+        <translation>角度在 {} rad 处回绕：已计入圈数，未因此舍弃任何数据</translation>
     </message>
     <message>
         <source>record the angle over all turns, so that no row between two may be lost</source>

@@ -144,7 +144,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "the motion does not bend enough to show c/J"),
     QT_TRANSLATE_NOOP("Phrases", "friction differs between the directions by {} % of its mean"),
     QT_TRANSLATE_NOOP("Phrases", "the mean of both directions is reported"),
-    QT_TRANSLATE_NOOP("Phrases", "the angle wraps at {} rad: it was put together again, all plateaus are used"),
+    QT_TRANSLATE_NOOP("Phrases", "the angle wraps at {} rad: its turns were counted, nothing is left out for it"),
     QT_TRANSLATE_NOOP("Phrases", "record the angle over all turns, so that no row between two may be lost"),
     QT_TRANSLATE_NOOP("Phrases", "one plateau came to rest and was left out"),
     QT_TRANSLATE_NOOP("Phrases", "{} plateaus came to rest and were left out"),

@@ -87,10 +87,11 @@ void takeAsymmetry(IdentifyResult& result, const IdentifyFits& fits) {
 
 void judgeAmount(IdentifyResult& result, const IdentifyFits& fits) {
     if (fits.wrap_rad) {
-        remark(result.quality, Verdict::Good, "angle_wraps",
-               fmt::format("the angle wraps at {:.3f} rad: it was put together again, all plateaus are used",
-                           *fits.wrap_rad),
-               "record the angle over all turns, so that no row between two may be lost");
+        remark(
+            result.quality, Verdict::Good, "angle_wraps",
+            fmt::format("the angle wraps at {:.3f} rad: its turns were counted, nothing is left out for it",
+                        *fits.wrap_rad),
+            "record the angle over all turns, so that no row between two may be lost");
     }
     if (fits.stoppedPlateaus > 0) {
         remark(result.quality, Verdict::Good, "plateaus_stopped",
