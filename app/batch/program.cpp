@@ -4,6 +4,8 @@
 #include "app/batch/commands.h"
 #include "app/batch/result_header.h"
 
+#include <QtCore/QLocale>
+
 #include <array>
 #include <exception>
 
@@ -90,6 +92,7 @@ CommandResult runArguments(const std::vector<std::string>& arguments, Console& c
 
 int runProgram(const std::vector<std::string>& arguments, const std::atomic<int>& interruptSignal) noexcept {
     try {
+        QLocale::setDefault(QLocale::c()); // titles of pictures hold numbers: no comma where the user has one
         Console console(styleFromArguments(arguments));
         CommandResult result = failure(ErrorCode::Internal, "nothing ran");
         try {

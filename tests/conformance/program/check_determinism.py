@@ -99,6 +99,10 @@ class Determinism(ProgramCase):
         files = self.compare("run", "e.toml", "--out", "out", at_least=6)
         self.assertIn("out/report.html", files)
 
+    def test_tour_through_all_that_a_report_shows(self):
+        tour = os.path.join(REPOSITORY, "resources", "experiments", "htm", "tour.toml")
+        self.compare("run", tour, "--out", "out", at_least=6)
+
 
 if __name__ == "__main__":
     halbench.set_program(sys.argv.pop(1))
