@@ -2679,8 +2679,16 @@
         <translation>der abgetastete Regelkreis ist instabil: Polradius {}</translation>
     </message>
     <message>
-        <source>only friction and the current limit bound it; lower K_P or use method recommended</source>
-        <translation>nur Reibung und Stromgrenze beschränken die Bewegung; verringern Sie K_P oder verwenden Sie das Verfahren recommended</translation>
+        <source>only friction and the current limit bound it, and no common factor on these gains makes it stable: change their ratio or the filters, or use method recommended</source>
+        <translation>nur Reibung und Stromgrenze beschränken die Bewegung, und kein gemeinsamer Faktor auf diese Verstärkungen macht den Kreis stabil: ändern Sie ihr Verhältnis oder die Filter, oder verwenden Sie das Verfahren recommended</translation>
+    </message>
+    <message>
+        <source>only friction and the current limit bound it; below {} times these gains it is stable: lower K_P, or use method recommended</source>
+        <translation>nur Reibung und Stromgrenze beschränken die Bewegung; unterhalb des {}-Fachen dieser Verstärkungen ist der Kreis stabil: verringern Sie K_P, oder verwenden Sie das Verfahren recommended</translation>
+    </message>
+    <message>
+        <source>only friction and the current limit bound it; above {} times these gains it is stable: raise them, or use method recommended</source>
+        <translation>nur Reibung und Stromgrenze beschränken die Bewegung; oberhalb des {}-Fachen dieser Verstärkungen ist der Kreis stabil: erhöhen Sie sie, oder verwenden Sie das Verfahren recommended</translation>
     </message>
     <message>
         <source>K_P = {} A/rad is {} times the limit of {} A/rad at this sampling and delay</source>

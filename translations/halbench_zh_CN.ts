@@ -2679,8 +2679,16 @@
         <translation>采样回路不稳定：极点半径 {}</translation>
     </message>
     <message>
-        <source>only friction and the current limit bound it; lower K_P or use method recommended</source>
-        <translation>只有摩擦和电流限值约束其运动；请降低 K_P 或使用方法 recommended</translation>
+        <source>only friction and the current limit bound it, and no common factor on these gains makes it stable: change their ratio or the filters, or use method recommended</source>
+        <translation>只有摩擦和电流限值约束其运动，任何公共系数都不能使这些增益稳定：请改变它们的比例或滤波器，或使用方法 recommended</translation>
+    </message>
+    <message>
+        <source>only friction and the current limit bound it; below {} times these gains it is stable: lower K_P, or use method recommended</source>
+        <translation>只有摩擦和电流限值约束其运动；低于这些增益的 {} 倍时回路稳定：请降低 K_P，或使用方法 recommended</translation>
+    </message>
+    <message>
+        <source>only friction and the current limit bound it; above {} times these gains it is stable: raise them, or use method recommended</source>
+        <translation>只有摩擦和电流限值约束其运动；高于这些增益的 {} 倍时回路稳定：请提高增益，或使用方法 recommended</translation>
     </message>
     <message>
         <source>K_P = {} A/rad is {} times the limit of {} A/rad at this sampling and delay</source>

@@ -3,6 +3,7 @@
 #include "app/procedures/large_step.h"
 #include "app/procedures/loop_prediction.h"
 #include "app/procedures/shaped_analysis.h"
+#include "control/design/shaped_delta.h"
 
 #include <algorithm>
 
@@ -26,8 +27,14 @@ Result<AnalysisResult> predictLoop(const control::PositionPlant& plant, const Pi
     if (!openLoop) {
         return failure(openLoop.error());
     }
+    control::ShapedLaw law;
+    law.gains = gains;
+    const auto factors = control::deltaOpenLoop(plant, law, timing);
+    if (!factors) {
+        return failure(factors.error());
+    }
     AnalysisResult result;
-    if (const auto taken = takeOpenLoop(result, *openLoop, control::closedLoopPoles(*openLoop)); !taken) {
+    if (const auto taken = takeOpenLoop(result, *factors, control::closedLoopPoles(*openLoop)); !taken) {
         return failure(taken.error());
     }
     result.proportionalLimit_A_per_rad =

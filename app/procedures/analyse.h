@@ -72,6 +72,8 @@ struct AnalysisResult {
     std::optional<double> dominantDamping_ratio;
     control::StabilityMargins margins;
     std::vector<control::Crossing> crossings;
+    /// The factors of the gain that make a stable loop; absent when none does.
+    std::optional<control::StableGains> stableGains;
     std::optional<control::StepMetrics> step; ///< of the linear loop, unit step; absent when unstable
     std::optional<LargeStep> largeStep;       ///< of 100 degrees, with friction and current limit
     double proportionalLimit_A_per_rad = 0.0;

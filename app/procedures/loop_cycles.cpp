@@ -3,6 +3,7 @@
 #include "control/base/units.h"
 #include "control/design/board_gains.h"
 #include "control/design/friction_cycles.h"
+#include "control/design/shaped_delta.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +15,7 @@ namespace halbench::app {
 
 namespace {
 
-double accuracyOf(const control::LimitCycle& cycle, const control::TransferFunction& controller,
+double accuracyOf(const control::LimitCycle& cycle, const control::DeltaSystem& controller,
                   const LoopConditions& conditions) {
     constexpr double DeepSaturation_ratio = 10.0;
     constexpr double FewSamples = 10.0;
@@ -32,8 +33,7 @@ predictCycles(const control::PositionPlant& plant, const LoopLaw& law, const Loo
         return std::nullopt;
     }
     const double period_s = conditions.timing.period_s;
-    const auto controller = law.shaped ? control::shapedController(*law.shaped, period_s)
-                                       : control::sampledController(law.law.gains, period_s);
+    const auto controller = control::deltaController(asShaped(law), period_s);
     if (!controller) {
         return std::nullopt;
     }

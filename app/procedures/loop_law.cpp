@@ -2,6 +2,7 @@
 
 #include "app/procedures/loop_prediction.h"
 #include "control/design/board_gains.h"
+#include "control/design/shaped_delta.h"
 
 namespace halbench::app {
 
@@ -23,17 +24,26 @@ Result<LoopLaw> checkedLaw(const LoopLaw& law, double period_s) {
     return LoopLaw(board, std::move(shaped));
 }
 
+control::ShapedLaw asShaped(const LoopLaw& law) {
+    if (law.shaped) {
+        return *law.shaped;
+    }
+    control::ShapedLaw board;
+    board.gains = law.law.gains;
+    return board;
+}
+
 control::PositionLaw lawAtRest(const LoopLaw& law, double period_s) {
     control::PositionLaw resting = law.law;
     if (!law.shaped) {
         return resting;
     }
     const auto gains = control::checkedGains(*law.shaped, period_s);
-    const auto filters = control::filtersInSeries(law.shaped->filters, period_s);
-    if (gains && filters) {
+    const auto filters_ratio = control::filterGainAtRest(law.shaped->filters);
+    if (gains && filters_ratio) {
         resting.gains = *gains;
-        resting.gains.proportional *= filters->dcGain();
-        resting.gains.integral *= filters->dcGain();
+        resting.gains.proportional *= *filters_ratio;
+        resting.gains.integral *= *filters_ratio;
     }
     resting.gains.filter_s.reset(); // at rest nothing moves
     return resting;

@@ -25,6 +25,9 @@ struct LoopLaw {
 /// OutOfRange (a K_P that is not above 0, a K_I or K_D below).
 Result<LoopLaw> checkedLaw(const LoopLaw& law, double period_s);
 
+/// As a law with shaping, of which the board's has none.
+control::ShapedLaw asShaped(const LoopLaw& law);
+
 /// What friction and integral see at rest: there the filters are their gain for a constant.
 control::PositionLaw lawAtRest(const LoopLaw& law, double period_s);
 

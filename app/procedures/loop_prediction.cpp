@@ -13,8 +13,6 @@ namespace halbench::app {
 
 namespace {
 
-using control::TransferFunction;
-
 /// The least damped oscillation of the closed loop below the Nyquist frequency.
 void takeDominantPair(AnalysisResult& result, const control::TimeBase& base) {
     for (const control::Damping& mode : control::damping(result.roots.closedLoop, base)) {
@@ -26,9 +24,34 @@ void takeDominantPair(AnalysisResult& result, const control::TimeBase& base) {
     }
 }
 
-Result<AnalysisResult::Bode> bodeOf(const TransferFunction& openLoop) {
-    constexpr int Points = 400;
+/// Which way the gain has to go, all gains together.
+std::string stabilityHint(const std::optional<control::StableGains>& stable) {
+    if (!stable) {
+        return "only friction and the current limit bound it, and no common factor on these gains makes it "
+               "stable: change their ratio or the filters, or use method recommended";
+    }
+    return stable->to_ratio <= 1.0
+               ? fmt::format(
+                     "only friction and the current limit bound it; below {:.3g} times these gains it "
+                     "is stable: lower K_P, or use method recommended",
+                     stable->to_ratio)
+               : fmt::format(
+                     "only friction and the current limit bound it; above {:.3g} times these gains it "
+                     "is stable: raise them, or use method recommended",
+                     stable->from_ratio);
+}
+
+/// From 5000 times below the Nyquist frequency, and a decade below the lowest crossing.
+double bodeFrom_rad_s(double nyquist_rad_s, const std::vector<control::Crossing>& crossings) {
     constexpr double Decades_ratio = 5000.0; // 0.01 Hz for a loop of 100 Hz
+    const double usual_rad_s = nyquist_rad_s / Decades_ratio;
+    const bool isLower = !crossings.empty() && crossings.front().frequency_rad_s < usual_rad_s;
+    return isLower ? 0.1 * crossings.front().frequency_rad_s : usual_rad_s;
+}
+
+Result<AnalysisResult::Bode> bodeOf(const control::DeltaSystem& openLoop,
+                                    const std::vector<control::Crossing>& crossings) {
+    constexpr int Points = 400;
     // The held rotor has a zero just inside z = -1: nearly all of the 90 degrees by which it turns the phase
     // lie in the last percent, because at the Nyquist frequency every sampled response is real. That says
     // nothing about the loop and would be read as a resonance; up to here it is 13 degrees for the published
@@ -36,8 +59,10 @@ Result<AnalysisResult::Bode> bodeOf(const TransferFunction& openLoop) {
     constexpr double End_ratio = 0.99;
     const double nyquist_rad_s = Pi / openLoop.timeBase().period_s();
     const auto response = control::frequencyResponse(
-        openLoop,
-        control::logarithmicFrequencies(nyquist_rad_s / Decades_ratio, End_ratio * nyquist_rad_s, Points));
+        [&openLoop](double frequency_rad_s) { return openLoop.atFrequency(frequency_rad_s); },
+        openLoop.timeBase(),
+        control::logarithmicFrequencies(bodeFrom_rad_s(nyquist_rad_s, crossings), End_ratio * nyquist_rad_s,
+                                        Points));
     if (!response) {
         return failure(response.error());
     }
@@ -50,7 +75,7 @@ Result<AnalysisResult::Bode> bodeOf(const TransferFunction& openLoop) {
     return bode;
 }
 
-Result<AnalysisResult::Roots> rootsOf(const TransferFunction& openLoop,
+Result<AnalysisResult::Roots> rootsOf(const control::DeltaSystem& openLoop,
                                       std::vector<std::complex<double>> closedLoop) {
     auto locus = control::rootLocus(openLoop, RootLocusMost_ratio);
     if (!locus) {
@@ -62,16 +87,18 @@ Result<AnalysisResult::Roots> rootsOf(const TransferFunction& openLoop,
 
 } // namespace
 
-Result<void> takeOpenLoop(AnalysisResult& result, const TransferFunction& openLoop,
+Result<void> takeOpenLoop(AnalysisResult& result, const control::DeltaSystem& openLoop,
                           std::vector<std::complex<double>> closedLoop) {
     result.poleRadius = 0.0;
     for (const std::complex<double>& pole : closedLoop) {
         result.poleRadius = std::max(result.poleRadius, std::abs(pole));
     }
     result.isStable = result.poleRadius < 1.0;
-    result.margins = control::smallestMargins(openLoop);
     result.crossings = control::allCrossings(openLoop);
-    auto bode = bodeOf(openLoop);
+    result.stableGains = control::stableGains(openLoop, result.crossings);
+    result.margins =
+        control::withStableGains(control::smallestMargins(openLoop), result.crossings, result.stableGains);
+    auto bode = bodeOf(openLoop, result.crossings);
     auto roots = rootsOf(openLoop, std::move(closedLoop));
     if (!bode || !roots) {
         return failure(!bode ? bode.error() : roots.error());
@@ -163,7 +190,7 @@ void addStabilityWarnings(AnalysisResult& result, double proportional_A_per_rad)
     if (!result.isStable) {
         result.warnings.push_back(
             {"unstable", fmt::format("the sampled loop is unstable: pole radius {:.4f}", result.poleRadius),
-             "only friction and the current limit bound it; lower K_P or use method recommended"});
+             stabilityHint(result.stableGains)});
     }
     if (proportional_A_per_rad > result.proportionalLimit_A_per_rad) {
         result.warnings.push_back(

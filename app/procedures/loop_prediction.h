@@ -8,7 +8,7 @@ namespace halbench::app {
 
 /// Stability, margins, crossings, the dominant pair, frequency response and root locus; `closedLoop` are the
 /// poles of the loop when it is closed.
-Result<void> takeOpenLoop(AnalysisResult& result, const control::TransferFunction& openLoop,
+Result<void> takeOpenLoop(AnalysisResult& result, const control::DeltaSystem& openLoop,
                           std::vector<std::complex<double>> closedLoop);
 /// The curves and figures of a unit step.
 void takeStep(AnalysisResult& result, control::LoopStep step, int pointsPerSample);

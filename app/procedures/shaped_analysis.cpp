@@ -4,6 +4,7 @@
 #include "app/procedures/loop_prediction.h"
 #include "control/base/assert.h"
 #include "control/base/units.h"
+#include "control/design/shaped_delta.h"
 #include "control/design/shaped_loop.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace {
 
 Result<void> predictLoop(AnalysisResult& result, const control::PositionPlant& plant,
                          const control::ShapedLaw& shaped, const control::LoopTiming& timing) {
-    const auto openLoop = control::shapedOpenLoop(plant, shaped, timing);
+    const auto openLoop = control::deltaOpenLoop(plant, shaped, timing);
     const auto fast_A = control::shapedFastGain_A_per_rad(shaped, timing.period_s);
     const auto limit_A = control::shapedProportionalLimit_A_per_rad(plant, shaped, timing);
     auto poles = control::shapedPoles(plant, shaped, timing);

@@ -110,33 +110,25 @@ void appendCrosses(widgets::Panel& panel, const widgets::Axis& xAxis, const Anal
     }
 }
 
-/// Integrators lie on the circle to the last digit, which roots of a polynomial do not.
-std::vector<Complex> snapped(std::vector<Complex> poles) {
-    constexpr double Rounding = 1e-5; // of a double root: the square root of the digits
-    for (Complex& pole : poles) {
-        pole = std::abs(pole - 1.0) < Rounding ? Complex(1.0, 0.0) : pole;
-    }
-    return poles;
-}
-
 /// The open loop once more; its gain from the middle of its Bode plot, where all digits are there.
-Result<control::TransferFunction> fromRoots(const AnalysisResult& loop) {
+Result<control::DeltaSystem> fromRoots(const AnalysisResult& loop) {
     const auto timeBase = control::TimeBase::sampledChecked(loop.roots.period_s);
     if (!timeBase) {
         return failure(timeBase.error());
     }
-    const auto shape =
-        control::ZeroPoleGain::make(loop.roots.zeros, snapped(loop.roots.openLoop), 1.0, *timeBase);
+    const auto shape = control::ZeroPoleGain::make(loop.roots.zeros, loop.roots.openLoop, 1.0, *timeBase);
     if (!shape) {
         return failure(shape.error());
     }
     const std::size_t middle = loop.bode.frequency_Hz.size() / 2;
     const Complex value = std::polar(std::pow(10.0, loop.bode.magnitude_dB[middle] / 20.0),
                                      degreesToRadians(loop.bode.phase_deg[middle]));
-    const double gain = (value / shape->atFrequency(2.0 * Pi * loop.bode.frequency_Hz[middle])).real();
-    const auto exact = control::ZeroPoleGain::make(shape->zeros(), shape->poles(), gain, *timeBase);
-    return exact ? control::toTransferFunction(*exact)
-                 : Result<control::TransferFunction>(failure(exact.error()));
+    const auto delta = control::toDeltaSystem(*shape);
+    if (!delta) {
+        return failure(delta.error());
+    }
+    const double gain = (value / delta->atFrequency(2.0 * Pi * loop.bode.frequency_Hz[middle])).real();
+    return control::DeltaSystem::make(delta->zeros(), delta->poles(), gain, *timeBase);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "app/workspaces/tune_question.h"
 
 #include "control/analysis/loop_functions.h"
+#include "control/design/shaped_delta.h"
 
 #include <map>
 #include <utility>
@@ -84,11 +85,8 @@ Result<JudgedLoop> judgeLoop(const MotorEstimate& motor, const LoopLaw& law,
         return failure(predicted.error());
     }
     const auto plant = plantFromEstimate(motor);
-    const auto open = // as the analysis had it
-        law.shaped ? control::shapedOpenLoop(*plant, *law.shaped, conditions.timing)
-                   : control::sampledOpenLoop(*plant, law.law.gains, conditions.timing);
-    const auto closed = control::feedback(*open, control::TransferFunction::gain(1.0, open->timeBase()));
-    return JudgedLoop{*std::move(predicted), closed ? control::bandwidth_rad_s(*closed) : std::nullopt};
+    const auto open = control::deltaOpenLoop(*plant, asShaped(law), conditions.timing); // as it was analysed
+    return JudgedLoop{*std::move(predicted), open ? control::closedBandwidth_rad_s(*open) : std::nullopt};
 }
 
 } // namespace halbench::app

@@ -39,8 +39,21 @@ std::vector<Complex> characteristicPoints(const TransferFunction& system) {
     return points;
 }
 
+std::vector<Complex> characteristicPoints(const DeltaSystem& system) {
+    std::vector<Complex> points;
+    for (const auto& list : {system.poles(), system.zeros()}) {
+        for (const Complex& root : list) {
+            if (root != 0.0 && root != -1.0) { // an integrator or a pure delay
+                points.push_back(rateOf(root, system.timeBase().period_s()));
+            }
+        }
+    }
+    return points;
+}
+
 /// Moves an end of the range outward while the magnitude still changes and has not left 1 far behind.
-double extended(const TransferFunction& system, double end_rad_s, double factor) {
+template <typename System>
+double extended(const System& system, double end_rad_s, double factor) {
     constexpr int MaxDecades = 12;
     for (int i = 0; i < MaxDecades; ++i) {
         const double here = std::abs(system.atFrequency(end_rad_s));
@@ -80,6 +93,37 @@ double clearFrom_rad_s(const TransferFunction& system, const std::vector<double>
     return clear == frequencies.end() ? frequencies.back() : *clear;
 }
 
+template <typename System>
+std::vector<double> gridOver(const System& system, const std::vector<Complex>& points) {
+    const TimeBase& base = system.timeBase();
+    double slowest_rad_s = base.isSampled() ? 1.0 / base.period_s() : 1.0;
+    double fastest_rad_s = slowest_rad_s;
+    if (!points.empty()) {
+        const auto [low, high] = std::minmax_element(
+            points.begin(), points.end(), [](Complex a, Complex b) { return std::abs(a) < std::abs(b); });
+        slowest_rad_s = std::min(base.isSampled() ? slowest_rad_s : std::abs(*low), std::abs(*low));
+        fastest_rad_s = std::abs(*high);
+    }
+    const double nyquist_rad_s = base.isSampled() ? Pi / base.period_s() : HUGE_VAL;
+    const double from_rad_s = extended(system, std::min(slowest_rad_s, nyquist_rad_s) / 100.0, 0.1);
+    const double to_rad_s = base.isSampled()
+                                ? nyquist_rad_s
+                                : extended(system, std::max(fastest_rad_s, from_rad_s) * 100.0, 10.0);
+
+    constexpr double PointsPerDecade = 200.0;
+    const double decades = std::log10(to_rad_s / from_rad_s);
+    std::vector<double> frequencies =
+        logarithmicFrequencies(from_rad_s, to_rad_s, static_cast<int>(decades * PointsPerDecade) + 2);
+    const auto extra = static_cast<std::ptrdiff_t>(frequencies.size()); // what is before it is in order
+    for (const Complex& point : points) {
+        addAround(frequencies, point, from_rad_s, to_rad_s);
+    }
+    std::sort(frequencies.begin() + extra, frequencies.end());
+    std::inplace_merge(frequencies.begin(), frequencies.begin() + extra, frequencies.end());
+    frequencies.erase(std::unique(frequencies.begin(), frequencies.end()), frequencies.end());
+    return frequencies;
+}
+
 struct Sample {
     double x = 0.0;
     double value = 0.0;
@@ -107,39 +151,22 @@ double nextShare(const Sample& newest, const Sample& other, const Sample& before
 
 } // namespace
 
-std::vector<double> scanFrequencies(const TransferFunction& system) {
-    const TimeBase& base = system.timeBase();
-    const std::vector<Complex> points = characteristicPoints(system);
-    double slowest_rad_s = base.isSampled() ? 1.0 / base.period_s() : 1.0;
-    double fastest_rad_s = slowest_rad_s;
-    if (!points.empty()) {
-        const auto [low, high] = std::minmax_element(
-            points.begin(), points.end(), [](Complex a, Complex b) { return std::abs(a) < std::abs(b); });
-        slowest_rad_s = std::min(base.isSampled() ? slowest_rad_s : std::abs(*low), std::abs(*low));
-        fastest_rad_s = std::abs(*high);
+FrequencyScan frequencyScan(const TransferFunction& system) {
+    FrequencyScan scan{gridOver(system, characteristicPoints(system)), false};
+    if (system.timeBase().isSampled()) {
+        const double least_rad_s = clearFrom_rad_s(system, scan.frequency_rad_s);
+        const auto isLost = [least_rad_s](double frequency) { return frequency < least_rad_s; };
+        scan.isCut = std::erase_if(scan.frequency_rad_s, isLost) > 0;
     }
-    const double nyquist_rad_s = base.isSampled() ? Pi / base.period_s() : HUGE_VAL;
-    const double from_rad_s = extended(system, std::min(slowest_rad_s, nyquist_rad_s) / 100.0, 0.1);
-    const double to_rad_s = base.isSampled()
-                                ? nyquist_rad_s
-                                : extended(system, std::max(fastest_rad_s, from_rad_s) * 100.0, 10.0);
+    return scan;
+}
 
-    constexpr double PointsPerDecade = 200.0;
-    const double decades = std::log10(to_rad_s / from_rad_s);
-    std::vector<double> frequencies =
-        logarithmicFrequencies(from_rad_s, to_rad_s, static_cast<int>(decades * PointsPerDecade) + 2);
-    const auto extra = static_cast<std::ptrdiff_t>(frequencies.size()); // what is before it is in order
-    for (const Complex& point : points) {
-        addAround(frequencies, point, from_rad_s, to_rad_s);
-    }
-    std::sort(frequencies.begin() + extra, frequencies.end());
-    std::inplace_merge(frequencies.begin(), frequencies.begin() + extra, frequencies.end());
-    frequencies.erase(std::unique(frequencies.begin(), frequencies.end()), frequencies.end());
-    if (base.isSampled()) {
-        const double least_rad_s = clearFrom_rad_s(system, frequencies);
-        std::erase_if(frequencies, [least_rad_s](double frequency) { return frequency < least_rad_s; });
-    }
-    return frequencies;
+FrequencyScan frequencyScan(const DeltaSystem& system) {
+    return {gridOver(system, characteristicPoints(system)), false};
+}
+
+std::vector<double> scanFrequencies(const TransferFunction& system) {
+    return frequencyScan(system).frequency_rad_s;
 }
 
 double rootBetween(const std::function<double(double)>& function, double low, double high) {

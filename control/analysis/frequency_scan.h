@@ -1,5 +1,6 @@
 #pragma once
 
+#include "control/lti/delta_system.h"
 #include "control/lti/transfer_function.h"
 
 #include <functional>
@@ -9,8 +10,17 @@ namespace halbench::control {
 
 /// Ascending frequencies at which a system is looked at so that nothing happens between two of them: 200 a
 /// decade from far below the slowest to far above the fastest pole or zero, closer around lightly damped
-/// ones; a sampled system ends exactly at its Nyquist frequency. Points where the denominator has lost its
-/// digits to cancellation (sampled integrators at very low frequency) are left out.
+/// ones; a sampled system ends exactly at its Nyquist frequency.
+struct FrequencyScan {
+    std::vector<double> frequency_rad_s;
+    /// Points below the first were left out: coefficients of z have lost their digits there to cancellation
+    /// (sampled integrators and slow filters at very low frequency).
+    bool isCut = false;
+};
+FrequencyScan frequencyScan(const TransferFunction& system);
+/// Never cut: in d nothing cancels.
+FrequencyScan frequencyScan(const DeltaSystem& system);
+/// The frequencies alone.
 std::vector<double> scanFrequencies(const TransferFunction& system);
 
 /// Zero of a function between two points of opposite sign, to the rounding of x; where it jumps from one sign

@@ -1,6 +1,7 @@
 #include "control/analysis/loop_functions.h"
 
 #include "control/analysis/frequency_scan.h"
+#include "control/analysis/loop_scan.h"
 
 #include <cmath>
 
@@ -57,6 +58,21 @@ std::optional<double> bandwidth_rad_s(const TransferFunction& closedLoop) {
     for (std::size_t i = 1; i < frequencies.size(); ++i) {
         if (excess(frequencies[i]) < 0.0) {
             return rootBetween(excess, frequencies[i - 1], frequencies[i]);
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<double> closedBandwidth_rad_s(const DeltaSystem& openLoop) {
+    const double rest = openLoop.dcGain();
+    const double level = (std::isfinite(rest) ? std::abs(rest / (1.0 + rest)) : 1.0) / std::sqrt(2.0);
+    const auto magnitude = [&](double w) { return 1.0 / std::abs(1.0 + 1.0 / openLoop.atFrequency(w)); };
+    // Between the points of the open loop lie lightly damped closed poles, which raise |T| and do not end it.
+    const LoopScan scan = scanLoop(openLoop);
+    for (std::size_t i = 1; i < scan.value.size(); ++i) {
+        if (scan.value[i] == 0.0 || 1.0 / std::abs(1.0 + 1.0 / scan.value[i]) < level) {
+            return rootBetween([&](double w) { return magnitude(w) - level; }, scan.frequency_rad_s[i - 1],
+                               scan.frequency_rad_s[i]);
         }
     }
     return std::nullopt;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "control/base/result.h"
+#include "control/lti/delta_system.h"
 #include "control/lti/transfer_function.h"
 
 #include <optional>
@@ -33,5 +34,7 @@ ResponsePeak peakMagnitude(const TransferFunction& system);
 /// Lowest frequency where the magnitude has fallen to 1/sqrt(2) of the static gain (absent when it never
 /// does).
 std::optional<double> bandwidth_rad_s(const TransferFunction& closedLoop);
+/// The same of T = L/(1+L), from the open loop.
+std::optional<double> closedBandwidth_rad_s(const DeltaSystem& openLoop);
 
 } // namespace halbench::control

@@ -6,6 +6,8 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace halbench::control {
 
@@ -114,12 +116,34 @@ void lookAtEnds(LoopScan& scan, const TransferFunction& loop, double deadTime_s)
 } // namespace
 
 LoopScan scanLoop(const TransferFunction& openLoop) {
+    FrequencyScan grid = frequencyScan(openLoop);
     LoopScan scan{[&openLoop](double w) { return openLoop.atFrequency(w); },
-                  scanFrequencies(openLoop),
+                  std::move(grid.frequency_rad_s),
                   {},
                   openLoop.timeBase().isSampled()};
+    if (grid.isCut) {
+        scan.knownFrom_rad_s = scan.frequency_rad_s.front();
+    }
     lookAtRational(scan, openLoop);
     lookAtEnds(scan, openLoop, 0.0);
+    return scan;
+}
+
+LoopScan scanLoop(const DeltaSystem& openLoop) {
+    LoopScan scan{[&openLoop](double w) { return openLoop.atFrequency(w); },
+                  frequencyScan(openLoop).frequency_rad_s,
+                  {},
+                  true};
+    scan.value = openLoop.atFrequencies(scan.frequency_rad_s);
+    // A zero at z = -1, of a rotor without damping and of low-passes, leaves rounding there without a sign.
+    constexpr double Roundings = 64.0;
+    const auto isAtNyquist = [](std::complex<double> zero) {
+        return std::abs(zero + 2.0) <= Roundings * std::numeric_limits<double>::epsilon();
+    };
+    if (std::any_of(openLoop.zeros().begin(), openLoop.zeros().end(), isAtNyquist)) {
+        scan.value.back() = 0.0;
+    }
+    scan.atRest = openLoop.dcGain();
     return scan;
 }
 

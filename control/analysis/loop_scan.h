@@ -1,6 +1,7 @@
 #pragma once
 
 #include "control/lti/dead_time.h"
+#include "control/lti/delta_system.h"
 #include "control/lti/transfer_function.h"
 
 #include <complex>
@@ -20,9 +21,13 @@ struct LoopScan {
     /// holds. An integrating loop has an infinite real one.
     std::optional<std::complex<double>> atRest = {};
     std::optional<std::complex<double>> atInfinity = {};
+    /// Where frequencies were left out: below this one nothing is known of the loop.
+    std::optional<double> knownFrom_rad_s = {};
 };
 
 LoopScan scanLoop(const TransferFunction& openLoop);
+/// All frequencies, with all digits.
+LoopScan scanLoop(const DeltaSystem& openLoop);
 
 /// The grid of the rational part, closed up so that the dead time turns the phase by at most 0.25 rad from
 /// point to point. It ends where |L| stays below 0.01, or after 200 turns of the dead time.

@@ -148,6 +148,7 @@ StabilityMargins marginsOn(const LoopScan& scan) {
         takeIfSmaller(margins, crossing);
     }
     margins.modulusMargin = leastOn(scan, [](Complex L) { return 1.0 + L; }).value;
+    margins.knownFrom_rad_s = scan.knownFrom_rad_s;
     return margins;
 }
 
@@ -202,6 +203,10 @@ std::vector<Crossing> allCrossings(const TransferFunction& openLoop) {
     return crossingsOn(scanned(openLoop));
 }
 
+std::vector<Crossing> allCrossings(const DeltaSystem& openLoop) {
+    return crossingsOn(scanLoop(openLoop));
+}
+
 std::vector<Crossing> allCrossings(const DeadTimeSystem& openLoop) {
     return crossingsOn(scanLoop(openLoop));
 }
@@ -219,6 +224,10 @@ std::vector<Crossing> allCrossings(const FrequencyResponse& openLoop) {
 
 StabilityMargins smallestMargins(const TransferFunction& openLoop) {
     return marginsOn(scanned(openLoop));
+}
+
+StabilityMargins smallestMargins(const DeltaSystem& openLoop) {
+    return marginsOn(scanLoop(openLoop));
 }
 
 StabilityMargins smallestMargins(const DeadTimeSystem& openLoop) {
@@ -247,8 +256,60 @@ SensitivityPeaks sensitivityPeaks(const TransferFunction& openLoop) {
     return peaksOn(scanLoop(openLoop));
 }
 
+SensitivityPeaks sensitivityPeaks(const DeltaSystem& openLoop) {
+    return peaksOn(scanLoop(openLoop));
+}
+
 SensitivityPeaks sensitivityPeaks(const DeadTimeSystem& openLoop) {
     return peaksOn(scanLoop(openLoop));
+}
+
+std::optional<StableGains> stableGains(const DeltaSystem& openLoop, const std::vector<Crossing>& crossings) {
+    std::vector<double> limits;
+    for (const Crossing& crossing : crossings) {
+        if (crossing.kind == Crossing::Kind::Phase) {
+            limits.push_back(crossing.gainMargin_ratio);
+        }
+    }
+    if (const double rest = openLoop.dcGain(); std::isfinite(rest) && rest < 0.0) {
+        limits.push_back(-1.0 / rest);
+    }
+    std::sort(limits.begin(), limits.end());
+    std::optional<StableGains> nearest;
+    double nearest_log = HUGE_VAL;
+    for (std::size_t i = 0; i <= limits.size(); ++i) {
+        const StableGains between{i == 0 ? 0.0 : limits[i - 1], i == limits.size() ? HUGE_VAL : limits[i]};
+        const double middle = i == limits.size() ? (i == 0 ? 1.0 : 2.0 * limits[i - 1])
+                              : i == 0           ? 0.5 * limits[0]
+                                                 : std::sqrt(limits[i - 1] * limits[i]);
+        const double away_log = between.holds(1.0) ? 0.0
+                                                   : std::min(std::abs(std::log(between.from_ratio)),
+                                                              std::abs(std::log(between.to_ratio)));
+        if (away_log < nearest_log && isStableClosed(openLoop, middle)) {
+            nearest = between;
+            nearest_log = away_log;
+        }
+    }
+    return nearest;
+}
+
+StabilityMargins withStableGains(StabilityMargins margins, const std::vector<Crossing>& crossings,
+                                 const std::optional<StableGains>& gains) {
+    if (gains && gains->holds(1.0)) {
+        return margins;
+    }
+    margins.gainMargin_ratio = std::numeric_limits<double>::infinity();
+    margins.phaseCrossover_rad_s.reset();
+    if (gains) {
+        margins.gainMargin_ratio = gains->to_ratio <= 1.0 ? gains->to_ratio : gains->from_ratio;
+        for (const Crossing& crossing : crossings) {
+            if (crossing.kind == Crossing::Kind::Phase &&
+                crossing.gainMargin_ratio == margins.gainMargin_ratio) {
+                margins.phaseCrossover_rad_s = crossing.frequency_rad_s;
+            }
+        }
+    }
+    return margins;
 }
 
 } // namespace halbench::control

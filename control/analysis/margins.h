@@ -1,6 +1,7 @@
 #pragma once
 
 #include "control/lti/dead_time.h"
+#include "control/lti/delta_system.h"
 #include "control/lti/frequency_response.h"
 #include "control/lti/transfer_function.h"
 
@@ -31,6 +32,9 @@ struct StabilityMargins {
     std::optional<double> phaseCrossover_rad_s;                       ///< where `gainMargin_ratio` was found
     double delayMargin_s = std::numeric_limits<double>::infinity();   ///< smallest
     double modulusMargin = 0.0; ///< min |1 + L|, the inverse of the peak of the sensitivity
+    /// Where coefficients of z have no digits left at low frequency: below this one nothing is known, and
+    /// crossings may be missing. Absent when all was looked at.
+    std::optional<double> knownFrom_rad_s = {};
 };
 
 /// All crossings in ascending frequency. Scans a logarithmic grid refined around the poles and zeros, from
@@ -38,6 +42,7 @@ struct StabilityMargins {
 /// loop is negative there), then narrows each sign change down to the rounding of the frequency. Help:
 /// resources/help/tuning.md, "Margins".
 std::vector<Crossing> allCrossings(const TransferFunction& openLoop);
+std::vector<Crossing> allCrossings(const DeltaSystem& openLoop);
 /// With the exact dead time. Of the endless phase crossings of such a loop those where |L| < 0.01 (a gain
 /// margin above 100) are left out, and those after 200 turns of the dead time.
 std::vector<Crossing> allCrossings(const DeadTimeSystem& openLoop);
@@ -47,6 +52,7 @@ std::vector<Crossing> allCrossings(const DeadTimeSystem& openLoop);
 std::vector<Crossing> allCrossings(const FrequencyResponse& openLoop);
 
 StabilityMargins smallestMargins(const TransferFunction& openLoop);
+StabilityMargins smallestMargins(const DeltaSystem& openLoop);
 StabilityMargins smallestMargins(const DeadTimeSystem& openLoop);
 StabilityMargins smallestMargins(const FrequencyResponse& openLoop);
 
@@ -60,6 +66,23 @@ struct SensitivityPeaks {
     double MtFrequency_rad_s = 0.0;
 };
 SensitivityPeaks sensitivityPeaks(const TransferFunction& openLoop);
+SensitivityPeaks sensitivityPeaks(const DeltaSystem& openLoop);
 SensitivityPeaks sensitivityPeaks(const DeadTimeSystem& openLoop);
+
+/// The factors of the gain between which the closed loop is stable, the interval that holds 1 or, when the
+/// loop is unstable, the one that is nearest to 1 (in the logarithm).
+struct StableGains {
+    double from_ratio = 0.0;
+    double to_ratio = std::numeric_limits<double>::infinity();
+
+    bool holds(double factor) const { return factor > from_ratio && factor < to_ratio; }
+};
+/// Nothing for a loop that is unstable at every positive gain. The gains at which poles cross the unit circle
+/// are those of `crossings`, of the loop itself, and what L is at rest; between them the poles decide.
+std::optional<StableGains> stableGains(const DeltaSystem& openLoop, const std::vector<Crossing>& crossings);
+/// The margins of a loop with these stable gains: the gain margin of an unstable loop is the factor to its
+/// nearest stable gain, infinite without a frequency when there is none.
+StabilityMargins withStableGains(StabilityMargins margins, const std::vector<Crossing>& crossings,
+                                 const std::optional<StableGains>& gains);
 
 } // namespace halbench::control

@@ -21,11 +21,21 @@ struct Contour {
     std::vector<double> axisPoles_rad_s; ///< ascending, without repetition, of the upper half
     int unstablePoles = 0;
     std::optional<double> atInfinity; ///< L where the contour ends; a sampled one ends at Nyquist
+    bool hasAllDigits = false;        ///< of L as near to z = 1 as one likes
 };
+
+/// In ascending order, each once.
+std::vector<double> ordered(std::vector<double> frequencies_rad_s) {
+    std::sort(frequencies_rad_s.begin(), frequencies_rad_s.end());
+    const auto isSame = [](double a, double b) { return b - a <= 1e-6 * b; };
+    frequencies_rad_s.erase(std::unique(frequencies_rad_s.begin(), frequencies_rad_s.end(), isSame),
+                            frequencies_rad_s.end());
+    return frequencies_rad_s;
+}
 
 Contour contourOf(const TransferFunction& rational, LoopScan scan, std::function<Complex(Complex)> loop) {
     const TimeBase& base = rational.timeBase();
-    Contour contour{std::move(loop), std::move(scan), {}, 0, {}};
+    Contour contour{std::move(loop), std::move(scan), {}, 0, {}, false};
     for (const Complex& pole : poles(rational)) {
         if (base.isSampled() && pole == 0.0) {
             continue;
@@ -39,14 +49,30 @@ Contour contourOf(const TransferFunction& rational, LoopScan scan, std::function
             contour.axisPoles_rad_s.push_back(s.imag() < OnAxis_ratio * scale_rad_s ? 0.0 : s.imag());
         }
     }
-    std::vector<double>& axis = contour.axisPoles_rad_s;
-    std::sort(axis.begin(), axis.end());
-    const auto isSame = [](double a, double b) { return b - a <= 1e-6 * b; };
-    axis.erase(std::unique(axis.begin(), axis.end(), isSame), axis.end());
+    contour.axisPoles_rad_s = ordered(std::move(contour.axisPoles_rad_s));
     if (base.isContinuous()) {
         const bool isProper = rational.numerator().size() == rational.denominator().size();
         contour.atInfinity = isProper ? rational.numerator().front() / rational.denominator().front() : 0.0;
     }
+    return contour;
+}
+
+Contour contourOf(const DeltaSystem& system, LoopScan scan, std::function<Complex(Complex)> loop) {
+    const double period_s = system.timeBase().period_s();
+    Contour contour{std::move(loop), std::move(scan), {}, 0, {}, true};
+    for (const Complex& pole : system.poles()) {
+        if (pole == -1.0) {
+            continue;
+        }
+        const Complex s = rateOf(pole, period_s);
+        constexpr double OnAxis_ratio = 1e-12; // of roots that are known to rounding
+        if (pole != 0.0 && std::abs(s.real()) > OnAxis_ratio / period_s) {
+            contour.unstablePoles += s.real() > 0.0 ? 1 : 0;
+        } else if (s.imag() >= 0.0) {
+            contour.axisPoles_rad_s.push_back(s.imag());
+        }
+    }
+    contour.axisPoles_rad_s = ordered(std::move(contour.axisPoles_rad_s));
     return contour;
 }
 
@@ -119,8 +145,8 @@ double arcRadius(const Contour& contour, std::size_t index) {
     if (index + 1 < contour.axisPoles_rad_s.size()) {
         radius = std::min(radius, 1e-3 * (contour.axisPoles_rad_s[index + 1] - pole_rad_s));
     }
-    // Sampled loops lose their digits near z = 1; the scan begins where they have enough.
-    const bool canShrink = pole_rad_s > 0.0 || contour.atInfinity.has_value();
+    // Coefficients of z lose their digits near z = 1; the scan begins where they have enough.
+    const bool canShrink = pole_rad_s > 0.0 || contour.atInfinity.has_value() || contour.hasAllDigits;
     const auto isFar = [&](double r) {
         for (int i = 0; i < 16; ++i) {
             if (std::abs(contour.loop(Complex(0.0, pole_rad_s) + std::polar(r, 2.0 * Pi * i / 16.0))) <
@@ -209,6 +235,13 @@ Result<NyquistResult> nyquist(const TransferFunction& openLoop) {
         loop = [&openLoop, T = base.period_s()](Complex s) { return openLoop.at(std::exp(s * T)); };
     }
     return walkAlong(contourOf(openLoop, scanLoop(openLoop), std::move(loop)));
+}
+
+Result<NyquistResult> nyquist(const DeltaSystem& openLoop) {
+    const auto loop = [&openLoop, T = openLoop.timeBase().period_s()](Complex s) {
+        return openLoop.at(deltaOf(s, T));
+    };
+    return walkAlong(contourOf(openLoop, scanLoop(openLoop), loop));
 }
 
 Result<NyquistResult> nyquist(const DeadTimeSystem& openLoop) {

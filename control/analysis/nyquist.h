@@ -2,6 +2,7 @@
 
 #include "control/base/result.h"
 #include "control/lti/dead_time.h"
+#include "control/lti/delta_system.h"
 #include "control/lti/transfer_function.h"
 
 #include <complex>
@@ -30,6 +31,7 @@ struct NyquistResult {
 /// far as the digits of L allow. Errors: Refused (the curve runs through -1: the loop is on the limit of
 /// stability), InvalidInput (behind a dead time L does not fall below 1: it circles without end).
 Result<NyquistResult> nyquist(const TransferFunction& openLoop);
+Result<NyquistResult> nyquist(const DeltaSystem& openLoop);
 Result<NyquistResult> nyquist(const DeadTimeSystem& openLoop);
 
 } // namespace halbench::control

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "control/base/result.h"
+#include "control/lti/delta_system.h"
 #include "control/lti/transfer_function.h"
 
 #include <complex>
@@ -35,9 +36,11 @@ struct RootLocus {
 
 /// Follows the branches up to `mostGain`; without it until those that end at zeros have arrived within 1 %
 /// and the others have left the region of the open-loop poles and zeros five times behind. The gain step
-/// shrinks until each pole moves far less than the poles lie apart, so that the nearest is the same one; only
-/// at a breakaway this cannot be, and there the gain is stepped across. For K < 0 negate the loop. Errors:
-/// InvalidInput (no poles, or a loop of zero), OutOfRange (gain not positive).
+/// shrinks until each pole moves far less than from its neighbours, so that the nearest is the same one; only
+/// at a breakaway this cannot be, and there the gain is stepped across. At most some 6000 points. For K < 0
+/// negate the loop. Errors: InvalidInput (no poles, or a loop of zero), OutOfRange (gain not positive).
 Result<RootLocus> rootLocus(const TransferFunction& openLoop, std::optional<double> mostGain = {});
+/// In the z plane, followed in d = z - 1: branches of slow filters, close together at z = 1, stay apart.
+Result<RootLocus> rootLocus(const DeltaSystem& openLoop, std::optional<double> mostGain = {});
 
 } // namespace halbench::control

@@ -2,6 +2,7 @@
 
 #include "control/analysis/margins.h"
 #include "control/base/units.h"
+#include "control/design/shaped_delta.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,26 +26,19 @@ PidGains times(PidGains gains, double factor) {
     return gains;
 }
 
-bool isPlain(const ShapedLaw& around) {
-    return around.filters.empty() && around.gains.filter_s.value_or(0.0) == 0.0;
-}
-
-Result<TransferFunction> openLoop(const PositionPlant& plant, const LoopTiming& timing, const PidGains& gains,
-                                  const ShapedLaw& around) {
-    if (isPlain(around)) {
-        return sampledOpenLoop(plant, gains, timing);
-    }
+Result<DeltaSystem> openLoop(const PositionPlant& plant, const LoopTiming& timing, const PidGains& gains,
+                             const ShapedLaw& around) {
     ShapedLaw law;
     law.gains = gains;
     law.gains.filter_s = around.gains.filter_s;
     law.filters = around.filters;
-    return shapedOpenLoop(plant, law, timing);
+    return deltaOpenLoop(plant, law, timing);
 }
 
 bool isStable(const PositionPlant& plant, const LoopTiming& timing, const PidGains& gains,
               const ShapedLaw& around) {
     const auto loop = openLoop(plant, timing, gains, around);
-    return loop && poleRadius(*loop) < 1.0;
+    return loop && isStableClosed(*loop, 1.0);
 }
 
 /// A motor in its loop, with what stands around the gains.

@@ -3,6 +3,8 @@
 #include "control/analysis/frequency_scan.h"
 #include "control/base/assert.h"
 #include "control/base/units.h"
+#include "control/design/board_gains.h"
+#include "control/design/shaped_delta.h"
 #include "control/lti/frequency_response.h"
 
 #include <algorithm>
@@ -25,7 +27,7 @@ struct Trial {
 
 class Balance {
 public:
-    Balance(const PositionPlant& plant, const TransferFunction& controller, const LoopTiming& timing,
+    Balance(const PositionPlant& plant, const DeltaSystem& controller, const LoopTiming& timing,
             double currentLimit_A)
         : m_plant(plant), m_controller(controller), m_timing(timing), m_limit_A(currentLimit_A) {}
 
@@ -60,7 +62,7 @@ private:
     }
 
     const PositionPlant& m_plant;
-    const TransferFunction& m_controller;
+    const DeltaSystem& m_controller;
     const LoopTiming& m_timing;
     double m_limit_A;
 };
@@ -85,12 +87,18 @@ Result<std::vector<LimitCycle>> frictionCycles(const PositionPlant& plant, const
     if (const auto valid = checkTiming(timing); !valid) {
         return failure(valid.error());
     }
-    const auto controller = sampledController(gains, timing.period_s);
+    const auto board = boardGains(gains);
+    if (!board) {
+        return failure(board.error());
+    }
+    ShapedLaw law;
+    law.gains = *board;
+    const auto controller = deltaController(law, timing.period_s);
     return controller ? frictionCycles(plant, *controller, timing, currentLimit_A)
                       : Result<std::vector<LimitCycle>>(failure(controller.error()));
 }
 
-Result<std::vector<LimitCycle>> frictionCycles(const PositionPlant& plant, const TransferFunction& controller,
+Result<std::vector<LimitCycle>> frictionCycles(const PositionPlant& plant, const DeltaSystem& controller,
                                                const LoopTiming& timing, double currentLimit_A) {
     for (const auto& valid : {checkPlant(plant), checkTiming(timing)}) {
         if (!valid) {

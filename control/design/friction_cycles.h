@@ -3,6 +3,7 @@
 #include "control/analysis/describing_function.h"
 #include "control/base/result.h"
 #include "control/design/position_loop.h"
+#include "control/lti/delta_system.h"
 
 #include <vector>
 
@@ -26,7 +27,7 @@ double breakLooseTime_s(const PositionPlant& plant, const PidGains& gains, doubl
 Result<std::vector<LimitCycle>> frictionCycles(const PositionPlant& plant, const PidGains& gains,
                                                const LoopTiming& timing, double currentLimit_A);
 /// The same with any controller before the limit, at the sampling of `timing`.
-Result<std::vector<LimitCycle>> frictionCycles(const PositionPlant& plant, const TransferFunction& controller,
+Result<std::vector<LimitCycle>> frictionCycles(const PositionPlant& plant, const DeltaSystem& controller,
                                                const LoopTiming& timing, double currentLimit_A);
 
 } // namespace halbench::control

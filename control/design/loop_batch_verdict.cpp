@@ -2,6 +2,7 @@
 #include "control/analysis/frequency_scan.h"
 #include "control/base/units.h"
 #include "control/design/loop_batch.h"
+#include "control/design/shaped_delta.h"
 
 #include <algorithm>
 #include <array>
@@ -104,7 +105,7 @@ public:
 
     std::vector<BatchVerdict> run() {
         const auto first = *sampledOpenLoop(m_batch.plant(0), m_batch.gains(), m_batch.timing());
-        m_grid = thinned(scanFrequencies(first));
+        m_grid = thinned(frequencyScan(firstByRoots()).frequency_rad_s);
         for (std::size_t j = 0; j < m_grid.size(); ++j) {
             look(j);
         }
@@ -117,6 +118,13 @@ public:
     }
 
 private:
+    /// Coefficients of z would leave low frequencies out.
+    DeltaSystem firstByRoots() const {
+        ShapedLaw law;
+        law.gains = m_batch.gains();
+        return *deltaOpenLoop(m_batch.plant(0), law, m_batch.timing());
+    }
+
     void look(std::size_t j) {
         const Complex common = m_batch.common(m_grid[j]);
         m_batch.rest(m_grid[j], m_real, m_imaginary);

@@ -3,6 +3,7 @@
 #include "control/design/board_gains.h"
 #include "control/design/loop_proof.h"
 #include "control/design/riccati.h"
+#include "control/design/shaped_delta.h"
 #include "control/lti/state_space.h"
 
 #include <algorithm>
@@ -37,10 +38,10 @@ Result<StateSpace> noiseToCurrent(const PositionPlant& plant, const PidGains& ga
 
 } // namespace
 
-DesignProof loopProof(const TransferFunction& openLoop, const TransferFunction& oneSampleLater, LoopStep step,
-                      double currentLimit_A) {
+DesignProof loopProof(const DeltaSystem& openLoop, double poleRadius, double poleRadiusOneSampleLater,
+                      LoopStep step, double currentLimit_A) {
     DesignProof proof;
-    proof.poleRadius = poleRadius(openLoop);
+    proof.poleRadius = poleRadius;
     proof.isStable = proof.poleRadius < 1.0;
     proof.margins = smallestMargins(openLoop);
     proof.peaks = sensitivityPeaks(openLoop);
@@ -49,7 +50,7 @@ DesignProof loopProof(const TransferFunction& openLoop, const TransferFunction& 
     }
     proof.step = std::move(step);
     proof.largestStep_rad = currentLimit_A / proof.peakCurrent_A;
-    proof.poleRadiusOneSampleLater = poleRadius(oneSampleLater);
+    proof.poleRadiusOneSampleLater = poleRadiusOneSampleLater;
     return proof;
 }
 
@@ -64,12 +65,19 @@ Result<DesignProof> proveDesign(const PositionPlant& plant, const PidGains& gain
     if (!loop || !later || !noise) {
         return failure(!loop ? loop.error() : !later ? later.error() : noise.error());
     }
+    ShapedLaw law;
+    law.gains = *boardGains(gains);
+    const auto factors = deltaOpenLoop(plant, law, timing);
+    if (!factors) {
+        return failure(factors.error());
+    }
     auto step = linearStep(plant, gains, timing, 1.0, duration_s);
     if (!step) {
         return failure(step.error());
     }
-    const PidGains board = *boardGains(gains);
-    DesignProof proof = loopProof(*loop, *later, *std::move(step), currentLimit_A);
+    const PidGains& board = law.gains;
+    DesignProof proof =
+        loopProof(*factors, poleRadius(*loop), poleRadius(*later), *std::move(step), currentLimit_A);
     proof.noiseGain_A_per_rad =
         proof.isStable ? impulseNorm(*noise) : std::numeric_limits<double>::infinity();
     proof.fastGain_A_per_rad = board.proportional + board.derivative / timing.period_s;

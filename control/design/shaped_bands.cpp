@@ -3,6 +3,7 @@
 #include "control/design/lane_rotors.h"
 #include "control/design/moved_motors.h"
 #include "control/design/shaped_controller.h"
+#include "control/design/shaped_delta.h"
 #include "control/design/shaped_loop.h"
 
 #include <algorithm>
@@ -78,7 +79,7 @@ Result<ShapedEquation> checkedEquation(const std::vector<PositionPlant>& motors,
 
 Result<LoopBands> shapedLoopBands(const std::vector<PositionPlant>& plants, const ShapedLaw& law,
                                   const LoopTiming& timing, const std::vector<double>& frequency_rad_s) {
-    const auto controller = shapedController(law, timing.period_s);
+    const auto controller = deltaController(law, timing.period_s);
     return controller ? loopBands(plants, *controller, timing, frequency_rad_s)
                       : Result<LoopBands>(failure(controller.error()));
 }

@@ -5,6 +5,7 @@
 #include "control/design/loop_proof.h"
 #include "control/design/riccati.h"
 #include "control/design/shaped_controller.h"
+#include "control/design/shaped_delta.h"
 #include "control/lti/state_space.h"
 
 #include <algorithm>
@@ -68,7 +69,7 @@ Result<ShapedLaw> inParallelForm(ShapedLaw law, double period_s) {
 }
 
 DrawnVerdict verdictOf(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing) {
-    const auto loop = shapedOpenLoop(plant, law, timing);
+    const auto loop = deltaOpenLoop(plant, law, timing);
     return loop ? drawnVerdict(isStableWith(plant, law, timing), smallestMargins(*loop)) : noMotor();
 }
 
@@ -117,13 +118,15 @@ Result<DesignProof> proveShaped(const PositionPlant& plant, const ShapedLaw& law
     if (!(std::isfinite(currentLimit_A) && currentLimit_A > 0.0)) {
         return failure(ErrorCode::OutOfRange, "the current limit must be positive");
     }
-    const auto loop = shapedOpenLoop(plant, law, timing);
+    const auto loop = deltaOpenLoop(plant, law, timing);
     const LoopTiming oneLater{timing.period_s, timing.delay_samples + 1};
-    const auto later = shapedOpenLoop(plant, law, oneLater);
+    const auto radius = shapedPoleRadius(plant, law, timing);
+    const auto later = shapedPoleRadius(plant, law, oneLater);
     const auto fast_A = shapedFastGain_A_per_rad(law, timing.period_s);
     const auto limit_A = shapedProportionalLimit_A_per_rad(plant, law, timing);
-    if (!loop || !later || !fast_A || !limit_A) {
+    if (!loop || !radius || !later || !fast_A || !limit_A) {
         return failure(!loop     ? loop.error()
+                       : !radius ? radius.error()
                        : !later  ? later.error()
                        : !fast_A ? fast_A.error()
                                  : limit_A.error());
@@ -132,10 +135,7 @@ Result<DesignProof> proveShaped(const PositionPlant& plant, const ShapedLaw& law
     if (!step) {
         return failure(step.error());
     }
-    DesignProof proof = loopProof(*loop, *later, *std::move(step), currentLimit_A);
-    proof.poleRadius = *shapedPoleRadius(plant, law, timing);
-    proof.isStable = proof.poleRadius < 1.0;
-    proof.poleRadiusOneSampleLater = *shapedPoleRadius(plant, law, oneLater);
+    DesignProof proof = loopProof(*loop, *radius, *later, *std::move(step), currentLimit_A);
     proof.noiseGain_A_per_rad = std::numeric_limits<double>::infinity();
     if (proof.isStable) {
         const auto noise = noiseGain(plant, law, timing);

@@ -2,7 +2,7 @@
 // together, where one polynomial keeps the n-th root of its rounding of them. In d nothing cancels: each part
 // is put together from positive terms, and the matrix is graded, so that balancing keeps the digits of slow
 // poles.
-#include "control/design/held_rotor.h"
+#include "control/design/shaped_delta.h"
 #include "control/design/shaped_loop.h"
 #include "control/lti/eigenvalues.h"
 #include "control/lti/state_space.h"
@@ -21,30 +21,13 @@ StateSpace statesOf(Polynomial numerator, Polynomial denominator) {
         *TransferFunction::make(std::move(numerator), std::move(denominator), TimeBase::continuous()));
 }
 
-/// sum c_j s^j with s = rate d/(d + 2), times (d + 2)^order: Tustin's rule, put together from its terms.
-Polynomial bilinear(const Polynomial& polynomial, int order, double rate_1_s) {
-    Polynomial sum = {0.0};
-    const int highest = degree(polynomial);
-    for (int power = 0; power <= highest; ++power) {
-        Polynomial term = {polynomial[static_cast<std::size_t>(highest - power)]};
-        for (int i = 0; i < order; ++i) {
-            term = multiply(term, i < power ? Polynomial{rate_1_s, 0.0} : Polynomial{1.0, 2.0});
-        }
-        sum = add(sum, term);
-    }
-    return sum;
+StateSpace statesOf(const DeltaFactor& factor) {
+    return statesOf(factor.numerator, factor.denominator);
 }
 
 Result<StateSpace> filterStates(const LoopFilter& filter, double period_s) {
-    const auto continuous = continuousFilter(filter);
-    if (!continuous) {
-        return failure(continuous.error());
-    }
-    const double frequency_rad_s = frequencyOf_rad_s(filter);
-    const double rate_1_s = frequency_rad_s / std::tan(0.5 * frequency_rad_s * period_s);
-    const int order = continuous->order();
-    return statesOf(bilinear(continuous->numerator(), order, rate_1_s),
-                    bilinear(continuous->denominator(), order, rate_1_s));
+    const auto factor = deltaFilter(filter, period_s);
+    return factor ? Result<StateSpace>(statesOf(*factor)) : failure(factor.error());
 }
 
 /// K_P + T K_I/d + K_D/(T + T_f) d/(d + T/(T + T_f)).
@@ -60,13 +43,6 @@ Result<StateSpace> controllerStates(const PidGains& gains, double period_s) {
     return sum;
 }
 
-/// k T^2 (b1 d + b1 + b2)/(d (d + 1 - E)).
-StateSpace rotorStates(const PositionPlant& plant, double period_s) {
-    const double x = plant.dampingRate_1_s * period_s;
-    const double scale = plant.accelerationGain_rad_s2_A * period_s * period_s;
-    return statesOf({scale * heldAngleShare(x), scale * heldSpeedShare(x)}, {1.0, -std::expm1(-x), 0.0});
-}
-
 /// What stands behind the PID part of a law with filters, in series.
 Result<StateSpace> statesBehind(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing) {
     Result<StateSpace> states = filterStates(law.filters.front(), timing.period_s);
@@ -77,7 +53,7 @@ Result<StateSpace> statesBehind(const PositionPlant& plant, const ShapedLaw& law
     for (int i = 0; states && i < timing.delay_samples; ++i) {
         states = series(*states, statesOf({1.0}, {1.0, 1.0}));
     }
-    return states ? series(*states, rotorStates(plant, timing.period_s)) : states;
+    return states ? series(*states, statesOf(deltaRotor(plant, timing.period_s))) : states;
 }
 
 /// Of the loop that these gains close.

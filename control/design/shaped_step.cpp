@@ -1,5 +1,6 @@
 #include "control/design/loop_motion.h"
 #include "control/design/shaped_controller.h"
+#include "control/design/shaped_delta.h"
 #include "control/design/shaped_loop.h"
 
 #include <utility>
@@ -30,11 +31,11 @@ Result<LoopStep> shapedStep(const PositionPlant& plant, const ShapedLaw& law, co
 
 Result<double> shapedRest_rad(const ShapedLaw& law, double period_s, double load_A) {
     const auto gains = checkedGains(law, period_s);
-    const auto filters = filtersInSeries(law.filters, period_s);
-    if (!gains || !filters) {
-        return failure(gains ? filters.error() : gains.error());
+    const auto filters_ratio = filterGainAtRest(law.filters);
+    if (!gains || !filters_ratio) {
+        return failure(gains ? filters_ratio.error() : gains.error());
     }
-    return gains->integral > 0.0 ? 0.0 : load_A / (gains->proportional * filters->dcGain());
+    return gains->integral > 0.0 ? 0.0 : load_A / (gains->proportional * *filters_ratio);
 }
 
 Result<LoadStep> shapedLoad(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing,

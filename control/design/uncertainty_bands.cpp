@@ -82,17 +82,13 @@ Result<LoopBands> loopBands(const std::vector<PositionPlant>& plants, const PidG
         *batch, [&batch](double frequency) { return batch->common(frequency); }, frequency_rad_s);
 }
 
-Result<LoopBands> loopBands(const std::vector<PositionPlant>& plants, const TransferFunction& controller,
+Result<LoopBands> loopBands(const std::vector<PositionPlant>& plants, const DeltaSystem& controller,
                             const LoopTiming& timing, const std::vector<double>& frequency_rad_s) {
     PidGains one; // of which delay and integrator are left
     one.proportional = 1.0;
     const auto batch = LoopBatch::make(plants, one, timing);
     if (!batch) {
         return failure(batch.error());
-    }
-    const auto valid = frequencyResponse(controller, frequency_rad_s);
-    if (!valid) {
-        return failure(valid.error());
     }
     return bandsOf(
         *batch,

@@ -2,6 +2,7 @@
 
 #include "control/base/result.h"
 #include "control/design/position_loop.h"
+#include "control/lti/delta_system.h"
 
 #include <cstddef>
 #include <limits>
@@ -28,7 +29,7 @@ Result<LoopBands> loopBands(const std::vector<PositionPlant>& plants, const PidG
                             const LoopTiming& timing, const std::vector<double>& frequency_rad_s);
 
 /// The same with any controller in the place of the board's, at the sampling of `timing`.
-Result<LoopBands> loopBands(const std::vector<PositionPlant>& plants, const TransferFunction& controller,
+Result<LoopBands> loopBands(const std::vector<PositionPlant>& plants, const DeltaSystem& controller,
                             const LoopTiming& timing, const std::vector<double>& frequency_rad_s);
 
 /// Of the linear closed loop after a step of the reference. Plants whose loop grows beyond all numbers leave.

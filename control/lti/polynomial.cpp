@@ -2,6 +2,7 @@
 
 #include "control/base/assert.h"
 #include "control/base/units.h"
+#include "control/lti/conjugate_pairs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,35 +112,6 @@ double improve(const Polynomial& p, std::vector<Complex>& points) {
     return largest;
 }
 
-/// Real coefficients have conjugate roots: each root is averaged with its partner, or made real when it is
-/// its own nearest partner.
-std::vector<Complex> withConjugateSymmetry(const std::vector<Complex>& points) {
-    std::vector<Complex> result;
-    std::vector<bool> isTaken(points.size(), false);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (isTaken[i]) {
-            continue;
-        }
-        std::size_t partner = i;
-        for (std::size_t j = i + 1; j < points.size(); ++j) {
-            if (!isTaken[j] && std::abs(points[j] - std::conj(points[i])) <
-                                   std::abs(points[partner] - std::conj(points[i]))) {
-                partner = j;
-            }
-        }
-        isTaken[i] = true;
-        if (partner == i) {
-            result.emplace_back(points[i].real(), 0.0);
-            continue;
-        }
-        isTaken[partner] = true;
-        const Complex mean = 0.5 * (points[i] + std::conj(points[partner]));
-        result.push_back(mean);
-        result.push_back(std::conj(mean));
-    }
-    return result;
-}
-
 } // namespace
 
 Polynomial trimmed(Polynomial polynomial) {
@@ -236,7 +208,7 @@ std::vector<std::complex<double>> roots(const Polynomial& polynomial) {
     std::vector<Complex> points = startingPoints(n);
     for (int round = 0; round < MaxRounds && improve(p, points) > 1e-16; ++round) {
     }
-    for (const Complex& point : withConjugateSymmetry(points)) {
+    for (const Complex& point : inConjugatePairs(points)) {
         result.push_back(radius * point);
     }
     return result;

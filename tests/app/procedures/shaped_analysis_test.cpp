@@ -86,6 +86,69 @@ TEST(ShapedAnalysis, anUnstableLoopIsRefusedAndADelaySensitiveOneSaid) {
     EXPECT_FALSE(judged->predicted.step);
 }
 
+const Finding* findingOf(const TuneResult& result, const std::string& code) {
+    const auto found = std::find_if(result.warnings.begin(), result.warnings.end(),
+                                    [&code](const Finding& finding) { return finding.code == code; });
+    return found == result.warnings.end() ? nullptr : &*found;
+}
+
+control::PositionLaw proportional(double kp_A_per_rad) {
+    control::PositionLaw law;
+    law.gains.proportional = kp_A_per_rad;
+    return law;
+}
+
+// K_P = 0.025 behind low-passes at 0.02 and 0.05 Hz, of 50 digits (tests/control/design/shaped_delta_test):
+// 7.10039904507 deg at 0.159762174765 rad/s and Ms = 9.359. The crossover is below the usual Bode plot. The
+// motor's ratios here are the published ones to eight digits.
+TEST(ShapedAnalysis, slowFiltersHideNoCrossover) {
+    control::ShapedLaw shaped = shapedOf(proportional(0.025));
+    shaped.filters = {control::LowPassFilter{2.0 * Pi * 0.02, 1}, control::LowPassFilter{2.0 * Pi * 0.05, 1}};
+    const auto judged = judgeLaw(Motor, {proportional(0.025), shaped}, {});
+    ASSERT_TRUE(judged) << judged.error().message;
+    const AnalysisResult& loop = judged->predicted;
+    EXPECT_TRUE(loop.isStable);
+    EXPECT_NEAR(loop.margins.phaseMargin_deg, 7.1004, 1e-3);
+    EXPECT_NEAR(*loop.margins.gainCrossover_rad_s, 0.159762, 1e-5);
+    EXPECT_NEAR(1.0 / loop.margins.modulusMargin, 9.359, 1e-2);
+    EXPECT_NEAR(loop.margins.gainMargin_ratio, 1.2706, 1e-3);
+    EXPECT_NE(judged->quality.verdict, Verdict::Good);
+    EXPECT_LT(2.0 * Pi * loop.bode.frequency_Hz.front(), 0.5 * *loop.margins.gainCrossover_rad_s);
+    EXPECT_LT(loop.roots.locus.gain.size(), 2000u);
+}
+
+TEST(ShapedAnalysis, anUnstableLoopSaysWhichWayItsGainHasToGo) {
+    // 100 times the gain of the loop above: the limit is 1.27061140205/100.
+    control::ShapedLaw loud = shapedOf(proportional(2.5));
+    loud.filters = {control::LowPassFilter{2.0 * Pi * 0.02, 1}, control::LowPassFilter{2.0 * Pi * 0.05, 1}};
+    const auto lower = judgeLaw(Motor, {proportional(2.5), loud}, {});
+    ASSERT_TRUE(lower);
+    EXPECT_NEAR(lower->predicted.margins.gainMargin_ratio, 0.0127061, 1e-6);
+    ASSERT_NE(findingOf(*lower, "unstable"), nullptr);
+    EXPECT_NE(findingOf(*lower, "unstable")->hint.find("below 0.0127 times"), std::string::npos);
+
+    // K_I/K_P above c/J: no gain is stable (Routh).
+    control::PositionLaw fast = proportional(1.0);
+    fast.gains.integral = 8.0;
+    const auto never = judgeLaw(Motor, fast, {});
+    ASSERT_TRUE(never);
+    EXPECT_FALSE(never->predicted.stableGains.has_value());
+    EXPECT_TRUE(std::isinf(never->predicted.margins.gainMargin_ratio));
+    EXPECT_FALSE(never->predicted.margins.phaseCrossover_rad_s.has_value());
+    ASSERT_NE(findingOf(*never, "unstable"), nullptr);
+    EXPECT_NE(findingOf(*never, "unstable")->hint.find("no common factor"), std::string::npos);
+
+    // With derivative action a weak loop needs more gain.
+    control::PositionLaw weak = proportional(0.02);
+    weak.gains.integral = 0.2;
+    weak.gains.derivative = 0.01;
+    const auto raise = judgeLaw(Motor, weak, {});
+    ASSERT_TRUE(raise);
+    EXPECT_GT(raise->predicted.margins.gainMargin_ratio, 1.0);
+    ASSERT_NE(findingOf(*raise, "unstable"), nullptr);
+    EXPECT_NE(findingOf(*raise, "unstable")->hint.find("raise them"), std::string::npos);
+}
+
 // Where the name of a preset excuses an unstable loop of the board, it does not excuse this one.
 TEST(ShapedAnalysis, noPresetHasAnUnstableShapedLoop) {
     control::ShapedLaw shaped = shapedOf(lively());

@@ -1,6 +1,7 @@
 #include "control/base/random.h"
 #include "control/base/units.h"
 #include "control/design/friction_cycles.h"
+#include "control/design/shaped_delta.h"
 #include "control/design/shaped_position_law.h"
 #include "tests/control/design/published_motor.h"
 #include "tests/control/design/shaped_example.h"
@@ -82,7 +83,7 @@ TEST(ShapedPositionLaw, swingsAsTheHarmonicBalancePredicts) {
     law.gains.integral = 0.1;
     EXPECT_TRUE(frictionCycles(plant, law.gains, timing, Limit_A)->empty());
     law.filters = {LowPassFilter{150.0, 1}};
-    const auto cycles = frictionCycles(plant, *shapedController(law, timing.period_s), timing, Limit_A);
+    const auto cycles = frictionCycles(plant, *deltaController(law, timing.period_s), timing, Limit_A);
     ASSERT_TRUE(cycles);
     ASSERT_EQ(cycles->size(), 2u);
     auto running = ShapedPositionLaw::make(law, {}, Period_s, Limit_A);
