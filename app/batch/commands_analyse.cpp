@@ -76,7 +76,11 @@ Result<void> writePoles(const std::string& path, const AnalysisResult::Roots& ro
 std::string analysisText(const AnalysisResult& result) {
     std::string text = fmt::format("{}\n", result.isStable ? "stable" : "UNSTABLE");
     const JsonValue body = analysisBody(result);
-    text += figureLines("margins of the sampled loop", *body.find("margins"));
+    const JsonValue& margins = *body.find("margins");
+    text += figureLines("margins of the sampled loop", margins);
+    const JsonValue* limit = margins.find("gain_limit");
+    text += fmt::format("{:<26} {}\n", "limit of the gain",
+                        limit->isNull() ? "none" : limit->text() + " of the gain");
     if (const JsonValue* step = body.find("step"); step->isObject()) {
         text += figureLines("small step, without friction and current limit", *step);
     }

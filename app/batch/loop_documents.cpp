@@ -9,9 +9,18 @@ namespace halbench::app {
 
 namespace {
 
+/// Which way the gain goes to the nearest limit of stability.
+JsonValue gainLimitOf(double gainMargin_ratio) {
+    if (!std::isfinite(gainMargin_ratio)) {
+        return {};
+    }
+    return gainMargin_ratio < 1.0 ? "decrease" : "increase";
+}
+
 JsonValue marginsOf(const control::StabilityMargins& margins) {
     JsonValue body = JsonValue::object();
     body.set("gain_margin_ratio", finiteOrNull(margins.gainMargin_ratio));
+    body.set("gain_limit", gainLimitOf(margins.gainMargin_ratio));
     body.set("phase_margin_deg", finiteOrNull(margins.phaseMargin_deg));
     body.set("gain_crossover_rad_s", finiteOrNull(margins.gainCrossover_rad_s));
     body.set("phase_crossover_rad_s", finiteOrNull(margins.phaseCrossover_rad_s));
