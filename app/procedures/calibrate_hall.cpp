@@ -1,4 +1,6 @@
 #include "app/procedures/calibrate_runs.h"
+#include "app/procedures/excitation_limits.h"
+#include "app/procedures/pilot_motion.h"
 #include "app/procedures/spin_recording.h"
 #include "control/base/distributions.h"
 #include "control/base/units.h"
@@ -81,6 +83,53 @@ void judgeEllipse(CalibrateResult& result, const control::HallEllipseFit& fit) {
     }
 }
 
+// Fast enough to turn evenly, well below the speed window.
+double spinCurrent_A(const CalibrateConfig& config, const PilotEstimate& motor) {
+    constexpr double LeastShare = 0.1;
+    constexpr double MostShare = 0.6;
+    constexpr double WantedShare = 0.25;
+    const double speed_rad_s = motor.steadySpeed_rad_s(config.spinCurrent_A);
+    if (speed_rad_s >= LeastShare * config.speedLimit_rad_s &&
+        speed_rad_s <= MostShare * config.speedLimit_rad_s) {
+        return config.spinCurrent_A;
+    }
+    const double wanted_rad_s = WantedShare * config.speedLimit_rad_s;
+    return std::min((motor.friction_rad_s2 + motor.damping_per_s * wanted_rad_s) / motor.torque_rad_s2_A,
+                    std::max(config.spinCurrent_A, config.mapCurrent_A));
+}
+
+// The published motor where this one does not turn: what follows says so.
+Result<PilotEstimate> firstMotion(devices::Device& device, const CalibrateConfig& config,
+                                  const ProcedureObserver& observer) {
+    IdentifyConfig pilot;
+    pilot.speedLimit_rad_s = config.speedLimit_rad_s;
+    PilotMotion motion(device, observer, pilot);
+    ProcedureObserver listening = observer;
+    listening.onBlock = [&](const SampleBlockPtr& block) {
+        motion.take(*block);
+        if (observer.onBlock) {
+            observer.onBlock(block);
+        }
+    };
+    StreamRecorder recorder(device, listening);
+    recorder.guardBy(excitationLimits(device.catalogue(), config.speedLimit_rad_s));
+    if (auto started =
+            recorder.start(withWatchedSignals(device.catalogue(),
+                                              {"position", "speed", "current_command", "reference.segment"}),
+                           100.0);
+        !started) {
+        return failure(started.error());
+    }
+    const auto motor = motion.find({config.spinCurrent_A, config.mapCurrent_A});
+    if (!motor) {
+        return failure(recorder.causeOf(motor.error()));
+    }
+    if (auto whole = recorder.check(); !whole) {
+        return failure(whole.error());
+    }
+    return motor->value_or(nominalMotor());
+}
+
 } // namespace
 
 Result<double> proposedOrPresent(devices::Device& device, const CalibrateResult& result,
@@ -98,11 +147,12 @@ Result<double> proposedOrPresent(devices::Device& device, const CalibrateResult&
     return values->front();
 }
 
-std::vector<PlateauRun> hallRuns(const CalibrateConfig& config) {
+std::vector<PlateauRun> hallRuns(const CalibrateConfig& config, const PilotEstimate& motor) {
+    const double current_A = spinCurrent_A(config, motor);
     std::vector<PlateauRun> runs;
     for (const double sign : {1.0, -1.0}) {
         PlateauRun run;
-        run.currents_A = {sign * config.spinCurrent_A, sign * config.spinCurrent_A, 0.0};
+        run.currents_A = {sign * current_A, sign * current_A, 0.0};
         run.dwell_s = 4.0;
         run.mayReach_rad_s = 0.9 * config.speedLimit_rad_s;
         run.text = "spins slowly for the Hall sensors";
@@ -118,7 +168,11 @@ Result<void> calibrateHall(devices::Device& device, const CalibrateConfig& confi
     if (!stray || !before) {
         return failure(stray ? before.error() : stray.error());
     }
-    const auto recording = recordSpin(device, observer, hallRuns(config), config.speedLimit_rad_s,
+    const auto motor = firstMotion(device, config, observer);
+    if (!motor) {
+        return failure(motor.error());
+    }
+    const auto recording = recordSpin(device, observer, hallRuns(config, *motor), config.speedLimit_rad_s,
                                       {"position", "speed", "hall.a", "hall.b", "current.a", "current.b"});
     if (!recording) {
         return failure(recording.error());
@@ -146,7 +200,7 @@ Result<void> calibrateHall(devices::Device& device, const CalibrateConfig& confi
     result.residualBefore_rad = control::hallAngleError_rad(*before, e);
     result.residualAfter_rad = fit->residual_ratio;
     judgeEllipse(result, *fit);
-    return calibrateAngleMap(device, config, observer, result);
+    return calibrateAngleMap(device, config, observer, *motor, result);
 }
 
 } // namespace halbench::app

@@ -23,9 +23,9 @@ std::string mapName(std::size_t place) {
 
 // Run-ups and coast-downs of both directions, each recorded by itself.
 Result<std::vector<Recording>> spinBothWays(devices::Device& device, const CalibrateConfig& config,
-                                            const ProcedureObserver& observer) {
+                                            const ProcedureObserver& observer, const PilotEstimate& motor) {
     std::vector<Recording> recordings;
-    for (const PlateauRun& run : angleMapRuns(config)) {
+    for (const PlateauRun& run : angleMapRuns(config, motor)) {
         auto recording = recordSpin(device, observer, {&run, 1}, config.speedLimit_rad_s,
                                     {"position", "speed", "current_command", "reference.segment"});
         if (!recording) {
@@ -157,16 +157,15 @@ void evaluate(CalibrateResult& result, const std::vector<Recording>& recordings)
 
 } // namespace
 
-std::vector<PlateauRun> angleMapRuns(const CalibrateConfig& config) {
+std::vector<PlateauRun> angleMapRuns(const CalibrateConfig& config, const PilotEstimate& motor) {
     constexpr int Pairs = 8; // stretches are the clusters of the errors: 16 of each direction
+    constexpr double Dwell_s = 1.0;
     std::vector<PlateauRun> runs;
     for (const double sign : {1.0, -1.0}) {
-        PlateauRun run;
-        for (int i = 0; i < Pairs; ++i) {
-            run.currents_A.insert(run.currents_A.end(), {sign * config.mapCurrent_A, 0.0});
+        PlateauRun run = coastRun(motor, config.mapCurrent_A, Pairs, Dwell_s, config.speedLimit_rad_s);
+        for (double& current : run.currents_A) {
+            current *= sign;
         }
-        run.dwell_s = 1.0;
-        run.mayReach_rad_s = 0.9 * config.speedLimit_rad_s;
         run.text = "spins fast for the angle error";
         runs.push_back(std::move(run));
     }
@@ -174,7 +173,8 @@ std::vector<PlateauRun> angleMapRuns(const CalibrateConfig& config) {
 }
 
 Result<void> calibrateAngleMap(devices::Device& device, const CalibrateConfig& config,
-                               const ProcedureObserver& observer, CalibrateResult& result) {
+                               const ProcedureObserver& observer, const PilotEstimate& motor,
+                               CalibrateResult& result) {
     if (device.catalogue().findParameter(Enabled) == nullptr) {
         return {};
     }
@@ -193,7 +193,7 @@ Result<void> calibrateAngleMap(devices::Device& device, const CalibrateConfig& c
     }
     CalibrateConfig limited = config;
     limited.mapCurrent_A = std::min(config.mapCurrent_A, limit_A->front());
-    const auto recordings = spinBothWays(device, limited, observer);
+    const auto recordings = spinBothWays(device, limited, observer, motor);
     if (!recordings) {
         return failure(recordings.error());
     }

@@ -37,9 +37,11 @@ void addStray(Forecast& forecast, const CalibrateConfig& config) {
     using namespace standstill;
     const double square_A2 = config.strayCurrent_A * config.strayCurrent_A;
     forecast.add(StrayAngles * StrayDuration_s, config.strayCurrent_A, StrayMeanSquare_ratio * square_A2);
-    forecast.add(StrayAngles * PushDuration_s, config.frictionCurrent_A,
-                 config.frictionCurrent_A * config.frictionCurrent_A);
-    forecast.add(StrayAngles * PushRest_s, 0.0, 0.0);
+    for (const double push_s : Pushes_s) {
+        forecast.add(StrayAngles * push_s, config.frictionCurrent_A,
+                     config.frictionCurrent_A * config.frictionCurrent_A);
+        forecast.add(StrayAngles * PushRest_s, 0.0, 0.0);
+    }
 }
 
 // The ramp goes on beyond breakaway until the rotor has turned by RampEnd_rad:
@@ -74,8 +76,10 @@ CalibratePrediction predictCalibrate(const CalibrateConfig& config) {
     Forecast forecast;
     for (const Calibration which : config.which) {
         if (which == Calibration::Hall) {
-            forecast.add(hallRuns(config));
-            forecast.add(angleMapRuns(config));
+            constexpr double Pilot_s = 6.0; // pulses and run-ups
+            forecast.add(Pilot_s, config.spinCurrent_A, 0.25 * config.spinCurrent_A * config.spinCurrent_A);
+            forecast.add(hallRuns(config, nominalMotor()));
+            forecast.add(angleMapRuns(config, nominalMotor()));
         } else if (which == Calibration::Stray) {
             addStray(forecast, config);
         } else {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/procedures/calibrate_procedure.h"
+#include "app/procedures/identify_plan.h"
 #include "app/procedures/procedure_steps.h"
 #include "app/procedures/spin_drive.h"
 
@@ -21,15 +22,17 @@ Result<void> calibrateStray(devices::Device& device, const CalibrateConfig& conf
 Result<void> calibrateHall(devices::Device& device, const CalibrateConfig& config,
                            const ProcedureObserver& observer, CalibrateResult& result);
 
-/// Slow turns for the ellipse.
-std::vector<PlateauRun> hallRuns(const CalibrateConfig& config);
+/// Slow turns for the ellipse: under the spin current, or under what turns this motor between 20 % and 60 %
+/// of the speed limit.
+std::vector<PlateauRun> hallRuns(const CalibrateConfig& config, const PilotEstimate& motor);
 
 /// Angle error per turn, orders 1 to 6, that the ellipse proposed in `result` leaves; proposes the board's
 /// error map when it is known well enough to be worth it, else that it is switched off.
 Result<void> calibrateAngleMap(devices::Device& device, const CalibrateConfig& config,
-                               const ProcedureObserver& observer, CalibrateResult& result);
+                               const ProcedureObserver& observer, const PilotEstimate& motor,
+                               CalibrateResult& result);
 /// Fast run-ups and coast-downs, one run in each direction.
-std::vector<PlateauRun> angleMapRuns(const CalibrateConfig& config);
+std::vector<PlateauRun> angleMapRuns(const CalibrateConfig& config, const PilotEstimate& motor);
 
 /// Times of the measurements at standstill, for the procedure and its prediction.
 namespace standstill {
@@ -37,9 +40,10 @@ inline constexpr int StrayAngles = 3;
 inline constexpr int StrayLevels = 17;
 inline constexpr double StrayDwell_s = 0.12;
 inline constexpr double StrayDuration_s = StrayLevels * StrayDwell_s + 0.05;
-inline constexpr double StrayMeanSquare_ratio = 0.36; ///< of the largest current, over the levels
-inline constexpr double PushDuration_s = 0.15;
-inline constexpr double PushRest_s = 0.8;
+inline constexpr double StrayMeanSquare_ratio = 0.36;          ///< of the largest current, over the levels
+inline constexpr double Pushes_s[] = {0.02, 0.04, 0.08, 0.16}; ///< until the rotor has turned by PushEnd_rad
+inline constexpr double PushEnd_rad = 0.3;
+inline constexpr double PushRest_s = 0.5;
 inline constexpr double RampRate_A_per_s = 0.6;
 inline constexpr double RampEnd_rad = 0.8; ///< travel at which the rotor is surely off
 inline constexpr double RampRest_s = 0.6;

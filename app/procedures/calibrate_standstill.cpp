@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 
 namespace halbench::app {
@@ -43,22 +44,58 @@ Result<void> startGuarded(StreamRecorder& recorder, const devices::Device& devic
     return recorder.start(withWatchedSignals(device.catalogue(), std::move(measured)), 100.0);
 }
 
-// A short push, so that the next measurement stands at another angle.
+/// The way a rotor has gone since the first sample, from the stream.
+class TravelWatch {
+public:
+    void take(const SampleBlock& block) {
+        const int column = block.layout->indexOf("position");
+        for (std::size_t row = 0; column >= 0 && row < block.rows(); ++row) {
+            const double angle_rad = block.value(row, static_cast<std::size_t>(column));
+            m_first_rad = m_first_rad.value_or(angle_rad);
+            m_travel_rad = std::max(m_travel_rad, std::fabs(angle_rad - *m_first_rad));
+        }
+    }
+    double travel_rad() const { return m_travel_rad; }
+
+private:
+    std::optional<double> m_first_rad;
+    double m_travel_rad = 0.0;
+};
+
+ProcedureObserver watched(const ProcedureObserver& observer, TravelWatch& watch) {
+    ProcedureObserver listening = observer;
+    listening.onBlock = [&](const SampleBlockPtr& block) {
+        watch.take(*block);
+        if (observer.onBlock) {
+            observer.onBlock(block);
+        }
+    };
+    return listening;
+}
+
+// Short pushes, so that the next measurement stands at another angle: each twice as long as the one before,
+// until the rotor has turned, so that a lively motor stays slow.
 Result<void> nudge(devices::Device& device, const CalibrateConfig& config,
                    const ProcedureObserver& observer) {
-    using standstill::PushDuration_s;
-    StreamRecorder recorder(device, observer);
+    TravelWatch watch;
+    const ProcedureObserver listening = watched(observer, watch);
+    StreamRecorder recorder(device, listening);
     if (auto started = startGuarded(recorder, device, config, {"position"}); !started) {
         return started;
     }
-    if (auto driven = drive(device, observer,
-                            {{"reference.shape", ShapeStep},
-                             {"reference.amplitude", config.frictionCurrent_A},
-                             {"reference.duration", PushDuration_s}},
-                            devices::BoardMode::Current, PushDuration_s + standstill::PushRest_s,
-                            "turns to another angle");
-        !driven) {
-        return failure(recorder.causeOf(driven.error()));
+    for (const double push_s : standstill::Pushes_s) {
+        if (watch.travel_rad() > standstill::PushEnd_rad) {
+            break;
+        }
+        if (auto driven =
+                drive(device, listening,
+                      {{"reference.shape", ShapeStep},
+                       {"reference.amplitude", config.frictionCurrent_A},
+                       {"reference.duration", push_s}},
+                      devices::BoardMode::Current, push_s + standstill::PushRest_s, "turns to another angle");
+            !driven) {
+            return failure(recorder.causeOf(driven.error()));
+        }
     }
     return recorder.check() ? device.disarm() : recorder.check();
 }
@@ -135,22 +172,8 @@ Result<Recording> recordAt(devices::Device& device, const CalibrateConfig& confi
 Result<Recording> rampOnce(devices::Device& device, const CalibrateConfig& config,
                            const ProcedureObserver& observer, double end_A) {
     using standstill::RampRate_A_per_s;
-    double first_rad = 0.0;
-    double travel_rad = 0.0;
-    bool hasFirst = false;
-    ProcedureObserver listening = observer;
-    listening.onBlock = [&](const SampleBlockPtr& block) {
-        const int column = block->layout->indexOf("position");
-        for (std::size_t row = 0; column >= 0 && row < block->rows(); ++row) {
-            const double angle = block->value(row, static_cast<std::size_t>(column));
-            first_rad = hasFirst ? first_rad : angle;
-            hasFirst = true;
-            travel_rad = std::max(travel_rad, std::fabs(angle - first_rad));
-        }
-        if (observer.onBlock) {
-            observer.onBlock(block);
-        }
-    };
+    TravelWatch watch;
+    const ProcedureObserver listening = watched(observer, watch);
     StreamRecorder recorder(device, listening);
     if (auto started = startGuarded(recorder, device, config, {"position", "current_command"}); !started) {
         return failure(started.error());
@@ -165,7 +188,7 @@ Result<Recording> rampOnce(devices::Device& device, const CalibrateConfig& confi
         !driven) {
         return failure(recorder.causeOf(driven.error()));
     }
-    for (double passed_s = 0.1; passed_s < duration_s && travel_rad < standstill::RampEnd_rad;
+    for (double passed_s = 0.1; passed_s < duration_s && watch.travel_rad() < standstill::RampEnd_rad;
          passed_s += 0.05) {
         if (auto waited = waitObserved(device, listening, 0.05, 0.0, 1.0, "ramps the current from rest");
             !waited) {

@@ -4,6 +4,7 @@
 #include "app/procedures/excitation_limits.h"
 #include "app/procedures/identify_estimate.h"
 #include "app/procedures/identify_plan.h"
+#include "app/procedures/pilot_motion.h"
 #include "app/procedures/restored_result.h"
 #include "app/procedures/spin_drive.h"
 
@@ -57,7 +58,9 @@ public:
         m_observer = observer;
         m_observer.onBlock = [this](const SampleBlockPtr& block) {
             m_watch.take(*block);
-            m_pilot.append(*block);
+            if (m_pilot) {
+                m_pilot->take(*block);
+            }
             if (m_outer.onBlock) {
                 m_outer.onBlock(block);
             }
@@ -71,7 +74,9 @@ public:
         if (auto started = recorder.start(wantedSignals(m_device.catalogue()), Rate_Hz); !started) {
             return failure(started.error());
         }
-        const auto pilot = runPilot(currents_A);
+        m_pilot.emplace(m_device, m_observer, m_config);
+        const auto pilot = m_pilot->find(currents_A);
+        m_pilot.reset();
         if (!pilot) {
             return failure(recorder.causeOf(pilot.error()));
         }
@@ -84,43 +89,6 @@ public:
     }
 
 private:
-    // Short run-ups, gentle ones first, until they show the motor; none when it never turned.
-    Result<std::optional<PilotEstimate>> runPilot(const std::vector<double>& currents_A) {
-        const double lowest = currents_A.front();
-        const double highest = currents_A.back();
-        for (const double share : {0.3, 0.6, 1.0}) {
-            const double sign = m_config.directions == SweepDirections::Reverse ? -1.0 : 1.0;
-            const double current = sign * (lowest + share * (highest - lowest));
-            PlateauRun run{
-                {current, 0.0, current, 0.0}, 1.0, 0.5 * m_config.speedLimit_rad_s, "first motion"};
-            if (auto done = runPlateaus(m_device, m_observer, run, m_heat, m_watch); !done) {
-                return failure(done.error());
-            }
-            // The dwell hangs on c/J: a slow first motion shows it poorly, a faster one better.
-            constexpr double GoodEnough = 0.08;
-            const auto estimate = pilotEstimate();
-            if (estimate &&
-                (share == 1.0 || estimate->dampingError_per_s < GoodEnough * estimate->damping_per_s)) {
-                return estimate;
-            }
-        }
-        // It turned, but too slowly to tell torque from friction, as one low current does: the published
-        // motor's figures plan the runs, whose speed is watched all the same.
-        return m_watch.highest_rad_s() > m_config.usableSpeed_rad_s ? std::optional(nominalMotor())
-                                                                    : std::optional<PilotEstimate>();
-    }
-
-    std::optional<PilotEstimate> pilotEstimate() const {
-        const auto fits = fitRecording(m_pilot, m_config);
-        if (!fits || !fits->motion || !fits->balance || !fits->balance->torque_rad_s2_A ||
-            !(*fits->balance->torque_rad_s2_A > 0.0)) {
-            return std::nullopt;
-        }
-        return PilotEstimate{std::max(fits->motion->damping_per_s, 0.0),
-                             std::max(fits->balance->friction_rad_s2.value_or(0.0), 0.0),
-                             *fits->balance->torque_rad_s2_A, fits->motion->dampingError_per_s};
-    }
-
     Result<void> runAll(const std::vector<PlateauRun>& runs) {
         if (auto entered = enterState(m_outer, ProcedureState::Record); !entered) {
             return entered;
@@ -129,7 +97,6 @@ private:
             if (auto done = runPlateaus(m_device, m_observer, run, m_heat, m_watch); !done) {
                 return done;
             }
-            m_pilot = {};
         }
         return {};
     }
@@ -140,7 +107,7 @@ private:
     ProcedureObserver m_observer; ///< the outer one, listened in
     SpeedWatch m_watch;
     HeatLimits m_heat;
-    Recording m_pilot; ///< what came during the pilot
+    std::optional<PilotMotion> m_pilot; ///< while it runs
 };
 
 Result<IdentifyResult> excite(devices::Device& device, const IdentifyConfig& config,
