@@ -8,24 +8,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace halbench::app {
-
-namespace {
-
-double accuracyOf(const control::LimitCycle& cycle, const control::DeltaSystem& controller,
-                  const LoopConditions& conditions) {
-    constexpr double DeepSaturation_ratio = 10.0;
-    constexpr double FewSamples = 10.0;
-    const double asked_A = cycle.amplitude * std::abs(controller.atFrequency(cycle.frequency_rad_s));
-    const double samples = 2.0 * Pi / (cycle.frequency_rad_s * conditions.timing.period_s);
-    const bool isDeep = asked_A > DeepSaturation_ratio * conditions.currentLimit_A;
-    return isDeep && samples > FewSamples ? 0.35 : 0.1;
-}
-
-} // namespace
 
 std::optional<std::vector<PredictedCycle>>
 predictCycles(const control::PositionPlant& plant, const LoopLaw& law, const LoopConditions& conditions) {
@@ -44,8 +29,7 @@ predictCycles(const control::PositionPlant& plant, const LoopLaw& law, const Loo
     }
     std::vector<PredictedCycle> result;
     for (const control::LimitCycle& cycle : *cycles) {
-        result.push_back({cycle.amplitude, cycle.frequency_rad_s / (2.0 * Pi), cycle.isStable,
-                          accuracyOf(cycle, *controller, conditions)});
+        result.push_back({cycle.amplitude, cycle.frequency_rad_s / (2.0 * Pi), cycle.isStable});
     }
     return result;
 }

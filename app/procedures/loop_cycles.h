@@ -14,9 +14,8 @@ struct PredictedCycle {
     double frequency_Hz = 0.0;
     /// Otherwise a threshold: less comes to rest, more grows into the next larger one.
     bool isStable = false;
-    /// What the balance is good for here: 0.1, or 0.35 where the loop asks for more than ten times the limit
-    /// and takes more than ten samples for it.
-    double accuracy_ratio = 0.1;
+    /// What the balance is good for off the published motor (control/design/friction_cycles.h).
+    double accuracy_ratio = 0.5;
 };
 
 /// In ascending amplitude; empty: none. Nothing for a law with the micro-step assist, a second relay that the

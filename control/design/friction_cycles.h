@@ -21,9 +21,9 @@ double breakLooseTime_s(const PositionPlant& plant, const PidGains& gains, doubl
 ///     N(A |C|) C(z) z^-delay G(z; a + 4 i_f k/(pi A w)) = -1,  z = exp(j w T).
 /// `amplitude` is the angle's in rad (half of peak to peak). The smaller of a pair is unstable: a disturbance
 /// beyond it grows into the larger one, below it the rotor comes to rest. The balance sees a sampled relay as
-/// a continuous one; its figures hold within 10 % while the current that is asked for stays below about ten
-/// limits or the cycle takes less than ten samples; deep in saturation slow cycles are larger and slower, by
-/// up to a third. Errors: of the inputs; OutOfRange (current limit).
+/// a continuous one and the held current for a sine: the true swing lies between 0.5 and 1.5 of the figure,
+/// mostly above it by 5 to 25 %, and deep in saturation it is slower as well. Errors: of the inputs;
+/// OutOfRange (current limit).
 Result<std::vector<LimitCycle>> frictionCycles(const PositionPlant& plant, const PidGains& gains,
                                                const LoopTiming& timing, double currentLimit_A);
 /// The same with any controller before the limit, at the sampling of `timing`.

@@ -196,7 +196,7 @@ TEST(LimitCycles, areToldWithTheTuning) {
                                     [](const PredictedCycle& cycle) { return cycle.isStable; });
     ASSERT_NE(swing, degrees->cycles->end());
     EXPECT_NEAR(2.0 * radiansToDegrees(swing->amplitude_rad), 2.0, 0.2);
-    EXPECT_NEAR(swing->accuracy_ratio, 0.1, 1e-12);
+    EXPECT_NEAR(swing->accuracy_ratio, 0.5, 1e-12); // what the balance holds off the published motor
     const auto isCycle = [](const Finding& finding) { return finding.code == "limit_cycle"; };
     EXPECT_TRUE(std::any_of(degrees->warnings.begin(), degrees->warnings.end(), isCycle));
     const auto published = tuned("published");

@@ -1,3 +1,4 @@
+#include "control/base/random.h"
 #include "control/base/units.h"
 #include "control/design/friction_cycles.h"
 #include "control/design/held_rotor.h"
@@ -144,6 +145,34 @@ TEST(FrictionCycles, areThoseOfAnIndependentSimulation) {
 
 // help: htm-theory.md 8.2: the micro-step preset comes to rest from small steps and 8.1 from any; both
 // predicted.
+// Motors and gains off the published ones. The balance takes a relay that is sampled for a sine: large swings
+// come out up to half too small, as 22 recorded ones did by -11 to +46 %; what is said of it has to hold
+// that.
+TEST(FrictionCycles, ofRandomMotorsHoldWithinHalf) {
+    Random random(20);
+    int seen = 0;
+    for (int i = 0; i < 40; ++i) {
+        PositionPlant plant;
+        plant.dampingRate_1_s = 0.5 * std::pow(20.0, random.uniform());
+        plant.accelerationGain_rad_s2_A = 10.0 * std::pow(8.0, random.uniform());
+        plant.breakawayCurrent_A = 0.05 * std::pow(20.0, random.uniform());
+        const LoopTiming timing{0.01, static_cast<int>(random.below(2))};
+        const double limit = (timing.delay_samples == 0 ? 449.0 : 150.0) / plant.accelerationGain_rad_s2_A;
+        const PidGains pid = gains(limit * 1.3 * std::pow(15.0, random.uniform()), 0.1);
+        const auto cycles = frictionCycles(plant, pid, timing, Limit_A);
+        ASSERT_TRUE(cycles.has_value());
+        if (cycles->size() < 2u) {
+            continue;
+        }
+        const Swing swing = swingOf(simulated(plant, pid, timing, -1.7, 15.0), 0.01);
+        const double ratio = swing.peakToPeak_rad / (2.0 * (*cycles)[1].amplitude);
+        EXPECT_NEAR(ratio, 1.0, 0.5) << plant.dampingRate_1_s << ' ' << plant.accelerationGain_rad_s2_A << ' '
+                                     << plant.breakawayCurrent_A << ' ' << pid.proportional;
+        ++seen;
+    }
+    EXPECT_GE(seen, 20);
+}
+
 TEST(FrictionCycles, aLoopBelowItsLimitHasNone) {
     EXPECT_TRUE(frictionCycles(published(), gains(10.0, 0.1), NoDelay, Limit_A)->empty());
     const Swing swing = swingOf(simulated(published(), gains(10.0, 0.1), NoDelay, -1.7, 8.0), 0.01);
