@@ -3131,6 +3131,14 @@
         <translation>die Reibung hängt vielleicht von der Drehzahl ab: die Intervalle enthalten diesen Fehler nicht; verwenden Sie nur größere Ströme</translation>
     </message>
     <message>
+        <source>the torque changes with the speed as no lag of the currents explains: the angle of commutation or the compensation of the stray field is wrong</source>
+        <translation>das Drehmoment ändert sich mit der Drehzahl, wie es kein Nachlauf der Ströme erklärt: der Winkel der Kommutierung oder die Kompensation des Streufelds ist falsch</translation>
+    </message>
+    <message>
+        <source>calibrate the stray field and the Hall sensors, then identify again</source>
+        <translation>kalibrieren Sie das Streufeld und die Hall-Sensoren und identifizieren Sie dann erneut</translation>
+    </message>
+    <message>
         <source>ordinary and robust regression of the sweep differ by more than one standard error</source>
         <translation>gewöhnliche und robuste Regression der Messreihe unterscheiden sich um mehr als einen Standardfehler</translation>
     </message>

@@ -3131,6 +3131,14 @@
         <translation>摩擦可能与转速有关：区间未包含此误差；请只用较大的电流</translation>
     </message>
     <message>
+        <source>the torque changes with the speed as no lag of the currents explains: the angle of commutation or the compensation of the stray field is wrong</source>
+        <translation>转矩随转速的变化无法用电流滞后解释：换相角或杂散磁场的补偿有误</translation>
+    </message>
+    <message>
+        <source>calibrate the stray field and the Hall sensors, then identify again</source>
+        <translation>请校准杂散磁场和霍尔传感器，然后重新辨识</translation>
+    </message>
+    <message>
         <source>ordinary and robust regression of the sweep differ by more than one standard error</source>
         <translation>扫描的普通回归与稳健回归相差超过一个标准误差</translation>
     </message>

@@ -149,6 +149,8 @@ double worstStretch_ratio(const control::MotionFit& motion) {
 // White noise of twelve samples or more exceeds this less than once in 1e9 stretches; of simulated motors
 // with all imperfections one in a hundred does.
 constexpr double InadequateStretch_ratio = 3.5;
+// No friction does this: an angle that the line damaged did.
+constexpr double DamagedStretch_ratio = 50.0;
 
 void judgeStretches(IdentifyResult& result, const IdentifyFits& fits) {
     constexpr std::size_t EnoughStretches = 5;
@@ -156,13 +158,40 @@ void judgeStretches(IdentifyResult& result, const IdentifyFits& fits) {
         return;
     }
     const double ratio = worstStretch_ratio(*fits.motion);
-    if (ratio > InadequateStretch_ratio) {
+    if (ratio > DamagedStretch_ratio) {
+        remark(result.quality, Verdict::Refused, "stretch_damaged",
+               fmt::format("model inadequate: one stretch of motion lies {:.1f} times further off the model "
+                           "than most",
+                           ratio),
+               "check the link");
+    } else if (ratio > InadequateStretch_ratio) {
         remark(
             result.quality, Verdict::Doubtful, "friction_depends_on_speed",
             fmt::format("model inadequate: one stretch of motion lies {:.1f} times further off the model "
                         "than most",
                         ratio),
             "friction may depend on speed: the intervals do not hold that error; use faster currents only");
+    }
+}
+
+// A lag tau of the currents costs torque, tau^2/2 of it times omega^2: 2.05 ms is a tick of hold and an
+// amplifier five times as slow as the published one. An angle kappa I of a stray field that is not
+// compensated adds kappa I tau omega, of either sign, and takes (kappa I)^2/2 of the torque constant at any
+// speed.
+void judgeLoss(IdentifyResult& result, const IdentifyFits& fits) {
+    if (!fits.motion || !fits.motion->isTorqueLossFitted) {
+        return;
+    }
+    constexpr double LargestLag_s = 2.05e-3;
+    constexpr double Significant = 3.0; // standard errors
+    const double loss_s2 = fits.motion->torqueLoss_s2;
+    const double highest_s2 = loss_s2 + Significant * fits.motion->torqueLossError_s2;
+    if (highest_s2 < 0.0 || loss_s2 > 0.5 * LargestLag_s * LargestLag_s) {
+        remark(
+            result.quality, Verdict::Doubtful, "torque_changes_with_speed",
+            "the torque changes with the speed as no lag of the currents explains: the angle of commutation "
+            "or the compensation of the stray field is wrong",
+            "calibrate the stray field and the Hall sensors, then identify again");
     }
 }
 
@@ -359,6 +388,7 @@ IdentifyResult judgeFits(const IdentifyFits& fits, const IdentifyConfig& config)
     }
     takeAsymmetry(result, fits);
     judgeStretches(result, fits);
+    judgeLoss(result, fits);
     judgeModel(result, fits);
     judgeAgreement(result, fits);
     judgeGiven(result, joint, config);

@@ -58,7 +58,23 @@ TEST(PilotMotion, livelyMotorsAreCalibratedInsideTheirSpeedWindow) {
     }
 }
 
-// The first run-ups in time: by the closed form of resources/help/htm-theory.md section 3.1.
+// The board compensates 2.5 mT/A whatever the motor has: kappa I turns the currents off their angle.
+TEST(Identify, aStrayFieldThatIsNotCompensatedIsDoubtful) {
+    for (const char* stray : {"8", "-2.5", "12", "-6"}) {
+        const auto device = devices::openDevice(std::string("sim:htm?seed=2&stray_mT_per_A=") + stray, {});
+        ASSERT_TRUE(device);
+        IdentifyConfig config;
+        config.given.inertia_kg_m2 = 5.5e-4;
+        const auto result = runIdentify(**device, config, {});
+        ASSERT_TRUE(result) << stray;
+        EXPECT_EQ(result->quality.verdict, Verdict::Doubtful) << stray;
+        EXPECT_TRUE(std::any_of(result->quality.findings.begin(), result->quality.findings.end(),
+                                [](const Finding& one) { return one.code == "torque_changes_with_speed"; }))
+            << stray;
+    }
+}
+
+// The runs in time, a second route to the closed form of resources/help/htm-theory.md section 3.1.
 double fastest_rad_s(const PilotEstimate& motor, const PlateauRun& run) {
     double speed_rad_s = 0.0;
     double fastest = 0.0;
