@@ -76,8 +76,12 @@ Result<control::PositionPlant> completed(const PartialPlant& plant) {
             "steady speeds alone do not show the inertia: identify with run-ups and coast-downs, or give "
             "the constant that is known (--given J=...)");
     }
-    control::PositionPlant result{*plant.dampingRate_1_s, *plant.accelerationGain_rad_s2_A,
-                                  *plant.breakawayCurrent_A};
+    // Without friction its estimate comes out on either side of zero.
+    constexpr double NoFriction_A = 1e-3;
+    const double breakaway_A = *plant.breakawayCurrent_A < -NoFriction_A
+                                   ? *plant.breakawayCurrent_A
+                                   : std::max(*plant.breakawayCurrent_A, 0.0);
+    control::PositionPlant result{*plant.dampingRate_1_s, *plant.accelerationGain_rad_s2_A, breakaway_A};
     if (const auto valid = control::checkPlant(result); !valid) {
         return failure(valid.error());
     }
@@ -186,7 +190,7 @@ Result<control::UncertainPlant> uncertainPlantFromEstimate(const MotorEstimate& 
         const PartialPlant drawn = resolve(values);
         return control::PositionPlant{drawn.dampingRate_1_s.value_or(0.0),
                                       drawn.accelerationGain_rad_s2_A.value_or(0.0),
-                                      drawn.breakawayCurrent_A.value_or(0.0)};
+                                      std::max(drawn.breakawayCurrent_A.value_or(0.0), 0.0)};
     };
     return result;
 }
