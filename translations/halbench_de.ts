@@ -143,14 +143,6 @@
         <translation>ein Motor wird aus seinem Winkel und seinem Strom identifiziert</translation>
     </message>
     <message>
-        <source>the angle wraps at {} rad: its turns were counted, nothing is left out for it</source>
-        <translation>der Winkel springt bei {} rad zurück: seine Umdrehungen wurden gezählt, nichts ist deshalb ausgelassen</translation>
-    </message>
-    <message>
-        <source>record the angle over all turns, so that no row between two may be lost</source>
-        <translation>zeichnen Sie den Winkel über alle Umdrehungen auf, damit keine Zeile dazwischen verloren gehen kann</translation>
-    </message>
-    <message>
         <source>Rotor angle, unwrapped</source>
         <translation>Rotorwinkel, über Umdrehungen fortgezählt</translation>
     </message>
@@ -6461,6 +6453,110 @@
     <message>
         <source>identify the motor with the delay that this device has now</source>
         <translation>den Motor mit der Verzögerung identifizieren, die dieses Gerät jetzt hat</translation>
+    </message>
+    <message>
+        <source>wrong sign of current or angle: the current accelerates the rotor backwards, its torque constant would be negative</source>
+        <translation>falsches Vorzeichen von Strom oder Winkel: der Strom beschleunigt den Rotor rückwärts, seine Drehmomentkonstante wäre negativ</translation>
+    </message>
+    <message>
+        <source>turn the sign of one of the two on the board and measure again</source>
+        <translation>drehen Sie auf der Platine eines der beiden Vorzeichen um und messen Sie erneut</translation>
+    </message>
+    <message>
+        <source>the interval of phi/J reaches zero</source>
+        <translation>das Intervall von phi/J reicht bis null</translation>
+    </message>
+    <message>
+        <source>a damping below zero came out, which no motor has</source>
+        <translation>es ergab sich eine Dämpfung unter null, die kein Motor hat</translation>
+    </message>
+    <message>
+        <source>check the delay of the loop, and that nothing else drives the rotor</source>
+        <translation>prüfen Sie die Totzeit des Regelkreises und dass nichts anderes den Rotor antreibt</translation>
+    </message>
+    <message>
+        <source>turns against its current</source>
+        <translation>dreht gegen seinen Strom</translation>
+    </message>
+    <message>
+        <source>wrong sign of current or angle: {}</source>
+        <translation>falsches Vorzeichen von Strom oder Winkel: {}</translation>
+    </message>
+    <message>
+        <source>turn the sign of one of the two columns (or of the command on the board) and identify again</source>
+        <translation>drehen Sie das Vorzeichen einer der beiden Spalten (oder des Befehls auf der Platine) um und identifizieren Sie erneut</translation>
+    </message>
+    <message>
+        <source>a friction below zero came out, which no motor has</source>
+        <translation>es ergab sich eine Reibung unter null, die kein Motor hat</translation>
+    </message>
+    <message>
+        <source>friction cannot be told from zero: it is at most {} % of the torque</source>
+        <translation>Reibung ist von null nicht zu unterscheiden: sie beträgt höchstens {} % des Drehmoments</translation>
+    </message>
+    <message>
+        <source>friction is undecided: between zero and {} % of the largest torque</source>
+        <translation>Reibung ist unbestimmt: zwischen null und {} % des größten Drehmoments</translation>
+    </message>
+    <message>
+        <source>damping cannot be told from zero: it is at most {} % of the torque</source>
+        <translation>Dämpfung ist von null nicht zu unterscheiden: sie beträgt höchstens {} % des Drehmoments</translation>
+    </message>
+    <message>
+        <source>damping is undecided: between zero and {} % of the largest torque</source>
+        <translation>Dämpfung ist unbestimmt: zwischen null und {} % des größten Drehmoments</translation>
+    </message>
+    <message>
+        <source>current and angle do not belong together: check their units, that no column is shifted in time, and that nothing else drives the rotor</source>
+        <translation>Strom und Winkel gehören nicht zusammen: prüfen Sie ihre Einheiten, dass keine Spalte zeitlich verschoben ist und dass nichts anderes den Rotor antreibt</translation>
+    </message>
+    <message>
+        <source>record more run-ups and coast-downs, over a wider range of speed</source>
+        <translation>zeichnen Sie mehr Hochläufe und Ausläufe über einen größeren Drehzahlbereich auf</translation>
+    </message>
+    <message>
+        <source>the value is zero and its interval begins there</source>
+        <translation>der Wert ist null, und dort beginnt sein Intervall</translation>
+    </message>
+    <message>
+        <source>the current accelerates the rotor backwards, its torque constant would be negative</source>
+        <translation>der Strom beschleunigt den Rotor rückwärts, seine Drehmomentkonstante wäre negativ</translation>
+    </message>
+    <message>
+        <source>an inertia below zero came out, which no rotor has</source>
+        <translation>es ergab sich eine Trägheit unter null, die kein Rotor hat</translation>
+    </message>
+    <message>
+        <source>check the given constants, and the units of current and angle</source>
+        <translation>prüfen Sie die angegebenen Konstanten und die Einheiten von Strom und Winkel</translation>
+    </message>
+    <message>
+        <source>the interval of the torque constant or of the inertia reaches zero</source>
+        <translation>das Intervall der Drehmomentkonstante oder der Trägheit reicht bis null</translation>
+    </message>
+    <message>
+        <source>use larger and more different currents, and hold each longer</source>
+        <translation>verwenden Sie größere und stärker verschiedene Ströme und halten Sie jeden länger</translation>
+    </message>
+    <message>
+        <source>the angle&apos;s column looks like a speed: it settles with each current instead of growing on</source>
+        <translation>die Spalte des Winkels sieht wie eine Drehzahl aus: sie läuft bei jedem Strom auf einen Wert ein, statt weiterzuwachsen</translation>
+    </message>
+    <message>
+        <source>record the position, or rename the columns</source>
+        <translation>zeichnen Sie die Position auf oder benennen Sie die Spalten um</translation>
+    </message>
+    <message>
+        <source>the angle wraps after {} deg: it was continued</source>
+        <translation>der Winkel springt nach {} Grad zurück: er wurde fortgesetzt</translation>
+    </message>
+    <message>
+        <source>nothing is lost as long as the rotor turns less than half of that between two rows</source>
+        <translation>nichts geht verloren, solange der Rotor zwischen zwei Zeilen weniger als die Hälfte davon dreht</translation>
+    </message>
+    <message>
+        <source>the rotor turns against its current</source>
+        <translation>der Rotor dreht gegen seinen Strom</translation>
     </message>
 </context>
 <context>

@@ -143,14 +143,6 @@
         <translation>电机由其角度和电流辨识</translation>
     </message>
     <message>
-        <source>the angle wraps at {} rad: its turns were counted, nothing is left out for it</source>
-        <translation>角度在 {} rad 处回绕：已计入圈数，未因此舍弃任何数据</translation>
-    </message>
-    <message>
-        <source>record the angle over all turns, so that no row between two may be lost</source>
-        <translation>请跨圈连续记录角度，以免其间丢失数据行</translation>
-    </message>
-    <message>
         <source>Rotor angle, unwrapped</source>
         <translation>转子角度，跨圈累计</translation>
     </message>
@@ -6461,6 +6453,110 @@
     <message>
         <source>identify the motor with the delay that this device has now</source>
         <translation>请在此设备现有的时延下辨识电机</translation>
+    </message>
+    <message>
+        <source>wrong sign of current or angle: the current accelerates the rotor backwards, its torque constant would be negative</source>
+        <translation>电流或角度的符号错误：电流使转子反向加速，其转矩常数将为负</translation>
+    </message>
+    <message>
+        <source>turn the sign of one of the two on the board and measure again</source>
+        <translation>在电路板上将二者之一的符号反转，然后重新测量</translation>
+    </message>
+    <message>
+        <source>the interval of phi/J reaches zero</source>
+        <translation>phi/J 的区间触及零</translation>
+    </message>
+    <message>
+        <source>a damping below zero came out, which no motor has</source>
+        <translation>得出的阻尼小于零，任何电机都不会如此</translation>
+    </message>
+    <message>
+        <source>check the delay of the loop, and that nothing else drives the rotor</source>
+        <translation>检查回路的延迟，并确认没有别的东西驱动转子</translation>
+    </message>
+    <message>
+        <source>turns against its current</source>
+        <translation>逆着电流转动</translation>
+    </message>
+    <message>
+        <source>wrong sign of current or angle: {}</source>
+        <translation>电流或角度的符号错误：{}</translation>
+    </message>
+    <message>
+        <source>turn the sign of one of the two columns (or of the command on the board) and identify again</source>
+        <translation>将两列之一（或电路板上指令）的符号反转，然后重新辨识</translation>
+    </message>
+    <message>
+        <source>a friction below zero came out, which no motor has</source>
+        <translation>得出的摩擦小于零，任何电机都不会如此</translation>
+    </message>
+    <message>
+        <source>friction cannot be told from zero: it is at most {} % of the torque</source>
+        <translation>摩擦与零无法区分：至多为转矩的 {} %</translation>
+    </message>
+    <message>
+        <source>friction is undecided: between zero and {} % of the largest torque</source>
+        <translation>摩擦未定：介于零与最大转矩的 {} % 之间</translation>
+    </message>
+    <message>
+        <source>damping cannot be told from zero: it is at most {} % of the torque</source>
+        <translation>阻尼与零无法区分：至多为转矩的 {} %</translation>
+    </message>
+    <message>
+        <source>damping is undecided: between zero and {} % of the largest torque</source>
+        <translation>阻尼未定：介于零与最大转矩的 {} % 之间</translation>
+    </message>
+    <message>
+        <source>current and angle do not belong together: check their units, that no column is shifted in time, and that nothing else drives the rotor</source>
+        <translation>电流与角度不相符：检查它们的单位，确认没有列在时间上错位，也没有别的东西驱动转子</translation>
+    </message>
+    <message>
+        <source>record more run-ups and coast-downs, over a wider range of speed</source>
+        <translation>在更宽的转速范围内记录更多的加速和滑行</translation>
+    </message>
+    <message>
+        <source>the value is zero and its interval begins there</source>
+        <translation>其值为零，区间由此开始</translation>
+    </message>
+    <message>
+        <source>the current accelerates the rotor backwards, its torque constant would be negative</source>
+        <translation>电流使转子反向加速，其转矩常数将为负</translation>
+    </message>
+    <message>
+        <source>an inertia below zero came out, which no rotor has</source>
+        <translation>得出的转动惯量小于零，任何转子都不会如此</translation>
+    </message>
+    <message>
+        <source>check the given constants, and the units of current and angle</source>
+        <translation>检查给定的常数以及电流和角度的单位</translation>
+    </message>
+    <message>
+        <source>the interval of the torque constant or of the inertia reaches zero</source>
+        <translation>转矩常数或转动惯量的区间触及零</translation>
+    </message>
+    <message>
+        <source>use larger and more different currents, and hold each longer</source>
+        <translation>使用更大且差别更大的电流，并各保持更久</translation>
+    </message>
+    <message>
+        <source>the angle&apos;s column looks like a speed: it settles with each current instead of growing on</source>
+        <translation>角度列看起来像转速：在每个电流下趋于定值，而不是继续增长</translation>
+    </message>
+    <message>
+        <source>record the position, or rename the columns</source>
+        <translation>记录位置，或重新命名各列</translation>
+    </message>
+    <message>
+        <source>the angle wraps after {} deg: it was continued</source>
+        <translation>角度在 {} 度后回绕：已将其接续</translation>
+    </message>
+    <message>
+        <source>nothing is lost as long as the rotor turns less than half of that between two rows</source>
+        <translation>只要转子在两行之间转过的角度小于其一半，就没有损失</translation>
+    </message>
+    <message>
+        <source>the rotor turns against its current</source>
+        <translation>转子逆着电流转动</translation>
     </message>
 </context>
 <context>

@@ -124,7 +124,36 @@ std::optional<control::FrequencyFit> fitOf(const std::vector<control::PlantPoint
                  [&run](const control::PlantPoint& point) { return isCoherent(point, run.config); });
     auto fit = control::fitHeldRotor(used, run.margins.period_s, run.config.actuatorLag_s,
                                      run.config.gainError_ratio);
+    if (fit && fit->dampingRate.interval95 && fit->dampingRate.interval95->second > 0.0) {
+        // No rotor has less than no damping: what the points cannot tell from zero begins there.
+        auto& [low, high] = *fit->dampingRate.interval95;
+        low = std::max(low, 0.0);
+        fit->dampingRate.value = std::max(*fit->dampingRate.value, 0.0);
+    }
     return fit ? std::optional(std::move(*fit)) : std::nullopt;
+}
+
+// What physics excludes: a rotor that its current drives backwards, or that speeds itself up.
+void judgeRotor(DataQuality& quality, const control::FrequencyFit& fit) {
+    const auto gain95 = fit.accelerationGain.interval95;
+    const auto damping95 = fit.dampingRate.interval95;
+    if (!(*fit.accelerationGain.value > 0.0)) {
+        quality.verdict = Verdict::Refused;
+        quality.findings.push_back({"sign_reversed",
+                                    "wrong sign of current or angle: the current accelerates the rotor "
+                                    "backwards, its torque constant "
+                                    "would be negative",
+                                    "turn the sign of one of the two on the board and measure again"});
+    } else if (gain95 && !(gain95->first > 0.0)) {
+        quality.verdict = std::max(quality.verdict, Verdict::Doubtful);
+        quality.findings.push_back({"interval_reaches_zero", "the interval of phi/J reaches zero",
+                                    "measure more periods or with a larger amplitude"});
+    }
+    if (damping95 && damping95->second < 0.0) {
+        quality.verdict = Verdict::Refused;
+        quality.findings.push_back({"damping_below_zero", "a damping below zero came out, which no motor has",
+                                    "check the delay of the loop, and that nothing else drives the rotor"});
+    }
 }
 
 control::MeasuredMargins marginsOf(const std::vector<FrequencyResultPoint>& points) {
@@ -284,6 +313,9 @@ DataQuality judgeFrequency(const FrequencyResult& result) {
         quality.verdict = Verdict::Doubtful;
         quality.findings.push_back({"no_rotor_fit", "the points do not decide the constants of a rotor",
                                     "measure more frequencies, from 0.5 Hz or lower"});
+    }
+    if (result.fit) {
+        judgeRotor(quality, *result.fit);
     }
     constexpr double NotableMisfit_ratio = 2.0;
     if (result.fit && result.fit->misfit_ratio > NotableMisfit_ratio) {

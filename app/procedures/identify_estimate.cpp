@@ -1,7 +1,7 @@
 #include "app/procedures/identify_estimate.h"
 
+#include "control/identify/angle_column.h"
 #include "control/identify/plateau.h"
-#include "control/signals/angle_wrap.h"
 
 #include <fmt/format.h>
 
@@ -26,7 +26,6 @@ struct Columns {
     std::vector<double> angle_rad;
     std::vector<double> current_A;
     std::vector<double> marker;
-    std::optional<double> wrap_rad; ///< of the angle, which was put together again
 };
 
 std::vector<double> firstColumn(const Recording& recording, std::initializer_list<const char*> names) {
@@ -103,7 +102,6 @@ Result<Columns> takeColumns(const Recording& recording) {
     if (Result<void> checked = checkRows(recording.time_s); !checked) {
         return failure(checked.error());
     }
-    columns.wrap_rad = control::unwrapAngle(columns.angle_rad);
     return columns;
 }
 
@@ -142,7 +140,11 @@ std::optional<SweepPoint> measurePlateau(std::span<const double> time_s, std::sp
     point.current_A = current_A;
     point.speed_rad_s = speed->speed_rad_s;
     error_rad_s = speed->speedError_rad_s;
-    if (point.speed_rad_s * std::copysign(1.0, current_A) < 0.1 * config.usableSpeed_rad_s) {
+    const double along_rad_s = point.speed_rad_s * std::copysign(1.0, current_A);
+    if (along_rad_s < -config.usableSpeed_rad_s) {
+        point.note = "turns against its current";
+        ++fits.againstPlateaus;
+    } else if (along_rad_s < 0.1 * config.usableSpeed_rad_s) {
         point.note = "the rotor stopped";
         ++fits.stoppedPlateaus;
     } else if (std::fabs(point.speed_rad_s) < config.usableSpeed_rad_s) {
@@ -291,7 +293,11 @@ Result<IdentifyFits> fitRecording(const Recording& recording, const IdentifyConf
     }
     IdentifyFits fits;
     fits.lostRows = recording.lostRows;
-    fits.wrap_rad = columns->wrap_rad;
+    fits.isSpeedColumn = control::looksLikeSpeed(columns->angle_rad, *plateaus);
+    if (auto unwrapped = control::unwrapAngle(columns->angle_rad); unwrapped.period_rad) {
+        fits.wrap_rad = unwrapped.period_rad;
+        columns->angle_rad = std::move(unwrapped.angle_rad);
+    }
     takeTemperatures(recording, fits);
     if (auto done = fitTransients(recording, *columns, *plateaus, config, checkAbort, fits); !done) {
         return failure(done.error());

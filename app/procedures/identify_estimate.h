@@ -16,6 +16,8 @@ struct IdentifyFits {
     std::uint64_t stoppedPlateaus = 0;
     std::uint64_t slowPlateaus = 0;
     std::uint64_t unsteadyPlateaus = 0;
+    std::uint64_t againstPlateaus = 0; ///< that turn against their current
+    bool isSpeedColumn = false;        ///< the angle's column holds a speed
     std::string motionProblem; ///< why there is no motion fit
     std::string balanceProblem;
     std::string sweepProblem;

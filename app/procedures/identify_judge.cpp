@@ -1,4 +1,5 @@
 #include "app/procedures/identify_estimate.h"
+#include "app/procedures/identify_physics.h"
 #include "control/base/counted.h"
 #include "control/base/distributions.h"
 #include "control/identify/added_inertia.h"
@@ -86,13 +87,6 @@ void takeAsymmetry(IdentifyResult& result, const IdentifyFits& fits) {
 }
 
 void judgeAmount(IdentifyResult& result, const IdentifyFits& fits) {
-    if (fits.wrap_rad) {
-        remark(
-            result.quality, Verdict::Good, "angle_wraps",
-            fmt::format("the angle wraps at {:.3f} rad: its turns were counted, nothing is left out for it",
-                        *fits.wrap_rad),
-            "record the angle over all turns, so that no row between two may be lost");
-    }
     if (fits.stoppedPlateaus > 0) {
         remark(result.quality, Verdict::Good, "plateaus_stopped",
                counted(fits.stoppedPlateaus, "one plateau came to rest and was left out",
@@ -379,6 +373,9 @@ IdentifyResult judgeFits(const IdentifyFits& fits, const IdentifyConfig& config)
         ratios.value_or(control::MotorRatios{}), config.added ? control::GivenConstants{} : config.given);
     takeEstimate(result, joint);
     judgeAmount(result, fits);
+    if (!judgeColumns(result, fits)) {
+        return result;
+    }
     if (!ratios) {
         remark(result.quality, Verdict::Refused, "nothing_identified",
                fmt::format("neither transients nor plateaus could be used: {}; {}", fits.motionProblem,
@@ -395,6 +392,7 @@ IdentifyResult judgeFits(const IdentifyFits& fits, const IdentifyConfig& config)
     if (config.added) {
         applyAdded(result, *config.added);
     }
+    judgePhysics(result, fits);
     return result;
 }
 

@@ -29,7 +29,7 @@ std::vector<MotionSegment> segmentsOf(const RecordMaker& maker) {
 }
 
 TEST(MotionFit, returnsTheTruthOnNoiseFreeData) {
-    const MotorRatios truth;
+    const RecordRatios truth;
     RecordMaker maker(truth, {}, 1);
     sweep(maker);
     const auto segments = segmentsOf(maker);
@@ -47,7 +47,7 @@ TEST(MotionFit, returnsTheTruthOnNoiseFreeData) {
 }
 
 TEST(MotionFit, sensorErrorsOfTwoDegreesDoNotBiasTheDamping) {
-    const MotorRatios truth;
+    const RecordRatios truth;
     RecordMaker maker(truth, {0.0, 0.0, 0.03, 0.02}, 1);
     sweep(maker);
     const auto motion = fitMotion(segmentsOf(maker));
@@ -58,7 +58,7 @@ TEST(MotionFit, sensorErrorsOfTwoDegreesDoNotBiasTheDamping) {
 }
 
 TEST(MotionFit, intervalsCoverTheTruthUnderRandomFriction) {
-    const MotorRatios truth;
+    const RecordRatios truth;
     int damping = 0;
     int friction = 0;
     int torque = 0;
@@ -87,7 +87,7 @@ TEST(MotionFit, intervalsCoverTheTruthUnderRandomFriction) {
 }
 
 TEST(MotionFit, runUpsAtOneCurrentGiveTheDampingOnly) {
-    const MotorRatios truth;
+    const RecordRatios truth;
     RecordMaker maker(truth, {}, 1);
     maker.run(3.0, 4.0);
     const auto motion = fitMotion(segmentsOf(maker));
@@ -99,7 +99,7 @@ TEST(MotionFit, runUpsAtOneCurrentGiveTheDampingOnly) {
 }
 
 TEST(MotionFit, coastDownsAloneGiveFrictionButNoTorqueConstant) {
-    const MotorRatios truth;
+    const RecordRatios truth;
     RecordMaker maker(truth, {}, 1);
     for (int i = 0; i < 3; ++i) {
         maker.run(4.0, 2.0);
@@ -118,7 +118,7 @@ TEST(MotionFit, coastDownsAloneGiveFrictionButNoTorqueConstant) {
 
 // Segments of a rotor whose torque falls as 1 - loss omega^2, by Runge-Kutta steps of 1 ms.
 std::vector<MotionSegment> segmentsWithLoss(double loss_s2, int pairs, std::uint64_t seed) {
-    const MotorRatios truth;
+    const RecordRatios truth;
     Random random(seed);
     std::vector<MotionSegment> segments;
     double angle = 0.3;

@@ -9,7 +9,7 @@
 namespace halbench::control {
 
 /// The published motor over its inertia, resources/help/htm-theory.md section 2: c/J, K_f/J, phi/J.
-struct MotorRatios {
+struct RecordRatios {
     double damping_per_s = 1.23e-3 / 5.5e-4;
     double friction_rad_s2 = 2.05e-2 / 5.5e-4;
     double torque_rad_s2_A = 1.43e-2 / 5.5e-4;
@@ -27,7 +27,7 @@ struct RecordErrors {
 /// current, one friction for each; positive direction.
 class RecordMaker {
 public:
-    RecordMaker(const MotorRatios& ratios, const RecordErrors& errors, std::uint64_t seed)
+    RecordMaker(const RecordRatios& ratios, const RecordErrors& errors, std::uint64_t seed)
         : m_ratios(ratios), m_errors(errors), m_random(seed) {}
 
     void run(double current_A, double duration_s) {
@@ -64,7 +64,7 @@ private:
                m_errors.noise_rad * m_random.gaussian();
     }
 
-    MotorRatios m_ratios;
+    RecordRatios m_ratios;
     RecordErrors m_errors;
     Random m_random;
     double m_time = 0.0;

@@ -47,7 +47,7 @@ TEST(IntervalCoverage, steadySweepKeepsItsNominalRate) {
 }
 
 TEST(IntervalCoverage, motionFitKeepsItsNominalRate) {
-    const MotorRatios truth;
+    const RecordRatios truth;
     int damping = 0;
     int friction = 0;
     int torque = 0;
