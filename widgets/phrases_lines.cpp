@@ -202,6 +202,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "remove the cause first"),
     QT_TRANSLATE_NOOP("Phrases", "this device cannot stream signals"),
     QT_TRANSLATE_NOOP("Phrases", "read single values instead"),
+    QT_TRANSLATE_NOOP("Phrases", "the board's clock started again: the recording has a gap there, as long as this computer's clock says"),
     QT_TRANSLATE_NOOP("Phrases", "link: {} packets, {} lost, {} damaged, {} commands repeated, round trip {} ms, at worst {} ms"),
     QT_TRANSLATE_NOOP("Phrases", ", the board's clock gains {} +- {} ppm"),
     QT_TRANSLATE_NOOP("Phrases", "{} sends no samples any more"),

@@ -10,7 +10,7 @@ namespace halbench::devices {
 /// Median distance of the first thousand rows; 0 with fewer than two rows.
 double nominalPeriod(const std::vector<double>& time_s);
 
-/// Rows missing in the time axis: a step longer than 1.5 periods has lost the rows that would fill it.
+/// Rows missing in the time axis: those that would fill its gaps. Jitter of the stamps is no gap (RowGrid).
 std::uint64_t countLostRows(const std::vector<double>& time_s, double period_s);
 
 /// Rows missing directly before this one.

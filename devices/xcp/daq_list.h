@@ -49,6 +49,7 @@ public:
 
     std::uint64_t timestamp() const { return m_timestamp; }
     const std::vector<double>& row() const { return m_row; }
+    std::size_t packetsPerRow() const { return m_plan.size(); }
     std::uint64_t incompleteSamples() const { return m_incomplete; }
     std::uint64_t foreignPackets() const { return m_foreign; }
 

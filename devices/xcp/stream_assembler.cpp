@@ -11,25 +11,42 @@ constexpr double BlockDuration_s = 0.010;
 // No sample is from the future: a board's clock does not run further ahead of the host's than this.
 constexpr double MaxClockRatio = 1.05;
 constexpr double MaxClockLead_s = 1.0;
-constexpr double MaxSteps = 1e15; // a gap beyond this is a broken clock; keeps the count a whole number
+// So many rows that follow each other somewhere else are a clock that started again, not a spoiled stamp.
+constexpr std::size_t RestartRows = 4;
+constexpr double NextRow_ratio = 2.5;   // of the period: rows of which the second follows the first
+constexpr double LongestDoubt_s = 0.05; // no longer are rows kept back to tell a loss from a late stamp
+
+std::size_t lookAheadAt(double period_s) {
+    const double rows =
+        std::clamp(std::floor(LongestDoubt_s / period_s), 1.0, static_cast<double>(RowGrid::LookAhead));
+    return static_cast<std::size_t>(rows);
+}
 
 } // namespace
 
 StreamAssembler::StreamAssembler(SamplingPlan plan, const DaqAbility& ability, DtoDecoder decoder)
     : m_plan(std::move(plan)), m_ability(ability), m_decoder(std::move(decoder)),
-      m_rowsPerBlock(std::max(1.0, std::round(BlockDuration_s / m_plan.layout->period_s))) {
+      m_rowsPerBlock(std::max(1.0, std::round(BlockDuration_s / m_plan.layout->period_s))),
+      m_grid(m_plan.boardPeriod_s), m_lookAhead(lookAheadAt(m_plan.boardPeriod_s)) {
     if (ability.format.timestampSize != 0) {
         m_unwrapper.emplace(ability.format.timestampSize, ability.tick_s);
     }
 }
 
-void StreamAssembler::feed(Octets packet, double arrival_s) {
+void StreamAssembler::feed(Octets packet, double arrival_s, std::uint64_t packetsLost) {
     if (!m_decoder.feed(packet)) {
         return;
     }
     m_lastArrival_s = arrival_s;
+    const std::uint64_t lost = packetsLost - std::min(m_packetsLost.value_or(packetsLost), packetsLost);
+    m_packetsLost = packetsLost;
+    m_isLossSure = lost > 0;
     if (!m_unwrapper) {
-        addRow(static_cast<double>(m_nextIndex) * m_plan.boardPeriod_s, arrival_s);
+        // Without a clock the rows are placed by what the transport counted.
+        const std::uint64_t perRow = m_decoder.packetsPerRow();
+        const std::uint64_t missing = (lost + perRow - 1) / perRow;
+        const auto index = static_cast<double>(m_nextIndex + static_cast<std::int64_t>(missing));
+        placeRow({index * m_plan.boardPeriod_s, arrival_s, m_decoder.row()}, missing);
         return;
     }
     const auto ticks = static_cast<double>(m_unwrapper->unwrap(m_decoder.timestamp(), arrival_s));
@@ -38,28 +55,98 @@ void StreamAssembler::feed(Octets packet, double arrival_s) {
            arrival_s);
 }
 
-void StreamAssembler::addRow(double time_s, double arrival_s) {
-    const bool isFirst = m_nextIndex == 0;
-    m_firstArrival_s = isFirst ? arrival_s : m_firstArrival_s;
-    const double latest_s = MaxClockRatio * (arrival_s - m_firstArrival_s) + MaxClockLead_s;
-    if (!isFirst && (time_s <= m_lastTime_s || time_s > latest_s)) {
-        ++m_misplaced;
+bool StreamAssembler::isPlausible(double time_s, double arrival_s) const {
+    return !m_lastTime_s ||
+           (time_s > *m_lastTime_s && time_s <= MaxClockRatio * (arrival_s - *m_origin_s) + MaxClockLead_s);
+}
+
+void StreamAssembler::addRow(double clock_s, double arrival_s) {
+    const double time_s = clock_s + m_clockShift_s;
+    if (!m_origin_s) {
+        m_origin_s = arrival_s;
+    }
+    if (!isPlausible(time_s, arrival_s)) {
+        addStray(time_s, arrival_s);
         return;
     }
-    const double steps = isFirst ? 1.0 : std::round((time_s - m_lastTime_s) / m_plan.boardPeriod_s);
-    const std::int64_t index = m_nextIndex + static_cast<std::int64_t>(std::clamp(steps, 1.0, MaxSteps)) - 1;
+    m_strays.clear();
+    // Many packets may be read at one moment, long after they came: the origin is that of the quickest. A row
+    // ahead of a gap tells nothing, its stamp may be wrong.
+    if (m_lastTime_s && time_s - *m_lastTime_s < NextRow_ratio * m_plan.boardPeriod_s) {
+        m_origin_s = std::min(*m_origin_s, arrival_s - time_s);
+    }
+    takeRow({time_s, arrival_s, m_decoder.row()}, m_isLossSure);
+}
+
+void StreamAssembler::addStray(double time_s, double arrival_s) {
+    ++m_misplaced;
+    const double step_s = m_strays.empty() ? 0.0 : time_s - m_strays.back().time_s;
+    if (step_s <= 0.0 || step_s > NextRow_ratio * m_plan.boardPeriod_s) {
+        m_strays.clear();
+    }
+    m_strays.push_back({time_s, arrival_s, m_decoder.row()});
+    if (m_strays.size() == RestartRows) {
+        restartClock();
+    }
+}
+
+/// The rows that stand together elsewhere go on behind the last one, after a gap.
+void StreamAssembler::restartClock() {
+    settle(true);
+    const double period_s = m_plan.boardPeriod_s;
+    const double pause_s = m_strays.front().arrival_s - m_lastRowArrival_s;
+    const double missing = std::max(1.0, std::round(pause_s / period_s) - 1.0);
+    const double shift_s = *m_lastTime_s + (missing + 1.0) * period_s - m_strays.front().time_s;
+    m_clockShift_s += shift_s;
+    m_misplaced -= m_strays.size();
+    ++m_clockRestarts;
+    for (StoredRow& stray : std::exchange(m_strays, {})) {
+        takeRow({stray.time_s + shift_s, stray.arrival_s, stray.values}, true);
+    }
+}
+
+/// `isLossSure`: a long step is no late stamp.
+void StreamAssembler::takeRow(const Row& row, bool isLossSure) {
+    m_lastTime_s = row.time_s;
+    m_lastRowArrival_s = row.arrival_s;
+    if (m_waiting.empty() && (isLossSure || !m_grid.isInDoubt(row.time_s))) {
+        placeRow(row, m_grid.missingBefore({&row.time_s, 1}));
+        return;
+    }
+    m_waiting.push_back({row.time_s, row.arrival_s, {row.values.begin(), row.values.end()}});
+    settle(isLossSure);
+}
+
+/// Places the waiting rows of which it is known what is missing before them.
+void StreamAssembler::settle(bool isLossSure) {
+    while (!m_waiting.empty()) {
+        const StoredRow& first = m_waiting.front();
+        if (!isLossSure && m_waiting.size() <= m_lookAhead && m_grid.isInDoubt(first.time_s)) {
+            return;
+        }
+        std::vector<double> times_s;
+        for (const StoredRow& row : m_waiting) {
+            times_s.push_back(row.time_s);
+        }
+        placeRow({first.time_s, first.arrival_s, first.values}, m_grid.missingBefore(times_s));
+        m_waiting.pop_front();
+    }
+}
+
+void StreamAssembler::placeRow(const Row& row, std::uint64_t missing) {
+    m_grid.take(row.time_s, missing);
+    const std::int64_t index = m_nextIndex + static_cast<std::int64_t>(missing);
     // Rows of the stream's rate between the last sample and this one.
     const std::int64_t divider = m_plan.hostDivider;
     m_lostBefore +=
         static_cast<std::uint64_t>((index + divider - 1) / divider - (m_nextIndex + divider - 1) / divider);
     m_nextIndex = index + 1;
-    m_lastTime_s = time_s;
     if (index % divider == 0) {
-        storeRow(time_s, arrival_s);
+        storeRow(row);
     }
 }
 
-void StreamAssembler::storeRow(double time_s, double arrival_s) {
+void StreamAssembler::storeRow(const Row& row) {
     if (m_lostBefore != 0) {
         closeBlock();
     }
@@ -68,9 +155,9 @@ void StreamAssembler::storeRow(double time_s, double arrival_s) {
         m_open->layout = m_plan.layout;
         m_open->lostRows = std::exchange(m_lostBefore, 0);
     }
-    m_open->time_s.push_back(time_s);
-    m_open->values.insert(m_open->values.end(), m_decoder.row().begin(), m_decoder.row().end());
-    m_open->hostArrival_s = arrival_s;
+    m_open->time_s.push_back(row.time_s);
+    m_open->values.insert(m_open->values.end(), row.values.begin(), row.values.end());
+    m_open->hostArrival_s = row.arrival_s;
 }
 
 bool StreamAssembler::isBlockDue() const {

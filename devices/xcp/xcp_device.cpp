@@ -94,7 +94,7 @@ void XcpDevice::installHandlers() {
     LinkHandlers handlers;
     handlers.onData = [this](Octets packet) {
         if (m_stream) {
-            m_stream->feed(packet, now_s());
+            feedStream(packet);
         }
     };
     handlers.onEvent = [this](std::uint8_t code, Octets) { onEvent(code); };
@@ -370,7 +370,10 @@ LinkStatistics XcpDevice::statistics() const {
     statistics.packetsReceived = wire.packetsReceived;
     statistics.packetsSent = wire.packetsSent;
     statistics.packetsLost = wire.packetsLost;
-    statistics.packetsDamaged = wire.packetsDamaged + m_droppedSamples + (m_stream ? m_stream->dropped() : 0);
+    // A sample that is not whole because a packet was lost was not damaged.
+    const std::uint64_t dropped = m_droppedSamples + (m_stream ? m_stream->dropped() : 0);
+    const std::uint64_t incomplete = m_incompleteSamples + (m_stream ? m_stream->incomplete() : 0);
+    statistics.packetsDamaged = wire.packetsDamaged + dropped - std::min(incomplete, wire.packetsLost);
     statistics.commandsRepeated = m_link.repeatedCommands();
     statistics.roundTripMedian_s = m_link.roundTripMedian_s();
     statistics.roundTripWorst_s = m_link.roundTripWorst_s();

@@ -98,6 +98,7 @@ private:
     Result<void> feedWatchdog();
     Result<void> checkHeartbeat();
     void remarkOnStream(const SamplingPlan& sampling, const DaqPlan& plan) const;
+    void feedStream(Octets packet);
     Result<void> compareClocks();
     void reportLink() const;
 
@@ -133,7 +134,8 @@ private:
     ClockFit m_clockFit;
     double m_nextClock_s = 0.0;
     BoardCapture m_capture;
-    std::uint64_t m_droppedSamples = 0; ///< incomplete or misplaced, of streams that ended
+    std::uint64_t m_droppedSamples = 0;    ///< incomplete or misplaced, of streams that ended
+    std::uint64_t m_incompleteSamples = 0; ///< of these
 };
 
 } // namespace halbench::devices::xcp

@@ -43,11 +43,21 @@ Result<void> XcpDevice::startStream(const StreamRequest& request, BlockSink sink
     m_sink = std::move(sink);
     m_stream = std::make_unique<StreamAssembler>(*std::move(sampling), *m_ability, std::move(decoder));
     m_streamStarted_s = now_s();
+    m_stream->noteStart(m_streamStarted_s);
     Result<void> started = m_master.startList();
     if (!started) {
         stopStream();
     }
     return started;
+}
+
+void XcpDevice::feedStream(Octets packet) {
+    const std::uint64_t restarts = m_stream->clockRestarts();
+    m_stream->feed(packet, now_s(), m_link.transport().statistics().packetsLost);
+    if (m_stream->clockRestarts() != restarts) {
+        message("the board's clock started again: the recording has a gap there, as long as this computer's "
+                "clock says");
+    }
 }
 
 /// Before the first sample can be lost.
@@ -72,6 +82,7 @@ void XcpDevice::stopStream() noexcept {
         (void)m_master.stopLists();
     }
     m_droppedSamples += m_stream->dropped();
+    m_incompleteSamples += m_stream->incomplete();
     m_stream.reset();
     m_sink = nullptr;
     if (m_options.measuresClock) {

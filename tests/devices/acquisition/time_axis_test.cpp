@@ -26,5 +26,18 @@ TEST(TimeAxis, theRowsMissingBeforeARowCountByTheLayoutsPeriod) {
     EXPECT_EQ(lostRowsBefore(recording, 2), 2U);
 }
 
+TEST(TimeAxis, jitterIsNoGapHoweverARowIsAskedFor) {
+    Recording recording;
+    recording.layout = std::make_shared<const StreamLayout>(StreamLayout{{}, 0.01});
+    const double jitter[] = {0.0, 0.3, -0.3, 0.25, -0.28, 0.3, 0.0}; // of the period: steps up to 1.58
+    for (int row = 0; row < 200; ++row) {
+        recording.time_s.push_back(0.01 * (row + jitter[row % 7] + (row >= 100 ? 2.0 : 0.0)));
+    }
+    EXPECT_EQ(countLostRows(recording.time_s, 0.01), 2U);
+    for (std::size_t row = 0; row < recording.rows(); ++row) {
+        EXPECT_EQ(lostRowsBefore(recording, row), row == 100 ? 2U : 0U) << row;
+    }
+}
+
 } // namespace
 } // namespace halbench::devices
