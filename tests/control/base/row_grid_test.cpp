@@ -1,9 +1,9 @@
+#include "control/base/random.h"
 #include "control/base/row_grid.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 #include <vector>
 
 namespace halbench {
@@ -51,16 +51,14 @@ TEST(RowGrid, aBurstOfRowsThatWereAllStampedLateLosesNothing) {
 }
 
 TEST(RowGrid, jitterOfAThirdOfAPeriodLosesNothingAndHidesNoLoss) {
-    std::mt19937 random(3);
-    std::uniform_real_distribution<double> jitter(-0.3, 0.3);
-    std::uniform_int_distribution<int> chance(0, 19);
+    Random random(3);
     std::vector<double> time_s;
     std::uint64_t lost = 0;
     for (int row = 0; row < 5000; ++row) {
-        if (row > 50 && chance(random) == 0) {
+        if (row > 50 && random.below(20) == 0) {
             ++lost;
         } else {
-            time_s.push_back(Period_s * (row + jitter(random)));
+            time_s.push_back(Period_s * (row + 0.6 * random.uniform() - 0.3));
         }
     }
     // The grid's phase is known to 0.05 periods (eight rows of sigma 0.17), so that 0.3 + 0.05 < 0.5.
@@ -70,12 +68,11 @@ TEST(RowGrid, jitterOfAThirdOfAPeriodLosesNothingAndHidesNoLoss) {
 TEST(RowGrid, rowsThatAreMissingAreCountedExactlyHoweverMany) {
     EXPECT_EQ(lostOf({0.0, 0.001, 0.004, 0.005, 0.007}), 3U);
     EXPECT_EQ(lostOf({0.0, 0.001, 0.5}), 498U);
-    std::mt19937 random(4);
-    std::bernoulli_distribution isLost(0.4);
+    Random random(4);
     std::vector<double> time_s;
     std::uint64_t lost = 0;
     for (int row = 0; row < 2000; ++row) {
-        if (row > 0 && row < 1999 && isLost(random)) {
+        if (row > 0 && row < 1999 && random.uniform() < 0.4) {
             ++lost;
         } else {
             time_s.push_back(Period_s * row);
