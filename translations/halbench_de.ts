@@ -3099,10 +3099,6 @@
         <translation>{} Zeilen der Aufzeichnung gingen verloren</translation>
     </message>
     <message>
-        <source>check the link</source>
-        <translation>prüfen Sie die Verbindung</translation>
-    </message>
-    <message>
         <source>run-ups and coast-downs could not be used: {}</source>
         <translation>Hochläufe und Ausläufe waren nicht zu verwenden: {}</translation>
     </message>
@@ -3303,16 +3299,8 @@
         <translation>das Steuergerät hat seinen Verlauf nicht gestartet</translation>
     </message>
     <message>
-        <source>Try again; check the link.</source>
-        <translation>Versuchen Sie es erneut; prüfen Sie die Verbindung.</translation>
-    </message>
-    <message>
         <source>{} of {} samples arrived</source>
         <translation>{} von {} Abtastwerten kamen an</translation>
-    </message>
-    <message>
-        <source>The link is too slow for this rate; record at a lower one.</source>
-        <translation>Die Verbindung ist zu langsam für diese Rate; zeichnen Sie mit einer kleineren auf.</translation>
     </message>
     <message>
         <source>waits for standstill</source>
@@ -3395,16 +3383,8 @@
         <translation>nur {} von {} Abtastwerten kamen an</translation>
     </message>
     <message>
-        <source>check the link; record fewer signals or at a lower rate</source>
-        <translation>prüfen Sie die Verbindung; zeichnen Sie weniger Signale oder mit kleinerer Rate auf</translation>
-    </message>
-    <message>
         <source>{} of {} rows are missing</source>
         <translation>{} von {} Zeilen fehlen</translation>
-    </message>
-    <message>
-        <source>Record fewer signals or at a lower rate.</source>
-        <translation>Zeichnen Sie weniger Signale oder mit kleinerer Rate auf.</translation>
     </message>
     <message>
         <source>nothing was written</source>
@@ -3873,10 +3853,6 @@
     <message>
         <source>{} % of the recording&apos;s rows are missing</source>
         <translation>{} % der Zeilen der Aufzeichnung fehlen</translation>
-    </message>
-    <message>
-        <source>check the link; at most one row in ten may be lost</source>
-        <translation>Verbindung prüfen; höchstens eine von zehn Zeilen darf fehlen</translation>
     </message>
     <message>
         <source>{}: {}; that is not this protocol</source>
@@ -4873,10 +4849,6 @@
     <message>
         <source>rows are missing near {} Hz: the periods do not fit together</source>
         <translation>In der Nähe von {} Hz fehlen Zeilen: Die Perioden passen nicht zusammen</translation>
-    </message>
-    <message>
-        <source>check the link and measure again</source>
-        <translation>die Verbindung prüfen und erneut messen</translation>
     </message>
     <message>
         <source>no phase margin: the loop crosses nowhere on the frequencies that are used</source>
@@ -6557,6 +6529,42 @@
     <message>
         <source>the rotor turns against its current</source>
         <translation>der Rotor dreht gegen seinen Strom</translation>
+    </message>
+    <message>
+        <source>the board&apos;s clock started again: the recording has a gap there, as long as this computer&apos;s clock says</source>
+        <translation>die Uhr des Steuergeräts begann neu: dort hat die Aufzeichnung eine Lücke, so lang wie nach der Uhr dieses Rechners</translation>
+    </message>
+    <message>
+        <source>the line damaged {} % of the frames</source>
+        <translation>die Leitung beschädigte {} % der Rahmen</translation>
+    </message>
+    <message>
+        <source>shorten or shield the cable, or lower the baud rate</source>
+        <translation>kürzen oder schirmen Sie das Kabel, oder senken Sie die Baudrate</translation>
+    </message>
+    <message>
+        <source>{} % of the packets were lost and none was damaged: a queue was full</source>
+        <translation>{} % der Pakete gingen verloren und keines war beschädigt: eine Warteschlange war voll</translation>
+    </message>
+    <message>
+        <source>record fewer signals or at a lower rate, or connect by tcp: instead of udp:</source>
+        <translation>zeichnen Sie weniger Signale oder mit kleinerer Rate auf, oder verbinden Sie über tcp: statt udp:</translation>
+    </message>
+    <message>
+        <source>no packet was lost or damaged: the board left rows out or sent them late</source>
+        <translation>kein Paket ging verloren oder wurde beschädigt: das Steuergerät ließ Zeilen aus oder sandte sie zu spät</translation>
+    </message>
+    <message>
+        <source>record again; at most one row in ten may be lost</source>
+        <translation>zeichnen Sie neu auf; höchstens eine von zehn Zeilen darf fehlen</translation>
+    </message>
+    <message>
+        <source>measure again</source>
+        <translation>messen Sie noch einmal</translation>
+    </message>
+    <message>
+        <source>Try again.</source>
+        <translation>Versuchen Sie es noch einmal.</translation>
     </message>
 </context>
 <context>
@@ -10323,6 +10331,18 @@ mit %1 Zeilen in der Sekunde</translation>
         <source>The file keeps these lines until the project is saved.</source>
         <translation>Die Datei behält diese Zeilen, bis das Projekt gespeichert wird.</translation>
     </message>
+    <message>
+        <source>%1 has unsaved work of an earlier session.</source>
+        <translation>%1 hat ungespeicherte Arbeit einer früheren Sitzung.</translation>
+    </message>
+    <message>
+        <source>Opening the project takes it up again.</source>
+        <translation>Öffnen Sie das Projekt, um sie fortzusetzen.</translation>
+    </message>
+    <message>
+        <source>Open the project</source>
+        <translation>Projekt öffnen</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ModeBox</name>
@@ -10532,10 +10552,6 @@ D-Achse: Strom, der den Rotor hält, ohne ihn zu drehen (%1)</translation>
     <message>
         <source>Time until the coils reach their limit</source>
         <translation>Zeit, bis die Spulen ihren Grenzwert erreichen</translation>
-    </message>
-    <message>
-        <source>no temperature has come yet</source>
-        <translation>es kam noch keine Temperatur</translation>
     </message>
 </context>
 <context>

@@ -3099,10 +3099,6 @@
         <translation>记录丢失了 {} 行</translation>
     </message>
     <message>
-        <source>check the link</source>
-        <translation>请检查链路</translation>
-    </message>
-    <message>
         <source>run-ups and coast-downs could not be used: {}</source>
         <translation>升速和自由减速数据无法使用：{}</translation>
     </message>
@@ -3303,16 +3299,8 @@
         <translation>控制板没有启动参考信号</translation>
     </message>
     <message>
-        <source>Try again; check the link.</source>
-        <translation>请重试；检查链路。</translation>
-    </message>
-    <message>
         <source>{} of {} samples arrived</source>
         <translation>收到 {} 个样本，应为 {} 个</translation>
-    </message>
-    <message>
-        <source>The link is too slow for this rate; record at a lower one.</source>
-        <translation>链路对此采样率太慢；请用较低的采样率记录。</translation>
     </message>
     <message>
         <source>waits for standstill</source>
@@ -3395,16 +3383,8 @@
         <translation>只收到 {} 个样本，应为 {} 个</translation>
     </message>
     <message>
-        <source>check the link; record fewer signals or at a lower rate</source>
-        <translation>请检查链路；减少信号或降低采样率</translation>
-    </message>
-    <message>
         <source>{} of {} rows are missing</source>
         <translation>缺少 {} 行，共 {} 行</translation>
-    </message>
-    <message>
-        <source>Record fewer signals or at a lower rate.</source>
-        <translation>请减少信号或降低采样率。</translation>
     </message>
     <message>
         <source>nothing was written</source>
@@ -3873,10 +3853,6 @@
     <message>
         <source>{} % of the recording&apos;s rows are missing</source>
         <translation>记录中缺失 {} % 的行</translation>
-    </message>
-    <message>
-        <source>check the link; at most one row in ten may be lost</source>
-        <translation>请检查连接；最多允许丢失十分之一的行</translation>
     </message>
     <message>
         <source>{}: {}; that is not this protocol</source>
@@ -4873,10 +4849,6 @@
     <message>
         <source>rows are missing near {} Hz: the periods do not fit together</source>
         <translation>{} Hz 附近缺少数据行：各周期无法衔接</translation>
-    </message>
-    <message>
-        <source>check the link and measure again</source>
-        <translation>检查连接后重新测量</translation>
     </message>
     <message>
         <source>no phase margin: the loop crosses nowhere on the frequencies that are used</source>
@@ -6557,6 +6529,42 @@
     <message>
         <source>the rotor turns against its current</source>
         <translation>转子逆着电流转动</translation>
+    </message>
+    <message>
+        <source>the board&apos;s clock started again: the recording has a gap there, as long as this computer&apos;s clock says</source>
+        <translation>控制板的时钟重新开始：记录在此处有一段间隙，长度按本机时钟计</translation>
+    </message>
+    <message>
+        <source>the line damaged {} % of the frames</source>
+        <translation>线路损坏了 {} % 的帧</translation>
+    </message>
+    <message>
+        <source>shorten or shield the cable, or lower the baud rate</source>
+        <translation>缩短或屏蔽电缆，或降低波特率</translation>
+    </message>
+    <message>
+        <source>{} % of the packets were lost and none was damaged: a queue was full</source>
+        <translation>丢失了 {} % 的数据包，没有损坏：某个队列已满</translation>
+    </message>
+    <message>
+        <source>record fewer signals or at a lower rate, or connect by tcp: instead of udp:</source>
+        <translation>减少记录的信号或降低速率，或用 tcp: 代替 udp: 连接</translation>
+    </message>
+    <message>
+        <source>no packet was lost or damaged: the board left rows out or sent them late</source>
+        <translation>没有数据包丢失或损坏：控制板漏发了行或发送过晚</translation>
+    </message>
+    <message>
+        <source>record again; at most one row in ten may be lost</source>
+        <translation>请重新记录；最多允许丢失十分之一的行</translation>
+    </message>
+    <message>
+        <source>measure again</source>
+        <translation>请重新测量</translation>
+    </message>
+    <message>
+        <source>Try again.</source>
+        <translation>请重试。</translation>
     </message>
 </context>
 <context>
@@ -10317,6 +10325,18 @@ by %1 rows a second</source>
         <source>The file keeps these lines until the project is saved.</source>
         <translation>文件在项目保存之前保留这些行。</translation>
     </message>
+    <message>
+        <source>%1 has unsaved work of an earlier session.</source>
+        <translation>%1 有上次会话未保存的工作。</translation>
+    </message>
+    <message>
+        <source>Opening the project takes it up again.</source>
+        <translation>打开项目即可继续。</translation>
+    </message>
+    <message>
+        <source>Open the project</source>
+        <translation>打开项目</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ModeBox</name>
@@ -10526,10 +10546,6 @@ D 轴：保持转子而不使其转动的电流 (%1)</translation>
     <message>
         <source>Time until the coils reach their limit</source>
         <translation>线圈达到限值的时间</translation>
-    </message>
-    <message>
-        <source>no temperature has come yet</source>
-        <translation>尚未收到温度</translation>
     </message>
 </context>
 <context>

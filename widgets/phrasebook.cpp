@@ -112,11 +112,16 @@ QString filledIn(const QString& translation, const QStringList& words) {
     return text + translation.mid(at);
 }
 
-/// "motor.toml:3:1: unknown key ...": where it was stays, what it is is looked up.
+/// "motor.toml:3:1: unknown key ...": where it was stays, what it is is looked up. "3 of 9 rows are missing:
+/// the line ...": what happened, and why.
 std::optional<QString> afterItsPlace(const QString& english) {
     const int colon = english.indexOf(QStringLiteral(": "));
     const auto what = colon > 0 ? sentence(english.mid(colon + 2)) : std::nullopt;
-    return what ? std::optional(english.left(colon + 2) + *what) : std::nullopt;
+    if (!what) {
+        return std::nullopt;
+    }
+    const QString before = english.left(colon);
+    return sentence(before).value_or(before) + english.mid(colon, 2) + *what;
 }
 
 /// "install the rules ..., or join the group ...": a sentence and what was added to it.

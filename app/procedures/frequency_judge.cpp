@@ -42,7 +42,7 @@ Result<void> checkRows(const FrequencyRun& run, double at_Hz, std::size_t first,
         std::abs(time_s[first + rows - 1] - time_s[first] - expected_s) > 0.5 * run.margins.period_s) {
         return failure(ErrorCode::Refused,
                        fmt::format("rows are missing near {} Hz: the periods do not fit together", at_Hz),
-                       "check the link and measure again");
+                       "measure again");
     }
     return {};
 }

@@ -63,7 +63,7 @@ Result<void> checkRows(const std::vector<double>& time_s) {
     if (!(lost_ratio <= MostLost_ratio)) {
         return failure(ErrorCode::InvalidInput,
                        fmt::format("{:.0f} % of the recording's rows are missing", 1e2 * lost_ratio),
-                       "check the link; at most one row in ten may be lost");
+                       "record again; at most one row in ten may be lost");
     }
     return {};
 }

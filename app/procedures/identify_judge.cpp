@@ -113,7 +113,7 @@ void judgeAmount(IdentifyResult& result, const IdentifyFits& fits) {
         remark(
             result.quality, Verdict::Doubtful, "rows_lost",
             counted(fits.lostRows, "one row of the recording was lost", "{} rows of the recording were lost"),
-            "check the link");
+            "");
     }
     if (!fits.motion && !fits.motionProblem.empty()) {
         remark(result.quality, Verdict::Good, "no_transients",

@@ -6,6 +6,7 @@
 #include "app/procedures/identify_plan.h"
 #include "app/procedures/pilot_motion.h"
 #include "app/procedures/restored_result.h"
+#include "app/procedures/row_loss.h"
 #include "app/procedures/spin_drive.h"
 
 #include <fmt/format.h>
@@ -118,6 +119,7 @@ Result<IdentifyResult> excite(devices::Device& device, const IdentifyConfig& con
     if (auto entered = enterState(observer, ProcedureState::Excite); !entered) {
         return failure(entered.error());
     }
+    const devices::LinkStatistics before = device.statistics();
     auto recording = Excitation(device, config, observer).run(currents_A);
     if (!recording) {
         return failure(recording.error());
@@ -129,6 +131,7 @@ Result<IdentifyResult> excite(devices::Device& device, const IdentifyConfig& con
     if (!result) {
         return failure(result.error());
     }
+    nameRowLoss(result->quality, causeOfRowLoss(before, device.statistics()));
     result->recording = std::move(*recording);
     if (auto entered = enterState(observer, ProcedureState::Judge); !entered) {
         return failure(entered.error());

@@ -22,9 +22,8 @@ void judgeRows(const MoveResponse& response, const MoveConfig& config, std::uint
     const auto rows = static_cast<double>(response.time_s.size());
     if (lostRows > 0 || rows < expected - 0.5) {
         quality.verdict = Verdict::Doubtful;
-        quality.findings.push_back({"rows_lost",
-                                    fmt::format("{:.0f} of {:.0f} samples arrived", rows, expected + 1.0),
-                                    "The link is too slow for this rate; record at a lower one."});
+        quality.findings.push_back(
+            {"rows_lost", fmt::format("{:.0f} of {:.0f} samples arrived", rows, expected + 1.0), ""});
     }
 }
 

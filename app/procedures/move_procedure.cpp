@@ -6,6 +6,7 @@
 #include "app/procedures/position_law_parameters.h"
 #include "app/procedures/procedure_steps.h"
 #include "app/procedures/restored_result.h"
+#include "app/procedures/row_loss.h"
 #include "control/base/units.h"
 
 #include <fmt/format.h>
@@ -119,8 +120,7 @@ Result<Origin> findOrigin(const Recording& recording) {
     const std::vector<double> truth = recording.column("truth.position");
     const auto first = std::find_if(running.begin(), running.end(), [](double value) { return value > 0.5; });
     if (first == running.begin() || first == running.end() || reference.empty()) {
-        return failure(ErrorCode::Protocol, "the board did not start its reference",
-                       "Try again; check the link.");
+        return failure(ErrorCode::Protocol, "the board did not start its reference", "Try again.");
     }
     Origin origin;
     origin.firstRow = static_cast<std::size_t>(first - running.begin());
@@ -315,6 +315,7 @@ Result<MoveResult> performMove(devices::Device& device, const MoveConfig& wanted
     if (auto entered = enterState(observer, ProcedureState::Excite); !entered) {
         return failure(entered.error());
     }
+    const devices::LinkStatistics before = device.statistics();
     StreamRecorder recorder(device, observer);
     recorder.guardBy(excitationLimits(device.catalogue(), config.speedLimit_rad_s,
                                       excursionWindow_rad(device.catalogue(), config)));
@@ -331,7 +332,11 @@ Result<MoveResult> performMove(devices::Device& device, const MoveConfig& wanted
     if (auto entered = enterState(observer, ProcedureState::Judge); !entered) {
         return failure(entered.error());
     }
-    return judge(*std::move(recording), config, loopPeriod_s(device.catalogue()));
+    Result<MoveResult> result = judge(*std::move(recording), config, loopPeriod_s(device.catalogue()));
+    if (result) {
+        nameRowLoss(result->quality, causeOfRowLoss(before, device.statistics()));
+    }
+    return result;
 }
 
 Result<MoveResult> runMove(devices::Device& device, const MoveConfig& config,

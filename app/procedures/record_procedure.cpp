@@ -1,6 +1,7 @@
 #include "app/procedures/record_procedure.h"
 
 #include "app/procedures/procedure_steps.h"
+#include "app/procedures/row_loss.h"
 #include "devices/acquisition/stream_rate.h"
 
 #include <fmt/format.h>
@@ -114,17 +115,18 @@ StreamLayout layoutOf(const devices::Catalogue& catalogue, const std::vector<std
 }
 
 // A gap is shown; a stream that is mostly gap is no recording.
-Result<DataQuality> judgeRows(std::size_t found, std::size_t expected) {
+Result<DataQuality> judgeRows(std::size_t found, std::size_t expected, const RowLossCause& cause) {
     DataQuality quality;
     if (2 * found < expected) {
-        return failure(ErrorCode::DeviceLost, fmt::format("only {} of {} samples arrived", found, expected),
-                       "check the link; record fewer signals or at a lower rate");
+        std::string message = fmt::format("only {} of {} samples arrived", found, expected);
+        message += cause.words.empty() ? "" : ": " + cause.words;
+        return failure(ErrorCode::DeviceLost, message, cause.remedy);
     }
     if (found < expected) {
         quality.verdict = Verdict::Doubtful;
-        quality.findings.push_back({"rows_lost",
-                                    fmt::format("{} of {} rows are missing", expected - found, expected),
-                                    "Record fewer signals or at a lower rate."});
+        quality.findings.push_back(
+            {"rows_lost", fmt::format("{} of {} rows are missing", expected - found, expected), ""});
+        nameRowLoss(quality, cause);
     }
     return quality;
 }
@@ -207,9 +209,9 @@ public:
         return done ? collect(device, observer, recorder, firstRow() + expectedRows(), m_config.duration_s)
                     : done;
     }
-    Result<RecordResult> result() {
+    Result<RecordResult> result(const RowLossCause& cause) {
         RecordResult result = m_taker.result();
-        auto quality = judgeRows(result.rows, expectedRows());
+        auto quality = judgeRows(result.rows, expectedRows(), cause);
         if (!quality) {
             return failure(quality.error());
         }
@@ -249,10 +251,11 @@ Result<RecordResult> runRecord(devices::Device& device, const RecordConfig& conf
     }
     const std::vector<std::string> signals = recordedSignals(device.catalogue(), config);
     StreamRecorder recorder(device, observer, [&](const SampleBlock& block) { return recorded.take(block); });
-    done = recorder.start(signals, config.rate_Hz);
-    if (done && outlet != nullptr) {
+    if (outlet != nullptr) { // a disk that is slow to begin holds up the stream before it runs, and no row
         done = outlet->begin(layoutOf(device.catalogue(), signals, config.rate_Hz));
     }
+    const devices::LinkStatistics before = device.statistics();
+    done = done ? recorder.start(signals, config.rate_Hz) : done;
     done = done ? enterState(observer, ProcedureState::Record) : done;
     done = done ? recorded.collectAll(device, observer, recorder) : done;
     if (!done) {
@@ -261,7 +264,7 @@ Result<RecordResult> runRecord(devices::Device& device, const RecordConfig& conf
     if (const Result<Recording> ended = recorder.finish(); !ended) {
         return failure(ended.error());
     }
-    Result<RecordResult> result = recorded.result();
+    Result<RecordResult> result = recorded.result(causeOfRowLoss(before, device.statistics()));
     if (!result) {
         return result;
     }

@@ -30,7 +30,7 @@ struct RecordResult {
 
 /// Where rows go as they come, e.g. a file, instead of into memory.
 struct RecordOutlet {
-    /// Once, when the device has accepted to send; signals with units and the period. May call the device.
+    /// Once, before the device is asked to send; signals with units and the period. May call the device.
     std::function<Result<void>(const StreamLayout&)> begin;
     std::function<Result<void>(const SampleBlock&)> append; ///< must not call the device
 };

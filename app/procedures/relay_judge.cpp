@@ -23,7 +23,7 @@ Result<void> checkRows(const RelayRun& run) {
     if (!isThere ||
         std::abs(time_s[run.endRow - 1] - time_s[run.firstRow] - expected_s) > 0.5 * run.period_s) {
         return failure(ErrorCode::Refused, "rows are missing: the cycles do not fit together",
-                       "check the link and measure again");
+                       "measure again");
     }
     return {};
 }

@@ -53,6 +53,26 @@ TEST(Record, anOutletGetsTheRowsThatMemoryWouldHaveHeld) {
     }
 }
 
+TEST(Record, aDiskThatIsSlowToBeginCostsNoRow) {
+    for (const double slow_s : {0.2, 1.5, 10.0}) {
+        const auto device = openMotor("");
+        RecordConfig config;
+        config.duration_s = 2.0;
+        config.rate_Hz = 1000.0;
+        Recording streamed;
+        const RecordOutlet outlet{[&](const StreamLayout&) { return device->clock().waitFor(slow_s); },
+                                  [&](const SampleBlock& block) -> Result<void> {
+                                      streamed.append(block);
+                                      return {};
+                                  }};
+        const auto result = runRecord(*device, config, {}, &outlet);
+        ASSERT_TRUE(result);
+        EXPECT_EQ(streamed.rows(), 2000U) << slow_s;
+        EXPECT_EQ(result->lostRows, 0U);
+        EXPECT_EQ(result->quality.verdict, Verdict::Good);
+    }
+}
+
 TEST(Record, endsSoonWithTheErrorOfItsOutlet) {
     const auto device = openMotor("");
     RecordConfig config;
