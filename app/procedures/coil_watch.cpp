@@ -9,6 +9,9 @@ namespace {
 
 using Verdict = control::LimitForecast::Verdict;
 
+constexpr double OldestCurrent_s = 0.1;  // a current of longer ago is not that of a temperature
+constexpr double LeastHeating_A2 = 0.01; // 15 mW in 1.5 ohm, 0.2 K in the end
+
 /// Smaller is more urgent; seconds where there are any.
 double urgency(const control::LimitForecast& forecast) {
     switch (forecast.verdict) {
@@ -39,6 +42,19 @@ void CoilWatch::add(std::size_t coil, double time_s, double temperature_degC, do
     m_coils[coil].bins.add(time_s, temperature_degC, current_A);
 }
 
+void CoilWatch::add(std::size_t coil, std::span<const control::TimedValue> temperatures_degC,
+                    std::span<const control::TimedValue> currents_A) {
+    std::size_t next = 0;
+    for (const control::TimedValue& temperature : temperatures_degC) {
+        while (next < currents_A.size() && currents_A[next].time_s <= temperature.time_s) {
+            ++next;
+        }
+        const bool isKnown = next > 0 && temperature.time_s - currents_A[next - 1].time_s <= OldestCurrent_s;
+        add(coil, temperature.time_s, temperature.value,
+            isKnown ? currents_A[next - 1].value : std::numeric_limits<double>::quiet_NaN());
+    }
+}
+
 void CoilWatch::take(const SampleBlock& block) {
     for (std::size_t i = 0; i < m_coils.size(); ++i) {
         const Coil& coil = m_coils[i];
@@ -66,6 +82,23 @@ std::vector<CoilForecast> CoilWatch::forecasts(double limit_degC) const {
         }
     }
     return forecasts;
+}
+
+bool CoilWatch::isHeated(const std::string& temperature) const {
+    return std::any_of(m_coils.begin(), m_coils.end(), [&](const Coil& coil) {
+        return coil.temperature == temperature && !coil.bins.bins().empty() &&
+               coil.bins.bins().back().square_A2 >= LeastHeating_A2;
+    });
+}
+
+std::vector<CoilForecast> CoilWatch::tellingForecasts(double limit_degC) const {
+    std::vector<CoilForecast> all = forecasts(limit_degC);
+    const auto tellsNothing = [this](const CoilForecast& coil) {
+        const Verdict verdict = coil.forecast.verdict;
+        return verdict != Verdict::AtLimit && (verdict == Verdict::Withheld || !isHeated(coil.signal));
+    };
+    all.erase(std::remove_if(all.begin(), all.end(), tellsNothing), all.end());
+    return all;
 }
 
 const CoilForecast* mostUrgent(const std::vector<CoilForecast>& forecasts) {

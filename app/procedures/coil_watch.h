@@ -2,10 +2,12 @@
 
 #include "control/base/sample_block.h"
 #include "control/identify/limit_forecast.h"
+#include "control/signals/sample_history.h"
 #include "devices/device.h"
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,6 +31,10 @@ public:
     void take(const SampleBlock& block);
     /// One sample of one coil; NaN: a current that is not known.
     void add(std::size_t coil, double time_s, double temperature_degC, double current_A);
+    /// Those of one coil, oldest first. To a temperature belongs the current of its moment, or the last one
+    /// before it: the two may come from streams of other columns and rates.
+    void add(std::size_t coil, std::span<const control::TimedValue> temperatures_degC,
+             std::span<const control::TimedValue> currents_A);
 
     struct Coil {
         std::string temperature; ///< name; empty: the device has none
@@ -39,8 +45,12 @@ public:
 
     /// Of every coil of which there were samples.
     std::vector<CoilForecast> forecasts(double limit_degC) const;
+    /// Of those the ones that tell something: a coil at its limit, or what is known of one that is heated.
+    std::vector<CoilForecast> tellingForecasts(double limit_degC) const;
 
 private:
+    bool isHeated(const std::string& temperature) const;
+
     std::array<Coil, 2> m_coils;
 };
 

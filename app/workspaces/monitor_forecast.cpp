@@ -8,7 +8,6 @@
 #include "widgets/theme_style.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace halbench::app {
 
@@ -148,18 +147,16 @@ bool MonitorForecast::takeCoil(std::size_t coil, control::TimeRange range) {
     if (names.temperature.empty() || !history.samples(names.temperature, range, temperatures)) {
         return false;
     }
-    bool isThere = false;
-    const bool hasCurrents = !names.current.empty() && history.samples(names.current, range, currents) &&
-                             currents.size() == temperatures.size();
-    for (std::size_t i = 0; i < temperatures.size(); ++i) {
-        const double time_s = temperatures[i].time_s;
-        if (time_s > range.begin_s && time_s <= range.end_s) {
-            isThere = true;
-            m_watch->add(coil, time_s, temperatures[i].value,
-                         hasCurrents ? currents[i].value : std::numeric_limits<double>::quiet_NaN());
-        }
+    if (!names.current.empty()) {
+        (void)history.samples(names.current, range, currents);
     }
-    return isThere;
+    const auto isOutside = [range](const control::TimedValue& sample) {
+        return sample.time_s <= range.begin_s || sample.time_s > range.end_s;
+    };
+    temperatures.erase(std::remove_if(temperatures.begin(), temperatures.end(), isOutside),
+                       temperatures.end());
+    m_watch->add(coil, temperatures, currents);
+    return !temperatures.empty();
 }
 
 bool MonitorForecast::isShown() const {
@@ -180,13 +177,10 @@ std::optional<double> MonitorForecast::limit_degC() const {
 void MonitorForecast::refresh() {
     const std::optional<double> limit = isShown() ? limit_degC() : std::nullopt;
     const std::vector<CoilForecast> forecasts =
-        limit ? m_watch->forecasts(*limit) : std::vector<CoilForecast>();
+        limit ? m_watch->tellingForecasts(*limit) : std::vector<CoilForecast>();
     const CoilForecast* first = mostUrgent(forecasts);
-    m_words->setVisible(limit.has_value());
+    m_words->setVisible(first != nullptr);
     if (first == nullptr) {
-        const QString shown = tr("%1 °C").arg(widgets::fixedText(limit.value_or(0.0), 0));
-        m_words->setWords(tr("Time to %1 not known: %2.").arg(shown, tr("no temperature has come yet")));
-        widgets::setRole(*m_words, widgets::Role::Muted);
         return;
     }
     m_words->setWords(forecastWords(*first));
