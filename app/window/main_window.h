@@ -100,6 +100,7 @@ private:
     void takeOverProject();
     void askConsent();
     void offerCopy(const QString& path);
+    void offerInterrupted();
     void refreshTitle();
     void leaveThenClose();
 

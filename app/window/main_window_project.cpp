@@ -12,6 +12,7 @@
 
 #include <QFileInfo>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -89,6 +90,21 @@ void MainWindow::recoverUnnamed() {
         onMessage(widgets::Severity::Information,
                   tr("The project of the last session, which has no name yet, is open again."),
                   tr("Save it under a name to keep it."));
+    }
+    offerInterrupted();
+}
+
+/// The last project of those that have unsaved work, e.g. because the program crashed.
+void MainWindow::offerInterrupted() {
+    const QStringList recent = recentProjects();
+    const auto left = std::find_if(recent.begin(), recent.end(), [this](const QString& path) {
+        return m_project->wasLeftWithWork(path.toStdString());
+    });
+    if (left != recent.end()) {
+        say({widgets::Severity::Information,
+             tr("%1 has unsaved work of an earlier session.").arg(QFileInfo(*left).fileName()),
+             tr("Opening the project takes it up again."), tr("Open the project")},
+            [this, path = *left] { m_projects->open(path); });
     }
 }
 

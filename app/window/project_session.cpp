@@ -241,6 +241,12 @@ std::optional<Project> ProjectSession::recoverable(const std::string& path) cons
     return left ? std::optional(*left) : std::nullopt;
 }
 
+bool ProjectSession::wasLeftWithWork(const std::string& path) const {
+    const std::optional<Project> left = has(path) ? std::nullopt : recoverable(path);
+    const Result<Project> saved = left ? loadProject(path) : Result<Project>(Project());
+    return left && saved && !isSameWork(*left, *saved) && ProjectLock::take(path).has_value();
+}
+
 std::optional<std::string> ProjectSession::setAsideDamaged(const std::string& path) const {
     const QString file = QString::fromStdString(autosaveOf(path));
     if (!QFile::exists(file) || loadProject(file.toStdString())) {

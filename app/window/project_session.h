@@ -69,6 +69,8 @@ public:
 
     /// The autosave that an interrupted program left for this project or for one without a name.
     std::optional<Project> recoverable(const std::string& path) const;
+    /// Whether opening this file would recover work: its autosave holds some, and no window has it open.
+    bool wasLeftWithWork(const std::string& path) const;
     /// An autosave that cannot be read is renamed; says to what.
     std::optional<std::string> setAsideDamaged(const std::string& path) const;
     /// Takes it over as unsaved work.

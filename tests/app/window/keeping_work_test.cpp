@@ -242,6 +242,23 @@ TEST_F(KeepingWorkTest, whatCannotBeKeptIsDiscardedOnPurposeOnly) {
     EXPECT_EQ(loadProject(file())->notes, ""); // as it was saved
 }
 
+TEST_F(KeepingWorkTest, aNamedProjectThatACrashInterruptedIsOfferedAtTheNextStart) {
+    openNew();
+    openNew("later.toml"); // the last one, without unsaved work
+    window.reset();
+    Project unsaved;
+    unsaved.notes = "before the crash"; // what the autosave of five seconds ago holds
+    ASSERT_TRUE(saveProject(unsaved, autosavePath(file())));
+    open();
+    window->recoverUnnamed();
+    EXPECT_TRUE(window->project().path().empty()) << "nothing is opened unasked";
+    ASSERT_NE(offering("Open the project"), nullptr);
+    EXPECT_NE(saying("motor.toml"), nullptr);
+    press("Open the project");
+    EXPECT_EQ(window->project().path(), file());
+    EXPECT_EQ(notes(), "before the crash");
+}
+
 TEST_F(KeepingWorkTest, aWindowThatWasOnlyLookedAtLeavesNothingToRecover) {
     window->docks().setPerspective(Perspective::Tune);
     EXPECT_TRUE(window->close());

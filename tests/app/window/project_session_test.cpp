@@ -48,6 +48,24 @@ TEST_F(ProjectSessionTest, aCrashLosesNothingThatWasAutosaved) {
     EXPECT_TRUE(after.isChanged()); // it is still not saved
 }
 
+TEST_F(ProjectSessionTest, anInterruptedProjectIsKnownUntilItIsOpenSavedOrUnchanged) {
+    const std::string motor = file("motor.toml");
+    {
+        ProjectSession before(file("unnamed.toml"));
+        ASSERT_TRUE(saved(before, "motor.toml"));
+        before.update(withNotes("unsaved"));
+        ASSERT_TRUE(before.autosaveNow());
+        EXPECT_FALSE(before.wasLeftWithWork(motor)) << "it is open here";
+        EXPECT_FALSE(ProjectSession(file("other.toml")).wasLeftWithWork(motor)) << "another window has it";
+    }
+    ProjectSession after(file("unnamed.toml"));
+    EXPECT_TRUE(after.wasLeftWithWork(motor));
+    EXPECT_TRUE(after.wasLeftWithWork(motor)) << "asking leaves it as it is";
+    EXPECT_FALSE(after.wasLeftWithWork(file("none.toml")));
+    ASSERT_TRUE(saveProject(withNotes("unsaved"), motor));
+    EXPECT_FALSE(after.wasLeftWithWork(motor)) << "the file has the same";
+}
+
 TEST_F(ProjectSessionTest, aProjectWithoutANameIsRecoveredToo) {
     {
         ProjectSession before(file("unnamed.toml"));
