@@ -95,6 +95,10 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source>check the link</source>
+        <translation>die Verbindung prüfen</translation>
+    </message>
+    <message>
         <source>deg is an angle: degrees Celsius are written degC</source>
         <translation>deg ist ein Winkel: Grad Celsius schreibt man degC</translation>
     </message>

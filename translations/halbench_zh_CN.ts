@@ -95,6 +95,10 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source>check the link</source>
+        <translation>检查链路</translation>
+    </message>
+    <message>
         <source>deg is an angle: degrees Celsius are written degC</source>
         <translation>deg 是角度：摄氏度应写作 degC</translation>
     </message>
