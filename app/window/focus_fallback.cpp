@@ -3,6 +3,8 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QFocusEvent>
+#include <QStackedWidget>
+#include <QTimer>
 #include <QWidget>
 
 #include <algorithm>
@@ -65,7 +67,7 @@ void FocusFallback::leave(const QWidget& hidden) {
     if (focus == nullptr || (focus != &hidden && !hidden.isAncestorOf(focus))) {
         return;
     }
-    QWidget* place = hidden.isWindow() ? m_home.data() : placeFor(focus, *focus->window());
+    QWidget* place = hidden.isWindow() ? placeAfter(hidden) : placeFor(focus, *focus->window());
     if (place == nullptr || !isUsable(*place)) {
         return;
     }
@@ -73,10 +75,30 @@ void FocusFallback::leave(const QWidget& hidden) {
         place->activateWindow();
     }
     place->setFocus();
+    if (auto* pages = qobject_cast<QStackedWidget*>(hidden.parentWidget())) {
+        holdUntilPage(*pages, *place);
+    }
+}
+
+/// A stack hides the page that goes, gives the focus to the first widget of the one that comes, and then says
+/// that it has changed.
+void FocusFallback::holdUntilPage(QStackedWidget& pages, QWidget& place) {
+    m_held = &place;
+    auto* hold = new QObject(this);
+    const auto end = [this, hold] {
+        m_held.clear();
+        hold->deleteLater();
+    };
+    connect(&pages, &QStackedWidget::currentChanged, hold, end);
+    QTimer::singleShot(0, hold, end);
 }
 
 void FocusFallback::onFocusChanged(QWidget* old, QWidget* now) {
     if (now == nullptr) {
+        return;
+    }
+    if (m_held && now != m_held && isButton(*now)) {
+        m_held->setFocus();
         return;
     }
     const bool isLeft = old != nullptr && old->window() == now->window() && !isUsable(*old);
@@ -108,6 +130,13 @@ bool FocusFallback::isKnown(const QWidget& widget) const {
         return one && one->window() == widget.window();
     });
     return last != m_recent.rend() && *last == &widget;
+}
+
+/// Of a dialog: where the user was in the window it belongs to.
+QWidget* FocusFallback::placeAfter(const QWidget& window) const {
+    const QWidget* owner = window.parentWidget() != nullptr ? window.parentWidget()->window() : m_home.data();
+    QWidget* place = owner != nullptr ? placeFor(nullptr, *owner->window()) : nullptr;
+    return place != nullptr && isUsable(*place) ? place : m_home.data();
 }
 
 QWidget* FocusFallback::placeFor(const QWidget* left, const QWidget& window) const {

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+class QStackedWidget;
 class QWidget;
 
 namespace halbench::app {
@@ -26,13 +27,16 @@ protected:
 
 private:
     void leave(const QWidget& hidden);
+    void holdUntilPage(QStackedWidget& pages, QWidget& place);
     void onFocusChanged(QWidget* old, QWidget* now);
     void remember(QWidget& widget);
     bool isKnown(const QWidget& widget) const;
+    QWidget* placeAfter(const QWidget& window) const;
     QWidget* placeFor(const QWidget* left, const QWidget& window) const;
 
     QPointer<QWidget> m_home;
     std::vector<QPointer<QWidget>> m_recent; ///< which had the focus, the newest last
+    QPointer<QWidget> m_held;                ///< has the focus of a page that goes
     bool m_isByWindow = false;               ///< the focus comes because its window became the active one
 };
 

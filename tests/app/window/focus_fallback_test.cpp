@@ -4,8 +4,11 @@
 #include "tests/app/window/window_test.h"
 
 #include <QAbstractButton>
+#include <QDialog>
+#include <QHideEvent>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 #include <qtadvanceddocking/DockWidget.h>
 
@@ -149,6 +152,52 @@ TEST_F(FocusFallbackTest, theFieldOfTheSamePanelGetsTheKeysBack) {
                           static_cast<QWidget*>(&bar), &panel, static_cast<QWidget*>(&arm)}) {
         part->setParent(nullptr); // they live on this function's stack
     }
+}
+
+/// A dialog that closes gives its keys back to the field with which the user worked before it.
+TEST_F(FocusFallbackTest, aDialogThatClosesGivesTheKeysBackToTheFieldBefore) {
+    QWidget place;
+    auto* layout = new QVBoxLayout(&place);
+    auto* home = new QWidget;
+    auto* plot = new QLineEdit;
+    auto* arm = new QPushButton;
+    for (QWidget* part : {home, static_cast<QWidget*>(plot), static_cast<QWidget*>(arm)}) {
+        layout->addWidget(part);
+    }
+    const FocusFallback fallback(*home, nullptr);
+    place.show();
+    QApplication::setActiveWindow(&place);
+    plot->setFocus();
+    QDialog dialog(&place);
+    auto* field = new QLineEdit(&dialog);
+    dialog.show();
+    QApplication::setActiveWindow(&dialog);
+    field->setFocus();
+    ASSERT_EQ(QApplication::focusWidget(), field);
+    QHideEvent hidden; // as on X11, where a window that hides loses the focus later
+    QApplication::sendEvent(&dialog, &hidden);
+    EXPECT_EQ(place.focusWidget(), plot); // when the desktop makes it the active window
+}
+
+/// A stack gives the focus of the page that goes to the first widget of the one that comes.
+TEST_F(FocusFallbackTest, aPageThatGoesGivesItsKeysToNoButtonOfTheNext) {
+    QStackedWidget pages;
+    auto* plot = new QLineEdit;
+    auto* start = new QPushButton;
+    for (QWidget* part : {static_cast<QWidget*>(plot), static_cast<QWidget*>(start)}) {
+        auto* page = new QWidget;
+        (new QVBoxLayout(page))->addWidget(part);
+        pages.addWidget(page);
+    }
+    const FocusFallback fallback(pages, nullptr);
+    pages.show();
+    QApplication::setActiveWindow(&pages);
+    plot->setFocus();
+    ASSERT_EQ(QApplication::focusWidget(), plot);
+    pages.setCurrentIndex(1);
+    EXPECT_TRUE(isSafe(QApplication::focusWidget())) << nameOf(QApplication::focusWidget());
+    start->setFocus(); // on purpose
+    EXPECT_EQ(QApplication::focusWidget(), start);
 }
 
 } // namespace
