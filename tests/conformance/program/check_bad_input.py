@@ -473,7 +473,7 @@ class Serving(ProgramCase):
     def test_rows_that_a_line_lost_are_told_beside_the_recording(self):
         _, address = self.serve("tcp", "--drop", "0.05")
         answer = self.accept("record", address, "--duration", "2", "--out", self.path("rows.csv"))
-        self.assertRegex(answer.err, r"\d+ of 200 rows are missing; ")
+        self.assertRegex(answer.err, r"\d+ of 200 rows are missing: \d+(\.\d+)? % of the packets were lost")
 
     def test_occupied_port_is_told(self):
         with socket.create_server(("127.0.0.1", 0)) as taken:

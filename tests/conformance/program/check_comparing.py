@@ -34,12 +34,14 @@ class Comparing(ProgramCase):
 class Lists(Comparing):
     def identification(self, name, started, damping, half, device="HB-17", source="identified"):
         value = {"value": damping, "unit": "N*m*s/rad", "ci95": [damping - half, damping + half], "source": source}
-        none = {"value": None, "unit": "N*m", "ci95": None, "source": "not identifiable"}
+        units = {"coulomb_friction": "N*m", "torque_constant": "N*m/A", "inertia": "kg*m^2"}
+        others = {name: {"value": None, "unit": unit, "ci95": None, "source": "not identifiable"}
+                  for name, unit in units.items()}
         self.write(name, json.dumps({
             "schema": "halbench.identification/1", "started": started,
             "device": {"model": "htm", "id": device, "firmware": "", "simulated": False, "overrides": {}},
             "data_quality": {"verdict": "good", "findings": []},
-            "parameters": {"viscous_damping": value, "coulomb_friction": none, "torque_constant": none, "inertia": none}}))
+            "parameters": {"viscous_damping": value} | others}))
 
     def listed(self, *arguments):
         return self.accept("recordings", *arguments, "--json").json()

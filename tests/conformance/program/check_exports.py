@@ -141,7 +141,7 @@ class Mat(ExportCase):
         self.assertEqual((file["meta_started"], file["meta_software"]), ("2026-01-02T03:04:05Z", "0.1.0"))
         with open(self.path("run.meta.json"), encoding="utf-8") as sidecar:
             self.assertEqual(json.loads(file["meta_json"]), json.load(sidecar) | {"sha256": ""})
-        self.assertEqual(set(file), {*self.NAMES, "units", "meta_model", "meta_id", "meta_firmware", "meta_started",
+        self.assertEqual(set(file), {*self.NAMES, "units", "signals", "meta_model", "meta_id", "meta_firmware", "meta_started",
                                      "meta_software", "meta_json"})
 
     def test_a_part_and_equal_files_for_equal_recordings(self):
