@@ -123,7 +123,11 @@ private:
                                  std::string_view key) const {
         const JsonValue* unit = value.find("unit");
         const std::optional<std::string_view> due = dueUnit(key);
-        if (unit != nullptr && due && value.find("value") != nullptr) {
+        const JsonValue* amount = value.find("value");
+        if (unit != nullptr && due && amount != nullptr) {
+            if (amount->isNull() && unit->isText() && unit->text().empty()) {
+                return value; // nothing is stated
+            }
             return readQuantity(value, *unit, path, *due);
         }
         JsonValue object = JsonValue::object();

@@ -123,8 +123,12 @@ Result<std::optional<PilotEstimate>> PilotMotion::findCalm(const std::vector<dou
 // is never too high.
 Result<PilotEstimate> PilotMotion::pulsedMotor(double current_A, double acceleration_rad_s2) {
     const double calm_rad_s2 = CalmShare * m_config.speedLimit_rad_s / RunUp_s;
+    constexpr int MostHalvings = 12; // of the current: a speed that does not follow it shows no motor
     double gentle_rad_s2 = acceleration_rad_s2;
-    while (gentle_rad_s2 > calm_rad_s2) {
+    for (int halving = 0; gentle_rad_s2 > calm_rad_s2; ++halving) {
+        if (halving == MostHalvings) {
+            return nominalMotor(); // the runs are watched all the same
+        }
         acceleration_rad_s2 = gentle_rad_s2;
         current_A *= 0.5;
         const auto next = pulsedAcceleration_rad_s2(current_A);
@@ -134,6 +138,9 @@ Result<PilotEstimate> PilotMotion::pulsedMotor(double current_A, double accelera
         gentle_rad_s2 = *next;
     }
     PilotEstimate rough = nominalMotor();
+    if (!(acceleration_rad_s2 > gentle_rad_s2)) {
+        return rough;
+    }
     rough.torque_rad_s2_A = (acceleration_rad_s2 - gentle_rad_s2) / current_A;
     rough.friction_rad_s2 = std::max(rough.torque_rad_s2_A * current_A - gentle_rad_s2, 0.0);
     return rough;
