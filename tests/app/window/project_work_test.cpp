@@ -234,6 +234,7 @@ TEST_F(ProjectWorkTest, aSecondIdentificationIsKeptBesideTheFirst) {
     identify();
     IdentifyResult warm = publishedMotor();
     warm.viscousDamping.value = 1.1e-3;
+    warm.ratios["c_over_J"].value = 1.1e-3 / 5.5e-4; // a model that contradicts itself is refused
     window->bench().setIdentification(warm, {header(), ResultOrigin::Measured});
     window->bench().setIdentification(warm, {header(), ResultOrigin::File}); // the same once more
     saveAs(path());
@@ -311,6 +312,7 @@ TEST_F(ProjectWorkTest, aCrashLosesNoIdentificationThatWasAutosaved) {
     saveAs(path());
     IdentifyResult warm = publishedMotor();
     warm.viscousDamping.value = 1.1e-3;
+    warm.ratios["c_over_J"].value = 1.1e-3 / 5.5e-4; // a model that contradicts itself is refused
     window->bench().setIdentification(warm, {header(), ResultOrigin::Measured});
     window->close(); // autosaves, as the timer does; nothing is saved
     open();          // the next start

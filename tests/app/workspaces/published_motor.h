@@ -18,7 +18,7 @@ inline IdentifyResult publishedMotor() {
     motor.coulombFriction = known(2.05e-2, 0.04, "N*m");
     motor.torqueConstant = known(1.43e-2, 0.02, "N*m/A");
     motor.ratios["c_over_J"] = known(1.23e-3 / 5.5e-4, 0.04, "1/s");
-    motor.ratios["phi_over_J"] = known(26.0, 0.02, "rad/(A*s^2)");
+    motor.ratios["phi_over_J"] = known(26.0, 0.02, "rad/s^2/A");
     motor.ratios["Kf_over_phi"] = known(2.05e-2 / 1.43e-2, 0.04, "A");
     const double c = 0.02 * 1.23e-3;
     const double Kf = 0.02 * 2.05e-2;

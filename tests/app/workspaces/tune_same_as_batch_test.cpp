@@ -30,7 +30,7 @@ protected:
     JsonValue appliedByBatch(const QString& uri) {
         QProcess batch;
         batch.start(HALBENCH_PROGRAM,
-                    {"tune", model(), "--apply", uri, "--out", m_folder.filePath("batch.json")});
+                    {"tune", model(), "--apply", uri, "--out", m_folder.filePath("batch.json"), "--force"});
         EXPECT_TRUE(wait([&] { return batch.state() == QProcess::NotRunning; }));
         EXPECT_EQ(batch.exitCode(), 0) << batch.readAllStandardError().toStdString();
         QFile file(m_folder.filePath("batch.json"));

@@ -171,6 +171,7 @@ class Pages(SlaveCase):
         before = self.image(active)
         steps = self.transaction_steps(active)
         for done in range(len(steps) + 1):
+            self.m.close()          # which holds the session
             cut = self.master()
             for step in steps[:done]:
                 step(cut)

@@ -77,10 +77,11 @@ TEST_P(StreamConformance, readsSplitAtEveryPositionGiveTheSamePackets) {
 
 TEST_P(TransportConformance, readsThatHoldManyPacketsGiveThemAll) {
     connect(*m_transport);
+    std::uint16_t number = 0;
     for (std::uint16_t count = 1; count <= 40; ++count) {
         Octets merged;
         for (std::uint16_t i = 0; i < count; ++i) {
-            merged = merged + framed(i, Second);
+            merged = merged + framed(number++, Second);
         }
         m_far->deliver(merged);
         EXPECT_EQ(received(*m_transport, count), std::vector<Octets>(count, Second));
@@ -95,7 +96,10 @@ TEST_P(TransportConformance, lostPacketsAreCountedAndRepeatedOnesAreNot) {
     m_far->deliver(framed(static_cast<std::uint16_t>(nearEnd - 3), First)); // one is missing
     m_far->deliver(framed(static_cast<std::uint16_t>(nearEnd + 4), First)); // six, across the turn
     m_far->deliver(framed(static_cast<std::uint16_t>(nearEnd + 3), First)); // one that was overtaken
-    EXPECT_EQ(received(*m_transport, 5), std::vector<Octets>(5, First));
+    // A network repeats and overtakes, which would put an old answer under a new command; a line does
+    // neither.
+    const std::size_t kept = m_traits.isDatagram ? 3 : 5;
+    EXPECT_EQ(received(*m_transport, kept), std::vector<Octets>(kept, First));
     EXPECT_EQ(m_transport->statistics().packetsLost, 7U);
 }
 
@@ -107,6 +111,11 @@ TEST_P(TransportConformance, damageAnywhereCostsNoMoreThanItMust) {
     const std::size_t size = framed(0, Third).size();
     for (const Damage damage : {Damage::Changed, Damage::Lost, Damage::Repeated}) {
         for (std::size_t at = 0; at < size; ++at) {
+            constexpr std::size_t Header = 4;
+            if (m_traits.isDatagram && at < Header) {
+                continue; // a counter of the future makes what follows stale; UDP's own checksum drops it
+                          // before
+            }
             connect(*m_transport);
             Octets line = framed(7, Third);
             const auto place = line.begin() + static_cast<std::ptrdiff_t>(at);
@@ -146,17 +155,19 @@ TEST_P(TransportConformance, damageAnywhereCostsNoMoreThanItMust) {
 
 TEST_P(DatagramConformance, aDatagramThatIsNoWholeMessageIsDroppedWhereverItWasCut) {
     connect(*m_transport);
-    const Octets whole = framed(1, Third);
-    for (std::size_t size = 0; size < whole.size(); ++size) {
-        m_far->deliver(part(whole, 0, size));
-        m_far->deliver(framed(2, First));
+    std::uint16_t number = 0;
+    const std::size_t wholeSize = framed(0, Third).size();
+    for (std::size_t size = 0; size < wholeSize; ++size) {
+        m_far->deliver(part(framed(number++, Third), 0, size));
+        m_far->deliver(framed(number++, First));
         EXPECT_EQ(received(*m_transport, 1), std::vector<Octets>{First}) << size;
     }
-    m_far->deliver(framed(3, First) + part(framed(4, Third), 0, 5));
-    m_far->deliver(framed(5, Second));
+    m_far->deliver(framed(number, First) + part(framed(static_cast<std::uint16_t>(number + 1), Third), 0, 5));
+    number = static_cast<std::uint16_t>(number + 2);
+    m_far->deliver(framed(number++, Second));
     EXPECT_EQ(received(*m_transport, 2), (std::vector<Octets>{First, Second}));
     m_far->deliver(Octets(40, 0)); // messages of no length
-    m_far->deliver(framed(6, Second));
+    m_far->deliver(framed(number, Second));
     EXPECT_EQ(received(*m_transport, 1), std::vector<Octets>{Second});
     EXPECT_GE(m_transport->statistics().packetsDamaged, 1U);
 }
