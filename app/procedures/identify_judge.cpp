@@ -168,15 +168,15 @@ void judgeStretches(IdentifyResult& result, const IdentifyFits& fits) {
     }
 }
 
-// A lag tau of the currents costs torque, tau^2/2 of it times omega^2: 2.05 ms is a tick of hold and an
-// amplifier five times as slow as the published one. An angle kappa I of a stray field that is not
-// compensated adds kappa I tau omega, of either sign, and takes (kappa I)^2/2 of the torque constant at any
-// speed.
+// A lag tau of the currents costs torque, tau^2/2 of it times omega^2: 3.5 ms is a tick of hold, the
+// millisecond that a small processor takes and an amplifier five times as slow as the published one. An angle
+// kappa I of a stray field that is not compensated adds kappa I tau omega, of either sign, and takes (kappa
+// I)^2/2 of the torque constant at any speed.
 void judgeLoss(IdentifyResult& result, const IdentifyFits& fits) {
     if (!fits.motion || !fits.motion->isTorqueLossFitted) {
         return;
     }
-    constexpr double LargestLag_s = 2.05e-3;
+    constexpr double LargestLag_s = 3.5e-3;
     constexpr double Significant = 3.0; // standard errors
     const double loss_s2 = fits.motion->torqueLoss_s2;
     const double highest_s2 = loss_s2 + Significant * fits.motion->torqueLossError_s2;
