@@ -2,6 +2,7 @@
 #include "app/window/language.h"
 #include "app/wizards/identify_panel.h"
 #include "app/workspaces/device_panel.h"
+#include "app/workspaces/drive_control.h"
 #include "tests/app/window/window_test.h"
 #include "tests/gui/inspection.h"
 #include "widgets/message_bar.h"
@@ -114,6 +115,9 @@ TEST_P(ErrorsTest, aFaultAndWhatIsRefusedBecauseOfIt) {
 
 TEST_P(ErrorsTest, aStopFromTheKeyboard) {
     connectMotor(1.0);
+    window->bench().drive().giveConsent();
+    window->bench().drive().arm(); // Esc stops what is armed
+    ASSERT_TRUE(wait([&] { return session().report().board.isArmed; }));
     QTest::keyClick(window.get(), Qt::Key_Escape);
     ASSERT_TRUE(wait([&] { return session().report().board.isStopLatched; }));
     for (const Perspective perspective : app::AllPerspectives) {
