@@ -91,12 +91,12 @@ function(halbench_test name)
 endfunction()
 
 # halbench_test_parts(gui gui_2x 240 "gui;night" "QT_SCALE_FACTOR=2"): the parts of the program test_gui as tests named
-# gui_2x.1 and so on; the time allowed is that of one case, a part has four times as much.
+# gui_2x.1 and so on; the time allowed is that of one case, a part has eight times as much, since sanitizers take three.
 function(halbench_test_parts name prefix timeout labels environment)
   get_target_property(sources test_${name} SOURCES)
   list(LENGTH sources files)
   math(EXPR parts "(${files} + 9) / 10")
-  math(EXPR allowed "4 * ${timeout}")
+  math(EXPR allowed "8 * ${timeout}")
   math(EXPR last "${parts} - 1")
   foreach(part RANGE ${last})
     math(EXPR number "${part} + 1")
