@@ -7,6 +7,8 @@ namespace halbench {
 
 namespace {
 
+constexpr std::uint64_t RowsOfPhase = 8; // until then the grid is not known well
+constexpr double UnknownLongStep_ratio = 1.5;
 constexpr double LongStep_ratio = 1.25;   // shorter steps lose nothing, whatever the grid says
 constexpr double Exact_ratio = 0.02;      // so near to whole periods only a loss comes
 constexpr double MostJitter_ratio = 0.75; // of one step
@@ -16,7 +18,8 @@ constexpr double MostMissing = 1e15; // a gap beyond this is a broken clock; kee
 } // namespace
 
 bool RowGrid::isLongStep(double time_s) const {
-    return m_rows > 0 && m_period_s > 0.0 && time_s - m_last_s > LongStep_ratio * m_period_s;
+    const double long_ratio = m_rows < RowsOfPhase ? UnknownLongStep_ratio : LongStep_ratio;
+    return m_rows > 0 && m_period_s > 0.0 && time_s - m_last_s > long_ratio * m_period_s;
 }
 
 std::uint64_t RowGrid::missingBefore(std::span<const double> next_s) const {
