@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array ResultEndings = {".json", ".xml", ".html",    ".csv", ".svg", ".pdf",
-                                      ".png",  ".c",   ".partial", ".mf4", ".mat", ".toml"};
+constexpr std::array ResultEndings = {".json", ".xml",     ".html", ".csv", ".svg",  ".pdf",    ".png",
+                                      ".c",    ".partial", ".mf4",  ".mat", ".toml", ".damaged"};
 
 bool isThere(const std::string& path) {
     std::error_code problem; // what cannot be looked at is found out by writing
@@ -25,7 +25,9 @@ bool isThere(const std::string& path) {
 bool isInput(const CommandLine& line, const std::string& path) {
     std::vector<std::string> inputs = line.options.names;
     inputs.push_back(line.options.input);
-    return line.command != "config" && std::any_of(inputs.begin(), inputs.end(), [&](const auto& input) {
+    // These say themselves that they would replace what they read.
+    const bool saysSo = line.command == "convert" || line.command == "overlay" || line.command == "import";
+    return saysSo && std::any_of(inputs.begin(), inputs.end(), [&](const auto& input) {
                std::error_code missing;
                return fs::equivalent(path, input, missing);
            });
@@ -94,7 +96,6 @@ Result<void> checkOutputs(const CommandLine& line) {
                                      : checkFolder(line.options.out, line.global.mayOverwrite);
     }
     for (const std::string& file : outputsOf(line)) {
-        // a command says itself that it would replace what it reads
         if (!line.global.mayOverwrite && isThere(file) && !isInput(line, file)) {
             return failure(ErrorCode::Usage, fmt::format("'{}' is there already", file),
                            "give another name, or overwrite it with --force");

@@ -126,6 +126,17 @@ struct ModelRatio {
     const char* below;
 };
 
+bool isGiven(DocumentReader& reader, std::string_view symbol) {
+    constexpr std::array Sources = {std::pair{std::string_view("c"), "parameters.viscous_damping.source"},
+                                    std::pair{std::string_view("Kf"), "parameters.coulomb_friction.source"},
+                                    std::pair{std::string_view("phi"), "parameters.torque_constant.source"},
+                                    std::pair{std::string_view("J"), "parameters.inertia.source"}};
+    const auto found = std::find_if(Sources.begin(), Sources.end(),
+                                    [&](const auto& source) { return source.first == symbol; });
+    const JsonValue* source = found == Sources.end() ? nullptr : reader.find(found->second, false);
+    return source != nullptr && source->isText() && source->text() == "given";
+}
+
 constexpr std::array ModelRatios = {
     ModelRatio{"c_over_J", "c", "J"},       ModelRatio{"Kf_over_J", "Kf", "J"},
     ModelRatio{"phi_over_J", "phi", "J"},   ModelRatio{"c_over_phi", "c", "phi"},
@@ -134,12 +145,19 @@ constexpr std::array ModelRatios = {
 
 /// Half of the program works with ratios, half with absolute values: one number that was changed alone would
 /// give two motors.
+/// Two constants that are given may differ from the ratio that was measured: identify says so itself.
 void checkRatios(DocumentReader& reader, const MotorEstimate& estimate) {
     constexpr double Rounding_ratio = 5e-3; // of numbers that somebody wrote with three digits
     const auto valueOf = [&](const char* symbol) -> std::optional<double> {
         const auto found = estimate.values.find(symbol);
         return found == estimate.values.end() ? std::nullopt : std::optional(found->second);
     };
+    constexpr std::array Constants = {"c", "Kf", "phi", "J"};
+    const auto given = std::count_if(Constants.begin(), Constants.end(),
+                                     [&](const char* constant) { return isGiven(reader, constant); });
+    if (given > 1) {
+        return;
+    }
     for (const ModelRatio& ratio : ModelRatios) {
         const auto stated = valueOf(ratio.symbol);
         const auto above = valueOf(ratio.above);

@@ -288,6 +288,33 @@ std::optional<control::MountingRatios> mountingOf(const MotorEstimate& estimate)
     return mounting;
 }
 
+// The ratios of the loaded run become those of the bare motor, with the relative intervals that they had: the
+// values of one result belong together.
+void takeBareRatios(IdentifyResult& result) {
+    struct Ratio {
+        const char* name;
+        const control::Estimate& above;
+        const control::Estimate& below;
+    };
+    for (const Ratio& one : {Ratio{"c_over_J", result.viscousDamping, result.inertia},
+                             Ratio{"Kf_over_J", result.coulombFriction, result.inertia},
+                             Ratio{"phi_over_J", result.torqueConstant, result.inertia},
+                             Ratio{"c_over_phi", result.viscousDamping, result.torqueConstant},
+                             Ratio{"Kf_over_phi", result.coulombFriction, result.torqueConstant}}) {
+        const auto found = result.ratios.find(one.name);
+        if (found == result.ratios.end() || !found->second.value || *found->second.value == 0.0 ||
+            *one.below.value == 0.0) {
+            continue;
+        }
+        const double factor = *one.above.value / *one.below.value / *found->second.value;
+        *found->second.value *= factor;
+        if (auto& interval = found->second.interval95; interval) {
+            interval->first *= factor;
+            interval->second *= factor;
+        }
+    }
+}
+
 // The bare motor's four constants replace those of this run, whose inertia is not the motor's own.
 void applyAdded(IdentifyResult& result, const AddedInertia& added) {
     const auto bare = mountingOf(added.bare);
@@ -328,6 +355,7 @@ void applyAdded(IdentifyResult& result, const AddedInertia& added) {
                 estimate->covariance(i, k);
         }
     }
+    takeBareRatios(result);
 }
 
 void addNotes(IdentifyResult& result, const IdentifyFits& fits) {

@@ -88,11 +88,11 @@ int runWindow(const std::vector<std::string>& arguments) {
     char name[] = "halbench";
     char* words[] = {name, nullptr};
     WindowApplication application(count, words);
-    std::setlocale(LC_NUMERIC, "C"); // files; the screen asks QLocale
+    std::setlocale(LC_NUMERIC, "C");                   // files; the screen asks QLocale
+    const std::atomic<int>& received = catchSignals(); // before anything is connected
     const std::unique_ptr<MainWindow> window = makeWindow(application, loadPreferences());
     obey(*window, arguments);
     window->show();
-    const std::atomic<int>& received = catchSignals();
     closeBySignal(*window, received);
     const int code = QApplication::exec();
     const int signal = received.load();

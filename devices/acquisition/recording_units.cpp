@@ -48,7 +48,9 @@ std::string unitOfWord(const std::string& word, const std::string& due) {
 bool isUnitWord(const std::string& word, const std::string& due) {
     const bool isStatistic = word == "min"; // of a minute nobody counts angles: the smallest
     const bool isRaw = std::find(RawUnits.begin(), RawUnits.end(), word) != RawUnits.end();
-    return !isStatistic && (isRaw || isReadableUnit(unitOfWord(word, due)));
+    const bool isNumber =
+        !word.empty() && word.front() >= '0' && word.front() <= '9'; // "position_1": the first of several
+    return !isStatistic && !isNumber && (isRaw || isReadableUnit(unitOfWord(word, due)));
 }
 
 /// "speed_rpm", "position [deg]": a known signal and what stands behind it, if it is a unit.

@@ -31,7 +31,7 @@ class Schemas(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
 
     def run_json(self, *arguments, code=0):
-        done = subprocess.run([PROGRAM, *arguments, "--json", "--quiet"], capture_output=True, text=True, check=False,
+        done = subprocess.run([PROGRAM, *arguments, "--json", "--quiet", "--force"], capture_output=True, text=True, check=False,
                               cwd=self.folder.name, timeout=100)
         self.assertEqual(done.returncode, code, done.stderr)
         return json.loads(done.stdout, parse_constant=refuse_constant)

@@ -110,6 +110,15 @@ class StatedUnits(ProgramCase):
         for name in ("kp", "ki", "kd"):
             self.assertAlmostEqual(after["gains"][name]["value"] / before["gains"][name]["value"], 1.0, delta=1e-9)
 
+    def test_what_identify_writes_is_read_again(self):
+        self.accept("identify", "sim:htm?seed=3", "--given", "J=5.5e-4", "--given", "phi=1.5e-2", "--out", "two.json",
+                    timeout=110)
+        self.accept("tune", "two.json", "--out", "two_gains.json")
+        self.accept("identify", "sim:htm?seed=3", "--out", "bare.json", timeout=110)
+        self.accept("identify", "sim:htm?seed=3&J=7.5e-4", "--bare", "bare.json", "--added-inertia", "2e-4", "--out",
+                    "added.json", timeout=110)
+        self.accept("tune", "added.json", "--out", "added_gains.json")
+
     def test_a_model_that_contradicts_itself_is_refused(self):
         self.model["parameters"]["inertia"]["value"] *= 1.2
         self.write("c.json", json.dumps(self.model))
@@ -129,6 +138,18 @@ class Overwriting(ProgramCase):
         os.remove(self.path("there.csv"))
         self.refuse(2, "there.meta.json' is there already", "record", "sim:htm", "--duration", "1", "--out", "there.csv",
                     is_forced=False)
+
+    def read_octets(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def test_no_command_replaces_what_it_reads(self):
+        self.accept("record", "sim:htm", "--duration", "1", "--out", "run.csv")
+        before = self.read_octets("run.csv")
+        for words in (("spectrum", "run.csv", "--signal", "position", "--out", "run.csv"),
+                      ("identify", "run.csv", "--out", "run.csv")):
+            self.assertEqual(self.run_program(*words, is_forced=False).code, 2, words)
+            self.assertEqual(self.read_octets("run.csv"), before, words)
 
     def test_a_folder_of_something_else_takes_no_run(self):
         os.mkdir(self.path("out"))
