@@ -1,5 +1,6 @@
 #include "app/window/dock_layout.h"
 #include "app/workspaces/device_panel.h"
+#include "app/workspaces/drive_control.h"
 #include "app/workspaces/drive_panel.h"
 #include "app/workspaces/monitor_panel.h"
 #include "devices/acquisition/recording_file.h"
@@ -114,6 +115,10 @@ TEST_F(KeyboardDayTest, identifiesTunesAppliesRestoresAndStops) {
     // Which of them depends on what is possible just then; never STOP, never nowhere.
     auto* tune = window->docks().panel("tune");
     EXPECT_TRUE(wait([&] { return tune->isAncestorOf(QApplication::focusWidget()); }));
+    session().setPace({1.0});
+    ASSERT_TRUE(wait([&] { return window->bench().drive().canArm(); }));
+    press(Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier); // Esc stops what is armed
+    ASSERT_TRUE(wait([&] { return isArmed(); }));
     press(Qt::Key_Escape);
     EXPECT_TRUE(wait([&] { return session().report().board.isStopLatched; }));
 }
