@@ -30,6 +30,9 @@ void handle(int number, void (*handler)(int)) {
     struct sigaction action = {};
     action.sa_handler = handler;
     sigemptyset(&action.sa_mask);
+    for (const int other : {SIGINT, SIGTERM, SIGQUIT, SIGHUP}) {
+        sigaddset(&action.sa_mask, other); // of two that come at once, the first is handled first
+    }
     sigaction(number, &action, nullptr);
 }
 
