@@ -186,14 +186,7 @@ Result<void> calibrateAngleMap(devices::Device& device, const CalibrateConfig& c
     if (auto written = device.writeParameters(meanwhile); !written) {
         return written;
     }
-    const std::string limit[] = {"limit.current"};
-    const auto limit_A = device.readParameters(limit);
-    if (!limit_A) {
-        return failure(limit_A.error());
-    }
-    CalibrateConfig limited = config;
-    limited.mapCurrent_A = std::min(config.mapCurrent_A, limit_A->front());
-    const auto recordings = spinBothWays(device, limited, observer, motor);
+    const auto recordings = spinBothWays(device, config, observer, motor);
     if (!recordings) {
         return failure(recordings.error());
     }

@@ -33,15 +33,34 @@ bool isChosen(const CalibrateConfig& config, Calibration calibration) {
     return std::find(config.which.begin(), config.which.end(), calibration) != config.which.end();
 }
 
+// A demand above the board's own limit would latch its fault.
+Result<CalibrateConfig> withinCurrentLimit(devices::Device& device, CalibrateConfig config) {
+    const std::string limit[] = {"limit.current"};
+    const auto limit_A = device.readParameters(limit);
+    if (!limit_A) {
+        return failure(limit_A.error());
+    }
+    for (double* current_A :
+         {&config.spinCurrent_A, &config.mapCurrent_A, &config.strayCurrent_A, &config.frictionCurrent_A}) {
+        *current_A = std::min(*current_A, limit_A->front());
+    }
+    return config;
+}
+
 // The stray field first: the ellipse needs it.
-Result<void> measure(devices::Device& device, const CalibrateConfig& config,
-                     const ProcedureObserver& observer, CalibrateResult& result) {
+Result<void> measure(devices::Device& device, const CalibrateConfig& asked, const ProcedureObserver& observer,
+                     CalibrateResult& result) {
     using Run = Result<void> (*)(devices::Device&, const CalibrateConfig&, const ProcedureObserver&,
                                  CalibrateResult&);
     constexpr std::array<std::pair<Calibration, Run>, 3> All{
         {{Calibration::Stray, calibrateStray},
          {Calibration::Hall, calibrateHall},
          {Calibration::StaticFriction, calibrateStaticFriction}}};
+    const auto limited = withinCurrentLimit(device, asked);
+    if (!limited) {
+        return failure(limited.error());
+    }
+    const CalibrateConfig& config = *limited;
     if (auto prepared = prepareSpinning(device, config.speedLimit_rad_s); !prepared) {
         return prepared;
     }

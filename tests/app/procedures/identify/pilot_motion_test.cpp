@@ -58,6 +58,18 @@ TEST(PilotMotion, livelyMotorsAreCalibratedInsideTheirSpeedWindow) {
     }
 }
 
+TEST(PilotMotion, calibrationStaysBelowTheCurrentLimitOfTheBoard) {
+    for (const double limit_A : {2.5, 3.0}) { // its own currents are up to 4 A
+        const auto device = devices::openDevice("sim:htm?seed=1", {});
+        ASSERT_TRUE(device);
+        const std::vector<ParameterValue> limit = {{"limit.current", limit_A}};
+        ASSERT_TRUE((*device)->writeParameters(limit));
+        const auto result = runCalibrate(**device, {}, {});
+        ASSERT_TRUE(result) << limit_A << ": " << result.error().message;
+        EXPECT_NE(result->quality.verdict, Verdict::Refused) << limit_A;
+    }
+}
+
 // The board compensates 2.5 mT/A whatever the motor has: kappa I turns the currents off their angle. A stray
 // field far below that costs no more torque than the lag of a slow board does, and cannot be told from it.
 TEST(Identify, aStrayFieldThatIsNotCompensatedIsDoubtful) {
