@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 namespace halbench::app {
 namespace {
@@ -276,9 +275,8 @@ TEST_F(WindowReconnectTest, aLossInTheVerificationMoveOfTuneLeavesTheOldGainsAnd
     ASSERT_NE(apply, nullptr);
     ASSERT_TRUE(wait([&] { return apply->isEnabled(); }));
     apply->click();
+    // Armed is the whole move and three seconds long; its fastest tenth of a second may pass between two frames.
     ASSERT_TRUE(wait([&] { return session().report().board.isArmed; }));
-    const auto speed = [&] { return bench.history().latest("speed"); };
-    ASSERT_TRUE(wait([&] { return speed() && std::abs(speed()->value) > 0.5; })); // in the middle of it
     unplug();
     ASSERT_TRUE(wait([&] { return session().procedure().isEmpty(); }));
     const auto* said = tune.findChild<widgets::MessageBar*>();
